@@ -1,0 +1,62 @@
+// What Python calls MainSystem: model, assembled system and the Python objects that belong to them.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "dalembert/model/model.hpp"
+#include "dalembert/system/system.hpp"
+
+namespace dalembert {
+
+namespace py = pybind11;
+
+class SystemContainer;
+
+// Held by shared_ptr: user functions and solvers may outlive the Python variable.
+class MainSystem : public std::enable_shared_from_this<MainSystem> {
+ public:
+  Model model;
+  System system;
+
+  py::dict variables, sys;                          // free for the user; kept for utilities
+  std::map<std::string, py::object> user_functions; // 'preStep', 'postStep', 'postNewton', 'preNewtonResidual', 'systemJacobian'
+  std::map<int, py::list> stored_sensor_data;       // sensors with storeInternal: one row per written step
+  bool interactive = false;
+  bool stop_requested = false;
+  bool jacobian_update_requested = false;
+  std::weak_ptr<SystemContainer> container;
+
+  // Assembled, and the model has the same items since.
+  bool consistent() const { return system.assembled() && assembled_structure_ == model.structure_changes(); }
+  void set_consistent(bool flag);
+  void assemble();
+  // The system with all changed parameters taken over; refuses, naming `method`, if Assemble() is due.
+  System& assembled(const char* method);
+  void reset();
+
+  // None if no function was set.
+  py::object user_function(const std::string& name) const;
+
+ private:
+  std::uint64_t assembled_structure_ = ~std::uint64_t{0}, refreshed_values_ = 0;
+};
+
+// What Python calls mbs.systemData; keeps its system alive. Bound in system_data.cpp.
+struct SystemData {
+  std::shared_ptr<MainSystem> main;
+};
+
+void register_main_system(py::module_& module);
+void register_main_system_items(py::class_<MainSystem, std::shared_ptr<MainSystem>>& main_system);
+void register_main_system_assembled(py::class_<MainSystem, std::shared_ptr<MainSystem>>& main_system);
+void register_system_container(py::module_& module);
+
+py::dict system_dictionary(const MainSystem& main);                  // GetDictionary
+void set_system_dictionary(MainSystem& main, const py::dict& data);  // SetDictionary; on an error the system is left as it was
+std::string system_summary(const MainSystem& main);                  // counts per kind, for repr
+
+}  // namespace dalembert

@@ -1,0 +1,42 @@
+// Errors about a model: what is wrong with which item, and what to do about it.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dalembert {
+
+// Which Python exception an error becomes.
+enum class ErrorKind : unsigned char { value, type, index, name, state, planned };
+
+class ModelError : public std::runtime_error {
+ public:
+  ModelError(ErrorKind kind, const std::string& text) : std::runtime_error(text), kind_(kind) {}
+  ErrorKind kind() const { return kind_; }
+
+ private:
+  ErrorKind kind_;
+};
+
+// The parts of an error text; empty parts are left out.
+struct Complaint {
+  std::string item;       // "node 3 'foot' (NodePoint)"
+  std::string parameter;  // "referenceCoordinates"
+  std::string problem;    // when there is no single value to blame
+  std::string received;   // "[1, 2] (list of length 2)"
+  std::string expected;   // "3 finite numbers"
+  std::string advice;     // what to do
+  std::string text() const;
+};
+
+[[noreturn]] void refuse(ErrorKind kind, const Complaint& complaint);
+
+// The known word that resembles `word` most; empty if none is close.
+std::string nearest(std::string_view word, const std::vector<std::string_view>& known);
+// " Did you mean 'x'?" or, when nothing is close, " Known are: a, b, c."
+std::string suggestion(std::string_view word, const std::vector<std::string_view>& known);
+std::string quoted(std::string_view word);
+
+}  // namespace dalembert

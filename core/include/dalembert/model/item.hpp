@@ -1,0 +1,44 @@
+// One item of a model, and the words by which items are named.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+inline constexpr int item_kinds = 5;
+
+// Records are never changed in place once an item is in a model: a change replaces the record by a changed copy.
+// Whoever reads through a raw pointer must fetch it again after Model::value_changes() has grown.
+struct Item {
+  const ItemType* type = nullptr;
+  std::shared_ptr<const void> record;
+  std::string name;  // empty: the default name, made of the kind and the number
+
+  template <class Record>
+  const Record& as() const {
+    return *static_cast<const Record*>(record.get());
+  }
+};
+
+std::string_view kind_name(ItemKind kind);    // "node"
+std::string_view kind_title(ItemKind kind);   // "Node"
+std::string_view index_name(ItemKind kind);   // "NodeIndex"
+std::string_view type_key(ItemKind kind);     // "nodeType"
+
+// nullptr if there is none.
+const ItemType* find_type(std::string_view name);                 // 'NodePoint'
+const ItemType* find_type(ItemKind kind, std::string_view name);  // 'NodePoint' or 'Point'
+// As above; an unknown name is refused with the nearest known one.
+const ItemType& require_type(ItemKind kind, std::string_view name);
+
+// Parameters by their names or aliases, visualization with a leading 'V'; nullptr if there is none.
+const Row* find_row(const ItemType& type, std::string_view name);
+const Row* find_visualization_row(const ItemType& type, std::string_view name);  // without the 'V'
+std::string suggest_parameter(const ItemType& type, std::string_view name);
+bool provides(const ItemType& type, std::string_view what);
+
+}  // namespace dalembert

@@ -1,0 +1,70 @@
+// The editable description of a multibody system: items, before anything is assembled.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "dalembert/model/item.hpp"
+
+namespace dalembert {
+
+struct ItemReference {
+  ItemKind kind = ItemKind::node;
+  int number = -1;
+};
+
+class Model {
+ public:
+  int count(ItemKind kind) const { return static_cast<int>(items(kind).size()); }
+  const std::vector<Item>& items(ItemKind kind) const { return items_[static_cast<std::size_t>(kind)]; }
+  // Refused if there is no such item.
+  const Item& item(ItemKind kind, int number) const;
+  const Item* find_item(ItemKind kind, int number) const;  // nullptr if there is none
+  std::string name(ItemKind kind, int number) const;
+  int number(ItemKind kind, std::string_view name) const;  // -1: there is none
+  std::string describe(ItemKind kind, int number) const;   // "node 3 'foot' (NodePoint)"
+
+  // Add one item and return its number. A planned type, or a name that is taken, is refused.
+  int add(Item item);
+  // Replace all parameters; type and number stay.
+  void replace(ItemKind kind, int number, Item item);
+  // Write one parameter: `write` gets the member in a copy, which is kept only if `write` returns.
+  void edit(ItemKind kind, int number, const Row& row, const std::function<void(void*)>& write);
+  void rename(ItemKind kind, int number, std::string name);
+  void clear();
+
+  // Delete one item; numbers behind it move up, references to it become invalid. `with_dependents`: objects take their
+  // nodes and markers along, loads their marker. Returns a sentence for each reference that was lost.
+  std::vector<std::string> remove(ItemKind kind, int number, bool with_dependents);
+
+  // Refuse a model that cannot be assembled: indices, types of nodes and markers, array lengths. Throws ModelError.
+  void check() const;
+
+  std::uint64_t structure_changes() const { return structure_changes_; }  // grown: Assemble is needed
+  std::uint64_t value_changes() const { return value_changes_; }          // grown: parameters were replaced
+  // The items replaced since change number `since`; everything may have changed if the second is false.
+  std::pair<std::vector<ItemReference>, bool> changed_since(std::uint64_t since) const;
+
+ private:
+  std::vector<Item>& items(ItemKind kind) { return items_[static_cast<std::size_t>(kind)]; }
+  void check_name(ItemKind kind, int number, std::string_view name, const ItemType& type) const;
+  void register_name(ItemKind kind, int number, std::string_view name);
+  void index_names(ItemKind kind);
+  void note_value_change(ItemKind kind, int number);
+  void shift_references(ItemKind kind, int removed, std::vector<std::string>& lost);
+
+  std::array<std::vector<Item>, item_kinds> items_;
+  std::array<std::unordered_map<std::string, int>, item_kinds> numbers_;  // of items with names of their own
+  std::vector<ItemReference> changes_;                                    // the last of the value changes
+  std::uint64_t structure_changes_ = 0, value_changes_ = 0;
+};
+
+// The number in a default name such as 'node12' of that kind; -1 if the name is not of this form.
+int default_name_number(ItemKind kind, std::string_view name);
+
+}  // namespace dalembert

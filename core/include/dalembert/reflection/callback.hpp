@@ -1,0 +1,25 @@
+// A function that the user supplies, seen from the core: numbers in, numbers out.
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace dalembert {
+
+// One argument: a scalar (rows = columns = 0), a vector (columns = 0) or a matrix, row by row.
+struct Argument {
+  const double* data = nullptr;
+  int rows = 0, columns = 0;
+  int size() const { return (rows == 0 ? 1 : rows) * (columns == 0 ? 1 : columns); }
+};
+
+class Callback {
+ public:
+  virtual ~Callback() = default;
+  // `results` has the size that the signature in the spec promises. Throws what the user's function throws.
+  virtual void call(double time, int item, std::span<const Argument> arguments, std::span<double> results) const = 0;
+  // For functions whose result has a size that only they know (sensors).
+  virtual std::vector<double> evaluate(double time, int item, std::span<const Argument> arguments) const = 0;
+};
+
+}  // namespace dalembert

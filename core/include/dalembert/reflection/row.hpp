@@ -1,0 +1,42 @@
+// One row of a parameter table: what hand-written code needs to read, write, check and name a member.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "dalembert/reflection/storage.hpp"
+
+namespace dalembert {
+
+enum class Check : std::uint8_t { none, non_negative, positive };
+
+enum class Role : std::uint8_t { name, parameter, visualization };
+
+// What the row's user function takes and gives, from the spec.
+struct Signature {
+  enum class Kind : std::uint8_t { scalar, integer, boolean, vector, matrix, index_list, configuration };
+  std::span<const Kind> arguments;  // after mbs, t and (if takes_item) the item number
+  bool takes_time = true;
+  bool takes_item = true;
+  Kind result = Kind::scalar;
+};
+
+struct Row {
+  std::string_view name;
+  Storage storage;
+  std::uint32_t offset;  // of the member in the record
+  Role role;
+  Check check = Check::none;
+  std::uint8_t size = 0;                      // required length of a dynamic array; 0: any
+  bool internal = false;                      // never a constructor argument; read-only from outside
+  bool optional = false;                      // indices: may stay invalid
+  bool needs_assemble = false;                // a change takes effect at the next Assemble only
+  std::string_view unit = {};
+  std::span<const std::string_view> aliases = {};
+  const Signature* signature = nullptr;       // of user functions
+  std::uint16_t enumeration = 0;              // Storage::enumeration: number of the table in enums.hpp
+};
+
+}  // namespace dalembert

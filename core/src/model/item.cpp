@@ -1,0 +1,105 @@
+#include "dalembert/model/item.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "dalembert/model/errors.hpp"
+#include "dalembert/model/member.hpp"
+
+namespace dalembert {
+namespace {
+
+template <std::size_t N>
+std::string_view word(const std::array<std::string_view, N>& words, ItemKind kind) {
+  return words[static_cast<std::size_t>(kind)];
+}
+
+bool has_name(const Row& row, std::string_view name) {
+  return row.name == name || std::ranges::find(row.aliases, name) != row.aliases.end();
+}
+
+}  // namespace
+
+std::string_view kind_name(ItemKind kind) {
+  return word(std::array<std::string_view, 5>{"node", "object", "marker", "load", "sensor"}, kind);
+}
+std::string_view kind_title(ItemKind kind) {
+  return word(std::array<std::string_view, 5>{"Node", "Object", "Marker", "Load", "Sensor"}, kind);
+}
+std::string_view index_name(ItemKind kind) {
+  return word(std::array<std::string_view, 5>{"NodeIndex", "ObjectIndex", "MarkerIndex", "LoadIndex", "SensorIndex"},
+              kind);
+}
+std::string_view type_key(ItemKind kind) {
+  return word(std::array<std::string_view, 5>{"nodeType", "objectType", "markerType", "loadType", "sensorType"}, kind);
+}
+
+const ItemType* find_type(std::string_view name) {
+  for (const ItemType* type : item_types())
+    if (type->name == name) return type;
+  return nullptr;
+}
+
+const ItemType* find_type(ItemKind kind, std::string_view name) {
+  for (const ItemType* type : item_types())
+    if (type->kind == kind && (type->type_name == name || type->name == name)) return type;
+  return nullptr;
+}
+
+const ItemType& require_type(ItemKind kind, std::string_view name) {
+  if (const ItemType* type = find_type(kind, name)) return *type;
+  std::vector<std::string_view> known;
+  for (const ItemType* type : item_types())
+    if (type->kind == kind) known.push_back(type->type_name);
+  Complaint complaint;
+  complaint.problem = "there is no " + std::string(kind_name(kind)) + " type " + quoted(name);
+  complaint.advice = suggestion(name, known);
+  if (const ItemType* other = find_type(name))
+    complaint.advice = quoted(name) + " is a " + std::string(kind_name(other->kind)) + " type; use Add" +
+                       std::string(kind_title(other->kind)) + "(...).";
+  refuse(ErrorKind::value, complaint);
+}
+
+const Row* find_visualization_row(const ItemType& type, std::string_view name) {
+  for (const Row& row : type.rows)
+    if (row.role == Role::visualization && has_name(row, name)) return &row;
+  return nullptr;
+}
+
+const Row* find_row(const ItemType& type, std::string_view name) {
+  for (const Row& row : type.rows)
+    if (row.role != Role::visualization && has_name(row, name)) return &row;
+  return name.starts_with('V') ? find_visualization_row(type, name.substr(1)) : nullptr;
+}
+
+std::string suggest_parameter(const ItemType& type, std::string_view name) {
+  std::vector<std::string> names;
+  for (const Row& row : type.rows)
+    names.push_back((row.role == Role::visualization ? "V" : "") + std::string(row.name));
+  return suggestion(name, {names.begin(), names.end()});
+}
+
+bool provides(const ItemType& type, std::string_view what) {
+  return std::ranges::find(type.provides, what) != type.provides.end();
+}
+
+namespace {
+template <class Numbers, class Record>
+std::span<Numbers> numbers(const Row& row, Record* record) {
+  return visit(row, record, [](auto& value) -> std::span<Numbers> {
+    using T = std::remove_cvref_t<decltype(value)>;
+    if constexpr (is_item_index<T>)
+      return {&value.value, 1};
+    else if constexpr (requires { requires is_item_index<typename T::value_type>; })
+      return value.empty() ? std::span<Numbers>{} : std::span<Numbers>{&value.data()->value, value.size()};
+    else
+      return {};
+  });
+}
+static_assert(sizeof(NodeIndex) == sizeof(int));
+}  // namespace
+
+std::span<int> index_values(const Row& row, void* record) { return numbers<int>(row, record); }
+std::span<const int> index_values(const Row& row, const void* record) { return numbers<const int>(row, record); }
+
+}  // namespace dalembert

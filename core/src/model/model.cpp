@@ -1,0 +1,174 @@
+#include "dalembert/model/model.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+
+#include "dalembert/model/errors.hpp"
+#include "dalembert/model/member.hpp"
+
+namespace dalembert {
+namespace {
+
+// So many single changes are remembered; after more of them everything is taken to have changed.
+constexpr std::size_t remembered_changes = 4096;
+
+std::string default_name(ItemKind kind, int number) { return std::string(kind_name(kind)) + std::to_string(number); }
+
+void refuse_planned(const ItemType& type) {
+  Complaint complaint;
+  complaint.problem = std::string(type.name) + " is specified, but its physics is planned and not yet part of this release";
+  complaint.advice = "Its parameters are described in " + std::string(type.spec) +
+                     "; a kernel for it would make it ready, see docs/developer.";
+  refuse(ErrorKind::planned, complaint);
+}
+
+}  // namespace
+
+int default_name_number(ItemKind kind, std::string_view name) {
+  const std::string_view prefix = kind_name(kind);
+  if (!name.starts_with(prefix) || name.size() == prefix.size()) return -1;
+  int number = -1;
+  const auto [end, error] = std::from_chars(name.data() + prefix.size(), name.data() + name.size(), number);
+  return error == std::errc{} && end == name.data() + name.size() ? number : -1;
+}
+
+const Item* Model::find_item(ItemKind kind, int number) const {
+  const auto& list = items(kind);
+  return number >= 0 && number < static_cast<int>(list.size()) ? &list[static_cast<std::size_t>(number)] : nullptr;
+}
+
+const Item& Model::item(ItemKind kind, int number) const {
+  if (const Item* item = find_item(kind, number)) return *item;
+  Complaint complaint;
+  const std::string noun(kind_name(kind));
+  complaint.problem = "there is no " + noun + " with number " + std::to_string(number);
+  complaint.expected = count(kind) == 0 ? "nothing: the system has no " + noun + "s yet"
+                                        : "a number from 0 to " + std::to_string(count(kind) - 1);
+  complaint.advice = "Use the index that Add" + std::string(kind_title(kind)) + "(...) returned.";
+  refuse(ErrorKind::index, complaint);
+}
+
+std::string Model::name(ItemKind kind, int number) const {
+  const Item& found = item(kind, number);
+  return found.name.empty() ? default_name(kind, number) : found.name;
+}
+
+int Model::number(ItemKind kind, std::string_view name) const {
+  const auto& names = numbers_[static_cast<std::size_t>(kind)];
+  if (const auto found = names.find(std::string(name)); found != names.end()) return found->second;
+  const int number = default_name_number(kind, name);
+  const Item* item = find_item(kind, number);
+  return item != nullptr && item->name.empty() ? number : -1;
+}
+
+std::string Model::describe(ItemKind kind, int number) const {
+  std::string text = std::string(kind_name(kind)) + " " + std::to_string(number);
+  if (const Item* item = find_item(kind, number)) {
+    text += " '" + name(kind, number) + "' (" + std::string(item->type->name) + ")";
+  }
+  return text;
+}
+
+// Default names belong to the item with that number, so that every item has a name of its own.
+void Model::check_name(ItemKind kind, int number, std::string_view name, const ItemType& type) const {
+  if (name.empty()) return;
+  Complaint complaint;
+  complaint.item = std::string(kind_name(kind)) + " " + std::to_string(number) + " (" + std::string(type.name) + ")";
+  complaint.parameter = "name";
+  complaint.received = quoted(name);
+  if (const int reserved = default_name_number(kind, name); reserved >= 0 && reserved != number) {
+    complaint.expected = "a name that is not of the form '" + std::string(kind_name(kind)) + "' + number";
+    complaint.advice = "Such names are given to items without a name; choose another one, or leave the name empty.";
+    refuse(ErrorKind::value, complaint);
+  }
+  const auto& names = numbers_[static_cast<std::size_t>(kind)];
+  const auto found = names.find(std::string(name));
+  if (found == names.end() || found->second == number) return;
+  complaint.expected = "a name that no other " + std::string(kind_name(kind)) + " has";
+  complaint.advice = "The name belongs to " + describe(kind, found->second) + "; choose another one.";
+  refuse(ErrorKind::value, complaint);
+}
+
+void Model::register_name(ItemKind kind, int number, std::string_view name) {
+  if (!name.empty()) numbers_[static_cast<std::size_t>(kind)][std::string(name)] = number;
+}
+
+void Model::index_names(ItemKind kind) {
+  numbers_[static_cast<std::size_t>(kind)].clear();
+  for (int i = 0; i < count(kind); ++i) register_name(kind, i, items(kind)[static_cast<std::size_t>(i)].name);
+}
+
+int Model::add(Item item) {
+  const ItemKind kind = item.type->kind;
+  const int number = count(kind);
+  if (item.type->physics == nullptr && kind != ItemKind::sensor) refuse_planned(*item.type);
+  check_name(kind, number, item.name, *item.type);
+  if (default_name_number(kind, item.name) == number) item.name.clear();
+  register_name(kind, number, item.name);
+  items(kind).push_back(std::move(item));
+  ++structure_changes_;
+  return number;
+}
+
+void Model::replace(ItemKind kind, int number, Item item) {
+  const Item& old = this->item(kind, number);
+  if (old.type != item.type) {
+    Complaint complaint;
+    complaint.item = describe(kind, number);
+    complaint.received = "parameters of a " + std::string(item.type->name);
+    complaint.expected = "those of a " + std::string(old.type->name);
+    complaint.advice = "The type of an item cannot change; delete the item and add another one.";
+    refuse(ErrorKind::value, complaint);
+  }
+  check_name(kind, number, item.name, *item.type);
+  if (default_name_number(kind, item.name) == number) item.name.clear();
+  items(kind)[static_cast<std::size_t>(number)] = std::move(item);
+  index_names(kind);
+  ++structure_changes_;
+}
+
+void Model::edit(ItemKind kind, int number, const Row& row, const std::function<void(void*)>& write) {
+  const Item& old = item(kind, number);
+  std::shared_ptr<void> record = old.type->record.copy(old.record.get());
+  write(member(record.get(), row));
+  if (row.role == Role::name) {
+    rename(kind, number, *static_cast<const std::string*>(member(record.get(), row)));
+    return;
+  }
+  items(kind)[static_cast<std::size_t>(number)].record = std::move(record);
+  if (row.role == Role::visualization) return;
+  if (row.needs_assemble || index_storage(row.storage).is_index) {
+    ++structure_changes_;
+  } else {
+    note_value_change(kind, number);
+  }
+}
+
+void Model::rename(ItemKind kind, int number, std::string name) {
+  check_name(kind, number, name, *item(kind, number).type);
+  if (default_name_number(kind, name) == number) name.clear();
+  items(kind)[static_cast<std::size_t>(number)].name = std::move(name);
+  index_names(kind);
+}
+
+void Model::clear() {
+  for (auto& list : items_) list.clear();
+  for (auto& names : numbers_) names.clear();
+  changes_.clear();
+  ++structure_changes_;
+}
+
+void Model::note_value_change(ItemKind kind, int number) {
+  if (changes_.size() >= remembered_changes) changes_.erase(changes_.begin(), changes_.begin() + remembered_changes / 2);
+  changes_.push_back({kind, number});
+  ++value_changes_;
+}
+
+std::pair<std::vector<ItemReference>, bool> Model::changed_since(std::uint64_t since) const {
+  const std::uint64_t missing = value_changes_ - since;
+  if (missing > changes_.size()) return {{}, false};
+  return {{changes_.end() - static_cast<std::ptrdiff_t>(missing), changes_.end()}, true};
+}
+
+}  // namespace dalembert

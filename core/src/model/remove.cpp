@@ -1,0 +1,77 @@
+// Deleting items: what goes along, and what becomes of references to what is gone.
+#include <algorithm>
+
+#include "dalembert/model/errors.hpp"
+#include "dalembert/model/member.hpp"
+#include "dalembert/model/model.hpp"
+
+namespace dalembert {
+namespace {
+
+// Numbers of the items of `kind` that `item` refers to, largest first, each once.
+std::vector<int> referenced(const Item& item, ItemKind kind) {
+  std::vector<int> found;
+  for (const Row& row : item.type->rows) {
+    const IndexStorage storage = index_storage(row.storage);
+    if (!storage.is_index || storage.kind != kind) continue;
+    for (const int number : index_values(row, item.record.get()))
+      if (number >= 0) found.push_back(number);
+  }
+  std::ranges::sort(found, std::greater<>{});
+  found.erase(std::ranges::unique(found).begin(), found.end());
+  return found;
+}
+
+}  // namespace
+
+// Walk all references to items of one kind: the removed one becomes invalid, those behind it move up.
+void Model::shift_references(ItemKind kind, int removed, std::vector<std::string>& lost) {
+  for (std::size_t k = 0; k < item_kinds; ++k) {
+    for (std::size_t i = 0; i < items_[k].size(); ++i) {
+      Item& item = items_[k][i];
+      const std::vector<int> numbers = referenced(item, kind);
+      if (numbers.empty() || numbers.front() < removed) continue;
+      std::shared_ptr<void> record = item.type->record.copy(item.record.get());
+      for (const Row& row : item.type->rows) {
+        const IndexStorage storage = index_storage(row.storage);
+        if (!storage.is_index || storage.kind != kind) continue;
+        for (int& number : index_values(row, record.get())) {
+          if (number > removed) {
+            --number;
+          } else if (number == removed) {
+            number = -1;
+            lost.push_back(describe(item.type->kind, static_cast<int>(i)) + ": parameter " + quoted(row.name) +
+                           " referred to the deleted " + std::string(kind_name(kind)) + " " + std::to_string(removed) +
+                           " and is invalid now");
+          }
+        }
+      }
+      item.record = std::move(record);
+    }
+  }
+}
+
+std::vector<std::string> Model::remove(ItemKind kind, int number, bool with_dependents) {
+  const Item removed = item(kind, number);
+  auto& list = items(kind);
+  list.erase(list.begin() + number);
+  index_names(kind);
+  ++structure_changes_;
+  changes_.clear();
+  std::vector<std::string> lost;
+  shift_references(kind, number, lost);
+  if (!with_dependents) return lost;
+
+  const auto take_along = [&](ItemKind dependent) {
+    for (const int other : referenced(removed, dependent)) {
+      if (find_item(dependent, other) == nullptr) continue;
+      std::vector<std::string> more = remove(dependent, other, false);
+      lost.insert(lost.end(), more.begin(), more.end());
+    }
+  };
+  if (kind == ItemKind::object) take_along(ItemKind::node);
+  if (kind == ItemKind::object || kind == ItemKind::load) take_along(ItemKind::marker);
+  return lost;
+}
+
+}  // namespace dalembert
