@@ -1,0 +1,70 @@
+"""Argument checks shared by the Python utility modules."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+FloatArray = npt.NDArray[np.float64]
+IntArray = npt.NDArray[np.int64]
+
+
+def shape_error(name: str, expected: str, received: Any) -> ValueError:
+    """Return the ValueError that names an argument, what was expected and what was received."""
+    try:
+        text = repr(received)
+    except Exception:  # a broken __repr__ must not hide the argument error
+        text = f"<{type(received).__name__} without text>"
+    if len(text) > 120:
+        text = text[:117] + "..."
+    shape = getattr(received, "shape", None)
+    detail = f" of shape {shape}" if shape is not None else ""
+    return ValueError(f"{name}: expected {expected}, received {text} ({type(received).__name__}{detail})")
+
+
+def as_array(name: str, value: Any, expected: str = "an array of numbers") -> FloatArray:
+    """Convert to a float array; ValueError names the argument if that is not possible."""
+    try:
+        return np.asarray(value, dtype=float)
+    except (TypeError, ValueError):
+        raise shape_error(name, expected, value) from None
+
+
+def as_vector(name: str, value: Any, size: int | None = None) -> FloatArray:
+    """Convert to a 1D float array, of the given size if there is one; ValueError otherwise."""
+    expected = "a vector of numbers" if size is None else f"a vector with {size} components"
+    array = as_array(name, value, expected)
+    if array.ndim != 1 or (size is not None and array.shape[0] != size):
+        raise shape_error(name, expected, value)
+    return array
+
+
+def as_matrix(name: str, value: Any, shape: tuple[int, int]) -> FloatArray:
+    """Convert to a 2D float array of the given shape; ValueError otherwise."""
+    expected = f"a {shape[0]}x{shape[1]} matrix"
+    array = as_array(name, value, expected)
+    if array.shape != shape:
+        raise shape_error(name, expected, value)
+    return array
+
+
+def as_points(name: str, value: Any, columns: int = 3) -> FloatArray:
+    """Convert a list of points to an array with one point per row; ValueError otherwise."""
+    expected = f"a list of points with {columns} coordinates each"
+    array = as_array(name, value, expected)
+    if array.size == 0:
+        return np.zeros((0, columns))
+    if array.ndim != 2 or array.shape[1] != columns:
+        raise shape_error(name, expected, value)
+    return array
+
+
+def unit_vector(name: str, value: Any, size: int = 3) -> FloatArray:
+    """Return the vector divided by its length; ValueError if it has none."""
+    vector = as_vector(name, value, size)
+    length = np.linalg.norm(vector)
+    if length == 0.0:
+        raise shape_error(name, "a vector of non-zero length", value)
+    return vector / length

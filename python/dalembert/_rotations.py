@@ -1,0 +1,289 @@
+"""Rotation parameters and their rates: Euler parameters, rotation vector, Tait-Bryan and Euler angles.
+
+A rotation matrix A maps components in the rotated (local) frame to components in the global frame. The rate matrices
+map parameter rates to the angular velocity, G in the global and GLocal in the local frame (Shabana, Dynamics of
+Multibody Systems, chapter 2). Angles in rad, angular velocities in rad/s.
+"""
+
+from __future__ import annotations
+
+from math import atan2, cos, hypot, sin
+
+import numpy as np
+import numpy.typing as npt
+from scipy.spatial.transform import Rotation
+
+from dalembert._checks import FloatArray, as_array, as_matrix, as_vector, shape_error, unit_vector
+
+eulerParameters0: list[float] = [1.0, 0.0, 0.0, 0.0]  # rotation by the angle zero
+
+_GIMBAL = 1e-14  # below this, the two outer axes of a sequence of angles count as parallel
+
+
+def ComputeOrthonormalBasisVectors(vector0: npt.ArrayLike) -> list[FloatArray]:
+    """Return the right-handed triad [vector0 normalized, normal1, normal2]; [zeros, e_x, e_y] for a zero vector."""
+    v = as_vector("vector0", vector0, 3)
+    length = np.linalg.norm(v)
+    if length == 0.0:
+        return [v.copy(), np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0])]
+    v = v / length
+    alongX = abs(v[0]) > 0.5 and abs(v[1]) < 0.1 and abs(v[2]) < 0.1
+    helper = np.array([0.0, 1.0, 0.0]) if alongX else np.array([1.0, 0.0, 0.0])
+    normal1 = helper - (helper @ v) * v
+    normal1 /= np.linalg.norm(normal1)
+    return [v, normal1, np.cross(v, normal1)]
+
+
+def ComputeOrthonormalBasis(vector0: npt.ArrayLike) -> FloatArray:
+    """Return the 3x3 rotation matrix with the normalized vector0 as its first column (the other two are not unique)."""
+    return np.column_stack(ComputeOrthonormalBasisVectors(vector0))
+
+
+def GramSchmidt(vector0: npt.ArrayLike, vector1: npt.ArrayLike) -> list[FloatArray]:
+    """Return the orthonormal triad [e0, e1, e0 x e1] with e0 along vector0 and e1 in the plane of both vectors.
+
+    Raises ValueError if a vector is zero or if both are parallel.
+    """
+    e0 = unit_vector("vector0", vector0)
+    e1 = unit_vector("vector1", vector1)
+    e1 = e1 - (e1 @ e0) * e0
+    length = np.linalg.norm(e1)
+    if length == 0.0:
+        raise shape_error("vector1", "a vector not parallel to vector0", vector1)
+    e1 = e1 / length
+    return [e0, e1, np.cross(e0, e1)]
+
+
+def Skew(vector: npt.ArrayLike) -> FloatArray:
+    """Return the 3x3 matrix S of a 3D vector v, such that S @ w = v x w."""
+    x, y, z = as_vector("vector", vector, 3)
+    return np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+
+
+def Skew2Vec(skew: npt.ArrayLike) -> FloatArray:
+    """Return the vector of a skew matrix: 3 components for so(3) (3x3), [translation, rotation] for se(3) (4x4)."""
+    s = as_array("skew", skew)
+    if s.shape not in ((3, 3), (4, 4)):
+        raise shape_error("skew", "a 3x3 or 4x4 matrix", skew)
+    rotation = np.array([s[2, 1], s[0, 2], -s[0, 1]])
+    return rotation if s.shape == (3, 3) else np.concatenate([s[:3, 3], rotation])
+
+
+def ComputeSkewMatrix(v: npt.ArrayLike) -> FloatArray:
+    """Return the skew matrices of the 3D vectors in v, one below the other.
+
+    A vector with 3n components gives a (3n x 3) matrix; a (3n x m) matrix gives a (3n x 3m) matrix, three columns per
+    column of v.
+    """
+    a = as_array("v", v)
+    if a.ndim not in (1, 2) or a.shape[0] % 3 != 0:
+        raise shape_error("v", "a vector with 3*n components or a matrix with 3*n rows", v)
+    x, y, z = a.reshape(a.shape[0] // 3, 3, -1).transpose(1, 0, 2)
+    skew = np.zeros((x.shape[0], 3, x.shape[1], 3))
+    skew[:, 0, :, 1], skew[:, 0, :, 2] = -z, y
+    skew[:, 1, :, 0], skew[:, 1, :, 2] = z, -x
+    skew[:, 2, :, 0], skew[:, 2, :, 1] = -y, x
+    return skew.reshape(a.shape[0], -1)
+
+
+def EulerParameters2G(eulerParameters: npt.ArrayLike) -> FloatArray:
+    """Return the 3x4 matrix G with (global) angular velocity = G @ eulerParameters_t."""
+    p = as_vector("eulerParameters", eulerParameters, 4)
+    return 2.0 * np.column_stack([-p[1:], p[0] * np.eye(3) + Skew(p[1:])])
+
+
+def EulerParameters2GLocal(eulerParameters: npt.ArrayLike) -> FloatArray:
+    """Return the 3x4 matrix GLocal with (local) angular velocity = GLocal @ eulerParameters_t."""
+    p = as_vector("eulerParameters", eulerParameters, 4)
+    return 2.0 * np.column_stack([-p[1:], p[0] * np.eye(3) - Skew(p[1:])])
+
+
+def EulerParameters2RotationMatrix(eulerParameters: npt.ArrayLike) -> FloatArray:
+    """Return the 3x3 rotation matrix of 4 Euler parameters (scalar part first); they are not normalized here."""
+    p = as_vector("eulerParameters", eulerParameters, 4)
+    e = Skew(p[1:])
+    return np.eye(3) + 2.0 * (p[0] * e + e @ e)
+
+
+def RotationMatrix2EulerParameters(rotationMatrix: npt.ArrayLike) -> FloatArray:
+    """Return the 4 normalized Euler parameters of a 3x3 rotation matrix, with a non-negative scalar part.
+
+    All products 4*p_i*p_j are linear in the matrix entries; the row of the largest p_i gives p without cancellation
+    (Shepperd, J. Guidance and Control 1, 1978).
+    """
+    A = as_matrix("rotationMatrix", rotationMatrix, (3, 3))
+    products = np.empty((4, 4))
+    products[1:, 1:] = A + A.T
+    products[0, 1:] = products[1:, 0] = A[2, 1] - A[1, 2], A[0, 2] - A[2, 0], A[1, 0] - A[0, 1]
+    diagonal = np.diag(A)
+    trace = diagonal.sum()
+    products[0, 0] = 1.0 + trace
+    products[[1, 2, 3], [1, 2, 3]] = 1.0 + 2.0 * diagonal - trace
+    p = products[np.argmax(np.diag(products))]
+    p = p / np.linalg.norm(p)
+    return -p if p[0] < 0.0 else p
+
+
+def AngularVelocity2EulerParameters_t(
+    angularVelocity: npt.ArrayLike, eulerParameters: npt.ArrayLike
+) -> FloatArray:
+    """Return the 4 rates of unit Euler parameters from the angular velocity in the global frame."""
+    omega = as_vector("angularVelocity", angularVelocity, 3)
+    return 0.25 * EulerParameters2G(eulerParameters).T @ omega
+
+
+def RotationVector2RotationMatrix(rotationVector: npt.ArrayLike) -> FloatArray:
+    """Return the 3x3 rotation matrix of a rotation vector (axis times angle); exact for angles of any size."""
+    return Rotation.from_rotvec(as_vector("rotationVector", rotationVector, 3)).as_matrix()
+
+
+def RotationMatrix2RotationVector(rotationMatrix: npt.ArrayLike) -> FloatArray:
+    """Return the rotation vector of a 3x3 rotation matrix, with an angle in [0, pi]."""
+    p = RotationMatrix2EulerParameters(rotationMatrix)
+    halfSine = np.linalg.norm(p[1:])
+    if halfSine == 0.0:
+        return np.zeros(3)
+    return 2.0 * np.arctan2(halfSine, p[0]) / halfSine * p[1:]
+
+
+def ComputeRotationAxisFromRotationVector(rotationVector: npt.ArrayLike) -> FloatArray:
+    """Return the unit vector of the rotation axis; zeros for the zero rotation."""
+    v = as_vector("rotationVector", rotationVector, 3)
+    angle = np.linalg.norm(v)
+    return np.zeros(3) if angle == 0.0 else v / angle
+
+
+def RotationVector2G(rotationVector: npt.ArrayLike) -> FloatArray:
+    """Return the 3x3 matrix that maps the rate of the Lie group node, the local angular velocity, to the global one."""
+    return RotationVector2RotationMatrix(rotationVector)
+
+
+def RotationVector2GLocal(eulerParameters: npt.ArrayLike) -> FloatArray:
+    """Return the 3x3 identity: the rate of the Lie group node is the local angular velocity itself."""
+    as_vector("eulerParameters", eulerParameters, 3)
+    return np.eye(3)
+
+
+def RotXYZ2RotationMatrix(rot: npt.ArrayLike) -> FloatArray:
+    """Return the 3x3 matrix Ax @ Ay @ Az of successive rotations about the x, the rotated y and the rotated z axis."""
+    a, b, c = as_vector("rot", rot, 3)
+    return RotationMatrixX(a) @ RotationMatrixY(b) @ RotationMatrixZ(c)
+
+
+def RotationMatrix2RotXYZ(rotationMatrix: npt.ArrayLike) -> FloatArray:
+    """Return the Tait-Bryan angles [x, y, z] of a 3x3 rotation matrix, y in [-pi/2, pi/2].
+
+    At y = +-pi/2 only the sum or difference of x and z is determined; x = 0 is chosen there.
+    """
+    A = as_matrix("rotationMatrix", rotationMatrix, (3, 3))
+    cosY = hypot(A[1, 2], A[2, 2])
+    angleY = atan2(A[0, 2], cosY)
+    if cosY > _GIMBAL:
+        return np.array([atan2(-A[1, 2], A[2, 2]), angleY, atan2(-A[0, 1], A[0, 0])])
+    return np.array([0.0, angleY, atan2(A[1, 0], A[1, 1])])
+
+
+def RotXYZ2G(rot: npt.ArrayLike) -> FloatArray:
+    """Return the 3x3 matrix G with (global) angular velocity = G @ rot_t; its columns are the three rotation axes."""
+    a, b, _ = as_vector("rot", rot, 3)
+    return np.array([[1.0, 0.0, sin(b)], [0.0, cos(a), -sin(a) * cos(b)], [0.0, sin(a), cos(a) * cos(b)]])
+
+
+def RotXYZ2G_t(rot: npt.ArrayLike, rot_t: npt.ArrayLike) -> FloatArray:
+    """Return the time derivative of the 3x3 matrix of RotXYZ2G."""
+    a, b, _ = as_vector("rot", rot, 3)
+    a_t, b_t, _ = as_vector("rot_t", rot_t, 3)
+    G = RotXYZ2G(rot)
+    G_t = np.zeros((3, 3))
+    G_t[1:, 1:] = a_t * np.array([-G[2, 1:], G[1, 1:]])  # turning about x exchanges the rows
+    G_t[:, 2] += b_t * np.array([cos(b), sin(a) * sin(b), -cos(a) * sin(b)])
+    return G_t
+
+
+def RotXYZ2GLocal(rot: npt.ArrayLike) -> FloatArray:
+    """Return the 3x3 matrix GLocal with (local) angular velocity = GLocal @ rot_t."""
+    _, b, c = as_vector("rot", rot, 3)
+    return np.array([[cos(b) * cos(c), sin(c), 0.0], [-cos(b) * sin(c), cos(c), 0.0], [sin(b), 0.0, 1.0]])
+
+
+def RotXYZ2GLocal_t(rot: npt.ArrayLike, rot_t: npt.ArrayLike) -> FloatArray:
+    """Return the time derivative of the 3x3 matrix of RotXYZ2GLocal."""
+    _, b, c = as_vector("rot", rot, 3)
+    _, b_t, c_t = as_vector("rot_t", rot_t, 3)
+    G = RotXYZ2GLocal(rot)
+    G_t = np.zeros((3, 3))
+    G_t[:2, :2] = c_t * np.array([G[1, :2], -G[0, :2]])  # turning about z exchanges the rows
+    G_t[:, 0] += b_t * np.array([-sin(b) * cos(c), sin(b) * sin(c), cos(b)])
+    return G_t
+
+
+def AngularVelocity2RotXYZ_t(angularVelocity: npt.ArrayLike, rotation: npt.ArrayLike) -> FloatArray:
+    """Return the rates of the Tait-Bryan angles from the angular velocity in the global frame.
+
+    Raises ValueError at rotation[1] = +-pi/2 if the angular velocity has a part that no rates can represent.
+    """
+    omega = as_vector("angularVelocity", angularVelocity, 3)
+    a, b, _ = as_vector("rotation", rotation, 3)
+    rateY = cos(a) * omega[1] + sin(a) * omega[2]
+    throughZ = cos(a) * omega[2] - sin(a) * omega[1]
+    if abs(cos(b)) > _GIMBAL:
+        rateZ = throughZ / cos(b)
+    elif abs(throughZ) <= _GIMBAL * np.linalg.norm(omega):
+        rateZ = 0.0
+    else:
+        raise shape_error("rotation", "angles with rotation[1] different from +-pi/2 (singular position)", rotation)
+    return np.array([omega[0] - sin(b) * rateZ, rateY, rateZ])
+
+
+def quaternion_product(q: FloatArray, p: FloatArray) -> FloatArray:
+    """Return the Hamilton product of two quaternions, scalar part first: the rotation q followed by p in its frame."""
+    vector = q[0] * p[1:] + p[0] * q[1:] + np.cross(q[1:], p[1:])
+    return np.concatenate([[q[0] * p[0] - q[1:] @ p[1:]], vector])
+
+
+def RotXYZ2EulerParameters(alpha: npt.ArrayLike) -> FloatArray:
+    """Return the 4 Euler parameters (scalar part first) of Tait-Bryan angles, smooth in the angles."""
+    half = 0.5 * as_vector("alpha", alpha, 3)
+    c, s = np.cos(half), np.sin(half)
+    aboutX = np.array([c[0], s[0], 0.0, 0.0])
+    aboutY = np.array([c[1], 0.0, s[1], 0.0])
+    aboutZ = np.array([c[2], 0.0, 0.0, s[2]])
+    return quaternion_product(quaternion_product(aboutX, aboutY), aboutZ)
+
+
+def RotationMatrix2RotZYZ(rotationMatrix: npt.ArrayLike, flip: bool) -> FloatArray:
+    """Return the Euler angles [z, y, z] of a 3x3 rotation matrix A = Az @ Ay @ Az.
+
+    The middle angle is positive, or negative if flip is True (the first angle then differs by pi). Where both z axes
+    coincide, the first angle is zero.
+    """
+    A = as_matrix("rotationMatrix", rotationMatrix, (3, 3))
+    sign = -1.0 if flip else 1.0
+    parallel = abs(A[0, 2]) < _GIMBAL and abs(A[1, 2]) < _GIMBAL
+    first = 0.0 if parallel else atan2(sign * A[1, 2], sign * A[0, 2])
+    rest = RotationMatrixZ(first).T @ A
+    return np.array([first, atan2(rest[0, 2], A[2, 2]), atan2(rest[1, 0], rest[1, 1])])
+
+
+def RotationMatrixX(angleRad: float) -> FloatArray:
+    """Return the 3x3 rotation matrix about the x axis for an angle in rad."""
+    c, s = cos(angleRad), sin(angleRad)
+    return np.array([[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]])
+
+
+def RotationMatrixY(angleRad: float) -> FloatArray:
+    """Return the 3x3 rotation matrix about the y axis for an angle in rad."""
+    c, s = cos(angleRad), sin(angleRad)
+    return np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]])
+
+
+def RotationMatrixZ(angleRad: float) -> FloatArray:
+    """Return the 3x3 rotation matrix about the z axis for an angle in rad."""
+    c, s = cos(angleRad), sin(angleRad)
+    return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+
+
+def RotationMatrix2D(angleRad: float) -> FloatArray:
+    """Return the 2x2 rotation matrix in the plane for an angle in rad."""
+    c, s = cos(angleRad), sin(angleRad)
+    return np.array([[c, -s], [s, c]])

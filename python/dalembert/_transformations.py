@@ -1,0 +1,186 @@
+"""Homogeneous transformations (4x4) and Pluecker coordinate transformations (6x6).
+
+A homogeneous transformation T = [[A, r], [0, 1]] maps local to global points. The 6x6 transformations act on spatial
+vectors with the rotational part first (Featherstone, Rigid Body Dynamics Algorithms, chapter 2); built from A and v
+they read [[A, 0], [Skew(v) @ A, A]]. Lengths in m, angles in rad.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from dalembert._checks import FloatArray, as_matrix, as_vector
+from dalembert._rotations import RotationMatrixX, RotationMatrixY, RotationMatrixZ, Skew, Skew2Vec
+
+
+def HomogeneousTransformation(A: npt.ArrayLike, r: npt.ArrayLike) -> FloatArray:
+    """Return the 4x4 homogeneous transformation of a 3x3 rotation matrix A and a translation vector r."""
+    T = np.eye(4)
+    T[:3, :3] = as_matrix("A", A, (3, 3))
+    T[:3, 3] = as_vector("r", r, 3)
+    return T
+
+
+HT = HomogeneousTransformation
+
+
+def HTtranslate(r: npt.ArrayLike) -> FloatArray:
+    """Return the 4x4 homogeneous transformation of a translation by the 3D vector r."""
+    return HomogeneousTransformation(np.eye(3), r)
+
+
+def HTtranslateX(x: float) -> FloatArray:
+    """Return the 4x4 homogeneous transformation of a translation by x along the x axis."""
+    return HTtranslate([x, 0.0, 0.0])
+
+
+def HTtranslateY(y: float) -> FloatArray:
+    """Return the 4x4 homogeneous transformation of a translation by y along the y axis."""
+    return HTtranslate([0.0, y, 0.0])
+
+
+def HTtranslateZ(z: float) -> FloatArray:
+    """Return the 4x4 homogeneous transformation of a translation by z along the z axis."""
+    return HTtranslate([0.0, 0.0, z])
+
+
+def HT0() -> FloatArray:
+    """Return the 4x4 identity transformation."""
+    return np.eye(4)
+
+
+def HTrotateX(angle: float) -> FloatArray:
+    """Return the 4x4 homogeneous transformation of a rotation about the x axis."""
+    return HomogeneousTransformation(RotationMatrixX(angle), np.zeros(3))
+
+
+def HTrotateY(angle: float) -> FloatArray:
+    """Return the 4x4 homogeneous transformation of a rotation about the y axis."""
+    return HomogeneousTransformation(RotationMatrixY(angle), np.zeros(3))
+
+
+def HTrotateZ(angle: float) -> FloatArray:
+    """Return the 4x4 homogeneous transformation of a rotation about the z axis."""
+    return HomogeneousTransformation(RotationMatrixZ(angle), np.zeros(3))
+
+
+def HT2translation(T: npt.ArrayLike) -> FloatArray:
+    """Return the translation vector of a 4x4 homogeneous transformation (a view if T is a float array)."""
+    return as_matrix("T", T, (4, 4))[:3, 3]
+
+
+def HT2rotationMatrix(T: npt.ArrayLike) -> FloatArray:
+    """Return the 3x3 rotation matrix of a 4x4 homogeneous transformation (a view if T is a float array)."""
+    return as_matrix("T", T, (4, 4))[:3, :3]
+
+
+def InverseHT(T: npt.ArrayLike) -> FloatArray:
+    """Return the inverse of a 4x4 homogeneous transformation."""
+    A, r = HT2rotationMatrix(T), HT2translation(T)
+    return HomogeneousTransformation(A.T, -A.T @ r)
+
+
+def RotationX2T66(angle: float) -> FloatArray:
+    """Return the 6x6 transformation of a rotation about the x axis."""
+    return RotationTranslation2T66(RotationMatrixX(angle), np.zeros(3))
+
+
+def RotationY2T66(angle: float) -> FloatArray:
+    """Return the 6x6 transformation of a rotation about the y axis."""
+    return RotationTranslation2T66(RotationMatrixY(angle), np.zeros(3))
+
+
+def RotationZ2T66(angle: float) -> FloatArray:
+    """Return the 6x6 transformation of a rotation about the z axis."""
+    return RotationTranslation2T66(RotationMatrixZ(angle), np.zeros(3))
+
+
+def Translation2T66(translation3D: npt.ArrayLike) -> FloatArray:
+    """Return the 6x6 transformation [[I, 0], [-Skew(translation3D), I]] of a translation.
+
+    Note the sign: RotationTranslation2T66 has +Skew(v) in the same place.
+    """
+    T66 = np.eye(6)
+    T66[3:, :3] = -Skew(as_vector("translation3D", translation3D, 3))
+    return T66
+
+
+def TranslationX2T66(translation: float) -> FloatArray:
+    """Return the 6x6 transformation of a translation along the x axis."""
+    return Translation2T66([translation, 0.0, 0.0])
+
+
+def TranslationY2T66(translation: float) -> FloatArray:
+    """Return the 6x6 transformation of a translation along the y axis."""
+    return Translation2T66([0.0, translation, 0.0])
+
+
+def TranslationZ2T66(translation: float) -> FloatArray:
+    """Return the 6x6 transformation of a translation along the z axis."""
+    return Translation2T66([0.0, 0.0, translation])
+
+
+def T66toRotationTranslation(T66: npt.ArrayLike) -> list[FloatArray]:
+    """Return [A, v] such that RotationTranslation2T66(A, v) is the 6x6 matrix T66."""
+    X = as_matrix("T66", T66, (6, 6))
+    A = X[:3, :3]
+    return [A, Skew2Vec(X[3:, :3] @ A.T)]
+
+
+def InverseT66toRotationTranslation(T66: npt.ArrayLike) -> list[FloatArray]:
+    """Return [A, v] such that RotationTranslation2T66Inverse(A, v) is the 6x6 matrix T66."""
+    X = as_matrix("T66", T66, (6, 6))
+    A = X[:3, :3].T
+    return [A, -Skew2Vec(A @ X[3:, :3])]
+
+
+def RotationTranslation2T66(A: npt.ArrayLike, v: npt.ArrayLike) -> FloatArray:
+    """Return the 6x6 transformation [[A, 0], [Skew(v) @ A, A]]."""
+    rotation = as_matrix("A", A, (3, 3))
+    return _lower_block(rotation, Skew(as_vector("v", v, 3)) @ rotation)
+
+
+def RotationTranslation2T66Inverse(A: npt.ArrayLike, v: npt.ArrayLike) -> FloatArray:
+    """Return the inverse of RotationTranslation2T66(A, v): [[A.T, 0], [-A.T @ Skew(v), A.T]]."""
+    rotation = as_matrix("A", A, (3, 3))
+    return _lower_block(rotation.T, -rotation.T @ Skew(as_vector("v", v, 3)))
+
+
+def T66Inverse(T66: npt.ArrayLike) -> FloatArray:
+    """Return the inverse of a 6x6 transformation, using its structure."""
+    return RotationTranslation2T66Inverse(*T66toRotationTranslation(T66))
+
+
+def T66toHT(T66: npt.ArrayLike) -> FloatArray:
+    """Return the 4x4 homogeneous transformation of rotation and translation of T66.
+
+    This is the inverse of the transformation that Featherstone's pluho() returns.
+    """
+    return HomogeneousTransformation(*T66toRotationTranslation(T66))
+
+
+def HT2T66Inverse(T: npt.ArrayLike) -> FloatArray:
+    """Return the inverse 6x6 transformation of a 4x4 homogeneous transformation."""
+    return RotationTranslation2T66Inverse(HT2rotationMatrix(T), HT2translation(T))
+
+
+def InertiaTensor2Inertia6D(inertiaTensor: npt.ArrayLike) -> list[float]:
+    """Return the list [Jxx, Jyy, Jzz, Jyz, Jxz, Jxy] of a symmetric 3x3 inertia tensor."""
+    J = as_matrix("inertiaTensor", inertiaTensor, (3, 3))
+    return [J[0, 0], J[1, 1], J[2, 2], J[1, 2], J[0, 2], J[0, 1]]
+
+
+def Inertia6D2InertiaTensor(inertia6D: npt.ArrayLike) -> FloatArray:
+    """Return the symmetric 3x3 inertia tensor of [Jxx, Jyy, Jzz, Jyz, Jxz, Jxy]."""
+    xx, yy, zz, yz, xz, xy = as_vector("inertia6D", inertia6D, 6)
+    return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+
+
+def _lower_block(diagonal: FloatArray, lower: FloatArray) -> FloatArray:
+    result: npt.NDArray[Any] = np.zeros((6, 6))
+    result[:3, :3] = result[3:, 3:] = diagonal
+    result[3:, :3] = lower
+    return result
