@@ -1,0 +1,196 @@
+"""Elementary vector helpers on lists, numerical integration rules and a few constants."""
+
+from __future__ import annotations
+
+import inspect
+import math
+import sys
+import warnings
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+
+from dalembert._checks import shape_error
+
+__all__ = [
+    "ClearWorkspace",
+    "DiagonalMatrix",
+    "GaussIntegrate",
+    "LobattoIntegrate",
+    "NormL2",
+    "Normalize",
+    "ScalarMult",
+    "SmartRound2String",
+    "Tilde2Vec",
+    "VAdd",
+    "VMult",
+    "VSub",
+    "VSum",
+    "Vec2Tilde",
+    "eye2D",
+    "eye3D",
+    "g",
+    "gaussIntegrationPoints",
+    "gaussIntegrationWeights",
+    "lobattoIntegrationPoints",
+    "lobattoIntegrationWeights",
+    "pi",
+    "sqrt2",
+]
+
+pi = math.pi
+sqrt2 = math.sqrt(2.0)
+g = 9.81  # standard value of gravity in m/s^2, as used in examples
+
+
+def _deletable(name: str, value: Any) -> bool:
+    text = str(value)
+    return not name.startswith("_") and "func" not in text and "module" not in text
+
+
+def ClearWorkspace() -> None:
+    """Delete the global variables of the caller, the stored variables of the package, and close matplotlib figures.
+
+    Names with a leading underscore, functions and modules are kept, and so is the stored view of the renderer.
+    """
+    frame = inspect.currentframe()
+    caller = frame.f_back if frame is not None else None
+    if caller is not None:
+        variables = caller.f_globals
+        for name in [name for name, value in variables.items() if _deletable(name, value)]:
+            del variables[name]
+    package = sys.modules.get("dalembert")
+    for key in list(getattr(package, "sys", {})):
+        if key != "renderState":
+            del package.sys[key]  # type: ignore[union-attr]
+    getattr(package, "variables", {}).clear()
+    if "matplotlib" in sys.modules:
+        import matplotlib.pyplot as plt
+
+        plt.close("all")
+
+
+def SmartRound2String(x: float, prec: int = 3) -> str:
+    """Return x as text with prec significant digits, keeping a decimal point for fractions and short integers exact."""
+    text = f"{x:.{prec}g}"
+    if not math.isfinite(x):
+        return text
+    if abs(x) > 1 and x != int(x) and "." not in text and "e" not in text:
+        text += "."
+    if x == int(x) and len(text) > len(str(x)):
+        text = str(x)
+    return text
+
+
+def DiagonalMatrix(rowsColumns: int, value: float = 1) -> list[list[float]]:
+    """Return a square diagonal matrix as list of lists, with value on the diagonal."""
+    return [[value if row == column else 0 for column in range(rowsColumns)] for row in range(rowsColumns)]
+
+
+eye2D = DiagonalMatrix(2, 1.0)
+eye3D = DiagonalMatrix(3, 1.0)
+
+
+def _same_length(where: str, v0: Sequence[Any], v1: Sequence[Any]) -> None:
+    if len(v0) != len(v1):
+        raise shape_error(f"{where}: v1", f"a vector with {len(v0)} components as v0", v1)
+
+
+def NormL2(vector: Sequence[float]) -> float:
+    """Return the Euclidean norm of a vector."""
+    return math.sqrt(sum(x * x for x in vector))
+
+
+def VSum(vector: Sequence[float]) -> float:
+    """Return the sum of the components of a vector."""
+    return sum(vector)
+
+
+def VAdd(v0: Sequence[float], v1: Sequence[float]) -> list[float]:
+    """Return the sum of two vectors of the same length as list."""
+    _same_length("VAdd", v0, v1)
+    return [a + b for a, b in zip(v0, v1, strict=True)]
+
+
+def VSub(v0: Sequence[float], v1: Sequence[float]) -> list[float]:
+    """Return the difference v0 - v1 of two vectors of the same length as list."""
+    _same_length("VSub", v0, v1)
+    return [a - b for a, b in zip(v0, v1, strict=True)]
+
+
+def VMult(v0: Sequence[float], v1: Sequence[float]) -> float:
+    """Return the scalar product of two vectors of the same length."""
+    _same_length("VMult", v0, v1)
+    return sum(a * b for a, b in zip(v0, v1, strict=True))
+
+
+def ScalarMult(scalar: float, v: Sequence[float]) -> list[float]:
+    """Return the vector v times a scalar as list."""
+    return [scalar * x for x in v]
+
+
+def Normalize(v: Sequence[float]) -> list[float]:
+    """Return the vector v divided by its Euclidean norm as list; a zero vector stays zero."""
+    norm = NormL2(v)
+    return ScalarMult(1.0 / norm if norm != 0 else 0.0, v)
+
+
+def Vec2Tilde(v: Sequence[float]) -> list[list[float]]:
+    """Return the skew matrix of a 3D vector as list of lists; deprecated, use rigidBodyUtilities.Skew."""
+    warnings.warn("Vec2Tilde is deprecated; use rigidBodyUtilities.Skew", DeprecationWarning, stacklevel=2)
+    x, y, z = v
+    return [[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]]
+
+
+def Tilde2Vec(m: Sequence[Sequence[float]]) -> list[float]:
+    """Return the vector of a 3x3 skew matrix as list; deprecated, use rigidBodyUtilities.Skew2Vec."""
+    warnings.warn("Tilde2Vec is deprecated; use rigidBodyUtilities.Skew2Vec", DeprecationWarning, stacklevel=2)
+    return [-m[1][2], m[0][2], -m[0][1]]
+
+
+def _legendre_rule(nPoints: int) -> tuple[list[float], list[float]]:
+    points, weights = np.polynomial.legendre.leggauss(nPoints)
+    return points.tolist(), weights.tolist()
+
+
+# points and weights in [-1, 1]; list k is for the order 2*k+1
+gaussIntegrationPoints, gaussIntegrationWeights = map(
+    list, zip(*(_legendre_rule(n) for n in range(1, 6)), strict=True)
+)
+lobattoIntegrationPoints = [[-1.0, 1.0], [-1.0, 0.0, 1.0], [-1.0, -math.sqrt(0.2), math.sqrt(0.2), 1.0]]
+lobattoIntegrationWeights = [[1.0, 1.0], [1 / 3, 4 / 3, 1 / 3], [1 / 6, 5 / 6, 5 / 6, 1 / 6]]
+
+
+def _integrate(
+    where: str,
+    functionOfX: Callable[[float], Any],
+    integrationOrder: int,
+    interval: tuple[float, float],
+    rule: tuple[list[list[float]], list[list[float]]],
+) -> Any:
+    points, weights = rule
+    if integrationOrder % 2 != 1 or not 0 < integrationOrder < 2 * len(points):
+        allowed = ", ".join(str(2 * k + 1) for k in range(len(points)))
+        raise shape_error(f"{where}: integrationOrder", f"one of {allowed}", integrationOrder)
+    half, middle = 0.5 * (interval[1] - interval[0]), 0.5 * (interval[0] + interval[1])
+    k = integrationOrder // 2
+    return sum(half * w * functionOfX(half * p + middle) for p, w in zip(points[k], weights[k], strict=True))
+
+
+def GaussIntegrate(functionOfX: Callable[[float], Any], integrationOrder: int, a: float, b: float) -> Any:
+    """Return the Gauss-Legendre integral of a scalar, vector or matrix function over [a, b].
+
+    The rule is exact for polynomials up to the integration order, which is 1, 3, 5, 7 or 9; ValueError otherwise.
+    """
+    rule = (gaussIntegrationPoints, gaussIntegrationWeights)
+    return _integrate("GaussIntegrate", functionOfX, integrationOrder, (a, b), rule)
+
+
+def LobattoIntegrate(functionOfX: Callable[[float], Any], integrationOrder: int, a: float, b: float) -> Any:
+    """Return the Gauss-Lobatto integral of a scalar, vector or matrix function over [a, b], using both end points.
+
+    The rule is exact for polynomials up to the integration order, which is 1, 3 or 5; ValueError otherwise.
+    """
+    rule = (lobattoIntegrationPoints, lobattoIntegrationWeights)
+    return _integrate("LobattoIntegrate", functionOfX, integrationOrder, (a, b), rule)
