@@ -1,0 +1,185 @@
+"""What the curves of PlotSensor show: sensors, files or arrays become labelled data."""
+
+from __future__ import annotations
+
+import operator
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from dalembert._checks import FloatArray
+from dalembert._result_files import ParseOutputFileHeader
+
+# Instead of a component number: the norm of all values of a sensor.
+componentNorm = -2
+
+_XYZ_VARIABLES = {
+    "Position", "Displacement", "Velocity", "Acceleration", "Rotation", "AngularVelocity", "AngularAcceleration",
+    "Force", "Torque",
+}  # fmt: skip
+_TENSOR_VARIABLES = {"Strain", "Stress"}
+
+
+@dataclass
+class Curve:
+    """What one curve of PlotSensor shows."""
+
+    name: str  # as errors name it
+    label: str
+    variable: str  # name of the output variable
+    data: FloatArray  # rows of [time, values]
+    component: int
+    component_x: int
+
+
+def is_empty(value: Any) -> bool:
+    return value is None or (not isinstance(value, (str, bytes)) and hasattr(value, "__len__") and len(value) == 0)
+
+
+def is_list(value: Any) -> bool:
+    return isinstance(value, (list, tuple, np.ndarray))
+
+
+def per_curve(name: str, value: Any, n: int, fallback: Any, single: tuple[type, ...]) -> list[Any]:
+    """Return one value per curve from nothing, a single value for all, or a list with at least n entries."""
+    if is_empty(value):
+        return [fallback] * n
+    if isinstance(value, single) and not isinstance(value, bool):
+        return [value] * n
+    if is_list(value) and len(value) >= n:
+        return list(value[:n])
+    raise ValueError(
+        f"PlotSensor: {name} must be a single value or a list with one entry per curve ({n}), not {value!r}"
+    )
+
+
+def match_lengths(sensorNumbers: Any, components: Any, componentsX: Any) -> list[tuple[Any, int, int]]:
+    """Return (sensor, component, component of x) per curve; single values are repeated."""
+    # A numpy array with two axes is data of one sensor.
+    is_data = isinstance(sensorNumbers, np.ndarray) and sensorNumbers.ndim > 1
+    sensors = list(sensorNumbers) if is_list(sensorNumbers) and not is_data else [sensorNumbers]
+    values = list(components) if is_list(components) else [components]
+    if len(values) == 1:
+        values *= len(sensors)
+    elif len(sensors) == 1:
+        sensors *= len(values)
+    if len(values) != len(sensors):
+        raise ValueError(
+            f"PlotSensor: {len(sensors)} sensorNumbers and {len(values)} components: give as many of both, "
+            "or a single one of either"
+        )
+    if is_empty(componentsX):
+        x_values = [-1] * len(sensors)
+    else:
+        x_values = list(componentsX) if is_list(componentsX) else [componentsX]
+        if len(x_values) == 1:
+            x_values *= len(sensors)
+    if len(x_values) != len(sensors):
+        raise ValueError(f"PlotSensor: componentsX has {len(x_values)} entries, but there are {len(sensors)} curves")
+    return list(zip(sensors, map(int, values), map(int, x_values), strict=True))
+
+
+def _file_information(fileName: str, comments: str, delimiter: str) -> tuple[str, str, FloatArray]:
+    """Return name, output variable and data of a sensor or solution file."""
+    with open(fileName) as file:
+        header = ParseOutputFileHeader(file.readlines())
+    name = os.path.basename(fileName.replace("\\", "/")).split(".")[0]
+    variable = "Coordinates" if header.get("type") == "solution" else header.get("outputVariableType", "")
+    return name, variable, np.loadtxt(fileName, comments=comments, delimiter=delimiter, ndmin=2)
+
+
+def _variable_of(mbs: Any, sensor: Mapping[str, Any]) -> str:
+    """Return the name of what a sensor measures."""
+    if "outputVariableType" in sensor:
+        return str(sensor["outputVariableType"]).removeprefix("OutputVariableType.")
+    if sensor.get("sensorType") != "Load":
+        return str(sensor.get("sensorType", ""))
+    load_type = mbs.GetLoad(sensor["loadNumber"])["loadType"]
+    return load_type.removesuffix("Vector") if load_type in ("ForceVector", "TorqueVector") else "Load"
+
+
+def _sensor_information(mbs: Any, sensor: Any, comments: str, delimiter: str) -> tuple[str, str, FloatArray]:
+    """Return name, output variable and data of a sensor of a system."""
+    try:
+        number = int(sensor) if hasattr(sensor, "GetTypeString") else operator.index(sensor)
+    except TypeError:
+        raise ValueError(
+            "PlotSensor: sensorNumbers must be sensor numbers, names of files or numpy arrays, "
+            f"not {sensor!r} ({type(sensor).__name__})"
+        ) from None
+    information = mbs.GetSensor(number)
+    if information["storeInternal"]:
+        data = np.atleast_2d(mbs.GetSensorStoredData(number))
+    elif information["writeToFile"] and information["fileName"]:
+        data = np.loadtxt(information["fileName"], comments=comments, delimiter=delimiter, ndmin=2)
+    else:
+        raise ValueError(
+            f"PlotSensor: sensor {number} {information['name']!r} keeps no data: "
+            "create it with storeInternal=True, or with writeToFile=True and a fileName"
+        )
+    return information["name"], _variable_of(mbs, information), data
+
+
+def _component_name(variable: str, component: int, useXYZcomponents: bool) -> str:
+    base = variable.replace("Local", "")
+    if useXYZcomponents and base in _XYZ_VARIABLES and 0 <= component < 3:
+        return "XYZ"[component]
+    if useXYZcomponents and base in _TENSOR_VARIABLES and 0 <= component < 6:
+        return ("XX", "YY", "ZZ", "YZ", "XZ", "XY")[component]
+    return "norm" if component == componentNorm else str(component)
+
+
+def make_curves(
+    mbs: Any, matched: list[tuple[Any, int, int]], useXYZcomponents: bool, comments: str, delimiter: str
+) -> list[Curve]:
+    curves = []
+    for i, (sensor, component, component_x) in enumerate(matched):
+        if isinstance(sensor, str):
+            title = f"file {sensor!r}"
+            name, variable, data = _file_information(sensor, comments, delimiter)
+        elif isinstance(sensor, np.ndarray) and sensor.ndim > 0:
+            title, name, variable, data = f"array {i}", "", "", np.atleast_2d(sensor)
+        else:
+            title = f"sensor {sensor}"
+            name, variable, data = _sensor_information(mbs, sensor, comments, delimiter)
+        label = f"{name}, {variable}{_component_name(variable, component, useXYZcomponents)}"
+        for number in {component, component_x} - {componentNorm}:
+            if not 0 <= number + 1 < data.shape[1]:
+                raise ValueError(
+                    f"PlotSensor: {title} has components 0 to {data.shape[1] - 2} (-1: time), but not {number}"
+                )
+        curves.append(Curve(title, label, variable, data, component, component_x))
+    return curves
+
+
+def coordinates(curve: Curve, offset: Any, factor: float) -> tuple[FloatArray, FloatArray]:
+    """Return x and factor * (y + offset) of a curve; an array as offset also moves x, except for time."""
+    x = curve.data[:, curve.component_x + 1]
+    if curve.component == componentNorm:
+        y = np.linalg.norm(curve.data[:, 1:], axis=1)
+    else:
+        y = curve.data[:, curve.component + 1]
+    if np.ndim(offset) == 0:
+        return x, factor * (y + float(offset))
+    offset = np.asarray(offset, dtype=float)
+    if curve.component == componentNorm:
+        raise ValueError(f"PlotSensor: {curve.name}: the norm goes with scalar offsets only")
+    if offset.shape != curve.data.shape:
+        raise ValueError(
+            f"PlotSensor: {curve.name}: offset has shape {offset.shape}, but the data has {curve.data.shape}"
+        )
+    if curve.component_x != -1:
+        x = x + offset[:, curve.component_x + 1]
+    return x, factor * (y + offset[:, curve.component + 1])
+
+
+def shift_list(name: str, value: Any, n: int, fallback: float) -> list[Any]:
+    """Return one offset or factor per curve; a numpy array with two axes is one offset for all curves."""
+    if isinstance(value, np.ndarray) and value.ndim == 2:
+        return [value] * n
+    if is_list(value) and len(value) not in (0, n):
+        raise ValueError(f"PlotSensor: {name} must be a number or a list with {n} entries, not {len(value)}")
+    return per_curve(name, value, n, fallback, (int, float, np.number))

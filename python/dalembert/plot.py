@@ -1,0 +1,311 @@
+"""Plots of sensors, frequency spectra and vector images with matplotlib."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from dalembert._checks import FloatArray
+from dalembert._images import LoadImage, PlotImage, save_figure, show_figure
+from dalembert._result_files import FileStripSpaces, ParseOutputFileHeader
+from dalembert._sensor_curves import (
+    componentNorm,
+    coordinates,
+    is_empty,
+    is_list,
+    make_curves,
+    match_lengths,
+    per_curve,
+    shift_list,
+)
+from dalembert.advancedUtilities import PlotLineCode
+
+__all__ = [
+    "DataArrayFromSensorList",
+    "FileStripSpaces",
+    "LoadImage",
+    "ParseOutputFileHeader",
+    "PlotFFT",
+    "PlotImage",
+    "PlotSensor",
+    "PlotSensorDefaults",
+    "componentNorm",
+    "listMarkerStyles",
+    "listMarkerStylesFilled",
+]
+
+listMarkerStylesFilled = list("x+*.dDsXPv^<>ophH")
+listMarkerStyles = [style + " " for style in listMarkerStylesFilled]
+
+_ORIGINAL_DEFAULTS: dict[str, Any] = {
+    "xLabel": "time (s)", "yLabel": None, "fontSize": 16, "colors": [], "lineStyles": [], "lineWidths": [],
+    "markerStyles": [], "markerSizes": [], "markerDensity": 0.08, "majorTicksX": 10, "majorTicksY": 10,
+    "sizeInches": [6.4, 4.8],
+}  # fmt: skip
+_EXTRA_ARGUMENTS = {
+    "minorTicksXon", "minorTicksYon", "logScaleX", "logScaleY", "fileCommentChar", "fileDelimiterChar",
+}  # fmt: skip
+
+
+class _Defaults(SimpleNamespace):
+    def __repr__(self) -> str:
+        return str(vars(self))
+
+
+_defaults = _Defaults(**_ORIGINAL_DEFAULTS)
+
+
+def PlotSensorDefaults() -> Any:
+    """Return the default values of PlotSensor, as an object whose attributes may be changed for all later calls.
+
+    An argument that equals the original default (fontSize=16) counts as not given.
+    """
+    return _defaults
+
+
+def _default(name: str, value: Any) -> Any:
+    """Return the current default instead of a value that equals the original one."""
+    original = _ORIGINAL_DEFAULTS[name]
+    if original == []:
+        return getattr(_defaults, name) if is_empty(value) else value
+    given = list(value) if is_list(value) else value
+    return getattr(_defaults, name) if given == original else value
+
+
+def _open_figure(plt: Any, newFigure: bool, figureName: str, subPlot: Any, sizeInches: Any) -> tuple[Any, Any]:
+    """Return figure and axes to draw in."""
+    if figureName:
+        if newFigure and plt.fignum_exists(figureName):
+            plt.close(figureName)
+        figure = plt.figure(figureName)
+    else:
+        numbers = plt.get_fignums()
+        figure = plt.figure() if newFigure or not numbers else plt.figure(numbers[-1])
+    if is_empty(subPlot):
+        figure.set_size_inches(*sizeInches, forward=True)
+        return figure, figure.gca()
+    if not is_list(subPlot) or len(subPlot) != 3:
+        raise ValueError(f"PlotSensor: subPlot must be [columns, rows, position], not {subPlot!r}")
+    columns, rows, position = subPlot
+    figure.set_size_inches(columns * sizeInches[0], rows * sizeInches[1], forward=True)
+    return figure, figure.add_subplot(rows, columns, position)
+
+
+def _set_axes(ax: Any, ticks: tuple[int, int], ranges: tuple[Any, Any], options: Mapping[str, Any]) -> None:
+    """Set ticks, grid, scales and limits of both axes."""
+    from matplotlib.ticker import AutoMinorLocator, MaxNLocator, NullLocator
+
+    ax.grid(True, "major", "both")
+    for name, axis, tick, limits in zip("xy", (ax.xaxis, ax.yaxis), ticks, ranges, strict=True):
+        upper = name.upper()
+        if options.get("logScale" + upper):
+            getattr(ax, f"set_{name}scale")("log")
+        else:
+            axis.set_major_locator(MaxNLocator(tick))
+        minor = options.get(f"minorTicks{upper}on")
+        if minor is not None:
+            axis.set_minor_locator(AutoMinorLocator() if minor else NullLocator())
+        if not is_empty(limits):
+            if not is_list(limits) or len(limits) != 2:
+                raise ValueError(f"PlotSensor: range{upper} must be [minimum, maximum], not {limits!r}")
+            getattr(ax, f"set_{name}lim")(*limits)
+
+
+def _marker_style(style: str, density: Any, points: int) -> dict[str, Any]:
+    """Return matplotlib's arguments for a marker; a blank in the style makes it empty."""
+    if not style:
+        return {"marker": "", "markevery": None}
+    every = density
+    if isinstance(density, int):
+        every = 1 + points // density if density else None
+    fill = "none" if " " in style else "full"
+    return {"marker": style.replace(" ", ""), "fillstyle": fill, "markevery": every}
+
+
+def PlotSensor(
+    mbs: Any,
+    sensorNumbers: Any = [],
+    components: Any = 0,
+    xLabel: str = "time (s)",
+    yLabel: str | None = None,
+    labels: str | Sequence[str] = [],
+    colorCodeOffset: int = 0,
+    newFigure: bool = True,
+    closeAll: bool = False,
+    componentsX: Any = [],
+    title: str = "",
+    figureName: str = "",
+    fontSize: float = 16,
+    colors: Any = [],
+    lineStyles: Any = [],
+    lineWidths: Any = [],
+    markerStyles: Any = [],
+    markerSizes: Any = [],
+    markerDensity: int | float | None = 0.08,
+    rangeX: Sequence[float] = [],
+    rangeY: Sequence[float] = [],
+    majorTicksX: int = 10,
+    majorTicksY: int = 10,
+    offsets: Any = [],
+    factors: Any = [],
+    subPlot: Sequence[int] = [],
+    sizeInches: Sequence[float] = [6.4, 4.8],
+    fileName: str = "",
+    useXYZcomponents: bool = True,
+    legendArgs: Any = None,
+    **kwargs: Any,
+) -> list[Any]:
+    """Plot values of sensors over time or over each other; return [pyplot, figure, axes, lines].
+
+    What is plotted:
+        sensorNumbers: sensors (numbers), names of sensor or solution files, or arrays with rows [time, values]; one
+            or a list. Sensors need storeInternal=True or a file.
+        components: number of the value per curve; -1: time, `componentNorm`: norm of all values. One component for
+            several sensors, or several components of one sensor, are fine.
+        componentsX: likewise for the x-axis; default: time.
+        factors, offsets: y = factor * (value + offset); one for all or a list. An offset may be an array like the
+            data of its sensor, e.g. to plot differences.
+    How it looks:
+        xLabel, yLabel, title, labels, fontSize, legendArgs: texts; legendArgs is a location or a dict of arguments.
+        colors, lineStyles, lineWidths, markerStyles, markerSizes: matplotlib's codes, one for all or a list; a blank
+            in a marker style makes it empty. Without colors, PlotLineCode(curve + colorCodeOffset) decides.
+        markerDensity: number of markers (int), distance relative to the diagonal (float) or one per point (None).
+        rangeX, rangeY: [minimum, maximum]; majorTicksX, majorTicksY: largest number of ticks.
+        useXYZcomponents: write X, Y, Z instead of 0, 1, 2 where it applies.
+        newFigure, figureName, closeAll, subPlot=[columns, rows, position], sizeInches (per subplot): the figure.
+        fileName: save the figure, e.g. as .pdf or .png.
+        kwargs: minorTicksXon, minorTicksYon, logScaleX, logScaleY (bool), fileCommentChar, fileDelimiterChar (of
+            files; default '#' and ',').
+    """
+    import matplotlib.pyplot as plt
+
+    unknown = sorted(set(kwargs) - _EXTRA_ARGUMENTS)
+    if unknown:
+        raise ValueError(
+            f"PlotSensor: unknown argument {unknown[0]!r}; further arguments are {sorted(_EXTRA_ARGUMENTS)}"
+        )
+    style = {name: _default(name, value) for name, value in locals().items() if name in _ORIGINAL_DEFAULTS}
+    matched = match_lengths(sensorNumbers, components, componentsX)
+    n = len(matched)
+    if closeAll:
+        plt.close("all")
+    plt.rcParams.update({"font.size": style["fontSize"]})
+    if n == 0:
+        return [plt, None, None, None]
+
+    comments, delimiter = kwargs.get("fileCommentChar", "#"), kwargs.get("fileDelimiterChar", ",")
+    curves = make_curves(mbs, matched, useXYZcomponents, comments, delimiter)
+    names = per_curve("labels", labels, n, None, (str,) if n == 1 else ())
+    shifts, scales = shift_list("offsets", offsets, n, 0.0), shift_list("factors", factors, n, 1.0)
+    points = [coordinates(*each) for each in zip(curves, shifts, scales, strict=True)]
+    numbers = (int, float, np.number)
+    color_list = per_curve("colors", style["colors"], n, None, (str,))
+    line_styles = per_curve("lineStyles", style["lineStyles"], n, None, (str,))
+    line_widths = per_curve("lineWidths", style["lineWidths"], n, 1, numbers)
+    marker_styles = per_curve("markerStyles", style["markerStyles"], n, "", (str,))
+    marker_sizes = per_curve("markerSizes", style["markerSizes"], n, 6, numbers)
+
+    figure, ax = _open_figure(plt, newFigure, figureName, subPlot, style["sizeInches"])
+    line = None
+    for i, (curve, (x, y)) in enumerate(zip(curves, points, strict=True)):
+        code = PlotLineCode(i + colorCodeOffset)
+        line = ax.plot(
+            x,
+            y,
+            color=code[0] if color_list[i] is None else color_list[i],
+            linestyle=code[1:] if line_styles[i] is None else line_styles[i],
+            linewidth=line_widths[i],
+            markersize=marker_sizes[i],
+            label=curve.label if names[i] is None else names[i],
+            **_marker_style(marker_styles[i], style["markerDensity"], len(x)),
+        )
+    ax.set_xlabel(style["xLabel"])
+    variables = [curve.variable for curve in curves]
+    ax.set_ylabel(style["yLabel"] or (variables[0] if len(set(variables)) == 1 else ", ".join(variables)))
+    if title:
+        ax.set_title(title)
+    _set_axes(ax, (style["majorTicksX"], style["majorTicksY"]), (rangeX, rangeY), kwargs)
+    if legendArgs is None:
+        ax.legend()
+    else:
+        ax.legend(**(legendArgs if isinstance(legendArgs, dict) else {"loc": legendArgs}))
+    figure.tight_layout()
+    show_figure(plt, figure)
+    save_figure(figure, fileName)
+    return [plt, figure, ax, line]
+
+
+def PlotFFT(
+    frequency: npt.ArrayLike,
+    data: npt.ArrayLike,
+    xLabel: str = "frequency",
+    yLabel: str = "magnitude",
+    label: str = "",
+    freqStart: float = 0,
+    freqEnd: float = -1,
+    logScaleX: bool = True,
+    logScaleY: bool = True,
+    majorGrid: bool = True,
+    minorGrid: bool = True,
+) -> Any:
+    """Plot a spectrum, e.g. from ComputeFFT, into the current figure; return pyplot.
+
+    frequency: n frequencies, in Hz if time was in s; data: n magnitudes or phases. Only frequencies from freqStart to
+    freqEnd are shown (freqEnd=-1: all). A label makes a legend.
+    """
+    import matplotlib.pyplot as plt
+    from matplotlib.ticker import MaxNLocator
+
+    f, values = np.asarray(frequency, dtype=float), np.asarray(data, dtype=float)
+    if f.ndim != 1 or f.shape != values.shape:
+        raise ValueError(f"PlotFFT: frequency and data must be vectors of one length, not {f.shape} and {values.shape}")
+    shown = (f >= freqStart) & ((f <= freqEnd) if freqEnd != -1 else True)
+    ax = plt.gca()
+    ax.plot(f[shown], values[shown], label=label or None)
+    if label:
+        ax.legend()
+    ax.set_xlabel(xLabel)
+    ax.set_ylabel(yLabel)
+    for axis, set_scale, logarithmic in ((ax.xaxis, ax.set_xscale, logScaleX), (ax.yaxis, ax.set_yscale, logScaleY)):
+        if logarithmic:
+            set_scale("log")
+        else:
+            axis.set_major_locator(MaxNLocator(10))
+    ax.minorticks_on()
+    if majorGrid:
+        ax.grid(visible=True, which="major", color="k", linestyle="-")
+    if minorGrid:
+        ax.grid(visible=True, which="minor", color="k", linestyle=":")
+    figure = ax.get_figure()
+    plt.tight_layout()
+    show_figure(plt, figure)
+    return plt
+
+
+def DataArrayFromSensorList(
+    mbs: Any, sensorNumbers: Sequence[Any], positionList: Sequence[float] = [], time: Any = ""
+) -> FloatArray:
+    """Return an array with one row per sensor: its position, followed by its current values.
+
+    positionList: e.g. the axial positions of the sensors along a beam; default: 0, 1, 2, ... The time must be ''
+    (current values).
+    """
+    if time != "":
+        raise ValueError(f"DataArrayFromSensorList: time must be '' (current values), not {time!r}")
+    positions = list(range(len(sensorNumbers))) if is_empty(positionList) else list(positionList)
+    if len(positions) != len(sensorNumbers):
+        raise ValueError(
+            f"DataArrayFromSensorList: {len(sensorNumbers)} sensorNumbers, but {len(positions)} entries in positionList"
+        )
+    rows = [
+        np.append(position, mbs.GetSensorValues(sensor))
+        for position, sensor in zip(positions, sensorNumbers, strict=True)
+    ]
+    sizes = {row.size - 1 for row in rows}
+    if len(sizes) > 1:
+        raise ValueError(f"DataArrayFromSensorList: sensors must have equally many values, not {sorted(sizes)}")
+    return np.array(rows, dtype=float)
