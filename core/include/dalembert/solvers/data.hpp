@@ -1,0 +1,134 @@
+// Counters, flags and times of a solver, with the names under which users read them.
+#pragma once
+
+#include <string>
+
+namespace dalembert {
+
+struct SolverIterationData {
+  bool adaptiveStep = true, automaticStepSize = true;
+  double automaticStepSizeError = 0;
+  int currentStepIndex = 0;
+  double currentStepSize = 0, currentTime = 0;
+  int discontinuousIteration = 0, discontinuousIterationsCount = 0;
+  double endTime = 0, initialStepSize = 1e-6, lastStepSize = 0, maxStepSize = 0, minStepSize = 0;
+  int newtonJacobiCount = 0, newtonSteps = 0, newtonStepsCount = 0, numberOfSteps = 0;
+  double recommendedStepSize = -1;
+  int rejectedAutomaticStepSizeSteps = 0, rejectedModifiedNewtonSteps = 0;
+  int stagnatedNewtonSteps = 0;  // Newton loops that ended because round-off, not a tolerance, was reached
+  double startTime = 0;
+
+  std::string to_string() const;  // the statistics shown by displayStatistics
+};
+
+struct SolverConvergenceData {
+  double contractivity = 0, discontinuousIterationError = 0;
+  bool discontinuousIterationSuccessful = true;
+  double errorCoordinateFactor = 1;
+  bool jacobianUpdateRequested = true;
+  double lastResidual = 0;
+  int linearSolverCausingRow = -1;
+  bool linearSolverFailed = false, massMatrixNotInvertible = false;
+  bool newtonConverged = false, newtonSolutionDiverged = false;
+  bool newtonStagnated = false;  // the residual stopped falling at round-off: converged as far as numbers go
+  double residual = 0;
+  bool stepReductionFailed = false, stopNewton = false;
+};
+
+struct SolverOutputData {
+  double cpuLastTimePrinted = 0, cpuSolverStartTime = 0, cpuStartTime = 0;
+  bool finishedSuccessfully = false, initializationSuccessful = false;
+  int lastDiscontinuousIterationsCount = 0;
+  double lastImageRecorded = 0;
+  int lastNewtonJacobiCount = 0, lastNewtonStepsCount = 0;
+  double lastSensorsWritten = 0, lastSolutionWritten = 0;
+  int lastVerboseStepIndex = 0, multiThreadingMode = 0, numberOfThreadsUsed = 1;
+  bool simulationStoppedByUser = false, simulationStoppedByUserFunction = false, simulationTimeout = false;
+  int stepInformation = 0, verboseMode = 0, verboseModeFile = 0;
+  bool writeToSolutionFile = false, writeToSolverFile = false;
+};
+
+// Seconds per part of the solver. The parts are measured only with displayComputationTime; `total` always.
+struct SolverTimer {
+  double AERHS = 0, errorEstimator = 0, factorization = 0, integrationFormula = 0;
+  double jacobianAE = 0, jacobianODE1 = 0, jacobianODE2 = 0, jacobianODE2_t = 0;  // parts of totalJacobian
+  double massMatrix = 0, newtonIncrement = 0, ODE1RHS = 0, ODE2RHS = 0, overhead = 0, postNewton = 0, python = 0;
+  double reactionForces = 0, realtimeIdleCPU = 0, total = 0, totalJacobian = 0;
+  bool useTimer = true;
+  double visualization = 0, writeSolution = 0;
+
+  void reset(bool use);
+  double sum() const;
+  std::string to_string() const;
+
+  static double now();  // seconds of a steady clock
+};
+
+// Adds the time until its end to one part, if times are measured at all.
+class TimedPart {
+ public:
+  TimedPart(const SolverTimer& timer, double& part) : part_(timer.useTimer ? &part : nullptr) {
+    if (part_) *part_ -= SolverTimer::now();
+  }
+  ~TimedPart() {
+    if (part_) *part_ += SolverTimer::now();
+  }
+  TimedPart(const TimedPart&) = delete;
+  TimedPart& operator=(const TimedPart&) = delete;
+
+ private:
+  double* part_;
+};
+
+// What stepInformation adds up.
+namespace step_information {
+inline constexpr int time_to_go = 1, newton_iterations = 2, newton_jacobians = 4, discontinuous_iterations = 8,
+                     step_size = 16, cpu_time = 32, step_reductions = 64, step_increases = 128, every_step = 1024;
+}
+
+// Copies of settings.staticSolver or settings.timeIntegration, whichever the solver obeys.
+struct NumericalDifferentiationOptions {
+  bool addReferenceCoordinatesToEpsilon = false, doSystemWideDifferentiation = false;
+  bool forAE = false, forODE2 = false, forODE2connectors = false, jacobianConnectorDerivative = true;
+  double minimumCoordinateSize = 1e-2, relativeEpsilon = 1e-7;
+
+  bool wanted() const { return doSystemWideDifferentiation || forAE || forODE2 || forODE2connectors; }
+};
+
+struct NewtonOptions {
+  NumericalDifferentiationOptions numericalDifferentiation;
+  double absoluteTolerance = 1e-10;
+  bool adaptInitialResidual = true;
+  double maximumSolutionNorm = 1e38;
+  int maxIterations = 25, maxModifiedNewtonIterations = 8, maxModifiedNewtonRestartIterations = 7;
+  double modifiedNewtonContractivity = 0.5;
+  bool modifiedNewtonJacUpdatePerStep = false;
+  int newtonResidualMode = 0;
+  double relativeTolerance = 1e-8;
+  bool useModifiedNewton = false, useNewtonSolver = true, weightTolerancePerCoordinate = false;
+};
+
+struct DiscontinuousOptions {
+  bool ignoreMaxIterations = true;
+  double iterationTolerance = 1;
+  int maxIterations = 5;
+  bool useRecommendedStepSize = true;
+};
+
+template <class Settings>
+NewtonOptions newton_options(const Settings& s) {
+  const auto& d = s.numericalDifferentiation;
+  return {{d.addReferenceCoordinatesToEpsilon, d.doSystemWideDifferentiation, d.forAE, d.forODE2, d.forODE2connectors,
+           d.jacobianConnectorDerivative, d.minimumCoordinateSize, d.relativeEpsilon},
+          s.absoluteTolerance, s.adaptInitialResidual, s.maximumSolutionNorm, s.maxIterations,
+          s.maxModifiedNewtonIterations, s.maxModifiedNewtonRestartIterations, s.modifiedNewtonContractivity,
+          s.modifiedNewtonJacUpdatePerStep, s.newtonResidualMode, s.relativeTolerance, s.useModifiedNewton,
+          s.useNewtonSolver, s.weightTolerancePerCoordinate};
+}
+
+template <class Settings>
+DiscontinuousOptions discontinuous_options(const Settings& s) {
+  return {s.ignoreMaxIterations, s.iterationTolerance, s.maxIterations, s.useRecommendedStepSize};
+}
+
+}  // namespace dalembert

@@ -1,0 +1,41 @@
+// What happens around a solver: the user's functions, the console, the wish to stop, and where sensors' values go.
+// Empty functions cost one test.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace dalembert {
+
+struct MatrixEntry {
+  int row, column;
+  double value;
+};
+
+struct SolverHooks {
+  // False: stop after this step.
+  std::function<bool(double time)> pre_step, post_step;
+  // Error of the discontinuous iteration and recommended step size; negative: none.
+  std::function<std::array<double, 2>(double time)> post_newton;
+  std::function<void(double time, int newton_iteration, int discontinuous_iteration)> pre_newton_residual;
+  // Entries to add to the system matrix, for the given weights of derivatives by q, v and ODE1 coordinates.
+  std::function<std::vector<MatrixEntry>(double time, double q, double v, double y)> system_jacobian;
+  // True once: the Jacobian has to be computed anew (mbs.systemData or user functions asked for it).
+  std::function<bool()> jacobian_update_requested;
+
+  std::function<void(std::string_view text)> print;
+  std::function<void(std::string_view text)> warn;
+  // Called every few milliseconds between steps and in long Newton loops; true: stop. May throw (Ctrl-C).
+  std::function<bool()> interrupted;
+  // Called every few milliseconds after completed steps, and when a frame of an animation is due.
+  std::function<void(bool record_image)> show;
+  // Wait until the user continues (pauseAfterEachStep).
+  std::function<void()> pause;
+
+  double timeout = -1;  // seconds; negative: none
+};
+
+}  // namespace dalembert

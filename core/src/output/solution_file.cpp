@@ -1,0 +1,207 @@
+#include "dalembert/output/solution_file.hpp"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#include "dalembert/output/numbers.hpp"
+
+namespace dalembert {
+
+namespace {
+
+// Numbers of exported coordinates: nODE2, nVel2, nAcc2, nODE1, nVel1, nAlgebraic, nData.
+std::array<int, 7> exported(const SimulationSettings& settings, bool is_static, const Sizes& sizes) {
+  const auto& s = settings.solutionSettings;
+  const bool velocities = s.exportVelocities && !is_static;
+  return {sizes.ode2, velocities ? sizes.ode2 : 0, s.exportAccelerations && !is_static ? sizes.ode2 : 0, sizes.ode1,
+          velocities ? sizes.ode1 : 0, s.exportAlgebraicCoordinates ? sizes.ae : 0,
+          s.exportDataCoordinates ? sizes.data : 0};
+}
+
+int total(const std::array<int, 7>& counts) {
+  int sum = 0;
+  for (const int n : counts) sum += n;
+  return sum;
+}
+
+int planned_steps(const SimulationSettings& settings, bool is_static) {
+  return is_static ? settings.staticSolver.numberOfLoadSteps
+                   : static_cast<int>(std::lround(settings.timeIntegration.numberOfSteps));
+}
+
+template <std::size_t N>
+std::string list(const std::array<int, N>& numbers) {
+  std::string text = "[";
+  for (const int n : numbers) text += (text.size() > 1 ? "," : "") + std::to_string(n);
+  return text + "]";
+}
+
+void append_values(std::string& text, const std::vector<double>& values, int precision) {
+  for (const double x : values) {
+    text += ',';
+    append_number(text, x, precision);
+  }
+}
+
+template <class T>
+void append_bytes(std::string& text, const T& value) {
+  text.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+void append_int(std::string& text, int value) { append_bytes(text, static_cast<std::int32_t>(value)); }
+void append_string(std::string& text, const std::string& value) {
+  append_int(text, static_cast<int>(value.size()));
+  text += value;
+}
+template <std::size_t N>
+void append_ints(std::string& text, const std::array<int, N>& values) {
+  append_int(text, static_cast<int>(N));
+  for (const int x : values) append_int(text, x);
+}
+void append_reals(std::string& text, const std::vector<double>& values, bool single) {
+  if (!single) {
+    text.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double));
+    return;
+  }
+  for (const double x : values) append_bytes(text, static_cast<float>(x));
+}
+
+// Calls `f` with every exported vector of a row, in the order of the columns.
+template <class F>
+void each_column(const SimulationSettings& settings, bool is_static, const State& state, F&& f) {
+  const auto& s = settings.solutionSettings;
+  f(state.q);
+  if (s.exportVelocities && !is_static) f(state.v);
+  if (s.exportAccelerations && !is_static) f(state.a);
+  f(state.y);
+  if (s.exportODE1Velocities && !is_static) f(state.y_t);
+  if (s.exportAlgebraicCoordinates) f(state.lambda);
+  if (s.exportDataCoordinates) f(state.data);
+}
+
+}  // namespace
+
+std::string SolutionFile::name(const SimulationSettings& settings) {
+  std::string name = settings.solutionSettings.coordinatesSolutionFileName;
+  if (!name.empty() && name.find('.') == std::string::npos) {
+    name += settings.solutionSettings.binarySolutionFile ? ".sol" : ".txt";
+  }
+  return name;
+}
+
+void SolutionFile::open(const SimulationSettings& settings) {
+  const auto& s = settings.solutionSettings;
+  binary_ = s.binarySolutionFile;
+  single_precision_ = settings.outputPrecision < 8;
+  file_.open(name(settings), s.appendToFile && !binary_, "solution file");
+}
+
+void SolutionFile::write_header(const SimulationSettings& settings, const RunDescription& run, const Sizes& sizes) {
+  is_static_ = run.is_static;
+  if (!file_.is_open() || !settings.solutionSettings.writeFileHeader) return;
+  binary_ ? write_binary_header(settings, run, sizes) : write_text_header(settings, run, sizes);
+  file_.written();
+}
+
+void SolutionFile::write_text_header(const SimulationSettings& settings, const RunDescription& run, const Sizes& sizes) {
+  const auto& s = settings.solutionSettings;
+  const auto counts = exported(settings, run.is_static, sizes);
+  std::string& t = file_.text();
+  t += "#dalembert " + run.solver_name + (run.is_static ? " static" : "") + " solver solution file\n";
+  t += "#simulation started=" + date_and_time() + "\n#columns contain: time";
+  if (sizes.ode2) t += ", ODE2 displacements";
+  if (sizes.ode2 && counts[1]) t += ", ODE2 velocities";
+  if (sizes.ode2 && counts[2]) t += ", ODE2 accelerations";
+  if (sizes.ode1) t += ", ODE1 coordinates";
+  if (counts[4]) t += ", ODE1 velocities";
+  if (counts[5]) t += ", AE coordinates";
+  if (counts[6]) t += ", Data coordinates";
+  t += "\n#number of system coordinates [nODE2, nODE1, nAlgebraic, nData] = " +
+       list(std::array{sizes.ode2, sizes.ode1, sizes.ae, sizes.data});
+  t += "\n#number of written coordinates [nODE2, nVel2, nAcc2, nODE1, nVel1, nAlgebraic, nData] = " + list(counts);
+  t += "\n#total columns exported  (excl. time) = " + std::to_string(total(counts));
+  t += run.is_static ? "\n#number of load steps (planned) = " : "\n#number of time steps (planned) = ";
+  t += std::to_string(planned_steps(settings, run.is_static)) + "\n#version = " + run.build + "\n#\n";
+  if (s.solutionInformation.empty()) return;
+  std::string information = s.solutionInformation;
+  for (char& c : information) c = c == '\n' ? '_' : c;
+  t += "#solution information = " + information + "\n";
+}
+
+void SolutionFile::write_binary_header(const SimulationSettings& settings, const RunDescription& run,
+                                       const Sizes& sizes) {
+  std::string& t = file_.text();
+  t += "EXUBIN\n";  // the identifier by which readers know this layout
+  t += static_cast<char>(sizeof(std::int32_t));
+  t += static_cast<char>(single_precision_ ? sizeof(float) : sizeof(double));
+  t += static_cast<char>(sizeof(void*));
+  t += static_cast<char>(std::endian::native == std::endian::big);
+  t.append(5, '\0');
+  append_string(t, run.version);
+  append_string(t, "Mode0000");
+  append_string(t, "dalembert " + run.solver_name + (run.is_static ? " static" : "") + " solver solution file");
+  append_string(t, date_and_time());
+  append_ints(t, std::array{sizes.ode2, sizes.ode1, sizes.ae, sizes.data});
+  const auto counts = exported(settings, run.is_static, sizes);
+  append_ints(t, counts);
+  append_int(t, total(counts));
+  append_int(t, planned_steps(settings, run.is_static));
+  append_string(t, settings.solutionSettings.solutionInformation);
+  append_string(t, "EndOfHeader");
+}
+
+void SolutionFile::write_row(const SimulationSettings& settings, const State& state) {
+  std::string& t = file_.text();
+  std::size_t values = 0;
+  if (binary_) {
+    each_column(settings, is_static_, state, [&](const auto& x) { values += x.size(); });
+    append_int(t, static_cast<int>(values) + 1);
+    append_reals(t, {state.time}, single_precision_);
+    each_column(settings, is_static_, state, [&](const auto& x) { append_reals(t, x, single_precision_); });
+  } else {
+    const int precision = settings.solutionSettings.outputPrecision;
+    append_number(t, state.time, precision);
+    each_column(settings, is_static_, state, [&](const auto& x) {
+      values += x.size();
+      append_values(t, x, precision);
+    });
+    t += '\n';
+  }
+  const auto& s = settings.solutionSettings;
+  if (s.flushFilesImmediately || values >= static_cast<std::size_t>(s.flushFilesDOF)) file_.flush();
+  file_.written();
+}
+
+std::string solution_footer(const SolverIterationData& it, const SolverConvergenceData& conv, double seconds) {
+  std::string t = "#simulation finished=" + date_and_time() + "\n#Solver Info: cpuTime=" + format_number(seconds);
+  const auto entry = [&t](const char* name, int value) { t += std::string(",") + name + "=" + std::to_string(value); };
+  entry("stepReductionFailed(or step failed)", conv.stepReductionFailed);
+  entry("discontinuousIterationSuccessful", conv.discontinuousIterationSuccessful);
+  entry("newtonSolutionDiverged", conv.newtonSolutionDiverged);
+  entry("massMatrixNotInvertible", conv.massMatrixNotInvertible);
+  entry("total time steps", it.currentStepIndex - 1);
+  entry("total Newton iterations", it.newtonStepsCount);
+  entry("total Newton jacobians", it.newtonJacobiCount);
+  return t + "\n";
+}
+
+void SolutionFile::write_footer(const std::string& footer, const SolverIterationData& it,
+                                const SolverConvergenceData& conv) {
+  if (!file_.is_open()) return;
+  std::string& t = file_.text();
+  if (!binary_) {
+    t += footer;
+    return;
+  }
+  append_int(t, -1);
+  append_string(t, "simulation finished=");
+  append_string(t, date_and_time());
+  append_ints(t, std::array{int{conv.stepReductionFailed}, int{conv.discontinuousIterationSuccessful},
+                            int{conv.newtonSolutionDiverged}, int{conv.massMatrixNotInvertible},
+                            it.currentStepIndex - 1, it.newtonStepsCount, it.newtonJacobiCount});
+  append_string(t, "EXUEND");
+}
+
+}  // namespace dalembert
