@@ -1,0 +1,239 @@
+"""Evaluation of a function for many parameter sets: in sequence, in processes, with MPI or on a Dask cluster."""
+
+from __future__ import annotations
+
+import difflib
+import os
+import platform
+import sys
+import warnings
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from numbers import Real
+from typing import Any
+
+import numpy as np
+
+ParameterSet = dict[str, Any]
+Function = Callable[[ParameterSet], Any]
+
+
+def write(*arguments: Any, **options: Any) -> None:
+    """Print, through the Print of the package if there is one: its output can be switched off or sent to a file."""
+    package = sys.modules.get("dalembert")
+    (getattr(package, "Print", None) or print)(*arguments, **options)
+
+
+def check_names(function: str, given: Iterable[str], known: Iterable[str]) -> None:
+    """Refuse keyword arguments that a function does not have; TypeError names the nearest known one."""
+    known = sorted(known)
+    for name in given:
+        if name not in known:
+            close = difflib.get_close_matches(name, known, n=1)
+            hint = f"did you mean {close[0]!r}?" if close else "further arguments are " + ", ".join(known)
+            raise TypeError(f"{function}: unknown argument {name!r}; {hint}")
+
+
+def number_of_threads(given: int | None) -> int:
+    """Return the number of processes to use: the given one, or all processors that this process may use."""
+    if given is not None:
+        if int(given) < 1:
+            raise ValueError(f"numberOfThreads must be at least 1, not {given!r}")
+        return int(given)
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
+def GetVersionPlatformString() -> str:
+    """Return versions of package and Python, and the platform: where results come from."""
+    package = sys.modules.get("dalembert")
+    config = getattr(package, "config", None)
+    version = config.Version(True) if config is not None else "(no core) Python" + platform.python_version()
+    system = platform.uname()
+    parts = [f"dalembert version = {version}", system.system + system.release]
+    parts += ["V" + system.version] if system.version else []
+    return "; ".join([*parts, system.machine, system.processor])
+
+
+def AddComputationIndexAndFunctionData(
+    ind: ParameterSet, cnt: int, addComputationIndex: bool, parameterFunctionData: Mapping[str, Any]
+) -> None:
+    """Add 'computationIndex' (cnt) and 'functionData' to a parameter set, if asked for."""
+    if addComputationIndex:
+        ind["computationIndex"] = cnt
+    if parameterFunctionData:
+        ind["functionData"] = parameterFunctionData
+
+
+def without_function_data(parameters: Mapping[str, Any]) -> ParameterSet:
+    """Return a copy without 'functionData', which may be large."""
+    return {name: value for name, value in parameters.items() if name != "functionData"}
+
+
+def _header(resultsFile: str, parameters: Mapping[str, Any], columns: Iterable[str], fileType: str, mode: str) -> str:
+    ranges = without_function_data(parameters)
+    data = str(parameters["functionData"]).replace("\n", " ") if "functionData" in parameters else ""
+    return "\n".join([
+        f"#dalembert {fileType} results file:{resultsFile}",
+        "#results stored columnwise for every parameter and individual",
+        f"#{GetVersionPlatformString()}" + (f"(processing={mode})" if mode else ""),
+        f"#functionData:{data}" if data else "#",
+        "#columns:",
+        "#" + ",".join(["globalIndex", "value", *columns]),
+        '#parameter ranges [format: (begin, end, numberOfVariations) or list, parameters separated with ";"]:',
+        "#" + ";".join(str(value) for value in ranges.values()),
+        "",
+    ])  # fmt: skip
+
+
+def WriteToFile(
+    resultsFile: str,
+    parameters: Mapping[str, Any],
+    currentGeneration: Sequence[ParameterSet],
+    values: Sequence[Any],
+    globalCnt: int,
+    writeHeader: bool = False,
+    fileType: str = "genetic optimization",
+    multiProcessingMode: str = "",
+) -> int:
+    """Append one row [number, value, parameters] per parameter set to a file; return the next number.
+
+    `parameters` are the ranges that the header shows; with `writeHeader`, the file starts anew. Nothing happens
+    without a file name.
+    """
+    if not resultsFile:
+        return globalCnt
+    if writeHeader:
+        os.makedirs(os.path.dirname(resultsFile) or ".", exist_ok=True)
+    with open(resultsFile, "w" if writeHeader else "a") as file:
+        if writeHeader:
+            columns = without_function_data(currentGeneration[0] if currentGeneration else parameters)
+            file.write(_header(resultsFile, parameters, columns, fileType, multiProcessingMode))
+        for number, (individual, value) in enumerate(zip(currentGeneration, values, strict=False), globalCnt):
+            row = [number, value, *without_function_data(individual).values()]
+            file.write(", ".join(map(str, row)) + "\n")
+    return globalCnt + len(values)
+
+
+def _in_processes(function: Function, sets: Sequence[ParameterSet], threads: int) -> Iterator[Any]:
+    from multiprocessing import Pool
+
+    with Pool(processes=threads) as pool:
+        yield from pool.imap(function, sets)
+
+
+def _with_mpi(function: Function, sets: Sequence[ParameterSet]) -> Iterator[Any]:
+    from mpi4py.futures import MPIPoolExecutor  # type: ignore[import-not-found,import-untyped,unused-ignore]
+
+    with MPIPoolExecutor() as executor:
+        yield from executor.map(function, sets)
+
+
+def _is_client(cluster: Any) -> bool:
+    return hasattr(cluster, "map") and hasattr(cluster, "gather")
+
+
+def _on_cluster(function: Function, sets: Sequence[ParameterSet], cluster: Any) -> Iterator[Any]:
+    """Yield results in order from a Dask client, from the scheduler at an address, or from hosts reached by ssh."""
+    if _is_client(cluster):
+        yield from (future.result() for future in cluster.map(function, sets, pure=False))
+        return
+    from dask.distributed import (  # type: ignore[import-not-found,import-untyped,unused-ignore]
+        Client,
+        SSHCluster,
+    )
+
+    address = cluster[0] if len(cluster) == 1 else SSHCluster(list(cluster))
+    with Client(address) as client:
+        yield from (future.result() for future in client.map(function, sets, pure=False))
+
+
+def _installed(module: str, purpose: str) -> bool:
+    try:
+        __import__(module)
+    except ImportError:
+        warnings.warn(f"{purpose} needs the package {module}; processes of this machine are used instead", stacklevel=5)
+        return False
+    return True
+
+
+def _choose(
+    function: Function, sets: Sequence[ParameterSet], parallel: bool, cluster: Any, use_mpi: bool, threads: int | None
+) -> tuple[Iterator[Any], str]:
+    """Return the results, evaluated on the way, and a word on how they are made."""
+    client = _is_client(cluster)
+    if client or (parallel and len(cluster) > 0 and _installed("dask.distributed", "clusterHostNames")):
+        return _on_cluster(function, sets, cluster), "dask"
+    if parallel and use_mpi and _installed("mpi4py.futures", "useMPI"):
+        return _with_mpi(function, sets), "mpi4py"
+    if parallel:
+        n = number_of_threads(threads)
+        return _in_processes(function, sets, n), f"multiprocessing.Pool, numberOfThreads={n}"
+    return map(function, sets), "serial"
+
+
+def _named(results: Iterator[Any], sets: Sequence[ParameterSet]) -> Iterator[Any]:
+    """Yield results; an exception gets a note that names the parameter set."""
+    for i, parameters in enumerate(sets):
+        try:
+            yield next(results)
+        except Exception as error:
+            if hasattr(error, "add_note"):
+                error.add_note(f"in evaluation {i} of {len(sets)} with parameters {without_function_data(parameters)}")
+            raise
+
+
+def _with_progress(results: Iterator[Any], sets: Sequence[ParameterSet], serial: bool) -> Iterator[Any]:
+    """Yield results and show how many are done: with tqdm if it is installed, or by a line that is overwritten."""
+    n = len(sets)
+    if not serial:
+        try:
+            from tqdm import tqdm  # type: ignore[import-not-found,import-untyped,unused-ignore]
+        except ImportError:
+            pass
+        else:
+            yield from tqdm(results, total=n)
+            return
+    for i, value in enumerate(results):
+        shown = f", value = {value}" if isinstance(value, Real) else ""
+        detail = f": parameters={without_function_data(sets[i])}" if serial else ""
+        write(f"\rrun  {i + 1} / {n}{shown}{detail}", " " * 16, end="", flush=True)
+        yield value
+    write("", flush=True)
+
+
+def ProcessParameterList(
+    parameterFunction: Function,
+    parameterList: Sequence[ParameterSet],
+    useMultiProcessing: bool,
+    clusterHostNames: Any = [],
+    **kwargs: Any,
+) -> list[Any]:
+    """Evaluate a function for each parameter set of a list; return the results in the same order.
+
+    With `useMultiProcessing`, processes of this machine work in parallel; the function must be importable by them
+    and must not write files of the same name. `clusterHostNames` makes it a Dask cluster: the address of a
+    scheduler, several hosts that ssh reaches, or a dask.distributed.Client. Further arguments: showProgress,
+    numberOfThreads (default: all), resultsFile (written row by row), parameters (ranges, for the header of that
+    file), useMPI (mpi4py). useDispyWebMonitor is accepted and has no effect.
+    """
+    known = {"showProgress", "numberOfThreads", "resultsFile", "parameters", "useMPI", "useDispyWebMonitor"}
+    check_names("ProcessParameterList", kwargs, known)
+    file, parameters = kwargs.get("resultsFile", ""), kwargs.get("parameters", {})
+    results, mode = _choose(
+        parameterFunction, parameterList, useMultiProcessing, clusterHostNames, kwargs.get("useMPI", False),
+        kwargs.get("numberOfThreads"),
+    )  # fmt: skip
+    results = _named(results, parameterList)
+    if kwargs.get("showProgress", False):
+        results = _with_progress(results, parameterList, mode == "serial")
+    values: list[Any] = []
+    for i, value in enumerate(results):
+        values.append(value)
+        WriteToFile(file, parameters, [parameterList[i]], [value], i, i == 0, "parameter variation", mode)
+    return values
+
+
+def scalar_objective(value: Any) -> float:
+    """Return a number to be minimized: the value itself, or the norm of several values."""
+    return float(value) if np.ndim(value) == 0 else float(np.linalg.norm(np.ravel(value)))

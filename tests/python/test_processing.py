@@ -1,0 +1,290 @@
+"""Parameter variation, optimization and sensitivities. Expected numbers are closed-form or of the reference system."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from dalembert import processing
+from dalembert._result_files import ParseOutputFileHeader
+
+
+def bumpy(parameters: dict[str, Any]) -> float:
+    a, b = parameters["a"], parameters["b"]
+    return float((a - 1.3) ** 2 + 3 * (b + 0.2) ** 2 + np.sin(5 * a))
+
+
+def several(parameters: dict[str, Any]) -> list[float]:
+    return [parameters["a"] ** 2 * parameters["b"], parameters["a"] + 3 * parameters["b"], 4.0]
+
+
+def index_and_data(parameters: dict[str, Any]) -> tuple[int, Any]:
+    return parameters["computationIndex"], parameters.get("functionData")
+
+
+def failing(parameters: dict[str, Any]) -> float:
+    return 1 / (parameters["a"] - 2)
+
+
+RANGES = {"a": (-3.0, 4.0), "b": (-2.0, 5.0)}
+
+
+# ---- parameter variation -----------------------------------------------------------------------------------------
+def test_variation_layout() -> None:
+    seen = []
+    columns, values = processing.ParameterVariation(
+        lambda p: (seen.append(dict(p)), p["m"] * p["k"])[1],
+        {"m": [1, 2, 5], "k": (0.0, 1.0, 3)},
+        showProgress=False,
+        addComputationIndex=True,
+    )
+    np.testing.assert_array_equal(columns["m"], [1, 1, 1, 2, 2, 2, 5, 5, 5])
+    np.testing.assert_array_equal(columns["k"], [0, 0.5, 1] * 3)
+    np.testing.assert_array_equal(columns["computationIndex"], range(9))
+    assert values == [0, 0.5, 1, 0, 1, 2, 0, 2.5, 5]
+    assert seen[4] == {"m": 2, "k": 0.5, "computationIndex": 4}
+    assert [type(v) for v in seen[4].values()] == [int, float, int]
+
+
+def test_variation_types_and_log_space() -> None:
+    types: list[Any] = []
+    run = processing.ParameterVariation
+    assert run(lambda p: p["m"], {"m": (1, 10, 10)}, showProgress=False)[1] == list(range(1, 11))
+    columns, _ = run(lambda p: types.append(p["m"]), {"m": (1.0, 100.0, 3)}, useLogSpace=True, showProgress=False)
+    np.testing.assert_allclose(columns["m"], [1, 10, 100])
+    run(lambda p: types.append(p["m"]), {"m": (1, 10, 4)}, useLogSpace=True, showProgress=False)
+    run(lambda p: types.append(p["m"]), {"m": ["soft", "stiff"]}, showProgress=False)
+    assert [type(value) for value in types] == [float] * 7 + [np.str_] * 2
+
+
+def test_function_data() -> None:
+    _, values = processing.ParameterVariation(
+        index_and_data, {"a": [1, 2]}, addComputationIndex=True, parameterFunctionData={"x": 3}, showProgress=False
+    )
+    assert values == [(0, {"x": 3}), (1, {"x": 3})]
+
+
+def test_processes_give_the_same(tmp_path: Path) -> None:
+    file = tmp_path / "folder" / "variation.txt"
+    arguments: dict[str, Any] = {"parameters": {"a": (0.0, 1.0, 3), "b": [1, 2]}, "showProgress": False}
+    serial = processing.ParameterVariation(bumpy, **arguments)
+    parallel = processing.ParameterVariation(
+        bumpy, **arguments, useMultiProcessing=True, numberOfThreads=2, resultsFile=str(file)
+    )
+    assert serial[1] == parallel[1]
+    lines = file.read_text().splitlines()
+    header = ParseOutputFileHeader(lines)
+    assert header["type"] == "parameterVariation"
+    assert header["columns"] == ["globalIndex", "value", "a", "b"]
+    assert header["variableRanges"] == [[0, 1, 3], [1, 2, 2]]
+    table = np.loadtxt(file, delimiter=",")
+    np.testing.assert_allclose(table[:, 1], serial[1])
+    np.testing.assert_array_equal(table[:, 0], range(6))
+
+
+class Client:
+    """Stands for a dask.distributed.Client."""
+
+    class Future:
+        def __init__(self, value: Any) -> None:
+            self.value = value
+
+        def result(self) -> Any:
+            return self.value
+
+    def map(self, function: Any, sets: Any, pure: bool) -> list[Future]:
+        return [self.Future(function(each)) for each in sets]
+
+    def gather(self, futures: Any) -> Any:
+        raise NotImplementedError
+
+
+def test_cluster() -> None:
+    values = processing.ProcessParameterList(bumpy, [{"a": 1, "b": 2}], False, clusterHostNames=Client())
+    assert values == [bumpy({"a": 1, "b": 2})]
+
+
+def test_without_dask_processes_are_used(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "dask", None)
+    with pytest.warns(UserWarning, match="clusterHostNames needs the package dask"):
+        values = processing.ProcessParameterList(bumpy, [{"a": 1, "b": 2}], True, ["host"], numberOfThreads=1)
+    assert values == [bumpy({"a": 1, "b": 2})]
+
+
+def test_progress_goes_to_the_console(capsys: pytest.CaptureFixture[str]) -> None:
+    processing.ProcessParameterList(bumpy, [{"a": 1.0, "b": 2, "functionData": 7}], False, showProgress=True)
+    output = capsys.readouterr().out
+    assert "1 / 1" in output and "'a': 1.0" in output and "functionData" not in output
+
+
+@pytest.mark.parametrize("parallel", [False, True])
+def test_exceptions_surface_as_themselves(parallel: bool) -> None:
+    with pytest.raises(ZeroDivisionError) as error:
+        processing.ParameterVariation(
+            failing, {"a": [1, 2, 3]}, useMultiProcessing=parallel, numberOfThreads=1, showProgress=False
+        )
+    assert "evaluation 1 of 3 with parameters {'a': 2}" in error.value.__notes__[0]
+
+
+@pytest.mark.parametrize(
+    ("parameters", "text"),
+    [
+        ({}, "must not be empty"),
+        ({"a": 3}, "'a' must be a range .begin, end, number of values. or a list of values, not 3"),
+        ({"a": (1, 2)}, "not .1, 2."),
+        ({"a": (2, 1, 3)}, "begin <= end"),
+        ({"a": (1, 2, 0)}, "at least 1"),
+        ({"a": []}, "list of values of 'a' is empty"),
+    ],
+)
+def test_variation_errors(parameters: dict[str, Any], text: str) -> None:
+    with pytest.raises(ValueError, match=text):
+        processing.ParameterVariation(bumpy, parameters)
+
+
+def test_unknown_arguments() -> None:
+    with pytest.raises(TypeError, match="ParameterVariation: unknown argument 'useMpi'; did you mean 'useMPI'?"):
+        processing.ParameterVariation(bumpy, {"a": [1]}, useMpi=True)
+    with pytest.raises(ValueError, match="numberOfThreads must be at least 1, not 0"):
+        processing.ParameterVariation(
+            bumpy, RANGES | {"a": [1.0], "b": [1.0]}, useMultiProcessing=True, numberOfThreads=0
+        )
+
+
+@pytest.mark.parametrize(("i", "indices"), [(0, [0, 0, 0]), (1, [0, 0, 1]), (7, [1, 0, 1]), (23, [3, 2, 1])])
+def test_sub_indices(i: int, indices: list[int]) -> None:
+    assert processing.SingleIndex2SubIndices(i, [4, 3, 2]) == indices
+
+
+# ---- genetic optimization ----------------------------------------------------------------------------------------
+@pytest.mark.parametrize(
+    ("arguments", "value"),
+    [
+        ({}, -0.8591432270596355),
+        ({"distanceFactor": 0}, -0.8773713741328018),
+        ({"crossoverProbability": 0.9, "childDistribution": "normal"}, -0.8732253644016742),
+        (
+            {
+                "initialPopulationSize": 50,
+                "elitistRatio": 0.3,
+                "distanceFactorGenerations": 2,
+                "numberOfGenerations": 5,
+            },
+            -0.8129527996342767,
+        ),
+    ],
+)
+def test_genetic_optimization_repeats_the_reference(arguments: dict[str, Any], value: float) -> None:
+    best, best_value, columns, values = processing.GeneticOptimization(
+        bumpy, RANGES, **({"populationSize": 20, "showProgress": False, "randomizerInitialization": 3} | arguments)
+    )
+    assert best_value == pytest.approx(value, rel=1e-14)
+    assert bumpy(best) == best_value == min(values)
+    assert len(columns["a"]) == len(columns["b"]) == len(values)
+    for name, (low, high) in RANGES.items():
+        assert low <= columns[name].min() and columns[name].max() <= high
+
+
+def test_genetic_optimization_of_several_values(tmp_path: Path) -> None:
+    file = tmp_path / "genetic.txt"
+    best, value, _, values = processing.GeneticOptimization(
+        lambda p: [p["a"], p["b"]], RANGES, populationSize=40, numberOfGenerations=12, distanceFactor=0,
+        showProgress=False, randomizerInitialization=1, resultsFile=str(file),
+    )  # fmt: skip
+    assert value == pytest.approx(np.hypot(best["a"], best["b"])) and value < 0.05
+    lines = file.read_text().splitlines()
+    assert ParseOutputFileHeader(lines)["columns"] == ["globalIndex", "value", "a", "b"]
+    assert len([line for line in lines if not line.startswith("#")]) == len(values) == 480
+
+
+def test_genetic_optimization_errors() -> None:
+    run = processing.GeneticOptimization
+    with pytest.raises(ValueError, match="range of 'a' must be .begin, end., begin < end"):
+        run(bumpy, {"a": (1, 1)})
+    with pytest.raises(ValueError, match="'uniform' or 'normal', not 'cauchy'"):
+        run(bumpy, RANGES, childDistribution="cauchy")
+    with pytest.warns(UserWarning, match="leaves no survivors"):
+        run(bumpy, RANGES, populationSize=5, numberOfGenerations=1, showProgress=False)
+
+
+# ---- minimize ----------------------------------------------------------------------------------------------------
+def test_minimize(tmp_path: Path) -> None:
+    pytest.importorskip("scipy")
+    file = tmp_path / "minimize.txt"
+    best, value, columns, values = processing.Minimize(bumpy, RANGES, showProgress=False, resultsFile=str(file))
+    assert best["a"] == pytest.approx(0.9690298163340703, rel=1e-6)
+    assert best["b"] == pytest.approx(-0.2, abs=1e-4)
+    assert value == values[-1] == pytest.approx(-0.88165904, rel=1e-6)
+    assert len(columns["a"]) == len(values) == np.loadtxt(file, delimiter=",").shape[0]
+
+
+def test_minimize_keeps_bounds() -> None:
+    pytest.importorskip("scipy")
+    evaluated: list[float] = []
+
+    def objective(p: dict[str, Any]) -> float:
+        evaluated.append(p["x"])
+        return p["x"]
+
+    for options in ({}, {"useScipyBounds": True, "method": "L-BFGS-B"}):
+        best, value, *_ = processing.Minimize(objective, {"x": (2, 5)}, showProgress=False, **options)
+        assert best["x"] == pytest.approx(2, abs=1e-4) and value == pytest.approx(2, abs=1e-4)
+    assert min(evaluated) >= 2
+    with pytest.raises(ValueError, match="initialGuess must have 1 entries, not 2"):
+        processing.Minimize(objective, {"x": (2, 5)}, initialGuess=[1, 2])
+    with pytest.raises(ValueError, match="'x' must have bounds"):
+        processing.Minimize(objective, {"x": 2})
+
+
+# ---- sensitivities -----------------------------------------------------------------------------------------------
+def test_sensitivities_are_differences() -> None:
+    sets, reference, table, sensitivity = processing.ComputeSensitivities(
+        several, {"a": (2.0, 0.01, 3), "b": (5.0, 0.1, 1)}, showProgress=False
+    )
+    assert len(sets) == 1 + 6 + 2 and sets[0] == {"a": 2.0, "b": 5.0}
+    assert reference == [20, 17, 4]
+    assert table["a"].shape == (6, 3) and table["b"].shape == (2, 3)
+    # Central differences are exact for quadratic functions.
+    np.testing.assert_allclose(sensitivity, [[20, 1, 0], [4, 3, 0]], rtol=1e-12)
+    scaled = processing.ComputeSensitivities(
+        several, {"a": (2.0, 0.01, 3), "b": (5.0, 0.1, 1)}, scaledByReference=True, showProgress=False
+    )[3]
+    np.testing.assert_allclose(scaled, [[40, 2, 0], [20, 15, 0]], rtol=1e-12)
+
+
+def test_forward_differences_mixed_with_central_ones() -> None:
+    _, reference, table, sensitivity = processing.ComputeSensitivities(
+        lambda p: p["a"] ** 2 + p["b"] ** 2, {"a": 3.0, "b": (2.0, 0.1, 2), "c": (0.0, 0.5)}, showProgress=False
+    )
+    np.testing.assert_allclose(sensitivity, [[6.003], [4], [0]], rtol=1e-9)
+    assert reference.shape == (1,) and table["a"].shape == (1, 1) and table["b"].shape == (4, 1)
+
+
+def test_sensitivity_errors() -> None:
+    with pytest.raises(ValueError, match="'a' needs a step other than 0"):
+        processing.ComputeSensitivities(several, {"a": (1, 0, 2)})
+    with pytest.raises(TypeError, match="did you mean 'numberOfThreads'"):
+        processing.ComputeSensitivities(several, {"a": 1}, numberOfThread=2)
+
+
+def test_plots() -> None:
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    figures, axes = processing.PlotOptimizationResults2D({"a": [1, 2], "b": [3, 4]}, [5, 6], yLogScale=True)
+    assert len(figures) == len(axes) == 2 and axes[1].get_xlabel() == "b" and axes[0].get_yscale() == "log"
+    with pytest.raises(ValueError, match="'a' has 1 entries, but there are 2 values"):
+        processing.PlotOptimizationResults2D({"a": [1]}, [5, 6])
+    _, reference, table, sensitivity = processing.ComputeSensitivities(
+        several, {"a": (2.0, 0.01, 2), "b": 5.0}, showProgress=False
+    )
+    _, axes = processing.PlotSensitivityResults(
+        reference, table, sensitivity, fVar=[0.01, 1e-3], strYAxis=["x", "y", "z"]
+    )
+    assert [ax.get_ylabel() for ax in axes] == ["x", "y", "z"]
+    np.testing.assert_allclose(axes[0].get_lines()[0].get_xdata(), [-2, -1, 0, 1, 2])
+    np.testing.assert_allclose(axes[0].get_lines()[2].get_xdata(), [0, 0.1])
+    matplotlib.pyplot.close("all")
