@@ -1,0 +1,212 @@
+"""Read spec files into the model. A message always names file, table and row."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
+from typing import Any, TypeVar
+
+from codegen.load_settings import load_enum, load_settings
+from codegen.model import (
+    STANDARD_ARGUMENTS,
+    Argument,
+    Example,
+    Item,
+    Output,
+    Quantity,
+    SpecError,
+    UserFunction,
+)
+from codegen.model_settings import Enum, Specs, value_type
+from codegen.names import FOLDERS, nearest
+from codegen.rows import at, check_keys, known_key, parameter, parse, text
+
+TABLES = ("parameters", "visualization", "outputs")
+TOP_LEVEL = (
+    "name", "type_name", "object_type", "short_names", "summary", "provides", "requested_nodes", "requested_markers", "physics",
+    "nodes", "irregular", *TABLES, "user_functions", "capabilities", "docs", "example",
+)  # fmt: skip
+OUTPUT_KEYS = ("size", "unit", "from", "symbol", "doc")
+ARGUMENT_KEYS = ("name", "type", "unit", "size", "doc")
+
+T = TypeVar("T")
+# group -> table -> row -> keys
+Groups = Mapping[str, Mapping[str, Mapping[str, Any]]]
+
+
+def load(root: Path) -> Specs:
+    """All specs below `root`/specs, in the order of folders and files."""
+    specs = root / "specs"
+    _check_folders(specs)
+    enums = {enum.name: enum for enum in (load_enum(*_source(root, f)) for f in sorted((specs / "enums").glob("*.toml")))}
+    groups = {f.stem: _load_group(*_source(root, f)) for f in sorted((specs / "groups").glob("*.toml"))}
+    files = [file for folder in FOLDERS for file in sorted((specs / folder).glob("*.toml"))]
+    items = tuple(load_item(*_source(root, file), groups, enums) for file in files)
+    settings = tuple(load_settings(*_source(root, f), enums) for f in sorted((specs / "settings").glob("*.toml")))
+    _check_references(items, enums, root)
+    return Specs(items, tuple(enums.values()), settings)
+
+
+def load_item(path: str, content: str, groups: Groups, enums: Mapping[str, Enum]) -> Item:
+    """One item from the text of its spec; `path` is relative to the repository."""
+    with at(path):
+        raw = parse(content)
+        check_keys(raw, TOP_LEVEL)
+        docs = raw.get("docs", {})
+        check_keys(docs, ("equations", "quantities", "examples"), "docs")
+        tables = {table: _splice(table, raw, groups) for table in TABLES}
+        words = {k: tuple(raw.get(k, ())) for k in ("short_names", "provides", "requested_nodes", "requested_markers", "nodes")}
+        return Item(
+            path=path,
+            **{key: text(raw, key) for key in ("name", "type_name", "summary", "physics")},
+            **words,
+            object_type=raw.get("object_type", ""),
+            irregular=raw.get("irregular", ""),
+            parameters=_rows("parameters", tables, lambda n, r: parameter(n, r, enums)),
+            visualization=_rows("visualization", tables, lambda n, r: parameter(n, r, enums)),
+            outputs=_rows("outputs", tables, lambda n, r: _output(n, r, enums)),
+            user_functions=_rows("user_functions", raw, _user_function),
+            capabilities=raw.get("capabilities", {}),
+            equations=docs.get("equations", "").strip(),
+            quantities=tuple(_quantity(i, row) for i, row in enumerate(docs.get("quantities", ()))),
+            examples=tuple(docs.get("examples", ())),
+            example=_example(raw["example"]) if "example" in raw else None,
+        )
+
+
+def _source(root: Path, file: Path) -> tuple[str, str]:
+    return file.relative_to(root).as_posix(), file.read_text(encoding="utf-8")
+
+
+def _check_folders(specs: Path) -> None:
+    known = (*FOLDERS, "groups", "enums", "settings")
+    for entry in sorted(specs.iterdir()):
+        if entry.name not in known and not entry.name.startswith("."):
+            raise SpecError(f"specs/{entry.name}: not a folder of specs; {nearest(entry.name, known)}")
+
+
+def _load_group(path: str, content: str) -> dict[str, Any]:
+    with at(path):
+        raw = parse(content)
+        check_keys(raw, TABLES)
+        for table, rows in raw.items():
+            for name, row in rows.items():
+                if not isinstance(row, dict) or "use" in row:
+                    raise SpecError(f"{table}.{name}: a group holds rows, and never uses a group")
+        return raw
+
+
+def _check_references(items: Iterable[Item], enums: Mapping[str, Enum], root: Path) -> None:
+    names: dict[str, str] = {}
+    nodes = [item.name for item in items if item.kind == "node"]
+    for item in items:
+        for name in {item.name, *item.short_names}:
+            if name in names:
+                raise SpecError(f"{item.path}: short_names: {name!r} already belongs to {names[name]}")
+            names[name] = item.path
+        for name in item.nodes:
+            if name not in nodes:
+                raise SpecError(f"{item.path}: nodes: no node item is named {name!r}; {nearest(name, nodes)}")
+        for row in item.rows:
+            if row.type.storage == "output_variable" and row.default not in {v.name for v in enums[row.type.name].values}:
+                raise SpecError(f"{item.path}: {row.name}: default: {row.default!r} is not in {row.type.name}")
+        for example in item.examples:
+            if not (root / "examples" / f"{example}.py").exists():
+                raise SpecError(f"{item.path}: docs.examples: there is no examples/{example}.py")
+
+
+def _splice(table: str, raw: Mapping[str, Any], groups: Groups) -> dict[str, Any]:
+    """The rows of a table with those of groups put where `use` asks for them; 'name' comes first."""
+    rows: dict[str, Any] = dict(_group_rows("item", table, groups)) if table == "parameters" else {}
+    for name, row in raw.get(table, {}).items():
+        with at(f"{table}.{name}"):
+            if name == "use":
+                rows |= _group_rows(row, table, groups)
+            elif not isinstance(row, dict):
+                raise SpecError(f"a row is a table {{ ... }}, not {row!r}")
+            elif name in rows:
+                raise SpecError("declared twice; a group brings this row already")
+            else:
+                rows[name] = _merge(name, table, row, groups)
+    return rows
+
+
+def _merge(name: str, table: str, row: Mapping[str, Any], groups: Groups) -> dict[str, Any]:
+    if "use" not in row:
+        return dict(row)
+    shared = _group_rows(row["use"], table, groups)
+    if name not in shared:
+        raise SpecError(f"use: group {row['use']!r} has no such row; {nearest(name, shared)}")
+    return dict(shared[name]) | {key: value for key, value in row.items() if key != "use"}
+
+
+def _group_rows(group: str, table: str, groups: Groups) -> Mapping[str, Any]:
+    if group not in groups:
+        raise SpecError(f"use: unknown group {group!r}; {nearest(str(group), groups)}")
+    return groups[group].get(table, {})
+
+
+def _rows(table: str, tables: Mapping[str, Any], make: Callable[[str, dict[str, Any]], T]) -> tuple[T, ...]:
+    rows = []
+    for name, row in tables.get(table, {}).items():
+        with at(f"{table}.{name}"):
+            rows.append(make(name, row))
+    return tuple(rows)
+
+
+def _output(name: str, row: Mapping[str, Any], enums: Mapping[str, Enum]) -> Output:
+    known_key(name, [value.name for value in enums["OutputVariableType"].values])
+    check_keys(row, OUTPUT_KEYS)
+    return Output(
+        name=name,
+        size=row.get("size", 0),
+        unit=row.get("unit", ""),
+        source=text(row, "from"),
+        doc=row.get("doc", ""),
+        symbol=row.get("symbol", ""),
+    )
+
+
+def _user_function(name: str, table: Mapping[str, Any]) -> UserFunction:
+    check_keys(table, ("doc", "arguments", "returns", "example"))
+    arguments = table.get("arguments", [])
+    standard = tuple(a for a in arguments if isinstance(a, str))
+    for argument in standard:
+        known_key(argument, STANDARD_ARGUMENTS)
+    own = [a for a in arguments if not isinstance(a, str)]
+    if arguments[: len(standard)] != list(standard):
+        raise SpecError(f"arguments: {', '.join(STANDARD_ARGUMENTS)} come first")
+    if "returns" not in table:
+        raise SpecError("missing key 'returns'")
+    return UserFunction(
+        name=name,
+        standard=standard,
+        arguments=tuple(_argument(text(a, "name"), a) for a in own),
+        returns=_argument("returns", table["returns"]),
+        doc=table.get("doc", ""),
+        example=table.get("example", "").strip("\n"),
+    )
+
+
+def _argument(name: str, row: Mapping[str, Any]) -> Argument:
+    with at(f"arguments.{name}" if name != "returns" else name):
+        check_keys(row, ARGUMENT_KEYS)
+        type_ = value_type(text(row, "type"))
+        return Argument(name, type_, row.get("doc", ""), row.get("unit", ""), row.get("size", 0))
+
+
+def _quantity(number: int, row: Mapping[str, Any]) -> Quantity:
+    with at(f"docs.quantities[{number}]"):
+        check_keys(row, ("name", "symbol", "doc"))
+        return Quantity(text(row, "name"), row.get("symbol", ""), text(row, "doc"))
+
+
+def _example(table: Mapping[str, Any]) -> Example:
+    with at("example"):
+        check_keys(table, ("code", "expect"))
+        expect = table.get("expect", {})
+        check_keys(expect, ("value", "tolerance"), "expect")
+        for key in ("value", "tolerance"):
+            if key not in expect:
+                raise SpecError(f"missing key 'expect.{key}'")
+        return Example(text(table, "code").strip("\n"), expect["value"], float(expect["tolerance"]))

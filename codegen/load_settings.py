@@ -1,0 +1,93 @@
+"""Read enumerations and settings structures."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from codegen.model import Parameter, SpecError
+from codegen.model_settings import Enum, EnumValue, Settings, SettingsGroup
+from codegen.names import nearest, snake_case
+from codegen.rows import at, check_keys, parameter, parse, text
+
+Shared = Mapping[str, Mapping[str, Any]]
+
+
+def load_enum(path: str, content: str) -> Enum:
+    with at(path):
+        raw = parse(content)
+        check_keys(raw, ("name", "summary", "values"))
+        name = text(raw, "name")
+        if path != f"specs/enums/{snake_case(name)}.toml":
+            raise SpecError(f"name: the file of {name} is specs/enums/{snake_case(name)}.toml")
+        return Enum(path, name, text(raw, "summary"), tuple(_value(n, row) for n, row in raw.get("values", {}).items()))
+
+
+def _value(name: str, row: Mapping[str, Any]) -> EnumValue:
+    with at(f"values.{name}"):
+        check_keys(row, ("value", "doc"))
+        value = row.get("value")
+        if not isinstance(value, int) or isinstance(value, bool):
+            raise SpecError(f"value: {value!r} is not an integer")
+        return EnumValue(name, value, row.get("doc", ""))
+
+
+def load_settings(path: str, content: str, enums: Mapping[str, Enum]) -> Settings:
+    with at(path):
+        raw = parse(content)
+        name = text(raw, "name")
+        if path != f"specs/settings/{snake_case(name)}.toml":
+            raise SpecError(f"name: the file of {name} is specs/settings/{snake_case(name)}.toml")
+        tree = {key: value for key, value in raw.items() if key not in ("name", "shared")}
+        shared = raw.get("shared", {})
+        groups = tuple(_group(key, f"shared.{key}", table, {}, enums) for key, table in shared.items())
+        return Settings(path, _group(name, "", tree, shared, enums), groups)
+
+
+def _group(name: str, path: str, table: Mapping[str, Any], shared: Shared, enums: Mapping[str, Enum]) -> SettingsGroup:
+    """One structure; entries with a `type` are its rows, other tables its children."""
+    with at(path) if path else at("root"):
+        origin = table.get("use", "")
+        full = _splice(table, shared)
+        rows: list[Parameter] = []
+        children: list[SettingsGroup] = []
+        for key, value in full.items():
+            if key == "summary":
+                continue
+            if not isinstance(value, Mapping):
+                raise SpecError(f"{key}: a row {{ type = ... }} or a table belongs here, not {value!r}")
+            if isinstance(value.get("type"), str):
+                with at(key):
+                    rows.append(_setting(key, value, enums))
+            else:
+                children.append(_group(key, key, value, shared, enums))
+        return SettingsGroup(name, text(full, "summary"), tuple(rows), tuple(children), origin)
+
+
+def _setting(name: str, row: Mapping[str, Any], enums: Mapping[str, Enum]) -> Parameter:
+    result = parameter(name, row, enums)
+    if result.type.storage in ("enumeration", "output_variable"):
+        values = [v.name for v in enums[result.type.name].values]
+        if result.default not in values:
+            raise SpecError(f"default: {result.default!r} is not in {result.type.name}; {nearest(result.default, values)}")
+    return result
+
+
+def _splice(table: Mapping[str, Any], shared: Shared) -> dict[str, Any]:
+    """The table with the shared one that it uses below it; a row given in both takes keys from both."""
+    if "use" not in table:
+        return dict(table)
+    if table["use"] not in shared:
+        raise SpecError(f"use: unknown table shared.{table['use']}; {nearest(str(table['use']), shared)}")
+    return _overlay(shared[table["use"]], {key: value for key, value in table.items() if key != "use"})
+
+
+def _overlay(base: Mapping[str, Any], top: Mapping[str, Any]) -> dict[str, Any]:
+    result = dict(base)
+    for key, value in top.items():
+        if key not in base:
+            raise SpecError(f"{key}: not in the shared table; {nearest(key, base)}")
+        result[key] = _overlay(base[key], value) if isinstance(value, Mapping) and "type" not in base[key] else (
+            dict(base[key]) | dict(value) if isinstance(value, Mapping) else value
+        )
+    return result

@@ -1,0 +1,101 @@
+"""Turn specs into the text of every generated file. Pure: nothing is read or written here, except templates."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Mapping
+from functools import cache
+from types import ModuleType
+from typing import Any
+
+from jinja2 import Environment, PackageLoader, StrictUndefined, meta
+
+from codegen.model import Item
+from codegen.model_settings import Specs
+from codegen.names import FOLDERS
+from codegen.views import cpp, python, rst, settings
+
+
+class TemplateError(RuntimeError):
+    """A template and what it is given do not fit."""
+
+
+@cache
+def environment() -> Environment:
+    env = Environment(
+        loader=PackageLoader("codegen"),
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+        autoescape=False,
+    )
+    for module in (cpp, python, rst, settings):
+        env.filters |= filters_of(module)
+    return env
+
+
+def filters_of(module: ModuleType) -> dict[str, Any]:
+    """The public functions of a view, by name."""
+    return {
+        name: function
+        for name, function in inspect.getmembers(module, inspect.isfunction)
+        if function.__module__ == module.__name__ and not name.startswith("_")
+    }
+
+
+def fill(template: str, **context: Any) -> str:
+    """Render a template. A hole without a value fails, and so does a value without a hole."""
+    env = environment()
+    assert env.loader is not None
+    source = env.loader.get_source(env, template)[0]
+    holes = meta.find_undeclared_variables(env.parse(source))
+    if unused := context.keys() - holes:
+        raise TemplateError(f"{template}: no hole for {', '.join(sorted(unused))}")
+    return env.get_template(template).render(**context)
+
+
+def render(specs: Specs) -> dict[str, str]:
+    """Map each path under generated/ to its text."""
+    return {**_cpp_files(specs), **_python_files(specs), **_docs_files(specs), "README.md": fill("README.md.j2")}
+
+
+def _cpp_files(specs: Specs) -> dict[str, str]:
+    stems = {item.name: item.stem for item in specs.items}
+    numbers = {enum.name: number for number, enum in enumerate(specs.enums)}
+    files = {
+        "src/registry.cpp": fill("registry.cpp.j2", items=specs.items),
+        "include/dalembert/enums.hpp": fill("enums.hpp.j2", enums=specs.enums),
+        "src/enums.cpp": fill("enums.cpp.j2", enums=specs.enums),
+    }
+    for item in specs.items:
+        files[f"include/dalembert/{item.stem}_parameters.hpp"] = fill("parameters.hpp.j2", item=item)
+        files[f"src/{item.stem}.cpp"] = fill("item.cpp.j2", item=item, stems=stems)
+    for each in specs.settings:
+        parts = settings.structs(each)
+        files[f"include/dalembert/{each.stem}.hpp"] = fill("settings.hpp.j2", settings=each, structs=parts)
+        files[f"src/{each.stem}.cpp"] = fill("settings.cpp.j2", settings=each, structs=parts, enum_numbers=numbers)
+    return files
+
+
+def _python_files(specs: Specs) -> dict[str, str]:
+    parts = [settings.structs(each) for each in specs.settings]
+    return {
+        "python/dalembert/itemInterface.pyi": fill("itemInterface.pyi.j2", items=specs.items),
+        "python/dalembert/_core_enums.pyi": fill("core_enums.pyi.j2", enums=specs.enums),
+        "python/dalembert/_core_settings.pyi": fill("core_settings.pyi.j2", files=parts),
+    }
+
+
+def _docs_files(specs: Specs) -> dict[str, str]:
+    files = {"docs/enums.rst": fill("enums.rst.j2", enums=specs.enums)}
+    folders: Mapping[str, list[Item]] = {folder: [i for i in specs.items if i.folder == folder] for folder in FOLDERS}
+    files["docs/items/index.rst"] = fill("items_index.rst.j2", folders=folders)
+    for folder, items in folders.items():
+        files[f"docs/items/{folder}/index.rst"] = fill("folder_index.rst.j2", folder=folder, items=items)
+    for item in specs.items:
+        files[f"docs/items/{item.stem}.rst"] = fill("item.rst.j2", item=item, items=specs.items)
+    for each in specs.settings:
+        parts = settings.structs(each)
+        files[f"docs/{each.stem}.rst"] = fill("settings.rst.j2", settings=each, structs=parts)
+    return files

@@ -1,0 +1,1 @@
+"""How the model is spelled in each target language. One small function per question."""

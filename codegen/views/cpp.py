@@ -1,0 +1,186 @@
+"""C++: members, defaults, reflection rows."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from codegen.model import MARKER_PORTS, NODE_PORTS, Item, Parameter, UserFunction
+from codegen.model_settings import Enum
+from codegen.names import snake_case
+from codegen.types import ParameterType
+
+# Enumerations whose name another C++ type of the namespace has.
+ENUM_NAMES = {"ItemType": "ItemTypeCode"}  # struct ItemType is what reflection knows of an item type
+
+_ITEM_PHYSICS = {
+    "nodes": ("node", "node"),
+    "bodies": ("body", "body"),
+    "super_elements": ("body", "body"),
+    "finite_elements": ("body", "body"),
+    "connectors": ("connector", "connector"),
+    "contacts": ("connector", "connector"),
+    "constraints": ("constraint", "constraint"),
+    "joints": ("constraint", "constraint"),
+    "markers": ("marker", "marker"),
+    "loads": ("load", "load"),
+}
+
+
+def cpp_string(text: str) -> str:
+    return json.dumps(text, ensure_ascii=False)
+
+
+def cpp_comment(text: str) -> str:
+    """One line of plain text: RST markup is taken off."""
+    return " ".join(text.replace("``", "").replace(":math:", "").replace("\\", "").split())
+
+
+def cpp_strings(texts: tuple[str, ...]) -> str:
+    """The initializer of an array of string views."""
+    return "{" + ", ".join(map(cpp_string, texts)) + "}"
+
+
+def enum_cpp_name(enum: Enum) -> str:
+    return ENUM_NAMES.get(enum.name, enum.name)
+
+
+def cpp_type(type_: ParameterType) -> str:
+    return ENUM_NAMES.get(type_.cpp, type_.cpp)
+
+
+def cpp_member(row: Parameter) -> str:
+    """`double physicsMass = 0.0;`"""
+    value = cpp_value(row)
+    return f"{cpp_type(row.type)} {row.name}{' = ' + value if value else ''};"
+
+
+def cpp_value(row: Parameter) -> str:
+    """The default as an initializer; '' where the type's own default says the same."""
+    type_, default = row.type, row.default
+    if type_.index and type_.shape:
+        count = len(default) if default is not None else row.size or type_.shape[0] or 0
+        return f"{type_.cpp}({count})" if count else ""
+    if default is None or default == []:
+        return ""
+    if type_.storage in ("output_variable", "enumeration"):
+        return f"{cpp_type(type_)}::{default}"
+    return _literal(default, type_)
+
+
+def _literal(value: Any, type_: ParameterType) -> str:
+    if isinstance(value, list):
+        flat = _flatten(value)
+        if type_.shape[0] is not None and not any(flat):
+            return "{}"
+        return "{" + ", ".join(_literal(entry, type_) for entry in flat) + "}"
+    if isinstance(value, bool):
+        return str(value).lower()
+    if value == "invalid":
+        return "-1"
+    return cpp_string(value) if isinstance(value, str) else repr(value)
+
+
+def _flatten(value: list[Any]) -> list[Any]:
+    if value and isinstance(value[0], list):
+        return [entry for row in value for entry in _flatten(row)]
+    return value
+
+
+def cpp_row(row: Parameter, offset: str, role: str, enum_number: int | None = None) -> str:
+    """The reflection row, with only those fields that differ from the default of `Row`."""
+    fields = [
+        f".name = {cpp_string(row.name)}",
+        f".storage = Storage::{row.type.storage}",
+        f".offset = {offset}",
+        f".role = Role::{role}",
+    ]
+    if row.effective_check != "none":
+        fields.append(f".check = Check::{row.effective_check}")
+    if size := required_length(row):
+        fields.append(f".size = {size}")
+    if row.internal:
+        fields.append(".internal = true")
+    if row.needs_assemble and role == "parameter":
+        fields.append(".needs_assemble = true")
+    if row.unit:
+        fields.append(f".unit = {cpp_string(row.unit)}")
+    if row.aliases:
+        fields.append(f".aliases = {row.name}_aliases")
+    if row.type.function:
+        fields.append(f".signature = &{row.name}_signature")
+    if enum_number is not None:
+        fields.append(f".enumeration = {enum_number}")
+    return "{" + ", ".join(fields) + "}"
+
+
+def required_length(row: Parameter) -> int:
+    """Length that a std::vector must have; 0: any, or a type of fixed size."""
+    if not row.type.cpp.startswith("std::vector"):
+        return 0
+    return row.size or row.type.shape[0] or 0
+
+
+def cpp_kinds(function: UserFunction) -> str:
+    return "{" + ", ".join(f"Signature::Kind::{argument.type.kind}" for argument in function.arguments) + "}"
+
+
+def cpp_signature(function: UserFunction) -> str:
+    fields = [f".arguments = {function.name}_arguments"] if function.arguments else []
+    fields += [".takes_time = false"] if "t" not in function.standard else []
+    fields += [".takes_item = false"] if "itemNumber" not in function.standard else []
+    return "{" + ", ".join([*fields, f".result = Signature::Kind::{function.returns.type.kind}"]) + "}"
+
+
+def core_functions(item: Item) -> list[UserFunction]:
+    """User functions that the core calls; the others return graphics and are called by Python alone."""
+    names = {row.name for row in item.rows if row.type.function}
+    return [function for function in item.user_functions if function.name in names]
+
+
+def cpp_ports(words: tuple[str, ...], table: dict[str, str | None]) -> str:
+    ports = [f"Port::{table[word]}" for word in words if table[word]]
+    return " | ".join(ports) or "Port::none"
+
+
+def node_ports(item: Item) -> str:
+    return cpp_ports(item.requested_nodes, NODE_PORTS)
+
+
+def marker_ports(item: Item) -> str:
+    return cpp_ports(item.requested_markers, MARKER_PORTS)
+
+
+def type_variable(item: Item) -> str:
+    """`object_mass_point_type`"""
+    return f"{snake_case(item.name)}_type"
+
+
+def item_kind(item: Item) -> str:
+    return f"ItemKind::{item.kind}"
+
+
+def uses_enums(item: Item) -> bool:
+    return any(row.type.storage in ("output_variable", "joint_types", "enumeration") for row in item.rows)
+
+
+def physics_includes(item: Item, stems: dict[str, str]) -> list[str]:
+    """Headers that the instantiation of a ready item's physics needs, in alphabetical order."""
+    if not item.ready or item.irregular:
+        return []
+    if item.kind == "sensor":
+        return ["dalembert/system/physics.hpp"]
+    kernels = [item.stem, *(stems[node] for node in item.nodes)]
+    batch = _ITEM_PHYSICS[item.folder][1]
+    return sorted([f"dalembert/batches/{batch}.hpp", *(f"dalembert/items/{stem}.hpp" for stem in kernels)])
+
+
+def physics_expression(item: Item) -> str:
+    """What makes the item's physics; '' if it is planned."""
+    if not item.ready:
+        return ""
+    if item.irregular:
+        return f"{snake_case(item.name)}_physics()"
+    if item.kind == "sensor":
+        return "SensorPhysics{}"
+    return f"{_ITEM_PHYSICS[item.folder][0]}_physics<{', '.join((item.name, *item.nodes))}>()"

@@ -1,0 +1,132 @@
+"""RST: types, sizes, refusals and links of the reference pages."""
+
+from __future__ import annotations
+
+from codegen.model import Argument, Item, Output, Parameter, UserFunction
+from codegen.model_settings import Enum
+from codegen.views.python import python_default, shape_text
+
+FOLDER_TITLES = {
+    "nodes": "Nodes",
+    "bodies": "Objects: bodies",
+    "super_elements": "Objects: super elements",
+    "finite_elements": "Objects: finite elements",
+    "connectors": "Objects: connectors",
+    "contacts": "Objects: contacts",
+    "constraints": "Objects: constraints",
+    "joints": "Objects: joints",
+    "markers": "Markers",
+    "loads": "Loads",
+    "sensors": "Sensors",
+}
+
+
+def underline(title: str, mark: str) -> str:
+    return mark * len(title)
+
+
+def rst_math(symbol: str) -> str:
+    return f":math:`{symbol.strip()}`" if symbol.strip() else ""
+
+
+def rst_indent(text: str, width: int) -> str:
+    """Indent all lines but the first, so that a text stays in its table cell."""
+    return text.strip().replace("\n", "\n" + " " * width)
+
+
+def rst_type(row: Parameter) -> str:
+    if row.type.storage in ("output_variable", "enumeration"):
+        return f":ref:`{row.type.name} <enum-{row.type.name}>`"
+    if row.type.function or row.type.name == "PyFunctionGraphicsData":
+        return "user function"
+    return row.type.name
+
+
+def rst_size(row: Parameter | Argument) -> str:
+    return shape_text(row.shape).replace(" x ", " × ")
+
+
+def output_size(output: Output) -> str:
+    return str(output.size)
+
+
+def rst_default(row: Parameter) -> str:
+    """The default; nothing is said of objects that are empty until given."""
+    if row.type.index and not row.type.shape:
+        return "not set"
+    if row.type.function or row.type.name == "PyFunctionGraphicsData":
+        return "none"
+    text = python_default(row)
+    return f"``{text}``" if text != "..." else "default object"
+
+
+def refused(row: Parameter) -> str:
+    """What a value may not be, in words."""
+    reasons = {"none": [], "non_negative": ["negative"], "positive": ["zero or negative"]}[row.effective_check]
+    if row.type.index:
+        reasons = ["an index of another kind or out of range"]
+    if row.type.real:
+        reasons = [*reasons, "not finite"]
+    if row.shape and row.shape != (None,) and row.shape != (None, None):
+        reasons = [*reasons, "other sizes"]
+    return ", ".join(reasons)
+
+
+def remarks(row: Parameter) -> str:
+    """What follows the description: refusals, and when a change takes effect."""
+    facts = []
+    if words := refused(row):
+        facts.append(f"Refused: {words}.")
+    if row.needs_assemble:
+        facts.append("A change takes effect at the next ``Assemble()``.")
+    if row.internal:
+        facts.append("Computed, read only.")
+    if row.aliases:
+        facts.append("Also accepted as " + ", ".join(f"``{alias}``" for alias in row.aliases) + ".")
+    return " ".join(facts)
+
+
+def described(row: Parameter) -> str:
+    """Description and remarks as sentences."""
+    doc = sentence(row.doc)
+    return " ".join(part for part in (doc, remarks(row)) if part)
+
+
+def sentence(text: str) -> str:
+    text = text.strip()
+    return text if not text or text.endswith((".", "!", "?", ":")) else text + "."
+
+
+def signature(function: UserFunction) -> str:
+    return f"{function.name}({', '.join(function.argument_names)})"
+
+
+def item_link(name: str) -> str:
+    return f":ref:`{name} <item-{name}>`"
+
+
+def partners(item: Item, items: tuple[Item, ...], kind: str) -> list[Item]:
+    """Nodes or markers that provide what the item requests."""
+    wanted = set(item.requested_nodes if kind == "node" else item.requested_markers)
+    return [other for other in items if wanted and other.kind == kind and wanted <= set(other.provides)]
+
+
+def users(item: Item, items: tuple[Item, ...]) -> list[Item]:
+    """Items that this node or marker can serve."""
+    if item.kind not in ("node", "marker"):
+        return []
+    return [other for other in items if item in partners(other, items, item.kind)]
+
+
+def titled(folder: str) -> str:
+    return FOLDER_TITLES[folder]
+
+
+def enum_label(enum: Enum) -> str:
+    return f"enum-{enum.name}"
+
+
+def rst_type_link(row: Parameter, owner: str) -> str:
+    """The type; of a user function with a link to its section on the page of `owner`."""
+    text = rst_type(row)
+    return f":ref:`user function <function-{owner}-{row.name}>`" if text == "user function" else text

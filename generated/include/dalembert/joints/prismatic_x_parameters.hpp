@@ -1,0 +1,30 @@
+// Generated from specs/joints/prismatic_x.toml by codegen/templates/parameters.hpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#pragma once
+
+#include "dalembert/reflection/storage.hpp"
+
+namespace dalembert {
+
+// ObjectJointPrismaticX
+struct ObjectJointPrismaticXParameters {
+  std::vector<MarkerIndex> markerNumbers = std::vector<MarkerIndex>(2);
+  Mat<double, 3, 3> rotationMarker0 = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
+  Mat<double, 3, 3> rotationMarker1 = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
+  bool activeConnector = true;
+};
+
+struct ObjectJointPrismaticXVisualization {
+  bool show = true;
+  double axisRadius = 0.1;
+  double axisLength = 0.4;
+  Vec<double, 4> color = {-1.0, -1.0, -1.0, -1.0};
+};
+
+struct ObjectJointPrismaticXRecord {
+  std::string name;
+  ObjectJointPrismaticXParameters parameters;
+  ObjectJointPrismaticXVisualization visualization;
+};
+
+}  // namespace dalembert

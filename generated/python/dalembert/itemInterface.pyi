@@ -1,0 +1,4687 @@
+# Generated from specs/ by codegen/templates/itemInterface.pyi.j2. Do not edit; run `python -m codegen`.
+# tests/codegen/test_freshness.py compares this file with its sources.
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any, Literal
+
+from numpy.typing import ArrayLike
+
+from dalembert._core import (
+    BeamSection,
+    BeamSectionGeometry,
+    JointType,
+    LoadIndex,
+    MarkerIndex,
+    MatrixContainer,
+    NodeIndex,
+    ObjectIndex,
+    OutputVariableType,
+    SensorIndex,
+)
+
+# A matrix given densely, as triplets in a container, or as a sparse matrix of scipy.
+MatrixLike = ArrayLike | MatrixContainer | Any
+
+class _Item:
+    """A set of parameters: item classes convert to dictionaries, and are what AddNode, AddObject, ... take."""
+
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class VNodeGenericAE:
+    """Visualization of NodeGenericAE."""
+
+    show: bool
+    """draw the item"""
+    def __init__(
+        self,
+        show: bool = False,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class NodeGenericAE(_Item):
+    """NodeGenericAE"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    referenceCoordinates: ArrayLike
+    """referenceCoordinates [n]"""
+    initialCoordinates: ArrayLike
+    """initialCoordinates [n]"""
+    numberOfAECoordinates: int
+    """numberOfAECoordinates"""
+    visualization: VNodeGenericAE | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        referenceCoordinates: ArrayLike = [],
+        initialCoordinates: ArrayLike = [],
+        numberOfAECoordinates: int = 0,
+        visualization: VNodeGenericAE | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VNodeGenericData:
+    """Visualization of NodeGenericData."""
+
+    show: bool
+    """draw the item"""
+    def __init__(
+        self,
+        show: bool = False,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class NodeGenericData(_Item):
+    """NodeGenericData"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    initialCoordinates: ArrayLike
+    """initialCoordinates [n]"""
+    numberOfDataCoordinates: int
+    """numberOfDataCoordinates"""
+    visualization: VNodeGenericData | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        initialCoordinates: ArrayLike = [],
+        numberOfDataCoordinates: int = 0,
+        visualization: VNodeGenericData | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VNodeGenericODE1:
+    """Visualization of NodeGenericODE1."""
+
+    show: bool
+    """draw the item"""
+    def __init__(
+        self,
+        show: bool = False,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class NodeGenericODE1(_Item):
+    """NodeGenericODE1"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    referenceCoordinates: ArrayLike
+    """referenceCoordinates [n]"""
+    initialCoordinates: ArrayLike
+    """initialCoordinates [n]"""
+    numberOfODE1Coordinates: int
+    """numberOfODE1Coordinates"""
+    visualization: VNodeGenericODE1 | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        referenceCoordinates: ArrayLike = [],
+        initialCoordinates: ArrayLike = [],
+        numberOfODE1Coordinates: int = 0,
+        visualization: VNodeGenericODE1 | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VNodeGenericODE2:
+    """Visualization of NodeGenericODE2."""
+
+    show: bool
+    """draw the item"""
+    def __init__(
+        self,
+        show: bool = False,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class NodeGenericODE2(_Item):
+    """NodeGenericODE2"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    referenceCoordinates: ArrayLike
+    """referenceCoordinates [n]"""
+    initialCoordinates: ArrayLike
+    """initialCoordinates [n]"""
+    initialCoordinates_t: ArrayLike
+    """initialCoordinates_t [n]"""
+    numberOfODE2Coordinates: int
+    """numberOfODE2Coordinates"""
+    visualization: VNodeGenericODE2 | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        referenceCoordinates: ArrayLike = [],
+        initialCoordinates: ArrayLike = [],
+        initialCoordinates_t: ArrayLike = [],
+        numberOfODE2Coordinates: int = 0,
+        visualization: VNodeGenericODE2 | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VNode1D:
+    """Visualization of Node1D."""
+
+    show: bool
+    """draw the item"""
+    def __init__(
+        self,
+        show: bool = False,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class Node1D(_Item):
+    """Node1D"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    referenceCoordinates: ArrayLike
+    """referenceCoordinates [n]"""
+    initialCoordinates: ArrayLike
+    """initialCoordinates [n]"""
+    initialVelocities: ArrayLike
+    """initialVelocities [n]"""
+    visualization: VNode1D | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        referenceCoordinates: ArrayLike = [0.0],
+        initialCoordinates: ArrayLike = [0.0],
+        initialVelocities: ArrayLike = [0.0],
+        visualization: VNode1D | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VNodePoint:
+    """Visualization of NodePoint."""
+
+    show: bool
+    """draw the item"""
+    drawSize: float
+    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        drawSize: float = -1.0,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class NodePoint(_Item):
+    """NodePoint"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    referenceCoordinates: ArrayLike
+    """referenceCoordinates [3]"""
+    initialCoordinates: ArrayLike
+    """initialCoordinates [3]"""
+    initialVelocities: ArrayLike
+    """initialVelocities [3]"""
+    visualization: VNodePoint | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        referenceCoordinates: ArrayLike = [0.0, 0.0, 0.0],
+        initialCoordinates: ArrayLike = [0.0, 0.0, 0.0],
+        initialVelocities: ArrayLike = [0.0, 0.0, 0.0],
+        visualization: VNodePoint | dict[str, Any] = ...,
+    ) -> None: ...
+
+Point = NodePoint
+VPoint = VNodePoint
+
+class VNodePoint2D:
+    """Visualization of NodePoint2D."""
+
+    show: bool
+    """draw the item"""
+    drawSize: float
+    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        drawSize: float = -1.0,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class NodePoint2D(_Item):
+    """NodePoint2D"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    referenceCoordinates: ArrayLike
+    """referenceCoordinates [2]"""
+    initialCoordinates: ArrayLike
+    """initialCoordinates [2]"""
+    initialVelocities: ArrayLike
+    """initialVelocities [2]"""
+    visualization: VNodePoint2D | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        referenceCoordinates: ArrayLike = [0.0, 0.0],
+        initialCoordinates: ArrayLike = [0.0, 0.0],
+        initialVelocities: ArrayLike = [0.0, 0.0],
+        visualization: VNodePoint2D | dict[str, Any] = ...,
+    ) -> None: ...
+
+Point2D = NodePoint2D
+VPoint2D = VNodePoint2D
+
+class VNodePoint2DSlope1:
+    """Visualization of NodePoint2DSlope1."""
+
+    show: bool
+    """draw the item"""
+    drawSize: float
+    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        drawSize: float = -1.0,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class NodePoint2DSlope1(_Item):
+    """NodePoint2DSlope1"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    referenceCoordinates: ArrayLike
+    """referenceCoordinates [4]"""
+    initialCoordinates: ArrayLike
+    """initialCoordinates [4]"""
+    initialVelocities: ArrayLike
+    """initialVelocities [4]"""
+    visualization: VNodePoint2DSlope1 | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        referenceCoordinates: ArrayLike = [0.0, 0.0, 1.0, 0.0],
+        initialCoordinates: ArrayLike = [0.0, 0.0, 0.0, 0.0],
+        initialVelocities: ArrayLike = [0.0, 0.0, 0.0, 0.0],
+        visualization: VNodePoint2DSlope1 | dict[str, Any] = ...,
+    ) -> None: ...
+
+Point2DS1 = NodePoint2DSlope1
+VPoint2DS1 = VNodePoint2DSlope1
+
+class VNodePointGround:
+    """Visualization of NodePointGround."""
+
+    show: bool
+    """draw the item"""
+    drawSize: float
+    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        drawSize: float = -1.0,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class NodePointGround(_Item):
+    """NodePointGround"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    referenceCoordinates: ArrayLike
+    """referenceCoordinates [3]"""
+    visualization: VNodePointGround | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        referenceCoordinates: ArrayLike = [0.0, 0.0, 0.0],
+        visualization: VNodePointGround | dict[str, Any] = ...,
+    ) -> None: ...
+
+PointGround = NodePointGround
+VPointGround = VNodePointGround
+
+class VNodePointSlope1:
+    """Visualization of NodePointSlope1."""
+
+    show: bool
+    """draw the item"""
+    drawSize: float
+    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        drawSize: float = -1.0,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class NodePointSlope1(_Item):
+    """NodePointSlope1"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    referenceCoordinates: ArrayLike
+    """referenceCoordinates [6]"""
+    initialCoordinates: ArrayLike
+    """initialCoordinates [6]"""
+    initialVelocities: ArrayLike
+    """initialVelocities [6]"""
+    visualization: VNodePointSlope1 | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        referenceCoordinates: ArrayLike = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0],
+        initialCoordinates: ArrayLike = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        initialVelocities: ArrayLike = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        visualization: VNodePointSlope1 | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VNodePointSlope12:
+    """Visualization of NodePointSlope12."""
+
+    show: bool
+    """draw the item"""
+    drawSize: float
+    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        drawSize: float = -1.0,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class NodePointSlope12(_Item):
+    """NodePointSlope12"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    referenceCoordinates: ArrayLike
+    """referenceCoordinates [9]"""
+    initialCoordinates: ArrayLike
+    """initialCoordinates [9]"""
+    initialVelocities: ArrayLike
+    """initialVelocities [9]"""
+    visualization: VNodePointSlope12 | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        referenceCoordinates: ArrayLike = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0],
+        initialCoordinates: ArrayLike = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        initialVelocities: ArrayLike = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        visualization: VNodePointSlope12 | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VNodePointSlope23:
+    """Visualization of NodePointSlope23."""
+
+    show: bool
+    """draw the item"""
+    drawSize: float
+    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        drawSize: float = -1.0,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class NodePointSlope23(_Item):
+    """NodePointSlope23"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    referenceCoordinates: ArrayLike
+    """referenceCoordinates [9]"""
+    initialCoordinates: ArrayLike
+    """initialCoordinates [9]"""
+    initialVelocities: ArrayLike
+    """initialVelocities [9]"""
+    visualization: VNodePointSlope23 | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        referenceCoordinates: ArrayLike = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0],
+        initialCoordinates: ArrayLike = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        initialVelocities: ArrayLike = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        visualization: VNodePointSlope23 | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VNodeRigidBody2D:
+    """Visualization of NodeRigidBody2D."""
+
+    show: bool
+    """draw the item"""
+    drawSize: float
+    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        drawSize: float = -1.0,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class NodeRigidBody2D(_Item):
+    """NodeRigidBody2D"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    referenceCoordinates: ArrayLike
+    """referenceCoordinates [3]"""
+    initialCoordinates: ArrayLike
+    """initialCoordinates [3]"""
+    initialVelocities: ArrayLike
+    """initialVelocities [3]"""
+    visualization: VNodeRigidBody2D | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        referenceCoordinates: ArrayLike = [0.0, 0.0, 0.0],
+        initialCoordinates: ArrayLike = [0.0, 0.0, 0.0],
+        initialVelocities: ArrayLike = [0.0, 0.0, 0.0],
+        visualization: VNodeRigidBody2D | dict[str, Any] = ...,
+    ) -> None: ...
+
+Rigid2D = NodeRigidBody2D
+VRigid2D = VNodeRigidBody2D
+
+class VNodeRigidBodyEP:
+    """Visualization of NodeRigidBodyEP."""
+
+    show: bool
+    """draw the item"""
+    drawSize: float
+    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        drawSize: float = -1.0,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class NodeRigidBodyEP(_Item):
+    """NodeRigidBodyEP"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    referenceCoordinates: ArrayLike
+    """referenceCoordinates [7]"""
+    initialCoordinates: ArrayLike
+    """initialCoordinates [7]"""
+    initialVelocities: ArrayLike
+    """initialVelocities [7]"""
+    addConstraintEquation: bool
+    """addConstraintEquation"""
+    visualization: VNodeRigidBodyEP | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        referenceCoordinates: ArrayLike = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        initialCoordinates: ArrayLike = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        initialVelocities: ArrayLike = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        addConstraintEquation: bool = True,
+        visualization: VNodeRigidBodyEP | dict[str, Any] = ...,
+    ) -> None: ...
+
+RigidEP = NodeRigidBodyEP
+VRigidEP = VNodeRigidBodyEP
+
+class VNodeRigidBodyRotVecLG:
+    """Visualization of NodeRigidBodyRotVecLG."""
+
+    show: bool
+    """draw the item"""
+    drawSize: float
+    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        drawSize: float = -1.0,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class NodeRigidBodyRotVecLG(_Item):
+    """NodeRigidBodyRotVecLG"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    referenceCoordinates: ArrayLike
+    """referenceCoordinates [6]"""
+    initialCoordinates: ArrayLike
+    """initialCoordinates [6]"""
+    initialVelocities: ArrayLike
+    """initialVelocities [6]"""
+    visualization: VNodeRigidBodyRotVecLG | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        referenceCoordinates: ArrayLike = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        initialCoordinates: ArrayLike = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        initialVelocities: ArrayLike = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        visualization: VNodeRigidBodyRotVecLG | dict[str, Any] = ...,
+    ) -> None: ...
+
+RigidRotVecLG = NodeRigidBodyRotVecLG
+VRigidRotVecLG = VNodeRigidBodyRotVecLG
+
+class VNodeRigidBodyRxyz:
+    """Visualization of NodeRigidBodyRxyz."""
+
+    show: bool
+    """draw the item"""
+    drawSize: float
+    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        drawSize: float = -1.0,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class NodeRigidBodyRxyz(_Item):
+    """NodeRigidBodyRxyz"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    referenceCoordinates: ArrayLike
+    """referenceCoordinates [6]"""
+    initialCoordinates: ArrayLike
+    """initialCoordinates [6]"""
+    initialVelocities: ArrayLike
+    """initialVelocities [6]"""
+    visualization: VNodeRigidBodyRxyz | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        referenceCoordinates: ArrayLike = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        initialCoordinates: ArrayLike = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        initialVelocities: ArrayLike = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        visualization: VNodeRigidBodyRxyz | dict[str, Any] = ...,
+    ) -> None: ...
+
+RigidRxyz = NodeRigidBodyRxyz
+VRigidRxyz = VNodeRigidBodyRxyz
+
+class VObjectGenericODE1:
+    """Visualization of ObjectGenericODE1."""
+
+    show: bool
+    """draw the item"""
+    def __init__(
+        self,
+        show: bool = True,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectGenericODE1(_Item):
+    """ObjectGenericODE1"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    nodeNumbers: Sequence[NodeIndex | int]
+    """nodeNumbers [n]"""
+    systemMatrix: ArrayLike
+    """systemMatrix [n x m]"""
+    rhsVector: ArrayLike
+    """rhsVector [n]"""
+    rhsUserFunction: Callable[..., Any] | Literal[0]
+    """rhsUserFunction"""
+    visualization: VObjectGenericODE1 | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        nodeNumbers: Sequence[NodeIndex | int] = [],
+        systemMatrix: ArrayLike = [],
+        rhsVector: ArrayLike = [],
+        rhsUserFunction: Callable[..., Any] | Literal[0] = 0,
+        visualization: VObjectGenericODE1 | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VObjectGround:
+    """Visualization of ObjectGround."""
+
+    show: bool
+    """draw the item"""
+    graphicsDataUserFunction: Callable[..., Any] | Literal[0]
+    """graphicsDataUserFunction"""
+    graphicsData: Sequence[dict[str, Any]]
+    """shapes attached to the body frame, as made by the functions of the graphics module [n]"""
+    def __init__(
+        self,
+        show: bool = True,
+        graphicsDataUserFunction: Callable[..., Any] | Literal[0] = 0,
+        graphicsData: Sequence[dict[str, Any]] = [],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectGround(_Item):
+    """ObjectGround"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    referencePosition: ArrayLike
+    """referencePosition [3]"""
+    referenceRotation: ArrayLike
+    """referenceRotation [3 x 3]"""
+    visualization: VObjectGround | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        referencePosition: ArrayLike = [0.0, 0.0, 0.0],
+        referenceRotation: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        visualization: VObjectGround | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VObjectMass1D:
+    """Visualization of ObjectMass1D."""
+
+    show: bool
+    """draw the item"""
+    graphicsData: Sequence[dict[str, Any]]
+    """shapes attached to the body frame, as made by the functions of the graphics module [n]"""
+    def __init__(
+        self,
+        show: bool = True,
+        graphicsData: Sequence[dict[str, Any]] = [],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectMass1D(_Item):
+    """ObjectMass1D"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    physicsMass: float
+    """physicsMass"""
+    nodeNumber: NodeIndex | int
+    """nodeNumber"""
+    referencePosition: ArrayLike
+    """referencePosition [3]"""
+    referenceRotation: ArrayLike
+    """referenceRotation [3 x 3]"""
+    visualization: VObjectMass1D | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        physicsMass: float = 0.0,
+        nodeNumber: NodeIndex | int = -1,
+        referencePosition: ArrayLike = [0.0, 0.0, 0.0],
+        referenceRotation: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        visualization: VObjectMass1D | dict[str, Any] = ...,
+    ) -> None: ...
+
+Mass1D = ObjectMass1D
+VMass1D = VObjectMass1D
+
+class VObjectMassPoint:
+    """Visualization of ObjectMassPoint."""
+
+    show: bool
+    """draw the item"""
+    graphicsData: Sequence[dict[str, Any]]
+    """shapes attached to the body frame, as made by the functions of the graphics module [n]"""
+    def __init__(
+        self,
+        show: bool = True,
+        graphicsData: Sequence[dict[str, Any]] = [],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectMassPoint(_Item):
+    """ObjectMassPoint"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    physicsMass: float
+    """physicsMass"""
+    nodeNumber: NodeIndex | int
+    """nodeNumber"""
+    visualization: VObjectMassPoint | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        physicsMass: float = 0.0,
+        nodeNumber: NodeIndex | int = -1,
+        visualization: VObjectMassPoint | dict[str, Any] = ...,
+    ) -> None: ...
+
+MassPoint = ObjectMassPoint
+VMassPoint = VObjectMassPoint
+
+class VObjectMassPoint2D:
+    """Visualization of ObjectMassPoint2D."""
+
+    show: bool
+    """draw the item"""
+    graphicsData: Sequence[dict[str, Any]]
+    """shapes attached to the body frame, as made by the functions of the graphics module [n]"""
+    def __init__(
+        self,
+        show: bool = True,
+        graphicsData: Sequence[dict[str, Any]] = [],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectMassPoint2D(_Item):
+    """ObjectMassPoint2D"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    physicsMass: float
+    """physicsMass"""
+    nodeNumber: NodeIndex | int
+    """nodeNumber"""
+    visualization: VObjectMassPoint2D | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        physicsMass: float = 0.0,
+        nodeNumber: NodeIndex | int = -1,
+        visualization: VObjectMassPoint2D | dict[str, Any] = ...,
+    ) -> None: ...
+
+MassPoint2D = ObjectMassPoint2D
+VMassPoint2D = VObjectMassPoint2D
+
+class VObjectRigidBody:
+    """Visualization of ObjectRigidBody."""
+
+    show: bool
+    """draw the item"""
+    graphicsDataUserFunction: Callable[..., Any] | Literal[0]
+    """graphicsDataUserFunction"""
+    graphicsData: Sequence[dict[str, Any]]
+    """shapes attached to the body frame, as made by the functions of the graphics module [n]"""
+    def __init__(
+        self,
+        show: bool = True,
+        graphicsDataUserFunction: Callable[..., Any] | Literal[0] = 0,
+        graphicsData: Sequence[dict[str, Any]] = [],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectRigidBody(_Item):
+    """ObjectRigidBody"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    physicsMass: float
+    """physicsMass"""
+    physicsInertia: ArrayLike
+    """physicsInertia [6]"""
+    physicsCenterOfMass: ArrayLike
+    """physicsCenterOfMass [3]"""
+    nodeNumber: NodeIndex | int
+    """nodeNumber"""
+    visualization: VObjectRigidBody | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        physicsMass: float = 0.0,
+        physicsInertia: ArrayLike = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        physicsCenterOfMass: ArrayLike = [0.0, 0.0, 0.0],
+        nodeNumber: NodeIndex | int = -1,
+        visualization: VObjectRigidBody | dict[str, Any] = ...,
+    ) -> None: ...
+
+RigidBody = ObjectRigidBody
+VRigidBody = VObjectRigidBody
+
+class VObjectRigidBody2D:
+    """Visualization of ObjectRigidBody2D."""
+
+    show: bool
+    """draw the item"""
+    graphicsDataUserFunction: Callable[..., Any] | Literal[0]
+    """graphicsDataUserFunction"""
+    graphicsData: Sequence[dict[str, Any]]
+    """shapes attached to the body frame, as made by the functions of the graphics module [n]"""
+    def __init__(
+        self,
+        show: bool = True,
+        graphicsDataUserFunction: Callable[..., Any] | Literal[0] = 0,
+        graphicsData: Sequence[dict[str, Any]] = [],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectRigidBody2D(_Item):
+    """ObjectRigidBody2D"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    physicsMass: float
+    """physicsMass"""
+    physicsInertia: float
+    """physicsInertia"""
+    physicsCenterOfMass: ArrayLike
+    """physicsCenterOfMass [2]"""
+    nodeNumber: NodeIndex | int
+    """nodeNumber"""
+    visualization: VObjectRigidBody2D | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        physicsMass: float = 0.0,
+        physicsInertia: float = 0.0,
+        physicsCenterOfMass: ArrayLike = [0.0, 0.0],
+        nodeNumber: NodeIndex | int = -1,
+        visualization: VObjectRigidBody2D | dict[str, Any] = ...,
+    ) -> None: ...
+
+RigidBody2D = ObjectRigidBody2D
+VRigidBody2D = VObjectRigidBody2D
+
+class VObjectRotationalMass1D:
+    """Visualization of ObjectRotationalMass1D."""
+
+    show: bool
+    """draw the item"""
+    graphicsData: Sequence[dict[str, Any]]
+    """shapes attached to the body frame, as made by the functions of the graphics module [n]"""
+    def __init__(
+        self,
+        show: bool = True,
+        graphicsData: Sequence[dict[str, Any]] = [],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectRotationalMass1D(_Item):
+    """ObjectRotationalMass1D"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    physicsInertia: float
+    """physicsInertia"""
+    nodeNumber: NodeIndex | int
+    """nodeNumber"""
+    referencePosition: ArrayLike
+    """referencePosition [3]"""
+    referenceRotation: ArrayLike
+    """referenceRotation [3 x 3]"""
+    visualization: VObjectRotationalMass1D | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        physicsInertia: float = 0.0,
+        nodeNumber: NodeIndex | int = -1,
+        referencePosition: ArrayLike = [0.0, 0.0, 0.0],
+        referenceRotation: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        visualization: VObjectRotationalMass1D | dict[str, Any] = ...,
+    ) -> None: ...
+
+Rotor1D = ObjectRotationalMass1D
+VRotor1D = VObjectRotationalMass1D
+
+class VObjectFFRF:
+    """Visualization of ObjectFFRF."""
+
+    show: bool
+    """draw the item"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    triangleMesh: ArrayLike
+    """triangleMesh [n x m]"""
+    showNodes: bool
+    """showNodes"""
+    def __init__(
+        self,
+        show: bool = True,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+        triangleMesh: ArrayLike = [],
+        showNodes: bool = False,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectFFRF(_Item):
+    """ObjectFFRF"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    nodeNumbers: Sequence[NodeIndex | int]
+    """nodeNumbers [n]"""
+    massMatrixFF: MatrixLike
+    """massMatrixFF [n x m]"""
+    stiffnessMatrixFF: MatrixLike
+    """stiffnessMatrixFF [n x m]"""
+    dampingMatrixFF: MatrixLike
+    """dampingMatrixFF [n x m]"""
+    forceVector: ArrayLike
+    """forceVector [n]"""
+    forceUserFunction: Callable[..., Any] | Literal[0]
+    """forceUserFunction"""
+    massMatrixUserFunction: Callable[..., Any] | Literal[0]
+    """massMatrixUserFunction"""
+    computeFFRFterms: bool
+    """computeFFRFterms"""
+    objectIsInitialized: bool
+    """objectIsInitialized"""
+    visualization: VObjectFFRF | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        nodeNumbers: Sequence[NodeIndex | int] = [],
+        massMatrixFF: MatrixLike = [],
+        stiffnessMatrixFF: MatrixLike = [],
+        dampingMatrixFF: MatrixLike = [],
+        forceVector: ArrayLike = [],
+        forceUserFunction: Callable[..., Any] | Literal[0] = 0,
+        massMatrixUserFunction: Callable[..., Any] | Literal[0] = 0,
+        computeFFRFterms: bool = True,
+        objectIsInitialized: bool = False,
+        visualization: VObjectFFRF | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VObjectFFRFreducedOrder:
+    """Visualization of ObjectFFRFreducedOrder."""
+
+    show: bool
+    """draw the item"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    triangleMesh: ArrayLike
+    """triangleMesh [n x m]"""
+    showNodes: bool
+    """showNodes"""
+    def __init__(
+        self,
+        show: bool = True,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+        triangleMesh: ArrayLike = [],
+        showNodes: bool = False,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectFFRFreducedOrder(_Item):
+    """ObjectFFRFreducedOrder"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    nodeNumbers: Sequence[NodeIndex | int]
+    """nodeNumbers [n]"""
+    massMatrixReduced: MatrixLike
+    """massMatrixReduced [n x m]"""
+    stiffnessMatrixReduced: MatrixLike
+    """stiffnessMatrixReduced [n x m]"""
+    dampingMatrixReduced: MatrixLike
+    """dampingMatrixReduced [n x m]"""
+    forceUserFunction: Callable[..., Any] | Literal[0]
+    """forceUserFunction"""
+    massMatrixUserFunction: Callable[..., Any] | Literal[0]
+    """massMatrixUserFunction"""
+    computeFFRFterms: bool
+    """computeFFRFterms"""
+    modeBasis: ArrayLike
+    """modeBasis [n x m]"""
+    outputVariableModeBasis: ArrayLike
+    """outputVariableModeBasis [n x m]"""
+    outputVariableTypeModeBasis: OutputVariableType
+    """outputVariableTypeModeBasis"""
+    referencePositions: ArrayLike
+    """referencePositions [n]"""
+    objectIsInitialized: bool
+    """objectIsInitialized"""
+    physicsMass: float
+    """physicsMass"""
+    physicsInertia: ArrayLike
+    """physicsInertia [3 x 3]"""
+    physicsCenterOfMass: ArrayLike
+    """physicsCenterOfMass [3]"""
+    mPsiTildePsi: ArrayLike
+    """mPsiTildePsi [n x m]"""
+    mPsiTildePsiTilde: ArrayLike
+    """mPsiTildePsiTilde [n x m]"""
+    mPhitTPsi: ArrayLike
+    """mPhitTPsi [n x m]"""
+    mPhitTPsiTilde: ArrayLike
+    """mPhitTPsiTilde [n x m]"""
+    mXRefTildePsi: ArrayLike
+    """mXRefTildePsi [n x m]"""
+    mXRefTildePsiTilde: ArrayLike
+    """mXRefTildePsiTilde [n x m]"""
+    physicsCenterOfMassTilde: ArrayLike
+    """physicsCenterOfMassTilde [3 x 3]"""
+    visualization: VObjectFFRFreducedOrder | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        nodeNumbers: Sequence[NodeIndex | int] = [],
+        massMatrixReduced: MatrixLike = [],
+        stiffnessMatrixReduced: MatrixLike = [],
+        dampingMatrixReduced: MatrixLike = [],
+        forceUserFunction: Callable[..., Any] | Literal[0] = 0,
+        massMatrixUserFunction: Callable[..., Any] | Literal[0] = 0,
+        computeFFRFterms: bool = True,
+        modeBasis: ArrayLike = [],
+        outputVariableModeBasis: ArrayLike = [],
+        outputVariableTypeModeBasis: OutputVariableType = OutputVariableType._None,
+        referencePositions: ArrayLike = [],
+        objectIsInitialized: bool = False,
+        physicsMass: float = 0.0,
+        physicsInertia: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        physicsCenterOfMass: ArrayLike = [0.0, 0.0, 0.0],
+        mPsiTildePsi: ArrayLike = [],
+        mPsiTildePsiTilde: ArrayLike = [],
+        mPhitTPsi: ArrayLike = [],
+        mPhitTPsiTilde: ArrayLike = [],
+        mXRefTildePsi: ArrayLike = [],
+        mXRefTildePsiTilde: ArrayLike = [],
+        physicsCenterOfMassTilde: ArrayLike = [[0.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]],
+        visualization: VObjectFFRFreducedOrder | dict[str, Any] = ...,
+    ) -> None: ...
+
+CMSobject = ObjectFFRFreducedOrder
+VCMSobject = VObjectFFRFreducedOrder
+
+class VObjectGenericODE2:
+    """Visualization of ObjectGenericODE2."""
+
+    show: bool
+    """draw the item"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    triangleMesh: ArrayLike
+    """triangleMesh [n x m]"""
+    showNodes: bool
+    """showNodes"""
+    graphicsDataUserFunction: Callable[..., Any] | Literal[0]
+    """graphicsDataUserFunction"""
+    def __init__(
+        self,
+        show: bool = True,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+        triangleMesh: ArrayLike = [],
+        showNodes: bool = False,
+        graphicsDataUserFunction: Callable[..., Any] | Literal[0] = 0,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectGenericODE2(_Item):
+    """ObjectGenericODE2"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    nodeNumbers: Sequence[NodeIndex | int]
+    """nodeNumbers [n]"""
+    massMatrix: MatrixLike
+    """massMatrix [n x m]"""
+    stiffnessMatrix: MatrixLike
+    """stiffnessMatrix [n x m]"""
+    dampingMatrix: MatrixLike
+    """dampingMatrix [n x m]"""
+    forceVector: ArrayLike
+    """forceVector [n]"""
+    forceUserFunction: Callable[..., Any] | Literal[0]
+    """forceUserFunction"""
+    massMatrixUserFunction: Callable[..., Any] | Literal[0]
+    """massMatrixUserFunction"""
+    jacobianUserFunction: Callable[..., Any] | Literal[0]
+    """jacobianUserFunction"""
+    visualization: VObjectGenericODE2 | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        nodeNumbers: Sequence[NodeIndex | int] = [],
+        massMatrix: MatrixLike = [],
+        stiffnessMatrix: MatrixLike = [],
+        dampingMatrix: MatrixLike = [],
+        forceVector: ArrayLike = [],
+        forceUserFunction: Callable[..., Any] | Literal[0] = 0,
+        massMatrixUserFunction: Callable[..., Any] | Literal[0] = 0,
+        jacobianUserFunction: Callable[..., Any] | Literal[0] = 0,
+        visualization: VObjectGenericODE2 | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VObjectKinematicTree:
+    """Visualization of ObjectKinematicTree."""
+
+    show: bool
+    """draw the item"""
+    showLinks: bool
+    """showLinks"""
+    showJoints: bool
+    """showJoints"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    graphicsDataList: Sequence[Sequence[dict[str, Any]]]
+    """graphicsDataList [n x m]"""
+    def __init__(
+        self,
+        show: bool = True,
+        showLinks: bool = True,
+        showJoints: bool = True,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+        graphicsDataList: Sequence[Sequence[dict[str, Any]]] = [],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectKinematicTree(_Item):
+    """ObjectKinematicTree"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    nodeNumber: NodeIndex | int
+    """nodeNumber"""
+    gravity: ArrayLike
+    """gravity [3]"""
+    baseOffset: ArrayLike
+    """baseOffset [3]"""
+    jointTypes: Sequence[JointType]
+    """jointTypes [n]"""
+    linkParents: Sequence[int]
+    """linkParents [n]"""
+    jointTransformations: Sequence[ArrayLike]
+    """jointTransformations [n x 3 x 3]"""
+    jointOffsets: Sequence[ArrayLike]
+    """jointOffsets [n x 3]"""
+    linkInertiasCOM: Sequence[ArrayLike]
+    """linkInertiasCOM [n x 3 x 3]"""
+    linkCOMs: Sequence[ArrayLike]
+    """linkCOMs [n x 3]"""
+    linkMasses: ArrayLike
+    """linkMasses [n]"""
+    linkForces: Sequence[ArrayLike]
+    """linkForces [n x 3]"""
+    linkTorques: Sequence[ArrayLike]
+    """linkTorques [n x 3]"""
+    jointForceVector: ArrayLike
+    """jointForceVector [n]"""
+    jointPositionOffsetVector: ArrayLike
+    """jointPositionOffsetVector [n]"""
+    jointVelocityOffsetVector: ArrayLike
+    """jointVelocityOffsetVector [n]"""
+    jointPControlVector: ArrayLike
+    """jointPControlVector [n]"""
+    jointDControlVector: ArrayLike
+    """jointDControlVector [n]"""
+    forceUserFunction: Callable[..., Any] | Literal[0]
+    """forceUserFunction"""
+    visualization: VObjectKinematicTree | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        nodeNumber: NodeIndex | int = -1,
+        gravity: ArrayLike = [0.0, 0.0, 0.0],
+        baseOffset: ArrayLike = [0.0, 0.0, 0.0],
+        jointTypes: Sequence[JointType] = [],
+        linkParents: Sequence[int] = [],
+        jointTransformations: Sequence[ArrayLike] = [],
+        jointOffsets: Sequence[ArrayLike] = [],
+        linkInertiasCOM: Sequence[ArrayLike] = [],
+        linkCOMs: Sequence[ArrayLike] = [],
+        linkMasses: ArrayLike = [],
+        linkForces: Sequence[ArrayLike] = [],
+        linkTorques: Sequence[ArrayLike] = [],
+        jointForceVector: ArrayLike = [],
+        jointPositionOffsetVector: ArrayLike = [],
+        jointVelocityOffsetVector: ArrayLike = [],
+        jointPControlVector: ArrayLike = [],
+        jointDControlVector: ArrayLike = [],
+        forceUserFunction: Callable[..., Any] | Literal[0] = 0,
+        visualization: VObjectKinematicTree | dict[str, Any] = ...,
+    ) -> None: ...
+
+KinematicTree = ObjectKinematicTree
+VKinematicTree = VObjectKinematicTree
+
+class VObjectALEANCFCable2D:
+    """Visualization of ObjectALEANCFCable2D."""
+
+    show: bool
+    """draw the item"""
+    drawHeight: float
+    """drawHeight"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        drawHeight: float = 0.0,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectALEANCFCable2D(_Item):
+    """ObjectALEANCFCable2D"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    physicsLength: float
+    """physicsLength"""
+    physicsMassPerLength: float
+    """physicsMassPerLength"""
+    physicsMovingMassFactor: float
+    """physicsMovingMassFactor"""
+    physicsBendingStiffness: float
+    """physicsBendingStiffness"""
+    physicsAxialStiffness: float
+    """physicsAxialStiffness"""
+    physicsBendingDamping: float
+    """physicsBendingDamping"""
+    physicsAxialDamping: float
+    """physicsAxialDamping"""
+    physicsReferenceAxialStrain: float
+    """physicsReferenceAxialStrain"""
+    physicsReferenceCurvature: float
+    """physicsReferenceCurvature"""
+    physicsUseCouplingTerms: bool
+    """physicsUseCouplingTerms"""
+    physicsAddALEvariation: bool
+    """physicsAddALEvariation"""
+    nodeNumbers: Sequence[NodeIndex | int]
+    """nodeNumbers [3]"""
+    useReducedOrderIntegration: int
+    """useReducedOrderIntegration"""
+    strainIsRelativeToReference: float
+    """strainIsRelativeToReference"""
+    visualization: VObjectALEANCFCable2D | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        physicsLength: float = 0.0,
+        physicsMassPerLength: float = 0.0,
+        physicsMovingMassFactor: float = 1.0,
+        physicsBendingStiffness: float = 0.0,
+        physicsAxialStiffness: float = 0.0,
+        physicsBendingDamping: float = 0.0,
+        physicsAxialDamping: float = 0.0,
+        physicsReferenceAxialStrain: float = 0.0,
+        physicsReferenceCurvature: float = 0.0,
+        physicsUseCouplingTerms: bool = True,
+        physicsAddALEvariation: bool = True,
+        nodeNumbers: Sequence[NodeIndex | int] = [-1, -1, -1],
+        useReducedOrderIntegration: int = 0,
+        strainIsRelativeToReference: float = 0.0,
+        visualization: VObjectALEANCFCable2D | dict[str, Any] = ...,
+    ) -> None: ...
+
+ALECable2D = ObjectALEANCFCable2D
+VALECable2D = VObjectALEANCFCable2D
+
+class VObjectANCFBeam:
+    """Visualization of ObjectANCFBeam."""
+
+    show: bool
+    """draw the item"""
+    sectionGeometry: BeamSectionGeometry
+    """sectionGeometry"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        sectionGeometry: BeamSectionGeometry = ...,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectANCFBeam(_Item):
+    """ObjectANCFBeam"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    nodeNumbers: Sequence[NodeIndex | int]
+    """nodeNumbers [2]"""
+    physicsLength: float
+    """physicsLength"""
+    sectionData: BeamSection
+    """sectionData"""
+    crossSectionPenaltyFactor: ArrayLike
+    """crossSectionPenaltyFactor [3]"""
+    crossSectionDamping: ArrayLike
+    """crossSectionDamping [3]"""
+    visualization: VObjectANCFBeam | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        nodeNumbers: Sequence[NodeIndex | int] = [-1, -1],
+        physicsLength: float = 0.0,
+        sectionData: BeamSection = ...,
+        crossSectionPenaltyFactor: ArrayLike = [1.0, 1.0, 1.0],
+        crossSectionDamping: ArrayLike = [0.0, 0.0, 0.0],
+        visualization: VObjectANCFBeam | dict[str, Any] = ...,
+    ) -> None: ...
+
+ANCFBeam = ObjectANCFBeam
+VANCFBeam = VObjectANCFBeam
+
+class VObjectANCFCable:
+    """Visualization of ObjectANCFCable."""
+
+    show: bool
+    """draw the item"""
+    radius: float
+    """radius"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        radius: float = 0.0,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectANCFCable(_Item):
+    """ObjectANCFCable"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    physicsLength: float
+    """physicsLength"""
+    physicsMassPerLength: float
+    """physicsMassPerLength"""
+    physicsBendingStiffness: float
+    """physicsBendingStiffness"""
+    physicsAxialStiffness: float
+    """physicsAxialStiffness"""
+    physicsBendingDamping: float
+    """physicsBendingDamping"""
+    physicsAxialDamping: float
+    """physicsAxialDamping"""
+    physicsReferenceAxialStrain: float
+    """physicsReferenceAxialStrain"""
+    strainIsRelativeToReference: float
+    """strainIsRelativeToReference"""
+    nodeNumbers: Sequence[NodeIndex | int]
+    """nodeNumbers [2]"""
+    useReducedOrderIntegration: int
+    """useReducedOrderIntegration"""
+    visualization: VObjectANCFCable | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        physicsLength: float = 0.0,
+        physicsMassPerLength: float = 0.0,
+        physicsBendingStiffness: float = 0.0,
+        physicsAxialStiffness: float = 0.0,
+        physicsBendingDamping: float = 0.0,
+        physicsAxialDamping: float = 0.0,
+        physicsReferenceAxialStrain: float = 0.0,
+        strainIsRelativeToReference: float = 0.0,
+        nodeNumbers: Sequence[NodeIndex | int] = [-1, -1],
+        useReducedOrderIntegration: int = 0,
+        visualization: VObjectANCFCable | dict[str, Any] = ...,
+    ) -> None: ...
+
+Cable = ObjectANCFCable
+VCable = VObjectANCFCable
+
+class VObjectANCFCable2D:
+    """Visualization of ObjectANCFCable2D."""
+
+    show: bool
+    """draw the item"""
+    drawHeight: float
+    """drawHeight"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        drawHeight: float = 0.0,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectANCFCable2D(_Item):
+    """ObjectANCFCable2D"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    physicsLength: float
+    """physicsLength"""
+    physicsMassPerLength: float
+    """physicsMassPerLength"""
+    physicsBendingStiffness: float
+    """physicsBendingStiffness"""
+    physicsAxialStiffness: float
+    """physicsAxialStiffness"""
+    physicsBendingDamping: float
+    """physicsBendingDamping"""
+    physicsAxialDamping: float
+    """physicsAxialDamping"""
+    physicsReferenceAxialStrain: float
+    """physicsReferenceAxialStrain"""
+    physicsReferenceCurvature: float
+    """physicsReferenceCurvature"""
+    strainIsRelativeToReference: float
+    """strainIsRelativeToReference"""
+    nodeNumbers: Sequence[NodeIndex | int]
+    """nodeNumbers [2]"""
+    useReducedOrderIntegration: int
+    """useReducedOrderIntegration"""
+    axialForceUserFunction: Callable[..., Any] | Literal[0]
+    """axialForceUserFunction"""
+    bendingMomentUserFunction: Callable[..., Any] | Literal[0]
+    """bendingMomentUserFunction"""
+    visualization: VObjectANCFCable2D | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        physicsLength: float = 0.0,
+        physicsMassPerLength: float = 0.0,
+        physicsBendingStiffness: float = 0.0,
+        physicsAxialStiffness: float = 0.0,
+        physicsBendingDamping: float = 0.0,
+        physicsAxialDamping: float = 0.0,
+        physicsReferenceAxialStrain: float = 0.0,
+        physicsReferenceCurvature: float = 0.0,
+        strainIsRelativeToReference: float = 0.0,
+        nodeNumbers: Sequence[NodeIndex | int] = [-1, -1],
+        useReducedOrderIntegration: int = 0,
+        axialForceUserFunction: Callable[..., Any] | Literal[0] = 0,
+        bendingMomentUserFunction: Callable[..., Any] | Literal[0] = 0,
+        visualization: VObjectANCFCable2D | dict[str, Any] = ...,
+    ) -> None: ...
+
+Cable2D = ObjectANCFCable2D
+VCable2D = VObjectANCFCable2D
+
+class VObjectANCFThinPlate:
+    """Visualization of ObjectANCFThinPlate."""
+
+    show: bool
+    """draw the item"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectANCFThinPlate(_Item):
+    """ObjectANCFThinPlate"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    physicsThickness: ArrayLike
+    """physicsThickness [n]"""
+    physicsDensity: float
+    """physicsDensity"""
+    physicsMassProportionalDamping: float
+    """physicsMassProportionalDamping"""
+    physicsStrainCoefficients: Sequence[ArrayLike]
+    """physicsStrainCoefficients [n x 3 x 3]"""
+    physicsCurvatureCoefficients: Sequence[ArrayLike]
+    """physicsCurvatureCoefficients [n x 3 x 3]"""
+    strainIsRelativeToReference: float
+    """strainIsRelativeToReference"""
+    slopesScalingX: ArrayLike
+    """slopesScalingX [4]"""
+    slopesScalingY: ArrayLike
+    """slopesScalingY [4]"""
+    nodeNumbers: Sequence[NodeIndex | int]
+    """nodeNumbers [4]"""
+    useReducedOrderIntegration: int
+    """useReducedOrderIntegration"""
+    visualization: VObjectANCFThinPlate | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        physicsThickness: ArrayLike = [],
+        physicsDensity: float = 0.0,
+        physicsMassProportionalDamping: float = 0.0,
+        physicsStrainCoefficients: Sequence[ArrayLike] = [],
+        physicsCurvatureCoefficients: Sequence[ArrayLike] = [],
+        strainIsRelativeToReference: float = 1.0,
+        slopesScalingX: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+        slopesScalingY: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+        nodeNumbers: Sequence[NodeIndex | int] = [-1, -1, -1, -1],
+        useReducedOrderIntegration: int = 0,
+        visualization: VObjectANCFThinPlate | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VObjectBeamGeometricallyExact:
+    """Visualization of ObjectBeamGeometricallyExact."""
+
+    show: bool
+    """draw the item"""
+    sectionGeometry: BeamSectionGeometry
+    """sectionGeometry"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        sectionGeometry: BeamSectionGeometry = ...,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectBeamGeometricallyExact(_Item):
+    """ObjectBeamGeometricallyExact"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    nodeNumbers: Sequence[NodeIndex | int]
+    """nodeNumbers [2]"""
+    physicsLength: float
+    """physicsLength"""
+    sectionData: BeamSection
+    """sectionData"""
+    visualization: VObjectBeamGeometricallyExact | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        nodeNumbers: Sequence[NodeIndex | int] = [-1, -1],
+        physicsLength: float = 0.0,
+        sectionData: BeamSection = ...,
+        visualization: VObjectBeamGeometricallyExact | dict[str, Any] = ...,
+    ) -> None: ...
+
+Beam3D = ObjectBeamGeometricallyExact
+VBeam3D = VObjectBeamGeometricallyExact
+
+class VObjectBeamGeometricallyExact2D:
+    """Visualization of ObjectBeamGeometricallyExact2D."""
+
+    show: bool
+    """draw the item"""
+    drawHeight: float
+    """drawHeight"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        drawHeight: float = 0.0,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectBeamGeometricallyExact2D(_Item):
+    """ObjectBeamGeometricallyExact2D"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    nodeNumbers: Sequence[NodeIndex | int]
+    """nodeNumbers [n]"""
+    physicsLength: float
+    """physicsLength"""
+    physicsMassPerLength: float
+    """physicsMassPerLength"""
+    physicsCrossSectionInertia: float
+    """physicsCrossSectionInertia"""
+    physicsBendingStiffness: float
+    """physicsBendingStiffness"""
+    physicsAxialStiffness: float
+    """physicsAxialStiffness"""
+    physicsShearStiffness: float
+    """physicsShearStiffness"""
+    physicsBendingDamping: float
+    """physicsBendingDamping"""
+    physicsAxialDamping: float
+    """physicsAxialDamping"""
+    physicsShearDamping: float
+    """physicsShearDamping"""
+    physicsReferenceCurvature: float
+    """physicsReferenceCurvature"""
+    includeReferenceRotations: bool
+    """includeReferenceRotations"""
+    visualization: VObjectBeamGeometricallyExact2D | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        nodeNumbers: Sequence[NodeIndex | int] = [],
+        physicsLength: float = 0.0,
+        physicsMassPerLength: float = 0.0,
+        physicsCrossSectionInertia: float = 0.0,
+        physicsBendingStiffness: float = 0.0,
+        physicsAxialStiffness: float = 0.0,
+        physicsShearStiffness: float = 0.0,
+        physicsBendingDamping: float = 0.0,
+        physicsAxialDamping: float = 0.0,
+        physicsShearDamping: float = 0.0,
+        physicsReferenceCurvature: float = 0.0,
+        includeReferenceRotations: bool = False,
+        visualization: VObjectBeamGeometricallyExact2D | dict[str, Any] = ...,
+    ) -> None: ...
+
+Beam2D = ObjectBeamGeometricallyExact2D
+VBeam2D = VObjectBeamGeometricallyExact2D
+
+class VObjectConnectorCartesianSpringDamper:
+    """Visualization of ObjectConnectorCartesianSpringDamper."""
+
+    show: bool
+    """draw the item"""
+    drawSize: float
+    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        drawSize: float = -1.0,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectConnectorCartesianSpringDamper(_Item):
+    """ObjectConnectorCartesianSpringDamper"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumbers: Sequence[MarkerIndex | int]
+    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    stiffness: ArrayLike
+    """stiffness [3]"""
+    damping: ArrayLike
+    """damping [3]"""
+    offset: ArrayLike
+    """offset [3]"""
+    springForceUserFunction: Callable[..., Any] | Literal[0]
+    """springForceUserFunction"""
+    activeConnector: bool
+    """false switches the item off: no force, and no constraint"""
+    visualization: VObjectConnectorCartesianSpringDamper | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        stiffness: ArrayLike = [0.0, 0.0, 0.0],
+        damping: ArrayLike = [0.0, 0.0, 0.0],
+        offset: ArrayLike = [0.0, 0.0, 0.0],
+        springForceUserFunction: Callable[..., Any] | Literal[0] = 0,
+        activeConnector: bool = True,
+        visualization: VObjectConnectorCartesianSpringDamper | dict[str, Any] = ...,
+    ) -> None: ...
+
+CartesianSpringDamper = ObjectConnectorCartesianSpringDamper
+VCartesianSpringDamper = VObjectConnectorCartesianSpringDamper
+
+class VObjectConnectorCoordinateSpringDamper:
+    """Visualization of ObjectConnectorCoordinateSpringDamper."""
+
+    show: bool
+    """draw the item"""
+    drawSize: float
+    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        drawSize: float = -1.0,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectConnectorCoordinateSpringDamper(_Item):
+    """ObjectConnectorCoordinateSpringDamper"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumbers: Sequence[MarkerIndex | int]
+    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    stiffness: float
+    """stiffness"""
+    damping: float
+    """damping"""
+    offset: float
+    """offset"""
+    activeConnector: bool
+    """false switches the item off: no force, and no constraint"""
+    springForceUserFunction: Callable[..., Any] | Literal[0]
+    """springForceUserFunction"""
+    visualization: VObjectConnectorCoordinateSpringDamper | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        stiffness: float = 0.0,
+        damping: float = 0.0,
+        offset: float = 0.0,
+        activeConnector: bool = True,
+        springForceUserFunction: Callable[..., Any] | Literal[0] = 0,
+        visualization: VObjectConnectorCoordinateSpringDamper | dict[str, Any] = ...,
+    ) -> None: ...
+
+CoordinateSpringDamper = ObjectConnectorCoordinateSpringDamper
+VCoordinateSpringDamper = VObjectConnectorCoordinateSpringDamper
+
+class VObjectConnectorCoordinateSpringDamperExt:
+    """Visualization of ObjectConnectorCoordinateSpringDamperExt."""
+
+    show: bool
+    """draw the item"""
+    drawSize: float
+    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        drawSize: float = -1.0,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectConnectorCoordinateSpringDamperExt(_Item):
+    """ObjectConnectorCoordinateSpringDamperExt"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumbers: Sequence[MarkerIndex | int]
+    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    nodeNumber: NodeIndex | int
+    """nodeNumber"""
+    stiffness: float
+    """stiffness"""
+    damping: float
+    """damping"""
+    offset: float
+    """offset"""
+    velocityOffset: float
+    """velocityOffset"""
+    factor0: float
+    """factor0"""
+    factor1: float
+    """factor1"""
+    fDynamicFriction: float
+    """fDynamicFriction"""
+    fStaticFrictionOffset: float
+    """fStaticFrictionOffset"""
+    stickingStiffness: float
+    """stickingStiffness"""
+    stickingDamping: float
+    """stickingDamping"""
+    exponentialDecayStatic: float
+    """exponentialDecayStatic"""
+    fViscousFriction: float
+    """fViscousFriction"""
+    frictionProportionalZone: float
+    """frictionProportionalZone"""
+    limitStopsUpper: float
+    """limitStopsUpper"""
+    limitStopsLower: float
+    """limitStopsLower"""
+    limitStopsStiffness: float
+    """limitStopsStiffness"""
+    limitStopsDamping: float
+    """limitStopsDamping"""
+    useLimitStops: bool
+    """useLimitStops"""
+    activeConnector: bool
+    """false switches the item off: no force, and no constraint"""
+    springForceUserFunction: Callable[..., Any] | Literal[0]
+    """springForceUserFunction"""
+    visualization: VObjectConnectorCoordinateSpringDamperExt | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        nodeNumber: NodeIndex | int = -1,
+        stiffness: float = 0.0,
+        damping: float = 0.0,
+        offset: float = 0.0,
+        velocityOffset: float = 0.0,
+        factor0: float = 1.0,
+        factor1: float = 1.0,
+        fDynamicFriction: float = 0.0,
+        fStaticFrictionOffset: float = 0.0,
+        stickingStiffness: float = 0.0,
+        stickingDamping: float = 0.0,
+        exponentialDecayStatic: float = 0.001,
+        fViscousFriction: float = 0.0,
+        frictionProportionalZone: float = 0.0,
+        limitStopsUpper: float = 0.0,
+        limitStopsLower: float = 0.0,
+        limitStopsStiffness: float = 0.0,
+        limitStopsDamping: float = 0.0,
+        useLimitStops: bool = False,
+        activeConnector: bool = True,
+        springForceUserFunction: Callable[..., Any] | Literal[0] = 0,
+        visualization: VObjectConnectorCoordinateSpringDamperExt | dict[str, Any] = ...,
+    ) -> None: ...
+
+CoordinateSpringDamperExt = ObjectConnectorCoordinateSpringDamperExt
+VCoordinateSpringDamperExt = VObjectConnectorCoordinateSpringDamperExt
+
+class VObjectConnectorGravity:
+    """Visualization of ObjectConnectorGravity."""
+
+    show: bool
+    """draw the item"""
+    drawSize: float
+    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = False,
+        drawSize: float = -1.0,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectConnectorGravity(_Item):
+    """ObjectConnectorGravity"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumbers: Sequence[MarkerIndex | int]
+    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    gravitationalConstant: float
+    """gravitationalConstant"""
+    mass0: float
+    """mass0"""
+    mass1: float
+    """mass1"""
+    minDistanceRegularization: float
+    """minDistanceRegularization"""
+    activeConnector: bool
+    """false switches the item off: no force, and no constraint"""
+    visualization: VObjectConnectorGravity | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        gravitationalConstant: float = 6.6743e-11,
+        mass0: float = 0.0,
+        mass1: float = 0.0,
+        minDistanceRegularization: float = 0.0,
+        activeConnector: bool = True,
+        visualization: VObjectConnectorGravity | dict[str, Any] = ...,
+    ) -> None: ...
+
+ConnectorGravity = ObjectConnectorGravity
+VConnectorGravity = VObjectConnectorGravity
+
+class VObjectConnectorHydraulicActuatorSimple:
+    """Visualization of ObjectConnectorHydraulicActuatorSimple."""
+
+    show: bool
+    """draw the item"""
+    cylinderRadius: float
+    """cylinderRadius"""
+    rodRadius: float
+    """rodRadius"""
+    pistonRadius: float
+    """pistonRadius"""
+    pistonLength: float
+    """pistonLength"""
+    rodMountRadius: float
+    """rodMountRadius"""
+    baseMountRadius: float
+    """baseMountRadius"""
+    baseMountLength: float
+    """baseMountLength"""
+    colorCylinder: ArrayLike
+    """colorCylinder [4]"""
+    colorPiston: ArrayLike
+    """colorPiston [4]"""
+    def __init__(
+        self,
+        show: bool = True,
+        cylinderRadius: float = 0.05,
+        rodRadius: float = 0.03,
+        pistonRadius: float = 0.04,
+        pistonLength: float = 0.001,
+        rodMountRadius: float = 0.0,
+        baseMountRadius: float = 0.0,
+        baseMountLength: float = 0.0,
+        colorCylinder: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+        colorPiston: ArrayLike = [0.8, 0.8, 0.8, 1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectConnectorHydraulicActuatorSimple(_Item):
+    """ObjectConnectorHydraulicActuatorSimple"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumbers: Sequence[MarkerIndex | int]
+    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    nodeNumbers: Sequence[NodeIndex | int]
+    """nodeNumbers [n]"""
+    offsetLength: float
+    """offsetLength"""
+    strokeLength: float
+    """strokeLength"""
+    chamberCrossSection0: float
+    """chamberCrossSection0"""
+    chamberCrossSection1: float
+    """chamberCrossSection1"""
+    hoseVolume0: float
+    """hoseVolume0"""
+    hoseVolume1: float
+    """hoseVolume1"""
+    valveOpening0: float
+    """valveOpening0"""
+    valveOpening1: float
+    """valveOpening1"""
+    actuatorDamping: float
+    """actuatorDamping"""
+    oilBulkModulus: float
+    """oilBulkModulus"""
+    cylinderBulkModulus: float
+    """cylinderBulkModulus"""
+    hoseBulkModulus: float
+    """hoseBulkModulus"""
+    nominalFlow: float
+    """nominalFlow"""
+    systemPressure: float
+    """systemPressure"""
+    tankPressure: float
+    """tankPressure"""
+    useChamberVolumeChange: bool
+    """useChamberVolumeChange"""
+    activeConnector: bool
+    """false switches the item off: no force, and no constraint"""
+    visualization: VObjectConnectorHydraulicActuatorSimple | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        nodeNumbers: Sequence[NodeIndex | int] = [],
+        offsetLength: float = 0.0,
+        strokeLength: float = 0.0,
+        chamberCrossSection0: float = 0.0,
+        chamberCrossSection1: float = 0.0,
+        hoseVolume0: float = 0.0,
+        hoseVolume1: float = 0.0,
+        valveOpening0: float = 0.0,
+        valveOpening1: float = 0.0,
+        actuatorDamping: float = 0.0,
+        oilBulkModulus: float = 0.0,
+        cylinderBulkModulus: float = 0.0,
+        hoseBulkModulus: float = 0.0,
+        nominalFlow: float = 0.0,
+        systemPressure: float = 0.0,
+        tankPressure: float = 0.0,
+        useChamberVolumeChange: bool = False,
+        activeConnector: bool = True,
+        visualization: VObjectConnectorHydraulicActuatorSimple | dict[str, Any] = ...,
+    ) -> None: ...
+
+HydraulicActuatorSimple = ObjectConnectorHydraulicActuatorSimple
+VHydraulicActuatorSimple = VObjectConnectorHydraulicActuatorSimple
+
+class VObjectConnectorLinearSpringDamper:
+    """Visualization of ObjectConnectorLinearSpringDamper."""
+
+    show: bool
+    """draw the item"""
+    drawSize: float
+    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    drawAsCylinder: bool
+    """drawAsCylinder"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        drawSize: float = -1.0,
+        drawAsCylinder: bool = False,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectConnectorLinearSpringDamper(_Item):
+    """ObjectConnectorLinearSpringDamper"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumbers: Sequence[MarkerIndex | int]
+    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    stiffness: float
+    """stiffness"""
+    damping: float
+    """damping"""
+    axisMarker0: ArrayLike
+    """axisMarker0 [3]"""
+    offset: float
+    """offset"""
+    velocityOffset: float
+    """velocityOffset"""
+    force: float
+    """force"""
+    activeConnector: bool
+    """false switches the item off: no force, and no constraint"""
+    springForceUserFunction: Callable[..., Any] | Literal[0]
+    """springForceUserFunction"""
+    visualization: VObjectConnectorLinearSpringDamper | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        stiffness: float = 0.0,
+        damping: float = 0.0,
+        axisMarker0: ArrayLike = [1.0, 0.0, 0.0],
+        offset: float = 0.0,
+        velocityOffset: float = 0.0,
+        force: float = 0.0,
+        activeConnector: bool = True,
+        springForceUserFunction: Callable[..., Any] | Literal[0] = 0,
+        visualization: VObjectConnectorLinearSpringDamper | dict[str, Any] = ...,
+    ) -> None: ...
+
+LinearSpringDamper = ObjectConnectorLinearSpringDamper
+VLinearSpringDamper = VObjectConnectorLinearSpringDamper
+
+class VObjectConnectorReevingSystemSprings:
+    """Visualization of ObjectConnectorReevingSystemSprings."""
+
+    show: bool
+    """draw the item"""
+    ropeRadius: float
+    """ropeRadius"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        ropeRadius: float = 0.001,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectConnectorReevingSystemSprings(_Item):
+    """ObjectConnectorReevingSystemSprings"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumbers: Sequence[MarkerIndex | int]
+    """markerNumbers [n]"""
+    hasCoordinateMarkers: bool
+    """hasCoordinateMarkers"""
+    coordinateFactors: ArrayLike
+    """coordinateFactors [2]"""
+    stiffnessPerLength: float
+    """stiffnessPerLength"""
+    dampingPerLength: float
+    """dampingPerLength"""
+    dampingTorsional: float
+    """dampingTorsional"""
+    dampingShear: float
+    """dampingShear"""
+    regularizationForce: float
+    """regularizationForce"""
+    referenceLength: float
+    """referenceLength"""
+    sheavesAxes: Sequence[ArrayLike]
+    """sheavesAxes [n x 3]"""
+    sheavesRadii: ArrayLike
+    """sheavesRadii [n]"""
+    activeConnector: bool
+    """false switches the item off: no force, and no constraint"""
+    visualization: VObjectConnectorReevingSystemSprings | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        hasCoordinateMarkers: bool = False,
+        coordinateFactors: ArrayLike = [1.0, 1.0],
+        stiffnessPerLength: float = 0.0,
+        dampingPerLength: float = 0.0,
+        dampingTorsional: float = 0.0,
+        dampingShear: float = 0.0,
+        regularizationForce: float = 0.1,
+        referenceLength: float = 0.0,
+        sheavesAxes: Sequence[ArrayLike] = [],
+        sheavesRadii: ArrayLike = [],
+        activeConnector: bool = True,
+        visualization: VObjectConnectorReevingSystemSprings | dict[str, Any] = ...,
+    ) -> None: ...
+
+ReevingSystemSprings = ObjectConnectorReevingSystemSprings
+VReevingSystemSprings = VObjectConnectorReevingSystemSprings
+
+class VObjectConnectorRigidBodySpringDamper:
+    """Visualization of ObjectConnectorRigidBodySpringDamper."""
+
+    show: bool
+    """draw the item"""
+    drawSize: float
+    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        drawSize: float = -1.0,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectConnectorRigidBodySpringDamper(_Item):
+    """ObjectConnectorRigidBodySpringDamper"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumbers: Sequence[MarkerIndex | int]
+    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    nodeNumber: NodeIndex | int
+    """nodeNumber"""
+    stiffness: ArrayLike
+    """stiffness [6 x 6]"""
+    damping: ArrayLike
+    """damping [6 x 6]"""
+    rotationMarker0: ArrayLike
+    """rotationMarker0 [3 x 3]"""
+    rotationMarker1: ArrayLike
+    """rotationMarker1 [3 x 3]"""
+    offset: ArrayLike
+    """offset [6]"""
+    intrinsicFormulation: bool
+    """intrinsicFormulation"""
+    activeConnector: bool
+    """false switches the item off: no force, and no constraint"""
+    springForceTorqueUserFunction: Callable[..., Any] | Literal[0]
+    """springForceTorqueUserFunction"""
+    postNewtonStepUserFunction: Callable[..., Any] | Literal[0]
+    """postNewtonStepUserFunction"""
+    visualization: VObjectConnectorRigidBodySpringDamper | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        nodeNumber: NodeIndex | int = -1,
+        stiffness: ArrayLike = [[0.0, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0, 0.0, 0.0]],
+        damping: ArrayLike = [[0.0, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0, 0.0, 0.0]],
+        rotationMarker0: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        rotationMarker1: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        offset: ArrayLike = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        intrinsicFormulation: bool = False,
+        activeConnector: bool = True,
+        springForceTorqueUserFunction: Callable[..., Any] | Literal[0] = 0,
+        postNewtonStepUserFunction: Callable[..., Any] | Literal[0] = 0,
+        visualization: VObjectConnectorRigidBodySpringDamper | dict[str, Any] = ...,
+    ) -> None: ...
+
+RigidBodySpringDamper = ObjectConnectorRigidBodySpringDamper
+VRigidBodySpringDamper = VObjectConnectorRigidBodySpringDamper
+
+class VObjectConnectorRollingDiscPenalty:
+    """Visualization of ObjectConnectorRollingDiscPenalty."""
+
+    show: bool
+    """draw the item"""
+    discWidth: float
+    """discWidth"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        discWidth: float = 0.1,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectConnectorRollingDiscPenalty(_Item):
+    """ObjectConnectorRollingDiscPenalty"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumbers: Sequence[MarkerIndex | int]
+    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    nodeNumber: NodeIndex | int
+    """nodeNumber"""
+    discRadius: float
+    """discRadius"""
+    discAxis: ArrayLike
+    """discAxis [3]"""
+    planeNormal: ArrayLike
+    """planeNormal [3]"""
+    dryFrictionAngle: float
+    """dryFrictionAngle"""
+    contactStiffness: float
+    """contactStiffness"""
+    contactDamping: float
+    """contactDamping"""
+    dryFriction: ArrayLike
+    """dryFriction [2]"""
+    dryFrictionProportionalZone: float
+    """dryFrictionProportionalZone"""
+    viscousFriction: ArrayLike
+    """viscousFriction [2]"""
+    rollingFrictionViscous: float
+    """rollingFrictionViscous"""
+    useLinearProportionalZone: bool
+    """useLinearProportionalZone"""
+    activeConnector: bool
+    """false switches the item off: no force, and no constraint"""
+    visualization: VObjectConnectorRollingDiscPenalty | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        nodeNumber: NodeIndex | int = -1,
+        discRadius: float = 0.0,
+        discAxis: ArrayLike = [1.0, 0.0, 0.0],
+        planeNormal: ArrayLike = [0.0, 0.0, 1.0],
+        dryFrictionAngle: float = 0.0,
+        contactStiffness: float = 0.0,
+        contactDamping: float = 0.0,
+        dryFriction: ArrayLike = [0.0, 0.0],
+        dryFrictionProportionalZone: float = 0.0,
+        viscousFriction: ArrayLike = [0.0, 0.0],
+        rollingFrictionViscous: float = 0.0,
+        useLinearProportionalZone: bool = False,
+        activeConnector: bool = True,
+        visualization: VObjectConnectorRollingDiscPenalty | dict[str, Any] = ...,
+    ) -> None: ...
+
+RollingDiscPenalty = ObjectConnectorRollingDiscPenalty
+VRollingDiscPenalty = VObjectConnectorRollingDiscPenalty
+
+class VObjectConnectorSpringDamper:
+    """Visualization of ObjectConnectorSpringDamper."""
+
+    show: bool
+    """draw the item"""
+    drawSize: float
+    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        drawSize: float = -1.0,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectConnectorSpringDamper(_Item):
+    """ObjectConnectorSpringDamper"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumbers: Sequence[MarkerIndex | int]
+    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    referenceLength: float
+    """referenceLength"""
+    stiffness: float
+    """stiffness"""
+    damping: float
+    """damping"""
+    force: float
+    """force"""
+    velocityOffset: float
+    """velocityOffset"""
+    activeConnector: bool
+    """false switches the item off: no force, and no constraint"""
+    springForceUserFunction: Callable[..., Any] | Literal[0]
+    """springForceUserFunction"""
+    visualization: VObjectConnectorSpringDamper | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        referenceLength: float = 0.0,
+        stiffness: float = 0.0,
+        damping: float = 0.0,
+        force: float = 0.0,
+        velocityOffset: float = 0.0,
+        activeConnector: bool = True,
+        springForceUserFunction: Callable[..., Any] | Literal[0] = 0,
+        visualization: VObjectConnectorSpringDamper | dict[str, Any] = ...,
+    ) -> None: ...
+
+SpringDamper = ObjectConnectorSpringDamper
+VSpringDamper = VObjectConnectorSpringDamper
+
+class VObjectConnectorTorsionalSpringDamper:
+    """Visualization of ObjectConnectorTorsionalSpringDamper."""
+
+    show: bool
+    """draw the item"""
+    drawSize: float
+    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        drawSize: float = -1.0,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectConnectorTorsionalSpringDamper(_Item):
+    """ObjectConnectorTorsionalSpringDamper"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumbers: Sequence[MarkerIndex | int]
+    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    nodeNumber: NodeIndex | int
+    """nodeNumber"""
+    stiffness: float
+    """stiffness"""
+    damping: float
+    """damping"""
+    rotationMarker0: ArrayLike
+    """rotationMarker0 [3 x 3]"""
+    rotationMarker1: ArrayLike
+    """rotationMarker1 [3 x 3]"""
+    offset: float
+    """offset"""
+    velocityOffset: float
+    """velocityOffset"""
+    torque: float
+    """torque"""
+    activeConnector: bool
+    """false switches the item off: no force, and no constraint"""
+    springTorqueUserFunction: Callable[..., Any] | Literal[0]
+    """springTorqueUserFunction"""
+    visualization: VObjectConnectorTorsionalSpringDamper | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        nodeNumber: NodeIndex | int = -1,
+        stiffness: float = 0.0,
+        damping: float = 0.0,
+        rotationMarker0: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        rotationMarker1: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        offset: float = 0.0,
+        velocityOffset: float = 0.0,
+        torque: float = 0.0,
+        activeConnector: bool = True,
+        springTorqueUserFunction: Callable[..., Any] | Literal[0] = 0,
+        visualization: VObjectConnectorTorsionalSpringDamper | dict[str, Any] = ...,
+    ) -> None: ...
+
+TorsionalSpringDamper = ObjectConnectorTorsionalSpringDamper
+VTorsionalSpringDamper = VObjectConnectorTorsionalSpringDamper
+
+class VObjectConnectorCoordinate:
+    """Visualization of ObjectConnectorCoordinate."""
+
+    show: bool
+    """draw the item"""
+    drawSize: float
+    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        drawSize: float = -1.0,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectConnectorCoordinate(_Item):
+    """ObjectConnectorCoordinate"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumbers: Sequence[MarkerIndex | int]
+    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    offset: float
+    """offset"""
+    factorValue1: float
+    """factorValue1"""
+    velocityLevel: bool
+    """velocityLevel"""
+    offsetUserFunction: Callable[..., Any] | Literal[0]
+    """offsetUserFunction"""
+    offsetUserFunction_t: Callable[..., Any] | Literal[0]
+    """offsetUserFunction_t"""
+    activeConnector: bool
+    """false switches the item off: no force, and no constraint"""
+    visualization: VObjectConnectorCoordinate | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        offset: float = 0.0,
+        factorValue1: float = 1.0,
+        velocityLevel: bool = False,
+        offsetUserFunction: Callable[..., Any] | Literal[0] = 0,
+        offsetUserFunction_t: Callable[..., Any] | Literal[0] = 0,
+        activeConnector: bool = True,
+        visualization: VObjectConnectorCoordinate | dict[str, Any] = ...,
+    ) -> None: ...
+
+CoordinateConstraint = ObjectConnectorCoordinate
+VCoordinateConstraint = VObjectConnectorCoordinate
+
+class VObjectConnectorCoordinateVector:
+    """Visualization of ObjectConnectorCoordinateVector."""
+
+    show: bool
+    """draw the item"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectConnectorCoordinateVector(_Item):
+    """ObjectConnectorCoordinateVector"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumbers: Sequence[MarkerIndex | int]
+    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    scalingMarker0: ArrayLike
+    """scalingMarker0 [n x m]"""
+    scalingMarker1: ArrayLike
+    """scalingMarker1 [n x m]"""
+    quadraticTermMarker0: ArrayLike
+    """quadraticTermMarker0 [n x m]"""
+    quadraticTermMarker1: ArrayLike
+    """quadraticTermMarker1 [n x m]"""
+    offset: ArrayLike
+    """offset [n]"""
+    velocityLevel: bool
+    """velocityLevel"""
+    constraintUserFunction: Callable[..., Any] | Literal[0]
+    """constraintUserFunction"""
+    jacobianUserFunction: Callable[..., Any] | Literal[0]
+    """jacobianUserFunction"""
+    activeConnector: bool
+    """false switches the item off: no force, and no constraint"""
+    visualization: VObjectConnectorCoordinateVector | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        scalingMarker0: ArrayLike = [],
+        scalingMarker1: ArrayLike = [],
+        quadraticTermMarker0: ArrayLike = [],
+        quadraticTermMarker1: ArrayLike = [],
+        offset: ArrayLike = [],
+        velocityLevel: bool = False,
+        constraintUserFunction: Callable[..., Any] | Literal[0] = 0,
+        jacobianUserFunction: Callable[..., Any] | Literal[0] = 0,
+        activeConnector: bool = True,
+        visualization: VObjectConnectorCoordinateVector | dict[str, Any] = ...,
+    ) -> None: ...
+
+CoordinateVectorConstraint = ObjectConnectorCoordinateVector
+VCoordinateVectorConstraint = VObjectConnectorCoordinateVector
+
+class VObjectConnectorDistance:
+    """Visualization of ObjectConnectorDistance."""
+
+    show: bool
+    """draw the item"""
+    drawSize: float
+    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        drawSize: float = -1.0,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectConnectorDistance(_Item):
+    """ObjectConnectorDistance"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumbers: Sequence[MarkerIndex | int]
+    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    distance: float
+    """distance"""
+    activeConnector: bool
+    """false switches the item off: no force, and no constraint"""
+    visualization: VObjectConnectorDistance | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        distance: float = 0.0,
+        activeConnector: bool = True,
+        visualization: VObjectConnectorDistance | dict[str, Any] = ...,
+    ) -> None: ...
+
+DistanceConstraint = ObjectConnectorDistance
+VDistanceConstraint = VObjectConnectorDistance
+
+class VObjectContactCircleCable2D:
+    """Visualization of ObjectContactCircleCable2D."""
+
+    show: bool
+    """draw the item"""
+    showContactCircle: bool
+    """showContactCircle"""
+    drawSize: float
+    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        showContactCircle: bool = True,
+        drawSize: float = -1.0,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectContactCircleCable2D(_Item):
+    """ObjectContactCircleCable2D"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumbers: Sequence[MarkerIndex | int]
+    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    nodeNumber: NodeIndex | int
+    """nodeNumber"""
+    numberOfContactSegments: int
+    """numberOfContactSegments"""
+    contactStiffness: float
+    """contactStiffness"""
+    contactDamping: float
+    """contactDamping"""
+    circleRadius: float
+    """circleRadius"""
+    offset: float
+    """offset"""
+    activeConnector: bool
+    """false switches the item off: no force, and no constraint"""
+    visualization: VObjectContactCircleCable2D | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        nodeNumber: NodeIndex | int = -1,
+        numberOfContactSegments: int = 3,
+        contactStiffness: float = 0.0,
+        contactDamping: float = 0.0,
+        circleRadius: float = 0.0,
+        offset: float = 0.0,
+        activeConnector: bool = True,
+        visualization: VObjectContactCircleCable2D | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VObjectContactConvexRoll:
+    """Visualization of ObjectContactConvexRoll."""
+
+    show: bool
+    """draw the item"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectContactConvexRoll(_Item):
+    """ObjectContactConvexRoll"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumbers: Sequence[MarkerIndex | int]
+    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    nodeNumber: NodeIndex | int
+    """nodeNumber"""
+    contactStiffness: float
+    """contactStiffness"""
+    contactDamping: float
+    """contactDamping"""
+    dynamicFriction: float
+    """dynamicFriction"""
+    staticFrictionOffset: float
+    """staticFrictionOffset"""
+    viscousFriction: float
+    """viscousFriction"""
+    exponentialDecayStatic: float
+    """exponentialDecayStatic"""
+    frictionProportionalZone: float
+    """frictionProportionalZone"""
+    rollLength: float
+    """rollLength"""
+    coefficientsHull: ArrayLike
+    """coefficientsHull [n]"""
+    rBoundingSphere: float
+    """rBoundingSphere"""
+    activeConnector: bool
+    """false switches the item off: no force, and no constraint"""
+    visualization: VObjectContactConvexRoll | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        nodeNumber: NodeIndex | int = -1,
+        contactStiffness: float = 0.0,
+        contactDamping: float = 0.0,
+        dynamicFriction: float = 0.0,
+        staticFrictionOffset: float = 0.0,
+        viscousFriction: float = 0.0,
+        exponentialDecayStatic: float = 0.001,
+        frictionProportionalZone: float = 0.001,
+        rollLength: float = 0.0,
+        coefficientsHull: ArrayLike = [],
+        rBoundingSphere: float = 0.0,
+        activeConnector: bool = True,
+        visualization: VObjectContactConvexRoll | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VObjectContactCoordinate:
+    """Visualization of ObjectContactCoordinate."""
+
+    show: bool
+    """draw the item"""
+    drawSize: float
+    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        drawSize: float = -1.0,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectContactCoordinate(_Item):
+    """ObjectContactCoordinate"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumbers: Sequence[MarkerIndex | int]
+    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    nodeNumber: NodeIndex | int
+    """nodeNumber"""
+    contactStiffness: float
+    """contactStiffness"""
+    contactDamping: float
+    """contactDamping"""
+    offset: float
+    """offset"""
+    activeConnector: bool
+    """false switches the item off: no force, and no constraint"""
+    visualization: VObjectContactCoordinate | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        nodeNumber: NodeIndex | int = -1,
+        contactStiffness: float = 0.0,
+        contactDamping: float = 0.0,
+        offset: float = 0.0,
+        activeConnector: bool = True,
+        visualization: VObjectContactCoordinate | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VObjectContactCurveCircles:
+    """Visualization of ObjectContactCurveCircles."""
+
+    show: bool
+    """draw the item"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectContactCurveCircles(_Item):
+    """ObjectContactCurveCircles"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumbers: Sequence[MarkerIndex | int]
+    """markerNumbers [2]"""
+    nodeNumber: NodeIndex | int
+    """nodeNumber"""
+    circlesRadii: ArrayLike
+    """circlesRadii [n]"""
+    segmentsData: MatrixLike
+    """segmentsData [n x m]"""
+    polynomialData: MatrixLike
+    """polynomialData [n x m]"""
+    rotationMarker0: ArrayLike
+    """rotationMarker0 [3 x 3]"""
+    dynamicFriction: float
+    """dynamicFriction"""
+    frictionProportionalZone: float
+    """frictionProportionalZone"""
+    contactStiffness: float
+    """contactStiffness"""
+    contactDamping: float
+    """contactDamping"""
+    contactModel: int
+    """contactModel"""
+    activeConnector: bool
+    """false switches the item off: no force, and no constraint"""
+    visualization: VObjectContactCurveCircles | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        nodeNumber: NodeIndex | int = -1,
+        circlesRadii: ArrayLike = [],
+        segmentsData: MatrixLike = [],
+        polynomialData: MatrixLike = [],
+        rotationMarker0: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        dynamicFriction: float = 0.0,
+        frictionProportionalZone: float = 0.001,
+        contactStiffness: float = 0.0,
+        contactDamping: float = 0.0,
+        contactModel: int = 0,
+        activeConnector: bool = True,
+        visualization: VObjectContactCurveCircles | dict[str, Any] = ...,
+    ) -> None: ...
+
+CamFollowerContactPlanar = ObjectContactCurveCircles
+VCamFollowerContactPlanar = VObjectContactCurveCircles
+
+class VObjectContactFrictionCircleCable2D:
+    """Visualization of ObjectContactFrictionCircleCable2D."""
+
+    show: bool
+    """draw the item"""
+    showContactCircle: bool
+    """showContactCircle"""
+    drawSize: float
+    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        showContactCircle: bool = True,
+        drawSize: float = -1.0,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectContactFrictionCircleCable2D(_Item):
+    """ObjectContactFrictionCircleCable2D"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumbers: Sequence[MarkerIndex | int]
+    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    nodeNumber: NodeIndex | int
+    """nodeNumber"""
+    numberOfContactSegments: int
+    """numberOfContactSegments"""
+    contactStiffness: float
+    """contactStiffness"""
+    contactDamping: float
+    """contactDamping"""
+    frictionVelocityPenalty: float
+    """frictionVelocityPenalty"""
+    frictionStiffness: float
+    """frictionStiffness"""
+    frictionCoefficient: float
+    """frictionCoefficient"""
+    circleRadius: float
+    """circleRadius"""
+    useSegmentNormals: bool
+    """useSegmentNormals"""
+    activeConnector: bool
+    """false switches the item off: no force, and no constraint"""
+    visualization: VObjectContactFrictionCircleCable2D | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        nodeNumber: NodeIndex | int = -1,
+        numberOfContactSegments: int = 3,
+        contactStiffness: float = 0.0,
+        contactDamping: float = 0.0,
+        frictionVelocityPenalty: float = 0.0,
+        frictionStiffness: float = 0.0,
+        frictionCoefficient: float = 0.0,
+        circleRadius: float = 0.0,
+        useSegmentNormals: bool = True,
+        activeConnector: bool = True,
+        visualization: VObjectContactFrictionCircleCable2D | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VObjectContactSphereSphere:
+    """Visualization of ObjectContactSphereSphere."""
+
+    show: bool
+    """draw the item"""
+    color: ArrayLike
+    """color [4]"""
+    def __init__(
+        self,
+        show: bool = False,
+        color: ArrayLike = [0.7, 0.7, 0.7, 1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectContactSphereSphere(_Item):
+    """ObjectContactSphereSphere"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumbers: Sequence[MarkerIndex | int]
+    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    nodeNumber: NodeIndex | int
+    """nodeNumber"""
+    spheresRadii: ArrayLike
+    """spheresRadii [2]"""
+    isHollowSphere1: bool
+    """isHollowSphere1"""
+    dynamicFriction: float
+    """dynamicFriction"""
+    frictionProportionalZone: float
+    """frictionProportionalZone"""
+    contactStiffness: float
+    """contactStiffness"""
+    contactDamping: float
+    """contactDamping"""
+    contactStiffnessExponent: float
+    """contactStiffnessExponent"""
+    constantPullOffForce: float
+    """constantPullOffForce"""
+    contactPlasticityRatio: float
+    """contactPlasticityRatio"""
+    adhesionCoefficient: float
+    """adhesionCoefficient"""
+    adhesionExponent: float
+    """adhesionExponent"""
+    restitutionCoefficient: float
+    """restitutionCoefficient"""
+    minimumImpactVelocity: float
+    """minimumImpactVelocity"""
+    impactModel: int
+    """impactModel"""
+    activeConnector: bool
+    """false switches the item off: no force, and no constraint"""
+    visualization: VObjectContactSphereSphere | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        nodeNumber: NodeIndex | int = -1,
+        spheresRadii: ArrayLike = [-1.0, -1.0],
+        isHollowSphere1: bool = False,
+        dynamicFriction: float = 0.0,
+        frictionProportionalZone: float = 0.001,
+        contactStiffness: float = 0.0,
+        contactDamping: float = 0.0,
+        contactStiffnessExponent: float = 1.0,
+        constantPullOffForce: float = 0.0,
+        contactPlasticityRatio: float = 0.0,
+        adhesionCoefficient: float = 0.0,
+        adhesionExponent: float = 1.0,
+        restitutionCoefficient: float = 1.0,
+        minimumImpactVelocity: float = 0.0,
+        impactModel: int = 0,
+        activeConnector: bool = True,
+        visualization: VObjectContactSphereSphere | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VObjectContactSphereTorus:
+    """Visualization of ObjectContactSphereTorus."""
+
+    show: bool
+    """draw the item"""
+    color: ArrayLike
+    """color [4]"""
+    def __init__(
+        self,
+        show: bool = False,
+        color: ArrayLike = [0.7, 0.7, 0.7, 1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectContactSphereTorus(_Item):
+    """ObjectContactSphereTorus"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumbers: Sequence[MarkerIndex | int]
+    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    nodeNumber: NodeIndex | int
+    """nodeNumber"""
+    radiusSphere: float
+    """radiusSphere"""
+    torusMajorRadius: float
+    """torusMajorRadius"""
+    torusMinorRadius: float
+    """torusMinorRadius"""
+    torusAxis: ArrayLike
+    """torusAxis [3]"""
+    dynamicFriction: float
+    """dynamicFriction"""
+    frictionProportionalZone: float
+    """frictionProportionalZone"""
+    contactStiffness: float
+    """contactStiffness"""
+    contactDamping: float
+    """contactDamping"""
+    contactStiffnessExponent: float
+    """contactStiffnessExponent"""
+    restitutionCoefficient: float
+    """restitutionCoefficient"""
+    minimumImpactVelocity: float
+    """minimumImpactVelocity"""
+    impactModel: int
+    """impactModel"""
+    activeConnector: bool
+    """false switches the item off: no force, and no constraint"""
+    visualization: VObjectContactSphereTorus | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        nodeNumber: NodeIndex | int = -1,
+        radiusSphere: float = 0.0,
+        torusMajorRadius: float = 0.0,
+        torusMinorRadius: float = 0.0,
+        torusAxis: ArrayLike = [0.0, 0.0, 0.0],
+        dynamicFriction: float = 0.0,
+        frictionProportionalZone: float = 0.001,
+        contactStiffness: float = 0.0,
+        contactDamping: float = 0.0,
+        contactStiffnessExponent: float = 1.0,
+        restitutionCoefficient: float = 1.0,
+        minimumImpactVelocity: float = 0.0,
+        impactModel: int = 0,
+        activeConnector: bool = True,
+        visualization: VObjectContactSphereTorus | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VObjectContactSphereTriangle:
+    """Visualization of ObjectContactSphereTriangle."""
+
+    show: bool
+    """draw the item"""
+    color: ArrayLike
+    """color [4]"""
+    def __init__(
+        self,
+        show: bool = False,
+        color: ArrayLike = [0.7, 0.7, 0.7, 1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectContactSphereTriangle(_Item):
+    """ObjectContactSphereTriangle"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumbers: Sequence[MarkerIndex | int]
+    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    nodeNumber: NodeIndex | int
+    """nodeNumber"""
+    radiusSphere: float
+    """radiusSphere"""
+    trianglePoints: Sequence[ArrayLike]
+    """trianglePoints [n x 3]"""
+    includeEdges: int
+    """includeEdges"""
+    dynamicFriction: float
+    """dynamicFriction"""
+    frictionProportionalZone: float
+    """frictionProportionalZone"""
+    contactStiffness: float
+    """contactStiffness"""
+    contactDamping: float
+    """contactDamping"""
+    contactStiffnessExponent: float
+    """contactStiffnessExponent"""
+    restitutionCoefficient: float
+    """restitutionCoefficient"""
+    minimumImpactVelocity: float
+    """minimumImpactVelocity"""
+    impactModel: int
+    """impactModel"""
+    activeConnector: bool
+    """false switches the item off: no force, and no constraint"""
+    visualization: VObjectContactSphereTriangle | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        nodeNumber: NodeIndex | int = -1,
+        radiusSphere: float = 0.0,
+        trianglePoints: Sequence[ArrayLike] = [],
+        includeEdges: int = 7,
+        dynamicFriction: float = 0.0,
+        frictionProportionalZone: float = 0.001,
+        contactStiffness: float = 0.0,
+        contactDamping: float = 0.0,
+        contactStiffnessExponent: float = 1.0,
+        restitutionCoefficient: float = 1.0,
+        minimumImpactVelocity: float = 0.0,
+        impactModel: int = 0,
+        activeConnector: bool = True,
+        visualization: VObjectContactSphereTriangle | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VObjectJointALEMoving2D:
+    """Visualization of ObjectJointALEMoving2D."""
+
+    show: bool
+    """draw the item"""
+    drawSize: float
+    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        drawSize: float = -1.0,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectJointALEMoving2D(_Item):
+    """ObjectJointALEMoving2D"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumbers: Sequence[MarkerIndex | int]
+    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    slidingMarkerNumbers: Sequence[MarkerIndex | int]
+    """slidingMarkerNumbers [n]"""
+    slidingMarkerOffsets: ArrayLike
+    """slidingMarkerOffsets [n]"""
+    slidingOffset: float
+    """slidingOffset"""
+    nodeNumbers: Sequence[NodeIndex | int]
+    """nodeNumbers [2]"""
+    usePenaltyFormulation: bool
+    """usePenaltyFormulation"""
+    penaltyStiffness: float
+    """penaltyStiffness"""
+    activeConnector: bool
+    """false switches the item off: no force, and no constraint"""
+    visualization: VObjectJointALEMoving2D | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        slidingMarkerNumbers: Sequence[MarkerIndex | int] = [],
+        slidingMarkerOffsets: ArrayLike = [],
+        slidingOffset: float = 0.0,
+        nodeNumbers: Sequence[NodeIndex | int] = [-1, -1],
+        usePenaltyFormulation: bool = False,
+        penaltyStiffness: float = 0.0,
+        activeConnector: bool = True,
+        visualization: VObjectJointALEMoving2D | dict[str, Any] = ...,
+    ) -> None: ...
+
+ALEMovingJoint2D = ObjectJointALEMoving2D
+VALEMovingJoint2D = VObjectJointALEMoving2D
+
+class VObjectJointGeneric:
+    """Visualization of ObjectJointGeneric."""
+
+    show: bool
+    """draw the item"""
+    axesRadius: float
+    """axesRadius"""
+    axesLength: float
+    """axesLength"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        axesRadius: float = 0.1,
+        axesLength: float = 0.4,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectJointGeneric(_Item):
+    """ObjectJointGeneric"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumbers: Sequence[MarkerIndex | int]
+    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    constrainedAxes: Sequence[int]
+    """constrainedAxes [6]"""
+    rotationMarker0: ArrayLike
+    """rotationMarker0 [3 x 3]"""
+    rotationMarker1: ArrayLike
+    """rotationMarker1 [3 x 3]"""
+    activeConnector: bool
+    """false switches the item off: no force, and no constraint"""
+    offsetUserFunctionParameters: ArrayLike
+    """offsetUserFunctionParameters [6]"""
+    offsetUserFunction: Callable[..., Any] | Literal[0]
+    """offsetUserFunction"""
+    offsetUserFunction_t: Callable[..., Any] | Literal[0]
+    """offsetUserFunction_t"""
+    alternativeConstraints: bool
+    """alternativeConstraints"""
+    visualization: VObjectJointGeneric | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        constrainedAxes: Sequence[int] = [1, 1, 1, 1, 1, 1],
+        rotationMarker0: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        rotationMarker1: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        activeConnector: bool = True,
+        offsetUserFunctionParameters: ArrayLike = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        offsetUserFunction: Callable[..., Any] | Literal[0] = 0,
+        offsetUserFunction_t: Callable[..., Any] | Literal[0] = 0,
+        alternativeConstraints: bool = False,
+        visualization: VObjectJointGeneric | dict[str, Any] = ...,
+    ) -> None: ...
+
+GenericJoint = ObjectJointGeneric
+VGenericJoint = VObjectJointGeneric
+
+class VObjectJointPrismatic2D:
+    """Visualization of ObjectJointPrismatic2D."""
+
+    show: bool
+    """draw the item"""
+    drawSize: float
+    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        drawSize: float = -1.0,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectJointPrismatic2D(_Item):
+    """ObjectJointPrismatic2D"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumbers: Sequence[MarkerIndex | int]
+    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    axisMarker0: ArrayLike
+    """axisMarker0 [3]"""
+    normalMarker1: ArrayLike
+    """normalMarker1 [3]"""
+    constrainRotation: bool
+    """constrainRotation"""
+    activeConnector: bool
+    """false switches the item off: no force, and no constraint"""
+    visualization: VObjectJointPrismatic2D | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        axisMarker0: ArrayLike = [1.0, 0.0, 0.0],
+        normalMarker1: ArrayLike = [0.0, 1.0, 0.0],
+        constrainRotation: bool = True,
+        activeConnector: bool = True,
+        visualization: VObjectJointPrismatic2D | dict[str, Any] = ...,
+    ) -> None: ...
+
+PrismaticJoint2D = ObjectJointPrismatic2D
+VPrismaticJoint2D = VObjectJointPrismatic2D
+
+class VObjectJointPrismaticX:
+    """Visualization of ObjectJointPrismaticX."""
+
+    show: bool
+    """draw the item"""
+    axisRadius: float
+    """axisRadius"""
+    axisLength: float
+    """axisLength"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        axisRadius: float = 0.1,
+        axisLength: float = 0.4,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectJointPrismaticX(_Item):
+    """ObjectJointPrismaticX"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumbers: Sequence[MarkerIndex | int]
+    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    rotationMarker0: ArrayLike
+    """rotationMarker0 [3 x 3]"""
+    rotationMarker1: ArrayLike
+    """rotationMarker1 [3 x 3]"""
+    activeConnector: bool
+    """false switches the item off: no force, and no constraint"""
+    visualization: VObjectJointPrismaticX | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        rotationMarker0: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        rotationMarker1: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        activeConnector: bool = True,
+        visualization: VObjectJointPrismaticX | dict[str, Any] = ...,
+    ) -> None: ...
+
+PrismaticJointX = ObjectJointPrismaticX
+VPrismaticJointX = VObjectJointPrismaticX
+
+class VObjectJointRevolute2D:
+    """Visualization of ObjectJointRevolute2D."""
+
+    show: bool
+    """draw the item"""
+    drawSize: float
+    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        drawSize: float = -1.0,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectJointRevolute2D(_Item):
+    """ObjectJointRevolute2D"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumbers: Sequence[MarkerIndex | int]
+    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    activeConnector: bool
+    """false switches the item off: no force, and no constraint"""
+    visualization: VObjectJointRevolute2D | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        activeConnector: bool = True,
+        visualization: VObjectJointRevolute2D | dict[str, Any] = ...,
+    ) -> None: ...
+
+RevoluteJoint2D = ObjectJointRevolute2D
+VRevoluteJoint2D = VObjectJointRevolute2D
+
+class VObjectJointRevoluteZ:
+    """Visualization of ObjectJointRevoluteZ."""
+
+    show: bool
+    """draw the item"""
+    axisRadius: float
+    """axisRadius"""
+    axisLength: float
+    """axisLength"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        axisRadius: float = 0.1,
+        axisLength: float = 0.4,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectJointRevoluteZ(_Item):
+    """ObjectJointRevoluteZ"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumbers: Sequence[MarkerIndex | int]
+    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    rotationMarker0: ArrayLike
+    """rotationMarker0 [3 x 3]"""
+    rotationMarker1: ArrayLike
+    """rotationMarker1 [3 x 3]"""
+    activeConnector: bool
+    """false switches the item off: no force, and no constraint"""
+    visualization: VObjectJointRevoluteZ | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        rotationMarker0: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        rotationMarker1: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        activeConnector: bool = True,
+        visualization: VObjectJointRevoluteZ | dict[str, Any] = ...,
+    ) -> None: ...
+
+RevoluteJointZ = ObjectJointRevoluteZ
+VRevoluteJointZ = VObjectJointRevoluteZ
+
+class VObjectJointRollingDisc:
+    """Visualization of ObjectJointRollingDisc."""
+
+    show: bool
+    """draw the item"""
+    discWidth: float
+    """discWidth"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        discWidth: float = 0.1,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectJointRollingDisc(_Item):
+    """ObjectJointRollingDisc"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumbers: Sequence[MarkerIndex | int]
+    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    constrainedAxes: Sequence[int]
+    """constrainedAxes [3]"""
+    activeConnector: bool
+    """false switches the item off: no force, and no constraint"""
+    discRadius: float
+    """discRadius"""
+    discAxis: ArrayLike
+    """discAxis [3]"""
+    planeNormal: ArrayLike
+    """planeNormal [3]"""
+    visualization: VObjectJointRollingDisc | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        constrainedAxes: Sequence[int] = [1, 1, 1],
+        activeConnector: bool = True,
+        discRadius: float = 0.0,
+        discAxis: ArrayLike = [1.0, 0.0, 0.0],
+        planeNormal: ArrayLike = [0.0, 0.0, 1.0],
+        visualization: VObjectJointRollingDisc | dict[str, Any] = ...,
+    ) -> None: ...
+
+RollingDiscJoint = ObjectJointRollingDisc
+VRollingDiscJoint = VObjectJointRollingDisc
+
+class VObjectJointSliding:
+    """Visualization of ObjectJointSliding."""
+
+    show: bool
+    """draw the item"""
+    drawSize: float
+    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        drawSize: float = -1.0,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectJointSliding(_Item):
+    """ObjectJointSliding"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumbers: Sequence[MarkerIndex | int]
+    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    slidingMarkerNumbers: Sequence[MarkerIndex | int]
+    """slidingMarkerNumbers [n]"""
+    slidingMarkerOffsets: ArrayLike
+    """slidingMarkerOffsets [n]"""
+    nodeNumber: NodeIndex | int
+    """nodeNumber"""
+    constrainRotations: Sequence[int]
+    """constrainRotations [3]"""
+    constrainTranslations: Sequence[int]
+    """constrainTranslations [3]"""
+    axialForce: float
+    """axialForce"""
+    activeConnector: bool
+    """false switches the item off: no force, and no constraint"""
+    visualization: VObjectJointSliding | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        slidingMarkerNumbers: Sequence[MarkerIndex | int] = [],
+        slidingMarkerOffsets: ArrayLike = [],
+        nodeNumber: NodeIndex | int = -1,
+        constrainRotations: Sequence[int] = [1, 1, 1],
+        constrainTranslations: Sequence[int] = [1, 1, 1],
+        axialForce: float = 0.0,
+        activeConnector: bool = True,
+        visualization: VObjectJointSliding | dict[str, Any] = ...,
+    ) -> None: ...
+
+SlidingJoint = ObjectJointSliding
+VSlidingJoint = VObjectJointSliding
+
+class VObjectJointSliding2D:
+    """Visualization of ObjectJointSliding2D."""
+
+    show: bool
+    """draw the item"""
+    drawSize: float
+    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        drawSize: float = -1.0,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectJointSliding2D(_Item):
+    """ObjectJointSliding2D"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumbers: Sequence[MarkerIndex | int]
+    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    slidingMarkerNumbers: Sequence[MarkerIndex | int]
+    """slidingMarkerNumbers [n]"""
+    slidingMarkerOffsets: ArrayLike
+    """slidingMarkerOffsets [n]"""
+    nodeNumber: NodeIndex | int
+    """nodeNumber"""
+    classicalFormulation: bool
+    """classicalFormulation"""
+    constrainRotation: bool
+    """constrainRotation"""
+    axialForce: float
+    """axialForce"""
+    activeConnector: bool
+    """false switches the item off: no force, and no constraint"""
+    visualization: VObjectJointSliding2D | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        slidingMarkerNumbers: Sequence[MarkerIndex | int] = [],
+        slidingMarkerOffsets: ArrayLike = [],
+        nodeNumber: NodeIndex | int = -1,
+        classicalFormulation: bool = True,
+        constrainRotation: bool = False,
+        axialForce: float = 0.0,
+        activeConnector: bool = True,
+        visualization: VObjectJointSliding2D | dict[str, Any] = ...,
+    ) -> None: ...
+
+SlidingJoint2D = ObjectJointSliding2D
+VSlidingJoint2D = VObjectJointSliding2D
+
+class VObjectJointSpherical:
+    """Visualization of ObjectJointSpherical."""
+
+    show: bool
+    """draw the item"""
+    jointRadius: float
+    """jointRadius"""
+    color: ArrayLike
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    def __init__(
+        self,
+        show: bool = True,
+        jointRadius: float = 0.1,
+        color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class ObjectJointSpherical(_Item):
+    """ObjectJointSpherical"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumbers: Sequence[MarkerIndex | int]
+    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    constrainedAxes: Sequence[int]
+    """constrainedAxes [3]"""
+    activeConnector: bool
+    """false switches the item off: no force, and no constraint"""
+    visualization: VObjectJointSpherical | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        constrainedAxes: Sequence[int] = [1, 1, 1],
+        activeConnector: bool = True,
+        visualization: VObjectJointSpherical | dict[str, Any] = ...,
+    ) -> None: ...
+
+SphericalJoint = ObjectJointSpherical
+VSphericalJoint = VObjectJointSpherical
+
+class VMarkerBodiesRelativeRotationCoordinate:
+    """Visualization of MarkerBodiesRelativeRotationCoordinate."""
+
+    show: bool
+    """draw the item"""
+    def __init__(
+        self,
+        show: bool = True,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class MarkerBodiesRelativeRotationCoordinate(_Item):
+    """MarkerBodiesRelativeRotationCoordinate"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    bodyNumbers: Sequence[ObjectIndex | int]
+    """bodyNumbers [2]"""
+    nodeNumber: NodeIndex | int
+    """nodeNumber"""
+    localPosition0: ArrayLike
+    """localPosition0 [3]"""
+    localPosition1: ArrayLike
+    """localPosition1 [3]"""
+    axis0: ArrayLike
+    """axis0 [3]"""
+    offset: float
+    """offset"""
+    visualization: VMarkerBodiesRelativeRotationCoordinate | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        bodyNumbers: Sequence[ObjectIndex | int] = [-1, -1],
+        nodeNumber: NodeIndex | int = -1,
+        localPosition0: ArrayLike = [0.0, 0.0, 0.0],
+        localPosition1: ArrayLike = [0.0, 0.0, 0.0],
+        axis0: ArrayLike = [1.0, 0.0, 0.0],
+        offset: float = 0.0,
+        visualization: VMarkerBodiesRelativeRotationCoordinate | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VMarkerBodiesRelativeTranslationCoordinate:
+    """Visualization of MarkerBodiesRelativeTranslationCoordinate."""
+
+    show: bool
+    """draw the item"""
+    def __init__(
+        self,
+        show: bool = True,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class MarkerBodiesRelativeTranslationCoordinate(_Item):
+    """MarkerBodiesRelativeTranslationCoordinate"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    bodyNumbers: Sequence[ObjectIndex | int]
+    """bodyNumbers [2]"""
+    localPosition0: ArrayLike
+    """localPosition0 [3]"""
+    localPosition1: ArrayLike
+    """localPosition1 [3]"""
+    axis0: ArrayLike
+    """axis0 [3]"""
+    offset: float
+    """offset"""
+    visualization: VMarkerBodiesRelativeTranslationCoordinate | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        bodyNumbers: Sequence[ObjectIndex | int] = [-1, -1],
+        localPosition0: ArrayLike = [0.0, 0.0, 0.0],
+        localPosition1: ArrayLike = [0.0, 0.0, 0.0],
+        axis0: ArrayLike = [1.0, 0.0, 0.0],
+        offset: float = 0.0,
+        visualization: VMarkerBodiesRelativeTranslationCoordinate | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VMarkerBodyBeamShape:
+    """Visualization of MarkerBodyBeamShape."""
+
+    show: bool
+    """draw the item"""
+    def __init__(
+        self,
+        show: bool = True,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class MarkerBodyBeamShape(_Item):
+    """MarkerBodyBeamShape"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    bodyNumber: ObjectIndex | int
+    """bodyNumber"""
+    visualization: VMarkerBodyBeamShape | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        bodyNumber: ObjectIndex | int = -1,
+        visualization: VMarkerBodyBeamShape | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VMarkerBodyCable2DCoordinates:
+    """Visualization of MarkerBodyCable2DCoordinates."""
+
+    show: bool
+    """draw the item"""
+    def __init__(
+        self,
+        show: bool = True,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class MarkerBodyCable2DCoordinates(_Item):
+    """MarkerBodyCable2DCoordinates"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    bodyNumber: ObjectIndex | int
+    """bodyNumber"""
+    visualization: VMarkerBodyCable2DCoordinates | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        bodyNumber: ObjectIndex | int = -1,
+        visualization: VMarkerBodyCable2DCoordinates | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VMarkerBodyCable2DShape:
+    """Visualization of MarkerBodyCable2DShape."""
+
+    show: bool
+    """draw the item"""
+    def __init__(
+        self,
+        show: bool = True,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class MarkerBodyCable2DShape(_Item):
+    """MarkerBodyCable2DShape"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    bodyNumber: ObjectIndex | int
+    """bodyNumber"""
+    numberOfSegments: int
+    """numberOfSegments"""
+    verticalOffset: float
+    """verticalOffset"""
+    visualization: VMarkerBodyCable2DShape | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        bodyNumber: ObjectIndex | int = -1,
+        numberOfSegments: int = 3,
+        verticalOffset: float = 0.0,
+        visualization: VMarkerBodyCable2DShape | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VMarkerBodyMass:
+    """Visualization of MarkerBodyMass."""
+
+    show: bool
+    """draw the item"""
+    def __init__(
+        self,
+        show: bool = True,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class MarkerBodyMass(_Item):
+    """MarkerBodyMass"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    bodyNumber: ObjectIndex | int
+    """bodyNumber"""
+    visualization: VMarkerBodyMass | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        bodyNumber: ObjectIndex | int = -1,
+        visualization: VMarkerBodyMass | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VMarkerBodyPosition:
+    """Visualization of MarkerBodyPosition."""
+
+    show: bool
+    """draw the item"""
+    def __init__(
+        self,
+        show: bool = True,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class MarkerBodyPosition(_Item):
+    """MarkerBodyPosition"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    bodyNumber: ObjectIndex | int
+    """bodyNumber"""
+    localPosition: ArrayLike
+    """localPosition [3]"""
+    visualization: VMarkerBodyPosition | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        bodyNumber: ObjectIndex | int = -1,
+        localPosition: ArrayLike = [0.0, 0.0, 0.0],
+        visualization: VMarkerBodyPosition | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VMarkerBodyRigid:
+    """Visualization of MarkerBodyRigid."""
+
+    show: bool
+    """draw the item"""
+    def __init__(
+        self,
+        show: bool = True,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class MarkerBodyRigid(_Item):
+    """MarkerBodyRigid"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    bodyNumber: ObjectIndex | int
+    """bodyNumber"""
+    localPosition: ArrayLike
+    """localPosition [3]"""
+    visualization: VMarkerBodyRigid | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        bodyNumber: ObjectIndex | int = -1,
+        localPosition: ArrayLike = [0.0, 0.0, 0.0],
+        visualization: VMarkerBodyRigid | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VMarkerKinematicTreeRigid:
+    """Visualization of MarkerKinematicTreeRigid."""
+
+    show: bool
+    """draw the item"""
+    def __init__(
+        self,
+        show: bool = True,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class MarkerKinematicTreeRigid(_Item):
+    """MarkerKinematicTreeRigid"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    objectNumber: ObjectIndex | int
+    """objectNumber"""
+    linkNumber: int
+    """linkNumber"""
+    localPosition: ArrayLike
+    """localPosition [3]"""
+    visualization: VMarkerKinematicTreeRigid | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        objectNumber: ObjectIndex | int = -1,
+        linkNumber: int = -1,
+        localPosition: ArrayLike = [0.0, 0.0, 0.0],
+        visualization: VMarkerKinematicTreeRigid | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VMarkerNodeCoordinate:
+    """Visualization of MarkerNodeCoordinate."""
+
+    show: bool
+    """draw the item"""
+    def __init__(
+        self,
+        show: bool = True,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class MarkerNodeCoordinate(_Item):
+    """MarkerNodeCoordinate"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    nodeNumber: NodeIndex | int
+    """nodeNumber"""
+    coordinate: int
+    """coordinate"""
+    visualization: VMarkerNodeCoordinate | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        nodeNumber: NodeIndex | int = -1,
+        coordinate: int = -1,
+        visualization: VMarkerNodeCoordinate | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VMarkerNodeCoordinates:
+    """Visualization of MarkerNodeCoordinates."""
+
+    show: bool
+    """draw the item"""
+    def __init__(
+        self,
+        show: bool = True,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class MarkerNodeCoordinates(_Item):
+    """MarkerNodeCoordinates"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    nodeNumber: NodeIndex | int
+    """nodeNumber"""
+    visualization: VMarkerNodeCoordinates | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        nodeNumber: NodeIndex | int = -1,
+        visualization: VMarkerNodeCoordinates | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VMarkerNodeODE1Coordinate:
+    """Visualization of MarkerNodeODE1Coordinate."""
+
+    show: bool
+    """draw the item"""
+    def __init__(
+        self,
+        show: bool = False,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class MarkerNodeODE1Coordinate(_Item):
+    """MarkerNodeODE1Coordinate"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    nodeNumber: NodeIndex | int
+    """nodeNumber"""
+    coordinate: int
+    """coordinate"""
+    visualization: VMarkerNodeODE1Coordinate | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        nodeNumber: NodeIndex | int = -1,
+        coordinate: int = -1,
+        visualization: VMarkerNodeODE1Coordinate | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VMarkerNodePosition:
+    """Visualization of MarkerNodePosition."""
+
+    show: bool
+    """draw the item"""
+    def __init__(
+        self,
+        show: bool = True,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class MarkerNodePosition(_Item):
+    """MarkerNodePosition"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    nodeNumber: NodeIndex | int
+    """nodeNumber"""
+    visualization: VMarkerNodePosition | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        nodeNumber: NodeIndex | int = -1,
+        visualization: VMarkerNodePosition | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VMarkerNodeRigid:
+    """Visualization of MarkerNodeRigid."""
+
+    show: bool
+    """draw the item"""
+    def __init__(
+        self,
+        show: bool = True,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class MarkerNodeRigid(_Item):
+    """MarkerNodeRigid"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    nodeNumber: NodeIndex | int
+    """nodeNumber"""
+    visualization: VMarkerNodeRigid | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        nodeNumber: NodeIndex | int = -1,
+        visualization: VMarkerNodeRigid | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VMarkerNodeRotationCoordinate:
+    """Visualization of MarkerNodeRotationCoordinate."""
+
+    show: bool
+    """draw the item"""
+    def __init__(
+        self,
+        show: bool = True,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class MarkerNodeRotationCoordinate(_Item):
+    """MarkerNodeRotationCoordinate"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    nodeNumber: NodeIndex | int
+    """nodeNumber"""
+    rotationCoordinate: int
+    """rotationCoordinate"""
+    visualization: VMarkerNodeRotationCoordinate | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        nodeNumber: NodeIndex | int = -1,
+        rotationCoordinate: int = -1,
+        visualization: VMarkerNodeRotationCoordinate | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VMarkerObjectODE2Coordinates:
+    """Visualization of MarkerObjectODE2Coordinates."""
+
+    show: bool
+    """draw the item"""
+    def __init__(
+        self,
+        show: bool = True,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class MarkerObjectODE2Coordinates(_Item):
+    """MarkerObjectODE2Coordinates"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    objectNumber: ObjectIndex | int
+    """objectNumber"""
+    visualization: VMarkerObjectODE2Coordinates | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        objectNumber: ObjectIndex | int = -1,
+        visualization: VMarkerObjectODE2Coordinates | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VMarkerSuperElementPosition:
+    """Visualization of MarkerSuperElementPosition."""
+
+    show: bool
+    """draw the item"""
+    showMarkerNodes: bool
+    """showMarkerNodes"""
+    def __init__(
+        self,
+        show: bool = True,
+        showMarkerNodes: bool = True,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class MarkerSuperElementPosition(_Item):
+    """MarkerSuperElementPosition"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    bodyNumber: ObjectIndex | int
+    """bodyNumber"""
+    meshNodeNumbers: Sequence[int]
+    """meshNodeNumbers [n]"""
+    weightingFactors: ArrayLike
+    """weightingFactors [n]"""
+    visualization: VMarkerSuperElementPosition | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        bodyNumber: ObjectIndex | int = -1,
+        meshNodeNumbers: Sequence[int] = [],
+        weightingFactors: ArrayLike = [],
+        visualization: VMarkerSuperElementPosition | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VMarkerSuperElementRigid:
+    """Visualization of MarkerSuperElementRigid."""
+
+    show: bool
+    """draw the item"""
+    showMarkerNodes: bool
+    """showMarkerNodes"""
+    def __init__(
+        self,
+        show: bool = True,
+        showMarkerNodes: bool = True,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class MarkerSuperElementRigid(_Item):
+    """MarkerSuperElementRigid"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    bodyNumber: ObjectIndex | int
+    """bodyNumber"""
+    offset: ArrayLike
+    """offset [3]"""
+    meshNodeNumbers: Sequence[int]
+    """meshNodeNumbers [n]"""
+    weightingFactors: ArrayLike
+    """weightingFactors [n]"""
+    useAlternativeApproach: bool
+    """useAlternativeApproach"""
+    rotationsExponentialMap: int
+    """rotationsExponentialMap"""
+    visualization: VMarkerSuperElementRigid | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        bodyNumber: ObjectIndex | int = -1,
+        offset: ArrayLike = [0.0, 0.0, 0.0],
+        meshNodeNumbers: Sequence[int] = [],
+        weightingFactors: ArrayLike = [],
+        useAlternativeApproach: bool = True,
+        rotationsExponentialMap: int = 2,
+        visualization: VMarkerSuperElementRigid | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VLoadCoordinate:
+    """Visualization of LoadCoordinate."""
+
+    show: bool
+    """draw the item"""
+    def __init__(
+        self,
+        show: bool = True,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class LoadCoordinate(_Item):
+    """LoadCoordinate"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumber: MarkerIndex | int
+    """markerNumber"""
+    load: float
+    """load"""
+    loadUserFunction: Callable[..., Any] | Literal[0]
+    """loadUserFunction"""
+    visualization: VLoadCoordinate | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumber: MarkerIndex | int = -1,
+        load: float = 0.0,
+        loadUserFunction: Callable[..., Any] | Literal[0] = 0,
+        visualization: VLoadCoordinate | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VLoadForceVector:
+    """Visualization of LoadForceVector."""
+
+    show: bool
+    """draw the item"""
+    def __init__(
+        self,
+        show: bool = True,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class LoadForceVector(_Item):
+    """LoadForceVector"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumber: MarkerIndex | int
+    """markerNumber"""
+    loadVector: ArrayLike
+    """loadVector [3]"""
+    bodyFixed: bool
+    """bodyFixed"""
+    loadVectorUserFunction: Callable[..., Any] | Literal[0]
+    """loadVectorUserFunction"""
+    visualization: VLoadForceVector | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumber: MarkerIndex | int = -1,
+        loadVector: ArrayLike = [0.0, 0.0, 0.0],
+        bodyFixed: bool = False,
+        loadVectorUserFunction: Callable[..., Any] | Literal[0] = 0,
+        visualization: VLoadForceVector | dict[str, Any] = ...,
+    ) -> None: ...
+
+Force = LoadForceVector
+VForce = VLoadForceVector
+
+class VLoadMassProportional:
+    """Visualization of LoadMassProportional."""
+
+    show: bool
+    """draw the item"""
+    def __init__(
+        self,
+        show: bool = True,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class LoadMassProportional(_Item):
+    """LoadMassProportional"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumber: MarkerIndex | int
+    """markerNumber"""
+    loadVector: ArrayLike
+    """loadVector [3]"""
+    loadVectorUserFunction: Callable[..., Any] | Literal[0]
+    """loadVectorUserFunction"""
+    visualization: VLoadMassProportional | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumber: MarkerIndex | int = -1,
+        loadVector: ArrayLike = [0.0, 0.0, 0.0],
+        loadVectorUserFunction: Callable[..., Any] | Literal[0] = 0,
+        visualization: VLoadMassProportional | dict[str, Any] = ...,
+    ) -> None: ...
+
+Gravity = LoadMassProportional
+VGravity = VLoadMassProportional
+
+class VLoadTorqueVector:
+    """Visualization of LoadTorqueVector."""
+
+    show: bool
+    """draw the item"""
+    def __init__(
+        self,
+        show: bool = True,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class LoadTorqueVector(_Item):
+    """LoadTorqueVector"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumber: MarkerIndex | int
+    """markerNumber"""
+    loadVector: ArrayLike
+    """loadVector [3]"""
+    bodyFixed: bool
+    """bodyFixed"""
+    loadVectorUserFunction: Callable[..., Any] | Literal[0]
+    """loadVectorUserFunction"""
+    visualization: VLoadTorqueVector | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumber: MarkerIndex | int = -1,
+        loadVector: ArrayLike = [0.0, 0.0, 0.0],
+        bodyFixed: bool = False,
+        loadVectorUserFunction: Callable[..., Any] | Literal[0] = 0,
+        visualization: VLoadTorqueVector | dict[str, Any] = ...,
+    ) -> None: ...
+
+Torque = LoadTorqueVector
+VTorque = VLoadTorqueVector
+
+class VSensorBody:
+    """Visualization of SensorBody."""
+
+    show: bool
+    """draw the item"""
+    def __init__(
+        self,
+        show: bool = True,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class SensorBody(_Item):
+    """SensorBody"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    bodyNumber: ObjectIndex | int
+    """bodyNumber"""
+    localPosition: ArrayLike
+    """localPosition [3]"""
+    writeToFile: bool
+    """write the measured values to a file"""
+    fileName: str
+    """file, with its path relative to the working directory; directories are created"""
+    outputVariableType: OutputVariableType
+    """output variable that is measured"""
+    storeInternal: bool
+    """keep the measured values in memory, to be read after the solver has finished"""
+    visualization: VSensorBody | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        bodyNumber: ObjectIndex | int = -1,
+        localPosition: ArrayLike = [0.0, 0.0, 0.0],
+        writeToFile: bool = True,
+        fileName: str = '',
+        outputVariableType: OutputVariableType = OutputVariableType._None,
+        storeInternal: bool = False,
+        visualization: VSensorBody | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VSensorKinematicTree:
+    """Visualization of SensorKinematicTree."""
+
+    show: bool
+    """draw the item"""
+    def __init__(
+        self,
+        show: bool = True,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class SensorKinematicTree(_Item):
+    """SensorKinematicTree"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    objectNumber: ObjectIndex | int
+    """objectNumber"""
+    linkNumber: int
+    """linkNumber"""
+    localPosition: ArrayLike
+    """localPosition [3]"""
+    writeToFile: bool
+    """write the measured values to a file"""
+    fileName: str
+    """file, with its path relative to the working directory; directories are created"""
+    outputVariableType: OutputVariableType
+    """output variable that is measured"""
+    storeInternal: bool
+    """keep the measured values in memory, to be read after the solver has finished"""
+    visualization: VSensorKinematicTree | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        objectNumber: ObjectIndex | int = -1,
+        linkNumber: int = -1,
+        localPosition: ArrayLike = [0.0, 0.0, 0.0],
+        writeToFile: bool = True,
+        fileName: str = '',
+        outputVariableType: OutputVariableType = OutputVariableType._None,
+        storeInternal: bool = False,
+        visualization: VSensorKinematicTree | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VSensorLoad:
+    """Visualization of SensorLoad."""
+
+    show: bool
+    """draw the item"""
+    def __init__(
+        self,
+        show: bool = True,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class SensorLoad(_Item):
+    """SensorLoad"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    loadNumber: LoadIndex | int
+    """loadNumber"""
+    writeToFile: bool
+    """write the measured values to a file"""
+    fileName: str
+    """file, with its path relative to the working directory; directories are created"""
+    storeInternal: bool
+    """keep the measured values in memory, to be read after the solver has finished"""
+    visualization: VSensorLoad | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        loadNumber: LoadIndex | int = -1,
+        writeToFile: bool = True,
+        fileName: str = '',
+        storeInternal: bool = False,
+        visualization: VSensorLoad | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VSensorMarker:
+    """Visualization of SensorMarker."""
+
+    show: bool
+    """draw the item"""
+    def __init__(
+        self,
+        show: bool = True,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class SensorMarker(_Item):
+    """SensorMarker"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    markerNumber: MarkerIndex | int
+    """markerNumber"""
+    writeToFile: bool
+    """write the measured values to a file"""
+    fileName: str
+    """file, with its path relative to the working directory; directories are created"""
+    outputVariableType: OutputVariableType
+    """output variable that is measured"""
+    storeInternal: bool
+    """keep the measured values in memory, to be read after the solver has finished"""
+    visualization: VSensorMarker | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        markerNumber: MarkerIndex | int = -1,
+        writeToFile: bool = True,
+        fileName: str = '',
+        outputVariableType: OutputVariableType = OutputVariableType._None,
+        storeInternal: bool = False,
+        visualization: VSensorMarker | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VSensorNode:
+    """Visualization of SensorNode."""
+
+    show: bool
+    """draw the item"""
+    def __init__(
+        self,
+        show: bool = True,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class SensorNode(_Item):
+    """SensorNode"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    nodeNumber: NodeIndex | int
+    """nodeNumber"""
+    writeToFile: bool
+    """write the measured values to a file"""
+    fileName: str
+    """file, with its path relative to the working directory; directories are created"""
+    outputVariableType: OutputVariableType
+    """output variable that is measured"""
+    storeInternal: bool
+    """keep the measured values in memory, to be read after the solver has finished"""
+    visualization: VSensorNode | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        nodeNumber: NodeIndex | int = -1,
+        writeToFile: bool = True,
+        fileName: str = '',
+        outputVariableType: OutputVariableType = OutputVariableType._None,
+        storeInternal: bool = False,
+        visualization: VSensorNode | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VSensorObject:
+    """Visualization of SensorObject."""
+
+    show: bool
+    """draw the item"""
+    def __init__(
+        self,
+        show: bool = True,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class SensorObject(_Item):
+    """SensorObject"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    objectNumber: ObjectIndex | int
+    """objectNumber"""
+    writeToFile: bool
+    """write the measured values to a file"""
+    fileName: str
+    """file, with its path relative to the working directory; directories are created"""
+    outputVariableType: OutputVariableType
+    """output variable that is measured"""
+    storeInternal: bool
+    """keep the measured values in memory, to be read after the solver has finished"""
+    visualization: VSensorObject | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        objectNumber: ObjectIndex | int = -1,
+        writeToFile: bool = True,
+        fileName: str = '',
+        outputVariableType: OutputVariableType = OutputVariableType._None,
+        storeInternal: bool = False,
+        visualization: VSensorObject | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VSensorSuperElement:
+    """Visualization of SensorSuperElement."""
+
+    show: bool
+    """draw the item"""
+    def __init__(
+        self,
+        show: bool = True,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class SensorSuperElement(_Item):
+    """SensorSuperElement"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    bodyNumber: ObjectIndex | int
+    """bodyNumber"""
+    meshNodeNumber: int
+    """meshNodeNumber"""
+    writeToFile: bool
+    """write the measured values to a file"""
+    fileName: str
+    """file, with its path relative to the working directory; directories are created"""
+    outputVariableType: OutputVariableType
+    """output variable that is measured"""
+    storeInternal: bool
+    """keep the measured values in memory, to be read after the solver has finished"""
+    visualization: VSensorSuperElement | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        bodyNumber: ObjectIndex | int = -1,
+        meshNodeNumber: int = -1,
+        writeToFile: bool = True,
+        fileName: str = '',
+        outputVariableType: OutputVariableType = OutputVariableType._None,
+        storeInternal: bool = False,
+        visualization: VSensorSuperElement | dict[str, Any] = ...,
+    ) -> None: ...
+
+class VSensorUserFunction:
+    """Visualization of SensorUserFunction."""
+
+    show: bool
+    """draw the item"""
+    def __init__(
+        self,
+        show: bool = True,
+    ) -> None: ...
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+
+class SensorUserFunction(_Item):
+    """SensorUserFunction"""
+
+    name: str
+    """name of the item, unique within its kind; if empty, a name is made from kind and number"""
+    sensorNumbers: Sequence[SensorIndex | int]
+    """sensorNumbers [n]"""
+    factors: ArrayLike
+    """factors [n]"""
+    writeToFile: bool
+    """write the measured values to a file"""
+    fileName: str
+    """file, with its path relative to the working directory; directories are created"""
+    sensorUserFunction: Callable[..., Any] | Literal[0]
+    """sensorUserFunction"""
+    storeInternal: bool
+    """keep the measured values in memory, to be read after the solver has finished"""
+    visualization: VSensorUserFunction | dict[str, Any]
+    """how the item is drawn"""
+    def __init__(
+        self,
+        name: str = '',
+        sensorNumbers: Sequence[SensorIndex | int] = [],
+        factors: ArrayLike = [],
+        writeToFile: bool = True,
+        fileName: str = '',
+        sensorUserFunction: Callable[..., Any] | Literal[0] = 0,
+        storeInternal: bool = False,
+        visualization: VSensorUserFunction | dict[str, Any] = ...,
+    ) -> None: ...

@@ -1,0 +1,58 @@
+// Generated from specs/bodies/generic_ode1.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/bodies/generic_ode1_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = ObjectGenericODE1Record;
+
+constexpr std::array<Signature::Kind, 1> rhsUserFunction_arguments{Signature::Kind::vector};
+constexpr Signature rhsUserFunction_signature{.arguments = rhsUserFunction_arguments, .result = Signature::Kind::vector};
+
+constexpr std::array<Row, 9> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "nodeNumbers", .storage = Storage::nodes, .offset = offsetof(Record, parameters.nodeNumbers), .role = Role::parameter, .needs_assemble = true},
+    {.name = "systemMatrix", .storage = Storage::matrix, .offset = offsetof(Record, parameters.systemMatrix), .role = Role::parameter},
+    {.name = "rhsVector", .storage = Storage::vector, .offset = offsetof(Record, parameters.rhsVector), .role = Role::parameter},
+    {.name = "rhsUserFunction", .storage = Storage::user_function, .offset = offsetof(Record, parameters.rhsUserFunction), .role = Role::parameter, .signature = &rhsUserFunction_signature},
+    {.name = "coordinateIndexPerNode", .storage = Storage::integers, .offset = offsetof(Record, parameters.coordinateIndexPerNode), .role = Role::parameter, .internal = true},
+    {.name = "tempCoordinates", .storage = Storage::vector, .offset = offsetof(Record, parameters.tempCoordinates), .role = Role::parameter, .internal = true},
+    {.name = "tempCoordinates_t", .storage = Storage::vector, .offset = offsetof(Record, parameters.tempCoordinates_t), .role = Role::parameter, .internal = true},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+}};
+
+constexpr std::array<std::string_view, 0> short_names{};
+constexpr std::array<std::string_view, 1> provides{"MultiNoded"};
+constexpr std::array<OutputVariableType, 3> outputs{
+    OutputVariableType::CoordinatesTotal,
+    OutputVariableType::Coordinates,
+    OutputVariableType::Coordinates_t,
+};
+
+}  // namespace
+
+extern const ItemType object_generic_ode1_type;
+const ItemType object_generic_ode1_type{
+    .kind = ItemKind::object,
+    .name = "ObjectGenericODE1",
+    .type_name = "GenericODE1",
+    .category = "Object",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::none,
+    .requested_marker = Port::none,
+    .physics = nullptr,
+    .spec = "specs/bodies/generic_ode1.toml",
+};
+
+}  // namespace dalembert

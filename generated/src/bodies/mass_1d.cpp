@@ -1,0 +1,57 @@
+// Generated from specs/bodies/mass_1d.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/bodies/mass_1d_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = ObjectMass1DRecord;
+
+constexpr std::array<Row, 7> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "physicsMass", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsMass), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
+    {.name = "referencePosition", .storage = Storage::vector3, .offset = offsetof(Record, parameters.referencePosition), .role = Role::parameter},
+    {.name = "referenceRotation", .storage = Storage::matrix3, .offset = offsetof(Record, parameters.referenceRotation), .role = Role::parameter},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+    {.name = "graphicsData", .storage = Storage::opaque, .offset = offsetof(Record, visualization.graphicsData), .role = Role::visualization},
+}};
+
+constexpr std::array<std::string_view, 1> short_names{"Mass1D"};
+constexpr std::array<std::string_view, 2> provides{"Body", "SingleNoded"};
+constexpr std::array<OutputVariableType, 7> outputs{
+    OutputVariableType::Position,
+    OutputVariableType::Displacement,
+    OutputVariableType::Velocity,
+    OutputVariableType::RotationMatrix,
+    OutputVariableType::Rotation,
+    OutputVariableType::AngularVelocity,
+    OutputVariableType::AngularVelocityLocal,
+};
+
+}  // namespace
+
+extern const ItemType object_mass_1d_type;
+const ItemType object_mass_1d_type{
+    .kind = ItemKind::object,
+    .name = "ObjectMass1D",
+    .type_name = "Mass1D",
+    .category = "Body",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::generic_ode2,
+    .requested_marker = Port::none,
+    .physics = nullptr,
+    .spec = "specs/bodies/mass_1d.toml",
+};
+
+}  // namespace dalembert

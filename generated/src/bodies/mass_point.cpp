@@ -1,0 +1,56 @@
+// Generated from specs/bodies/mass_point.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/bodies/mass_point_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = ObjectMassPointRecord;
+
+constexpr std::array<Row, 5> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "physicsMass", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsMass), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+    {.name = "graphicsData", .storage = Storage::opaque, .offset = offsetof(Record, visualization.graphicsData), .role = Role::visualization},
+}};
+
+constexpr std::array<std::string_view, 1> short_names{"MassPoint"};
+constexpr std::array<std::string_view, 2> provides{"Body", "SingleNoded"};
+constexpr std::array<OutputVariableType, 8> outputs{
+    OutputVariableType::Position,
+    OutputVariableType::Displacement,
+    OutputVariableType::Velocity,
+    OutputVariableType::Acceleration,
+    OutputVariableType::RotationMatrix,
+    OutputVariableType::Rotation,
+    OutputVariableType::AngularVelocity,
+    OutputVariableType::AngularVelocityLocal,
+};
+
+}  // namespace
+
+extern const ItemType object_mass_point_type;
+const ItemType object_mass_point_type{
+    .kind = ItemKind::object,
+    .name = "ObjectMassPoint",
+    .type_name = "MassPoint",
+    .category = "Body",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::position,
+    .requested_marker = Port::none,
+    .physics = nullptr,
+    .spec = "specs/bodies/mass_point.toml",
+};
+
+}  // namespace dalembert

@@ -1,0 +1,63 @@
+// Generated from specs/bodies/rigid_body_2d.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/bodies/rigid_body_2d_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = ObjectRigidBody2DRecord;
+
+constexpr std::array<Row, 8> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "physicsMass", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsMass), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "physicsInertia", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsInertia), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "physicsCenterOfMass", .storage = Storage::vector2, .offset = offsetof(Record, parameters.physicsCenterOfMass), .role = Role::parameter},
+    {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+    {.name = "graphicsDataUserFunction", .storage = Storage::opaque, .offset = offsetof(Record, visualization.graphicsDataUserFunction), .role = Role::visualization},
+    {.name = "graphicsData", .storage = Storage::opaque, .offset = offsetof(Record, visualization.graphicsData), .role = Role::visualization},
+}};
+
+constexpr std::array<std::string_view, 1> short_names{"RigidBody2D"};
+constexpr std::array<std::string_view, 2> provides{"Body", "SingleNoded"};
+constexpr std::array<OutputVariableType, 12> outputs{
+    OutputVariableType::Position,
+    OutputVariableType::Displacement,
+    OutputVariableType::Velocity,
+    OutputVariableType::VelocityLocal,
+    OutputVariableType::RotationMatrix,
+    OutputVariableType::Rotation,
+    OutputVariableType::AngularVelocity,
+    OutputVariableType::AngularVelocityLocal,
+    OutputVariableType::Acceleration,
+    OutputVariableType::AccelerationLocal,
+    OutputVariableType::AngularAcceleration,
+    OutputVariableType::AngularAccelerationLocal,
+};
+
+}  // namespace
+
+extern const ItemType object_rigid_body_2d_type;
+const ItemType object_rigid_body_2d_type{
+    .kind = ItemKind::object,
+    .name = "ObjectRigidBody2D",
+    .type_name = "RigidBody2D",
+    .category = "Body",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::position_2d | Port::orientation_2d | Port::position | Port::orientation,
+    .requested_marker = Port::none,
+    .physics = nullptr,
+    .spec = "specs/bodies/rigid_body_2d.toml",
+};
+
+}  // namespace dalembert

@@ -1,0 +1,60 @@
+// Generated from specs/connectors/cartesian_spring_damper.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/connectors/cartesian_spring_damper_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = ObjectConnectorCartesianSpringDamperRecord;
+
+constexpr std::array<Signature::Kind, 5> springForceUserFunction_arguments{Signature::Kind::vector, Signature::Kind::vector, Signature::Kind::vector, Signature::Kind::vector, Signature::Kind::vector};
+constexpr Signature springForceUserFunction_signature{.arguments = springForceUserFunction_arguments, .result = Signature::Kind::vector};
+
+constexpr std::array<Row, 10> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "markerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.markerNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
+    {.name = "stiffness", .storage = Storage::vector3, .offset = offsetof(Record, parameters.stiffness), .role = Role::parameter},
+    {.name = "damping", .storage = Storage::vector3, .offset = offsetof(Record, parameters.damping), .role = Role::parameter},
+    {.name = "offset", .storage = Storage::vector3, .offset = offsetof(Record, parameters.offset), .role = Role::parameter},
+    {.name = "springForceUserFunction", .storage = Storage::user_function, .offset = offsetof(Record, parameters.springForceUserFunction), .role = Role::parameter, .signature = &springForceUserFunction_signature},
+    {.name = "activeConnector", .storage = Storage::boolean, .offset = offsetof(Record, parameters.activeConnector), .role = Role::parameter},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+    {.name = "drawSize", .storage = Storage::real, .offset = offsetof(Record, visualization.drawSize), .role = Role::visualization, .unit = "m"},
+    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
+}};
+
+constexpr std::array<std::string_view, 1> short_names{"CartesianSpringDamper"};
+constexpr std::array<std::string_view, 1> provides{"Connector"};
+constexpr std::array<OutputVariableType, 4> outputs{
+    OutputVariableType::Displacement,
+    OutputVariableType::Distance,
+    OutputVariableType::Velocity,
+    OutputVariableType::Force,
+};
+
+}  // namespace
+
+extern const ItemType object_connector_cartesian_spring_damper_type;
+const ItemType object_connector_cartesian_spring_damper_type{
+    .kind = ItemKind::object,
+    .name = "ObjectConnectorCartesianSpringDamper",
+    .type_name = "ConnectorCartesianSpringDamper",
+    .category = "Connector",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::none,
+    .requested_marker = Port::position,
+    .physics = nullptr,
+    .spec = "specs/connectors/cartesian_spring_damper.toml",
+};
+
+}  // namespace dalembert

@@ -1,0 +1,56 @@
+// Generated from specs/connectors/gravity.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/connectors/gravity_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = ObjectConnectorGravityRecord;
+
+constexpr std::array<Row, 10> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "markerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.markerNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
+    {.name = "gravitationalConstant", .storage = Storage::real, .offset = offsetof(Record, parameters.gravitationalConstant), .role = Role::parameter},
+    {.name = "mass0", .storage = Storage::real, .offset = offsetof(Record, parameters.mass0), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "mass1", .storage = Storage::real, .offset = offsetof(Record, parameters.mass1), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "minDistanceRegularization", .storage = Storage::real, .offset = offsetof(Record, parameters.minDistanceRegularization), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "activeConnector", .storage = Storage::boolean, .offset = offsetof(Record, parameters.activeConnector), .role = Role::parameter},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+    {.name = "drawSize", .storage = Storage::real, .offset = offsetof(Record, visualization.drawSize), .role = Role::visualization, .unit = "m"},
+    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
+}};
+
+constexpr std::array<std::string_view, 1> short_names{"ConnectorGravity"};
+constexpr std::array<std::string_view, 1> provides{"Connector"};
+constexpr std::array<OutputVariableType, 3> outputs{
+    OutputVariableType::Distance,
+    OutputVariableType::Displacement,
+    OutputVariableType::Force,
+};
+
+}  // namespace
+
+extern const ItemType object_connector_gravity_type;
+const ItemType object_connector_gravity_type{
+    .kind = ItemKind::object,
+    .name = "ObjectConnectorGravity",
+    .type_name = "ConnectorGravity",
+    .category = "Connector",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::none,
+    .requested_marker = Port::position,
+    .physics = nullptr,
+    .spec = "specs/connectors/gravity.toml",
+};
+
+}  // namespace dalembert

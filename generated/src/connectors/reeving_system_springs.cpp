@@ -1,0 +1,62 @@
+// Generated from specs/connectors/reeving_system_springs.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/connectors/reeving_system_springs_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = ObjectConnectorReevingSystemSpringsRecord;
+
+constexpr std::array<Row, 16> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "markerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.markerNumbers), .role = Role::parameter, .needs_assemble = true},
+    {.name = "hasCoordinateMarkers", .storage = Storage::boolean, .offset = offsetof(Record, parameters.hasCoordinateMarkers), .role = Role::parameter},
+    {.name = "coordinateFactors", .storage = Storage::vector2, .offset = offsetof(Record, parameters.coordinateFactors), .role = Role::parameter},
+    {.name = "stiffnessPerLength", .storage = Storage::real, .offset = offsetof(Record, parameters.stiffnessPerLength), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "dampingPerLength", .storage = Storage::real, .offset = offsetof(Record, parameters.dampingPerLength), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "dampingTorsional", .storage = Storage::real, .offset = offsetof(Record, parameters.dampingTorsional), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "dampingShear", .storage = Storage::real, .offset = offsetof(Record, parameters.dampingShear), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "regularizationForce", .storage = Storage::real, .offset = offsetof(Record, parameters.regularizationForce), .role = Role::parameter},
+    {.name = "referenceLength", .storage = Storage::real, .offset = offsetof(Record, parameters.referenceLength), .role = Role::parameter},
+    {.name = "sheavesAxes", .storage = Storage::vector3s, .offset = offsetof(Record, parameters.sheavesAxes), .role = Role::parameter},
+    {.name = "sheavesRadii", .storage = Storage::vector, .offset = offsetof(Record, parameters.sheavesRadii), .role = Role::parameter},
+    {.name = "activeConnector", .storage = Storage::boolean, .offset = offsetof(Record, parameters.activeConnector), .role = Role::parameter},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+    {.name = "ropeRadius", .storage = Storage::real, .offset = offsetof(Record, visualization.ropeRadius), .role = Role::visualization},
+    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
+}};
+
+constexpr std::array<std::string_view, 1> short_names{"ReevingSystemSprings"};
+constexpr std::array<std::string_view, 1> provides{"Connector"};
+constexpr std::array<OutputVariableType, 3> outputs{
+    OutputVariableType::Distance,
+    OutputVariableType::VelocityLocal,
+    OutputVariableType::ForceLocal,
+};
+
+}  // namespace
+
+extern const ItemType object_connector_reeving_system_springs_type;
+const ItemType object_connector_reeving_system_springs_type{
+    .kind = ItemKind::object,
+    .name = "ObjectConnectorReevingSystemSprings",
+    .type_name = "ConnectorReevingSystemSprings",
+    .category = "Connector",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::none,
+    .requested_marker = Port::none,
+    .physics = nullptr,
+    .spec = "specs/connectors/reeving_system_springs.toml",
+};
+
+}  // namespace dalembert

@@ -1,0 +1,64 @@
+// Generated from specs/connectors/torsional_spring_damper.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/connectors/torsional_spring_damper_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = ObjectConnectorTorsionalSpringDamperRecord;
+
+constexpr std::array<Signature::Kind, 5> springTorqueUserFunction_arguments{Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar};
+constexpr Signature springTorqueUserFunction_signature{.arguments = springTorqueUserFunction_arguments, .result = Signature::Kind::scalar};
+
+constexpr std::array<Row, 15> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "markerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.markerNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
+    {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
+    {.name = "stiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.stiffness), .role = Role::parameter},
+    {.name = "damping", .storage = Storage::real, .offset = offsetof(Record, parameters.damping), .role = Role::parameter},
+    {.name = "rotationMarker0", .storage = Storage::matrix3, .offset = offsetof(Record, parameters.rotationMarker0), .role = Role::parameter},
+    {.name = "rotationMarker1", .storage = Storage::matrix3, .offset = offsetof(Record, parameters.rotationMarker1), .role = Role::parameter},
+    {.name = "offset", .storage = Storage::real, .offset = offsetof(Record, parameters.offset), .role = Role::parameter},
+    {.name = "velocityOffset", .storage = Storage::real, .offset = offsetof(Record, parameters.velocityOffset), .role = Role::parameter},
+    {.name = "torque", .storage = Storage::real, .offset = offsetof(Record, parameters.torque), .role = Role::parameter},
+    {.name = "activeConnector", .storage = Storage::boolean, .offset = offsetof(Record, parameters.activeConnector), .role = Role::parameter},
+    {.name = "springTorqueUserFunction", .storage = Storage::user_function, .offset = offsetof(Record, parameters.springTorqueUserFunction), .role = Role::parameter, .signature = &springTorqueUserFunction_signature},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+    {.name = "drawSize", .storage = Storage::real, .offset = offsetof(Record, visualization.drawSize), .role = Role::visualization, .unit = "m"},
+    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
+}};
+
+constexpr std::array<std::string_view, 1> short_names{"TorsionalSpringDamper"};
+constexpr std::array<std::string_view, 1> provides{"Connector"};
+constexpr std::array<OutputVariableType, 3> outputs{
+    OutputVariableType::Rotation,
+    OutputVariableType::AngularVelocityLocal,
+    OutputVariableType::TorqueLocal,
+};
+
+}  // namespace
+
+extern const ItemType object_connector_torsional_spring_damper_type;
+const ItemType object_connector_torsional_spring_damper_type{
+    .kind = ItemKind::object,
+    .name = "ObjectConnectorTorsionalSpringDamper",
+    .type_name = "ConnectorTorsionalSpringDamper",
+    .category = "Connector",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::generic_data,
+    .requested_marker = Port::orientation,
+    .physics = nullptr,
+    .spec = "specs/connectors/torsional_spring_damper.toml",
+};
+
+}  // namespace dalembert

@@ -1,0 +1,56 @@
+// Generated from specs/contacts/circle_cable_2d.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/contacts/circle_cable_2d_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = ObjectContactCircleCable2DRecord;
+
+constexpr std::array<Row, 13> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "markerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.markerNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
+    {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
+    {.name = "numberOfContactSegments", .storage = Storage::integer, .offset = offsetof(Record, parameters.numberOfContactSegments), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "contactStiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.contactStiffness), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "contactDamping", .storage = Storage::real, .offset = offsetof(Record, parameters.contactDamping), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "circleRadius", .storage = Storage::real, .offset = offsetof(Record, parameters.circleRadius), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "offset", .storage = Storage::real, .offset = offsetof(Record, parameters.offset), .role = Role::parameter},
+    {.name = "activeConnector", .storage = Storage::boolean, .offset = offsetof(Record, parameters.activeConnector), .role = Role::parameter},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+    {.name = "showContactCircle", .storage = Storage::boolean, .offset = offsetof(Record, visualization.showContactCircle), .role = Role::visualization},
+    {.name = "drawSize", .storage = Storage::real, .offset = offsetof(Record, visualization.drawSize), .role = Role::visualization, .unit = "m"},
+    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
+}};
+
+constexpr std::array<std::string_view, 0> short_names{};
+constexpr std::array<std::string_view, 1> provides{"Connector"};
+constexpr std::array<OutputVariableType, 0> outputs{
+};
+
+}  // namespace
+
+extern const ItemType object_contact_circle_cable_2d_type;
+const ItemType object_contact_circle_cable_2d_type{
+    .kind = ItemKind::object,
+    .name = "ObjectContactCircleCable2D",
+    .type_name = "ContactCircleCable2D",
+    .category = "Connector",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::generic_data,
+    .requested_marker = Port::none,
+    .physics = nullptr,
+    .spec = "specs/contacts/circle_cable_2d.toml",
+};
+
+}  // namespace dalembert

@@ -1,0 +1,66 @@
+// Generated from specs/contacts/convex_roll.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/contacts/convex_roll_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = ObjectContactConvexRollRecord;
+
+constexpr std::array<Row, 19> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "markerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.markerNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
+    {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
+    {.name = "contactStiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.contactStiffness), .role = Role::parameter},
+    {.name = "contactDamping", .storage = Storage::real, .offset = offsetof(Record, parameters.contactDamping), .role = Role::parameter},
+    {.name = "dynamicFriction", .storage = Storage::real, .offset = offsetof(Record, parameters.dynamicFriction), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "staticFrictionOffset", .storage = Storage::real, .offset = offsetof(Record, parameters.staticFrictionOffset), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "viscousFriction", .storage = Storage::real, .offset = offsetof(Record, parameters.viscousFriction), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "exponentialDecayStatic", .storage = Storage::real, .offset = offsetof(Record, parameters.exponentialDecayStatic), .role = Role::parameter, .check = Check::positive},
+    {.name = "frictionProportionalZone", .storage = Storage::real, .offset = offsetof(Record, parameters.frictionProportionalZone), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "rollLength", .storage = Storage::real, .offset = offsetof(Record, parameters.rollLength), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "coefficientsHull", .storage = Storage::vector, .offset = offsetof(Record, parameters.coefficientsHull), .role = Role::parameter},
+    {.name = "coefficientsHullDerivative", .storage = Storage::vector, .offset = offsetof(Record, parameters.coefficientsHullDerivative), .role = Role::parameter, .internal = true},
+    {.name = "coefficientsHullDDerivative", .storage = Storage::vector, .offset = offsetof(Record, parameters.coefficientsHullDDerivative), .role = Role::parameter, .internal = true},
+    {.name = "rBoundingSphere", .storage = Storage::real, .offset = offsetof(Record, parameters.rBoundingSphere), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "pContact", .storage = Storage::vector3, .offset = offsetof(Record, parameters.pContact), .role = Role::parameter, .internal = true},
+    {.name = "activeConnector", .storage = Storage::boolean, .offset = offsetof(Record, parameters.activeConnector), .role = Role::parameter},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
+}};
+
+constexpr std::array<std::string_view, 0> short_names{};
+constexpr std::array<std::string_view, 1> provides{"Connector"};
+constexpr std::array<OutputVariableType, 4> outputs{
+    OutputVariableType::Position,
+    OutputVariableType::Velocity,
+    OutputVariableType::Force,
+    OutputVariableType::Torque,
+};
+
+}  // namespace
+
+extern const ItemType object_contact_convex_roll_type;
+const ItemType object_contact_convex_roll_type{
+    .kind = ItemKind::object,
+    .name = "ObjectContactConvexRoll",
+    .type_name = "ContactConvexRoll",
+    .category = "Connector",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::generic_data,
+    .requested_marker = Port::position | Port::orientation,
+    .physics = nullptr,
+    .spec = "specs/contacts/convex_roll.toml",
+};
+
+}  // namespace dalembert

@@ -1,0 +1,62 @@
+// Generated from specs/contacts/friction_circle_cable_2d.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/contacts/friction_circle_cable_2d_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = ObjectContactFrictionCircleCable2DRecord;
+
+constexpr std::array<Row, 16> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "markerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.markerNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
+    {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
+    {.name = "numberOfContactSegments", .storage = Storage::integer, .offset = offsetof(Record, parameters.numberOfContactSegments), .role = Role::parameter, .check = Check::positive},
+    {.name = "contactStiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.contactStiffness), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "contactDamping", .storage = Storage::real, .offset = offsetof(Record, parameters.contactDamping), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "frictionVelocityPenalty", .storage = Storage::real, .offset = offsetof(Record, parameters.frictionVelocityPenalty), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "frictionStiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.frictionStiffness), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "frictionCoefficient", .storage = Storage::real, .offset = offsetof(Record, parameters.frictionCoefficient), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "circleRadius", .storage = Storage::real, .offset = offsetof(Record, parameters.circleRadius), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "useSegmentNormals", .storage = Storage::boolean, .offset = offsetof(Record, parameters.useSegmentNormals), .role = Role::parameter},
+    {.name = "activeConnector", .storage = Storage::boolean, .offset = offsetof(Record, parameters.activeConnector), .role = Role::parameter},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+    {.name = "showContactCircle", .storage = Storage::boolean, .offset = offsetof(Record, visualization.showContactCircle), .role = Role::visualization},
+    {.name = "drawSize", .storage = Storage::real, .offset = offsetof(Record, visualization.drawSize), .role = Role::visualization, .unit = "m"},
+    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
+}};
+
+constexpr std::array<std::string_view, 0> short_names{};
+constexpr std::array<std::string_view, 1> provides{"Connector"};
+constexpr std::array<OutputVariableType, 3> outputs{
+    OutputVariableType::Coordinates,
+    OutputVariableType::Coordinates_t,
+    OutputVariableType::ForceLocal,
+};
+
+}  // namespace
+
+extern const ItemType object_contact_friction_circle_cable_2d_type;
+const ItemType object_contact_friction_circle_cable_2d_type{
+    .kind = ItemKind::object,
+    .name = "ObjectContactFrictionCircleCable2D",
+    .type_name = "ContactFrictionCircleCable2D",
+    .category = "Connector",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::generic_data,
+    .requested_marker = Port::none,
+    .physics = nullptr,
+    .spec = "specs/contacts/friction_circle_cable_2d.toml",
+};
+
+}  // namespace dalembert

@@ -1,0 +1,70 @@
+// Generated from specs/contacts/sphere_sphere.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/contacts/sphere_sphere_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = ObjectContactSphereSphereRecord;
+
+constexpr std::array<Row, 20> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "markerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.markerNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
+    {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
+    {.name = "spheresRadii", .storage = Storage::vector2, .offset = offsetof(Record, parameters.spheresRadii), .role = Role::parameter},
+    {.name = "isHollowSphere1", .storage = Storage::boolean, .offset = offsetof(Record, parameters.isHollowSphere1), .role = Role::parameter},
+    {.name = "dynamicFriction", .storage = Storage::real, .offset = offsetof(Record, parameters.dynamicFriction), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "frictionProportionalZone", .storage = Storage::real, .offset = offsetof(Record, parameters.frictionProportionalZone), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "contactStiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.contactStiffness), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "contactDamping", .storage = Storage::real, .offset = offsetof(Record, parameters.contactDamping), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "contactStiffnessExponent", .storage = Storage::real, .offset = offsetof(Record, parameters.contactStiffnessExponent), .role = Role::parameter, .check = Check::positive},
+    {.name = "constantPullOffForce", .storage = Storage::real, .offset = offsetof(Record, parameters.constantPullOffForce), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "contactPlasticityRatio", .storage = Storage::real, .offset = offsetof(Record, parameters.contactPlasticityRatio), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "adhesionCoefficient", .storage = Storage::real, .offset = offsetof(Record, parameters.adhesionCoefficient), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "adhesionExponent", .storage = Storage::real, .offset = offsetof(Record, parameters.adhesionExponent), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "restitutionCoefficient", .storage = Storage::real, .offset = offsetof(Record, parameters.restitutionCoefficient), .role = Role::parameter, .check = Check::positive},
+    {.name = "minimumImpactVelocity", .storage = Storage::real, .offset = offsetof(Record, parameters.minimumImpactVelocity), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "impactModel", .storage = Storage::integer, .offset = offsetof(Record, parameters.impactModel), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "activeConnector", .storage = Storage::boolean, .offset = offsetof(Record, parameters.activeConnector), .role = Role::parameter},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization},
+}};
+
+constexpr std::array<std::string_view, 0> short_names{};
+constexpr std::array<std::string_view, 1> provides{"Connector"};
+constexpr std::array<OutputVariableType, 7> outputs{
+    OutputVariableType::Position,
+    OutputVariableType::Displacement,
+    OutputVariableType::DisplacementLocal,
+    OutputVariableType::Velocity,
+    OutputVariableType::Force,
+    OutputVariableType::Director1,
+    OutputVariableType::Torque,
+};
+
+}  // namespace
+
+extern const ItemType object_contact_sphere_sphere_type;
+const ItemType object_contact_sphere_sphere_type{
+    .kind = ItemKind::object,
+    .name = "ObjectContactSphereSphere",
+    .type_name = "ContactSphereSphere",
+    .category = "Connector",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::generic_data,
+    .requested_marker = Port::position | Port::orientation,
+    .physics = nullptr,
+    .spec = "specs/contacts/sphere_sphere.toml",
+};
+
+}  // namespace dalembert

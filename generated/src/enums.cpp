@@ -1,0 +1,203 @@
+// Generated from specs/enums/ by codegen/templates/enums.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/enums.hpp"
+
+#include <array>
+
+namespace dalembert {
+namespace {
+
+constexpr std::array<EnumEntry, 9> AccessFunctionType_entries{{
+    {"_None", 0},
+    {"TranslationalVelocity_qt", 32},
+    {"AngularVelocity_qt", 64},
+    {"Coordinate_q", 128},
+    {"DisplacementLineIntegral_q", 512},
+    {"DisplacementSurfaceIntegral_q", 1024},
+    {"DisplacementVolumeIntegral_q", 2048},
+    {"DisplacementMassIntegral_q", 4096},
+    {"DisplacementSurfaceNormalIntegral_q", 8192},
+}};
+
+constexpr std::array<EnumEntry, 7> ConfigurationType_entries{{
+    {"_None", 0},
+    {"Initial", 1},
+    {"Current", 2},
+    {"Reference", 3},
+    {"StartOfStep", 4},
+    {"Visualization", 5},
+    {"EndOfEnumList", 6},
+}};
+
+constexpr std::array<EnumEntry, 4> ContactTypeIndex_entries{{
+    {"IndexSpheresMarkerBased", 0},
+    {"IndexANCFCable2D", 1},
+    {"IndexTrigsRigidBodyBased", 2},
+    {"IndexEndOfEnumList", 3},
+}};
+
+constexpr std::array<EnumEntry, 2> CrossSectionType_entries{{
+    {"Polygon", 1},
+    {"Circular", 2},
+}};
+
+constexpr std::array<EnumEntry, 11> DynamicSolverType_entries{{
+    {"GeneralizedAlpha", 1},
+    {"TrapezoidalIndex2", 2},
+    {"ExplicitEuler", 3},
+    {"ExplicitMidpoint", 4},
+    {"RK33", 5},
+    {"RK44", 6},
+    {"RK67", 7},
+    {"ODE23", 8},
+    {"DOPRI5", 9},
+    {"DVERK6", 10},
+    {"VelocityVerlet", 11},
+}};
+
+constexpr std::array<EnumEntry, 6> ItemType_entries{{
+    {"_None", 0},
+    {"Node", 1},
+    {"Object", 2},
+    {"Marker", 3},
+    {"Load", 4},
+    {"Sensor", 5},
+}};
+
+constexpr std::array<EnumEntry, 7> JointType_entries{{
+    {"_None", 0},
+    {"RevoluteX", 1},
+    {"RevoluteY", 2},
+    {"RevoluteZ", 3},
+    {"PrismaticX", 4},
+    {"PrismaticY", 5},
+    {"PrismaticZ", 6},
+}};
+
+constexpr std::array<EnumEntry, 18> KeyCode_entries{{
+    {"SPACE", 32},
+    {"ENTER", 257},
+    {"TAB", 258},
+    {"BACKSPACE", 259},
+    {"RIGHT", 262},
+    {"LEFT", 263},
+    {"DOWN", 264},
+    {"UP", 265},
+    {"F1", 291},
+    {"F2", 292},
+    {"F3", 293},
+    {"F4", 294},
+    {"F5", 295},
+    {"F6", 296},
+    {"F7", 297},
+    {"F8", 298},
+    {"F9", 299},
+    {"F10", 300},
+}};
+
+constexpr std::array<EnumEntry, 5> LinearSolverType_entries{{
+    {"_None", 0},
+    {"EXUdense", 1},
+    {"EigenSparse", 2},
+    {"EigenSparseSymmetric", 4},
+    {"EigenDense", 8},
+}};
+
+constexpr std::array<EnumEntry, 5> NodeGroup_entries{{
+    {"_None", 0},
+    {"ODE1variables", 1},
+    {"ODE2variables", 2},
+    {"AEvariables", 4},
+    {"DataVariables", 8},
+}};
+
+constexpr std::array<EnumEntry, 19> NodeType_entries{{
+    {"_None", 0},
+    {"Ground", 1},
+    {"Position2D", 2},
+    {"Orientation2D", 4},
+    {"Point2DSlope1", 8},
+    {"Position", 16},
+    {"Orientation", 32},
+    {"RigidBody", 64},
+    {"RotationEulerParameters", 128},
+    {"RotationRxyz", 256},
+    {"RotationRotationVector", 512},
+    {"LieGroupWithDirectUpdate", 1024},
+    {"GenericODE2", 4096},
+    {"GenericODE1", 8192},
+    {"GenericAE", 16384},
+    {"GenericData", 32768},
+    {"PointSlope1", 65536},
+    {"PointSlope12", 131072},
+    {"PointSlope23", 262144},
+}};
+
+constexpr std::array<EnumEntry, 10> ObjectType_entries{{
+    {"_None", 0},
+    {"Ground", 2},
+    {"Constraint", 4},
+    {"Connector", 8},
+    {"Body", 16},
+    {"SingleNoded", 32},
+    {"MultiNoded", 64},
+    {"FiniteElement", 128},
+    {"SuperElement", 256},
+    {"EndOfEnumList", 1024},
+}};
+
+constexpr std::array<EnumEntry, 31> OutputVariableType_entries{{
+    {"_None", 0},
+    {"Distance", 1},
+    {"Position", 2},
+    {"Displacement", 4},
+    {"DisplacementLocal", 8},
+    {"Velocity", 16},
+    {"VelocityLocal", 32},
+    {"Acceleration", 64},
+    {"AccelerationLocal", 128},
+    {"RotationMatrix", 256},
+    {"Rotation", 8192},
+    {"AngularVelocity", 512},
+    {"AngularVelocityLocal", 1024},
+    {"AngularAcceleration", 2048},
+    {"AngularAccelerationLocal", 4096},
+    {"CoordinatesTotal", 16384},
+    {"Coordinates", 32768},
+    {"Coordinates_t", 65536},
+    {"Coordinates_tt", 131072},
+    {"SlidingCoordinate", 262144},
+    {"Director1", 524288},
+    {"Director2", 1048576},
+    {"Director3", 2097152},
+    {"Force", 4194304},
+    {"ForceLocal", 8388608},
+    {"Torque", 16777216},
+    {"TorqueLocal", 33554432},
+    {"StrainLocal", 268435456},
+    {"StressLocal", 536870912},
+    {"CurvatureLocal", 1073741824},
+    {"ConstraintEquation", 2147483648},
+}};
+
+constexpr std::array<EnumTable, 13> tables{{
+    {"AccessFunctionType", AccessFunctionType_entries},
+    {"ConfigurationType", ConfigurationType_entries},
+    {"ContactTypeIndex", ContactTypeIndex_entries},
+    {"CrossSectionType", CrossSectionType_entries},
+    {"DynamicSolverType", DynamicSolverType_entries},
+    {"ItemType", ItemType_entries},
+    {"JointType", JointType_entries},
+    {"KeyCode", KeyCode_entries},
+    {"LinearSolverType", LinearSolverType_entries},
+    {"NodeGroup", NodeGroup_entries},
+    {"NodeType", NodeType_entries},
+    {"ObjectType", ObjectType_entries},
+    {"OutputVariableType", OutputVariableType_entries},
+}};
+
+}  // namespace
+
+std::span<const EnumTable> enum_tables() { return tables; }
+
+}  // namespace dalembert

@@ -1,0 +1,71 @@
+// Generated from specs/finite_elements/ale_ancf_cable_2d.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/finite_elements/ale_ancf_cable_2d_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = ObjectALEANCFCable2DRecord;
+
+constexpr std::array<Row, 18> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "physicsLength", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsLength), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "physicsMassPerLength", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsMassPerLength), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "physicsMovingMassFactor", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsMovingMassFactor), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "physicsBendingStiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsBendingStiffness), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "physicsAxialStiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsAxialStiffness), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "physicsBendingDamping", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsBendingDamping), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "physicsAxialDamping", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsAxialDamping), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "physicsReferenceAxialStrain", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsReferenceAxialStrain), .role = Role::parameter},
+    {.name = "physicsReferenceCurvature", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsReferenceCurvature), .role = Role::parameter},
+    {.name = "physicsUseCouplingTerms", .storage = Storage::boolean, .offset = offsetof(Record, parameters.physicsUseCouplingTerms), .role = Role::parameter},
+    {.name = "physicsAddALEvariation", .storage = Storage::boolean, .offset = offsetof(Record, parameters.physicsAddALEvariation), .role = Role::parameter},
+    {.name = "nodeNumbers", .storage = Storage::nodes, .offset = offsetof(Record, parameters.nodeNumbers), .role = Role::parameter, .size = 3, .needs_assemble = true},
+    {.name = "useReducedOrderIntegration", .storage = Storage::integer, .offset = offsetof(Record, parameters.useReducedOrderIntegration), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "strainIsRelativeToReference", .storage = Storage::real, .offset = offsetof(Record, parameters.strainIsRelativeToReference), .role = Role::parameter},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+    {.name = "drawHeight", .storage = Storage::real, .offset = offsetof(Record, visualization.drawHeight), .role = Role::visualization},
+    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
+}};
+
+constexpr std::array<std::string_view, 1> short_names{"ALECable2D"};
+constexpr std::array<std::string_view, 0> provides{};
+constexpr std::array<OutputVariableType, 10> outputs{
+    OutputVariableType::Position,
+    OutputVariableType::Displacement,
+    OutputVariableType::Velocity,
+    OutputVariableType::VelocityLocal,
+    OutputVariableType::Rotation,
+    OutputVariableType::Director1,
+    OutputVariableType::StrainLocal,
+    OutputVariableType::CurvatureLocal,
+    OutputVariableType::ForceLocal,
+    OutputVariableType::TorqueLocal,
+};
+
+}  // namespace
+
+extern const ItemType object_ale_ancf_cable_2d_type;
+const ItemType object_ale_ancf_cable_2d_type{
+    .kind = ItemKind::object,
+    .name = "ObjectALEANCFCable2D",
+    .type_name = "ALEANCFCable2D",
+    .category = "FiniteElement",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::none,
+    .requested_marker = Port::none,
+    .physics = nullptr,
+    .spec = "specs/finite_elements/ale_ancf_cable_2d.toml",
+};
+
+}  // namespace dalembert

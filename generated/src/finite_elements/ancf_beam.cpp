@@ -1,0 +1,61 @@
+// Generated from specs/finite_elements/ancf_beam.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/finite_elements/ancf_beam_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = ObjectANCFBeamRecord;
+
+constexpr std::array<Row, 9> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "nodeNumbers", .storage = Storage::nodes, .offset = offsetof(Record, parameters.nodeNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
+    {.name = "physicsLength", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsLength), .role = Role::parameter, .check = Check::positive},
+    {.name = "sectionData", .storage = Storage::opaque, .offset = offsetof(Record, parameters.sectionData), .role = Role::parameter},
+    {.name = "crossSectionPenaltyFactor", .storage = Storage::vector3, .offset = offsetof(Record, parameters.crossSectionPenaltyFactor), .role = Role::parameter},
+    {.name = "crossSectionDamping", .storage = Storage::vector3, .offset = offsetof(Record, parameters.crossSectionDamping), .role = Role::parameter},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+    {.name = "sectionGeometry", .storage = Storage::opaque, .offset = offsetof(Record, visualization.sectionGeometry), .role = Role::visualization},
+    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
+}};
+
+constexpr std::array<std::string_view, 1> short_names{"ANCFBeam"};
+constexpr std::array<std::string_view, 2> provides{"Body", "MultiNoded"};
+constexpr std::array<OutputVariableType, 9> outputs{
+    OutputVariableType::Position,
+    OutputVariableType::Displacement,
+    OutputVariableType::Velocity,
+    OutputVariableType::VelocityLocal,
+    OutputVariableType::AngularVelocity,
+    OutputVariableType::AngularVelocityLocal,
+    OutputVariableType::Acceleration,
+    OutputVariableType::Rotation,
+    OutputVariableType::RotationMatrix,
+};
+
+}  // namespace
+
+extern const ItemType object_ancf_beam_type;
+const ItemType object_ancf_beam_type{
+    .kind = ItemKind::object,
+    .name = "ObjectANCFBeam",
+    .type_name = "ANCFBeam",
+    .category = "FiniteElement",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::position | Port::orientation,
+    .requested_marker = Port::none,
+    .physics = nullptr,
+    .spec = "specs/finite_elements/ancf_beam.toml",
+};
+
+}  // namespace dalembert

@@ -1,0 +1,79 @@
+// Generated from specs/finite_elements/ancf_cable_2d.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/finite_elements/ancf_cable_2d_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = ObjectANCFCable2DRecord;
+
+constexpr std::array<Signature::Kind, 9> axialForceUserFunction_arguments{Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar};
+constexpr Signature axialForceUserFunction_signature{.arguments = axialForceUserFunction_arguments, .result = Signature::Kind::scalar};
+
+constexpr std::array<Signature::Kind, 9> bendingMomentUserFunction_arguments{Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar};
+constexpr Signature bendingMomentUserFunction_signature{.arguments = bendingMomentUserFunction_arguments, .result = Signature::Kind::scalar};
+
+constexpr std::array<Row, 17> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "physicsLength", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsLength), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "physicsMassPerLength", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsMassPerLength), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "physicsBendingStiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsBendingStiffness), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "physicsAxialStiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsAxialStiffness), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "physicsBendingDamping", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsBendingDamping), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "physicsAxialDamping", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsAxialDamping), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "physicsReferenceAxialStrain", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsReferenceAxialStrain), .role = Role::parameter},
+    {.name = "physicsReferenceCurvature", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsReferenceCurvature), .role = Role::parameter},
+    {.name = "strainIsRelativeToReference", .storage = Storage::real, .offset = offsetof(Record, parameters.strainIsRelativeToReference), .role = Role::parameter},
+    {.name = "nodeNumbers", .storage = Storage::nodes, .offset = offsetof(Record, parameters.nodeNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
+    {.name = "useReducedOrderIntegration", .storage = Storage::integer, .offset = offsetof(Record, parameters.useReducedOrderIntegration), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "axialForceUserFunction", .storage = Storage::user_function, .offset = offsetof(Record, parameters.axialForceUserFunction), .role = Role::parameter, .signature = &axialForceUserFunction_signature},
+    {.name = "bendingMomentUserFunction", .storage = Storage::user_function, .offset = offsetof(Record, parameters.bendingMomentUserFunction), .role = Role::parameter, .signature = &bendingMomentUserFunction_signature},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+    {.name = "drawHeight", .storage = Storage::real, .offset = offsetof(Record, visualization.drawHeight), .role = Role::visualization},
+    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
+}};
+
+constexpr std::array<std::string_view, 1> short_names{"Cable2D"};
+constexpr std::array<std::string_view, 0> provides{};
+constexpr std::array<OutputVariableType, 13> outputs{
+    OutputVariableType::Position,
+    OutputVariableType::Displacement,
+    OutputVariableType::Velocity,
+    OutputVariableType::VelocityLocal,
+    OutputVariableType::Rotation,
+    OutputVariableType::Director1,
+    OutputVariableType::StrainLocal,
+    OutputVariableType::CurvatureLocal,
+    OutputVariableType::ForceLocal,
+    OutputVariableType::TorqueLocal,
+    OutputVariableType::AngularVelocity,
+    OutputVariableType::Acceleration,
+    OutputVariableType::AngularAcceleration,
+};
+
+}  // namespace
+
+extern const ItemType object_ancf_cable_2d_type;
+const ItemType object_ancf_cable_2d_type{
+    .kind = ItemKind::object,
+    .name = "ObjectANCFCable2D",
+    .type_name = "ANCFCable2D",
+    .category = "FiniteElement",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::position_2d | Port::orientation_2d | Port::position | Port::orientation,
+    .requested_marker = Port::none,
+    .physics = nullptr,
+    .spec = "specs/finite_elements/ancf_cable_2d.toml",
+};
+
+}  // namespace dalembert

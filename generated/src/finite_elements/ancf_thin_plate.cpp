@@ -1,0 +1,67 @@
+// Generated from specs/finite_elements/ancf_thin_plate.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/finite_elements/ancf_thin_plate_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = ObjectANCFThinPlateRecord;
+
+constexpr std::array<Row, 13> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "physicsThickness", .storage = Storage::vector, .offset = offsetof(Record, parameters.physicsThickness), .role = Role::parameter},
+    {.name = "physicsDensity", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsDensity), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "physicsMassProportionalDamping", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsMassProportionalDamping), .role = Role::parameter},
+    {.name = "physicsStrainCoefficients", .storage = Storage::matrix3s, .offset = offsetof(Record, parameters.physicsStrainCoefficients), .role = Role::parameter},
+    {.name = "physicsCurvatureCoefficients", .storage = Storage::matrix3s, .offset = offsetof(Record, parameters.physicsCurvatureCoefficients), .role = Role::parameter},
+    {.name = "strainIsRelativeToReference", .storage = Storage::real, .offset = offsetof(Record, parameters.strainIsRelativeToReference), .role = Role::parameter},
+    {.name = "slopesScalingX", .storage = Storage::vector4, .offset = offsetof(Record, parameters.slopesScalingX), .role = Role::parameter},
+    {.name = "slopesScalingY", .storage = Storage::vector4, .offset = offsetof(Record, parameters.slopesScalingY), .role = Role::parameter},
+    {.name = "nodeNumbers", .storage = Storage::nodes, .offset = offsetof(Record, parameters.nodeNumbers), .role = Role::parameter, .size = 4, .needs_assemble = true},
+    {.name = "useReducedOrderIntegration", .storage = Storage::integer, .offset = offsetof(Record, parameters.useReducedOrderIntegration), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
+}};
+
+constexpr std::array<std::string_view, 0> short_names{};
+constexpr std::array<std::string_view, 2> provides{"Body", "MultiNoded"};
+constexpr std::array<OutputVariableType, 11> outputs{
+    OutputVariableType::Position,
+    OutputVariableType::Displacement,
+    OutputVariableType::Velocity,
+    OutputVariableType::Director1,
+    OutputVariableType::Director2,
+    OutputVariableType::StrainLocal,
+    OutputVariableType::CurvatureLocal,
+    OutputVariableType::ForceLocal,
+    OutputVariableType::TorqueLocal,
+    OutputVariableType::StressLocal,
+    OutputVariableType::Acceleration,
+};
+
+}  // namespace
+
+extern const ItemType object_ancf_thin_plate_type;
+const ItemType object_ancf_thin_plate_type{
+    .kind = ItemKind::object,
+    .name = "ObjectANCFThinPlate",
+    .type_name = "ANCFThinPlate",
+    .category = "FiniteElement",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::position,
+    .requested_marker = Port::none,
+    .physics = nullptr,
+    .spec = "specs/finite_elements/ancf_thin_plate.toml",
+};
+
+}  // namespace dalembert

@@ -1,0 +1,56 @@
+// Generated from specs/finite_elements/beam_geometrically_exact.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/finite_elements/beam_geometrically_exact_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = ObjectBeamGeometricallyExactRecord;
+
+constexpr std::array<Row, 7> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "nodeNumbers", .storage = Storage::nodes, .offset = offsetof(Record, parameters.nodeNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
+    {.name = "physicsLength", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsLength), .role = Role::parameter, .check = Check::positive},
+    {.name = "sectionData", .storage = Storage::opaque, .offset = offsetof(Record, parameters.sectionData), .role = Role::parameter},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+    {.name = "sectionGeometry", .storage = Storage::opaque, .offset = offsetof(Record, visualization.sectionGeometry), .role = Role::visualization},
+    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
+}};
+
+constexpr std::array<std::string_view, 1> short_names{"Beam3D"};
+constexpr std::array<std::string_view, 2> provides{"Body", "MultiNoded"};
+constexpr std::array<OutputVariableType, 6> outputs{
+    OutputVariableType::Position,
+    OutputVariableType::Displacement,
+    OutputVariableType::Velocity,
+    OutputVariableType::Rotation,
+    OutputVariableType::StrainLocal,
+    OutputVariableType::CurvatureLocal,
+};
+
+}  // namespace
+
+extern const ItemType object_beam_geometrically_exact_type;
+const ItemType object_beam_geometrically_exact_type{
+    .kind = ItemKind::object,
+    .name = "ObjectBeamGeometricallyExact",
+    .type_name = "BeamGeometricallyExact",
+    .category = "FiniteElement",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::position | Port::orientation,
+    .requested_marker = Port::none,
+    .physics = nullptr,
+    .spec = "specs/finite_elements/beam_geometrically_exact.toml",
+};
+
+}  // namespace dalembert

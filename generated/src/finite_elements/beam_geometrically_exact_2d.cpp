@@ -1,0 +1,67 @@
+// Generated from specs/finite_elements/beam_geometrically_exact_2d.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/finite_elements/beam_geometrically_exact_2d_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = ObjectBeamGeometricallyExact2DRecord;
+
+constexpr std::array<Row, 16> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "nodeNumbers", .storage = Storage::nodes, .offset = offsetof(Record, parameters.nodeNumbers), .role = Role::parameter, .needs_assemble = true},
+    {.name = "physicsLength", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsLength), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "physicsMassPerLength", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsMassPerLength), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "physicsCrossSectionInertia", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsCrossSectionInertia), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "physicsBendingStiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsBendingStiffness), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "physicsAxialStiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsAxialStiffness), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "physicsShearStiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsShearStiffness), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "physicsBendingDamping", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsBendingDamping), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "physicsAxialDamping", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsAxialDamping), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "physicsShearDamping", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsShearDamping), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "physicsReferenceCurvature", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsReferenceCurvature), .role = Role::parameter},
+    {.name = "includeReferenceRotations", .storage = Storage::boolean, .offset = offsetof(Record, parameters.includeReferenceRotations), .role = Role::parameter},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+    {.name = "drawHeight", .storage = Storage::real, .offset = offsetof(Record, visualization.drawHeight), .role = Role::visualization},
+    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
+}};
+
+constexpr std::array<std::string_view, 1> short_names{"Beam2D"};
+constexpr std::array<std::string_view, 2> provides{"Body", "MultiNoded"};
+constexpr std::array<OutputVariableType, 8> outputs{
+    OutputVariableType::Position,
+    OutputVariableType::Displacement,
+    OutputVariableType::Velocity,
+    OutputVariableType::Rotation,
+    OutputVariableType::StrainLocal,
+    OutputVariableType::CurvatureLocal,
+    OutputVariableType::ForceLocal,
+    OutputVariableType::TorqueLocal,
+};
+
+}  // namespace
+
+extern const ItemType object_beam_geometrically_exact_2d_type;
+const ItemType object_beam_geometrically_exact_2d_type{
+    .kind = ItemKind::object,
+    .name = "ObjectBeamGeometricallyExact2D",
+    .type_name = "BeamGeometricallyExact2D",
+    .category = "FiniteElement",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::position_2d | Port::orientation_2d | Port::position | Port::orientation,
+    .requested_marker = Port::none,
+    .physics = nullptr,
+    .spec = "specs/finite_elements/beam_geometrically_exact_2d.toml",
+};
+
+}  // namespace dalembert

@@ -1,0 +1,61 @@
+// Generated from specs/joints/ale_moving_2d.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/joints/ale_moving_2d_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = ObjectJointALEMoving2DRecord;
+
+constexpr std::array<Row, 12> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "markerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.markerNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
+    {.name = "slidingMarkerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.slidingMarkerNumbers), .role = Role::parameter, .needs_assemble = true},
+    {.name = "slidingMarkerOffsets", .storage = Storage::vector, .offset = offsetof(Record, parameters.slidingMarkerOffsets), .role = Role::parameter},
+    {.name = "slidingOffset", .storage = Storage::real, .offset = offsetof(Record, parameters.slidingOffset), .role = Role::parameter},
+    {.name = "nodeNumbers", .storage = Storage::nodes, .offset = offsetof(Record, parameters.nodeNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
+    {.name = "usePenaltyFormulation", .storage = Storage::boolean, .offset = offsetof(Record, parameters.usePenaltyFormulation), .role = Role::parameter},
+    {.name = "penaltyStiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.penaltyStiffness), .role = Role::parameter},
+    {.name = "activeConnector", .storage = Storage::boolean, .offset = offsetof(Record, parameters.activeConnector), .role = Role::parameter},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+    {.name = "drawSize", .storage = Storage::real, .offset = offsetof(Record, visualization.drawSize), .role = Role::visualization, .unit = "m"},
+    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
+}};
+
+constexpr std::array<std::string_view, 1> short_names{"ALEMovingJoint2D"};
+constexpr std::array<std::string_view, 2> provides{"Connector", "Constraint"};
+constexpr std::array<OutputVariableType, 6> outputs{
+    OutputVariableType::Position,
+    OutputVariableType::Velocity,
+    OutputVariableType::SlidingCoordinate,
+    OutputVariableType::Coordinates,
+    OutputVariableType::Coordinates_t,
+    OutputVariableType::Force,
+};
+
+}  // namespace
+
+extern const ItemType object_joint_ale_moving_2d_type;
+const ItemType object_joint_ale_moving_2d_type{
+    .kind = ItemKind::object,
+    .name = "ObjectJointALEMoving2D",
+    .type_name = "JointALEMoving2D",
+    .category = "Joint",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::none,
+    .requested_marker = Port::none,
+    .physics = nullptr,
+    .spec = "specs/joints/ale_moving_2d.toml",
+};
+
+}  // namespace dalembert

@@ -1,0 +1,60 @@
+// Generated from specs/joints/prismatic_x.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/joints/prismatic_x_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = ObjectJointPrismaticXRecord;
+
+constexpr std::array<Row, 9> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "markerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.markerNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
+    {.name = "rotationMarker0", .storage = Storage::matrix3, .offset = offsetof(Record, parameters.rotationMarker0), .role = Role::parameter},
+    {.name = "rotationMarker1", .storage = Storage::matrix3, .offset = offsetof(Record, parameters.rotationMarker1), .role = Role::parameter},
+    {.name = "activeConnector", .storage = Storage::boolean, .offset = offsetof(Record, parameters.activeConnector), .role = Role::parameter},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+    {.name = "axisRadius", .storage = Storage::real, .offset = offsetof(Record, visualization.axisRadius), .role = Role::visualization},
+    {.name = "axisLength", .storage = Storage::real, .offset = offsetof(Record, visualization.axisLength), .role = Role::visualization},
+    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
+}};
+
+constexpr std::array<std::string_view, 1> short_names{"PrismaticJointX"};
+constexpr std::array<std::string_view, 2> provides{"Connector", "Constraint"};
+constexpr std::array<OutputVariableType, 8> outputs{
+    OutputVariableType::Position,
+    OutputVariableType::Velocity,
+    OutputVariableType::DisplacementLocal,
+    OutputVariableType::VelocityLocal,
+    OutputVariableType::Rotation,
+    OutputVariableType::AngularVelocityLocal,
+    OutputVariableType::ForceLocal,
+    OutputVariableType::TorqueLocal,
+};
+
+}  // namespace
+
+extern const ItemType object_joint_prismatic_x_type;
+const ItemType object_joint_prismatic_x_type{
+    .kind = ItemKind::object,
+    .name = "ObjectJointPrismaticX",
+    .type_name = "JointPrismaticX",
+    .category = "Joint",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::none,
+    .requested_marker = Port::position | Port::orientation,
+    .physics = nullptr,
+    .spec = "specs/joints/prismatic_x.toml",
+};
+
+}  // namespace dalembert

@@ -1,0 +1,54 @@
+// Generated from specs/joints/spherical.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/joints/spherical_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = ObjectJointSphericalRecord;
+
+constexpr std::array<Row, 7> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "markerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.markerNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
+    {.name = "constrainedAxes", .storage = Storage::integers, .offset = offsetof(Record, parameters.constrainedAxes), .role = Role::parameter, .size = 3},
+    {.name = "activeConnector", .storage = Storage::boolean, .offset = offsetof(Record, parameters.activeConnector), .role = Role::parameter},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+    {.name = "jointRadius", .storage = Storage::real, .offset = offsetof(Record, visualization.jointRadius), .role = Role::visualization},
+    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
+}};
+
+constexpr std::array<std::string_view, 1> short_names{"SphericalJoint"};
+constexpr std::array<std::string_view, 2> provides{"Connector", "Constraint"};
+constexpr std::array<OutputVariableType, 4> outputs{
+    OutputVariableType::Position,
+    OutputVariableType::Velocity,
+    OutputVariableType::Displacement,
+    OutputVariableType::Force,
+};
+
+}  // namespace
+
+extern const ItemType object_joint_spherical_type;
+const ItemType object_joint_spherical_type{
+    .kind = ItemKind::object,
+    .name = "ObjectJointSpherical",
+    .type_name = "JointSpherical",
+    .category = "Joint",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::none,
+    .requested_marker = Port::position,
+    .physics = nullptr,
+    .spec = "specs/joints/spherical.toml",
+};
+
+}  // namespace dalembert

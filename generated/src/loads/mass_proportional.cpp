@@ -1,0 +1,51 @@
+// Generated from specs/loads/mass_proportional.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/loads/mass_proportional_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = LoadMassProportionalRecord;
+
+constexpr std::array<Signature::Kind, 1> loadVectorUserFunction_arguments{Signature::Kind::vector};
+constexpr Signature loadVectorUserFunction_signature{.arguments = loadVectorUserFunction_arguments, .takes_item = false, .result = Signature::Kind::vector};
+
+constexpr std::array<Row, 5> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "markerNumber", .storage = Storage::marker, .offset = offsetof(Record, parameters.markerNumber), .role = Role::parameter, .needs_assemble = true},
+    {.name = "loadVector", .storage = Storage::vector3, .offset = offsetof(Record, parameters.loadVector), .role = Role::parameter},
+    {.name = "loadVectorUserFunction", .storage = Storage::user_function, .offset = offsetof(Record, parameters.loadVectorUserFunction), .role = Role::parameter, .signature = &loadVectorUserFunction_signature},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+}};
+
+constexpr std::array<std::string_view, 1> short_names{"Gravity"};
+constexpr std::array<std::string_view, 0> provides{};
+constexpr std::array<OutputVariableType, 0> outputs{
+};
+
+}  // namespace
+
+extern const ItemType load_mass_proportional_type;
+const ItemType load_mass_proportional_type{
+    .kind = ItemKind::load,
+    .name = "LoadMassProportional",
+    .type_name = "MassProportional",
+    .category = "",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::none,
+    .requested_marker = Port::body_mass,
+    .physics = nullptr,
+    .spec = "specs/loads/mass_proportional.toml",
+};
+
+}  // namespace dalembert

@@ -1,0 +1,52 @@
+// Generated from specs/loads/torque_vector.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/loads/torque_vector_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = LoadTorqueVectorRecord;
+
+constexpr std::array<Signature::Kind, 1> loadVectorUserFunction_arguments{Signature::Kind::vector};
+constexpr Signature loadVectorUserFunction_signature{.arguments = loadVectorUserFunction_arguments, .takes_item = false, .result = Signature::Kind::vector};
+
+constexpr std::array<Row, 6> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "markerNumber", .storage = Storage::marker, .offset = offsetof(Record, parameters.markerNumber), .role = Role::parameter, .needs_assemble = true},
+    {.name = "loadVector", .storage = Storage::vector3, .offset = offsetof(Record, parameters.loadVector), .role = Role::parameter},
+    {.name = "bodyFixed", .storage = Storage::boolean, .offset = offsetof(Record, parameters.bodyFixed), .role = Role::parameter},
+    {.name = "loadVectorUserFunction", .storage = Storage::user_function, .offset = offsetof(Record, parameters.loadVectorUserFunction), .role = Role::parameter, .signature = &loadVectorUserFunction_signature},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+}};
+
+constexpr std::array<std::string_view, 1> short_names{"Torque"};
+constexpr std::array<std::string_view, 0> provides{};
+constexpr std::array<OutputVariableType, 0> outputs{
+};
+
+}  // namespace
+
+extern const ItemType load_torque_vector_type;
+const ItemType load_torque_vector_type{
+    .kind = ItemKind::load,
+    .name = "LoadTorqueVector",
+    .type_name = "TorqueVector",
+    .category = "",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::none,
+    .requested_marker = Port::orientation,
+    .physics = nullptr,
+    .spec = "specs/loads/torque_vector.toml",
+};
+
+}  // namespace dalembert

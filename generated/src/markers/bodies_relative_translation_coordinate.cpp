@@ -1,0 +1,50 @@
+// Generated from specs/markers/bodies_relative_translation_coordinate.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/markers/bodies_relative_translation_coordinate_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = MarkerBodiesRelativeTranslationCoordinateRecord;
+
+constexpr std::array<Row, 7> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "bodyNumbers", .storage = Storage::objects, .offset = offsetof(Record, parameters.bodyNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
+    {.name = "localPosition0", .storage = Storage::vector3, .offset = offsetof(Record, parameters.localPosition0), .role = Role::parameter},
+    {.name = "localPosition1", .storage = Storage::vector3, .offset = offsetof(Record, parameters.localPosition1), .role = Role::parameter},
+    {.name = "axis0", .storage = Storage::vector3, .offset = offsetof(Record, parameters.axis0), .role = Role::parameter},
+    {.name = "offset", .storage = Storage::real, .offset = offsetof(Record, parameters.offset), .role = Role::parameter},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+}};
+
+constexpr std::array<std::string_view, 0> short_names{};
+constexpr std::array<std::string_view, 5> provides{"Object", "Body", "Position", "Orientation", "Coordinate"};
+constexpr std::array<OutputVariableType, 0> outputs{
+};
+
+}  // namespace
+
+extern const ItemType marker_bodies_relative_translation_coordinate_type;
+const ItemType marker_bodies_relative_translation_coordinate_type{
+    .kind = ItemKind::marker,
+    .name = "MarkerBodiesRelativeTranslationCoordinate",
+    .type_name = "BodiesRelativeTranslationCoordinate",
+    .category = "",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::none,
+    .requested_marker = Port::none,
+    .physics = nullptr,
+    .spec = "specs/markers/bodies_relative_translation_coordinate.toml",
+};
+
+}  // namespace dalembert

@@ -1,0 +1,46 @@
+// Generated from specs/markers/body_cable_2d_coordinates.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/markers/body_cable_2d_coordinates_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = MarkerBodyCable2DCoordinatesRecord;
+
+constexpr std::array<Row, 3> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "bodyNumber", .storage = Storage::object, .offset = offsetof(Record, parameters.bodyNumber), .role = Role::parameter, .needs_assemble = true},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+}};
+
+constexpr std::array<std::string_view, 0> short_names{};
+constexpr std::array<std::string_view, 3> provides{"Object", "Body", "Coordinate"};
+constexpr std::array<OutputVariableType, 0> outputs{
+};
+
+}  // namespace
+
+extern const ItemType marker_body_cable_2d_coordinates_type;
+const ItemType marker_body_cable_2d_coordinates_type{
+    .kind = ItemKind::marker,
+    .name = "MarkerBodyCable2DCoordinates",
+    .type_name = "BodyCable2DCoordinates",
+    .category = "",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::none,
+    .requested_marker = Port::none,
+    .physics = nullptr,
+    .spec = "specs/markers/body_cable_2d_coordinates.toml",
+};
+
+}  // namespace dalembert

@@ -1,0 +1,48 @@
+// Generated from specs/markers/kinematic_tree_rigid.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/markers/kinematic_tree_rigid_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = MarkerKinematicTreeRigidRecord;
+
+constexpr std::array<Row, 5> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "objectNumber", .storage = Storage::object, .offset = offsetof(Record, parameters.objectNumber), .role = Role::parameter, .needs_assemble = true},
+    {.name = "linkNumber", .storage = Storage::integer, .offset = offsetof(Record, parameters.linkNumber), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "localPosition", .storage = Storage::vector3, .offset = offsetof(Record, parameters.localPosition), .role = Role::parameter},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+}};
+
+constexpr std::array<std::string_view, 0> short_names{};
+constexpr std::array<std::string_view, 4> provides{"Object", "Body", "Position", "Orientation"};
+constexpr std::array<OutputVariableType, 0> outputs{
+};
+
+}  // namespace
+
+extern const ItemType marker_kinematic_tree_rigid_type;
+const ItemType marker_kinematic_tree_rigid_type{
+    .kind = ItemKind::marker,
+    .name = "MarkerKinematicTreeRigid",
+    .type_name = "KinematicTreeRigid",
+    .category = "",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::none,
+    .requested_marker = Port::none,
+    .physics = nullptr,
+    .spec = "specs/markers/kinematic_tree_rigid.toml",
+};
+
+}  // namespace dalembert

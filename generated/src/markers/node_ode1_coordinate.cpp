@@ -1,0 +1,47 @@
+// Generated from specs/markers/node_ode1_coordinate.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/markers/node_ode1_coordinate_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = MarkerNodeODE1CoordinateRecord;
+
+constexpr std::array<Row, 4> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
+    {.name = "coordinate", .storage = Storage::integer, .offset = offsetof(Record, parameters.coordinate), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+}};
+
+constexpr std::array<std::string_view, 0> short_names{};
+constexpr std::array<std::string_view, 2> provides{"Node", "Coordinate"};
+constexpr std::array<OutputVariableType, 0> outputs{
+};
+
+}  // namespace
+
+extern const ItemType marker_node_ode1_coordinate_type;
+const ItemType marker_node_ode1_coordinate_type{
+    .kind = ItemKind::marker,
+    .name = "MarkerNodeODE1Coordinate",
+    .type_name = "NodeODE1Coordinate",
+    .category = "",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::none,
+    .requested_marker = Port::none,
+    .physics = nullptr,
+    .spec = "specs/markers/node_ode1_coordinate.toml",
+};
+
+}  // namespace dalembert

@@ -1,0 +1,46 @@
+// Generated from specs/markers/node_rigid.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/markers/node_rigid_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = MarkerNodeRigidRecord;
+
+constexpr std::array<Row, 3> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+}};
+
+constexpr std::array<std::string_view, 0> short_names{};
+constexpr std::array<std::string_view, 3> provides{"Node", "Position", "Orientation"};
+constexpr std::array<OutputVariableType, 0> outputs{
+};
+
+}  // namespace
+
+extern const ItemType marker_node_rigid_type;
+const ItemType marker_node_rigid_type{
+    .kind = ItemKind::marker,
+    .name = "MarkerNodeRigid",
+    .type_name = "NodeRigid",
+    .category = "",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::none,
+    .requested_marker = Port::none,
+    .physics = nullptr,
+    .spec = "specs/markers/node_rigid.toml",
+};
+
+}  // namespace dalembert

@@ -1,0 +1,49 @@
+// Generated from specs/markers/super_element_position.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/markers/super_element_position_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = MarkerSuperElementPositionRecord;
+
+constexpr std::array<Row, 6> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "bodyNumber", .storage = Storage::object, .offset = offsetof(Record, parameters.bodyNumber), .role = Role::parameter, .needs_assemble = true},
+    {.name = "meshNodeNumbers", .storage = Storage::integers, .offset = offsetof(Record, parameters.meshNodeNumbers), .role = Role::parameter},
+    {.name = "weightingFactors", .storage = Storage::vector, .offset = offsetof(Record, parameters.weightingFactors), .role = Role::parameter},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+    {.name = "showMarkerNodes", .storage = Storage::boolean, .offset = offsetof(Record, visualization.showMarkerNodes), .role = Role::visualization},
+}};
+
+constexpr std::array<std::string_view, 0> short_names{};
+constexpr std::array<std::string_view, 3> provides{"Object", "Body", "Position"};
+constexpr std::array<OutputVariableType, 0> outputs{
+};
+
+}  // namespace
+
+extern const ItemType marker_super_element_position_type;
+const ItemType marker_super_element_position_type{
+    .kind = ItemKind::marker,
+    .name = "MarkerSuperElementPosition",
+    .type_name = "SuperElementPosition",
+    .category = "",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::none,
+    .requested_marker = Port::none,
+    .physics = nullptr,
+    .spec = "specs/markers/super_element_position.toml",
+};
+
+}  // namespace dalembert

@@ -1,0 +1,48 @@
+// Generated from specs/nodes/generic_data.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/nodes/generic_data_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = NodeGenericDataRecord;
+
+constexpr std::array<Row, 4> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "initialCoordinates", .storage = Storage::vector, .offset = offsetof(Record, parameters.initialCoordinates), .role = Role::parameter},
+    {.name = "numberOfDataCoordinates", .storage = Storage::integer, .offset = offsetof(Record, parameters.numberOfDataCoordinates), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+}};
+
+constexpr std::array<std::string_view, 0> short_names{};
+constexpr std::array<std::string_view, 1> provides{"GenericData"};
+constexpr std::array<OutputVariableType, 1> outputs{
+    OutputVariableType::Coordinates,
+};
+
+}  // namespace
+
+extern const ItemType node_generic_data_type;
+const ItemType node_generic_data_type{
+    .kind = ItemKind::node,
+    .name = "NodeGenericData",
+    .type_name = "GenericData",
+    .category = "",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::none,
+    .requested_marker = Port::none,
+    .physics = nullptr,
+    .spec = "specs/nodes/generic_data.toml",
+};
+
+}  // namespace dalembert

@@ -1,0 +1,51 @@
+// Generated from specs/nodes/generic_ode1.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/nodes/generic_ode1_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = NodeGenericODE1Record;
+
+constexpr std::array<Row, 5> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "referenceCoordinates", .storage = Storage::vector, .offset = offsetof(Record, parameters.referenceCoordinates), .role = Role::parameter},
+    {.name = "initialCoordinates", .storage = Storage::vector, .offset = offsetof(Record, parameters.initialCoordinates), .role = Role::parameter},
+    {.name = "numberOfODE1Coordinates", .storage = Storage::integer, .offset = offsetof(Record, parameters.numberOfODE1Coordinates), .role = Role::parameter, .check = Check::positive},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+}};
+
+constexpr std::array<std::string_view, 0> short_names{};
+constexpr std::array<std::string_view, 0> provides{};
+constexpr std::array<OutputVariableType, 3> outputs{
+    OutputVariableType::CoordinatesTotal,
+    OutputVariableType::Coordinates,
+    OutputVariableType::Coordinates_t,
+};
+
+}  // namespace
+
+extern const ItemType node_generic_ode1_type;
+const ItemType node_generic_ode1_type{
+    .kind = ItemKind::node,
+    .name = "NodeGenericODE1",
+    .type_name = "GenericODE1",
+    .category = "",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::none,
+    .requested_marker = Port::none,
+    .physics = nullptr,
+    .spec = "specs/nodes/generic_ode1.toml",
+};
+
+}  // namespace dalembert

@@ -1,0 +1,53 @@
+// Generated from specs/nodes/generic_ode2.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/nodes/generic_ode2_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = NodeGenericODE2Record;
+
+constexpr std::array<Row, 6> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "referenceCoordinates", .storage = Storage::vector, .offset = offsetof(Record, parameters.referenceCoordinates), .role = Role::parameter},
+    {.name = "initialCoordinates", .storage = Storage::vector, .offset = offsetof(Record, parameters.initialCoordinates), .role = Role::parameter},
+    {.name = "initialCoordinates_t", .storage = Storage::vector, .offset = offsetof(Record, parameters.initialCoordinates_t), .role = Role::parameter},
+    {.name = "numberOfODE2Coordinates", .storage = Storage::integer, .offset = offsetof(Record, parameters.numberOfODE2Coordinates), .role = Role::parameter, .check = Check::positive},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+}};
+
+constexpr std::array<std::string_view, 0> short_names{};
+constexpr std::array<std::string_view, 1> provides{"GenericODE2"};
+constexpr std::array<OutputVariableType, 4> outputs{
+    OutputVariableType::CoordinatesTotal,
+    OutputVariableType::Coordinates,
+    OutputVariableType::Coordinates_t,
+    OutputVariableType::Coordinates_tt,
+};
+
+}  // namespace
+
+extern const ItemType node_generic_ode2_type;
+const ItemType node_generic_ode2_type{
+    .kind = ItemKind::node,
+    .name = "NodeGenericODE2",
+    .type_name = "GenericODE2",
+    .category = "",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::none,
+    .requested_marker = Port::none,
+    .physics = nullptr,
+    .spec = "specs/nodes/generic_ode2.toml",
+};
+
+}  // namespace dalembert

@@ -1,0 +1,52 @@
+// Generated from specs/nodes/one_d.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/nodes/one_d_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = Node1DRecord;
+
+constexpr std::array<Row, 5> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "referenceCoordinates", .storage = Storage::vector, .offset = offsetof(Record, parameters.referenceCoordinates), .role = Role::parameter},
+    {.name = "initialCoordinates", .storage = Storage::vector, .offset = offsetof(Record, parameters.initialCoordinates), .role = Role::parameter},
+    {.name = "initialVelocities", .storage = Storage::vector, .offset = offsetof(Record, parameters.initialVelocities), .role = Role::parameter},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+}};
+
+constexpr std::array<std::string_view, 0> short_names{};
+constexpr std::array<std::string_view, 1> provides{"GenericODE2"};
+constexpr std::array<OutputVariableType, 4> outputs{
+    OutputVariableType::CoordinatesTotal,
+    OutputVariableType::Coordinates,
+    OutputVariableType::Coordinates_t,
+    OutputVariableType::Coordinates_tt,
+};
+
+}  // namespace
+
+extern const ItemType node_1d_type;
+const ItemType node_1d_type{
+    .kind = ItemKind::node,
+    .name = "Node1D",
+    .type_name = "1D",
+    .category = "",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::none,
+    .requested_marker = Port::none,
+    .physics = nullptr,
+    .spec = "specs/nodes/one_d.toml",
+};
+
+}  // namespace dalembert

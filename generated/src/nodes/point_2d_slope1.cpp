@@ -1,0 +1,58 @@
+// Generated from specs/nodes/point_2d_slope1.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/nodes/point_2d_slope1_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = NodePoint2DSlope1Record;
+
+constexpr std::array<Row, 7> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "referenceCoordinates", .storage = Storage::vector4, .offset = offsetof(Record, parameters.referenceCoordinates), .role = Role::parameter},
+    {.name = "initialCoordinates", .storage = Storage::vector4, .offset = offsetof(Record, parameters.initialCoordinates), .role = Role::parameter},
+    {.name = "initialVelocities", .storage = Storage::vector4, .offset = offsetof(Record, parameters.initialVelocities), .role = Role::parameter},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+    {.name = "drawSize", .storage = Storage::real, .offset = offsetof(Record, visualization.drawSize), .role = Role::visualization, .unit = "m"},
+    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
+}};
+
+constexpr std::array<std::string_view, 1> short_names{"Point2DS1"};
+constexpr std::array<std::string_view, 5> provides{"Position2D", "Orientation2D", "Point2DSlope1", "Position", "Orientation"};
+constexpr std::array<OutputVariableType, 8> outputs{
+    OutputVariableType::Position,
+    OutputVariableType::Displacement,
+    OutputVariableType::Velocity,
+    OutputVariableType::Acceleration,
+    OutputVariableType::CoordinatesTotal,
+    OutputVariableType::Coordinates,
+    OutputVariableType::Coordinates_t,
+    OutputVariableType::Coordinates_tt,
+};
+
+}  // namespace
+
+extern const ItemType node_point_2d_slope1_type;
+const ItemType node_point_2d_slope1_type{
+    .kind = ItemKind::node,
+    .name = "NodePoint2DSlope1",
+    .type_name = "Point2DSlope1",
+    .category = "",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::none,
+    .requested_marker = Port::none,
+    .physics = nullptr,
+    .spec = "specs/nodes/point_2d_slope1.toml",
+};
+
+}  // namespace dalembert

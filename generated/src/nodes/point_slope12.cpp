@@ -1,0 +1,62 @@
+// Generated from specs/nodes/point_slope12.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/nodes/point_slope12_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = NodePointSlope12Record;
+
+constexpr std::array<Row, 7> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "referenceCoordinates", .storage = Storage::vector9, .offset = offsetof(Record, parameters.referenceCoordinates), .role = Role::parameter},
+    {.name = "initialCoordinates", .storage = Storage::vector9, .offset = offsetof(Record, parameters.initialCoordinates), .role = Role::parameter},
+    {.name = "initialVelocities", .storage = Storage::vector9, .offset = offsetof(Record, parameters.initialVelocities), .role = Role::parameter},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+    {.name = "drawSize", .storage = Storage::real, .offset = offsetof(Record, visualization.drawSize), .role = Role::visualization, .unit = "m"},
+    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
+}};
+
+constexpr std::array<std::string_view, 0> short_names{};
+constexpr std::array<std::string_view, 2> provides{"Position", "Orientation"};
+constexpr std::array<OutputVariableType, 12> outputs{
+    OutputVariableType::Position,
+    OutputVariableType::Displacement,
+    OutputVariableType::Velocity,
+    OutputVariableType::Acceleration,
+    OutputVariableType::CoordinatesTotal,
+    OutputVariableType::Coordinates,
+    OutputVariableType::Coordinates_t,
+    OutputVariableType::Coordinates_tt,
+    OutputVariableType::RotationMatrix,
+    OutputVariableType::Rotation,
+    OutputVariableType::AngularVelocity,
+    OutputVariableType::AngularVelocityLocal,
+};
+
+}  // namespace
+
+extern const ItemType node_point_slope12_type;
+const ItemType node_point_slope12_type{
+    .kind = ItemKind::node,
+    .name = "NodePointSlope12",
+    .type_name = "PointSlope12",
+    .category = "",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::none,
+    .requested_marker = Port::none,
+    .physics = nullptr,
+    .spec = "specs/nodes/point_slope12.toml",
+};
+
+}  // namespace dalembert

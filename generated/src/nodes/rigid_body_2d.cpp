@@ -1,0 +1,63 @@
+// Generated from specs/nodes/rigid_body_2d.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/nodes/rigid_body_2d_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = NodeRigidBody2DRecord;
+
+constexpr std::array<Row, 7> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "referenceCoordinates", .storage = Storage::vector3, .offset = offsetof(Record, parameters.referenceCoordinates), .role = Role::parameter},
+    {.name = "initialCoordinates", .storage = Storage::vector3, .offset = offsetof(Record, parameters.initialCoordinates), .role = Role::parameter},
+    {.name = "initialVelocities", .storage = Storage::vector3, .offset = offsetof(Record, parameters.initialVelocities), .role = Role::parameter},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+    {.name = "drawSize", .storage = Storage::real, .offset = offsetof(Record, visualization.drawSize), .role = Role::visualization, .unit = "m"},
+    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
+}};
+
+constexpr std::array<std::string_view, 1> short_names{"Rigid2D"};
+constexpr std::array<std::string_view, 5> provides{"Position2D", "Orientation2D", "Position", "Orientation", "RigidBody"};
+constexpr std::array<OutputVariableType, 13> outputs{
+    OutputVariableType::Position,
+    OutputVariableType::Displacement,
+    OutputVariableType::Velocity,
+    OutputVariableType::Acceleration,
+    OutputVariableType::AngularVelocity,
+    OutputVariableType::CoordinatesTotal,
+    OutputVariableType::Coordinates,
+    OutputVariableType::Coordinates_t,
+    OutputVariableType::Coordinates_tt,
+    OutputVariableType::RotationMatrix,
+    OutputVariableType::Rotation,
+    OutputVariableType::AngularVelocityLocal,
+    OutputVariableType::AngularAcceleration,
+};
+
+}  // namespace
+
+extern const ItemType node_rigid_body_2d_type;
+const ItemType node_rigid_body_2d_type{
+    .kind = ItemKind::node,
+    .name = "NodeRigidBody2D",
+    .type_name = "RigidBody2D",
+    .category = "",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::none,
+    .requested_marker = Port::none,
+    .physics = nullptr,
+    .spec = "specs/nodes/rigid_body_2d.toml",
+};
+
+}  // namespace dalembert

@@ -1,0 +1,54 @@
+// Generated from specs/sensors/user_function.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/sensors/user_function_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = SensorUserFunctionRecord;
+
+constexpr std::array<Signature::Kind, 3> sensorUserFunction_arguments{Signature::Kind::index_list, Signature::Kind::vector, Signature::Kind::configuration};
+constexpr Signature sensorUserFunction_signature{.arguments = sensorUserFunction_arguments, .takes_item = false, .result = Signature::Kind::vector};
+
+constexpr std::array<Row, 8> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "sensorNumbers", .storage = Storage::sensors, .offset = offsetof(Record, parameters.sensorNumbers), .role = Role::parameter, .needs_assemble = true},
+    {.name = "factors", .storage = Storage::vector, .offset = offsetof(Record, parameters.factors), .role = Role::parameter},
+    {.name = "writeToFile", .storage = Storage::boolean, .offset = offsetof(Record, parameters.writeToFile), .role = Role::parameter},
+    {.name = "fileName", .storage = Storage::text, .offset = offsetof(Record, parameters.fileName), .role = Role::parameter},
+    {.name = "sensorUserFunction", .storage = Storage::user_function, .offset = offsetof(Record, parameters.sensorUserFunction), .role = Role::parameter, .signature = &sensorUserFunction_signature},
+    {.name = "storeInternal", .storage = Storage::boolean, .offset = offsetof(Record, parameters.storeInternal), .role = Role::parameter},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+}};
+
+constexpr std::array<std::string_view, 0> short_names{};
+constexpr std::array<std::string_view, 0> provides{};
+constexpr std::array<OutputVariableType, 0> outputs{
+};
+
+}  // namespace
+
+extern const ItemType sensor_user_function_type;
+const ItemType sensor_user_function_type{
+    .kind = ItemKind::sensor,
+    .name = "SensorUserFunction",
+    .type_name = "UserFunction",
+    .category = "",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::none,
+    .requested_marker = Port::none,
+    .physics = nullptr,
+    .spec = "specs/sensors/user_function.toml",
+};
+
+}  // namespace dalembert

@@ -1,0 +1,206 @@
+// Generated from specs/settings/simulation_settings.toml by codegen/templates/settings.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/simulation_settings.hpp"
+
+#include <array>
+#include <cstddef>
+
+namespace dalembert {
+namespace {
+
+constexpr std::array<Row, 8> NewtonNumericalDifferentiationSettings_rows{{
+    {.name = "addReferenceCoordinatesToEpsilon", .storage = Storage::boolean, .offset = offsetof(NewtonNumericalDifferentiationSettings, addReferenceCoordinatesToEpsilon), .role = Role::parameter},
+    {.name = "doSystemWideDifferentiation", .storage = Storage::boolean, .offset = offsetof(NewtonNumericalDifferentiationSettings, doSystemWideDifferentiation), .role = Role::parameter},
+    {.name = "forAE", .storage = Storage::boolean, .offset = offsetof(NewtonNumericalDifferentiationSettings, forAE), .role = Role::parameter},
+    {.name = "forODE2", .storage = Storage::boolean, .offset = offsetof(NewtonNumericalDifferentiationSettings, forODE2), .role = Role::parameter},
+    {.name = "forODE2connectors", .storage = Storage::boolean, .offset = offsetof(NewtonNumericalDifferentiationSettings, forODE2connectors), .role = Role::parameter},
+    {.name = "jacobianConnectorDerivative", .storage = Storage::boolean, .offset = offsetof(NewtonNumericalDifferentiationSettings, jacobianConnectorDerivative), .role = Role::parameter},
+    {.name = "minimumCoordinateSize", .storage = Storage::real, .offset = offsetof(NewtonNumericalDifferentiationSettings, minimumCoordinateSize), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "relativeEpsilon", .storage = Storage::real, .offset = offsetof(NewtonNumericalDifferentiationSettings, relativeEpsilon), .role = Role::parameter, .check = Check::non_negative},
+}};
+constexpr SettingsGroup NewtonNumericalDifferentiationSettings_group{"NewtonNumericalDifferentiationSettings", NewtonNumericalDifferentiationSettings_rows, {}};
+
+constexpr std::array<Row, 13> NewtonSettings_rows{{
+    {.name = "absoluteTolerance", .storage = Storage::real, .offset = offsetof(NewtonSettings, absoluteTolerance), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "adaptInitialResidual", .storage = Storage::boolean, .offset = offsetof(NewtonSettings, adaptInitialResidual), .role = Role::parameter},
+    {.name = "maximumSolutionNorm", .storage = Storage::real, .offset = offsetof(NewtonSettings, maximumSolutionNorm), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "maxIterations", .storage = Storage::integer, .offset = offsetof(NewtonSettings, maxIterations), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "maxModifiedNewtonIterations", .storage = Storage::integer, .offset = offsetof(NewtonSettings, maxModifiedNewtonIterations), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "maxModifiedNewtonRestartIterations", .storage = Storage::integer, .offset = offsetof(NewtonSettings, maxModifiedNewtonRestartIterations), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "modifiedNewtonContractivity", .storage = Storage::real, .offset = offsetof(NewtonSettings, modifiedNewtonContractivity), .role = Role::parameter, .check = Check::positive},
+    {.name = "modifiedNewtonJacUpdatePerStep", .storage = Storage::boolean, .offset = offsetof(NewtonSettings, modifiedNewtonJacUpdatePerStep), .role = Role::parameter},
+    {.name = "newtonResidualMode", .storage = Storage::integer, .offset = offsetof(NewtonSettings, newtonResidualMode), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "relativeTolerance", .storage = Storage::real, .offset = offsetof(NewtonSettings, relativeTolerance), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "useModifiedNewton", .storage = Storage::boolean, .offset = offsetof(NewtonSettings, useModifiedNewton), .role = Role::parameter},
+    {.name = "useNewtonSolver", .storage = Storage::boolean, .offset = offsetof(NewtonSettings, useNewtonSolver), .role = Role::parameter},
+    {.name = "weightTolerancePerCoordinate", .storage = Storage::boolean, .offset = offsetof(NewtonSettings, weightTolerancePerCoordinate), .role = Role::parameter},
+}};
+constexpr std::array<SettingsChild, 1> NewtonSettings_children{{
+    {"numericalDifferentiation", &NewtonNumericalDifferentiationSettings_group, offsetof(NewtonSettings, numericalDifferentiation)},
+}};
+constexpr SettingsGroup NewtonSettings_group{"NewtonSettings", NewtonSettings_rows, NewtonSettings_children};
+
+constexpr std::array<Row, 4> DiscontinuousSettings_rows{{
+    {.name = "ignoreMaxIterations", .storage = Storage::boolean, .offset = offsetof(DiscontinuousSettings, ignoreMaxIterations), .role = Role::parameter},
+    {.name = "iterationTolerance", .storage = Storage::real, .offset = offsetof(DiscontinuousSettings, iterationTolerance), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "maxIterations", .storage = Storage::integer, .offset = offsetof(DiscontinuousSettings, maxIterations), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "useRecommendedStepSize", .storage = Storage::boolean, .offset = offsetof(DiscontinuousSettings, useRecommendedStepSize), .role = Role::parameter},
+}};
+constexpr SettingsGroup DiscontinuousSettings_group{"DiscontinuousSettings", DiscontinuousSettings_rows, {}};
+
+constexpr std::array<Row, 4> LinearSolverSettings_rows{{
+    {.name = "ignoreSingularJacobian", .storage = Storage::boolean, .offset = offsetof(LinearSolverSettings, ignoreSingularJacobian), .role = Role::parameter},
+    {.name = "pivotThreshold", .storage = Storage::real, .offset = offsetof(LinearSolverSettings, pivotThreshold), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "reuseAnalyzedPattern", .storage = Storage::boolean, .offset = offsetof(LinearSolverSettings, reuseAnalyzedPattern), .role = Role::parameter},
+    {.name = "showCausingItems", .storage = Storage::boolean, .offset = offsetof(LinearSolverSettings, showCausingItems), .role = Role::parameter},
+}};
+constexpr SettingsGroup LinearSolverSettings_group{"LinearSolverSettings", LinearSolverSettings_rows, {}};
+
+constexpr std::array<Row, 8> ParallelSettings_rows{{
+    {.name = "multithreadedLLimitJacobians", .storage = Storage::integer, .offset = offsetof(ParallelSettings, multithreadedLLimitJacobians), .role = Role::parameter, .check = Check::positive},
+    {.name = "multithreadedLLimitLoads", .storage = Storage::integer, .offset = offsetof(ParallelSettings, multithreadedLLimitLoads), .role = Role::parameter, .check = Check::positive},
+    {.name = "multithreadedLLimitMassMatrices", .storage = Storage::integer, .offset = offsetof(ParallelSettings, multithreadedLLimitMassMatrices), .role = Role::parameter, .check = Check::positive},
+    {.name = "multithreadedLLimitResiduals", .storage = Storage::integer, .offset = offsetof(ParallelSettings, multithreadedLLimitResiduals), .role = Role::parameter, .check = Check::positive},
+    {.name = "numberOfThreads", .storage = Storage::integer, .offset = offsetof(ParallelSettings, numberOfThreads), .role = Role::parameter, .check = Check::positive},
+    {.name = "taskSplitMinItems", .storage = Storage::integer, .offset = offsetof(ParallelSettings, taskSplitMinItems), .role = Role::parameter, .check = Check::positive},
+    {.name = "taskSplitTasksPerThread", .storage = Storage::integer, .offset = offsetof(ParallelSettings, taskSplitTasksPerThread), .role = Role::parameter, .check = Check::positive},
+    {.name = "useLoadBalancing", .storage = Storage::boolean, .offset = offsetof(ParallelSettings, useLoadBalancing), .role = Role::parameter},
+}};
+constexpr SettingsGroup ParallelSettings_group{"ParallelSettings", ParallelSettings_rows, {}};
+
+constexpr std::array<Row, 27> SolutionSettings_rows{{
+    {.name = "appendToFile", .storage = Storage::boolean, .offset = offsetof(SolutionSettings, appendToFile), .role = Role::parameter},
+    {.name = "binarySolutionFile", .storage = Storage::boolean, .offset = offsetof(SolutionSettings, binarySolutionFile), .role = Role::parameter},
+    {.name = "coordinatesSolutionFileName", .storage = Storage::text, .offset = offsetof(SolutionSettings, coordinatesSolutionFileName), .role = Role::parameter},
+    {.name = "exportAccelerations", .storage = Storage::boolean, .offset = offsetof(SolutionSettings, exportAccelerations), .role = Role::parameter},
+    {.name = "exportAlgebraicCoordinates", .storage = Storage::boolean, .offset = offsetof(SolutionSettings, exportAlgebraicCoordinates), .role = Role::parameter},
+    {.name = "exportDataCoordinates", .storage = Storage::boolean, .offset = offsetof(SolutionSettings, exportDataCoordinates), .role = Role::parameter},
+    {.name = "exportODE1Velocities", .storage = Storage::boolean, .offset = offsetof(SolutionSettings, exportODE1Velocities), .role = Role::parameter},
+    {.name = "exportVelocities", .storage = Storage::boolean, .offset = offsetof(SolutionSettings, exportVelocities), .role = Role::parameter},
+    {.name = "flushFilesDOF", .storage = Storage::integer, .offset = offsetof(SolutionSettings, flushFilesDOF), .role = Role::parameter, .check = Check::positive},
+    {.name = "flushFilesImmediately", .storage = Storage::boolean, .offset = offsetof(SolutionSettings, flushFilesImmediately), .role = Role::parameter},
+    {.name = "outputPrecision", .storage = Storage::integer, .offset = offsetof(SolutionSettings, outputPrecision), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "recordImagesInterval", .storage = Storage::real, .offset = offsetof(SolutionSettings, recordImagesInterval), .role = Role::parameter},
+    {.name = "restartFileName", .storage = Storage::text, .offset = offsetof(SolutionSettings, restartFileName), .role = Role::parameter},
+    {.name = "restartWritePeriod", .storage = Storage::real, .offset = offsetof(SolutionSettings, restartWritePeriod), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "sensorsAppendToFile", .storage = Storage::boolean, .offset = offsetof(SolutionSettings, sensorsAppendToFile), .role = Role::parameter},
+    {.name = "sensorsStoreAndWriteFiles", .storage = Storage::boolean, .offset = offsetof(SolutionSettings, sensorsStoreAndWriteFiles), .role = Role::parameter},
+    {.name = "sensorsWriteFileFooter", .storage = Storage::boolean, .offset = offsetof(SolutionSettings, sensorsWriteFileFooter), .role = Role::parameter},
+    {.name = "sensorsWriteFileHeader", .storage = Storage::boolean, .offset = offsetof(SolutionSettings, sensorsWriteFileHeader), .role = Role::parameter},
+    {.name = "sensorsWritePeriod", .storage = Storage::real, .offset = offsetof(SolutionSettings, sensorsWritePeriod), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "solutionInformation", .storage = Storage::text, .offset = offsetof(SolutionSettings, solutionInformation), .role = Role::parameter},
+    {.name = "solutionWritePeriod", .storage = Storage::real, .offset = offsetof(SolutionSettings, solutionWritePeriod), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "solverInformationFileName", .storage = Storage::text, .offset = offsetof(SolutionSettings, solverInformationFileName), .role = Role::parameter},
+    {.name = "writeFileFooter", .storage = Storage::boolean, .offset = offsetof(SolutionSettings, writeFileFooter), .role = Role::parameter},
+    {.name = "writeFileHeader", .storage = Storage::boolean, .offset = offsetof(SolutionSettings, writeFileHeader), .role = Role::parameter},
+    {.name = "writeInitialValues", .storage = Storage::boolean, .offset = offsetof(SolutionSettings, writeInitialValues), .role = Role::parameter},
+    {.name = "writeRestartFile", .storage = Storage::boolean, .offset = offsetof(SolutionSettings, writeRestartFile), .role = Role::parameter},
+    {.name = "writeSolutionToFile", .storage = Storage::boolean, .offset = offsetof(SolutionSettings, writeSolutionToFile), .role = Role::parameter},
+}};
+constexpr SettingsGroup SolutionSettings_group{"SolutionSettings", SolutionSettings_rows, {}};
+
+constexpr std::array<Row, 18> StaticSolverSettings_rows{{
+    {.name = "adaptiveStep", .storage = Storage::boolean, .offset = offsetof(StaticSolverSettings, adaptiveStep), .role = Role::parameter},
+    {.name = "adaptiveStepDecrease", .storage = Storage::real, .offset = offsetof(StaticSolverSettings, adaptiveStepDecrease), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "adaptiveStepIncrease", .storage = Storage::real, .offset = offsetof(StaticSolverSettings, adaptiveStepIncrease), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "adaptiveStepRecoveryIterations", .storage = Storage::integer, .offset = offsetof(StaticSolverSettings, adaptiveStepRecoveryIterations), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "adaptiveStepRecoverySteps", .storage = Storage::integer, .offset = offsetof(StaticSolverSettings, adaptiveStepRecoverySteps), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "computeLoadsJacobian", .storage = Storage::boolean, .offset = offsetof(StaticSolverSettings, computeLoadsJacobian), .role = Role::parameter},
+    {.name = "constrainODE1coordinates", .storage = Storage::boolean, .offset = offsetof(StaticSolverSettings, constrainODE1coordinates), .role = Role::parameter},
+    {.name = "loadStepDuration", .storage = Storage::real, .offset = offsetof(StaticSolverSettings, loadStepDuration), .role = Role::parameter, .check = Check::positive},
+    {.name = "loadStepGeometric", .storage = Storage::boolean, .offset = offsetof(StaticSolverSettings, loadStepGeometric), .role = Role::parameter},
+    {.name = "loadStepGeometricRange", .storage = Storage::real, .offset = offsetof(StaticSolverSettings, loadStepGeometricRange), .role = Role::parameter, .check = Check::positive},
+    {.name = "loadStepStart", .storage = Storage::real, .offset = offsetof(StaticSolverSettings, loadStepStart), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "minimumStepSize", .storage = Storage::real, .offset = offsetof(StaticSolverSettings, minimumStepSize), .role = Role::parameter, .check = Check::positive},
+    {.name = "numberOfLoadSteps", .storage = Storage::integer, .offset = offsetof(StaticSolverSettings, numberOfLoadSteps), .role = Role::parameter, .check = Check::positive},
+    {.name = "stabilizerODE2term", .storage = Storage::real, .offset = offsetof(StaticSolverSettings, stabilizerODE2term), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "stepInformation", .storage = Storage::integer, .offset = offsetof(StaticSolverSettings, stepInformation), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "useLoadFactor", .storage = Storage::boolean, .offset = offsetof(StaticSolverSettings, useLoadFactor), .role = Role::parameter},
+    {.name = "verboseMode", .storage = Storage::integer, .offset = offsetof(StaticSolverSettings, verboseMode), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "verboseModeFile", .storage = Storage::integer, .offset = offsetof(StaticSolverSettings, verboseModeFile), .role = Role::parameter, .check = Check::non_negative},
+}};
+constexpr std::array<SettingsChild, 2> StaticSolverSettings_children{{
+    {"discontinuous", &DiscontinuousSettings_group, offsetof(StaticSolverSettings, discontinuous)},
+    {"newton", &NewtonSettings_group, offsetof(StaticSolverSettings, newton)},
+}};
+constexpr SettingsGroup StaticSolverSettings_group{"StaticSolverSettings", StaticSolverSettings_rows, StaticSolverSettings_children};
+
+constexpr std::array<Row, 5> TimeIntegrationExplicitIntegrationSettings_rows{{
+    {.name = "computeEndOfStepAccelerations", .storage = Storage::boolean, .offset = offsetof(TimeIntegrationExplicitIntegrationSettings, computeEndOfStepAccelerations), .role = Role::parameter},
+    {.name = "computeMassMatrixInversePerBody", .storage = Storage::boolean, .offset = offsetof(TimeIntegrationExplicitIntegrationSettings, computeMassMatrixInversePerBody), .role = Role::parameter},
+    {.name = "dynamicSolverType", .storage = Storage::enumeration, .offset = offsetof(TimeIntegrationExplicitIntegrationSettings, dynamicSolverType), .role = Role::parameter, .enumeration = 4},
+    {.name = "eliminateConstraints", .storage = Storage::boolean, .offset = offsetof(TimeIntegrationExplicitIntegrationSettings, eliminateConstraints), .role = Role::parameter},
+    {.name = "useLieGroupIntegration", .storage = Storage::boolean, .offset = offsetof(TimeIntegrationExplicitIntegrationSettings, useLieGroupIntegration), .role = Role::parameter},
+}};
+constexpr SettingsGroup TimeIntegrationExplicitIntegrationSettings_group{"TimeIntegrationExplicitIntegrationSettings", TimeIntegrationExplicitIntegrationSettings_rows, {}};
+
+constexpr std::array<Row, 10> TimeIntegrationGeneralizedAlphaSettings_rows{{
+    {.name = "computeInitialAccelerations", .storage = Storage::boolean, .offset = offsetof(TimeIntegrationGeneralizedAlphaSettings, computeInitialAccelerations), .role = Role::parameter},
+    {.name = "lieGroupAddTangentOperator", .storage = Storage::boolean, .offset = offsetof(TimeIntegrationGeneralizedAlphaSettings, lieGroupAddTangentOperator), .role = Role::parameter},
+    {.name = "lieGroupSimplifiedKinematicRelations", .storage = Storage::boolean, .offset = offsetof(TimeIntegrationGeneralizedAlphaSettings, lieGroupSimplifiedKinematicRelations), .role = Role::parameter},
+    {.name = "newmarkBeta", .storage = Storage::real, .offset = offsetof(TimeIntegrationGeneralizedAlphaSettings, newmarkBeta), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "newmarkGamma", .storage = Storage::real, .offset = offsetof(TimeIntegrationGeneralizedAlphaSettings, newmarkGamma), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "resetAccelerations", .storage = Storage::boolean, .offset = offsetof(TimeIntegrationGeneralizedAlphaSettings, resetAccelerations), .role = Role::parameter},
+    {.name = "spectralRadius", .storage = Storage::real, .offset = offsetof(TimeIntegrationGeneralizedAlphaSettings, spectralRadius), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "storeInitialAlgebraicCoordinates", .storage = Storage::boolean, .offset = offsetof(TimeIntegrationGeneralizedAlphaSettings, storeInitialAlgebraicCoordinates), .role = Role::parameter},
+    {.name = "useIndex2Constraints", .storage = Storage::boolean, .offset = offsetof(TimeIntegrationGeneralizedAlphaSettings, useIndex2Constraints), .role = Role::parameter},
+    {.name = "useNewmark", .storage = Storage::boolean, .offset = offsetof(TimeIntegrationGeneralizedAlphaSettings, useNewmark), .role = Role::parameter},
+}};
+constexpr SettingsGroup TimeIntegrationGeneralizedAlphaSettings_group{"TimeIntegrationGeneralizedAlphaSettings", TimeIntegrationGeneralizedAlphaSettings_rows, {}};
+
+constexpr std::array<Row, 23> TimeIntegrationSettings_rows{{
+    {.name = "absoluteTolerance", .storage = Storage::real, .offset = offsetof(TimeIntegrationSettings, absoluteTolerance), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "adaptiveStep", .storage = Storage::boolean, .offset = offsetof(TimeIntegrationSettings, adaptiveStep), .role = Role::parameter},
+    {.name = "adaptiveStepDecrease", .storage = Storage::real, .offset = offsetof(TimeIntegrationSettings, adaptiveStepDecrease), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "adaptiveStepIncrease", .storage = Storage::real, .offset = offsetof(TimeIntegrationSettings, adaptiveStepIncrease), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "adaptiveStepRecoveryIterations", .storage = Storage::integer, .offset = offsetof(TimeIntegrationSettings, adaptiveStepRecoveryIterations), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "adaptiveStepRecoverySteps", .storage = Storage::integer, .offset = offsetof(TimeIntegrationSettings, adaptiveStepRecoverySteps), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "automaticStepSize", .storage = Storage::boolean, .offset = offsetof(TimeIntegrationSettings, automaticStepSize), .role = Role::parameter},
+    {.name = "computeLoadsJacobian", .storage = Storage::integer, .offset = offsetof(TimeIntegrationSettings, computeLoadsJacobian), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "endTime", .storage = Storage::real, .offset = offsetof(TimeIntegrationSettings, endTime), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "initialStepSize", .storage = Storage::real, .offset = offsetof(TimeIntegrationSettings, initialStepSize), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "minimumStepSize", .storage = Storage::real, .offset = offsetof(TimeIntegrationSettings, minimumStepSize), .role = Role::parameter, .check = Check::positive},
+    {.name = "numberOfSteps", .storage = Storage::real, .offset = offsetof(TimeIntegrationSettings, numberOfSteps), .role = Role::parameter, .check = Check::positive},
+    {.name = "realtimeFactor", .storage = Storage::real, .offset = offsetof(TimeIntegrationSettings, realtimeFactor), .role = Role::parameter, .check = Check::positive},
+    {.name = "realtimeWaitMicroseconds", .storage = Storage::integer, .offset = offsetof(TimeIntegrationSettings, realtimeWaitMicroseconds), .role = Role::parameter, .check = Check::positive},
+    {.name = "relativeTolerance", .storage = Storage::real, .offset = offsetof(TimeIntegrationSettings, relativeTolerance), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "reuseConstantMassMatrix", .storage = Storage::boolean, .offset = offsetof(TimeIntegrationSettings, reuseConstantMassMatrix), .role = Role::parameter},
+    {.name = "simulateInRealtime", .storage = Storage::boolean, .offset = offsetof(TimeIntegrationSettings, simulateInRealtime), .role = Role::parameter},
+    {.name = "startTime", .storage = Storage::real, .offset = offsetof(TimeIntegrationSettings, startTime), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "stepInformation", .storage = Storage::integer, .offset = offsetof(TimeIntegrationSettings, stepInformation), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "stepSizeMaxIncrease", .storage = Storage::real, .offset = offsetof(TimeIntegrationSettings, stepSizeMaxIncrease), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "stepSizeSafety", .storage = Storage::real, .offset = offsetof(TimeIntegrationSettings, stepSizeSafety), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "verboseMode", .storage = Storage::integer, .offset = offsetof(TimeIntegrationSettings, verboseMode), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "verboseModeFile", .storage = Storage::integer, .offset = offsetof(TimeIntegrationSettings, verboseModeFile), .role = Role::parameter, .check = Check::non_negative},
+}};
+constexpr std::array<SettingsChild, 4> TimeIntegrationSettings_children{{
+    {"discontinuous", &DiscontinuousSettings_group, offsetof(TimeIntegrationSettings, discontinuous)},
+    {"explicitIntegration", &TimeIntegrationExplicitIntegrationSettings_group, offsetof(TimeIntegrationSettings, explicitIntegration)},
+    {"generalizedAlpha", &TimeIntegrationGeneralizedAlphaSettings_group, offsetof(TimeIntegrationSettings, generalizedAlpha)},
+    {"newton", &NewtonSettings_group, offsetof(TimeIntegrationSettings, newton)},
+}};
+constexpr SettingsGroup TimeIntegrationSettings_group{"TimeIntegrationSettings", TimeIntegrationSettings_rows, TimeIntegrationSettings_children};
+
+constexpr std::array<Row, 7> SimulationSettings_rows{{
+    {.name = "cleanUpMemory", .storage = Storage::boolean, .offset = offsetof(SimulationSettings, cleanUpMemory), .role = Role::parameter},
+    {.name = "displayComputationTime", .storage = Storage::boolean, .offset = offsetof(SimulationSettings, displayComputationTime), .role = Role::parameter},
+    {.name = "displayGlobalTimers", .storage = Storage::boolean, .offset = offsetof(SimulationSettings, displayGlobalTimers), .role = Role::parameter},
+    {.name = "displayStatistics", .storage = Storage::boolean, .offset = offsetof(SimulationSettings, displayStatistics), .role = Role::parameter},
+    {.name = "linearSolverType", .storage = Storage::enumeration, .offset = offsetof(SimulationSettings, linearSolverType), .role = Role::parameter, .enumeration = 8},
+    {.name = "outputPrecision", .storage = Storage::integer, .offset = offsetof(SimulationSettings, outputPrecision), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "pauseAfterEachStep", .storage = Storage::boolean, .offset = offsetof(SimulationSettings, pauseAfterEachStep), .role = Role::parameter},
+}};
+constexpr std::array<SettingsChild, 5> SimulationSettings_children{{
+    {"linearSolverSettings", &LinearSolverSettings_group, offsetof(SimulationSettings, linearSolverSettings)},
+    {"parallel", &ParallelSettings_group, offsetof(SimulationSettings, parallel)},
+    {"solutionSettings", &SolutionSettings_group, offsetof(SimulationSettings, solutionSettings)},
+    {"staticSolver", &StaticSolverSettings_group, offsetof(SimulationSettings, staticSolver)},
+    {"timeIntegration", &TimeIntegrationSettings_group, offsetof(SimulationSettings, timeIntegration)},
+}};
+constexpr SettingsGroup SimulationSettings_group{"SimulationSettings", SimulationSettings_rows, SimulationSettings_children};
+
+}  // namespace
+
+const SettingsGroup& simulation_settings_group() { return SimulationSettings_group; }
+
+}  // namespace dalembert

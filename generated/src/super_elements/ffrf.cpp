@@ -1,0 +1,78 @@
+// Generated from specs/super_elements/ffrf.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/super_elements/ffrf_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = ObjectFFRFRecord;
+
+constexpr std::array<Signature::Kind, 2> forceUserFunction_arguments{Signature::Kind::vector, Signature::Kind::vector};
+constexpr Signature forceUserFunction_signature{.arguments = forceUserFunction_arguments, .result = Signature::Kind::vector};
+
+constexpr std::array<Signature::Kind, 2> massMatrixUserFunction_arguments{Signature::Kind::vector, Signature::Kind::vector};
+constexpr Signature massMatrixUserFunction_signature{.arguments = massMatrixUserFunction_arguments, .result = Signature::Kind::matrix};
+
+constexpr std::array<Row, 25> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "nodeNumbers", .storage = Storage::nodes, .offset = offsetof(Record, parameters.nodeNumbers), .role = Role::parameter, .needs_assemble = true},
+    {.name = "massMatrixFF", .storage = Storage::matrix_container, .offset = offsetof(Record, parameters.massMatrixFF), .role = Role::parameter},
+    {.name = "stiffnessMatrixFF", .storage = Storage::matrix_container, .offset = offsetof(Record, parameters.stiffnessMatrixFF), .role = Role::parameter},
+    {.name = "dampingMatrixFF", .storage = Storage::matrix_container, .offset = offsetof(Record, parameters.dampingMatrixFF), .role = Role::parameter},
+    {.name = "forceVector", .storage = Storage::vector, .offset = offsetof(Record, parameters.forceVector), .role = Role::parameter},
+    {.name = "forceUserFunction", .storage = Storage::user_function, .offset = offsetof(Record, parameters.forceUserFunction), .role = Role::parameter, .signature = &forceUserFunction_signature},
+    {.name = "massMatrixUserFunction", .storage = Storage::user_function, .offset = offsetof(Record, parameters.massMatrixUserFunction), .role = Role::parameter, .signature = &massMatrixUserFunction_signature},
+    {.name = "computeFFRFterms", .storage = Storage::boolean, .offset = offsetof(Record, parameters.computeFFRFterms), .role = Role::parameter},
+    {.name = "coordinateIndexPerNode", .storage = Storage::integers, .offset = offsetof(Record, parameters.coordinateIndexPerNode), .role = Role::parameter, .internal = true},
+    {.name = "objectIsInitialized", .storage = Storage::boolean, .offset = offsetof(Record, parameters.objectIsInitialized), .role = Role::parameter},
+    {.name = "physicsMass", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsMass), .role = Role::parameter, .check = Check::non_negative, .internal = true},
+    {.name = "physicsInertia", .storage = Storage::matrix3, .offset = offsetof(Record, parameters.physicsInertia), .role = Role::parameter, .internal = true},
+    {.name = "physicsCenterOfMass", .storage = Storage::vector3, .offset = offsetof(Record, parameters.physicsCenterOfMass), .role = Role::parameter, .internal = true},
+    {.name = "PHItTM", .storage = Storage::matrix, .offset = offsetof(Record, parameters.PHItTM), .role = Role::parameter, .internal = true},
+    {.name = "referencePositions", .storage = Storage::vector, .offset = offsetof(Record, parameters.referencePositions), .role = Role::parameter, .internal = true},
+    {.name = "tempVector", .storage = Storage::vector, .offset = offsetof(Record, parameters.tempVector), .role = Role::parameter, .internal = true},
+    {.name = "tempCoordinates", .storage = Storage::vector, .offset = offsetof(Record, parameters.tempCoordinates), .role = Role::parameter, .internal = true},
+    {.name = "tempCoordinates_t", .storage = Storage::vector, .offset = offsetof(Record, parameters.tempCoordinates_t), .role = Role::parameter, .internal = true},
+    {.name = "tempRefPosSkew", .storage = Storage::matrix, .offset = offsetof(Record, parameters.tempRefPosSkew), .role = Role::parameter, .internal = true},
+    {.name = "tempVelSkew", .storage = Storage::matrix, .offset = offsetof(Record, parameters.tempVelSkew), .role = Role::parameter, .internal = true},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
+    {.name = "triangleMesh", .storage = Storage::integer_matrix, .offset = offsetof(Record, visualization.triangleMesh), .role = Role::visualization},
+    {.name = "showNodes", .storage = Storage::boolean, .offset = offsetof(Record, visualization.showNodes), .role = Role::visualization},
+}};
+
+constexpr std::array<std::string_view, 0> short_names{};
+constexpr std::array<std::string_view, 3> provides{"Body", "MultiNoded", "SuperElement"};
+constexpr std::array<OutputVariableType, 4> outputs{
+    OutputVariableType::Coordinates,
+    OutputVariableType::Coordinates_t,
+    OutputVariableType::Coordinates_tt,
+    OutputVariableType::Force,
+};
+
+}  // namespace
+
+extern const ItemType object_ffrf_type;
+const ItemType object_ffrf_type{
+    .kind = ItemKind::object,
+    .name = "ObjectFFRF",
+    .type_name = "FFRF",
+    .category = "SuperElement",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::none,
+    .requested_marker = Port::none,
+    .physics = nullptr,
+    .spec = "specs/super_elements/ffrf.toml",
+};
+
+}  // namespace dalembert

@@ -1,0 +1,80 @@
+// Generated from specs/super_elements/ffrf_reduced_order.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/super_elements/ffrf_reduced_order_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = ObjectFFRFreducedOrderRecord;
+
+constexpr std::array<Signature::Kind, 2> forceUserFunction_arguments{Signature::Kind::vector, Signature::Kind::vector};
+constexpr Signature forceUserFunction_signature{.arguments = forceUserFunction_arguments, .result = Signature::Kind::vector};
+
+constexpr std::array<Signature::Kind, 2> massMatrixUserFunction_arguments{Signature::Kind::vector, Signature::Kind::vector};
+constexpr Signature massMatrixUserFunction_signature{.arguments = massMatrixUserFunction_arguments, .result = Signature::Kind::matrix};
+
+constexpr std::array<Row, 28> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "nodeNumbers", .storage = Storage::nodes, .offset = offsetof(Record, parameters.nodeNumbers), .role = Role::parameter, .needs_assemble = true},
+    {.name = "massMatrixReduced", .storage = Storage::matrix_container, .offset = offsetof(Record, parameters.massMatrixReduced), .role = Role::parameter},
+    {.name = "stiffnessMatrixReduced", .storage = Storage::matrix_container, .offset = offsetof(Record, parameters.stiffnessMatrixReduced), .role = Role::parameter},
+    {.name = "dampingMatrixReduced", .storage = Storage::matrix_container, .offset = offsetof(Record, parameters.dampingMatrixReduced), .role = Role::parameter},
+    {.name = "forceUserFunction", .storage = Storage::user_function, .offset = offsetof(Record, parameters.forceUserFunction), .role = Role::parameter, .signature = &forceUserFunction_signature},
+    {.name = "massMatrixUserFunction", .storage = Storage::user_function, .offset = offsetof(Record, parameters.massMatrixUserFunction), .role = Role::parameter, .signature = &massMatrixUserFunction_signature},
+    {.name = "computeFFRFterms", .storage = Storage::boolean, .offset = offsetof(Record, parameters.computeFFRFterms), .role = Role::parameter},
+    {.name = "modeBasis", .storage = Storage::matrix, .offset = offsetof(Record, parameters.modeBasis), .role = Role::parameter},
+    {.name = "outputVariableModeBasis", .storage = Storage::matrix, .offset = offsetof(Record, parameters.outputVariableModeBasis), .role = Role::parameter},
+    {.name = "outputVariableTypeModeBasis", .storage = Storage::output_variable, .offset = offsetof(Record, parameters.outputVariableTypeModeBasis), .role = Role::parameter},
+    {.name = "referencePositions", .storage = Storage::vector, .offset = offsetof(Record, parameters.referencePositions), .role = Role::parameter},
+    {.name = "objectIsInitialized", .storage = Storage::boolean, .offset = offsetof(Record, parameters.objectIsInitialized), .role = Role::parameter},
+    {.name = "physicsMass", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsMass), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "physicsInertia", .storage = Storage::matrix3, .offset = offsetof(Record, parameters.physicsInertia), .role = Role::parameter},
+    {.name = "physicsCenterOfMass", .storage = Storage::vector3, .offset = offsetof(Record, parameters.physicsCenterOfMass), .role = Role::parameter},
+    {.name = "mPsiTildePsi", .storage = Storage::matrix, .offset = offsetof(Record, parameters.mPsiTildePsi), .role = Role::parameter},
+    {.name = "mPsiTildePsiTilde", .storage = Storage::matrix, .offset = offsetof(Record, parameters.mPsiTildePsiTilde), .role = Role::parameter},
+    {.name = "mPhitTPsi", .storage = Storage::matrix, .offset = offsetof(Record, parameters.mPhitTPsi), .role = Role::parameter},
+    {.name = "mPhitTPsiTilde", .storage = Storage::matrix, .offset = offsetof(Record, parameters.mPhitTPsiTilde), .role = Role::parameter},
+    {.name = "mXRefTildePsi", .storage = Storage::matrix, .offset = offsetof(Record, parameters.mXRefTildePsi), .role = Role::parameter},
+    {.name = "mXRefTildePsiTilde", .storage = Storage::matrix, .offset = offsetof(Record, parameters.mXRefTildePsiTilde), .role = Role::parameter},
+    {.name = "physicsCenterOfMassTilde", .storage = Storage::matrix3, .offset = offsetof(Record, parameters.physicsCenterOfMassTilde), .role = Role::parameter},
+    {.name = "tempUserFunctionForce", .storage = Storage::vector, .offset = offsetof(Record, parameters.tempUserFunctionForce), .role = Role::parameter, .internal = true},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
+    {.name = "triangleMesh", .storage = Storage::integer_matrix, .offset = offsetof(Record, visualization.triangleMesh), .role = Role::visualization},
+    {.name = "showNodes", .storage = Storage::boolean, .offset = offsetof(Record, visualization.showNodes), .role = Role::visualization},
+}};
+
+constexpr std::array<std::string_view, 1> short_names{"CMSobject"};
+constexpr std::array<std::string_view, 3> provides{"Body", "MultiNoded", "SuperElement"};
+constexpr std::array<OutputVariableType, 3> outputs{
+    OutputVariableType::Coordinates,
+    OutputVariableType::Coordinates_t,
+    OutputVariableType::Force,
+};
+
+}  // namespace
+
+extern const ItemType object_ffrf_reduced_order_type;
+const ItemType object_ffrf_reduced_order_type{
+    .kind = ItemKind::object,
+    .name = "ObjectFFRFreducedOrder",
+    .type_name = "FFRFreducedOrder",
+    .category = "SuperElement",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::none,
+    .requested_marker = Port::none,
+    .physics = nullptr,
+    .spec = "specs/super_elements/ffrf_reduced_order.toml",
+};
+
+}  // namespace dalembert

@@ -1,0 +1,75 @@
+// Generated from specs/super_elements/generic_ode2.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/super_elements/generic_ode2_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = ObjectGenericODE2Record;
+
+constexpr std::array<Signature::Kind, 2> forceUserFunction_arguments{Signature::Kind::vector, Signature::Kind::vector};
+constexpr Signature forceUserFunction_signature{.arguments = forceUserFunction_arguments, .result = Signature::Kind::vector};
+
+constexpr std::array<Signature::Kind, 2> massMatrixUserFunction_arguments{Signature::Kind::vector, Signature::Kind::vector};
+constexpr Signature massMatrixUserFunction_signature{.arguments = massMatrixUserFunction_arguments, .result = Signature::Kind::matrix};
+
+constexpr std::array<Signature::Kind, 4> jacobianUserFunction_arguments{Signature::Kind::vector, Signature::Kind::vector, Signature::Kind::scalar, Signature::Kind::scalar};
+constexpr Signature jacobianUserFunction_signature{.arguments = jacobianUserFunction_arguments, .result = Signature::Kind::matrix};
+
+constexpr std::array<Row, 18> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "nodeNumbers", .storage = Storage::nodes, .offset = offsetof(Record, parameters.nodeNumbers), .role = Role::parameter, .needs_assemble = true},
+    {.name = "massMatrix", .storage = Storage::matrix_container, .offset = offsetof(Record, parameters.massMatrix), .role = Role::parameter},
+    {.name = "stiffnessMatrix", .storage = Storage::matrix_container, .offset = offsetof(Record, parameters.stiffnessMatrix), .role = Role::parameter},
+    {.name = "dampingMatrix", .storage = Storage::matrix_container, .offset = offsetof(Record, parameters.dampingMatrix), .role = Role::parameter},
+    {.name = "forceVector", .storage = Storage::vector, .offset = offsetof(Record, parameters.forceVector), .role = Role::parameter},
+    {.name = "forceUserFunction", .storage = Storage::user_function, .offset = offsetof(Record, parameters.forceUserFunction), .role = Role::parameter, .signature = &forceUserFunction_signature},
+    {.name = "massMatrixUserFunction", .storage = Storage::user_function, .offset = offsetof(Record, parameters.massMatrixUserFunction), .role = Role::parameter, .signature = &massMatrixUserFunction_signature},
+    {.name = "jacobianUserFunction", .storage = Storage::user_function, .offset = offsetof(Record, parameters.jacobianUserFunction), .role = Role::parameter, .signature = &jacobianUserFunction_signature},
+    {.name = "coordinateIndexPerNode", .storage = Storage::integers, .offset = offsetof(Record, parameters.coordinateIndexPerNode), .role = Role::parameter, .internal = true},
+    {.name = "tempCoordinates", .storage = Storage::vector, .offset = offsetof(Record, parameters.tempCoordinates), .role = Role::parameter, .internal = true},
+    {.name = "tempCoordinates_t", .storage = Storage::vector, .offset = offsetof(Record, parameters.tempCoordinates_t), .role = Role::parameter, .internal = true},
+    {.name = "tempCoordinates_tt", .storage = Storage::vector, .offset = offsetof(Record, parameters.tempCoordinates_tt), .role = Role::parameter, .internal = true},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
+    {.name = "triangleMesh", .storage = Storage::integer_matrix, .offset = offsetof(Record, visualization.triangleMesh), .role = Role::visualization},
+    {.name = "showNodes", .storage = Storage::boolean, .offset = offsetof(Record, visualization.showNodes), .role = Role::visualization},
+    {.name = "graphicsDataUserFunction", .storage = Storage::opaque, .offset = offsetof(Record, visualization.graphicsDataUserFunction), .role = Role::visualization},
+}};
+
+constexpr std::array<std::string_view, 0> short_names{};
+constexpr std::array<std::string_view, 3> provides{"Body", "MultiNoded", "SuperElement"};
+constexpr std::array<OutputVariableType, 5> outputs{
+    OutputVariableType::CoordinatesTotal,
+    OutputVariableType::Coordinates,
+    OutputVariableType::Coordinates_t,
+    OutputVariableType::Coordinates_tt,
+    OutputVariableType::Force,
+};
+
+}  // namespace
+
+extern const ItemType object_generic_ode2_type;
+const ItemType object_generic_ode2_type{
+    .kind = ItemKind::object,
+    .name = "ObjectGenericODE2",
+    .type_name = "GenericODE2",
+    .category = "SuperElement",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::none,
+    .requested_marker = Port::none,
+    .physics = nullptr,
+    .spec = "specs/super_elements/generic_ode2.toml",
+};
+
+}  // namespace dalembert

@@ -1,0 +1,74 @@
+// Generated from specs/super_elements/kinematic_tree.toml by codegen/templates/item.cpp.j2. Do not edit;
+// run `python -m codegen`. tests/codegen/test_freshness.py compares this file with its sources.
+#include "dalembert/super_elements/kinematic_tree_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "dalembert/reflection/item_type.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Record = ObjectKinematicTreeRecord;
+
+constexpr std::array<Signature::Kind, 2> forceUserFunction_arguments{Signature::Kind::vector, Signature::Kind::vector};
+constexpr Signature forceUserFunction_signature{.arguments = forceUserFunction_arguments, .result = Signature::Kind::vector};
+
+constexpr std::array<Row, 24> rows{{
+    {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
+    {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
+    {.name = "gravity", .storage = Storage::vector3, .offset = offsetof(Record, parameters.gravity), .role = Role::parameter},
+    {.name = "baseOffset", .storage = Storage::vector3, .offset = offsetof(Record, parameters.baseOffset), .role = Role::parameter},
+    {.name = "jointTypes", .storage = Storage::joint_types, .offset = offsetof(Record, parameters.jointTypes), .role = Role::parameter},
+    {.name = "linkParents", .storage = Storage::integers, .offset = offsetof(Record, parameters.linkParents), .role = Role::parameter},
+    {.name = "jointTransformations", .storage = Storage::matrix3s, .offset = offsetof(Record, parameters.jointTransformations), .role = Role::parameter},
+    {.name = "jointOffsets", .storage = Storage::vector3s, .offset = offsetof(Record, parameters.jointOffsets), .role = Role::parameter},
+    {.name = "linkInertiasCOM", .storage = Storage::matrix3s, .offset = offsetof(Record, parameters.linkInertiasCOM), .role = Role::parameter},
+    {.name = "linkCOMs", .storage = Storage::vector3s, .offset = offsetof(Record, parameters.linkCOMs), .role = Role::parameter},
+    {.name = "linkMasses", .storage = Storage::vector, .offset = offsetof(Record, parameters.linkMasses), .role = Role::parameter},
+    {.name = "linkForces", .storage = Storage::vector3s, .offset = offsetof(Record, parameters.linkForces), .role = Role::parameter},
+    {.name = "linkTorques", .storage = Storage::vector3s, .offset = offsetof(Record, parameters.linkTorques), .role = Role::parameter},
+    {.name = "jointForceVector", .storage = Storage::vector, .offset = offsetof(Record, parameters.jointForceVector), .role = Role::parameter},
+    {.name = "jointPositionOffsetVector", .storage = Storage::vector, .offset = offsetof(Record, parameters.jointPositionOffsetVector), .role = Role::parameter},
+    {.name = "jointVelocityOffsetVector", .storage = Storage::vector, .offset = offsetof(Record, parameters.jointVelocityOffsetVector), .role = Role::parameter},
+    {.name = "jointPControlVector", .storage = Storage::vector, .offset = offsetof(Record, parameters.jointPControlVector), .role = Role::parameter},
+    {.name = "jointDControlVector", .storage = Storage::vector, .offset = offsetof(Record, parameters.jointDControlVector), .role = Role::parameter},
+    {.name = "forceUserFunction", .storage = Storage::user_function, .offset = offsetof(Record, parameters.forceUserFunction), .role = Role::parameter, .signature = &forceUserFunction_signature},
+    {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
+    {.name = "showLinks", .storage = Storage::boolean, .offset = offsetof(Record, visualization.showLinks), .role = Role::visualization},
+    {.name = "showJoints", .storage = Storage::boolean, .offset = offsetof(Record, visualization.showJoints), .role = Role::visualization},
+    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
+    {.name = "graphicsDataList", .storage = Storage::opaque, .offset = offsetof(Record, visualization.graphicsDataList), .role = Role::visualization},
+}};
+
+constexpr std::array<std::string_view, 1> short_names{"KinematicTree"};
+constexpr std::array<std::string_view, 3> provides{"Body", "MultiNoded", "SuperElement"};
+constexpr std::array<OutputVariableType, 4> outputs{
+    OutputVariableType::Coordinates,
+    OutputVariableType::Coordinates_t,
+    OutputVariableType::Coordinates_tt,
+    OutputVariableType::Force,
+};
+
+}  // namespace
+
+extern const ItemType object_kinematic_tree_type;
+const ItemType object_kinematic_tree_type{
+    .kind = ItemKind::object,
+    .name = "ObjectKinematicTree",
+    .type_name = "KinematicTree",
+    .category = "SuperElement",
+    .short_names = short_names,
+    .provides = provides,
+    .rows = rows,
+    .outputs = outputs,
+    .record = record_operations<Record>(),
+    .requested_node = Port::generic_ode2,
+    .requested_marker = Port::none,
+    .physics = nullptr,
+    .spec = "specs/super_elements/kinematic_tree.toml",
+};
+
+}  // namespace dalembert
