@@ -3,6 +3,7 @@
 
 #include <span>
 #include <vector>
+#include <vector>
 
 namespace dalembert {
 
@@ -18,6 +19,8 @@ class Callback {
   virtual ~Callback() = default;
   // `results` has the size that the signature in the spec promises. Throws what the user's function throws.
   virtual void call(double time, int item, std::span<const Argument> arguments, std::span<double> results) const = 0;
+  // The same for a result of any length.
+  virtual std::vector<double> call_any(double time, int item, std::span<const Argument> arguments) const = 0;
   // For functions whose result has a size that only they know (sensors).
   virtual std::vector<double> evaluate(double time, int item, std::span<const Argument> arguments) const = 0;
 };

@@ -1,0 +1,39 @@
+// Bodies and finite elements: physics of an item type from its kernel and the nodes that it stands on.
+#pragma once
+
+#include <memory>
+
+#include "dalembert/batches/element.hpp"
+#include "dalembert/batches/frame_marker.hpp"
+
+namespace dalembert {
+
+template <class Body, class Record, class... Nodes>
+struct BodyPhysics final : ObjectPhysics {
+  std::unique_ptr<Term> make_batch(std::span<const ItemType* const> nodes) const override {
+    std::unique_ptr<Term> batch;
+    choose(nodes, [&]<class E>() { batch = std::make_unique<ElementBatch<E, Record>>(); });
+    return batch;
+  }
+  std::unique_ptr<MarkerBatch> make_marker(FrameShape shape, std::span<const ItemType* const> nodes) const override {
+    std::unique_ptr<MarkerBatch> batch;
+    choose(nodes, [&]<class E>() { batch = make_frame_marker<E, Record>(shape); });
+    return batch;
+  }
+
+ private:
+  template <class F>
+  static void choose(std::span<const ItemType* const> nodes, F&& f) {
+    if constexpr (sizeof...(Nodes) == 0) {
+      f.template operator()<Body>();
+    } else if constexpr (requires { Body::size; }) {
+      static_assert(ElementKernel<Body>, "see core/include/dalembert/contracts/element.hpp");
+      ((nodes[0]->name == Nodes::item ? (f.template operator()<Body>(), true) : false) || ...);
+    } else {
+      static_assert(BodyKernel<Body>, "see core/include/dalembert/contracts/element.hpp");
+      ((nodes[0]->name == Nodes::item ? (f.template operator()<OnNode<Body, Nodes>>(), true) : false) || ...);
+    }
+  }
+};
+
+}  // namespace dalembert

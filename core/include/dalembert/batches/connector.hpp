@@ -1,0 +1,129 @@
+// Connectors and loads: kernels that turn the frames of their markers into forces on them.
+#pragma once
+
+#include <concepts>
+#include <memory>
+#include <utility>
+
+#include "dalembert/batches/port_sweep.hpp"
+#include "dalembert/contracts/context.hpp"
+#include "dalembert/system/physics.hpp"
+
+namespace dalembert {
+
+// forces(p, c, m0, m1): the forces that the connector applies to its markers, per marker. Loads have one marker.
+template <class K, int M, class S>
+auto kernel_forces(const typename K::Parameters& p, const Context& c,
+                   const std::array<typename K::Port::template Frame<S>, M>& frames) {
+  if constexpr (M == 1) {
+    return std::array{K::template force<S>(p, c, frames[0])};
+  } else {
+    return K::template forces<S>(p, c, frames[0], frames[1]);
+  }
+}
+
+template <class K, class Record, int M>
+class PortBatch final : public Term {
+ public:
+  using Port = typename K::Port;
+
+  void add(const void* record, const Placement& placement, const Ports&) override {
+    Entry e;
+    e.parameters = static_cast<const Record*>(record)->parameters;
+    for (int m = 0; m < M; ++m) e.markers[m] = placement.markers[m];
+    e.item = placement.item;
+    e.first_data = placement.first_data;
+    entries_.push_back(std::move(e));
+  }
+  void refresh(int entry, const void* record) override {
+    entries_[entry].parameters = static_cast<const Record*>(record)->parameters;
+  }
+  void visit(BlockVisitor& visitor, const Ports& ports) const override {
+    for (const Entry& e : entries_) {
+      const auto dofs = all_dofs<M>(ports, e.markers);
+      visitor.block(dofs, dofs);
+    }
+  }
+
+  void residual(const Evaluation& evaluation, Ports& ports, double*) const override {
+    for (const Entry& e : entries_) {
+      if (!active(e.parameters)) continue;
+      add_forces<Port, M>(ports, e.markers, 1.0, kernel_forces<K, M, double>(e.parameters, context(evaluation, e), read(ports, e)));
+    }
+  }
+  void tangent(const Evaluation& evaluation, const Weights&, Ports& ports, double* values) const override {
+    const int* slot = slots.data();
+    for (const Entry& e : entries_) {
+      const Columns<M> columns(ports, e.markers);
+      if (active(e.parameters))
+        for (int first = 0; first < columns.total; first += sweep_width) {
+          std::array<typename Port::template Frame<SweepDual>, M> frames;
+          for (int m = 0; m < M; ++m)
+            frames[m] = read_moving_frame<Port>(ports, e.markers[m], columns.offset[m], first);
+          const auto forces = kernel_forces<K, M, SweepDual>(e.parameters, context(evaluation, e), frames);
+          scatter_forces<Port, M>(ports, e.markers, columns, first, -1.0, forces, slot, values);
+        }
+      slot += columns.total * columns.total;
+    }
+  }
+
+  // K::update(p, c, m0, m1, start, data): new history from the frames; returns the error and a recommended step size.
+  PostNewton post_newton(const Evaluation& evaluation, const Ports& ports, const double* start, double* data) override {
+    PostNewton result;
+    if constexpr (has_update)
+      for (const Entry& e : entries_) {
+        if (e.first_data < 0 || !active(e.parameters)) continue;
+        const auto frames = read(ports, e);
+        const PostNewton one = K::update(e.parameters, context(evaluation, e), frames[0], frames[1], start + e.first_data,
+                                         data + e.first_data);
+        result.error = std::max(result.error, one.error);
+        if (one.recommended_step_size > 0 &&
+            (result.recommended_step_size < 0 || one.recommended_step_size < result.recommended_step_size))
+          result.recommended_step_size = one.recommended_step_size;
+      }
+    return result;
+  }
+  bool has_history() const override { return has_update; }
+
+  bool output(int entry, OutputVariableType variable, const Vec3<double>&, const Evaluation& evaluation, const Ports& ports,
+              std::vector<double>& values) const override {
+    const Entry& e = entries_[entry];
+    const auto frames = read(ports, e);
+    if constexpr (requires { K::output(e.parameters, Context{}, frames[0], frames[M - 1], variable, values); })
+      return K::output(e.parameters, context(evaluation, e), frames[0], frames[M - 1], variable, values);
+    return false;
+  }
+
+ private:
+  static constexpr bool has_update = requires { &K::update; };
+
+  struct Entry {
+    typename K::Parameters parameters;
+    std::array<int, M> markers{};
+    int item = -1, first_data = -1;
+  };
+
+  static bool active(const typename K::Parameters& p) {
+    if constexpr (requires { p.activeConnector; }) return p.activeConnector;
+    return true;
+  }
+  static Context context(const Evaluation& evaluation, const Entry& e) {
+    return Context::of(evaluation, e.item, e.first_data);
+  }
+  static std::array<typename Port::template Frame<double>, M> read(const Ports& ports, const Entry& e) {
+    std::array<typename Port::template Frame<double>, M> frames;
+    for (int m = 0; m < M; ++m) frames[m] = read_frame<Port>(ports, e.markers[m]);
+    return frames;
+  }
+
+  std::vector<Entry> entries_;
+};
+
+template <class K, class Record>
+struct PairPhysics final : ObjectPhysics {
+  std::unique_ptr<Term> make_batch(std::span<const ItemType* const>) const override {
+    return std::make_unique<PortBatch<K, Record, 2>>();
+  }
+};
+
+}  // namespace dalembert

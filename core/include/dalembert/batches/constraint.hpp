@@ -1,0 +1,184 @@
+// Constraints and joints: gap equations between two markers, and the reaction that Lagrange multipliers make of them.
+//
+// A kernel says `equations` and `gap`. Its rate is the gap's derivative along the motion of the frames, its reaction the
+// gap's derivative by virtual motions of the frames; a kernel may state either in closed form where that is cheaper.
+#pragma once
+
+#include <concepts>
+#include <memory>
+#include <utility>
+
+#include "dalembert/batches/port_sweep.hpp"
+#include "dalembert/contracts/context.hpp"
+#include "dalembert/contracts/variation.hpp"
+#include "dalembert/system/physics.hpp"
+
+namespace dalembert {
+
+template <class K, class Record>
+class ConstraintBatch final : public Term {
+ public:
+  using Port = typename K::Port;
+  using Parameters = typename K::Parameters;
+  static constexpr int m = K::equations;
+  template <class S>
+  using Frames = std::array<typename Port::template Frame<S>, 2>;
+
+  void add(const void* record, const Placement& placement, const Ports&) override {
+    Entry e;
+    e.parameters = static_cast<const Record*>(record)->parameters;
+    e.markers = {placement.markers[0], placement.markers[1]};
+    e.item = placement.item;
+    e.first_ae = placement.first_ae;
+    e.first_row = placement.ae_offset + placement.first_ae;
+    entries_.push_back(std::move(e));
+  }
+  void refresh(int entry, const void* record) override {
+    entries_[entry].parameters = static_cast<const Record*>(record)->parameters;
+  }
+  void visit(BlockVisitor& visitor, const Ports& ports) const override {
+    for (const Entry& e : entries_) {
+      const auto dofs = all_dofs<2>(ports, e.markers);
+      std::array<int, m> rows;
+      for (int k = 0; k < m; ++k) rows[k] = e.first_row + k;
+      visitor.block(rows, dofs);
+      visitor.mirror(rows, dofs);  // multipliers, in the rows of the coordinates
+      visitor.block(dofs, dofs);
+      for (int k = 0; k < m; ++k) visitor.block(std::span(&rows[k], 1), std::span(&rows[k], 1));
+    }
+  }
+
+  void residual(const Evaluation& evaluation, Ports& ports, double* r) const override {
+    for (const Entry& e : entries_) {
+      const double* lambda = evaluation.lambda + e.first_ae;
+      double* gap = r + e.first_row;
+      if (!active(e.parameters)) {
+        for (int k = 0; k < m; ++k) gap[k] += lambda[k];
+        continue;
+      }
+      const Context c = Context::of(evaluation, e.item);
+      const auto frames = read(ports, e);
+      const auto g = equations<double>(e.parameters, c, frames, evaluation.rate_level);
+      for (int k = 0; k < m; ++k) gap[k] += constrains(e.parameters, k) ? g[k] : lambda[k];
+      add_forces<Port, 2>(ports, e.markers, -1.0, reaction<double>(e.parameters, c, frames, load<double, m>(lambda)));
+    }
+  }
+
+  void tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports, double* values) const override {
+    const int* slot = slots.data();
+    const double row_scale = 1 / (weights.q != 0 ? weights.q : weights.v);
+    for (const Entry& e : entries_) {
+      const Columns<2> columns(ports, e.markers);
+      const int* gap_slots = slot;
+      const int* multiplier_slots = gap_slots + m * columns.total;
+      const int* force_slots = multiplier_slots + m * columns.total;
+      const int* diagonal = force_slots + columns.total * columns.total;
+      slot = diagonal + m;
+      for (int k = 0; k < m; ++k)
+        if (!constrains(e.parameters, k) || !active(e.parameters)) values[diagonal[k]] += 1;
+      if (!active(e.parameters)) continue;
+      const Context c = Context::of(evaluation, e.item);
+      multiplier_columns(e, c, ports, columns, multiplier_slots, values);
+      const Vec<double, m> lambda = load<double, m>(evaluation.lambda + e.first_ae);
+      for (int first = 0; first < columns.total; first += sweep_width) {
+        Frames<SweepDual> frames;
+        for (int i = 0; i < 2; ++i) frames[i] = read_moving_frame<Port>(ports, e.markers[i], columns.offset[i], first);
+        const auto g = equations<SweepDual>(e.parameters, c, frames, evaluation.rate_level);
+        const int count = std::min(sweep_width, columns.total - first);
+        for (int k = 0; k < m; ++k)
+          if (constrains(e.parameters, k))
+            for (int j = 0; j < count; ++j) values[gap_slots[k * columns.total + first + j]] += row_scale * g[k].d[j];
+        const auto forces = reaction<SweepDual>(e.parameters, c, frames, lambda);
+        scatter_forces<Port, 2>(ports, e.markers, columns, first, 1.0, forces, force_slots, values);
+      }
+    }
+  }
+
+  bool output(int entry, OutputVariableType variable, const Vec3<double>&, const Evaluation& evaluation, const Ports& ports,
+              std::vector<double>& values) const override {
+    const Entry& e = entries_[entry];
+    const auto frames = read(ports, e);
+    const Context c = Context::of(evaluation, e.item);
+    if (variable == OutputVariableType::ConstraintEquation) {
+      const auto g = equations<double>(e.parameters, c, frames, evaluation.rate_level);
+      values.assign(g.x.begin(), g.x.end());
+      return true;
+    }
+    const auto lambda = load<double, m>(evaluation.lambda + e.first_ae);
+    if constexpr (requires { K::output(e.parameters, c, frames[0], frames[1], lambda, variable, values); })
+      return K::output(e.parameters, c, frames[0], frames[1], lambda, variable, values);
+    return false;
+  }
+
+ private:
+  struct Entry {
+    Parameters parameters;
+    std::array<int, 2> markers{};
+    int item = -1, first_ae = -1, first_row = -1;
+  };
+
+  static bool active(const Parameters& p) {
+    if constexpr (requires { p.activeConnector; }) return p.activeConnector;
+    return true;
+  }
+  static bool constrains(const Parameters& p, int k) {
+    if constexpr (requires { K::constrains(p, k); }) return K::constrains(p, k);
+    return true;
+  }
+  static Frames<double> read(const Ports& ports, const Entry& e) {
+    return {read_frame<Port>(ports, e.markers[0]), read_frame<Port>(ports, e.markers[1])};
+  }
+
+  template <class S>
+  static Vec<S, m> equations(const Parameters& p, const Context& c, const Frames<S>& f, bool rate_level) {
+    bool rate = rate_level;
+    if constexpr (requires { p.velocityLevel; }) rate = rate || p.velocityLevel;
+    return rate ? gap_rate<K, S>(p, c, f[0], f[1]) : gap<K, S>(p, c, f[0], f[1]);
+  }
+  template <class S>
+  static std::array<typename Port::template Force<S>, 2> reaction(const Parameters& p, const Context& c, const Frames<S>& f,
+                                                                  const Vec<double, m>& multipliers) {
+    Vec<double, m> lambda = multipliers;
+    for (int k = 0; k < m; ++k)
+      if (!constrains(p, k)) lambda[k] = 0;
+    if constexpr (requires { K::template reaction<S>(p, c, f[0], f[1], lambda); }) {
+      return K::template reaction<S>(p, c, f[0], f[1], lambda);
+    } else {
+      return virtual_work<K, S>(p, c, f[0], f[1], lambda);
+    }
+  }
+
+  // Rows of the coordinates, columns of the multipliers: J^T of the reaction to each unit multiplier.
+  static void multiplier_columns(const Entry& e, const Context& c, const Ports& ports, const Columns<2>& columns,
+                                 const int* slots, double* values) {
+    const auto frames = read(ports, e);
+    for (int k = 0; k < m; ++k) {
+      if (!constrains(e.parameters, k)) continue;
+      Vec<double, m> unit;
+      unit[k] = 1;
+      const auto forces = reaction<double>(e.parameters, c, frames, unit);
+      for (int i = 0; i < 2; ++i) {
+        const int n = ports.ports[e.markers[i]].n;
+        const double* jacobian = ports.jacobian(e.markers[i]);
+        const double* force = reinterpret_cast<const double*>(&forces[i]);
+        for (int j = 0; j < n; ++j) {
+          double sum = 0;
+          for (int f = 0; f < Port::forces; ++f) sum += jacobian[f * n + j] * force[f];
+          values[slots[k * columns.total + columns.offset[i] + j]] += sum;
+        }
+      }
+    }
+  }
+
+  std::vector<Entry> entries_;
+};
+
+template <class K, class Record>
+struct ConstraintPhysics final : ObjectPhysics {
+  std::unique_ptr<Term> make_batch(std::span<const ItemType* const>) const override {
+    return std::make_unique<ConstraintBatch<K, Record>>();
+  }
+  int algebraic_equations(const void*, std::span<const int>) const override { return K::equations; }
+};
+
+}  // namespace dalembert

@@ -1,0 +1,92 @@
+// All elements of one type side by side: bodies on nodes and finite elements. There is no other loop over them.
+#pragma once
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "dalembert/contracts/element.hpp"
+#include "dalembert/system/physics.hpp"
+
+namespace dalembert {
+
+template <class E, class Record>
+class ElementBatch final : public Term {
+ public:
+  static constexpr int n = E::size;
+
+  void add(const void* record, const Placement& placement, const Ports&) override {
+    Entry entry;
+    entry.parameters = static_cast<const Record*>(record)->parameters;
+    entry.item = placement.item;
+    for (int i = 0; i < n; ++i) {
+      entry.dofs[i] = placement.dofs[i];
+      entry.reference[i] = placement.reference[i];
+    }
+    entries_.push_back(std::move(entry));
+  }
+  void refresh(int entry, const void* record) override {
+    entries_[entry].parameters = static_cast<const Record*>(record)->parameters;
+  }
+  void visit(BlockVisitor& visitor, const Ports&) const override {
+    if constexpr (n > 0)
+      for (const Entry& e : entries_) visitor.block(e.dofs, e.dofs);
+  }
+
+  void residual(const Evaluation& evaluation, Ports&, double* r) const override {
+    if constexpr (n > 0)
+      for (const Entry& e : entries_) {
+        const auto f = E::template residual<double>(e.parameters, context(evaluation, e), gather<n>(evaluation, e.dofs.data()));
+        for (int i = 0; i < n; ++i) r[e.dofs[i]] += f[i];
+      }
+  }
+  void tangent(const Evaluation& evaluation, const Weights& weights, Ports&, double* values) const override {
+    sweep(evaluation, weights, values);
+  }
+  void mass(const Evaluation& evaluation, Ports&, double* values) const override {
+    sweep(evaluation, {.q = 0, .v = 0, .a = 1, .y = 0, .y_t = 0}, values);
+  }
+  bool has_mass() const override { return n > 0; }
+  bool constant_mass() const override { return E::constant_mass; }
+
+  bool motion(int entry, const Evaluation& evaluation, const Vec3<double>& local, Motion<double>& m) const override {
+    const Entry& e = entries_[entry];
+    m = E::template motion<double>(e.parameters, gather<n>(evaluation, e.dofs.data()), local);
+    return true;
+  }
+  bool output(int entry, OutputVariableType variable, const Vec3<double>& local, const Evaluation& evaluation, const Ports&,
+              std::vector<double>& values) const override {
+    const Entry& e = entries_[entry];
+    const auto x = gather<n>(evaluation, e.dofs.data());
+    const OutputRequest request{variable, local, e.reference.x};
+    if constexpr (requires { E::output(e.parameters, Context{}, x, request, values); })
+      return E::output(e.parameters, context(evaluation, e), x, request, values);
+    return false;
+  }
+
+ private:
+  struct Entry {
+    typename E::Parameters parameters;
+    int item = -1;
+    std::array<int, n> dofs{};
+    Vec<double, n> reference{};
+  };
+
+  static Context context(const Evaluation& evaluation, const Entry& e) { return Context::of(evaluation, e.item); }
+
+  void sweep(const Evaluation& evaluation, const Weights& weights, double* values) const {
+    if constexpr (n > 0) {
+      SlotCursor slot(slots.data(), values);
+      for (const Entry& e : entries_) {
+        const auto x = seeded<E>(gather<n>(evaluation, e.dofs.data()), weights);
+        const auto f = E::template residual<Dual<n>>(e.parameters, context(evaluation, e), x);
+        for (int i = 0; i < n; ++i)
+          for (int j = 0; j < n; ++j) slot.add(f[i].d[j]);
+      }
+    }
+  }
+
+  std::vector<Entry> entries_;
+};
+
+}  // namespace dalembert

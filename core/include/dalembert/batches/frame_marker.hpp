@@ -1,0 +1,169 @@
+// Markers that pass on the frame of an element at a local point, or take a load on its whole mass.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "dalembert/contracts/element.hpp"
+#include "dalembert/system/physics.hpp"
+
+namespace dalembert {
+
+// How a frame shape reads a motion, and what generalised force its conjugate makes.
+template <class E>
+struct PointShape {
+  template <class S>
+  using Frame = PointFrame<S>;
+  static constexpr int values = 6, forces = 3;
+  template <class S>
+  static Frame<S> frame(const Motion<S>& m) {
+    return {m.position, m.velocity};
+  }
+  template <class S>
+  static auto pull_back(const typename E::Parameters& p, const Coordinates<S, E::size>& x, const Vec3<double>& local,
+                        const double* f) {
+    return E::template pull_back<S>(p, x, local, Vec3<S>{S(f[0]), S(f[1]), S(f[2])}, Vec3<S>{});
+  }
+};
+
+template <class E>
+struct RigidShape {
+  template <class S>
+  using Frame = RigidFrame<S>;
+  static constexpr int values = 18, forces = 6;
+  template <class S>
+  static Frame<S> frame(const Motion<S>& m) {
+    return {m.position, m.velocity, m.rotation, m.angular_velocity};
+  }
+  template <class S>
+  static auto pull_back(const typename E::Parameters& p, const Coordinates<S, E::size>& x, const Vec3<double>& local,
+                        const double* f) {
+    return E::template pull_back<S>(p, x, local, Vec3<S>{S(f[0]), S(f[1]), S(f[2])}, Vec3<S>{S(f[3]), S(f[4]), S(f[5])});
+  }
+};
+
+template <class E>
+struct MassShape {
+  template <class S>
+  using Frame = MassFrame<S>;
+  static constexpr int values = 0, forces = 3;
+  template <class S>
+  static auto pull_back(const typename E::Parameters& p, const Coordinates<S, E::size>& x, const Vec3<double>&,
+                        const double* g) {
+    return E::template mass_load<S>(p, x, Vec3<S>{S(g[0]), S(g[1]), S(g[2])});
+  }
+};
+
+template <class E, class OwnerRecord, template <class> class ShapeOf>
+class FrameMarkerBatch final : public MarkerBatch {
+ public:
+  using Shape = ShapeOf<E>;
+  static constexpr int n = E::size;
+
+  int value_count(const void*, const Placement&) const override { return Shape::values; }
+  int force_count(const void*, const Placement&) const override { return Shape::forces; }
+
+  // The record of a frame marker is its local position alone; the body's record comes with the placement.
+  void add(const void* local, const Placement& placement, const Ports&) override {
+    Entry e;
+    e.local = *static_cast<const Vec3<double>*>(local);
+    if constexpr (!std::is_empty_v<typename E::Parameters>)
+      e.parameters = static_cast<const OwnerRecord*>(placement.owner)->parameters;
+    e.marker = placement.item;
+    for (int i = 0; i < n; ++i) e.dofs[i] = placement.dofs[i];
+    entries_.push_back(std::move(e));
+  }
+  void refresh(int entry, const void* local) override { entries_[entry].local = *static_cast<const Vec3<double>*>(local); }
+  void refresh_owner(int entry, const void* record) override {
+    if constexpr (!std::is_empty_v<typename E::Parameters>)
+      entries_[entry].parameters = static_cast<const OwnerRecord*>(record)->parameters;
+  }
+  void visit(BlockVisitor& visitor, const Ports&) const override {
+    if constexpr (n > 0)
+      for (const Entry& e : entries_) visitor.block(e.dofs, e.dofs);
+  }
+
+  void evaluate(const Evaluation& evaluation, Ports& ports) const override {
+    if constexpr (Shape::values > 0)
+      for (const Entry& e : entries_) {
+        const auto x = gather<n>(evaluation, e.dofs.data());
+        const auto frame = Shape::frame(E::template motion<double>(e.parameters, x, e.local));
+        const double* from = reinterpret_cast<const double*>(&frame);
+        double* to = ports.frame(e.marker);
+        for (int i = 0; i < Shape::values; ++i) to[i] = from[i];
+      }
+  }
+  void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const override {
+    if constexpr (n > 0)
+      for (const Entry& e : entries_) {
+        const auto x = gather<n>(evaluation, e.dofs.data());
+        if constexpr (Shape::values > 0) {
+          const auto frame = Shape::frame(E::template motion<Dual<n>>(e.parameters, seeded<E>(x, weights), e.local));
+          const auto* from = reinterpret_cast<const Dual<n>*>(&frame);
+          double* to = ports.derivative(e.marker);
+          for (int i = 0; i < Shape::values; ++i)
+            for (int j = 0; j < n; ++j) *to++ = from[i].d[j];
+        }
+        double* jacobian = ports.jacobian(e.marker);
+        for (int i = 0; i < Shape::forces; ++i) {
+          std::array<double, Shape::forces> unit{};
+          unit[i] = 1;
+          const auto q = Shape::template pull_back<double>(e.parameters, x, e.local, unit.data());
+          for (int j = 0; j < n; ++j) *jacobian++ = q[j];
+        }
+      }
+  }
+  void pull_back(const Evaluation& evaluation, const Ports& ports, double* r) const override {
+    if constexpr (n > 0)
+      for (const Entry& e : entries_) {
+        const auto x = gather<n>(evaluation, e.dofs.data());
+        const auto q = Shape::template pull_back<double>(e.parameters, x, e.local, ports.force(e.marker));
+        for (int i = 0; i < n; ++i) r[e.dofs[i]] -= q[i];
+      }
+  }
+  void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const override {
+    if constexpr (n > 0) {
+      SlotCursor slot(slots.data(), values);
+      for (const Entry& e : entries_) {
+        const auto x = seeded<E>(gather<n>(evaluation, e.dofs.data()), weights);
+        const auto q = Shape::template pull_back<Dual<n>>(e.parameters, x, e.local, ports.force(e.marker));
+        for (int i = 0; i < n; ++i)
+          for (int j = 0; j < n; ++j) slot.add(-q[i].d[j]);
+      }
+    }
+  }
+  bool motion(int entry, const Evaluation& evaluation, Motion<double>& m) const override {
+    if constexpr (Shape::values > 0) {
+      const Entry& e = entries_[entry];
+      m = E::template motion<double>(e.parameters, gather<n>(evaluation, e.dofs.data()), e.local);
+      return true;
+    }
+    return false;
+  }
+
+ private:
+  struct Entry {
+    [[no_unique_address]] typename E::Parameters parameters;
+    Vec3<double> local;
+    int marker = -1;
+    std::array<int, n> dofs{};
+  };
+  std::vector<Entry> entries_;
+};
+
+// `OwnerRecord` is void for nodes.
+template <class E, class OwnerRecord>
+std::unique_ptr<MarkerBatch> make_frame_marker(FrameShape shape) {
+  switch (shape) {
+    case FrameShape::point: return std::make_unique<FrameMarkerBatch<E, OwnerRecord, PointShape>>();
+    case FrameShape::rigid: return std::make_unique<FrameMarkerBatch<E, OwnerRecord, RigidShape>>();
+    case FrameShape::mass:
+      if constexpr (requires(const typename E::Parameters& p, const Coordinates<double, E::size>& x, const Vec3<double>& g) {
+                      E::template mass_load<double>(p, x, g);
+                    })
+        return std::make_unique<FrameMarkerBatch<E, OwnerRecord, MassShape>>();
+  }
+  return nullptr;
+}
+
+}  // namespace dalembert

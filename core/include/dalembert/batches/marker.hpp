@@ -1,0 +1,69 @@
+// Markers: those that pass on the frame of a body or a node, and those that select coordinates of a node.
+#pragma once
+
+#include <concepts>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "dalembert/system/physics.hpp"
+
+namespace dalembert {
+
+// Values: selected displacements, then their rates. The force on each goes straight to its coordinate.
+class CoordinateMarkerBatch : public MarkerBatch {
+ public:
+  int value_count(const void* record, const Placement& placement) const override;
+  int force_count(const void* record, const Placement& placement) const override;
+  void add(const void* record, const Placement& placement, const Ports& ports) override;
+  void refresh(int, const void*) override {}
+  void visit(BlockVisitor&, const Ports&) const override {}
+  void evaluate(const Evaluation& evaluation, Ports& ports) const override;
+  void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const override;
+  void pull_back(const Evaluation& evaluation, const Ports& ports, double* r) const override;
+  void geometric(const Evaluation&, const Weights&, const Ports&, double*) const override {}
+
+ private:
+  struct Entry {
+    int marker = -1;
+    std::vector<int> dofs;
+  };
+  std::vector<Entry> entries_;
+};
+
+// A marker kernel says either
+//   shape, local(p): the frame of its body or node at a local position, or
+//   coordinates(p, n): which of the n coordinates of its node it selects.
+template <class K>
+concept FrameMarkerKernel = requires(const typename K::Parameters& p) {
+  { K::shape } -> std::convertible_to<FrameShape>;
+  { K::local(p) } -> std::same_as<Vec3<double>>;
+};
+template <class K>
+concept CoordinateMarkerKernel = requires(const typename K::Parameters& p) {
+  { K::coordinates(p, 0) } -> std::same_as<std::vector<int>>;
+};
+
+template <class K, class Record>
+struct MarkerPhysicsOf final : MarkerPhysics {
+  static_assert(FrameMarkerKernel<K> || CoordinateMarkerKernel<K>, "see core/include/dalembert/batches/marker.hpp");
+
+  bool passes_frame(FrameShape& shape, Vec3<double>& local, const void* record) const override {
+    if constexpr (FrameMarkerKernel<K>) {
+      shape = K::shape;
+      local = K::local(static_cast<const Record*>(record)->parameters);
+      return true;
+    }
+    return false;
+  }
+  std::vector<int> coordinates(const void* record, int available) const override {
+    if constexpr (CoordinateMarkerKernel<K>) return K::coordinates(static_cast<const Record*>(record)->parameters, available);
+    return {};
+  }
+  std::unique_ptr<MarkerBatch> make_batch(const ItemType&, std::span<const ItemType* const>) const override {
+    if constexpr (CoordinateMarkerKernel<K>) return std::make_unique<CoordinateMarkerBatch>();
+    return nullptr;
+  }
+};
+
+}  // namespace dalembert

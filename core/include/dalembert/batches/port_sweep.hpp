@@ -1,0 +1,102 @@
+// Kernels between markers: frames in and out of the ports, and the loop that differentiates them by the coordinates of
+// all their markers, a fixed number of directions at a time.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "dalembert/math/dual.hpp"
+#include "dalembert/system/term.hpp"
+
+namespace dalembert {
+
+inline constexpr int sweep_width = 8;
+using SweepDual = Dual<sweep_width>;
+
+template <class Port>
+typename Port::template Frame<double> read_frame(const Ports& ports, int marker) {
+  typename Port::template Frame<double> frame;
+  if constexpr (Port::values > 0) {
+    const double* from = ports.frame(marker);
+    double* to = reinterpret_cast<double*>(&frame);
+    for (int i = 0; i < Port::values; ++i) to[i] = from[i];
+  }
+  return frame;
+}
+
+// The frame with the derivatives along columns [first, first + sweep_width) of the concatenated coordinates;
+// `offset` is the marker's first column there.
+template <class Port>
+typename Port::template Frame<SweepDual> read_moving_frame(const Ports& ports, int marker, int offset, int first) {
+  typename Port::template Frame<SweepDual> frame;
+  if constexpr (Port::values > 0) {
+    const int n = ports.ports[marker].n;
+    const int begin = std::max(0, first - offset), end = std::min(n, first - offset + sweep_width);
+    const double* from = ports.frame(marker);
+    const double* derivative = ports.derivative(marker);
+    SweepDual* to = reinterpret_cast<SweepDual*>(&frame);
+    for (int i = 0; i < Port::values; ++i) {
+      to[i].value = from[i];
+      for (int c = begin; c < end; ++c) to[i].d[c + offset - first] = derivative[i * n + c];
+    }
+  }
+  return frame;
+}
+
+// Coordinates that move the markers of one item, one marker after the other.
+template <int M>
+struct Columns {
+  std::array<int, M> offset{};
+  int total = 0;
+
+  Columns(const Ports& ports, const std::array<int, M>& markers) {
+    for (int m = 0; m < M; ++m) {
+      offset[m] = total;
+      total += ports.ports[markers[m]].n;
+    }
+  }
+};
+
+template <int M>
+std::vector<int> all_dofs(const Ports& ports, const std::array<int, M>& markers) {
+  std::vector<int> dofs;
+  for (const int marker : markers) {
+    const auto own = ports.marker_dofs(marker);
+    dofs.insert(dofs.end(), own.begin(), own.end());
+  }
+  return dofs;
+}
+
+// values[slot] += sign * J^T force.d for all markers' rows and the columns of one sweep.
+template <class Port, int M>
+void scatter_forces(const Ports& ports, const std::array<int, M>& markers, const Columns<M>& columns, int first, double sign,
+                    const std::array<typename Port::template Force<SweepDual>, M>& forces, const int* slots, double* values) {
+  const int count = std::min(sweep_width, columns.total - first);
+  for (int m = 0; m < M; ++m) {
+    const int n = ports.ports[markers[m]].n;
+    const double* jacobian = ports.jacobian(markers[m]);
+    const auto* force = reinterpret_cast<const SweepDual*>(&forces[m]);
+    for (int i = 0; i < n; ++i) {
+      std::array<double, sweep_width> row{};
+      for (int f = 0; f < Port::forces; ++f) {
+        const double j = sign * jacobian[f * n + i];
+        for (int k = 0; k < sweep_width; ++k) row[k] += j * force[f].d[k];
+      }
+      const int* slot = slots + (columns.offset[m] + i) * columns.total + first;
+      for (int k = 0; k < count; ++k) values[slot[k]] += row[k];
+    }
+  }
+}
+
+template <class Port, int M>
+void add_forces(Ports& ports, const std::array<int, M>& markers, double sign,
+                const std::array<typename Port::template Force<double>, M>& forces) {
+  for (int m = 0; m < M; ++m) {
+    const double* from = reinterpret_cast<const double*>(&forces[m]);
+    double* to = ports.force(markers[m]);
+    for (int i = 0; i < Port::forces; ++i) to[i] += sign * from[i];
+  }
+}
+
+}  // namespace dalembert

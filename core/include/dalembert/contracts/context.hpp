@@ -1,0 +1,22 @@
+// What a kernel may know besides its parameters and coordinates.
+#pragma once
+
+#include "dalembert/reflection/callback.hpp"
+#include "dalembert/reflection/storage.hpp"
+#include "dalembert/system/evaluation.hpp"
+
+namespace dalembert {
+
+struct Context {
+  double time = 0;
+  int item = -1;
+  double load_factor = 1;
+  double step_size = 0;
+  const double* data = nullptr;  // the item's data coordinates
+
+  static Context of(const Evaluation& e, int item, int first_data = -1) {
+    return {e.time, item, e.load_factor, e.step_size, first_data < 0 ? nullptr : e.data + first_data};
+  }
+};
+
+}  // namespace dalembert

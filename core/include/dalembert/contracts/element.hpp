@@ -1,0 +1,156 @@
+// What the assembler needs of anything that has coordinates and points: bodies on a node, finite elements, nodes.
+//
+// A body that stands on one node speaks of the node's motion only (BodyKernel); OnNode makes an element of it and the
+// node. An item with coordinates of its own (ANCF cable) is an element itself (ElementKernel).
+#pragma once
+
+#include <concepts>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "dalembert/contracts/context.hpp"
+#include "dalembert/enums.hpp"
+#include "dalembert/frames.hpp"
+#include "dalembert/math/rotations.hpp"
+
+namespace dalembert {
+
+// What `output` of an element is asked for. `reference` holds the coordinates of the reference configuration.
+struct OutputRequest {
+  OutputVariableType variable{};
+  Vec3<double> local;
+  std::span<const double> reference;
+};
+
+template <class N>
+concept NodeKernel = requires(const Coordinates<double, N::size>& x, const Vec3<double>& w) {
+  typename N::Parameters;
+  { N::item } -> std::convertible_to<std::string_view>;  // 'NodePoint'
+  { N::template motion<double>(x) } -> std::same_as<Motion<double>>;
+  { N::template pull_back<double>(x, w, w) } -> std::same_as<Vec<double, N::size>>;  // force, moment about the node
+};
+
+// A node whose coordinates take increments on the group: three of them form a rotation vector.
+template <class N>
+concept LieKernel = requires { { N::lie_rotation } -> std::convertible_to<int>; };
+
+template <class B>
+concept BodyKernel = requires(const typename B::Parameters& p, const Context& c, const Motion<double>& m, const Vec3<double>& g) {
+  { B::template residual<double>(p, c, m) } -> std::same_as<Wrench<double>>;  // r of M a + f = 0, at the node
+  { B::template mass_load<double>(p, m, g) } -> std::same_as<Wrench<double>>;  // applied force of an acceleration field
+  { B::constant_mass } -> std::convertible_to<bool>;
+};
+
+template <class E>
+concept ElementKernel = requires(const typename E::Parameters& p, const Context& c, const Coordinates<double, E::size>& x,
+                                 const Vec3<double>& local) {
+  { E::template residual<double>(p, c, x) } -> std::same_as<Vec<double, E::size>>;
+  { E::template motion<double>(p, x, local) } -> std::same_as<Motion<double>>;
+  { E::template pull_back<double>(p, x, local, local, local) } -> std::same_as<Vec<double, E::size>>;
+  { E::template mass_load<double>(p, x, local) } -> std::same_as<Vec<double, E::size>>;
+  { E::constant_mass } -> std::convertible_to<bool>;
+};
+
+// A body on a node, as an element.
+template <class Body, class Node>
+struct OnNode {
+  using Kernel = Body;
+  using Parameters = typename Body::Parameters;
+  static constexpr int size = Node::size;
+  static constexpr bool constant_mass = Body::constant_mass && Node::constant_jacobian;
+  static constexpr int lie_rotation = [] {
+    if constexpr (LieKernel<Node>) return Node::lie_rotation;
+    return -1;
+  }();
+
+  template <class S>
+  static Vec<S, size> residual(const Parameters& p, const Context& c, const Coordinates<S, size>& x) {
+    const auto w = Body::template residual<S>(p, c, Node::template motion<S>(x));
+    return Node::template pull_back<S>(x, w.force, w.moment);
+  }
+  template <class S>
+  static Motion<S> motion(const Parameters& p, const Coordinates<S, size>& x, const Vec3<double>& local) {
+    const Motion<S> at_node = Node::template motion<S>(x);
+    if constexpr (requires { Body::place(p, at_node, local); }) return Body::place(p, at_node, local);
+    return moved(at_node, at_node.rotation * local);
+  }
+  template <class S>
+  static Vec<S, size> pull_back(const Parameters&, const Coordinates<S, size>& x, const Vec3<double>& local,
+                                const Vec3<S>& force, const Vec3<S>& moment) {
+    const Vec3<S> arm = Node::template motion<S>(x).rotation * local;
+    return Node::template pull_back<S>(x, force, moment + cross(arm, force));
+  }
+  template <class S>
+  static Vec<S, size> mass_load(const Parameters& p, const Coordinates<S, size>& x, const Vec3<S>& g) {
+    const auto w = Body::template mass_load<S>(p, Node::template motion<S>(x), g);
+    return Node::template pull_back<S>(x, w.force, w.moment);
+  }
+  static bool output(const Parameters& p, const Context& c, const Coordinates<double, size>& x, const OutputRequest& request,
+                     std::vector<double>& values)
+    requires requires { Body::output(p, c, x, request, values); }
+  {
+    return Body::output(p, c, x, request, values);
+  }
+};
+
+// A node alone, as an element: for markers on nodes.
+template <class Node>
+struct AtNode {
+  struct Parameters {};
+  static constexpr int size = Node::size;
+  static constexpr int lie_rotation = OnNode<AtNode, Node>::lie_rotation;
+
+  template <class S>
+  static Motion<S> motion(const Parameters&, const Coordinates<S, size>& x, const Vec3<double>&) {
+    return Node::template motion<S>(x);
+  }
+  template <class S>
+  static Vec<S, size> pull_back(const Parameters&, const Coordinates<S, size>& x, const Vec3<double>&,
+                                const Vec3<S>& force, const Vec3<S>& moment) {
+    return Node::template pull_back<S>(x, force, moment);
+  }
+};
+
+template <class E>
+constexpr int lie_rotation_of() {
+  if constexpr (requires { E::lie_rotation; }) return E::lie_rotation;
+  return -1;
+}
+
+// The coordinates of an element out of the system's vectors.
+template <int N>
+Coordinates<double, N> gather(const Evaluation& e, const int* dofs) {
+  Coordinates<double, N> x;
+  for (int i = 0; i < N; ++i) {
+    x.q[i] = e.q[dofs[i]];
+    x.v[i] = e.v[dofs[i]];
+    x.a[i] = e.inertia ? e.a[dofs[i]] : 0.0;
+  }
+  return x;
+}
+
+// The same with directions: one derivative per coordinate, along the weights. Increments of a rotation vector on the
+// group turn into rates of its components by the inverse tangent map.
+template <class E, int N>
+Coordinates<Dual<N>, N> seeded(const Coordinates<double, N>& x, const Weights& w) {
+  Coordinates<Dual<N>, N> s;
+  for (int i = 0; i < N; ++i) {
+    s.q[i] = Dual<N>::seed(x.q[i], i, w.q);
+    s.v[i] = Dual<N>::seed(x.v[i], i, w.v);
+    s.a[i] = Dual<N>::seed(x.a[i], i, w.a);
+  }
+  if constexpr (lie_rotation_of<E>() >= 0) {
+    constexpr int r = lie_rotation_of<E>();
+    const Vec3<double> rotation = segment<3>(x.q, r);
+    for (int j = 0; j < 3; ++j) {
+      Vec3<double> axis;
+      axis[j] = 1;
+      const Vec3<double> rate = rotation_vector_rate(rotation, axis);
+      for (int i = 0; i < 3; ++i) s.q[r + i].d[r + j] = w.q * rate[i];
+    }
+  }
+  return s;
+}
+
+}  // namespace dalembert

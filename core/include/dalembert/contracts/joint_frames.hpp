@@ -1,0 +1,50 @@
+// The frames of a joint: those of its markers, turned by the rotations that the joint's parameters state, and what joints
+// tell about their relative motion in the axes of the first frame.
+#pragma once
+
+#include <vector>
+
+#include "dalembert/enums.hpp"
+#include "dalembert/frames.hpp"
+#include "dalembert/math/rotations.hpp"
+
+namespace dalembert {
+
+// Axes of both joint frames, as columns in global coordinates.
+template <class S>
+struct JointAxes {
+  Mat3<S> first, second;
+
+  template <class Parameters>
+  JointAxes(const Parameters& p, const RigidFrame<S>& m0, const RigidFrame<S>& m1)
+      : first(m0.rotation * p.rotationMarker0), second(m1.rotation * p.rotationMarker1) {}
+};
+
+// d(a . b) for an axis a that turns with the first frame and b with the second, per unit multiplier: a moment a x b on the
+// first frame and the opposite on the second.
+template <class S>
+void add_moment_of_product(const Vec3<S>& a, const Vec3<S>& b, double lambda, std::array<Wrench<S>, 2>& forces) {
+  const Vec3<S> moment = lambda * cross(a, b);
+  forces[0].moment += moment;
+  forces[1].moment -= moment;
+}
+
+// Outputs that all joints with two rigid frames share.
+template <class Parameters>
+bool joint_motion_output(const Parameters& p, const RigidFrame<double>& m0, const RigidFrame<double>& m1,
+                         OutputVariableType variable, std::vector<double>& values) {
+  const JointAxes<double> axes(p, m0, m1);
+  const auto vector = [&](const Vec3<double>& v) { values.assign(v.x.begin(), v.x.end()); };
+  const auto local = [&](const Vec3<double>& v) { vector(transposed_times(axes.first, v)); };
+  switch (variable) {
+    case OutputVariableType::Position: vector(m0.position); return true;
+    case OutputVariableType::Velocity: vector(m0.velocity); return true;
+    case OutputVariableType::DisplacementLocal: local(m1.position - m0.position); return true;
+    case OutputVariableType::VelocityLocal: local(m1.velocity - m0.velocity); return true;
+    case OutputVariableType::Rotation: vector(tait_bryan_angles(transpose(axes.first) * axes.second)); return true;
+    case OutputVariableType::AngularVelocityLocal: local(m1.angular_velocity - m0.angular_velocity); return true;
+    default: return false;
+  }
+}
+
+}  // namespace dalembert

@@ -1,0 +1,99 @@
+// A user function takes and gives doubles; inside a kernel its derivatives come from central differences, argument by
+// argument, and only for those arguments that move.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "dalembert/contracts/context.hpp"
+#include "dalembert/math/dual.hpp"
+#include "dalembert/math/fixed.hpp"
+
+namespace dalembert {
+
+// Arguments of one call, flat, with their shapes. At most `Capacity` numbers.
+template <class S, int Capacity>
+class CallArguments {
+ public:
+  CallArguments& scalar(const S& x) {
+    shapes_[count_++] = {size_, 0, 0};
+    values_[size_++] = x;
+    return *this;
+  }
+  template <class T, int N>
+  CallArguments& vector(const Vec<T, N>& x) {
+    shapes_[count_++] = {size_, N, 0};
+    for (int i = 0; i < N; ++i) values_[size_++] = S(x[i]);
+    return *this;
+  }
+  template <class T, int R, int C>
+  CallArguments& matrix(const Mat<T, R, C>& x) {
+    shapes_[count_++] = {size_, R, C};
+    for (int i = 0; i < R * C; ++i) values_[size_++] = S(x.x[i]);
+    return *this;
+  }
+
+  // Calls with the given numbers in place of the arguments' values.
+  void call(const UserFunction& f, const Context& c, const double* numbers, std::span<double> results) const {
+    std::array<Argument, 16> arguments;
+    for (int i = 0; i < count_; ++i) arguments[i] = {numbers + shapes_[i].start, shapes_[i].rows, shapes_[i].columns};
+    f.callback->call(c.time, c.item, std::span(arguments.data(), static_cast<std::size_t>(count_)), results);
+  }
+
+  int size() const { return size_; }
+  const S& operator[](int i) const { return values_[i]; }
+
+ private:
+  struct Shape {
+    int start = 0, rows = 0, columns = 0;
+  };
+  std::array<S, Capacity> values_{};
+  std::array<Shape, 16> shapes_{};
+  int size_ = 0, count_ = 0;
+};
+
+template <int Results, int Capacity>
+Vec<double, Results> evaluate(const UserFunction& f, const Context& c, const CallArguments<double, Capacity>& arguments) {
+  Vec<double, Results> r;
+  arguments.call(f, c, &arguments[0], r.x);
+  return r;
+}
+
+template <int Results, int Capacity, int N, class T>
+Vec<Dual<N, T>, Results> evaluate(const UserFunction& f, const Context& c,
+                                  const CallArguments<Dual<N, T>, Capacity>& arguments) {
+  std::array<double, Capacity> numbers{};
+  for (int i = 0; i < arguments.size(); ++i) numbers[i] = value_of(arguments[i]);
+  Vec<double, Results> at, up, down;
+  arguments.call(f, c, numbers.data(), at.x);
+  Vec<Dual<N, T>, Results> r;
+  for (int k = 0; k < Results; ++k) r[k] = Dual<N, T>(at[k]);
+  for (int i = 0; i < arguments.size(); ++i) {
+    const auto& d = arguments[i].d;
+    if (std::all_of(d.begin(), d.end(), [](const T& x) { return value_of(x) == 0; })) continue;
+    const double x = numbers[i], h = 1e-6 * std::max(1e-2, std::abs(x));
+    numbers[i] = x + h;
+    arguments.call(f, c, numbers.data(), up.x);
+    numbers[i] = x - h;
+    arguments.call(f, c, numbers.data(), down.x);
+    numbers[i] = x;
+    for (int k = 0; k < Results; ++k) {
+      const double slope = (up[k] - down[k]) / (2 * h);
+      for (int j = 0; j < N; ++j) r[k].d[j] += slope * d[j];
+    }
+  }
+  return r;
+}
+
+// The common case: all arguments scalar, one result.
+template <class S, class... Rest>
+S call_scalar(const UserFunction& f, const Context& c, const S& first, const Rest&... rest) {
+  CallArguments<S, 1 + sizeof...(Rest)> arguments;
+  arguments.scalar(first);
+  (arguments.scalar(S(rest)), ...);
+  return evaluate<1>(f, c, arguments)[0];
+}
+
+}  // namespace dalembert

@@ -1,0 +1,97 @@
+// What items see of each other: the motion of a point, of a rigid frame or of a coordinate. Vectors are in global axes.
+#pragma once
+
+#include "dalembert/math/fixed.hpp"
+
+namespace dalembert {
+
+// Everything that a node or a body says of one of its points.
+template <class S>
+struct Motion {
+  Vec3<S> position{}, velocity{}, acceleration{};
+  Mat3<S> rotation = identity<S>();  // local to global
+  Vec3<S> angular_velocity{}, angular_acceleration{};
+};
+
+// What markers pass on to connectors, loads and constraints. Laid out as scalars side by side: ports copy them in and out.
+template <class S>
+struct PointFrame {
+  Vec3<S> position, velocity;
+};
+template <class S>
+struct RigidFrame {
+  Vec3<S> position, velocity;
+  Mat3<S> rotation;
+  Vec3<S> angular_velocity;
+};
+template <class S>
+struct ScalarFrame {
+  S value, rate;
+};
+// A body as a whole, for loads proportional to its mass: nothing to read.
+template <class S>
+struct MassFrame {};
+
+// Power conjugates of the frames.
+template <class S>
+struct Force {
+  Vec3<S> force{};
+};
+template <class S>
+struct Wrench {
+  Vec3<S> force{}, moment{};
+};
+template <class S>
+struct ScalarForce {
+  S force{};
+};
+
+// A frame and its conjugate belong together: what a connector asks of its markers.
+struct PointPort {
+  template <class S>
+  using Frame = PointFrame<S>;
+  template <class S>
+  using Force = dalembert::Force<S>;
+  static constexpr int values = 6, forces = 3;
+};
+struct RigidPort {
+  template <class S>
+  using Frame = RigidFrame<S>;
+  template <class S>
+  using Force = Wrench<S>;
+  static constexpr int values = 18, forces = 6;
+};
+struct ScalarPort {
+  template <class S>
+  using Frame = ScalarFrame<S>;
+  template <class S>
+  using Force = ScalarForce<S>;
+  static constexpr int values = 2, forces = 1;
+};
+// The force is an acceleration: a load per unit mass.
+struct MassPort {
+  template <class S>
+  using Frame = MassFrame<S>;
+  template <class S>
+  using Force = dalembert::Force<S>;
+  static constexpr int values = 0, forces = 3;
+};
+
+// The coordinates of an element: totals, rates and accelerations.
+template <class S, int N>
+struct Coordinates {
+  Vec<S, N> q, v, a;
+};
+
+// The same point of a rigid frame, `arm` away in global axes.
+template <class S>
+Motion<S> moved(const Motion<S>& from, const Vec3<S>& arm) {
+  Motion<S> r = from;
+  const Vec3<S> swing = cross(from.angular_velocity, arm);
+  r.position += arm;
+  r.velocity += swing;
+  r.acceleration += cross(from.angular_acceleration, arm) + cross(from.angular_velocity, swing);
+  return r;
+}
+
+}  // namespace dalembert

@@ -1,0 +1,24 @@
+// ObjectMassPoint, specs/bodies/mass_point.toml
+#pragma once
+
+#include "dalembert/bodies/mass_point_parameters.hpp"
+#include "dalembert/contracts/element.hpp"
+
+namespace dalembert {
+
+struct ObjectMassPoint {
+  using Parameters = ObjectMassPointParameters;
+  static constexpr bool constant_mass = true;
+
+  // Newton's second law; applied forces are added by the assembler.
+  template <class S>
+  static Wrench<S> residual(const Parameters& p, const Context&, const Motion<S>& node) {
+    return {.force = p.physicsMass * node.acceleration};
+  }
+  template <class S>
+  static Wrench<S> mass_load(const Parameters& p, const Motion<S>&, const Vec3<S>& g) {
+    return {.force = p.physicsMass * g};
+  }
+};
+
+}  // namespace dalembert

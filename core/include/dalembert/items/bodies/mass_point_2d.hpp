@@ -1,0 +1,24 @@
+// ObjectMassPoint2D, specs/bodies/mass_point_2d.toml
+#pragma once
+
+#include "dalembert/bodies/mass_point_2d_parameters.hpp"
+#include "dalembert/contracts/element.hpp"
+
+namespace dalembert {
+
+struct ObjectMassPoint2D {
+  using Parameters = ObjectMassPoint2DParameters;
+  static constexpr bool constant_mass = true;
+
+  // Newton's second law in the plane; applied forces are added by the assembler.
+  template <class S>
+  static Wrench<S> residual(const Parameters& p, const Context&, const Motion<S>& node) {
+    return {.force = p.physicsMass * node.acceleration};
+  }
+  template <class S>
+  static Wrench<S> mass_load(const Parameters& p, const Motion<S>&, const Vec3<S>& g) {
+    return {.force = p.physicsMass * g};
+  }
+};
+
+}  // namespace dalembert

@@ -1,0 +1,49 @@
+// ObjectConnectorCartesianSpringDamper, specs/connectors/cartesian_spring_damper.toml
+#pragma once
+
+#include "dalembert/connectors/cartesian_spring_damper_parameters.hpp"
+#include "dalembert/contracts/user_function.hpp"
+#include "dalembert/enums.hpp"
+#include "dalembert/frames.hpp"
+
+namespace dalembert {
+
+struct ObjectConnectorCartesianSpringDamper {
+  using Parameters = ObjectConnectorCartesianSpringDamperParameters;
+  using Port = PointPort;
+
+  // One spring per global axis.
+  template <class S>
+  static std::array<Force<S>, 2> forces(const Parameters& p, const Context& c, const PointFrame<S>& m0, const PointFrame<S>& m1) {
+    const Vec3<S> f = tension<S>(p, c, m1.position - m0.position, m1.velocity - m0.velocity);
+    return {Force<S>{f}, Force<S>{-f}};
+  }
+
+  static bool output(const Parameters& p, const Context& c, const PointFrame<double>& m0, const PointFrame<double>& m1,
+                     OutputVariableType variable, std::vector<double>& values) {
+    const Vec3<double> span = m1.position - m0.position, rate = m1.velocity - m0.velocity;
+    const auto vector = [&](const Vec3<double>& v) { values.assign(v.x.begin(), v.x.end()); };
+    switch (variable) {
+      case OutputVariableType::Displacement: vector(span); return true;
+      case OutputVariableType::Distance: values = {norm(span)}; return true;
+      case OutputVariableType::Velocity: vector(rate); return true;
+      case OutputVariableType::Force: vector(p.activeConnector ? tension<double>(p, c, span, rate) : Vec3<double>{}); return true;
+      default: return false;
+    }
+  }
+
+ private:
+  template <class S>
+  static Vec3<S> tension(const Parameters& p, const Context& c, const Vec3<S>& span, const Vec3<S>& rate) {
+    if (p.springForceUserFunction) {
+      CallArguments<S, 15> arguments;
+      arguments.vector(span).vector(rate).vector(p.stiffness).vector(p.damping).vector(p.offset);
+      return evaluate<3>(p.springForceUserFunction, c, arguments);
+    }
+    Vec3<S> f;
+    for (int i = 0; i < 3; ++i) f[i] = p.stiffness[i] * (span[i] - p.offset[i]) + p.damping[i] * rate[i];
+    return f;
+  }
+};
+
+}  // namespace dalembert

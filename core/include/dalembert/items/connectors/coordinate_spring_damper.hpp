@@ -1,0 +1,42 @@
+// ObjectConnectorCoordinateSpringDamper, specs/connectors/coordinate_spring_damper.toml
+#pragma once
+
+#include "dalembert/connectors/coordinate_spring_damper_parameters.hpp"
+#include "dalembert/contracts/user_function.hpp"
+#include "dalembert/enums.hpp"
+#include "dalembert/frames.hpp"
+
+namespace dalembert {
+
+struct ObjectConnectorCoordinateSpringDamper {
+  using Parameters = ObjectConnectorCoordinateSpringDamperParameters;
+  using Port = ScalarPort;
+
+  template <class S>
+  static std::array<ScalarForce<S>, 2> forces(const Parameters& p, const Context& c, const ScalarFrame<S>& m0,
+                                              const ScalarFrame<S>& m1) {
+    const S f = tension<S>(p, c, m1.value - m0.value, m1.rate - m0.rate);
+    return {ScalarForce<S>{f}, ScalarForce<S>{-f}};
+  }
+
+  static bool output(const Parameters& p, const Context& c, const ScalarFrame<double>& m0, const ScalarFrame<double>& m1,
+                     OutputVariableType variable, std::vector<double>& values) {
+    const double span = m1.value - m0.value, rate = m1.rate - m0.rate;
+    switch (variable) {
+      case OutputVariableType::Displacement: values = {span}; return true;
+      case OutputVariableType::Velocity: values = {rate}; return true;
+      case OutputVariableType::Force: values = {p.activeConnector ? tension(p, c, span, rate) : 0.0}; return true;
+      default: return false;
+    }
+  }
+
+ private:
+  template <class S>
+  static S tension(const Parameters& p, const Context& c, const S& span, const S& rate) {
+    if (p.springForceUserFunction)
+      return call_scalar(p.springForceUserFunction, c, span, rate, p.stiffness, p.damping, p.offset);
+    return p.stiffness * (span - p.offset) + p.damping * rate;
+  }
+};
+
+}  // namespace dalembert

@@ -1,0 +1,62 @@
+// ObjectConnectorSpringDamper, specs/connectors/spring_damper.toml
+#pragma once
+
+#include "dalembert/connectors/spring_damper_parameters.hpp"
+#include "dalembert/contracts/user_function.hpp"
+#include "dalembert/enums.hpp"
+#include "dalembert/frames.hpp"
+
+namespace dalembert {
+
+struct ObjectConnectorSpringDamper {
+  using Parameters = ObjectConnectorSpringDamperParameters;
+  using Port = PointPort;
+
+  // Force along the line between the points; coinciding points have no line, and no force.
+  template <class S>
+  static std::array<Force<S>, 2> forces(const Parameters& p, const Context& c, const PointFrame<S>& m0, const PointFrame<S>& m1) {
+    const Line<S> line(m0, m1);
+    const Vec3<S> f = tension(p, c, line) * line.axis;
+    return {Force<S>{f}, Force<S>{-f}};
+  }
+
+  static bool output(const Parameters& p, const Context& c, const PointFrame<double>& m0, const PointFrame<double>& m1,
+                     OutputVariableType variable, std::vector<double>& values) {
+    const Line<double> line(m0, m1);
+    const auto vector = [&](const Vec3<double>& v) { values.assign(v.x.begin(), v.x.end()); };
+    switch (variable) {
+      case OutputVariableType::Distance: values = {line.length}; return true;
+      case OutputVariableType::Displacement: vector(line.span); return true;
+      case OutputVariableType::Velocity: vector(m1.velocity - m0.velocity); return true;
+      case OutputVariableType::Force: vector((p.activeConnector ? tension(p, c, line) : 0.0) * line.axis); return true;
+      case OutputVariableType::ForceLocal: values = {p.activeConnector ? tension(p, c, line) : 0.0}; return true;
+      default: return false;
+    }
+  }
+
+ private:
+  template <class S>
+  struct Line {
+    Vec3<S> span, axis;
+    S length, rate;
+
+    Line(const PointFrame<S>& m0, const PointFrame<S>& m1) : span(m1.position - m0.position) {
+      const S square = dot(span, span);
+      if (value_of(square) == 0) return;
+      using std::sqrt;
+      length = sqrt(square);
+      axis = (1.0 / length) * span;
+      rate = dot(axis, m1.velocity - m0.velocity);
+    }
+  };
+
+  template <class S>
+  static S tension(const Parameters& p, const Context& c, const Line<S>& line) {
+    const S elongation = line.length - p.referenceLength;
+    if (p.springForceUserFunction)
+      return call_scalar(p.springForceUserFunction, c, elongation, line.rate, p.stiffness, p.damping, p.force);
+    return p.stiffness * elongation + p.damping * (line.rate - p.velocityOffset) + p.force;
+  }
+};
+
+}  // namespace dalembert

@@ -1,0 +1,27 @@
+// Node1D, specs/nodes/one_d.toml: one coordinate, with a meaning that the body on it gives.
+#pragma once
+
+#include "dalembert/contracts/element.hpp"
+#include "dalembert/nodes/one_d_parameters.hpp"
+
+namespace dalembert {
+
+struct Node1D {
+  using Parameters = Node1DParameters;
+  static constexpr std::string_view item = "Node1D";
+  static constexpr int size = 1;
+  static constexpr bool constant_jacobian = true;
+
+  // The coordinate moves the point along global x.
+  template <class S>
+  static Motion<S> motion(const Coordinates<S, size>& x) {
+    const S o(0);
+    return {.position = {x.q[0], o, o}, .velocity = {x.v[0], o, o}, .acceleration = {x.a[0], o, o}};
+  }
+  template <class S>
+  static Vec<S, size> pull_back(const Coordinates<S, size>&, const Vec3<S>& force, const Vec3<S>&) {
+    return {force[0]};
+  }
+};
+
+}  // namespace dalembert

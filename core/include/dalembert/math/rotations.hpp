@@ -1,0 +1,165 @@
+// Rotation parameters and their kinematics. Angular velocities are global unless a name says local.
+//
+// Shabana, Dynamics of Multibody Systems, chapter 2; Euler parameters: Nikravesh, Computer-Aided Analysis of Mechanical
+// Systems, chapter 6; tangent of the exponential map: Bruels, Cardona & Arnold, Mech. Mach. Theory 48 (2012).
+#pragma once
+
+#include <cmath>
+
+#include "dalembert/math/dual.hpp"
+#include "dalembert/math/fixed.hpp"
+
+namespace dalembert {
+
+template <class S>
+Mat3<S> skew(const Vec3<S>& v) {
+  const S o(0);
+  return {o, -v[2], v[1], v[2], o, -v[0], -v[1], v[0], o};
+}
+
+// ---- Euler parameters ----------------------------------------------------------------------------------------------
+template <class S>
+Mat3<S> euler_parameters_rotation(const Vec<S, 4>& e) {
+  const S &a = e[0], &b = e[1], &c = e[2], &d = e[3];
+  return {a * a + b * b - c * c - d * d, 2.0 * (b * c - a * d),         2.0 * (b * d + a * c),
+          2.0 * (b * c + a * d),         a * a - b * b + c * c - d * d, 2.0 * (c * d - a * b),
+          2.0 * (b * d - a * c),         2.0 * (c * d + a * b),         a * a - b * b - c * c + d * d};
+}
+// Angular velocity = G(e) de/dt.
+template <class S>
+Mat<S, 3, 4> euler_parameters_g(const Vec<S, 4>& e) {
+  return {-2.0 * e[1], 2.0 * e[0],  -2.0 * e[3], 2.0 * e[2], -2.0 * e[2], 2.0 * e[3],
+          2.0 * e[0],  -2.0 * e[1], -2.0 * e[3], -2.0 * e[2], 2.0 * e[1], 2.0 * e[0]};
+}
+
+// ---- Tait-Bryan angles, R = Rx(a) Ry(b) Rz(c) ----------------------------------------------------------------------
+template <class S>
+Mat3<S> tait_bryan_rotation(const Vec3<S>& angle) {
+  using std::cos;
+  using std::sin;
+  const S s0 = sin(angle[0]), c0 = cos(angle[0]), s1 = sin(angle[1]), c1 = cos(angle[1]), s2 = sin(angle[2]),
+          c2 = cos(angle[2]);
+  return {c1 * c2,
+          -(c1 * s2),
+          s1,
+          c0 * s2 + s0 * s1 * c2,
+          c0 * c2 - s0 * s1 * s2,
+          -(s0 * c1),
+          s0 * s2 - c0 * s1 * c2,
+          s0 * c2 + c0 * s1 * s2,
+          c0 * c1};
+}
+// Angular velocity = G d(angle)/dt: columns are the axes of the three elementary rotations.
+template <class S>
+Mat3<S> tait_bryan_g(const Vec3<S>& angle) {
+  using std::cos;
+  using std::sin;
+  const S s0 = sin(angle[0]), c0 = cos(angle[0]), s1 = sin(angle[1]), c1 = cos(angle[1]);
+  const S o(0);
+  return {S(1), o, s1, o, c0, -(s0 * c1), o, s0, c0 * c1};
+}
+// dG/dt d(angle)/dt, the part of the angular acceleration that is quadratic in the rates.
+template <class S>
+Vec3<S> tait_bryan_bias(const Vec3<S>& angle, const Vec3<S>& rate) {
+  using std::cos;
+  using std::sin;
+  const S s0 = sin(angle[0]), c0 = cos(angle[0]), s1 = sin(angle[1]), c1 = cos(angle[1]);
+  return {c1 * rate[1] * rate[2],
+          -(s0 * rate[0] * rate[1]) + (s0 * s1 * rate[1] - c0 * c1 * rate[0]) * rate[2],
+          c0 * rate[0] * rate[1] - (s0 * c1 * rate[0] + c0 * s1 * rate[1]) * rate[2]};
+}
+template <class S>
+Vec3<S> tait_bryan_angles(const Mat3<S>& r) {
+  using std::atan2;
+  using std::sqrt;
+  return {atan2(-r(1, 2), r(2, 2)), atan2(r(0, 2), sqrt(r(0, 0) * r(0, 0) + r(0, 1) * r(0, 1))),
+          atan2(-r(0, 1), r(0, 0))};
+}
+
+// ---- rotation vectors ----------------------------------------------------------------------------------------------
+// Even functions of the angle, as functions of its square, so that duals pass through zero: sin(x)/x,
+// (1 - cos(x))/x^2 and (x - sin(x))/x^3.
+struct RodriguesSeries {
+  template <class S>
+  static void terms(const S& angle_squared, S& sinc, S& versine, S& residue) {
+    using std::cos;
+    using std::sin;
+    using std::sqrt;
+    if (angle_squared < 1e-3) {
+      const S& x = angle_squared;
+      sinc = 1.0 + x * (-1.0 / 6 + x * (1.0 / 120 + x * (-1.0 / 5040 + x * (1.0 / 362880))));
+      versine = 0.5 + x * (-1.0 / 24 + x * (1.0 / 720 + x * (-1.0 / 40320 + x * (1.0 / 3628800))));
+      residue = 1.0 / 6 + x * (-1.0 / 120 + x * (1.0 / 5040 + x * (-1.0 / 362880 + x * (1.0 / 39916800))));
+    } else {
+      const S angle = sqrt(angle_squared);
+      sinc = sin(angle) / angle;
+      versine = (1.0 - cos(angle)) / angle_squared;
+      residue = (1.0 - sinc) / angle_squared;
+    }
+  }
+};
+template <class S>
+Mat3<S> rotation_vector_rotation(const Vec3<S>& v) {
+  S sinc, versine, residue;
+  RodriguesSeries::terms(dot(v, v), sinc, versine, residue);
+  Mat3<S> r;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) r(i, j) = versine * v[i] * v[j];
+  const S diagonal = 1.0 - versine * dot(v, v);
+  for (int i = 0; i < 3; ++i) r(i, i) += diagonal;
+  const Mat3<S> k = skew(v);
+  for (int i = 0; i < 9; ++i) r.x[i] += sinc * k.x[i];
+  return r;
+}
+// Inverse of the tangent of the exponential map: d(v)/dt for a local angular velocity w.
+template <class S>
+Vec3<S> rotation_vector_rate(const Vec3<S>& v, const Vec3<S>& w) {
+  S sinc, versine, residue;
+  const S square = dot(v, v);
+  RodriguesSeries::terms(square, sinc, versine, residue);
+  // (1 - (x/2) cot(x/2)) / x^2 = (versine - sinc/2) / (x^2 versine): the series avoids the cancellation near zero.
+  S factor;
+  if (square < 1e-3) {
+    factor = 1.0 / 12 + square * (1.0 / 720 + square * (1.0 / 30240 + square * (1.0 / 1209600)));
+  } else {
+    factor = (versine - 0.5 * sinc) / (square * versine);
+  }
+  const Vec3<S> vw = cross(v, w);
+  return w + 0.5 * vw + factor * cross(v, vw);
+}
+// Rotation vector of a rotation matrix, angle in [0, pi]; through the quaternion, stable for all angles.
+inline Vec3<double> rotation_vector_of(const Mat3<double>& r) {
+  const double trace = r(0, 0) + r(1, 1) + r(2, 2);
+  double q[4];
+  int largest = 0;
+  const double diagonal[4] = {trace, r(0, 0), r(1, 1), r(2, 2)};
+  for (int i = 1; i < 4; ++i)
+    if (diagonal[i] > diagonal[largest]) largest = i;
+  const double s = std::sqrt(largest == 0 ? 1 + trace : 1 + 2 * diagonal[largest] - trace);
+  if (largest == 0) {
+    q[0] = s, q[1] = (r(2, 1) - r(1, 2)) / s, q[2] = (r(0, 2) - r(2, 0)) / s, q[3] = (r(1, 0) - r(0, 1)) / s;
+  } else {
+    const int i = largest - 1, j = (i + 1) % 3, k = (i + 2) % 3;
+    q[1 + i] = s, q[1 + j] = (r(j, i) + r(i, j)) / s, q[1 + k] = (r(k, i) + r(i, k)) / s;
+    q[0] = (r(k, j) - r(j, k)) / s;
+  }
+  const double sign = q[0] < 0 ? -1 : 1;
+  const double length = std::sqrt(q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+  const double scale = length < 1e-300 ? 0 : sign * 2 * std::atan2(length, sign * q[0]) / length;
+  return {scale * q[1], scale * q[2], scale * q[3]};
+}
+// The rotation vector of exp(v) exp(increment).
+inline Vec3<double> rotation_vector_composed(const Vec3<double>& v, const Vec3<double>& increment) {
+  return rotation_vector_of(rotation_vector_rotation(v) * rotation_vector_rotation(increment));
+}
+
+// Rotation about z.
+template <class S>
+Mat3<S> planar_rotation(const S& angle) {
+  using std::cos;
+  using std::sin;
+  const S s = sin(angle), c = cos(angle), o(0);
+  return {c, -s, o, s, c, o, o, o, S(1)};
+}
+
+}  // namespace dalembert

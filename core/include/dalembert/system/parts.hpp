@@ -1,0 +1,95 @@
+// The inside of a System: batches, index tables and work space.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "dalembert/model/model.hpp"
+#include "dalembert/system/physics.hpp"
+#include "dalembert/system/system.hpp"
+
+namespace dalembert {
+
+// A node's stretches in the system vectors; -1: none of that kind.
+struct NodePlace {
+  const ItemType* type = nullptr;
+  const NodePhysics* physics = nullptr;
+  std::shared_ptr<const void> record;
+  Sizes sizes;
+  int ode2 = -1, ode1 = -1, ae = -1, data = -1;
+};
+
+// Where an item went: which batch, and which of its entries.
+template <class B>
+struct Membership {
+  B* batch = nullptr;
+  int entry = -1;
+};
+
+struct ObjectPlace {
+  const ItemType* type = nullptr;
+  std::shared_ptr<const void> record;
+  Membership<Term> member;
+  std::array<std::vector<int>, 4> ltg;  // by System::Coordinates
+  std::vector<int> nodes, markers;
+};
+
+struct MarkerPlace {
+  const ItemType* type = nullptr;
+  std::shared_ptr<const void> record;
+  Membership<MarkerBatch> member;
+  int node = -1, object = -1;  // what it sits on
+};
+
+struct LoadPlace {
+  const ItemType* type = nullptr;
+  std::shared_ptr<const void> record;
+  Membership<Term> member;
+};
+
+struct SensorPlace {
+  const ItemType* type = nullptr;
+  std::shared_ptr<const void> record;
+};
+
+struct SystemParts {
+  Sizes sizes;
+  std::vector<NodePlace> nodes;
+  std::vector<ObjectPlace> objects;
+  std::vector<MarkerPlace> markers;
+  std::vector<LoadPlace> loads;
+  std::vector<SensorPlace> sensors;
+  std::array<std::vector<std::string>, 5> names;  // "node 3 'foot' (NodePoint)", for diagnoses
+
+  // In the order of evaluation. Bodies come first: their order of entries fixes the order of sums.
+  std::vector<std::unique_ptr<Term>> terms;
+  std::vector<std::unique_ptr<MarkerBatch>> marker_batches;
+  std::vector<System::LieBlock> lie_blocks;
+  Ports ports;
+  bool constant_mass = true;
+  bool has_history = false;
+
+  std::array<State, 6> states;  // by ConfigurationType
+  std::uint64_t structure = 0, values = 0;  // of the model, as assembled
+
+  Pattern dense_pattern, sparse_pattern;
+  bool has_dense = false, has_sparse = false;
+  const Pattern* bound = nullptr;  // the pattern whose slots the batches hold
+
+  std::vector<double> total;     // reference + displacement, of the state being evaluated
+  std::vector<double> work;
+
+  State& state(ConfigurationType c) { return states[static_cast<std::size_t>(c)]; }
+  Evaluation evaluation(const State& state, const Conditions& conditions);
+  void update_ports(const Evaluation& e);
+  void bind(const Pattern& pattern);
+};
+
+// All batches of one assembly, built item by item.
+void build(SystemParts& parts, const Model& model);
+
+}  // namespace dalembert

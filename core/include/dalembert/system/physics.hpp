@@ -1,0 +1,76 @@
+// How items of one type enter a system: the bridge from a record to batches. One object per ready item type, made by the
+// templates in batches/ and named by the generated ItemType.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+#include "dalembert/reflection/item_type.hpp"
+#include "dalembert/system/term.hpp"
+
+namespace dalembert {
+
+struct Physics {
+  virtual ~Physics() = default;
+};
+
+// Which frame a marker passes on.
+enum class FrameShape { point, rigid, mass };
+
+// Start values of a node, as its parameters state them.
+struct NodeValues {
+  std::vector<double> reference, displacement, velocity;  // ODE2
+  std::vector<double> reference_ode1, ode1;
+  std::vector<double> algebraic, data;
+};
+
+// A node's coordinates in some state, totals and displacements.
+struct NodeView {
+  std::span<const double> q, u, v, a;  // ODE2
+  std::span<const double> y, y_total, y_t;
+  std::span<const double> lambda, data;
+};
+
+struct NodePhysics : Physics {
+  virtual Sizes sizes(const void* record) const = 0;
+  virtual void values(const void* record, NodeValues& values) const = 0;
+  // First of the three rotation coordinates of a Lie-group node, relative to its own; -1: additive.
+  virtual int lie_rotation() const { return -1; }
+  virtual std::unique_ptr<Term> make_condition() const { return nullptr; }
+  virtual std::unique_ptr<MarkerBatch> make_marker(FrameShape) const { return nullptr; }
+  virtual bool motion(const void* /*record*/, const NodeView&, Motion<double>&) const { return false; }
+  // Outputs that are neither coordinates nor follow from `motion`.
+  virtual bool output(const void* /*record*/, OutputVariableType, const NodeView&, std::vector<double>&) const { return false; }
+};
+
+struct ObjectPhysics : Physics {
+  virtual std::unique_ptr<Term> make_batch(std::span<const ItemType* const> nodes) const = 0;
+  virtual std::unique_ptr<MarkerBatch> make_marker(FrameShape, std::span<const ItemType* const> /*nodes*/) const { return nullptr; }
+  virtual int algebraic_equations(const void* /*record*/, std::span<const int> /*marker coordinates*/) const { return 0; }
+};
+
+struct SensorPhysics final : Physics {};
+
+struct LoadPhysics : Physics {
+  // Follower loads read the rotation of their marker; others are content with markers that have none.
+  virtual bool body_fixed(const void* /*record*/) const { return false; }
+  virtual std::unique_ptr<Term> make_batch(bool body_fixed) const = 0;
+  virtual std::vector<double> values(const void* record, double time) const = 0;
+};
+
+struct MarkerPhysics : Physics {
+  // Markers that only pass on a body's or a node's frame name its shape; others make their own batch.
+  virtual bool passes_frame(FrameShape&, Vec3<double>& /*local*/, const void* /*record*/) const { return false; }
+  // Which of the `available` coordinates of its node or object it selects: these make up Placement::dofs.
+  virtual std::vector<int> coordinates(const void* /*record*/, int available) const {
+    std::vector<int> all(static_cast<std::size_t>(available));
+    for (int i = 0; i < available; ++i) all[i] = i;
+    return all;
+  }
+  // `item`: type of the node or object that the marker sits on, `nodes`: types of its nodes.
+  virtual std::unique_ptr<MarkerBatch> make_batch(const ItemType& item, std::span<const ItemType* const> nodes) const = 0;
+};
+
+}  // namespace dalembert

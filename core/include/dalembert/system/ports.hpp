@@ -1,0 +1,42 @@
+// Where markers leave their frames and connectors their forces: flat arrays, one stretch per marker.
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace dalembert {
+
+// One marker's stretch. Frames are `values` scalars; `n` coordinates move it.
+struct Port {
+  int values = 0, first_value = 0;        // frame
+  int forces = 0, first_force = 0;        // conjugate of the frame
+  int n = 0, first_dof = 0;               // global ODE2 coordinates
+  int first_derivative = 0;               // values x n: frame along the weights of the tangent
+  int first_jacobian = 0;                 // forces x n: generalised force = J^T force
+};
+
+class Ports {
+ public:
+  std::vector<Port> ports;                // by marker number
+  std::vector<double> values, forces;
+  std::vector<double> derivatives, jacobians;
+  std::vector<int> dofs;
+
+  // Append a marker's stretch; `n` dofs follow with the call.
+  void append(int value_count, int force_count, std::span<const int> coordinate_dofs);
+  void clear();
+
+  const double* frame(int marker) const { return values.data() + ports[marker].first_value; }
+  double* frame(int marker) { return values.data() + ports[marker].first_value; }
+  const double* force(int marker) const { return forces.data() + ports[marker].first_force; }
+  double* force(int marker) { return forces.data() + ports[marker].first_force; }
+  double* derivative(int marker) { return derivatives.data() + ports[marker].first_derivative; }
+  const double* derivative(int marker) const { return derivatives.data() + ports[marker].first_derivative; }
+  double* jacobian(int marker) { return jacobians.data() + ports[marker].first_jacobian; }
+  const double* jacobian(int marker) const { return jacobians.data() + ports[marker].first_jacobian; }
+  std::span<const int> marker_dofs(int marker) const {
+    return {dofs.data() + ports[marker].first_dof, static_cast<std::size_t>(ports[marker].n)};
+  }
+};
+
+}  // namespace dalembert

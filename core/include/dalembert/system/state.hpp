@@ -1,0 +1,26 @@
+// The unknowns of a system, and the configurations in which it keeps them.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "dalembert/enums.hpp"
+
+namespace dalembert {
+
+// ODE2 coordinates count from the reference configuration: total = reference + q.
+struct State {
+  std::vector<double> q, v, a;  // ODE2: displacements, velocities, accelerations
+  std::vector<double> y, y_t;   // ODE1
+  std::vector<double> lambda;   // algebraic: Lagrange multipliers
+  std::vector<double> data;     // history: friction, contact, ...
+  double time = 0;
+};
+
+struct Sizes {
+  int ode2 = 0, ode1 = 0, ae = 0, data = 0;
+  int total() const { return ode2 + ode1 + ae; }      // unknowns of an implicit step: [ODE2, ODE1, AE]
+  int first_ae() const { return ode2 + ode1; }
+};
+
+}  // namespace dalembert

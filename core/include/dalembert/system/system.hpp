@@ -1,0 +1,123 @@
+// The assembled system: equations of all items, evaluated batch by batch. Solvers see only this.
+//
+//   ODE2   r = M(q) a + f(q, v, t) + G(q)^T lambda = 0     (applied forces enter f with a minus sign)
+//   ODE1   r = f(y, t) - y_t = 0
+//   AE     r = gap(q, t) = 0, or its rate
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "dalembert/enums.hpp"
+#include "dalembert/system/evaluation.hpp"
+#include "dalembert/system/pattern.hpp"
+#include "dalembert/system/state.hpp"
+
+namespace dalembert {
+
+class Model;
+struct SystemParts;  // batches and index tables; dalembert/system/parts.hpp
+
+// What decides the level and the load of an evaluation, besides the state.
+struct Conditions {
+  double load_factor = 1;
+  double step_size = 0;
+  bool rate_level = false;
+  bool inertia = true;
+};
+
+// The verdict of one discontinuous iteration.
+struct Discontinuity {
+  double error = 0;                  // 0: nothing changed
+  double recommended_step_size = -1;  // -1: no recommendation
+};
+
+class System {
+ public:
+  System();
+  ~System();
+  System(const System&) = delete;
+  System& operator=(const System&) = delete;
+
+  // Build batches, index tables and all configurations from the model. Throws ModelError; the old system stays then.
+  void assemble(const Model& model);
+  bool assembled() const;
+  // Take over changed parameters of items (of the same structure) from the model.
+  void refresh(const Model& model);
+
+  const Sizes& sizes() const { return sizes_; }
+  // Current, Initial, Reference (q and y only), StartOfStep, Visualization.
+  State& state(ConfigurationType configuration);
+  const State& state(ConfigurationType configuration) const;
+
+  // r has sizes().total() entries and is overwritten. Not const: markers and work space are kept.
+  void residual(const State& state, const Conditions& conditions, std::span<double> r);
+  // Values in pattern order, overwritten: the derivative of the residual along `weights`, columns [dq, dy, dlambda].
+  void tangent(const State& state, const Conditions& conditions, const Weights& weights, const Pattern& pattern,
+               std::span<double> values);
+  // The pattern of the tangent, made on first use after Assemble.
+  const Pattern& pattern(bool dense);
+  // M(q) alone, in the leading ode2 x ode2 block of `pattern`; everything else zero.
+  void mass_matrix(const State& state, const Pattern& pattern, std::span<double> values);
+  bool constant_mass_matrix() const;
+  // Generalised forces Q of  M a = Q, without constraint forces; rhs has sizes().ode2 entries. For explicit integrators.
+  void forces(const State& state, const Conditions& conditions, std::span<double> rhs);
+  // ODE1 right-hand side only; sizes().ode1 entries.
+  void rates(const State& state, const Conditions& conditions, std::span<double> y_t);
+  // Constraint equations only; sizes().ae entries.
+  void gaps(const State& state, const Conditions& conditions, std::span<double> g);
+
+  // Coordinates that the ObjectConnectorCoordinate constraints simply fix to zero or tie to ground, for explicit
+  // integrators that eliminate them; empty optional: there are constraints of another kind.
+  std::optional<std::vector<int>> fixed_coordinates() const;
+
+  // Lie-group nodes: their coordinates do not add up. For those nodes q = q0 o exp(increment); all other entries of q are left alone.
+  bool has_lie_nodes() const;
+  void compose(std::span<const double> q0, std::span<const double> increment, std::span<double> q) const;
+  struct LieBlock {
+    int rotation;  // first of the three rotation coordinates in the ODE2 vector
+  };
+  std::span<const LieBlock> lie_blocks() const;
+
+  // Update data coordinates after a converged Newton loop (friction, contact, post-Newton user functions of items).
+  Discontinuity post_newton(State& state, const Conditions& conditions);
+  // Called once at the start and at the end of each accepted step (items with history take over their state).
+  void begin_step(State& state);
+  void end_step(State& state);
+  bool has_discontinuities() const;
+
+  // Which items act on a row of the system vector, for diagnoses: "object 3 'joint' (JointRevoluteZ), equation 2".
+  std::string describe_row(int row) const;
+
+  // ---- results -------------------------------------------------------------------------------------------------
+  std::vector<double> node_output(int node, OutputVariableType variable, ConfigurationType configuration);
+  std::vector<double> object_output(int object, OutputVariableType variable, ConfigurationType configuration);
+  std::vector<double> body_output(int object, OutputVariableType variable, std::array<double, 3> local,
+                                  ConfigurationType configuration);
+  std::vector<double> super_element_output(int object, OutputVariableType variable, int mesh_node,
+                                           ConfigurationType configuration);
+  std::vector<double> marker_output(int marker, OutputVariableType variable, ConfigurationType configuration);
+  std::vector<double> load_values(int load, double time);
+  std::vector<double> sensor_values(int sensor, ConfigurationType configuration);
+
+  // ---- index tables: global coordinate numbers ------------------------------------------------------------------
+  enum class Coordinates { ode2, ode1, ae, data };
+  std::span<const int> object_ltg(int object, Coordinates kind) const;
+  std::vector<int> node_ltg(int node, Coordinates kind) const;
+  int node_index(int node, Coordinates kind) const;  // -1: the node has none of that kind
+
+  int evaluations() const { return evaluations_; }
+
+ private:
+  std::unique_ptr<SystemParts> parts_;
+  Sizes sizes_;
+  bool assembled_ = false;
+  int evaluations_ = 0;
+};
+
+}  // namespace dalembert

@@ -1,0 +1,122 @@
+// What the assembler asks of a batch. A term adds to the equations; a marker batch moves frames out and forces back in.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "dalembert/enums.hpp"
+#include "dalembert/frames.hpp"
+#include "dalembert/system/evaluation.hpp"
+#include "dalembert/system/ports.hpp"
+#include "dalembert/system/state.hpp"
+
+namespace dalembert {
+
+// Told the entries of the tangent that a batch writes, always in the same order: once to collect the pattern, once to
+// look up the slots. Rows and columns are numbers in the system vector [ODE2, ODE1, AE].
+class BlockVisitor {
+ public:
+  virtual ~BlockVisitor() = default;
+  virtual void entry(int row, int column) = 0;
+
+  void block(std::span<const int> rows, std::span<const int> columns) {
+    for (const int row : rows)
+      for (const int column : columns) entry(row, column);
+  }
+  // The transposed block, in the order of the block itself.
+  void mirror(std::span<const int> rows, std::span<const int> columns) {
+    for (const int row : rows)
+      for (const int column : columns) entry(column, row);
+  }
+};
+
+// The slots of a batch, consumed in the order in which the blocks were visited.
+class SlotCursor {
+ public:
+  SlotCursor(const int* slots, double* values) : slot_(slots), values_(values) {}
+  void add(double x) { values_[*slot_++] += x; }
+  void skip(int count) { slot_ += count; }
+
+ private:
+  const int* slot_;
+  double* values_;
+};
+
+struct PostNewton {
+  double error = 0;
+  double recommended_step_size = -1;
+};
+
+// Things that batches need to know of the system when an item enters.
+struct Placement {
+  int item = -1;                     // number of the object, load, ...
+  const void* owner = nullptr;       // markers: record of the body or node that they sit on
+  std::vector<int> dofs;             // its nodes' ODE2 coordinates, one node after the other
+  std::vector<double> reference;     // their reference values
+  std::vector<int> ode1;             // ODE1 coordinates
+  std::vector<int> nodes;            // node numbers
+  std::vector<int> node_sizes;       // ODE2 coordinates per node
+  std::vector<int> markers;
+  int first_data = -1;               // data coordinates, of its data node
+  int data_count = 0;
+  int first_ae = -1;                 // its algebraic equations, in the AE vector
+  int ae_offset = 0;                 // of the AE vector in the system vector
+  int ode1_offset = 0;               // of the ODE1 vector in the system vector
+};
+
+class Batch {
+ public:
+  virtual ~Batch() = default;
+  virtual void add(const void* record, const Placement& placement, const Ports& ports) = 0;
+  virtual void refresh(int entry, const void* record) = 0;
+  // Entries of the tangent, in the order in which `tangent` writes.
+  virtual void visit(BlockVisitor& visitor, const Ports& ports) const = 0;
+
+  std::vector<int> slots;  // bound to the pattern in use by the system
+};
+
+// Bodies, connectors, constraints, loads, conditions of nodes.
+class Term : public Batch {
+ public:
+  // Adds to r [ODE2, ODE1, AE] and to the forces of the ports.
+  virtual void residual(const Evaluation& evaluation, Ports& ports, double* r) const = 0;
+  // The derivative of what `residual` adds, with the ports' forces turned into generalised forces.
+  virtual void tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports, double* values) const = 0;
+  // Adds the mass matrix alone; writes the same blocks as `tangent`.
+  virtual void mass(const Evaluation&, Ports&, double*) const {}
+  virtual bool has_mass() const { return false; }
+  virtual bool constant_mass() const { return true; }
+
+  // History: new data coordinates after Newton. `start` has the data at the start of the step.
+  virtual PostNewton post_newton(const Evaluation&, const Ports&, const double* /*start*/, double* /*data*/) { return {}; }
+  virtual bool has_history() const { return false; }
+
+  // Outputs. `motion` for bodies; `output` for what only the item knows; false: not an output of this item.
+  virtual bool motion(int /*entry*/, const Evaluation&, const Vec3<double>& /*local*/, Motion<double>&) const { return false; }
+  virtual bool output(int /*entry*/, OutputVariableType, const Vec3<double>& /*local*/, const Evaluation&, const Ports&,
+                      std::vector<double>&) const {
+    return false;
+  }
+};
+
+class MarkerBatch : public Batch {
+ public:
+  // The body or node under a marker has new parameters.
+  virtual void refresh_owner(int /*entry*/, const void* /*record*/) {}
+  // Layout of one marker's port, before it is appended.
+  virtual int value_count(const void* record, const Placement& placement) const = 0;
+  virtual int force_count(const void* record, const Placement& placement) const = 0;
+
+  virtual void evaluate(const Evaluation& evaluation, Ports& ports) const = 0;
+  // Derivatives and Jacobians of the ports, for the terms' tangents.
+  virtual void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const = 0;
+  // r -= J^T force.
+  virtual void pull_back(const Evaluation& evaluation, const Ports& ports, double* r) const = 0;
+  // values -= d(J^T force) with the force held fixed.
+  virtual void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const = 0;
+  // Everything a marker can tell, for outputs.
+  virtual bool motion(int /*entry*/, const Evaluation&, Motion<double>&) const { return false; }
+};
+
+}  // namespace dalembert

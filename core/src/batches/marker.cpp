@@ -1,0 +1,44 @@
+#include "dalembert/batches/marker.hpp"
+
+namespace dalembert {
+
+int CoordinateMarkerBatch::value_count(const void*, const Placement& placement) const {
+  return 2 * static_cast<int>(placement.dofs.size());
+}
+int CoordinateMarkerBatch::force_count(const void*, const Placement& placement) const {
+  return static_cast<int>(placement.dofs.size());
+}
+void CoordinateMarkerBatch::add(const void*, const Placement& placement, const Ports&) {
+  entries_.push_back({placement.item, placement.dofs});
+}
+void CoordinateMarkerBatch::evaluate(const Evaluation& evaluation, Ports& ports) const {
+  for (const Entry& e : entries_) {
+    double* values = ports.frame(e.marker);
+    const std::size_t n = e.dofs.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      values[i] = evaluation.u[e.dofs[i]];
+      values[n + i] = evaluation.v[e.dofs[i]];
+    }
+  }
+}
+void CoordinateMarkerBatch::evaluate_tangent(const Evaluation&, const Weights& weights, Ports& ports) const {
+  for (const Entry& e : entries_) {
+    double* derivative = ports.derivative(e.marker);
+    double* jacobian = ports.jacobian(e.marker);
+    const std::size_t n = e.dofs.size();
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j) {
+        derivative[i * n + j] = i == j ? weights.q : 0;
+        derivative[(n + i) * n + j] = i == j ? weights.v : 0;
+        jacobian[i * n + j] = i == j ? 1 : 0;
+      }
+  }
+}
+void CoordinateMarkerBatch::pull_back(const Evaluation&, const Ports& ports, double* r) const {
+  for (const Entry& e : entries_) {
+    const double* force = ports.force(e.marker);
+    for (std::size_t i = 0; i < e.dofs.size(); ++i) r[e.dofs[i]] -= force[i];
+  }
+}
+
+}  // namespace dalembert

@@ -1,0 +1,186 @@
+// Residuals and tangents of the whole system: markers move frames out, terms add, markers pull forces back.
+#include <algorithm>
+#include <stdexcept>
+
+#include "dalembert/system/parts.hpp"
+
+namespace dalembert {
+namespace {
+
+class PairCollector final : public BlockVisitor {
+ public:
+  void entry(int row, int column) override { pairs.emplace_back(row, column); }
+  std::vector<std::pair<int, int>> pairs;
+};
+
+class SlotCollector final : public BlockVisitor {
+ public:
+  explicit SlotCollector(const Pattern& pattern) : pattern_(pattern) {}
+  void entry(int row, int column) override { slots.push_back(pattern_.slot(row, column)); }
+  std::vector<int> slots;
+
+ private:
+  const Pattern& pattern_;
+};
+
+template <class Batches, class F>
+void each(const Batches& batches, F&& f) {
+  for (const auto& batch : batches) f(*batch);
+}
+
+}  // namespace
+
+Evaluation SystemParts::evaluation(const State& state, const Conditions& conditions) {
+  const std::vector<double>& reference = this->state(ConfigurationType::Reference).q;
+  const double* displacement = state.q.data();
+  if (&state == &this->state(ConfigurationType::Reference)) displacement = work.data() + sizes.total();  // zeros
+  for (int i = 0; i < sizes.ode2; ++i) total[i] = reference[i] + displacement[i];
+  Evaluation e;
+  e.q = total.data();
+  e.u = displacement;
+  e.v = state.v.data();
+  e.a = state.a.data();
+  e.y = state.y.data();
+  e.y_t = state.y_t.data();
+  e.lambda = state.lambda.data();
+  e.data = state.data.data();
+  e.time = state.time;
+  e.load_factor = conditions.load_factor;
+  e.step_size = conditions.step_size;
+  e.rate_level = conditions.rate_level;
+  e.inertia = conditions.inertia;
+  return e;
+}
+
+void SystemParts::update_ports(const Evaluation& e) {
+  each(marker_batches, [&](const MarkerBatch& batch) { batch.evaluate(e, ports); });
+}
+
+void SystemParts::bind(const Pattern& pattern) {
+  if (bound == &pattern) return;
+  const auto collect = [&](Batch& batch) {
+    SlotCollector collector(pattern);
+    batch.visit(collector, ports);
+    batch.slots = std::move(collector.slots);
+  };
+  each(terms, collect);
+  each(marker_batches, collect);
+  bound = &pattern;
+}
+
+namespace {
+
+void add_residual(SystemParts& parts, const Evaluation& e, double* r) {
+  parts.update_ports(e);
+  std::fill(parts.ports.forces.begin(), parts.ports.forces.end(), 0.0);
+  each(parts.terms, [&](const Term& term) { term.residual(e, parts.ports, r); });
+  each(parts.marker_batches, [&](const MarkerBatch& batch) { batch.pull_back(e, parts.ports, r); });
+}
+
+}  // namespace
+
+void System::residual(const State& state, const Conditions& conditions, std::span<double> r) {
+  ++evaluations_;
+  std::fill(r.begin(), r.end(), 0.0);
+  add_residual(*parts_, parts_->evaluation(state, conditions), r.data());
+}
+
+void System::tangent(const State& state, const Conditions& conditions, const Weights& weights, const Pattern& pattern,
+                     std::span<double> values) {
+  SystemParts& parts = *parts_;
+  parts.bind(pattern);
+  std::fill(values.begin(), values.end(), 0.0);
+  const Evaluation e = parts.evaluation(state, conditions);
+  add_residual(parts, e, parts.work.data());  // the forces on markers, for the geometric part
+  each(parts.marker_batches, [&](const MarkerBatch& batch) { batch.evaluate_tangent(e, weights, parts.ports); });
+  each(parts.terms, [&](const Term& term) { term.tangent(e, weights, parts.ports, values.data()); });
+  each(parts.marker_batches, [&](const MarkerBatch& batch) { batch.geometric(e, weights, parts.ports, values.data()); });
+}
+
+const Pattern& System::pattern(bool dense) {
+  SystemParts& parts = *parts_;
+  const int size = sizes_.total();
+  if (dense) {
+    if (!parts.has_dense) parts.dense_pattern = Pattern::dense(size);
+    parts.has_dense = true;
+    return parts.dense_pattern;
+  }
+  if (!parts.has_sparse) {
+    PairCollector collector;
+    each(parts.terms, [&](const Term& term) { term.visit(collector, parts.ports); });
+    each(parts.marker_batches, [&](const MarkerBatch& batch) { batch.visit(collector, parts.ports); });
+    parts.sparse_pattern = Pattern::sparse(size, collector.pairs);
+    parts.has_sparse = true;
+  }
+  return parts.sparse_pattern;
+}
+
+void System::mass_matrix(const State& state, const Pattern& pattern, std::span<double> values) {
+  parts_->bind(pattern);
+  std::fill(values.begin(), values.end(), 0.0);
+  const Evaluation e = parts_->evaluation(state, {});
+  for (const auto& term : parts_->terms)
+    if (term->has_mass()) term->mass(e, parts_->ports, values.data());
+}
+
+void System::forces(const State& state, const Conditions& conditions, std::span<double> rhs) {
+  ++evaluations_;
+  SystemParts& parts = *parts_;
+  Conditions resting = conditions;
+  resting.inertia = false;
+  Evaluation e = parts.evaluation(state, resting);
+  const auto zeros = parts.work.begin() + sizes_.total();
+  e.lambda = &*zeros;
+  std::fill(parts.work.begin(), zeros, 0.0);
+  add_residual(parts, e, parts.work.data());
+  for (int i = 0; i < sizes_.ode2; ++i) rhs[i] = -parts.work[i];
+}
+
+void System::rates(const State& state, const Conditions& conditions, std::span<double> y_t) {
+  SystemParts& parts = *parts_;
+  std::fill(parts.work.begin(), parts.work.begin() + sizes_.total(), 0.0);
+  add_residual(parts, parts.evaluation(state, conditions), parts.work.data());
+  for (int i = 0; i < sizes_.ode1; ++i) y_t[i] = parts.work[sizes_.ode2 + i] + state.y_t[i];
+}
+
+void System::gaps(const State& state, const Conditions& conditions, std::span<double> g) {
+  SystemParts& parts = *parts_;
+  std::fill(parts.work.begin(), parts.work.begin() + sizes_.total(), 0.0);
+  add_residual(parts, parts.evaluation(state, conditions), parts.work.data());
+  for (int i = 0; i < sizes_.ae; ++i) g[i] = parts.work[sizes_.first_ae() + i];
+}
+
+void System::compose(std::span<const double> q0, std::span<const double> increment, std::span<double> q) const {
+  const std::vector<double>& reference = parts_->state(ConfigurationType::Reference).q;
+  for (const LieBlock& block : parts_->lie_blocks) {
+    const int r = block.rotation;
+    Vec3<double> start, turn;
+    for (int i = 0; i < 3; ++i) {
+      q[r - 3 + i] = q0[r - 3 + i] + increment[r - 3 + i];
+      start[i] = reference[r + i] + q0[r + i];
+      turn[i] = increment[r + i];
+    }
+    const Vec3<double> composed = rotation_vector_composed(start, turn);
+    for (int i = 0; i < 3; ++i) q[r + i] = composed[i] - reference[r + i];
+  }
+}
+
+Discontinuity System::post_newton(State& state, const Conditions& conditions) {
+  SystemParts& parts = *parts_;
+  Discontinuity verdict;
+  if (!parts.has_history) return verdict;
+  const Evaluation e = parts.evaluation(state, conditions);
+  parts.update_ports(e);
+  const double* start = parts.state(ConfigurationType::StartOfStep).data.data();
+  for (const auto& term : parts.terms) {
+    if (!term->has_history()) continue;
+    const PostNewton one = term->post_newton(e, parts.ports, start, state.data.data());
+    verdict.error = std::max(verdict.error, one.error);
+    if (one.recommended_step_size > 0 &&
+        (verdict.recommended_step_size < 0 || one.recommended_step_size < verdict.recommended_step_size))
+      verdict.recommended_step_size = one.recommended_step_size;
+  }
+  return verdict;
+}
+
+}  // namespace dalembert

@@ -1,0 +1,220 @@
+// Output variables of nodes, objects, markers, loads and sensors, in any configuration.
+#include <algorithm>
+
+#include "dalembert/model/errors.hpp"
+#include "dalembert/model/item.hpp"
+#include "dalembert/reflection/callback.hpp"
+#include "dalembert/sensors/body_parameters.hpp"
+#include "dalembert/sensors/load_parameters.hpp"
+#include "dalembert/sensors/marker_parameters.hpp"
+#include "dalembert/sensors/node_parameters.hpp"
+#include "dalembert/sensors/object_parameters.hpp"
+#include "dalembert/sensors/super_element_parameters.hpp"
+#include "dalembert/sensors/user_function_parameters.hpp"
+#include "dalembert/math/rotations.hpp"
+#include "dalembert/system/parts.hpp"
+
+namespace dalembert {
+namespace {
+
+using Variable = OutputVariableType;
+using Values = std::vector<double>;
+
+Values list(const Vec3<double>& v) { return {v[0], v[1], v[2]}; }
+Values slice(const std::vector<double>& from, int first, int count) {
+  return first < 0 ? Values{} : Values(from.begin() + first, from.begin() + first + count);
+}
+
+std::string variable_name(Variable variable) {
+  for (const EnumTable& table : enum_tables())
+    if (table.name == "OutputVariableType")
+      for (const EnumEntry& entry : table.entries)
+        if (entry.value == static_cast<std::uint32_t>(variable)) return std::string(entry.name);
+  return std::to_string(static_cast<std::uint32_t>(variable));
+}
+
+[[noreturn]] void no_output(const std::string& item, Variable variable, std::span<const Variable> available) {
+  std::string names;
+  for (const Variable v : available) names += (names.empty() ? "" : ", ") + variable_name(v);
+  refuse(ErrorKind::value, {item, "", "has no output variable " + variable_name(variable), "",
+                            names.empty() ? "" : "one of " + names, ""});
+}
+
+// What a motion says; `reference` is the motion of the same point in the reference configuration.
+bool frame_output(Variable variable, const Motion<double>& m, const Motion<double>& reference, Values& values) {
+  const auto local = [&](const Vec3<double>& v) { return list(transposed_times(m.rotation, v)); };
+  switch (variable) {
+    case Variable::Position: values = list(m.position); return true;
+    case Variable::Displacement: values = list(m.position - reference.position); return true;
+    case Variable::DisplacementLocal: values = local(m.position - reference.position); return true;
+    case Variable::Velocity: values = list(m.velocity); return true;
+    case Variable::VelocityLocal: values = local(m.velocity); return true;
+    case Variable::Acceleration: values = list(m.acceleration); return true;
+    case Variable::AccelerationLocal: values = local(m.acceleration); return true;
+    case Variable::RotationMatrix: values.assign(m.rotation.x.begin(), m.rotation.x.end()); return true;
+    case Variable::Rotation: values = list(tait_bryan_angles(m.rotation)); return true;
+    case Variable::AngularVelocity: values = list(m.angular_velocity); return true;
+    case Variable::AngularVelocityLocal: values = local(m.angular_velocity); return true;
+    case Variable::AngularAcceleration: values = list(m.angular_acceleration); return true;
+    case Variable::AngularAccelerationLocal: values = local(m.angular_acceleration); return true;
+    default: return false;
+  }
+}
+
+bool coordinate_output(Variable variable, const Evaluation& e, std::span<const int> ode2, std::span<const int> ode1,
+                       const State& reference, Values& values) {
+  const auto pick = [&](const double* from, std::span<const int> dofs) {
+    for (const int i : dofs) values.push_back(from[i]);
+  };
+  values.clear();
+  switch (variable) {
+    case Variable::Coordinates: pick(e.u, ode2); pick(e.y, ode1); return true;
+    case Variable::Coordinates_t: pick(e.v, ode2); pick(e.y_t, ode1); return true;
+    case Variable::Coordinates_tt: pick(e.a, ode2); return true;
+    case Variable::CoordinatesTotal:
+      pick(e.q, ode2);
+      for (const int i : ode1) values.push_back(e.y[i] + reference.y[i]);
+      return true;
+    default: return false;
+  }
+}
+
+NodeView view(const SystemParts& parts, const NodePlace& node, const State& state, const Evaluation& e, Values& y_total) {
+  const auto part = [](const double* from, int first, int count) {
+    return first < 0 ? std::span<const double>{} : std::span(from + first, static_cast<std::size_t>(count));
+  };
+  const Sizes& n = node.sizes;
+  y_total = slice(state.y, node.ode1, n.ode1);
+  const State& reference = parts.states[static_cast<std::size_t>(ConfigurationType::Reference)];
+  for (int i = 0; i < n.ode1; ++i) y_total[i] += reference.y[node.ode1 + i];
+  return {part(e.q, node.ode2, n.ode2), part(e.u, node.ode2, n.ode2), part(e.v, node.ode2, n.ode2),
+          part(e.a, node.ode2, n.ode2), part(e.y, node.ode1, n.ode1), y_total, part(e.y_t, node.ode1, n.ode1),
+          part(e.lambda, node.ae, n.ae), part(e.data, node.data, n.data)};
+}
+
+}  // namespace
+
+std::vector<double> System::node_output(int node, Variable variable, ConfigurationType configuration) {
+  SystemParts& parts = *parts_;
+  const NodePlace& place = parts.nodes.at(static_cast<std::size_t>(node));
+  const State& state = parts.state(configuration);
+  Values values, y_total;
+  if (variable == Variable::Coordinates && place.sizes.data > 0) return slice(state.data, place.data, place.sizes.data);
+  const Evaluation e = parts.evaluation(state, {});
+  const NodeView now = view(parts, place, state, e, y_total);
+  if (place.physics->output(place.record.get(), variable, now, values)) return values;
+  const auto ode2 = node_ltg(node, Coordinates::ode2), ode1 = node_ltg(node, Coordinates::ode1);
+  if (coordinate_output(variable, e, ode2, ode1, parts.state(ConfigurationType::Reference), values)) return values;
+  Motion<double> m, reference;
+  if (place.physics->motion(place.record.get(), now, m)) {
+    const State& rest = parts.state(ConfigurationType::Reference);
+    place.physics->motion(place.record.get(), view(parts, place, rest, parts.evaluation(rest, {}), y_total), reference);
+    if (frame_output(variable, m, reference, values)) return values;
+  }
+  no_output(parts.names[0][static_cast<std::size_t>(node)], variable, place.type->outputs);
+}
+
+std::vector<double> System::body_output(int object, Variable variable, std::array<double, 3> local,
+                                        ConfigurationType configuration) {
+  SystemParts& parts = *parts_;
+  const ObjectPlace& place = parts.objects.at(static_cast<std::size_t>(object));
+  const Vec3<double> at{local[0], local[1], local[2]};
+  const State& state = parts.state(configuration);
+  const Evaluation e = parts.evaluation(state, {});
+  Values values;
+  const auto& [batch, entry] = place.member;
+  const bool from_ports = !place.markers.empty();
+  if (from_ports) parts.update_ports(e);
+  if (batch->output(entry, variable, at, e, parts.ports, values)) return values;
+  if (coordinate_output(variable, e, object_ltg(object, Coordinates::ode2), object_ltg(object, Coordinates::ode1),
+                        parts.state(ConfigurationType::Reference), values))
+    return values;
+  Motion<double> m, reference;
+  if (batch->motion(entry, e, at, m)) {
+    batch->motion(entry, parts.evaluation(parts.state(ConfigurationType::Reference), {}), at, reference);
+    if (frame_output(variable, m, reference, values)) return values;
+  }
+  no_output(parts.names[1][static_cast<std::size_t>(object)], variable, place.type->outputs);
+}
+
+std::vector<double> System::object_output(int object, Variable variable, ConfigurationType configuration) {
+  return body_output(object, variable, {0, 0, 0}, configuration);
+}
+
+std::vector<double> System::super_element_output(int object, Variable variable, int mesh_node, ConfigurationType configuration) {
+  const ObjectPlace& place = parts_->objects.at(static_cast<std::size_t>(object));
+  if (mesh_node < 0 || mesh_node >= static_cast<int>(place.nodes.size()))
+    refuse(ErrorKind::value, {parts_->names[1][static_cast<std::size_t>(object)], "meshNodeNumber", "", std::to_string(mesh_node),
+                              "a mesh node from 0 to " + std::to_string(static_cast<int>(place.nodes.size()) - 1), ""});
+  return node_output(place.nodes[static_cast<std::size_t>(mesh_node)], variable, configuration);
+}
+
+std::vector<double> System::marker_output(int marker, Variable variable, ConfigurationType configuration) {
+  SystemParts& parts = *parts_;
+  const MarkerPlace& place = parts.markers.at(static_cast<std::size_t>(marker));
+  const Evaluation e = parts.evaluation(parts.state(configuration), {});
+  Motion<double> m, reference;
+  Values values;
+  if (place.member.batch->motion(place.member.entry, e, m)) {
+    place.member.batch->motion(place.member.entry, parts.evaluation(parts.state(ConfigurationType::Reference), {}), reference);
+    if (frame_output(variable, m, reference, values)) return values;
+  } else {
+    parts.update_ports(e);
+    const Port& port = parts.ports.ports[static_cast<std::size_t>(marker)];
+    const double* frame = parts.ports.frame(marker);
+    if (variable == Variable::Coordinates) return Values(frame, frame + port.values / 2);
+    if (variable == Variable::Coordinates_t) return Values(frame + port.values / 2, frame + port.values);
+  }
+  no_output(parts.names[2][static_cast<std::size_t>(marker)], variable, {});
+}
+
+std::vector<double> System::load_values(int load, double time) {
+  const LoadPlace& place = parts_->loads.at(static_cast<std::size_t>(load));
+  return static_cast<const LoadPhysics*>(place.type->physics)->values(place.record.get(), time);
+}
+
+namespace {
+
+Values user_sensor(System& system, const SensorUserFunctionParameters& p, int sensor, ConfigurationType configuration) {
+  Values numbers;
+  for (const SensorIndex& index : p.sensorNumbers) numbers.push_back(index.value);
+  const double kind = static_cast<double>(configuration);
+  const Argument arguments[] = {{numbers.data(), static_cast<int>(numbers.size()), 0},
+                                {p.factors.data(), static_cast<int>(p.factors.size()), 0},
+                                {&kind, 0, 0}};
+  if (p.sensorUserFunction) return p.sensorUserFunction.callback->call_any(system.state(configuration).time, sensor, arguments);
+  return {};
+}
+
+}  // namespace
+
+std::vector<double> System::sensor_values(int sensor, ConfigurationType configuration) {
+  const SensorPlace& place = parts_->sensors.at(static_cast<std::size_t>(sensor));
+  const auto as = [&]<class Record>() -> const auto& { return static_cast<const Record*>(place.record.get())->parameters; };
+  const std::string_view kind = place.type->type_name;
+  if (kind == "Node") {
+    const auto& p = as.operator()<SensorNodeRecord>();
+    return node_output(p.nodeNumber.value, p.outputVariableType, configuration);
+  }
+  if (kind == "Object") {
+    const auto& p = as.operator()<SensorObjectRecord>();
+    return object_output(p.objectNumber.value, p.outputVariableType, configuration);
+  }
+  if (kind == "Body") {
+    const auto& p = as.operator()<SensorBodyRecord>();
+    return body_output(p.bodyNumber.value, p.outputVariableType, p.localPosition.x, configuration);
+  }
+  if (kind == "SuperElement") {
+    const auto& p = as.operator()<SensorSuperElementRecord>();
+    return super_element_output(p.bodyNumber.value, p.outputVariableType, p.meshNodeNumber, configuration);
+  }
+  if (kind == "Marker") {
+    const auto& p = as.operator()<SensorMarkerRecord>();
+    return marker_output(p.markerNumber.value, p.outputVariableType, configuration);
+  }
+  if (kind == "Load") return load_values(as.operator()<SensorLoadRecord>().loadNumber.value, state(configuration).time);
+  if (kind == "UserFunction") return user_sensor(*this, as.operator()<SensorUserFunctionRecord>(), sensor, configuration);
+  refuse(ErrorKind::planned, {parts_->names[4][static_cast<std::size_t>(sensor)], "", "this sensor's physics is planned", "", "", ""});
+}
+
+}  // namespace dalembert

@@ -1,0 +1,119 @@
+#include "dalembert/system/system.hpp"
+
+#include "dalembert/model/errors.hpp"
+#include "dalembert/system/parts.hpp"
+
+namespace dalembert {
+
+System::System() : parts_(std::make_unique<SystemParts>()) {}
+System::~System() = default;
+
+void System::assemble(const Model& model) {
+  model.check();
+  auto parts = std::make_unique<SystemParts>();
+  build(*parts, model);
+  sizes_ = parts->sizes;
+  parts->total.assign(sizes_.ode2, 0);
+  // Behind the residual: zeros, for multipliers or displacements that are left out of an evaluation.
+  parts->work.assign(sizes_.total() + std::max({sizes_.ode2, sizes_.ae, 1}), 0);
+  parts_ = std::move(parts);
+  assembled_ = true;
+}
+
+bool System::assembled() const { return assembled_; }
+
+void System::refresh(const Model& model) {
+  SystemParts& parts = *parts_;
+  if (!assembled_ || parts.structure != model.structure_changes() || parts.values == model.value_changes()) return;
+  const auto [changed, all_known] = model.changed_since(parts.values);
+  parts.values = model.value_changes();
+  const auto renew = [&](ItemKind kind, int number) {
+    const auto& record = model.item(kind, number).record;
+    const auto i = static_cast<std::size_t>(number);
+    switch (kind) {
+      case ItemKind::node: parts.nodes[i].record = record; break;
+      case ItemKind::object:
+        parts.objects[i].record = record;
+        parts.objects[i].member.batch->refresh(parts.objects[i].member.entry, record.get());
+        for (MarkerPlace& marker : parts.markers)
+          if (marker.object == number) marker.member.batch->refresh_owner(marker.member.entry, record.get());
+        break;
+      case ItemKind::marker: {
+        MarkerPlace& marker = parts.markers[i];
+        marker.record = record;
+        FrameShape shape{};
+        Vec3<double> local;
+        const bool frame = static_cast<const MarkerPhysics*>(marker.type->physics)->passes_frame(shape, local, record.get());
+        marker.member.batch->refresh(marker.member.entry, frame ? static_cast<const void*>(&local) : record.get());
+        break;
+      }
+      case ItemKind::load:
+        parts.loads[i].record = record;
+        parts.loads[i].member.batch->refresh(parts.loads[i].member.entry, record.get());
+        break;
+      case ItemKind::sensor: parts.sensors[i].record = record; break;
+    }
+  };
+  if (all_known) {
+    for (const ItemReference& item : changed) renew(item.kind, item.number);
+    return;
+  }
+  for (int k = 0; k < item_kinds; ++k)
+    for (int i = 0; i < model.count(static_cast<ItemKind>(k)); ++i) renew(static_cast<ItemKind>(k), i);
+}
+
+State& System::state(ConfigurationType configuration) { return parts_->state(configuration); }
+const State& System::state(ConfigurationType configuration) const { return parts_->state(configuration); }
+
+bool System::constant_mass_matrix() const { return parts_->constant_mass; }
+bool System::has_lie_nodes() const { return !parts_->lie_blocks.empty(); }
+std::span<const System::LieBlock> System::lie_blocks() const { return parts_->lie_blocks; }
+bool System::has_discontinuities() const { return parts_->has_history; }
+
+void System::begin_step(State& state) { parts_->state(ConfigurationType::StartOfStep) = state; }
+void System::end_step(State&) {}
+
+std::span<const int> System::object_ltg(int object, Coordinates kind) const {
+  return parts_->objects.at(static_cast<std::size_t>(object)).ltg[static_cast<std::size_t>(kind)];
+}
+
+int System::node_index(int node, Coordinates kind) const {
+  const NodePlace& place = parts_->nodes.at(static_cast<std::size_t>(node));
+  switch (kind) {
+    case Coordinates::ode2: return place.ode2;
+    case Coordinates::ode1: return place.ode1;
+    case Coordinates::ae: return place.ae;
+    case Coordinates::data: return place.data;
+  }
+  return -1;
+}
+
+std::vector<int> System::node_ltg(int node, Coordinates kind) const {
+  const Sizes& sizes = parts_->nodes.at(static_cast<std::size_t>(node)).sizes;
+  const int counts[] = {sizes.ode2, sizes.ode1, sizes.ae, sizes.data};
+  std::vector<int> ltg;
+  for (int i = 0; i < counts[static_cast<std::size_t>(kind)]; ++i) ltg.push_back(node_index(node, kind) + i);
+  return ltg;
+}
+
+std::string System::describe_row(int row) const {
+  const SystemParts& parts = *parts_;
+  const auto within = [](int index, int first, int count) { return first >= 0 && index >= first && index < first + count; };
+  const bool algebraic = row >= sizes_.first_ae(), ode1 = !algebraic && row >= sizes_.ode2;
+  const int index = algebraic ? row - sizes_.first_ae() : ode1 ? row - sizes_.ode2 : row;
+  for (std::size_t i = 0; i < parts.nodes.size(); ++i) {
+    const NodePlace& n = parts.nodes[i];
+    const int first = algebraic ? n.ae : ode1 ? n.ode1 : n.ode2;
+    const int count = algebraic ? n.sizes.ae : ode1 ? n.sizes.ode1 : n.sizes.ode2;
+    if (within(index, first, count))
+      return parts.names[0][i] + (algebraic ? ", equation " : ", coordinate ") + std::to_string(index - first);
+  }
+  for (std::size_t i = 0; i < parts.objects.size(); ++i) {
+    const auto& ae = parts.objects[i].ltg[static_cast<std::size_t>(Coordinates::ae)];
+    if (algebraic && !ae.empty() && within(index, ae.front(), static_cast<int>(ae.size())))
+      return parts.names[1][i] + ", equation " + std::to_string(index - ae.front());
+  }
+  return "row " + std::to_string(row);
+}
+
+}  // namespace dalembert
