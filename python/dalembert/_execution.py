@@ -1,5 +1,6 @@
 """Evaluation of a function for many parameter sets: in sequence, in processes, with MPI or on a Dask cluster."""
 
+# ruff: noqa: B006  (the interface has these defaults; they are never written to)
 from __future__ import annotations
 
 import difflib

@@ -1,5 +1,6 @@
 """Search for a minimum with generations of parameter sets."""
 
+# ruff: noqa: B006  (the interface has these defaults; they are never written to)
 from __future__ import annotations
 
 import warnings

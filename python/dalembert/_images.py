@@ -109,7 +109,7 @@ def save_figure(figure: Any, fileName: str) -> None:
 
 def PlotImage(
     imageData: Image,
-    HT: npt.ArrayLike = np.eye(4),
+    HT: npt.ArrayLike = np.eye(4),  # noqa: B008
     axesEqual: bool = True,
     plot3D: bool = False,
     lineWidths: float = 1,

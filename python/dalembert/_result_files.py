@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import Any
 
 _MAXIMUM_HEADER = 10
@@ -11,7 +12,7 @@ _MAXIMUM_HEADER = 10
 
 def _columns_below(header: Sequence[str], title: str) -> str:
     """Return the line after the one that starts with the title, without '#'; '' if there is none."""
-    for line, following in zip(header, header[1:], strict=False):
+    for line, following in pairwise(header):
         if line.startswith(title):
             return following.strip().lstrip("#")
     return ""

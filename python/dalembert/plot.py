@@ -1,5 +1,6 @@
 """Plots of sensors, frequency spectra and vector images with matplotlib."""
 
+# ruff: noqa: B006  (the interface has these defaults; they are never written to)
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
@@ -145,7 +146,7 @@ def PlotSensor(
     lineWidths: Any = [],
     markerStyles: Any = [],
     markerSizes: Any = [],
-    markerDensity: int | float | None = 0.08,
+    markerDensity: float | None = 0.08,
     rangeX: Sequence[float] = [],
     rangeY: Sequence[float] = [],
     majorTicksX: int = 10,

@@ -1,5 +1,6 @@
 """Many evaluations of a model: parameter variations, optimizations and sensitivities."""
 
+# ruff: noqa: B006  (the interface has these defaults; they are never written to)
 from __future__ import annotations
 
 import time

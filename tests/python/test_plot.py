@@ -11,7 +11,7 @@ import pytest
 matplotlib = pytest.importorskip("matplotlib")
 matplotlib.use("Agg")
 
-from dalembert import plot  # noqa: E402
+from dalembert import plot
 
 TIME = np.linspace(0, 1, 11)
 DATA = np.column_stack([TIME, TIME**2, -TIME, 1 + TIME])

@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-
 from dalembert import processing
 from dalembert._result_files import ParseOutputFileHeader
 
