@@ -15,9 +15,13 @@ namespace {
 // Numbers of exported coordinates: nODE2, nVel2, nAcc2, nODE1, nVel1, nAlgebraic, nData.
 std::array<int, 7> exported(const SimulationSettings& settings, bool is_static, const Sizes& sizes) {
   const auto& s = settings.solutionSettings;
-  const bool velocities = s.exportVelocities && !is_static;
-  return {sizes.ode2, velocities ? sizes.ode2 : 0, s.exportAccelerations && !is_static ? sizes.ode2 : 0, sizes.ode1,
-          velocities ? sizes.ode1 : 0, s.exportAlgebraicCoordinates ? sizes.ae : 0,
+  const auto if_dynamic = [is_static](bool wanted, int n) { return wanted && !is_static ? n : 0; };
+  return {sizes.ode2,
+          if_dynamic(s.exportVelocities, sizes.ode2),
+          if_dynamic(s.exportAccelerations, sizes.ode2),
+          sizes.ode1,
+          if_dynamic(s.exportODE1Velocities, sizes.ode1),
+          s.exportAlgebraicCoordinates ? sizes.ae : 0,
           s.exportDataCoordinates ? sizes.data : 0};
 }
 
@@ -35,8 +39,12 @@ int planned_steps(const SimulationSettings& settings, bool is_static) {
 template <std::size_t N>
 std::string list(const std::array<int, N>& numbers) {
   std::string text = "[";
-  for (const int n : numbers) text += (text.size() > 1 ? "," : "") + std::to_string(n);
-  return text + "]";
+  for (const int n : numbers) {
+    if (text.size() > 1) text += ',';
+    text += std::to_string(n);
+  }
+  text += ']';
+  return text;
 }
 
 void append_values(std::string& text, const std::vector<double>& values, int precision) {

@@ -1,0 +1,59 @@
+// The system matrix by central differences of the residual, and loops over the entries of a pattern.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
+#include "dalembert/solvers/data.hpp"
+#include "dalembert/system/system.hpp"
+
+namespace dalembert {
+
+// The same matrix as System::tangent, from differences along the same directions.
+void numerical_tangent(System& system, const State& state, const Conditions& conditions, const Weights& weights,
+                       const NumericalDifferentiationOptions& options, const Pattern& pattern, std::span<double> values);
+
+// f(row, column, slot) for all entries.
+template <class F>
+void for_each_entry(const Pattern& pattern, F&& f) {
+  const int n = pattern.size();
+  std::size_t slot = 0;
+  for (int column = 0; column < n; ++column) {
+    if (pattern.is_dense()) {
+      for (int row = 0; row < n; ++row) f(row, column, slot++);
+    } else {
+      const auto starts = pattern.column_start();
+      for (int k = starts[column]; k < starts[column + 1]; ++k) f(pattern.row_index()[k], column, slot++);
+    }
+  }
+}
+
+// f(row) for all rows of one column.
+template <class F>
+void for_each_row(const Pattern& pattern, int column, F&& f) {
+  if (pattern.is_dense()) {
+    for (int row = 0; row < pattern.size(); ++row) f(row);
+  } else {
+    const auto starts = pattern.column_start();
+    for (int k = starts[column]; k < starts[column + 1]; ++k) f(pattern.row_index()[k]);
+  }
+}
+
+// Slots of one column: [begin, middle) are rows below `split`, [middle, end) the others. Rows are sorted.
+struct ColumnRange {
+  std::size_t begin, middle, end;
+};
+inline ColumnRange column_range(const Pattern& pattern, int column, int split) {
+  const auto n = static_cast<std::size_t>(pattern.size());
+  if (pattern.is_dense()) {
+    const std::size_t begin = static_cast<std::size_t>(column) * n;
+    return {begin, begin + static_cast<std::size_t>(split), begin + n};
+  }
+  const auto rows = pattern.row_index();
+  const int begin = pattern.column_start()[column], end = pattern.column_start()[column + 1];
+  const auto middle = std::lower_bound(rows.begin() + begin, rows.begin() + end, split) - rows.begin();
+  return {static_cast<std::size_t>(begin), static_cast<std::size_t>(middle), static_cast<std::size_t>(end)};
+}
+
+}  // namespace dalembert

@@ -1,0 +1,25 @@
+// Coefficients of explicit Runge-Kutta methods.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "dalembert/enums.hpp"
+
+namespace dalembert {
+
+struct RungeKuttaMethod {
+  int stages = 0;
+  int order = 0;                // the higher one of an embedded pair
+  std::vector<double> a;        // row by row, stages x stages
+  std::vector<double> b, c;
+  std::vector<double> b_error;  // weights of the second approximation; empty: no control of the step size
+
+  bool controls_step_size() const { return !b_error.empty(); }
+  double coefficient(int i, int j) const { return a[static_cast<std::size_t>(i * stages + j)]; }
+};
+
+// Empty method (no stages) if the type is not an explicit Runge-Kutta method.
+RungeKuttaMethod runge_kutta_method(DynamicSolverType type);
+
+}  // namespace dalembert

@@ -1,0 +1,70 @@
+// Implicit time integration of second-order systems: generalized alpha, Newmark and the trapezoidal rule; first-order
+// equations by the trapezoidal rule; constraints of index 3 or 2; Lie-group nodes.
+//
+// Arnold, Bruels: Convergence of the generalized-alpha scheme for constrained mechanical systems, Multibody System
+//   Dynamics 18 (2007), algorithm 1, with the scaling of equations and multipliers given there.
+// Holzinger, Arnold, Gerstmayr: Improving the accuracy of Newmark-based time integration methods for rigid bodies on Lie
+//   groups (2022), for the kinematic relations of Lie-group nodes.
+#pragma once
+
+#include <vector>
+
+#include "dalembert/solvers/newton.hpp"
+
+namespace dalembert {
+
+class SecondOrderSolver : public NewtonSolver {
+ public:
+  std::string name() const override { return "implicit second order time integration"; }
+
+  void pre_initialize() override;
+  void initialize_data() override;
+  void initial_conditions() override;
+  void post_initialize() override;
+  void update_current_time() override;
+  bool reduce_step_size() override;
+  void increase_step_size() override;
+  double compute_residual() override;
+  void compute_update(bool initial) override;
+  void compute_jacobian() override;
+  void finalize_newton() override;
+
+  const std::vector<double>& algorithmic_accelerations() const { return algorithmic_; }
+  const std::vector<double>& algorithmic_accelerations_at_start() const { return algorithmic_at_start_; }
+  std::vector<double>& algorithmic_accelerations() { return algorithmic_; }
+
+  // Coefficients of the method.
+  double newmark_beta = 0.25, newmark_gamma = 0.5, alpha_m = 0.5, alpha_f = 0.5, spectral_radius = 1;
+
+ protected:
+  void reset_to_start_of_step() override;
+  void save_start_of_step() override;
+
+ private:
+  bool newmark() const;
+  double beta_prime() const;   // acceleration per increment of a coordinate
+  double gamma_prime() const;  // velocity per increment of a coordinate
+  void predict();
+  void correct();
+  void predict_lie_rotations();
+  void correct_lie_rotations();
+  void exact_jacobian(const Weights& weights);
+  void simplified_lie_jacobian(const Weights& weights);
+  void apply_tangent_operator();
+  void scale_jacobian(double scale);
+
+  std::vector<double> algorithmic_, algorithmic_at_start_;
+  std::vector<double> lie_increment_;        // sum of increments since the start of the step (simplified relations)
+  std::vector<double> increment_of_q_, previous_q_, more_values_;
+  bool lie_ = false, simplified_lie_ = false;
+};
+
+// Accelerations and multipliers that fit the current positions and velocities; false: the matrix is singular.
+struct InitialAccelerations {
+  std::vector<double> a, lambda;
+  int singular_row = LinearSolver::success;
+};
+InitialAccelerations initial_accelerations(System& system, const State& state, const Conditions& conditions,
+                                           LinearSolverType type, const LinearSolverOptions& options);
+
+}  // namespace dalembert

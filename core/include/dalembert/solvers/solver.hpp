@@ -1,0 +1,142 @@
+// What all solvers share: the loop over steps with its step sizes, discontinuous iterations, output and messages.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dalembert/linear/linear_solver.hpp"
+#include "dalembert/output/sensor_recorder.hpp"
+#include "dalembert/output/solution_file.hpp"
+#include "dalembert/simulation_settings.hpp"
+#include "dalembert/solvers/data.hpp"
+#include "dalembert/solvers/error.hpp"
+#include "dalembert/solvers/hooks.hpp"
+#include "dalembert/system/system.hpp"
+
+namespace dalembert {
+
+// What surrounds a system while it is solved.
+struct SolverEnvironment {
+  SolverHooks hooks;
+  std::vector<SensorChannel> sensors;
+  SensorStorage* sensor_storage = nullptr;
+  std::string build;  // version of program, Python and platform, for file headers
+};
+
+// Every public function that works on a system needs `attach` before. The steps of a solution are virtual functions, so
+// that a user may replace single ones.
+class Solver {
+ public:
+  Solver() = default;
+  virtual ~Solver() = default;
+  Solver(const Solver&) = delete;
+  Solver& operator=(const Solver&) = delete;
+
+  // All three must live until the next attach.
+  void attach(System& system, const SimulationSettings& settings, const SolverEnvironment& environment);
+
+  // ---- a whole solution ------------------------------------------------------------------------------------------
+  // Initialize, solve all steps, finalize. False: failed, see diagnosis(). Exceptions of hooks and items pass through.
+  bool solve_system();
+  bool initialize();
+  bool solve_steps();
+  void finalize();
+
+  // ---- parts of initialize, in this order --------------------------------------------------------------------------
+  virtual void pre_initialize() {}
+  void initialize_output();
+  bool check_system();
+  virtual void initialize_data();
+  virtual void initial_conditions();
+  virtual void post_initialize() {}
+
+  // ---- parts of a step ---------------------------------------------------------------------------------------------
+  virtual void update_current_time() = 0;
+  virtual void initialize_step();
+  virtual bool discontinuous_iteration();
+  virtual bool newton() = 0;
+  virtual void finalize_newton() {}
+  virtual double post_newton();
+  virtual void finish_step(bool write);
+  virtual bool reduce_step_size() = 0;
+  virtual void increase_step_size() = 0;
+
+  // ---- what it is --------------------------------------------------------------------------------------------------
+  virtual bool is_static() const { return false; }
+  virtual std::string name() const = 0;
+  virtual bool controls_step_size() const { return false; }
+  virtual double load_factor() const { return 1; }
+  double end_time() const;
+
+  // ---- output ------------------------------------------------------------------------------------------------------
+  bool verbose(int level) const { return output.verboseMode >= level || output.verboseModeFile >= level; }
+  void say(int level, std::string_view text);
+  void write_solution_header();
+  void write_coordinates();
+  void write_sensors();
+
+  // Empty after success.
+  std::string error_string() const;
+  const Diagnosis& diagnosis() const { return diagnosis_; }
+
+  const Sizes& sizes() const { return sizes_; }
+  System& system() { return *system_; }
+  const SimulationSettings& settings() const { return *settings_; }
+
+  SolverIterationData it;
+  SolverConvergenceData conv;
+  SolverOutputData output;
+  SolverTimer timer;
+  NewtonOptions newton_settings;
+  DiscontinuousOptions discontinuous;
+
+ protected:
+  State& current() { return system_->state(ConfigurationType::Current); }
+  State& start_of_step() { return system_->state(ConfigurationType::StartOfStep); }
+  const State& initial() { return system_->state(ConfigurationType::Initial); }
+  const SolverHooks& hooks() const { return environment_->hooks; }
+  bool dense() const { return is_dense(settings_->linearSolverType); }
+  // Sets back what a discontinuous iteration has moved: everything except data.
+  virtual void reset_to_start_of_step();
+  virtual void save_start_of_step() {}
+  virtual int recovery_steps() const { return settings_->timeIntegration.adaptiveStepRecoverySteps; }
+  virtual int recovery_iterations() const { return settings_->timeIntegration.adaptiveStepRecoveryIterations; }
+  void warn(std::string_view text);
+  // Fills the diagnosis with what is known at this point. Equations with the largest residuals are taken from `residual`.
+  void diagnose(FailureReason reason, std::span<const double> residual = {});
+  // Asks the hooks whether to stop; called where a few milliseconds may have passed.
+  void poll_interrupt();
+
+  Sizes sizes_;
+  Conditions conditions_;
+  Diagnosis diagnosis_;
+  bool stop_ = false;
+  double initial_residual_ = 0;
+
+ private:
+  bool try_step();
+  void step_failed(int& steps_since_reduction);
+  void step_succeeded(int& steps_since_reduction);
+  void poll();
+  bool time_to_look();
+  void print_progress(bool to_console, bool to_file);
+  void wait_for_real_time();
+  void summarize();
+  void close_files();
+  std::string position_text() const;
+  RunDescription run_description() const;
+
+  System* system_ = nullptr;
+  const SimulationSettings* settings_ = nullptr;
+  const SolverEnvironment* environment_ = nullptr;
+  SolutionFile solution_file_;
+  SensorRecorder sensors_;
+  OutputFile information_file_;
+  // The clock is read every (look_mask_ + 1)-th step only, as seldom as a few milliseconds allow.
+  std::uint32_t steps_taken_ = 0, look_mask_ = 0;
+  double last_look_ = 0;
+};
+
+}  // namespace dalembert

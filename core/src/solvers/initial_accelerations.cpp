@@ -1,0 +1,83 @@
+// [M  G^T] [a     ]   [Q              ]
+// [G  0  ] [lambda] = [-(G v)_q v     ]   at the start of a time integration.
+#include <cmath>
+
+#include "dalembert/solvers/numerical_tangent.hpp"
+#include "dalembert/solvers/second_order.hpp"
+
+namespace dalembert {
+
+namespace {
+
+// Second derivative of the gaps along the velocity: a central difference of their rates.
+std::vector<double> gap_acceleration(System& system, const State& state, Conditions conditions) {
+  const std::size_t n = state.lambda.size();
+  std::vector<double> before(n), after(n), step(state.q.size());
+  double speed = 0;
+  for (const double v : state.v) speed += v * v;
+  speed = std::sqrt(speed);
+  if (n == 0 || speed <= 1e-10) return before;
+  double size = 1;
+  for (const double q : state.q) size = std::max(size, std::abs(q));
+  const double eps = 1e-5 * size / speed;
+  conditions.rate_level = true;
+  State moved = state;
+  const auto evaluate = [&](double factor, std::vector<double>& rates) {
+    for (std::size_t i = 0; i < step.size(); ++i) {
+      step[i] = factor * state.v[i];
+      moved.q[i] = state.q[i] + step[i];
+    }
+    if (system.has_lie_nodes()) system.compose(state.q, step, moved.q);
+    system.gaps(moved, conditions, rates);
+  };
+  evaluate(-eps, before);
+  evaluate(eps, after);
+  for (std::size_t i = 0; i < n; ++i) after[i] = (after[i] - before[i]) / (2 * eps);
+  return after;
+}
+
+}  // namespace
+
+InitialAccelerations initial_accelerations(System& system, const State& state, const Conditions& conditions,
+                                           LinearSolverType type, const LinearSolverOptions& options) {
+  const Sizes& s = system.sizes();
+  const Pattern& pattern = system.pattern(is_dense(type));
+  const auto size = static_cast<std::size_t>(pattern.values());
+  std::vector<double> matrix(size), velocity_part(size), mass(size), x(static_cast<std::size_t>(s.total()), 0.0);
+  State still = state;
+  std::fill(still.lambda.begin(), still.lambda.end(), 0.0);
+  Conditions position = conditions;
+  position.rate_level = false;
+  system.mass_matrix(still, pattern, mass);
+  system.tangent(still, position, {.q = 1, .v = 0, .a = 0, .y = 1, .y_t = 0}, pattern, matrix);
+  if (s.ae > 0) system.tangent(still, position, {.q = 0, .v = 1, .a = 0, .y = 1, .y_t = 0}, pattern, velocity_part);
+
+  // Constraints of velocities are differentiated once, not twice; their own velocity terms are left out.
+  std::vector<char> of_velocities(static_cast<std::size_t>(s.ae), 0);
+  for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
+    if (row >= s.first_ae() && column < s.ode2 && velocity_part[slot] != 0) of_velocities[row - s.first_ae()] = 1;
+  });
+  for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
+    if (row < s.first_ae() && column < s.first_ae()) {
+      matrix[slot] = row < s.ode2 ? mass[slot] : (row == column ? 1.0 : 0.0);
+    } else if (row >= s.first_ae() && column < s.ode2 && of_velocities[row - s.first_ae()]) {
+      matrix[slot] = velocity_part[slot];
+    } else if (row >= s.ode2 && row < s.first_ae()) {
+      matrix[slot] = 0;
+    }
+  });
+  system.forces(still, position, std::span(x).first(static_cast<std::size_t>(s.ode2)));
+  const std::vector<double> gap = gap_acceleration(system, still, position);
+  for (int i = 0; i < s.ae; ++i) x[s.first_ae() + i] = of_velocities[i] ? 0.0 : -gap[i];
+
+  InitialAccelerations result;
+  const auto solver = make_linear_solver(pattern, type, options);
+  result.singular_row = solver->factorize(matrix);
+  if (result.singular_row != LinearSolver::success) return result;
+  solver->solve(x);
+  result.a.assign(x.begin(), x.begin() + s.ode2);
+  result.lambda.assign(x.begin() + s.first_ae(), x.end());
+  return result;
+}
+
+}  // namespace dalembert

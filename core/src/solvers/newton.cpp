@@ -1,0 +1,257 @@
+#include "dalembert/solvers/newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dalembert/output/numbers.hpp"
+
+namespace dalembert {
+
+namespace {
+
+double square_sum(std::span<const double> x) {
+  double sum = 0;
+  for (const double xi : x) sum += xi * xi;
+  return sum;
+}
+
+// A loop has stagnated when so many iterations in a row have not lowered the best residual by a tenth ...
+constexpr int idle_iterations = 3;
+// ... although they move the coordinates by less than this, relative to their size.
+constexpr double negligible_increment = 1e-9;
+
+}  // namespace
+
+struct NewtonSolver::Loop {
+  double initial_residual = 0;
+  double best_residual = 0;
+  int idle = 0;
+  bool full = false;           // a new Jacobian in every iteration
+  bool restarted = false;      // modified Newton has been started again from the beginning of the step
+  bool one_more_step = false;  // after a restart, convergence counts only if confirmed by another iteration
+};
+
+void NewtonSolver::initialize_data() {
+  Solver::initialize_data();
+  const Pattern* pattern = &system().pattern(dense());
+  const auto& s = settings().linearSolverSettings;
+  linear_ = make_linear_solver(*pattern, settings().linearSolverType,
+                               {.pivot_threshold = s.pivotThreshold, .ignore_singular = s.ignoreSingularJacobian});
+  pattern_ = pattern;
+  const auto n = static_cast<std::size_t>(sizes_.total());
+  residual_.assign(n, 0.0);
+  increment_.assign(n, 0.0);
+  jacobian_.assign(static_cast<std::size_t>(pattern->values()), 0.0);
+}
+
+double NewtonSolver::norm_of_residual() const {
+  return std::sqrt(square_sum(residual_)) / conv.errorCoordinateFactor;
+}
+
+double NewtonSolver::evaluate_residual() {
+  if (hooks().pre_newton_residual) {
+    const TimedPart time(timer, timer.python);
+    hooks().pre_newton_residual(it.currentTime, it.newtonSteps, it.discontinuousIteration);
+  }
+  return compute_residual();
+}
+
+bool NewtonSolver::newton() {
+  conv.linearSolverFailed = conv.newtonConverged = conv.newtonSolutionDiverged = conv.stopNewton = false;
+  conv.newtonStagnated = false;
+  conv.linearSolverCausingRow = -1;
+  Loop loop{.full = !newton_settings.useModifiedNewton};
+  start(loop);
+  while (!conv.linearSolverFailed && !conv.newtonConverged && !conv.stopNewton &&
+         it.newtonSteps < newton_settings.maxIterations) {
+    if (sizes_.total() > 200) {
+      poll_interrupt();
+    }
+    iterate(loop);
+  }
+  if (conv.newtonConverged && !conv.stopNewton) return true;
+  report_failure(loop);
+  return false;
+}
+
+// Multipliers start from zero, coordinates from the prediction of the integrator.
+void NewtonSolver::start(Loop& loop) {
+  std::fill(current().lambda.begin(), current().lambda.end(), 0.0);
+  std::fill(increment_.begin(), increment_.end(), 0.0);
+  compute_update(true);
+  it.newtonSteps = 0;
+  loop.initial_residual = evaluate_residual();
+  if (newton_settings.newtonResidualMode == 1) loop.initial_residual = 2 * newton_settings.relativeTolerance;
+  if (loop.initial_residual <= newton_settings.absoluteTolerance) {
+    loop.initial_residual = 2 * newton_settings.absoluteTolerance;  // at least one iteration, no division by zero
+  }
+  conv.residual = conv.lastResidual = loop.best_residual = initial_residual_ = loop.initial_residual;
+  conv.contractivity = 0;
+  if (verbose(2)) say(2, "  Newton: initial residual = " + format_number(loop.initial_residual) + "\n");
+}
+
+bool NewtonSolver::factorize() {
+  const TimedPart time(timer, timer.factorization);
+  conv.linearSolverCausingRow = linear_->factorize(jacobian_);
+  conv.linearSolverFailed = conv.linearSolverCausingRow != LinearSolver::success;
+  return !conv.linearSolverFailed;
+}
+
+void NewtonSolver::iterate(Loop& loop) {
+  ++it.newtonSteps;
+  ++it.newtonStepsCount;
+  const bool requested = hooks().jacobian_update_requested && hooks().jacobian_update_requested();
+  if (conv.jacobianUpdateRequested || loop.full || requested) {
+    {
+      const TimedPart time(timer, timer.totalJacobian);
+      compute_jacobian();
+    }
+    if (!factorize()) {
+      conv.stopNewton = true;
+      return;
+    }
+    ++it.newtonJacobiCount;
+    conv.jacobianUpdateRequested = false;
+    if (verbose(2)) say(2, "    Jacobian updated\n");
+  }
+  {
+    const TimedPart time(timer, timer.newtonIncrement);
+    std::copy(residual_.begin(), residual_.end(), increment_.begin());
+    linear_->solve(increment_);
+  }
+  compute_update(false);
+  conv.residual = evaluate_residual();
+  if (newton_settings.newtonResidualMode == 1) {
+    const std::span<const double> all(increment_);
+    conv.residual = (std::sqrt(square_sum(all.first(static_cast<std::size_t>(sizes_.ode2)))) +
+                     std::sqrt(square_sum(all.subspan(static_cast<std::size_t>(sizes_.ode2),
+                                                      static_cast<std::size_t>(sizes_.ode1))))) /
+                    conv.errorCoordinateFactor;
+  }
+  if (verbose(2)) {
+    say(2, "    Newton iteration " + std::to_string(it.newtonSteps) + ": residual = " + format_number(conv.residual) +
+               ", relative = " + format_number(conv.residual / loop.initial_residual) +
+               ", contractivity = " + format_number(conv.residual / conv.lastResidual) + "\n");
+  }
+  conv.newtonConverged = check_convergence(loop);
+  if (loop.one_more_step && conv.newtonConverged) {
+    loop.one_more_step = conv.newtonConverged = false;
+  } else if (!conv.newtonConverged) {
+    loop.one_more_step = false;
+    treat_slow_convergence(loop);
+  }
+}
+
+bool NewtonSolver::check_convergence(Loop& loop) {
+  if (newton_settings.adaptInitialResidual && conv.residual > loop.initial_residual && it.newtonSteps <= 1) {
+    loop.initial_residual = initial_residual_ = conv.lastResidual = conv.residual;
+  }
+  if (conv.residual / loop.initial_residual <= newton_settings.relativeTolerance || !newton_settings.useNewtonSolver ||
+      conv.residual <= newton_settings.absoluteTolerance) {
+    return true;
+  }
+  loop.idle = conv.residual < 0.9 * loop.best_residual ? 0 : loop.idle + 1;
+  loop.best_residual = std::min(loop.best_residual, conv.residual);
+  if (!stagnated(loop) || !(relative_increment() < negligible_increment)) return false;
+  conv.newtonStagnated = true;
+  ++it.stagnatedNewtonSteps;
+  if (verbose(2)) say(2, "    the residual does not fall any more: round-off is reached\n");
+  return true;
+}
+
+bool NewtonSolver::stagnated(const Loop& loop) const {
+  return loop.idle >= idle_iterations && conv.residual <= 10 * loop.best_residual &&
+         newton_settings.newtonResidualMode == 0;
+}
+
+// Size of the last increment of the coordinates against their total values.
+double NewtonSolver::relative_increment() {
+  const State& now = current();
+  const State& reference = system().state(ConfigurationType::Reference);
+  double total = square_sum(now.y);
+  for (std::size_t i = 0; i < now.q.size(); ++i) {
+    const double q = now.q[i] + (i < reference.q.size() ? reference.q[i] : 0.0);
+    total += q * q;
+  }
+  const std::span<const double> all(increment_);
+  const double moved = square_sum(all.first(static_cast<std::size_t>(sizes_.first_ae())));
+  return std::sqrt(moved) / std::max(std::sqrt(total), 1e-5);
+}
+
+// Squares of norms are compared with maximumSolutionNorm, as users of this setting are used to.
+bool NewtonSolver::diverged() {
+  const State& now = current();
+  const double limit = newton_settings.maximumSolutionNorm;
+  const double q = square_sum(now.q), v = is_static() ? 0 : square_sum(now.v), lambda = square_sum(now.lambda);
+  return q >= limit || v >= limit || std::isnan(q) || std::isnan(v) || std::isnan(lambda);
+}
+
+// Modified Newton first asks for a new Jacobian, then for full Newton; if it diverges, it starts again.
+void NewtonSolver::treat_slow_convergence(Loop& loop) {
+  conv.newtonSolutionDiverged = false;
+  if (diverged()) {
+    if (loop.full) {
+      conv.stopNewton = true;
+      say(1, "  the solution diverged\n");
+    } else {
+      conv.newtonSolutionDiverged = true;
+    }
+  }
+  const NewtonOptions& s = newton_settings;
+  bool switched_to_full = false;
+  if (!loop.full && it.newtonSteps > s.maxModifiedNewtonIterations) {
+    conv.jacobianUpdateRequested = true;
+    const int further = s.modifiedNewtonJacUpdatePerStep ? 0 : s.maxModifiedNewtonRestartIterations;
+    if (it.newtonSteps > s.maxModifiedNewtonIterations + further) {
+      loop.full = switched_to_full = true;
+      ++it.rejectedModifiedNewtonSteps;
+    }
+  }
+  conv.contractivity = conv.residual / conv.lastResidual;
+  conv.lastResidual = conv.residual;
+  const bool bad_contractivity = conv.contractivity > s.modifiedNewtonContractivity && it.newtonSteps > 2;
+  if (loop.full || !s.useModifiedNewton || !(conv.newtonSolutionDiverged || switched_to_full || bad_contractivity)) return;
+  conv.jacobianUpdateRequested = true;
+  if (loop.restarted) {
+    loop.full = true;
+    ++it.rejectedModifiedNewtonSteps;
+  }
+  if (!conv.stopNewton && (conv.newtonSolutionDiverged || conv.contractivity > 2 || loop.full)) restart(loop);
+}
+
+void NewtonSolver::restart(Loop& loop) {
+  loop.restarted = true;
+  conv.residual = conv.lastResidual = loop.initial_residual;
+  reset_to_start_of_step();
+  std::fill(current().lambda.begin(), current().lambda.end(), 0.0);
+  std::fill(increment_.begin(), increment_.end(), 0.0);
+  compute_update(true);
+  evaluate_residual();
+  loop.one_more_step = true;
+  loop.idle = 0;
+  if (verbose(2)) say(2, "    Newton started again from the beginning of the step\n");
+}
+
+void NewtonSolver::report_failure(const Loop& loop) {
+  if (conv.linearSolverFailed) {
+    diagnose(FailureReason::singular_matrix);
+    say(1, "  " + diagnosis_.text() + "\n");
+    return;
+  }
+  diagnose(FailureReason::newton, residual_);
+  if ((output.stepInformation & step_information::step_reductions) || verbose(2)) {
+    say(1, "  Newton (step " + std::to_string(it.currentStepIndex) + ", t = " + format_number(it.currentTime) +
+               ") did not converge in " + std::to_string(it.newtonSteps) +
+               " iterations; relative error = " + format_number(conv.residual / loop.initial_residual) + "\n");
+  }
+}
+
+void NewtonSolver::add_user_jacobian(double q, double v, double y) {
+  if (!hooks().system_jacobian) return;
+  const TimedPart time(timer, timer.python);
+  for (const MatrixEntry& entry : hooks().system_jacobian(it.currentTime, q, v, y)) {
+    jacobian_[static_cast<std::size_t>(pattern_->slot(entry.row, entry.column))] += entry.value;
+  }
+}
+
+}  // namespace dalembert

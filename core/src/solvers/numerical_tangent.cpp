@@ -1,0 +1,94 @@
+#include "dalembert/solvers/numerical_tangent.hpp"
+
+#include <cmath>
+#include <vector>
+
+namespace dalembert {
+
+namespace {
+
+// Residuals on both sides of a state, along one column of the matrix.
+class Differences {
+ public:
+  Differences(System& system, const State& state, const Conditions& conditions, const Weights& weights)
+      : system_(system), state_(state), moved_(state), conditions_(conditions), weights_(weights),
+        increment_(state.q.size(), 0.0), up_(static_cast<std::size_t>(system.sizes().total())), down_(up_.size()) {}
+
+  // (r(+eps) - r(-eps)) / (2 eps) for one unknown.
+  const std::vector<double>& slope(int column, double eps) {
+    evaluate(column, eps, up_);
+    evaluate(column, -eps, down_);
+    for (std::size_t i = 0; i < up_.size(); ++i) up_[i] = (up_[i] - down_[i]) / (2 * eps);
+    return up_;
+  }
+
+ private:
+  void evaluate(int column, double eps, std::vector<double>& r) {
+    const Sizes& s = system_.sizes();
+    if (column < s.ode2) {
+      const auto i = static_cast<std::size_t>(column);
+      moved_.q[i] = state_.q[i] + weights_.q * eps;
+      moved_.v[i] = state_.v[i] + weights_.v * eps;
+      if (!moved_.a.empty()) moved_.a[i] = state_.a[i] + weights_.a * eps;
+      if (system_.has_lie_nodes()) {
+        increment_[i] = weights_.q * eps;
+        system_.compose(state_.q, increment_, moved_.q);
+        increment_[i] = 0;
+      }
+      system_.residual(moved_, conditions_, r);
+      moved_.q = state_.q;
+      moved_.v[i] = state_.v[i];
+      if (!moved_.a.empty()) moved_.a[i] = state_.a[i];
+    } else if (column < s.first_ae()) {
+      const auto i = static_cast<std::size_t>(column - s.ode2);
+      moved_.y[i] = state_.y[i] + weights_.y * eps;
+      moved_.y_t[i] = state_.y_t[i] + weights_.y_t * eps;
+      system_.residual(moved_, conditions_, r);
+      moved_.y[i] = state_.y[i];
+      moved_.y_t[i] = state_.y_t[i];
+    } else {
+      const auto i = static_cast<std::size_t>(column - s.first_ae());
+      moved_.lambda[i] = state_.lambda[i] + eps;
+      system_.residual(moved_, conditions_, r);
+      moved_.lambda[i] = state_.lambda[i];
+    }
+  }
+
+  System& system_;
+  const State& state_;
+  State moved_;
+  Conditions conditions_;
+  Weights weights_;
+  std::vector<double> increment_, up_, down_;
+};
+
+}  // namespace
+
+void numerical_tangent(System& system, const State& state, const Conditions& conditions, const Weights& weights,
+                       const NumericalDifferentiationOptions& options, const Pattern& pattern,
+                       std::span<double> values) {
+  const Sizes& s = system.sizes();
+  const State& reference = system.state(ConfigurationType::Reference);
+  Differences differences(system, state, conditions, weights);
+  const double row_scale = weights.q != 0 ? weights.q : (weights.v != 0 ? weights.v : 1.0);
+  for (int column = 0; column < s.total(); ++column) {
+    double size = 0;
+    if (column < s.ode2) {
+      const auto i = static_cast<std::size_t>(column);
+      size = state.q[i] + (options.addReferenceCoordinatesToEpsilon ? reference.q[i] : 0.0);
+    } else if (column < s.first_ae()) {
+      size = state.y[static_cast<std::size_t>(column - s.ode2)];
+    } else {
+      size = state.lambda[static_cast<std::size_t>(column - s.first_ae())];
+    }
+    const double eps = options.relativeEpsilon * std::max(options.minimumCoordinateSize, std::abs(size));
+    const std::vector<double>& slope = differences.slope(column, eps);
+    for_each_row(pattern, column, [&](int row) {
+      const double entry = slope[static_cast<std::size_t>(row)];
+      values[static_cast<std::size_t>(pattern.slot(row, column))] =
+          row >= s.first_ae() && column < s.first_ae() ? entry / row_scale : entry;
+    });
+  }
+}
+
+}  // namespace dalembert

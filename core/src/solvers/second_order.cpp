@@ -1,0 +1,275 @@
+#include "dalembert/solvers/second_order.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dalembert/model/errors.hpp"
+#include "dalembert/output/numbers.hpp"
+#include "dalembert/solvers/numerical_tangent.hpp"
+#include "rotation_increments.hpp"
+
+namespace dalembert {
+
+namespace {
+
+void add(std::vector<double>& x, double factor, const std::vector<double>& y) {
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] += factor * y[i];
+}
+void subtract(std::vector<double>& x, double factor, const double* y) {
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] -= factor * y[i];
+}
+
+}  // namespace
+
+bool SecondOrderSolver::newmark() const { return settings().timeIntegration.generalizedAlpha.useNewmark; }
+
+double SecondOrderSolver::beta_prime() const {
+  const double h = it.currentStepSize;
+  return (1 - alpha_m) / (h * h * newmark_beta * (1 - alpha_f));
+}
+double SecondOrderSolver::gamma_prime() const { return newmark_gamma / (it.currentStepSize * newmark_beta); }
+
+void SecondOrderSolver::pre_initialize() {
+  const auto& s = settings().timeIntegration.generalizedAlpha;
+  if (s.useIndex2Constraints && !s.useNewmark) {
+    throw ModelError(ErrorKind::value, "timeIntegration.generalizedAlpha.useIndex2Constraints=True needs useNewmark=True");
+  }
+  spectral_radius = s.useNewmark ? 1.0 : s.spectralRadius;
+  alpha_m = (2 * spectral_radius - 1) / (spectral_radius + 1);
+  alpha_f = spectral_radius / (spectral_radius + 1);
+  if (s.useNewmark) {
+    newmark_beta = s.newmarkBeta;
+    newmark_gamma = s.newmarkGamma;
+  } else {
+    newmark_gamma = 0.5 + alpha_f - alpha_m;
+    newmark_beta = 0.25 * (newmark_gamma + 0.5) * (newmark_gamma + 0.5);
+  }
+  conditions_ = {.rate_level = s.useIndex2Constraints, .inertia = true};
+}
+
+void SecondOrderSolver::initialize_data() {
+  NewtonSolver::initialize_data();
+  const auto n = static_cast<std::size_t>(sizes_.ode2);
+  algorithmic_.assign(n, 0.0);
+  algorithmic_at_start_.assign(n, 0.0);
+  increment_of_q_.assign(n, 0.0);
+  lie_ = system().has_lie_nodes();
+  simplified_lie_ = lie_ && settings().timeIntegration.generalizedAlpha.lieGroupSimplifiedKinematicRelations;
+  lie_increment_.assign(lie_ ? n : 0, 0.0);
+  previous_q_.assign(lie_ ? n : 0, 0.0);
+}
+
+void SecondOrderSolver::initial_conditions() {
+  Solver::initial_conditions();
+  const auto& s = settings().timeIntegration.generalizedAlpha;
+  State& now = current();
+  std::fill(now.lambda.begin(), now.lambda.end(), 0.0);
+  if (s.computeInitialAccelerations) {
+    const auto& l = settings().linearSolverSettings;
+    const InitialAccelerations first =
+        dalembert::initial_accelerations(system(), now, conditions_, settings().linearSolverType,
+                                         {.pivot_threshold = l.pivotThreshold, .ignore_singular = l.ignoreSingularJacobian});
+    if (first.singular_row == LinearSolver::success) {
+      now.a = first.a;
+      if (s.storeInitialAlgebraicCoordinates) now.lambda = first.lambda;
+    } else {
+      warn("initial accelerations are set to zero: mass matrix and constraints are singular at unknown " +
+           std::to_string(first.singular_row) + " (" + system().describe_row(first.singular_row) + ")");
+      std::fill(now.a.begin(), now.a.end(), 0.0);
+    }
+  } else if (s.resetAccelerations) {
+    std::fill(now.a.begin(), now.a.end(), 0.0);
+  }
+  algorithmic_ = now.a;
+  start_of_step() = now;
+}
+
+void SecondOrderSolver::post_initialize() {
+  if (!verbose(2)) return;
+  say(2, (newmark() ? "  Newmark: " : "  generalized alpha: spectralRadius=" + format_number(spectral_radius) + ", alphaM=" +
+                          format_number(alpha_m) + ", alphaF=" + format_number(alpha_f) + ", ") +
+             std::string("beta=") + format_number(newmark_beta) + ", gamma=" + format_number(newmark_gamma) + "\n");
+}
+
+// Constant steps are counted, not summed, to keep round-off out of the time.
+void SecondOrderSolver::update_current_time() {
+  if (!it.adaptiveStep) {
+    it.currentTime = it.currentStepIndex * it.currentStepSize + it.startTime;
+    return;
+  }
+  if (it.currentTime + it.currentStepSize > it.endTime) it.currentStepSize = it.endTime - it.currentTime;
+  it.currentTime += it.currentStepSize;
+}
+
+bool SecondOrderSolver::reduce_step_size() {
+  it.currentTime = current().time;
+  if (!(it.currentStepSize > it.minStepSize)) return false;
+  if (it.recommendedStepSize != -1) {
+    it.currentStepSize = std::min(0.75 * it.currentStepSize, it.recommendedStepSize);
+  } else {
+    it.currentStepSize *= settings().timeIntegration.adaptiveStepDecrease;
+  }
+  it.currentStepSize = std::max(it.minStepSize, it.currentStepSize);
+  return true;
+}
+
+void SecondOrderSolver::increase_step_size() {
+  it.currentStepSize = std::min(it.maxStepSize, settings().timeIntegration.adaptiveStepIncrease * it.currentStepSize);
+}
+
+void SecondOrderSolver::save_start_of_step() { algorithmic_at_start_ = algorithmic_; }
+
+void SecondOrderSolver::reset_to_start_of_step() {
+  Solver::reset_to_start_of_step();
+  algorithmic_ = algorithmic_at_start_;
+}
+
+// The number for the tolerances is taken before the ODE2 equations are scaled, so that it does not depend on the step size.
+double SecondOrderSolver::compute_residual() {
+  const TimedPart time(timer, timer.ODE2RHS);
+  system().residual(current(), conditions_, residual_);
+  const double norm = norm_of_residual();
+  const double scale = newmark_beta * it.currentStepSize * it.currentStepSize;
+  for (int i = 0; i < sizes_.ode2; ++i) residual_[static_cast<std::size_t>(i)] *= scale;
+  return norm;
+}
+
+void SecondOrderSolver::compute_update(bool initial) {
+  const TimedPart time(timer, timer.integrationFormula);
+  initial ? predict() : correct();
+}
+
+void SecondOrderSolver::predict() {
+  State& now = current();
+  const double h = it.currentStepSize, beta = newmark_beta, gamma = newmark_gamma;
+  if (lie_) previous_q_ = start_of_step().q;
+  for (std::size_t i = 0; i < now.q.size(); ++i) {
+    double aa = newmark() ? now.a[i] : algorithmic_[i];
+    double q = h * now.v[i] + h * h * (0.5 - beta) * aa;
+    double v = h * (1 - gamma) * aa;
+    if (!newmark()) {
+      aa = (alpha_f * now.a[i] - alpha_m * aa) / (1 - alpha_m);
+      algorithmic_[i] = aa;
+      q += h * h * beta * aa;
+      v += h * gamma * aa;
+    }
+    increment_of_q_[i] = q;
+    now.q[i] += q;
+    now.v[i] += v;
+    now.a[i] = 0;
+  }
+  for (std::size_t i = 0; i < now.y.size(); ++i) {
+    now.y[i] += 0.5 * h * now.y_t[i];
+    now.y_t[i] = 0;
+  }
+  if (lie_) predict_lie_rotations();
+}
+
+void SecondOrderSolver::correct() {
+  State& now = current();
+  const double scale = newmark_beta * it.currentStepSize * it.currentStepSize;
+  if (lie_) {
+    previous_q_ = now.q;
+    for (std::size_t i = 0; i < increment_of_q_.size(); ++i) increment_of_q_[i] = -increment_[i];
+  }
+  subtract(now.q, 1, increment_.data());
+  subtract(now.v, gamma_prime(), increment_.data());
+  subtract(now.a, beta_prime(), increment_.data());
+  subtract(now.lambda, 1 / scale, increment_.data() + sizes_.first_ae());
+  subtract(now.y, 1, increment_.data() + sizes_.ode2);
+  subtract(now.y_t, 2 / it.currentStepSize, increment_.data() + sizes_.ode2);
+  if (lie_) correct_lie_rotations();
+}
+
+// q = q_n o exp(increment), where the kinematic relation of higher order turns the increment by half a step of the velocity.
+void SecondOrderSolver::predict_lie_rotations() {
+  State& now = current();
+  if (!simplified_lie_) {
+    for (const System::LieBlock& block : system().lie_blocks()) {
+      rotate_by_half_step(&increment_of_q_[static_cast<std::size_t>(block.rotation)],
+                          &now.v[static_cast<std::size_t>(block.rotation)],
+                          -0.5 * it.currentStepSize * newmark_beta / newmark_gamma);
+    }
+  }
+  lie_increment_ = increment_of_q_;
+  system().compose(previous_q_, increment_of_q_, now.q);
+}
+
+// Increments are composed with the last iterate; with simplified relations their sum is composed with the start of the step.
+void SecondOrderSolver::correct_lie_rotations() {
+  State& now = current();
+  if (simplified_lie_) {
+    subtract(lie_increment_, 1, increment_.data());
+    system().compose(start_of_step().q, lie_increment_, now.q);
+  } else {
+    system().compose(previous_q_, increment_of_q_, now.q);
+  }
+}
+
+void SecondOrderSolver::finalize_newton() { add(algorithmic_, (1 - alpha_f) / (1 - alpha_m), current().a); }
+
+void SecondOrderSolver::compute_jacobian() {
+  const double h = it.currentStepSize, scale = newmark_beta * h * h;
+  const Weights weights{.q = 1, .v = gamma_prime(), .a = beta_prime(), .y = 1, .y_t = 2 / h};
+  const auto& differences = newton_settings.numericalDifferentiation;
+  if (differences.wanted()) {
+    numerical_tangent(system(), current(), conditions_, weights, differences, pattern(), jacobian_);
+  } else if (simplified_lie_ && settings().timeIntegration.generalizedAlpha.lieGroupAddTangentOperator) {
+    simplified_lie_jacobian(weights);
+  } else {
+    system().tangent(current(), conditions_, weights, pattern(), jacobian_);
+  }
+  scale_jacobian(scale);
+  add_user_jacobian(-scale, -gamma_prime() * scale, -scale);
+}
+
+// d(q_n o exp(x))/dx is the tangent operator at x, which applies to the position part of the matrix only.
+void SecondOrderSolver::simplified_lie_jacobian(const Weights& weights) {
+  more_values_.resize(jacobian_.size());
+  Weights position = weights, rest = weights;
+  position.v = position.a = 0;
+  system().tangent(current(), conditions_, position, pattern(), jacobian_);
+  apply_tangent_operator();
+  rest.q = 0;
+  // Constraint rows are divided by the weight of velocities when that of positions is zero.
+  system().tangent(current(), conditions_, rest, pattern(), more_values_);
+  const int n = sizes_.ode2, first_ae = sizes_.first_ae();
+  for_each_entry(pattern(), [&](int row, int column, std::size_t slot) {
+    if (column >= n) return;
+    if (row < n) jacobian_[slot] += more_values_[slot];
+    if (row >= first_ae) jacobian_[slot] += weights.v * more_values_[slot];
+  });
+}
+
+void SecondOrderSolver::apply_tangent_operator() {
+  const Pattern& p = pattern();
+  for (const System::LieBlock& block : system().lie_blocks()) {
+    const auto t = tangent_operator(&lie_increment_[static_cast<std::size_t>(block.rotation)]);
+    for_each_row(p, block.rotation, [&](int row) {
+      std::array<double*, 3> entry{};
+      std::array<double, 3> old{};
+      for (int j = 0; j < 3; ++j) {
+        entry[j] = &jacobian_[static_cast<std::size_t>(p.slot(row, block.rotation + j))];
+        old[j] = *entry[j];
+      }
+      for (int j = 0; j < 3; ++j) *entry[j] = old[0] * t(0, j) + old[1] * t(1, j) + old[2] * t(2, j);
+    });
+  }
+}
+
+// ODE2 equations are multiplied by beta h^2, multipliers divided by it: the condition number does not depend on h.
+void SecondOrderSolver::scale_jacobian(double scale) {
+  const Pattern& p = pattern();
+  const int n = sizes_.ode2, first_ae = sizes_.first_ae(), size = sizes_.total();
+  const double inverse = 1 / scale;
+  for (int j = 0; j < size; ++j) {
+    const auto [begin, middle, end] = column_range(p, j, n);
+    if (j < first_ae) {
+      for (std::size_t k = begin; k < middle; ++k) jacobian_[k] *= scale;
+    } else {
+      for (std::size_t k = middle; k < end; ++k) jacobian_[k] *= inverse;
+    }
+  }
+}
+
+}  // namespace dalembert

@@ -1,0 +1,333 @@
+// The loop over steps: starting, repeating with other step sizes, discontinuous iterations.
+#include "dalembert/solvers/solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dalembert/linear/linear_solver.hpp"
+#include "dalembert/model/errors.hpp"
+#include "dalembert/output/numbers.hpp"
+
+namespace dalembert {
+
+void Solver::attach(System& system, const SimulationSettings& settings, const SolverEnvironment& environment) {
+  system_ = &system;
+  settings_ = &settings;
+  environment_ = &environment;
+}
+
+bool Solver::solve_system() {
+  bool success = false;
+  try {
+    if (initialize()) {
+      timer.reset(settings_->displayComputationTime);
+      const double start = SolverTimer::now();
+      output.cpuSolverStartTime = output.cpuLastTimePrinted = start;
+      timer.total = -start;
+      success = solve_steps();
+      timer.total += SolverTimer::now();
+    }
+  } catch (...) {
+    if (timer.total < 0) timer.total += SolverTimer::now();
+    conv.stepReductionFailed = true;
+    output.finishedSuccessfully = false;
+    close_files();
+    throw;
+  }
+  output.finishedSuccessfully = success;
+  finalize();
+  return success;
+}
+
+bool Solver::initialize() {
+  output = SolverOutputData();
+  diagnosis_ = Diagnosis();
+  stop_ = false;
+  output.cpuStartTime = output.cpuLastTimePrinted = output.cpuSolverStartTime = SolverTimer::now();
+  pre_initialize();
+  initialize_output();
+  if (!check_system()) return false;
+  initialize_data();
+  initial_conditions();
+  post_initialize();
+  output.initializationSuccessful = true;
+  return true;
+}
+
+bool Solver::check_system() {
+  const auto refuse_system = [](const std::string& text) { throw ModelError(ErrorKind::state, text); };
+  if (!system_->assembled()) refuse_system(name() + ": the system is not assembled; call mbs.Assemble() before solving");
+  sizes_ = system_->sizes();
+  if (sizes_.total() == 0) {
+    refuse_system(name() + ": the system has no unknowns; add at least one node with coordinates and assemble again");
+  }
+  const auto type = settings_->linearSolverType;
+  if (is_dense(type) && sizes_.total() + sizes_.data > 1000) {
+    warn("simulationSettings.linearSolverType is dense, but the system has " + std::to_string(sizes_.total()) +
+         " unknowns; exudyn.LinearSolverType.EigenSparse needs less memory and time");
+  }
+  if (is_static() && sizes_.ode1 != 0 && !settings_->staticSolver.constrainODE1coordinates) {
+    warn("the static solver treats the right-hand sides of ODE1 equations as equations to be solved");
+  }
+  return true;
+}
+
+void Solver::initialize_data() {
+  conv = SolverConvergenceData();
+  it = SolverIterationData();
+  conv.errorCoordinateFactor =
+      newton_settings.weightTolerancePerCoordinate ? std::sqrt(static_cast<double>(sizes_.total())) : 1.0;
+  if (newton_settings.newtonResidualMode != 0 && newton_settings.newtonResidualMode != 1) {
+    throw ModelError(ErrorKind::value, "newton.newtonResidualMode: received " +
+                                           std::to_string(newton_settings.newtonResidualMode) +
+                                           "; expected 0 (residual of equations) or 1 (size of the increment)");
+  }
+  output.lastNewtonStepsCount = output.lastNewtonJacobiCount = output.lastDiscontinuousIterationsCount = 0;
+}
+
+void Solver::initial_conditions() {
+  if (is_static()) {
+    const auto& s = settings_->staticSolver;
+    it.numberOfSteps = std::max(1, s.numberOfLoadSteps);
+    it.startTime = s.loadStepStart;
+    it.endTime = s.loadStepStart + s.loadStepDuration;
+    it.minStepSize = s.minimumStepSize;
+    it.maxStepSize = s.loadStepDuration / it.numberOfSteps;
+    it.adaptiveStep = s.adaptiveStep && !s.loadStepGeometric;
+    it.automaticStepSize = false;
+    if (s.loadStepGeometric && s.adaptiveStep) warn("staticSolver.adaptiveStep is ignored with loadStepGeometric");
+  } else {
+    const auto& s = settings_->timeIntegration;
+    const double steps = s.numberOfSteps;
+    if (std::abs(steps - std::round(steps)) > 2.3e-14 * steps) {
+      throw ModelError(ErrorKind::value, "timeIntegration.numberOfSteps: received " + format_number(steps, 17) +
+                                             "; expected a whole number; use int(round(endTime/stepSize))");
+    }
+    it.numberOfSteps = static_cast<int>(std::lround(steps));
+    if (it.numberOfSteps < 1) {
+      warn("timeIntegration.numberOfSteps is 0; one step is computed");
+      it.numberOfSteps = 1;
+    }
+    it.startTime = s.startTime;
+    it.endTime = s.endTime;
+    it.minStepSize = s.minimumStepSize;
+    it.maxStepSize = (it.endTime - it.startTime) / it.numberOfSteps;
+    if (s.automaticStepSize) it.initialStepSize = s.initialStepSize != 0 ? s.initialStepSize : it.maxStepSize;
+    it.adaptiveStep = s.adaptiveStep;
+    it.automaticStepSize = s.automaticStepSize && controls_step_size();
+  }
+  it.currentTime = it.startTime;
+  State& first = system_->state(ConfigurationType::Initial);
+  first.time = it.startTime;
+  first.a.resize(static_cast<std::size_t>(sizes_.ode2));
+  first.y_t.resize(static_cast<std::size_t>(sizes_.ode1));
+  current() = first;
+  start_of_step() = first;
+  output.lastSolutionWritten = output.lastSensorsWritten = output.lastImageRecorded = it.startTime;
+  write_solution_header();
+}
+
+bool Solver::solve_steps() {
+  it.currentStepSize = it.automaticStepSize ? it.initialStepSize : it.maxStepSize;
+  it.currentStepIndex = 0;
+  output.lastVerboseStepIndex = 0;
+  output.finishedSuccessfully = false;
+  conv.stepReductionFailed = false;
+  conv.jacobianUpdateRequested = true;
+  last_look_ = SolverTimer::now();
+  steps_taken_ = look_mask_ = 0;
+  int steps_since_reduction = 0;
+  try {
+    finish_step(settings_->solutionSettings.writeInitialValues);
+    ++it.currentStepIndex;
+    bool end_reached = false;
+    while (!conv.stepReductionFailed && !end_reached && !stop_) {
+      if (time_to_look()) poll();
+      if (stop_) break;
+      system_->begin_step(current());
+      start_of_step() = current();
+      save_start_of_step();
+      while (!conv.stepReductionFailed) {
+        if (try_step()) {
+          step_succeeded(steps_since_reduction);
+          break;
+        }
+        step_failed(steps_since_reduction);
+      }
+      ++it.currentStepIndex;
+      end_reached = it.currentTime >= it.endTime - 1e-10;
+    }
+  } catch (...) {
+    current() = start_of_step();
+    throw;
+  }
+  output.finishedSuccessfully = !conv.stepReductionFailed;
+  return output.finishedSuccessfully;
+}
+
+bool Solver::try_step() {
+  initialize_step();
+  if (newton_settings.modifiedNewtonJacUpdatePerStep) conv.jacobianUpdateRequested = true;
+  it.lastStepSize = it.currentStepSize;
+  return discontinuous_iteration();
+}
+
+void Solver::step_failed(int& steps_since_reduction) {
+  if (conv.linearSolverFailed) {  // smaller steps do not mend a singular matrix
+    conv.stepReductionFailed = true;
+    current() = start_of_step();
+    return;
+  }
+  if (!it.adaptiveStep && !it.automaticStepSize) {
+    conv.stepReductionFailed = true;
+    return;
+  }
+  current() = start_of_step();
+  if (!reduce_step_size()) {
+    conv.stepReductionFailed = true;
+    say(1, "Step size reached its minimum; the solver stops\n");
+    return;
+  }
+  steps_since_reduction = 0;
+  const bool rejected_by_error_control = it.automaticStepSize && conv.newtonConverged && !conv.stopNewton;
+  if (verbose(1) && (output.stepInformation & step_information::step_reductions) && !rejected_by_error_control) {
+    say(1, "  step size reduced to " + format_number(it.currentStepSize) + position_text() + "\n");
+  }
+}
+
+void Solver::step_succeeded(int& steps_since_reduction) {
+  system_->end_step(current());
+  finish_step(true);
+  ++steps_since_reduction;
+  if (steps_since_reduction >= recovery_steps() && it.newtonSteps + it.discontinuousIteration <= recovery_iterations()) {
+    const double before = it.currentStepSize;
+    increase_step_size();
+    steps_since_reduction = 0;
+    if (it.currentStepSize > before && it.currentTime != it.endTime && verbose(1) &&
+        ((output.stepInformation & step_information::step_increases) || verbose(2))) {
+      say(1, "  step size increased to " + format_number(it.currentStepSize) + position_text() + "\n");
+    }
+  }
+}
+
+void Solver::initialize_step() {
+  update_current_time();
+  current().time = it.currentTime;
+  conditions_.step_size = it.currentStepSize;
+  if (verbose(2)) {
+    std::string text = "+++++++++++++++ COMPUTE STEP +++++++++++++++\nSTEP" + std::to_string(it.currentStepIndex) +
+                       position_text();
+    if (it.adaptiveStep) text += ", step size = " + format_number(it.currentStepSize);
+    say(2, text + "\n");
+  }
+  if (hooks().pre_step) {
+    const TimedPart time(timer, timer.python);
+    if (!hooks().pre_step(it.currentTime)) {
+      say(1, "PreStepUserFunction returned False: the solver stops after this step\n");
+      stop_ = output.simulationStoppedByUserFunction = true;
+    }
+  }
+}
+
+void Solver::reset_to_start_of_step() {
+  State& now = current();
+  const State& start = start_of_step();
+  now.q = start.q;
+  now.v = start.v;
+  now.a = start.a;
+  now.y = start.y;
+  now.y_t = start.y_t;
+  now.lambda = start.lambda;
+}
+
+bool Solver::discontinuous_iteration() {
+  conv.discontinuousIterationError = 0;
+  conv.discontinuousIterationSuccessful = false;
+  it.discontinuousIteration = 0;
+  while (it.discontinuousIteration < discontinuous.maxIterations && !conv.discontinuousIterationSuccessful) {
+    if (!newton()) {
+      conv.discontinuousIterationError = 2 * discontinuous.iterationTolerance;
+      conv.discontinuousIterationSuccessful = true;  // Newton is to blame
+      return false;
+    }
+    finalize_newton();
+    conv.discontinuousIterationError = post_newton();
+    ++it.discontinuousIteration;
+    ++it.discontinuousIterationsCount;
+    if (verbose(2)) {
+      say(2, "  discontinuous iteration " + std::to_string(it.discontinuousIteration) +
+                 ": error = " + format_number(conv.discontinuousIterationError) +
+                 ", tolerance = " + format_number(discontinuous.iterationTolerance) + "\n");
+    }
+    if (conv.discontinuousIterationError <= discontinuous.iterationTolerance) {
+      conv.discontinuousIterationSuccessful = true;
+    } else if (it.discontinuousIteration < discontinuous.maxIterations) {
+      reset_to_start_of_step();
+      const double recommended = it.recommendedStepSize;
+      if (recommended != -1 && recommended < (1 + 1e-8) * it.currentStepSize) return false;
+    } else if (discontinuous.ignoreMaxIterations) {
+      conv.discontinuousIterationSuccessful = true;
+    } else {
+      diagnose(FailureReason::discontinuous);
+      return false;
+    }
+  }
+  if (discontinuous.maxIterations == 0) conv.discontinuousIterationSuccessful = true;
+  return conv.discontinuousIterationSuccessful;
+}
+
+double Solver::post_newton() {
+  it.recommendedStepSize = -1;
+  double error = 0;
+  if (hooks().post_newton) {
+    const TimedPart time(timer, timer.python);
+    const auto [user_error, step_size] = hooks().post_newton(it.currentTime);
+    error = std::abs(user_error);
+    if (step_size >= 0) it.recommendedStepSize = step_size;
+  }
+  if (system_->has_discontinuities()) {
+    const TimedPart time(timer, timer.postNewton);
+    const Discontinuity verdict = system_->post_newton(current(), conditions_);
+    error += verdict.error;
+    if (verdict.recommended_step_size >= 0 &&
+        (it.recommendedStepSize == -1 || verdict.recommended_step_size < it.recommendedStepSize)) {
+      it.recommendedStepSize = verdict.recommended_step_size;
+    }
+  }
+  // The switch of time integration governs static solvers as well.
+  if (!settings_->timeIntegration.discontinuous.useRecommendedStepSize) it.recommendedStepSize = -1;
+  return error;
+}
+
+void Solver::poll_interrupt() {
+  if (hooks().interrupted && hooks().interrupted()) {
+    stop_ = output.simulationStoppedByUser = true;
+  }
+}
+
+// Whether the clock is due: every step at first, then as seldom as keeps looks about 2 ms apart.
+bool Solver::time_to_look() { return (steps_taken_++ & look_mask_) == 0; }
+
+void Solver::poll() {
+  const double now = SolverTimer::now();
+  const double elapsed = now - last_look_;
+  last_look_ = now;
+  if (elapsed < 1e-3 && look_mask_ < (1u << 24)) look_mask_ = 2 * look_mask_ + 1;
+  if (elapsed > 4e-3) look_mask_ /= 2;
+  poll_interrupt();
+  if (hooks().show) {
+    const TimedPart time(timer, timer.visualization);
+    hooks().show(false);
+  }
+  if (hooks().timeout >= 0 && now - output.cpuSolverStartTime > hooks().timeout) {
+    stop_ = output.simulationTimeout = true;
+    say(1, "the time limit of " + format_number(hooks().timeout) + " seconds is reached: the solver stops\n");
+  }
+  const double delay = now - output.cpuSolverStartTime > 3600 ? 30 : 2;
+  if (now - output.cpuLastTimePrinted >= delay) {
+    output.cpuLastTimePrinted = now;
+    print_progress(output.verboseMode == 1, output.verboseModeFile == 1);
+  }
+}
+
+}  // namespace dalembert

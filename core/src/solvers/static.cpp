@@ -1,0 +1,144 @@
+#include "dalembert/solvers/static.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dalembert/solvers/numerical_tangent.hpp"
+
+namespace dalembert {
+
+// Differences of times below this part of the whole duration are round-off.
+constexpr double time_tolerance = 1e-10;
+
+double StaticSolver::load_factor() const {
+  return (it.currentTime - it.startTime) / settings().staticSolver.loadStepDuration;
+}
+
+void StaticSolver::pre_initialize() { conditions_ = {.load_factor = 1, .rate_level = false, .inertia = false}; }
+
+void StaticSolver::initialize_data() {
+  NewtonSolver::initialize_data();
+  if (settings().staticSolver.stabilizerODE2term != 0) mass_.assign(jacobian_.size(), 0.0);
+}
+
+void StaticSolver::initial_conditions() {
+  Solver::initial_conditions();
+  const auto& s = settings().staticSolver;
+  if (s.loadStepGeometric && it.numberOfSteps <= 1) {
+    warn("staticSolver.loadStepGeometric needs at least 2 load steps; 2 are computed");
+    it.numberOfSteps = 2;
+  }
+  geometric_factor_ = it.numberOfSteps > 1 ? std::pow(s.loadStepGeometricRange, 1.0 / (it.numberOfSteps - 1)) : 1.0;
+}
+
+// Load steps of equal size, or such that each load is a multiple of the last.
+void StaticSolver::update_current_time() {
+  const auto& s = settings().staticSolver;
+  const double duration = s.loadStepDuration, tolerance = time_tolerance * duration;
+  double time = it.currentTime - it.startTime;
+  if (!s.loadStepGeometric) {
+    time += it.currentStepSize;
+  } else {
+    time = time <= tolerance ? duration / s.loadStepGeometricRange : time * geometric_factor_;
+    it.currentStepSize = 0;
+  }
+  if (time + tolerance >= duration) time = duration;
+  it.currentTime = time + it.startTime;
+  conditions_.load_factor = s.useLoadFactor ? load_factor() : 1.0;
+}
+
+bool StaticSolver::reduce_step_size() {
+  it.currentTime = current().time;
+  if (!(it.currentStepSize > it.minStepSize)) return false;
+  it.currentStepSize = std::max(it.minStepSize, settings().staticSolver.adaptiveStepDecrease * it.currentStepSize);
+  return true;
+}
+
+void StaticSolver::increase_step_size() {
+  it.currentStepSize = std::min(it.maxStepSize, settings().staticSolver.adaptiveStepIncrease * it.currentStepSize);
+}
+
+// Fades out until the full load is reached.
+double StaticSolver::stabilizer() const {
+  const double factor = load_factor();
+  return (1 - factor * factor) * settings().staticSolver.stabilizerODE2term;
+}
+
+void StaticSolver::compute_mass_matrix() {
+  const TimedPart time(timer, timer.massMatrix);
+  system().mass_matrix(current(), pattern(), mass_);
+}
+
+// In statics, multipliers count with the opposite sign: applied forces + G^T lambda = 0.
+void StaticSolver::turn_multipliers() {
+  for (double& lambda : current().lambda) lambda = -lambda;
+}
+
+double StaticSolver::compute_residual() {
+  const TimedPart time(timer, timer.ODE2RHS);
+  turn_multipliers();
+  system().residual(current(), conditions_, residual_);
+  turn_multipliers();
+  const State& now = current();
+  if (settings().staticSolver.constrainODE1coordinates) {
+    for (std::size_t i = 0; i < now.y.size(); ++i) {
+      residual_[static_cast<std::size_t>(sizes_.ode2) + i] = now.y[i] - initial().y[i];
+    }
+  }
+  if (settings().staticSolver.stabilizerODE2term != 0) {
+    compute_mass_matrix();
+    const double factor = stabilizer();
+    const State& start = start_of_step();
+    for_each_entry(pattern(), [&](int row, int column, std::size_t slot) {
+      if (row >= sizes_.ode2 || column >= sizes_.ode2) return;
+      const auto i = static_cast<std::size_t>(column);
+      residual_[static_cast<std::size_t>(row)] += factor * mass_[slot] * (now.q[i] - start.q[i]);
+    });
+  }
+  return norm_of_residual();
+}
+
+void StaticSolver::compute_update(bool initial) {
+  if (initial) return;
+  State& now = current();
+  if (system().has_lie_nodes()) {
+    std::vector<double> before = now.q, step(now.q.size());
+    for (std::size_t i = 0; i < step.size(); ++i) {
+      step[i] = -increment_[i];
+      now.q[i] += step[i];
+    }
+    system().compose(before, step, now.q);
+  } else {
+    for (std::size_t i = 0; i < now.q.size(); ++i) now.q[i] -= increment_[i];
+  }
+  for (std::size_t i = 0; i < now.y.size(); ++i) now.y[i] -= increment_[static_cast<std::size_t>(sizes_.ode2) + i];
+  for (std::size_t i = 0; i < now.lambda.size(); ++i) {
+    now.lambda[i] += increment_[static_cast<std::size_t>(sizes_.first_ae()) + i];
+  }
+}
+
+void StaticSolver::compute_jacobian() {
+  constexpr Weights weights{.q = 1, .v = 0, .a = 0, .y = 1, .y_t = 0};
+  turn_multipliers();
+  if (newton_settings.numericalDifferentiation.wanted()) {
+    numerical_tangent(system(), current(), conditions_, weights, newton_settings.numericalDifferentiation, pattern(),
+                      jacobian_);
+  } else {
+    system().tangent(current(), conditions_, weights, pattern(), jacobian_);
+  }
+  turn_multipliers();
+  const bool constrain = settings().staticSolver.constrainODE1coordinates && sizes_.ode1 > 0;
+  const double factor = settings().staticSolver.stabilizerODE2term != 0 ? stabilizer() : 0.0;
+  if (factor != 0) {
+    compute_mass_matrix();
+    for (std::size_t k = 0; k < jacobian_.size(); ++k) jacobian_[k] += factor * mass_[k];
+  }
+  if (constrain) {
+    for_each_entry(pattern(), [&](int row, int column, std::size_t slot) {
+      if (row >= sizes_.ode2 && row < sizes_.first_ae()) jacobian_[slot] = row == column ? 1.0 : 0.0;
+    });
+  }
+  add_user_jacobian(-1, 0, -1);
+}
+
+}  // namespace dalembert
