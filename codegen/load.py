@@ -26,6 +26,7 @@ TOP_LEVEL = (
     "name", "type_name", "object_type", "short_names", "summary", "provides", "requested_nodes", "requested_markers", "physics",
     "nodes", "irregular", *TABLES, "user_functions", "capabilities", "docs", "example",
 )  # fmt: skip
+WORD_LISTS = ("short_names", "provides", "requested_nodes", "requested_markers", "nodes")
 OUTPUT_KEYS = ("size", "unit", "from", "symbol", "doc")
 ARGUMENT_KEYS = ("name", "type", "unit", "size", "doc")
 
@@ -38,13 +39,25 @@ def load(root: Path) -> Specs:
     """All specs below `root`/specs, in the order of folders and files."""
     specs = root / "specs"
     _check_folders(specs)
-    enums = {enum.name: enum for enum in (load_enum(*_source(root, f)) for f in sorted((specs / "enums").glob("*.toml")))}
-    groups = {f.stem: _load_group(*_source(root, f)) for f in sorted((specs / "groups").glob("*.toml"))}
-    files = [file for folder in FOLDERS for file in sorted((specs / folder).glob("*.toml"))]
-    items = tuple(load_item(*_source(root, file), groups, enums) for file in files)
-    settings = tuple(load_settings(*_source(root, f), enums) for f in sorted((specs / "settings").glob("*.toml")))
+    enums = {enum.name: enum for enum in _each(root, ["enums"], load_enum)}
+    groups = dict(_each(root, ["groups"], lambda path, content: (Path(path).stem, _load_group(path, content))))
+    items = _each(root, FOLDERS, lambda path, content: load_item(path, content, groups, enums))
+    settings = _each(root, ["settings"], lambda path, content: load_settings(path, content, enums))
     _check_references(items, enums, root)
-    return Specs(items, tuple(enums.values()), settings)
+    return Specs(tuple(items), tuple(enums.values()), tuple(settings))
+
+
+def _each(root: Path, folders: Iterable[str], make: Callable[[str, str], T]) -> list[T]:
+    """Make one thing of every file in the folders; errors of all files are reported together."""
+    made, errors = [], []
+    for file in (file for folder in folders for file in sorted((root / "specs" / folder).glob("*.toml"))):
+        try:
+            made.append(make(file.relative_to(root).as_posix(), file.read_text("utf-8")))
+        except SpecError as error:
+            errors.append(str(error))
+    if errors:
+        raise SpecError("\n".join(errors))
+    return made
 
 
 def load_item(path: str, content: str, groups: Groups, enums: Mapping[str, Enum]) -> Item:
@@ -55,10 +68,11 @@ def load_item(path: str, content: str, groups: Groups, enums: Mapping[str, Enum]
         docs = raw.get("docs", {})
         check_keys(docs, ("equations", "quantities", "examples"), "docs")
         tables = {table: _splice(table, raw, groups) for table in TABLES}
-        words = {k: tuple(raw.get(k, ())) for k in ("short_names", "provides", "requested_nodes", "requested_markers", "nodes")}
+        texts: dict[str, Any] = {key: text(raw, key) for key in ("name", "type_name", "summary", "physics")}
+        words = {key: _words(raw, key) for key in WORD_LISTS}
         return Item(
             path=path,
-            **{key: text(raw, key) for key in ("name", "type_name", "summary", "physics")},
+            **texts,
             **words,
             object_type=raw.get("object_type", ""),
             irregular=raw.get("irregular", ""),
@@ -74,8 +88,11 @@ def load_item(path: str, content: str, groups: Groups, enums: Mapping[str, Enum]
         )
 
 
-def _source(root: Path, file: Path) -> tuple[str, str]:
-    return file.relative_to(root).as_posix(), file.read_text(encoding="utf-8")
+def _words(raw: Mapping[str, Any], key: str) -> Any:
+    value = raw.get(key, [])
+    if not isinstance(value, list) or not all(isinstance(word, str) for word in value):
+        raise SpecError(f"{key}: {value!r} is not a list of names")
+    return tuple(value)
 
 
 def _check_folders(specs: Path) -> None:
@@ -108,7 +125,9 @@ def _check_references(items: Iterable[Item], enums: Mapping[str, Enum], root: Pa
             if name not in nodes:
                 raise SpecError(f"{item.path}: nodes: no node item is named {name!r}; {nearest(name, nodes)}")
         for row in item.rows:
-            if row.type.storage == "output_variable" and row.default not in {v.name for v in enums[row.type.name].values}:
+            if row.type.storage == "output_variable" and row.default not in {
+                v.name for v in enums[row.type.name].values
+            }:
                 raise SpecError(f"{item.path}: {row.name}: default: {row.default!r} is not in {row.type.name}")
         for example in item.examples:
             if not (root / "examples" / f"{example}.py").exists():

@@ -69,7 +69,9 @@ def _setting(name: str, row: Mapping[str, Any], enums: Mapping[str, Enum]) -> Pa
     if result.type.storage in ("enumeration", "output_variable"):
         values = [v.name for v in enums[result.type.name].values]
         if result.default not in values:
-            raise SpecError(f"default: {result.default!r} is not in {result.type.name}; {nearest(result.default, values)}")
+            raise SpecError(
+                f"default: {result.default!r} is not in {result.type.name}; {nearest(result.default, values)}"
+            )
     return result
 
 
@@ -87,7 +89,10 @@ def _overlay(base: Mapping[str, Any], top: Mapping[str, Any]) -> dict[str, Any]:
     for key, value in top.items():
         if key not in base:
             raise SpecError(f"{key}: not in the shared table; {nearest(key, base)}")
-        result[key] = _overlay(base[key], value) if isinstance(value, Mapping) and "type" not in base[key] else (
-            dict(base[key]) | dict(value) if isinstance(value, Mapping) else value
-        )
+        if not isinstance(value, Mapping):
+            result[key] = value
+        elif "type" in base[key]:
+            result[key] = dict(base[key]) | dict(value)
+        else:
+            result[key] = _overlay(base[key], value)
     return result

@@ -264,7 +264,11 @@ class Item:
                 _one_of(key, word, allowed)
         self._check_rows()
         self._check_functions()
-        if self.ready and self.folder in BODY_FOLDERS and not (self.nodes or self.irregular or self.name == "ObjectGround"):
+        if (
+            self.ready
+            and self.folder in BODY_FOLDERS
+            and not (self.nodes or self.irregular or self.name == "ObjectGround")
+        ):
             raise SpecError("nodes: a ready body names the nodes that its kernel is compiled for")
         if self.nodes and self.folder not in BODY_FOLDERS:
             raise SpecError(f"nodes: only for {', '.join(BODY_FOLDERS)}")

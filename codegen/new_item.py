@@ -37,7 +37,9 @@ def create(root: Path, kind: str, name: str, folder: str = "") -> list[str]:
     context = {"name": full, "type_name": full.removeprefix(prefix), "stem": stem, "folder": folder}
     files = {f"specs/{stem}.toml": fill("new_spec.toml.j2", **context, object_type=OBJECT_TYPES.get(folder, ""))}
     if kind != "sensor":
-        files[f"core/include/dalembert/items/{stem}.hpp"] = fill("new_kernel.hpp.j2", name=full, stem=stem, folder=folder)
+        files[f"core/include/dalembert/items/{stem}.hpp"] = fill(
+            "new_kernel.hpp.j2", name=full, stem=stem, folder=folder
+        )
     for path in files:
         if (root / path).exists():
             raise SpecError(f"{path}: exists already")

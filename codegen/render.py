@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import re
 from collections.abc import Mapping
 from functools import cache
 from types import ModuleType
@@ -14,6 +15,9 @@ from codegen.model import Item
 from codegen.model_settings import Specs
 from codegen.names import FOLDERS
 from codegen.views import cpp, python, rst, settings
+
+_TRAILING_SPACE = re.compile(r"[ \t]+$", re.MULTILINE)
+_BLANK_LINES = re.compile(r"\n{3,}")
 
 
 class TemplateError(RuntimeError):
@@ -52,7 +56,8 @@ def fill(template: str, **context: Any) -> str:
     holes = meta.find_undeclared_variables(env.parse(source))
     if unused := context.keys() - holes:
         raise TemplateError(f"{template}: no hole for {', '.join(sorted(unused))}")
-    return env.get_template(template).render(**context)
+    text = _TRAILING_SPACE.sub("", env.get_template(template).render(**context))
+    return _BLANK_LINES.sub("\n\n", text).rstrip("\n") + "\n" if template.endswith(".rst.j2") else text
 
 
 def render(specs: Specs) -> dict[str, str]:

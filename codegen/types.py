@@ -98,7 +98,11 @@ def _indices() -> list[ParameterType]:
     single = [ParameterType(f"{kind}Index", f"{kind}Index", kind.lower(), f"{kind}Index | int") for kind in kinds]
     several = [
         ParameterType(
-            f"Array{kind}Index", f"std::vector<{kind}Index>", f"{kind.lower()}s", f"Sequence[{kind}Index | int]", (None,)
+            f"Array{kind}Index",
+            f"std::vector<{kind}Index>",
+            f"{kind.lower()}s",
+            f"Sequence[{kind}Index | int]",
+            (None,),
         )
         for kind in kinds
     ]

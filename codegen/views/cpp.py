@@ -101,6 +101,8 @@ def cpp_row(row: Parameter, offset: str, role: str, enum_number: int | None = No
         fields.append(f".size = {size}")
     if row.internal:
         fields.append(".internal = true")
+    if row.optional and row.type.index:
+        fields.append(".optional = true")
     if row.needs_assemble and role == "parameter":
         fields.append(".needs_assemble = true")
     if row.unit:
@@ -119,10 +121,6 @@ def required_length(row: Parameter) -> int:
     if not row.type.cpp.startswith("std::vector"):
         return 0
     return row.size or row.type.shape[0] or 0
-
-
-def cpp_kinds(function: UserFunction) -> str:
-    return "{" + ", ".join(f"Signature::Kind::{argument.type.kind}" for argument in function.arguments) + "}"
 
 
 def cpp_signature(function: UserFunction) -> str:

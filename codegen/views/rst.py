@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from codegen.model import Argument, Item, Output, Parameter, UserFunction
 from codegen.model_settings import Enum
 from codegen.views.python import python_default, shape_text
@@ -93,7 +95,10 @@ def described(row: Parameter) -> str:
 
 
 def sentence(text: str) -> str:
+    """The phrase of a spec as a sentence; a name or a symbol at its start is left as it is."""
     text = text.strip()
+    if re.match(r"[a-z]{2,}[ ,-]|[a-z]{3,}$|a ", text):
+        text = text[0].upper() + text[1:]
     return text if not text or text.endswith((".", "!", "?", ":")) else text + "."
 
 

@@ -40,7 +40,9 @@ def structs(settings: Settings) -> list[Struct]:
         _collect(settings, group, group.name, True, found)
     _collect(settings, settings.root, "", False, found)
     paths = list(_paths(settings, settings.root, "", ""))
-    return [Struct(s.name, s.summary, s.rows, s.members, tuple(p for p, n in paths if n == s.name)) for s in found.values()]
+    return [
+        Struct(s.name, s.summary, s.rows, s.members, tuple(p for p, n in paths if n == s.name)) for s in found.values()
+    ]
 
 
 def _collect(settings: Settings, group: SettingsGroup, path: str, shared: bool, found: dict[str, Struct]) -> None:

@@ -31,7 +31,7 @@ class VNodeGenericAE:
     """Visualization of NodeGenericAE."""
 
     show: bool
-    """draw the item"""
+    """True: the item is drawn"""
     def __init__(
         self,
         show: bool = False,
@@ -39,16 +39,16 @@ class VNodeGenericAE:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class NodeGenericAE(_Item):
-    """NodeGenericAE"""
+    """node with a chosen number of algebraic variables, for equations that hold without time derivatives"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     referenceCoordinates: ArrayLike
-    """referenceCoordinates [n]"""
+    """reference values; as many as ``numberOfAECoordinates``, any other length is refused; units as in the equations that use the node [n; various]"""
     initialCoordinates: ArrayLike
-    """initialCoordinates [n]"""
+    """start values of the solver, relative to the reference values; as many as ``numberOfAECoordinates`` [n; various]"""
     numberOfAECoordinates: int
-    """numberOfAECoordinates"""
+    """number of algebraic variables; at least 1"""
     visualization: VNodeGenericAE | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -64,7 +64,7 @@ class VNodeGenericData:
     """Visualization of NodeGenericData."""
 
     show: bool
-    """draw the item"""
+    """True: the item is drawn"""
     def __init__(
         self,
         show: bool = False,
@@ -72,14 +72,14 @@ class VNodeGenericData:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class NodeGenericData(_Item):
-    """NodeGenericData"""
+    """node with a chosen number of data variables: states that are kept from step to step and are not unknowns of the solver"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     initialCoordinates: ArrayLike
-    """initialCoordinates [n]"""
+    """values at the start of a computation; as many as ``numberOfDataCoordinates``, any other length is refused; their meaning and units are those of the object that uses the node [n; various]"""
     numberOfDataCoordinates: int
-    """numberOfDataCoordinates"""
+    """number of data variables; objects that need a data node say how many they expect"""
     visualization: VNodeGenericData | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -94,7 +94,7 @@ class VNodeGenericODE1:
     """Visualization of NodeGenericODE1."""
 
     show: bool
-    """draw the item"""
+    """True: the item is drawn"""
     def __init__(
         self,
         show: bool = False,
@@ -102,16 +102,16 @@ class VNodeGenericODE1:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class NodeGenericODE1(_Item):
-    """NodeGenericODE1"""
+    """node with a chosen number of coordinates of first order differential equations, for controllers, hydraulics and state-space models"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     referenceCoordinates: ArrayLike
-    """referenceCoordinates [n]"""
+    """constant values to which the coordinates are added; as many as ``numberOfODE1Coordinates``, any other length is refused; units as in the equations that use the node [n; various]"""
     initialCoordinates: ArrayLike
-    """initialCoordinates [n]"""
+    """values at the start, relative to the reference values; as many as ``numberOfODE1Coordinates`` [n; various]"""
     numberOfODE1Coordinates: int
-    """numberOfODE1Coordinates"""
+    """number of coordinates, each with a first order differential equation; at least 1"""
     visualization: VNodeGenericODE1 | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -127,7 +127,7 @@ class VNodeGenericODE2:
     """Visualization of NodeGenericODE2."""
 
     show: bool
-    """draw the item"""
+    """True: the item is drawn"""
     def __init__(
         self,
         show: bool = False,
@@ -135,18 +135,18 @@ class VNodeGenericODE2:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class NodeGenericODE2(_Item):
-    """NodeGenericODE2"""
+    """node with a chosen number of coordinates of second order differential equations, without a meaning in space"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     referenceCoordinates: ArrayLike
-    """referenceCoordinates [n]"""
+    """constant values to which the coordinates are added; as many as ``numberOfODE2Coordinates``, any other length is refused; units as in the equations that use the node [n; various]"""
     initialCoordinates: ArrayLike
-    """initialCoordinates [n]"""
+    """values at the start, relative to the reference values; as many as ``numberOfODE2Coordinates`` [n; various]"""
     initialCoordinates_t: ArrayLike
-    """initialCoordinates_t [n]"""
+    """time derivatives of the coordinates at the start; as many as ``numberOfODE2Coordinates`` [n; various]"""
     numberOfODE2Coordinates: int
-    """numberOfODE2Coordinates"""
+    """number of coordinates, each with a second order differential equation; at least 1"""
     visualization: VNodeGenericODE2 | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -163,7 +163,7 @@ class VNode1D:
     """Visualization of Node1D."""
 
     show: bool
-    """draw the item"""
+    """True: the item is drawn"""
     def __init__(
         self,
         show: bool = False,
@@ -171,16 +171,16 @@ class VNode1D:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class Node1D(_Item):
-    """Node1D"""
+    """node with one coordinate of a second order differential equation, for motion along a line or about a fixed axis"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     referenceCoordinates: ArrayLike
-    """referenceCoordinates [n]"""
+    """reference value of the coordinate, a list of length 1; m for a translation, rad for a rotation, as the body on the node says [n; various]"""
     initialCoordinates: ArrayLike
-    """initialCoordinates [n]"""
+    """coordinate at the start, relative to the reference value, a list of length 1 [n; various]"""
     initialVelocities: ArrayLike
-    """initialVelocities [n]"""
+    """time derivative of the coordinate at the start, a list of length 1 [n; various]"""
     visualization: VNode1D | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -196,11 +196,11 @@ class VNodePoint:
     """Visualization of NodePoint."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     drawSize: float
-    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -210,16 +210,16 @@ class VNodePoint:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class NodePoint(_Item):
-    """NodePoint"""
+    """node with the three displacements of a point in space"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     referenceCoordinates: ArrayLike
-    """referenceCoordinates [3]"""
+    """global position of the node without displacement [3; m]"""
     initialCoordinates: ArrayLike
-    """initialCoordinates [3]"""
+    """displacement from the reference position at the start [3; m]"""
     initialVelocities: ArrayLike
-    """initialVelocities [3]"""
+    """global velocity at the start [3; m/s]"""
     visualization: VNodePoint | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -238,11 +238,11 @@ class VNodePoint2D:
     """Visualization of NodePoint2D."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     drawSize: float
-    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -252,16 +252,16 @@ class VNodePoint2D:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class NodePoint2D(_Item):
-    """NodePoint2D"""
+    """node with the two displacements of a point in the global x-y plane"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     referenceCoordinates: ArrayLike
-    """referenceCoordinates [2]"""
+    """global x and y position of the node without displacement; z is zero [2; m]"""
     initialCoordinates: ArrayLike
-    """initialCoordinates [2]"""
+    """displacement in x and y from the reference position at the start [2; m]"""
     initialVelocities: ArrayLike
-    """initialVelocities [2]"""
+    """global velocity in x and y at the start [2; m/s]"""
     visualization: VNodePoint2D | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -280,11 +280,11 @@ class VNodePoint2DSlope1:
     """Visualization of NodePoint2DSlope1."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     drawSize: float
-    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -294,16 +294,16 @@ class VNodePoint2DSlope1:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class NodePoint2DSlope1(_Item):
-    """NodePoint2DSlope1"""
+    """node of planar cable elements: position and axial slope vector in the global x-y plane"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     referenceCoordinates: ArrayLike
-    """referenceCoordinates [4]"""
+    """x and y position (m), then x and y component of the slope vector (1); a unit vector along the axis for an element that is not stretched in the reference configuration [4; various]"""
     initialCoordinates: ArrayLike
-    """initialCoordinates [4]"""
+    """displacement (m) and change of the slope vector (1) at the start, relative to the reference coordinates [4; various]"""
     initialVelocities: ArrayLike
-    """initialVelocities [4]"""
+    """velocity (m/s) and rate of the slope vector (1/s) at the start [4; various]"""
     visualization: VNodePoint2DSlope1 | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -322,11 +322,11 @@ class VNodePointGround:
     """Visualization of NodePointGround."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     drawSize: float
-    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -336,12 +336,12 @@ class VNodePointGround:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class NodePointGround(_Item):
-    """NodePointGround"""
+    """fixed point without coordinates, as the other end of springs and constraints on coordinates or points"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     referenceCoordinates: ArrayLike
-    """referenceCoordinates [3]"""
+    """global position of the node [3; m]"""
     visualization: VNodePointGround | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -358,11 +358,11 @@ class VNodePointSlope1:
     """Visualization of NodePointSlope1."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     drawSize: float
-    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -372,16 +372,16 @@ class VNodePointSlope1:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class NodePointSlope1(_Item):
-    """NodePointSlope1"""
+    """node of spatial cable elements: position and axial slope vector"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     referenceCoordinates: ArrayLike
-    """referenceCoordinates [6]"""
+    """global position (m), then the slope vector (1); a unit vector along the axis for an element that is not stretched in the reference configuration [6; various]"""
     initialCoordinates: ArrayLike
-    """initialCoordinates [6]"""
+    """displacement (m) and change of the slope vector (1) at the start, relative to the reference coordinates [6; various]"""
     initialVelocities: ArrayLike
-    """initialVelocities [6]"""
+    """velocity (m/s) and rate of the slope vector (1/s) at the start [6; various]"""
     visualization: VNodePointSlope1 | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -397,11 +397,11 @@ class VNodePointSlope12:
     """Visualization of NodePointSlope12."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     drawSize: float
-    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -411,16 +411,16 @@ class VNodePointSlope12:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class NodePointSlope12(_Item):
-    """NodePointSlope12"""
+    """node of thin plate elements: position and the two slope vectors in the plane of the plate"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     referenceCoordinates: ArrayLike
-    """referenceCoordinates [9]"""
+    """global position (m), then the slope vectors in x and y (1); the two default slopes are parallel and so span no frame: give independent ones [9; various]"""
     initialCoordinates: ArrayLike
-    """initialCoordinates [9]"""
+    """displacement (m) and change of the slope vectors (1) at the start, relative to the reference coordinates [9; various]"""
     initialVelocities: ArrayLike
-    """initialVelocities [9]"""
+    """velocity (m/s) and rates of the slope vectors (1/s) at the start [9; various]"""
     visualization: VNodePointSlope12 | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -436,11 +436,11 @@ class VNodePointSlope23:
     """Visualization of NodePointSlope23."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     drawSize: float
-    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -450,16 +450,16 @@ class VNodePointSlope23:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class NodePointSlope23(_Item):
-    """NodePointSlope23"""
+    """node of shear and cross-section deformable beam elements: position and the two slope vectors in the cross section"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     referenceCoordinates: ArrayLike
-    """referenceCoordinates [9]"""
+    """global position (m), then the slope vectors in y and z (1); the two default slopes are parallel and so span no frame: give independent ones [9; various]"""
     initialCoordinates: ArrayLike
-    """initialCoordinates [9]"""
+    """displacement (m) and change of the slope vectors (1) at the start, relative to the reference coordinates [9; various]"""
     initialVelocities: ArrayLike
-    """initialVelocities [9]"""
+    """velocity (m/s) and rates of the slope vectors (1/s) at the start [9; various]"""
     visualization: VNodePointSlope23 | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -475,11 +475,11 @@ class VNodeRigidBody2D:
     """Visualization of NodeRigidBody2D."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     drawSize: float
-    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -489,16 +489,16 @@ class VNodeRigidBody2D:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class NodeRigidBody2D(_Item):
-    """NodeRigidBody2D"""
+    """node of a rigid body that moves in the global x-y plane: two displacements and the angle about z"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     referenceCoordinates: ArrayLike
-    """referenceCoordinates [3]"""
+    """x and y position of the reference point (m) and the angle about z (rad) without displacement and rotation [3; various]"""
     initialCoordinates: ArrayLike
-    """initialCoordinates [3]"""
+    """displacement in x and y (m) and rotation about z (rad) at the start, relative to the reference coordinates [3; various]"""
     initialVelocities: ArrayLike
-    """initialVelocities [3]"""
+    """velocity in x and y (m/s) and angular velocity about z (rad/s) at the start [3; various]"""
     visualization: VNodeRigidBody2D | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -517,11 +517,11 @@ class VNodeRigidBodyEP:
     """Visualization of NodeRigidBodyEP."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     drawSize: float
-    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -531,18 +531,18 @@ class VNodeRigidBodyEP:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class NodeRigidBodyEP(_Item):
-    """NodeRigidBodyEP"""
+    """node of a rigid body in space: three displacements and four Euler parameters (unit quaternion)"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     referenceCoordinates: ArrayLike
-    """referenceCoordinates [7]"""
+    """position of the reference point (m) and four Euler parameters (1), the scalar one first; their norm must be 1, so that the default of zeros is refused; [1, 0, 0, 0] is no rotation [7; various]"""
     initialCoordinates: ArrayLike
-    """initialCoordinates [7]"""
+    """displacement (m) and change of the Euler parameters (1) at the start; the sum of reference and initial Euler parameters must have norm 1 [7; various]"""
     initialVelocities: ArrayLike
-    """initialVelocities [7]"""
+    """velocity (m/s) and time derivatives of the Euler parameters (1/s) at the start; for a given angular velocity they are :math:`\\tfrac{1}{4}\\, {}^{b}\\mathbf{G}^{\\mathsf{T}}\\, {}^{b}\\boldsymbol{\\omega}` [7; various]"""
     addConstraintEquation: bool
-    """addConstraintEquation"""
+    """true: the node adds the equation that keeps the norm of the Euler parameters, with one algebraic variable; false: the norm has to be kept by a constraint of the model"""
     visualization: VNodeRigidBodyEP | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -562,11 +562,11 @@ class VNodeRigidBodyRotVecLG:
     """Visualization of NodeRigidBodyRotVecLG."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     drawSize: float
-    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -576,16 +576,16 @@ class VNodeRigidBodyRotVecLG:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class NodeRigidBodyRotVecLG(_Item):
-    """NodeRigidBodyRotVecLG"""
+    """node of a rigid body in space: three displacements and a rotation vector that is integrated by Lie group methods"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     referenceCoordinates: ArrayLike
-    """referenceCoordinates [6]"""
+    """position of the reference point (m) and rotation vector (rad) without displacement and rotation [6; various]"""
     initialCoordinates: ArrayLike
-    """initialCoordinates [6]"""
+    """displacement (m) and change of the rotation vector (rad) at the start; reference and initial rotation vector are added as vectors [6; various]"""
     initialVelocities: ArrayLike
-    """initialVelocities [6]"""
+    """velocity (m/s) and angular velocity in body coordinates (rad/s) at the start [6; various]"""
     visualization: VNodeRigidBodyRotVecLG | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -604,11 +604,11 @@ class VNodeRigidBodyRxyz:
     """Visualization of NodeRigidBodyRxyz."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     drawSize: float
-    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -618,16 +618,16 @@ class VNodeRigidBodyRxyz:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class NodeRigidBodyRxyz(_Item):
-    """NodeRigidBodyRxyz"""
+    """node of a rigid body in space: three displacements and three Tait-Bryan angles about x, y and z in turn"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     referenceCoordinates: ArrayLike
-    """referenceCoordinates [6]"""
+    """position of the reference point (m) and the angles (rad) without displacement and rotation [6; various]"""
     initialCoordinates: ArrayLike
-    """initialCoordinates [6]"""
+    """displacement (m) and change of the angles (rad) at the start, relative to the reference coordinates [6; various]"""
     initialVelocities: ArrayLike
-    """initialVelocities [6]"""
+    """velocity (m/s) and time derivatives of the angles (rad/s) at the start; the latter are not the components of the angular velocity, except at zero angles [6; various]"""
     visualization: VNodeRigidBodyRxyz | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -646,7 +646,7 @@ class VObjectGenericODE1:
     """Visualization of ObjectGenericODE1."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     def __init__(
         self,
         show: bool = True,
@@ -682,7 +682,7 @@ class VObjectGround:
     """Visualization of ObjectGround."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     graphicsDataUserFunction: Callable[..., Any] | Literal[0]
     """graphicsDataUserFunction"""
     graphicsData: Sequence[dict[str, Any]]
@@ -718,7 +718,7 @@ class VObjectMass1D:
     """Visualization of ObjectMass1D."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     graphicsData: Sequence[dict[str, Any]]
     """shapes attached to the body frame, as made by the functions of the graphics module [n]"""
     def __init__(
@@ -760,7 +760,7 @@ class VObjectMassPoint:
     """Visualization of ObjectMassPoint."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     graphicsData: Sequence[dict[str, Any]]
     """shapes attached to the body frame, as made by the functions of the graphics module [n]"""
     def __init__(
@@ -796,7 +796,7 @@ class VObjectMassPoint2D:
     """Visualization of ObjectMassPoint2D."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     graphicsData: Sequence[dict[str, Any]]
     """shapes attached to the body frame, as made by the functions of the graphics module [n]"""
     def __init__(
@@ -832,7 +832,7 @@ class VObjectRigidBody:
     """Visualization of ObjectRigidBody."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     graphicsDataUserFunction: Callable[..., Any] | Literal[0]
     """graphicsDataUserFunction"""
     graphicsData: Sequence[dict[str, Any]]
@@ -877,7 +877,7 @@ class VObjectRigidBody2D:
     """Visualization of ObjectRigidBody2D."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     graphicsDataUserFunction: Callable[..., Any] | Literal[0]
     """graphicsDataUserFunction"""
     graphicsData: Sequence[dict[str, Any]]
@@ -922,7 +922,7 @@ class VObjectRotationalMass1D:
     """Visualization of ObjectRotationalMass1D."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     graphicsData: Sequence[dict[str, Any]]
     """shapes attached to the body frame, as made by the functions of the graphics module [n]"""
     def __init__(
@@ -964,9 +964,9 @@ class VObjectFFRF:
     """Visualization of ObjectFFRF."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     triangleMesh: ArrayLike
     """triangleMesh [n x m]"""
     showNodes: bool
@@ -1024,9 +1024,9 @@ class VObjectFFRFreducedOrder:
     """Visualization of ObjectFFRFreducedOrder."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     triangleMesh: ArrayLike
     """triangleMesh [n x m]"""
     showNodes: bool
@@ -1126,9 +1126,9 @@ class VObjectGenericODE2:
     """Visualization of ObjectGenericODE2."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     triangleMesh: ArrayLike
     """triangleMesh [n x m]"""
     showNodes: bool
@@ -1186,13 +1186,13 @@ class VObjectKinematicTree:
     """Visualization of ObjectKinematicTree."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     showLinks: bool
     """showLinks"""
     showJoints: bool
     """showJoints"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     graphicsDataList: Sequence[Sequence[dict[str, Any]]]
     """graphicsDataList [n x m]"""
     def __init__(
@@ -1279,11 +1279,11 @@ class VObjectALEANCFCable2D:
     """Visualization of ObjectALEANCFCable2D."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     drawHeight: float
     """drawHeight"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -1354,11 +1354,11 @@ class VObjectANCFBeam:
     """Visualization of ObjectANCFBeam."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     sectionGeometry: BeamSectionGeometry
     """sectionGeometry"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -1402,11 +1402,11 @@ class VObjectANCFCable:
     """Visualization of ObjectANCFCable."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     radius: float
     """radius"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -1465,11 +1465,11 @@ class VObjectANCFCable2D:
     """Visualization of ObjectANCFCable2D."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     drawHeight: float
     """drawHeight"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -1537,9 +1537,9 @@ class VObjectANCFThinPlate:
     """Visualization of ObjectANCFThinPlate."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -1594,11 +1594,11 @@ class VObjectBeamGeometricallyExact:
     """Visualization of ObjectBeamGeometricallyExact."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     sectionGeometry: BeamSectionGeometry
     """sectionGeometry"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -1636,11 +1636,11 @@ class VObjectBeamGeometricallyExact2D:
     """Visualization of ObjectBeamGeometricallyExact2D."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     drawHeight: float
     """drawHeight"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -1705,11 +1705,11 @@ class VObjectConnectorCartesianSpringDamper:
     """Visualization of ObjectConnectorCartesianSpringDamper."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     drawSize: float
-    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -1719,22 +1719,22 @@ class VObjectConnectorCartesianSpringDamper:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectConnectorCartesianSpringDamper(_Item):
-    """ObjectConnectorCartesianSpringDamper"""
+    """Three springs and dampers that act between two points in the directions of the global axes"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     stiffness: ArrayLike
-    """stiffness [3]"""
+    """stiffness in global x, y and z direction [3; N/m]"""
     damping: ArrayLike
-    """damping [3]"""
+    """damping coefficient in global x, y and z direction [3; Ns/m]"""
     offset: ArrayLike
-    """offset [3]"""
+    """global position of marker m1 relative to marker m0 at which the springs carry no force [3; m]"""
     springForceUserFunction: Callable[..., Any] | Literal[0]
-    """springForceUserFunction"""
+    """Python function that replaces the linear law of springs and dampers; called only while the connector is active"""
     activeConnector: bool
-    """false switches the item off: no force, and no constraint"""
+    """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectConnectorCartesianSpringDamper | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -1756,11 +1756,11 @@ class VObjectConnectorCoordinateSpringDamper:
     """Visualization of ObjectConnectorCoordinateSpringDamper."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     drawSize: float
-    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -1770,22 +1770,22 @@ class VObjectConnectorCoordinateSpringDamper:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectConnectorCoordinateSpringDamper(_Item):
-    """ObjectConnectorCoordinateSpringDamper"""
+    """A scalar spring and damper between two coordinates"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     stiffness: float
-    """stiffness"""
+    """stiffness; N/m for coordinates that are lengths, Nm/rad for angles [various]"""
     damping: float
-    """damping"""
+    """damping coefficient; Ns/m for coordinates that are lengths, Nms/rad for angles [various]"""
     offset: float
-    """offset"""
+    """difference of the coordinates at which the spring carries no force; unit of the coordinates [various]"""
     activeConnector: bool
-    """false switches the item off: no force, and no constraint"""
+    """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     springForceUserFunction: Callable[..., Any] | Literal[0]
-    """springForceUserFunction"""
+    """Python function that replaces the law of spring and damper; called only while the connector is active"""
     visualization: VObjectConnectorCoordinateSpringDamper | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -1807,11 +1807,11 @@ class VObjectConnectorCoordinateSpringDamperExt:
     """Visualization of ObjectConnectorCoordinateSpringDamperExt."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     drawSize: float
-    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -1821,54 +1821,54 @@ class VObjectConnectorCoordinateSpringDamperExt:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectConnectorCoordinateSpringDamperExt(_Item):
-    """ObjectConnectorCoordinateSpringDamperExt"""
+    """A scalar spring and damper between two coordinates, with gear factors, friction and limit stops"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     nodeNumber: NodeIndex | int
-    """nodeNumber"""
+    """NodeGenericData with three data coordinates: friction state, last sticking position, limit stop state; needed for friction with ``frictionProportionalZone`` = 0 and for limit stops, else it may stay unset"""
     stiffness: float
-    """stiffness"""
+    """stiffness; N/m if the weighted coordinates are lengths, Nm/rad if they are angles; other units of this item follow in the same way [various]"""
     damping: float
-    """damping"""
+    """damping coefficient; Ns/m for lengths [various]"""
     offset: float
-    """offset"""
+    """weighted difference of the coordinates at which the spring carries no force; m for lengths; may serve as the set value of a position control [various]"""
     velocityOffset: float
-    """velocityOffset"""
+    """weighted difference of the velocities at which the damper carries no force; m/s for lengths; may serve as the set value of a velocity control [various]"""
     factor0: float
-    """factor0"""
+    """factor of the coordinate of marker m0, such as a gear ratio [1]"""
     factor1: float
-    """factor1"""
+    """factor of the coordinate of marker m1 [1]"""
     fDynamicFriction: float
-    """fDynamicFriction"""
+    """friction force in sliding, N for lengths: friction coefficient times a constant normal force [various]"""
     fStaticFrictionOffset: float
-    """fStaticFrictionOffset"""
+    """what the friction force in sticking may exceed the dynamic one, N for lengths; sticking ends at the sum of both [various]"""
     stickingStiffness: float
-    """stickingStiffness"""
+    """stiffness of the bristles in sticking, N/m for lengths; must be positive for friction with ``frictionProportionalZone`` = 0 [various]"""
     stickingDamping: float
-    """stickingDamping"""
+    """damping coefficient of the bristles in sticking, Ns/m for lengths [various]"""
     exponentialDecayStatic: float
-    """exponentialDecayStatic"""
+    """speed by which the static offset falls to 1/e = 36.8 % of its value, m/s for lengths [various]"""
     fViscousFriction: float
-    """fViscousFriction"""
+    """growth of the friction force with the speed of sliding, Ns/m for lengths; may be negative [various]"""
     frictionProportionalZone: float
-    """frictionProportionalZone"""
+    """speed up to which friction is proportional to velocity, m/s for lengths; 0: bristle model with stick and slip, which needs the data node [various]"""
     limitStopsUpper: float
-    """limitStopsUpper"""
+    """upper limit of the weighted difference of coordinates, m for lengths; the upper stop acts above it [various]"""
     limitStopsLower: float
-    """limitStopsLower"""
+    """lower limit of the weighted difference of coordinates, m for lengths; the lower stop acts below it [various]"""
     limitStopsStiffness: float
-    """limitStopsStiffness"""
+    """contact stiffness of the stops, N/m for lengths [various]"""
     limitStopsDamping: float
-    """limitStopsDamping"""
+    """contact damping of the stops, Ns/m for lengths [various]"""
     useLimitStops: bool
-    """useLimitStops"""
+    """True: limit stops are active, and the data node is needed"""
     activeConnector: bool
-    """false switches the item off: no force, and no constraint"""
+    """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     springForceUserFunction: Callable[..., Any] | Literal[0]
-    """springForceUserFunction"""
+    """Python function that replaces spring, damper, friction and limit stops altogether; called only while the connector is active"""
     visualization: VObjectConnectorCoordinateSpringDamperExt | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -1906,11 +1906,11 @@ class VObjectConnectorGravity:
     """Visualization of ObjectConnectorGravity."""
 
     show: bool
-    """draw the item"""
+    """True: the item is drawn"""
     drawSize: float
-    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = False,
@@ -1925,7 +1925,7 @@ class ObjectConnectorGravity(_Item):
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     gravitationalConstant: float
     """gravitationalConstant"""
     mass0: float
@@ -1935,7 +1935,7 @@ class ObjectConnectorGravity(_Item):
     minDistanceRegularization: float
     """minDistanceRegularization"""
     activeConnector: bool
-    """false switches the item off: no force, and no constraint"""
+    """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectConnectorGravity | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -1957,7 +1957,7 @@ class VObjectConnectorHydraulicActuatorSimple:
     """Visualization of ObjectConnectorHydraulicActuatorSimple."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     cylinderRadius: float
     """cylinderRadius"""
     rodRadius: float
@@ -1997,7 +1997,7 @@ class ObjectConnectorHydraulicActuatorSimple(_Item):
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     nodeNumbers: Sequence[NodeIndex | int]
     """nodeNumbers [n]"""
     offsetLength: float
@@ -2033,7 +2033,7 @@ class ObjectConnectorHydraulicActuatorSimple(_Item):
     useChamberVolumeChange: bool
     """useChamberVolumeChange"""
     activeConnector: bool
-    """false switches the item off: no force, and no constraint"""
+    """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectConnectorHydraulicActuatorSimple | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -2068,13 +2068,13 @@ class VObjectConnectorLinearSpringDamper:
     """Visualization of ObjectConnectorLinearSpringDamper."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     drawSize: float
-    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
     drawAsCylinder: bool
     """drawAsCylinder"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -2090,7 +2090,7 @@ class ObjectConnectorLinearSpringDamper(_Item):
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     stiffness: float
     """stiffness"""
     damping: float
@@ -2104,7 +2104,7 @@ class ObjectConnectorLinearSpringDamper(_Item):
     force: float
     """force"""
     activeConnector: bool
-    """false switches the item off: no force, and no constraint"""
+    """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     springForceUserFunction: Callable[..., Any] | Literal[0]
     """springForceUserFunction"""
     visualization: VObjectConnectorLinearSpringDamper | dict[str, Any]
@@ -2131,11 +2131,11 @@ class VObjectConnectorReevingSystemSprings:
     """Visualization of ObjectConnectorReevingSystemSprings."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     ropeRadius: float
     """ropeRadius"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -2172,7 +2172,7 @@ class ObjectConnectorReevingSystemSprings(_Item):
     sheavesRadii: ArrayLike
     """sheavesRadii [n]"""
     activeConnector: bool
-    """false switches the item off: no force, and no constraint"""
+    """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectConnectorReevingSystemSprings | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -2200,11 +2200,11 @@ class VObjectConnectorRigidBodySpringDamper:
     """Visualization of ObjectConnectorRigidBodySpringDamper."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     drawSize: float
-    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -2214,32 +2214,32 @@ class VObjectConnectorRigidBodySpringDamper:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectConnectorRigidBodySpringDamper(_Item):
-    """ObjectConnectorRigidBodySpringDamper"""
+    """A spring and damper with six components, against relative translation and rotation of two rigid body markers"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     nodeNumber: NodeIndex | int
-    """nodeNumber"""
+    """NodeGenericData whose data coordinates the user functions may use, for instance for friction or contact states; not set: no data coordinates"""
     stiffness: ArrayLike
-    """stiffness [6 x 6]"""
+    """stiffness matrix in frame J0 for three translations (N/m) and three rotations (Nm/rad), coupling terms included; need not be symmetric [6 x 6; various]"""
     damping: ArrayLike
-    """damping [6 x 6]"""
+    """damping matrix in frame J0 for the three components of velocity (Ns/m) and of angular velocity (Nms/rad) [6 x 6; various]"""
     rotationMarker0: ArrayLike
-    """rotationMarker0 [3 x 3]"""
+    """rotation matrix from joint frame J0 to the frame of marker m0; turns the axes in which stiffness, damping and offset are given [3 x 3; 1]"""
     rotationMarker1: ArrayLike
-    """rotationMarker1 [3 x 3]"""
+    """rotation matrix from joint frame J1 to the frame of marker m1; without rotation offset, the springs carry no torque if J0 and J1 are parallel [3 x 3; 1]"""
     offset: ArrayLike
-    """offset [6]"""
+    """relative position (m) and Tait-Bryan angles (rad) in frame J0 at which the springs carry no force [6; various]"""
     intrinsicFormulation: bool
-    """intrinsicFormulation"""
+    """True: relative motion is measured by the logarithm on SE(3), and forces act in the frame half-way between the markers, such that exchanging the markers changes nothing; False: all is measured in frame J0"""
     activeConnector: bool
-    """false switches the item off: no force, and no constraint"""
+    """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     springForceTorqueUserFunction: Callable[..., Any] | Literal[0]
-    """springForceTorqueUserFunction"""
+    """Python function that replaces the linear law of force and torque; called only while the connector is active"""
     postNewtonStepUserFunction: Callable[..., Any] | Literal[0]
-    """postNewtonStepUserFunction"""
+    """Python function that updates the data coordinates of ``nodeNumber`` after each Newton iteration has converged; called only with a data node and while the connector is active"""
     visualization: VObjectConnectorRigidBodySpringDamper | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -2266,11 +2266,11 @@ class VObjectConnectorRollingDiscPenalty:
     """Visualization of ObjectConnectorRollingDiscPenalty."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     discWidth: float
     """discWidth"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -2285,7 +2285,7 @@ class ObjectConnectorRollingDiscPenalty(_Item):
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     nodeNumber: NodeIndex | int
     """nodeNumber"""
     discRadius: float
@@ -2311,7 +2311,7 @@ class ObjectConnectorRollingDiscPenalty(_Item):
     useLinearProportionalZone: bool
     """useLinearProportionalZone"""
     activeConnector: bool
-    """false switches the item off: no force, and no constraint"""
+    """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectConnectorRollingDiscPenalty | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -2341,11 +2341,11 @@ class VObjectConnectorSpringDamper:
     """Visualization of ObjectConnectorSpringDamper."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     drawSize: float
-    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -2355,26 +2355,26 @@ class VObjectConnectorSpringDamper:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectConnectorSpringDamper(_Item):
-    """ObjectConnectorSpringDamper"""
+    """A spring and a damper that act along the line between two points"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     referenceLength: float
-    """referenceLength"""
+    """length at which the spring itself carries no force [m]"""
     stiffness: float
-    """stiffness"""
+    """stiffness of the spring, force per elongation [N/m]"""
     damping: float
-    """damping"""
+    """coefficient of the damper, force per rate of length [Ns/m]"""
     force: float
-    """force"""
+    """constant force added to that of spring and damper; positive: tension, the markers are pulled together; may be changed during a simulation to drive an actuator [N]"""
     velocityOffset: float
-    """velocityOffset"""
+    """rate of length at which the damper carries no force, for instance the rate at which ``referenceLength`` is changed [m/s]"""
     activeConnector: bool
-    """false switches the item off: no force, and no constraint"""
+    """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     springForceUserFunction: Callable[..., Any] | Literal[0]
-    """springForceUserFunction"""
+    """Python function that replaces the law of spring, damper and constant force; called only while the connector is active"""
     visualization: VObjectConnectorSpringDamper | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -2398,11 +2398,11 @@ class VObjectConnectorTorsionalSpringDamper:
     """Visualization of ObjectConnectorTorsionalSpringDamper."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     drawSize: float
-    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -2412,32 +2412,32 @@ class VObjectConnectorTorsionalSpringDamper:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectConnectorTorsionalSpringDamper(_Item):
-    """ObjectConnectorTorsionalSpringDamper"""
+    """A torsional spring and damper about the z axis of a joint frame"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     nodeNumber: NodeIndex | int
-    """nodeNumber"""
+    """NodeGenericData with one data coordinate that holds the angle of the last step and makes the measured angle continuous beyond half a turn; not set: the angle jumps"""
     stiffness: float
-    """stiffness"""
+    """torsional stiffness [Nm/rad]"""
     damping: float
-    """damping"""
+    """torsional damping coefficient [Nms/rad]"""
     rotationMarker0: ArrayLike
-    """rotationMarker0 [3 x 3]"""
+    """rotation matrix from joint frame J0 to the frame of marker m0; its third column is the axis of rotation [3 x 3; 1]"""
     rotationMarker1: ArrayLike
-    """rotationMarker1 [3 x 3]"""
+    """rotation matrix from joint frame J1 to the frame of marker m1; the angle is zero if J0 and J1 are parallel [3 x 3; 1]"""
     offset: float
-    """offset"""
+    """angle at which the spring carries no torque; may be changed during a simulation as the set value of a drive [rad]"""
     velocityOffset: float
-    """velocityOffset"""
+    """relative angular velocity at which the damper carries no torque; set value of a velocity control [rad/s]"""
     torque: float
-    """torque"""
+    """constant torque added to that of spring and damper; positive: acts against the rotation of marker m1 about the axis [Nm]"""
     activeConnector: bool
-    """false switches the item off: no force, and no constraint"""
+    """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     springTorqueUserFunction: Callable[..., Any] | Literal[0]
-    """springTorqueUserFunction"""
+    """Python function that replaces the law of spring, damper and constant torque; called only while the connector is active"""
     visualization: VObjectConnectorTorsionalSpringDamper | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -2464,11 +2464,11 @@ class VObjectConnectorCoordinate:
     """Visualization of ObjectConnectorCoordinate."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     drawSize: float
-    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -2483,7 +2483,7 @@ class ObjectConnectorCoordinate(_Item):
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     offset: float
     """offset"""
     factorValue1: float
@@ -2495,7 +2495,7 @@ class ObjectConnectorCoordinate(_Item):
     offsetUserFunction_t: Callable[..., Any] | Literal[0]
     """offsetUserFunction_t"""
     activeConnector: bool
-    """false switches the item off: no force, and no constraint"""
+    """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectConnectorCoordinate | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -2518,9 +2518,9 @@ class VObjectConnectorCoordinateVector:
     """Visualization of ObjectConnectorCoordinateVector."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -2534,7 +2534,7 @@ class ObjectConnectorCoordinateVector(_Item):
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     scalingMarker0: ArrayLike
     """scalingMarker0 [n x m]"""
     scalingMarker1: ArrayLike
@@ -2552,7 +2552,7 @@ class ObjectConnectorCoordinateVector(_Item):
     jacobianUserFunction: Callable[..., Any] | Literal[0]
     """jacobianUserFunction"""
     activeConnector: bool
-    """false switches the item off: no force, and no constraint"""
+    """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectConnectorCoordinateVector | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -2578,11 +2578,11 @@ class VObjectConnectorDistance:
     """Visualization of ObjectConnectorDistance."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     drawSize: float
-    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -2597,11 +2597,11 @@ class ObjectConnectorDistance(_Item):
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     distance: float
     """distance"""
     activeConnector: bool
-    """false switches the item off: no force, and no constraint"""
+    """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectConnectorDistance | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -2620,13 +2620,13 @@ class VObjectContactCircleCable2D:
     """Visualization of ObjectContactCircleCable2D."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     showContactCircle: bool
     """showContactCircle"""
     drawSize: float
-    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -2642,7 +2642,7 @@ class ObjectContactCircleCable2D(_Item):
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     nodeNumber: NodeIndex | int
     """nodeNumber"""
     numberOfContactSegments: int
@@ -2656,7 +2656,7 @@ class ObjectContactCircleCable2D(_Item):
     offset: float
     """offset"""
     activeConnector: bool
-    """false switches the item off: no force, and no constraint"""
+    """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectContactCircleCable2D | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -2677,9 +2677,9 @@ class VObjectContactConvexRoll:
     """Visualization of ObjectContactConvexRoll."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -2693,7 +2693,7 @@ class ObjectContactConvexRoll(_Item):
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     nodeNumber: NodeIndex | int
     """nodeNumber"""
     contactStiffness: float
@@ -2717,7 +2717,7 @@ class ObjectContactConvexRoll(_Item):
     rBoundingSphere: float
     """rBoundingSphere"""
     activeConnector: bool
-    """false switches the item off: no force, and no constraint"""
+    """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectContactConvexRoll | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -2743,11 +2743,11 @@ class VObjectContactCoordinate:
     """Visualization of ObjectContactCoordinate."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     drawSize: float
-    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -2762,7 +2762,7 @@ class ObjectContactCoordinate(_Item):
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     nodeNumber: NodeIndex | int
     """nodeNumber"""
     contactStiffness: float
@@ -2772,7 +2772,7 @@ class ObjectContactCoordinate(_Item):
     offset: float
     """offset"""
     activeConnector: bool
-    """false switches the item off: no force, and no constraint"""
+    """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectContactCoordinate | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -2791,9 +2791,9 @@ class VObjectContactCurveCircles:
     """Visualization of ObjectContactCurveCircles."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -2829,7 +2829,7 @@ class ObjectContactCurveCircles(_Item):
     contactModel: int
     """contactModel"""
     activeConnector: bool
-    """false switches the item off: no force, and no constraint"""
+    """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectContactCurveCircles | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -2857,13 +2857,13 @@ class VObjectContactFrictionCircleCable2D:
     """Visualization of ObjectContactFrictionCircleCable2D."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     showContactCircle: bool
     """showContactCircle"""
     drawSize: float
-    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -2879,7 +2879,7 @@ class ObjectContactFrictionCircleCable2D(_Item):
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     nodeNumber: NodeIndex | int
     """nodeNumber"""
     numberOfContactSegments: int
@@ -2899,7 +2899,7 @@ class ObjectContactFrictionCircleCable2D(_Item):
     useSegmentNormals: bool
     """useSegmentNormals"""
     activeConnector: bool
-    """false switches the item off: no force, and no constraint"""
+    """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectContactFrictionCircleCable2D | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -2923,7 +2923,7 @@ class VObjectContactSphereSphere:
     """Visualization of ObjectContactSphereSphere."""
 
     show: bool
-    """draw the item"""
+    """True: the item is drawn"""
     color: ArrayLike
     """color [4]"""
     def __init__(
@@ -2939,7 +2939,7 @@ class ObjectContactSphereSphere(_Item):
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     nodeNumber: NodeIndex | int
     """nodeNumber"""
     spheresRadii: ArrayLike
@@ -2971,7 +2971,7 @@ class ObjectContactSphereSphere(_Item):
     impactModel: int
     """impactModel"""
     activeConnector: bool
-    """false switches the item off: no force, and no constraint"""
+    """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectContactSphereSphere | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -3001,7 +3001,7 @@ class VObjectContactSphereTorus:
     """Visualization of ObjectContactSphereTorus."""
 
     show: bool
-    """draw the item"""
+    """True: the item is drawn"""
     color: ArrayLike
     """color [4]"""
     def __init__(
@@ -3017,7 +3017,7 @@ class ObjectContactSphereTorus(_Item):
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     nodeNumber: NodeIndex | int
     """nodeNumber"""
     radiusSphere: float
@@ -3045,7 +3045,7 @@ class ObjectContactSphereTorus(_Item):
     impactModel: int
     """impactModel"""
     activeConnector: bool
-    """false switches the item off: no force, and no constraint"""
+    """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectContactSphereTorus | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -3073,7 +3073,7 @@ class VObjectContactSphereTriangle:
     """Visualization of ObjectContactSphereTriangle."""
 
     show: bool
-    """draw the item"""
+    """True: the item is drawn"""
     color: ArrayLike
     """color [4]"""
     def __init__(
@@ -3089,7 +3089,7 @@ class ObjectContactSphereTriangle(_Item):
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     nodeNumber: NodeIndex | int
     """nodeNumber"""
     radiusSphere: float
@@ -3115,7 +3115,7 @@ class ObjectContactSphereTriangle(_Item):
     impactModel: int
     """impactModel"""
     activeConnector: bool
-    """false switches the item off: no force, and no constraint"""
+    """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectContactSphereTriangle | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -3142,11 +3142,11 @@ class VObjectJointALEMoving2D:
     """Visualization of ObjectJointALEMoving2D."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     drawSize: float
-    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -3161,7 +3161,7 @@ class ObjectJointALEMoving2D(_Item):
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     slidingMarkerNumbers: Sequence[MarkerIndex | int]
     """slidingMarkerNumbers [n]"""
     slidingMarkerOffsets: ArrayLike
@@ -3175,7 +3175,7 @@ class ObjectJointALEMoving2D(_Item):
     penaltyStiffness: float
     """penaltyStiffness"""
     activeConnector: bool
-    """false switches the item off: no force, and no constraint"""
+    """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectJointALEMoving2D | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -3199,13 +3199,13 @@ class VObjectJointGeneric:
     """Visualization of ObjectJointGeneric."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     axesRadius: float
     """axesRadius"""
     axesLength: float
     """axesLength"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -3221,7 +3221,7 @@ class ObjectJointGeneric(_Item):
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     constrainedAxes: Sequence[int]
     """constrainedAxes [6]"""
     rotationMarker0: ArrayLike
@@ -3229,7 +3229,7 @@ class ObjectJointGeneric(_Item):
     rotationMarker1: ArrayLike
     """rotationMarker1 [3 x 3]"""
     activeConnector: bool
-    """false switches the item off: no force, and no constraint"""
+    """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     offsetUserFunctionParameters: ArrayLike
     """offsetUserFunctionParameters [6]"""
     offsetUserFunction: Callable[..., Any] | Literal[0]
@@ -3262,11 +3262,11 @@ class VObjectJointPrismatic2D:
     """Visualization of ObjectJointPrismatic2D."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     drawSize: float
-    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -3281,7 +3281,7 @@ class ObjectJointPrismatic2D(_Item):
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     axisMarker0: ArrayLike
     """axisMarker0 [3]"""
     normalMarker1: ArrayLike
@@ -3289,7 +3289,7 @@ class ObjectJointPrismatic2D(_Item):
     constrainRotation: bool
     """constrainRotation"""
     activeConnector: bool
-    """false switches the item off: no force, and no constraint"""
+    """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectJointPrismatic2D | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -3310,13 +3310,13 @@ class VObjectJointPrismaticX:
     """Visualization of ObjectJointPrismaticX."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     axisRadius: float
     """axisRadius"""
     axisLength: float
     """axisLength"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -3332,13 +3332,13 @@ class ObjectJointPrismaticX(_Item):
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     rotationMarker0: ArrayLike
     """rotationMarker0 [3 x 3]"""
     rotationMarker1: ArrayLike
     """rotationMarker1 [3 x 3]"""
     activeConnector: bool
-    """false switches the item off: no force, and no constraint"""
+    """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectJointPrismaticX | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -3358,11 +3358,11 @@ class VObjectJointRevolute2D:
     """Visualization of ObjectJointRevolute2D."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     drawSize: float
-    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -3377,9 +3377,9 @@ class ObjectJointRevolute2D(_Item):
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     activeConnector: bool
-    """false switches the item off: no force, and no constraint"""
+    """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectJointRevolute2D | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -3397,13 +3397,13 @@ class VObjectJointRevoluteZ:
     """Visualization of ObjectJointRevoluteZ."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     axisRadius: float
     """axisRadius"""
     axisLength: float
     """axisLength"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -3419,13 +3419,13 @@ class ObjectJointRevoluteZ(_Item):
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     rotationMarker0: ArrayLike
     """rotationMarker0 [3 x 3]"""
     rotationMarker1: ArrayLike
     """rotationMarker1 [3 x 3]"""
     activeConnector: bool
-    """false switches the item off: no force, and no constraint"""
+    """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectJointRevoluteZ | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -3445,11 +3445,11 @@ class VObjectJointRollingDisc:
     """Visualization of ObjectJointRollingDisc."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     discWidth: float
     """discWidth"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -3464,11 +3464,11 @@ class ObjectJointRollingDisc(_Item):
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     constrainedAxes: Sequence[int]
     """constrainedAxes [3]"""
     activeConnector: bool
-    """false switches the item off: no force, and no constraint"""
+    """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     discRadius: float
     """discRadius"""
     discAxis: ArrayLike
@@ -3496,11 +3496,11 @@ class VObjectJointSliding:
     """Visualization of ObjectJointSliding."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     drawSize: float
-    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -3515,7 +3515,7 @@ class ObjectJointSliding(_Item):
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     slidingMarkerNumbers: Sequence[MarkerIndex | int]
     """slidingMarkerNumbers [n]"""
     slidingMarkerOffsets: ArrayLike
@@ -3529,7 +3529,7 @@ class ObjectJointSliding(_Item):
     axialForce: float
     """axialForce"""
     activeConnector: bool
-    """false switches the item off: no force, and no constraint"""
+    """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectJointSliding | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -3553,11 +3553,11 @@ class VObjectJointSliding2D:
     """Visualization of ObjectJointSliding2D."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     drawSize: float
-    """size of the drawing; a negative value selects the default size of the kind [m]"""
+    """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -3572,7 +3572,7 @@ class ObjectJointSliding2D(_Item):
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     slidingMarkerNumbers: Sequence[MarkerIndex | int]
     """slidingMarkerNumbers [n]"""
     slidingMarkerOffsets: ArrayLike
@@ -3586,7 +3586,7 @@ class ObjectJointSliding2D(_Item):
     axialForce: float
     """axialForce"""
     activeConnector: bool
-    """false switches the item off: no force, and no constraint"""
+    """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectJointSliding2D | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -3610,11 +3610,11 @@ class VObjectJointSpherical:
     """Visualization of ObjectJointSpherical."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     jointRadius: float
     """jointRadius"""
     color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind [4; 1]"""
+    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -3629,11 +3629,11 @@ class ObjectJointSpherical(_Item):
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers that are connected; forces and torques act with a positive sign on the second one [2]"""
+    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     constrainedAxes: Sequence[int]
     """constrainedAxes [3]"""
     activeConnector: bool
-    """false switches the item off: no force, and no constraint"""
+    """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectJointSpherical | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -3652,7 +3652,7 @@ class VMarkerBodiesRelativeRotationCoordinate:
     """Visualization of MarkerBodiesRelativeRotationCoordinate."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     def __init__(
         self,
         show: bool = True,
@@ -3694,7 +3694,7 @@ class VMarkerBodiesRelativeTranslationCoordinate:
     """Visualization of MarkerBodiesRelativeTranslationCoordinate."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     def __init__(
         self,
         show: bool = True,
@@ -3733,7 +3733,7 @@ class VMarkerBodyBeamShape:
     """Visualization of MarkerBodyBeamShape."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     def __init__(
         self,
         show: bool = True,
@@ -3760,7 +3760,7 @@ class VMarkerBodyCable2DCoordinates:
     """Visualization of MarkerBodyCable2DCoordinates."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     def __init__(
         self,
         show: bool = True,
@@ -3787,7 +3787,7 @@ class VMarkerBodyCable2DShape:
     """Visualization of MarkerBodyCable2DShape."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     def __init__(
         self,
         show: bool = True,
@@ -3820,7 +3820,7 @@ class VMarkerBodyMass:
     """Visualization of MarkerBodyMass."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     def __init__(
         self,
         show: bool = True,
@@ -3847,7 +3847,7 @@ class VMarkerBodyPosition:
     """Visualization of MarkerBodyPosition."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     def __init__(
         self,
         show: bool = True,
@@ -3877,7 +3877,7 @@ class VMarkerBodyRigid:
     """Visualization of MarkerBodyRigid."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     def __init__(
         self,
         show: bool = True,
@@ -3907,7 +3907,7 @@ class VMarkerKinematicTreeRigid:
     """Visualization of MarkerKinematicTreeRigid."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     def __init__(
         self,
         show: bool = True,
@@ -3940,7 +3940,7 @@ class VMarkerNodeCoordinate:
     """Visualization of MarkerNodeCoordinate."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     def __init__(
         self,
         show: bool = True,
@@ -3970,7 +3970,7 @@ class VMarkerNodeCoordinates:
     """Visualization of MarkerNodeCoordinates."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     def __init__(
         self,
         show: bool = True,
@@ -3997,7 +3997,7 @@ class VMarkerNodeODE1Coordinate:
     """Visualization of MarkerNodeODE1Coordinate."""
 
     show: bool
-    """draw the item"""
+    """True: the item is drawn"""
     def __init__(
         self,
         show: bool = False,
@@ -4027,7 +4027,7 @@ class VMarkerNodePosition:
     """Visualization of MarkerNodePosition."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     def __init__(
         self,
         show: bool = True,
@@ -4054,7 +4054,7 @@ class VMarkerNodeRigid:
     """Visualization of MarkerNodeRigid."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     def __init__(
         self,
         show: bool = True,
@@ -4081,7 +4081,7 @@ class VMarkerNodeRotationCoordinate:
     """Visualization of MarkerNodeRotationCoordinate."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     def __init__(
         self,
         show: bool = True,
@@ -4111,7 +4111,7 @@ class VMarkerObjectODE2Coordinates:
     """Visualization of MarkerObjectODE2Coordinates."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     def __init__(
         self,
         show: bool = True,
@@ -4138,7 +4138,7 @@ class VMarkerSuperElementPosition:
     """Visualization of MarkerSuperElementPosition."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     showMarkerNodes: bool
     """showMarkerNodes"""
     def __init__(
@@ -4174,7 +4174,7 @@ class VMarkerSuperElementRigid:
     """Visualization of MarkerSuperElementRigid."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     showMarkerNodes: bool
     """showMarkerNodes"""
     def __init__(
@@ -4219,7 +4219,7 @@ class VLoadCoordinate:
     """Visualization of LoadCoordinate."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     def __init__(
         self,
         show: bool = True,
@@ -4252,7 +4252,7 @@ class VLoadForceVector:
     """Visualization of LoadForceVector."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     def __init__(
         self,
         show: bool = True,
@@ -4291,7 +4291,7 @@ class VLoadMassProportional:
     """Visualization of LoadMassProportional."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     def __init__(
         self,
         show: bool = True,
@@ -4327,7 +4327,7 @@ class VLoadTorqueVector:
     """Visualization of LoadTorqueVector."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     def __init__(
         self,
         show: bool = True,
@@ -4366,7 +4366,7 @@ class VSensorBody:
     """Visualization of SensorBody."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     def __init__(
         self,
         show: bool = True,
@@ -4383,13 +4383,13 @@ class SensorBody(_Item):
     localPosition: ArrayLike
     """localPosition [3]"""
     writeToFile: bool
-    """write the measured values to a file"""
+    """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
     fileName: str
-    """file, with its path relative to the working directory; directories are created"""
+    """file with the time in the first and the values in the further columns; the path is relative to the working directory, missing directories are created"""
     outputVariableType: OutputVariableType
-    """output variable that is measured"""
+    """output variable that is measured; one that the measured item does not provide is refused in Assemble"""
     storeInternal: bool
-    """keep the measured values in memory, to be read after the solver has finished"""
+    """keep time and values in memory, to be read with ``mbs.GetSensorStoredData`` during or after the solution"""
     visualization: VSensorBody | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -4408,7 +4408,7 @@ class VSensorKinematicTree:
     """Visualization of SensorKinematicTree."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     def __init__(
         self,
         show: bool = True,
@@ -4427,13 +4427,13 @@ class SensorKinematicTree(_Item):
     localPosition: ArrayLike
     """localPosition [3]"""
     writeToFile: bool
-    """write the measured values to a file"""
+    """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
     fileName: str
-    """file, with its path relative to the working directory; directories are created"""
+    """file with the time in the first and the values in the further columns; the path is relative to the working directory, missing directories are created"""
     outputVariableType: OutputVariableType
-    """output variable that is measured"""
+    """output variable that is measured; one that the measured item does not provide is refused in Assemble"""
     storeInternal: bool
-    """keep the measured values in memory, to be read after the solver has finished"""
+    """keep time and values in memory, to be read with ``mbs.GetSensorStoredData`` during or after the solution"""
     visualization: VSensorKinematicTree | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -4453,7 +4453,7 @@ class VSensorLoad:
     """Visualization of SensorLoad."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     def __init__(
         self,
         show: bool = True,
@@ -4468,11 +4468,11 @@ class SensorLoad(_Item):
     loadNumber: LoadIndex | int
     """loadNumber"""
     writeToFile: bool
-    """write the measured values to a file"""
+    """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
     fileName: str
-    """file, with its path relative to the working directory; directories are created"""
+    """file with the time in the first and the values in the further columns; the path is relative to the working directory, missing directories are created"""
     storeInternal: bool
-    """keep the measured values in memory, to be read after the solver has finished"""
+    """keep time and values in memory, to be read with ``mbs.GetSensorStoredData`` during or after the solution"""
     visualization: VSensorLoad | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -4489,7 +4489,7 @@ class VSensorMarker:
     """Visualization of SensorMarker."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     def __init__(
         self,
         show: bool = True,
@@ -4504,13 +4504,13 @@ class SensorMarker(_Item):
     markerNumber: MarkerIndex | int
     """markerNumber"""
     writeToFile: bool
-    """write the measured values to a file"""
+    """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
     fileName: str
-    """file, with its path relative to the working directory; directories are created"""
+    """file with the time in the first and the values in the further columns; the path is relative to the working directory, missing directories are created"""
     outputVariableType: OutputVariableType
-    """output variable that is measured"""
+    """output variable that is measured; one that the measured item does not provide is refused in Assemble"""
     storeInternal: bool
-    """keep the measured values in memory, to be read after the solver has finished"""
+    """keep time and values in memory, to be read with ``mbs.GetSensorStoredData`` during or after the solution"""
     visualization: VSensorMarker | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -4528,7 +4528,7 @@ class VSensorNode:
     """Visualization of SensorNode."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     def __init__(
         self,
         show: bool = True,
@@ -4543,13 +4543,13 @@ class SensorNode(_Item):
     nodeNumber: NodeIndex | int
     """nodeNumber"""
     writeToFile: bool
-    """write the measured values to a file"""
+    """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
     fileName: str
-    """file, with its path relative to the working directory; directories are created"""
+    """file with the time in the first and the values in the further columns; the path is relative to the working directory, missing directories are created"""
     outputVariableType: OutputVariableType
-    """output variable that is measured"""
+    """output variable that is measured; one that the measured item does not provide is refused in Assemble"""
     storeInternal: bool
-    """keep the measured values in memory, to be read after the solver has finished"""
+    """keep time and values in memory, to be read with ``mbs.GetSensorStoredData`` during or after the solution"""
     visualization: VSensorNode | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -4567,7 +4567,7 @@ class VSensorObject:
     """Visualization of SensorObject."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     def __init__(
         self,
         show: bool = True,
@@ -4582,13 +4582,13 @@ class SensorObject(_Item):
     objectNumber: ObjectIndex | int
     """objectNumber"""
     writeToFile: bool
-    """write the measured values to a file"""
+    """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
     fileName: str
-    """file, with its path relative to the working directory; directories are created"""
+    """file with the time in the first and the values in the further columns; the path is relative to the working directory, missing directories are created"""
     outputVariableType: OutputVariableType
-    """output variable that is measured"""
+    """output variable that is measured; one that the measured item does not provide is refused in Assemble"""
     storeInternal: bool
-    """keep the measured values in memory, to be read after the solver has finished"""
+    """keep time and values in memory, to be read with ``mbs.GetSensorStoredData`` during or after the solution"""
     visualization: VSensorObject | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -4606,7 +4606,7 @@ class VSensorSuperElement:
     """Visualization of SensorSuperElement."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     def __init__(
         self,
         show: bool = True,
@@ -4623,13 +4623,13 @@ class SensorSuperElement(_Item):
     meshNodeNumber: int
     """meshNodeNumber"""
     writeToFile: bool
-    """write the measured values to a file"""
+    """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
     fileName: str
-    """file, with its path relative to the working directory; directories are created"""
+    """file with the time in the first and the values in the further columns; the path is relative to the working directory, missing directories are created"""
     outputVariableType: OutputVariableType
-    """output variable that is measured"""
+    """output variable that is measured; one that the measured item does not provide is refused in Assemble"""
     storeInternal: bool
-    """keep the measured values in memory, to be read after the solver has finished"""
+    """keep time and values in memory, to be read with ``mbs.GetSensorStoredData`` during or after the solution"""
     visualization: VSensorSuperElement | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -4648,7 +4648,7 @@ class VSensorUserFunction:
     """Visualization of SensorUserFunction."""
 
     show: bool
-    """draw the item"""
+    """False: the item is not drawn"""
     def __init__(
         self,
         show: bool = True,
@@ -4665,13 +4665,13 @@ class SensorUserFunction(_Item):
     factors: ArrayLike
     """factors [n]"""
     writeToFile: bool
-    """write the measured values to a file"""
+    """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
     fileName: str
-    """file, with its path relative to the working directory; directories are created"""
+    """file with the time in the first and the values in the further columns; the path is relative to the working directory, missing directories are created"""
     sensorUserFunction: Callable[..., Any] | Literal[0]
     """sensorUserFunction"""
     storeInternal: bool
-    """keep the measured values in memory, to be read after the solver has finished"""
+    """keep time and values in memory, to be read with ``mbs.GetSensorStoredData`` during or after the solution"""
     visualization: VSensorUserFunction | dict[str, Any]
     """how the item is drawn"""
     def __init__(

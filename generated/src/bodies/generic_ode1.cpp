@@ -13,7 +13,9 @@ namespace {
 
 using Record = ObjectGenericODE1Record;
 
-constexpr std::array<Signature::Kind, 1> rhsUserFunction_arguments{Signature::Kind::vector};
+constexpr std::array<Signature::Kind, 1> rhsUserFunction_arguments{
+    Signature::Kind::vector,
+};
 constexpr Signature rhsUserFunction_signature{.arguments = rhsUserFunction_arguments, .result = Signature::Kind::vector};
 
 constexpr std::array<Row, 9> rows{{

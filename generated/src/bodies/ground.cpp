@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/body.hpp"
+#include "dalembert/items/bodies/ground.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -32,6 +34,8 @@ constexpr std::array<OutputVariableType, 5> outputs{
     OutputVariableType::RotationMatrix,
 };
 
+const auto& physics = body_physics<ObjectGround>();
+
 }  // namespace
 
 extern const ItemType object_ground_type;
@@ -47,7 +51,7 @@ const ItemType object_ground_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::none,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/bodies/ground.toml",
 };
 

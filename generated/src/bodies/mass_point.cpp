@@ -5,6 +5,9 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/body.hpp"
+#include "dalembert/items/bodies/mass_point.hpp"
+#include "dalembert/items/nodes/point.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -34,6 +37,8 @@ constexpr std::array<OutputVariableType, 8> outputs{
     OutputVariableType::AngularVelocityLocal,
 };
 
+const auto& physics = body_physics<ObjectMassPoint, NodePoint>();
+
 }  // namespace
 
 extern const ItemType object_mass_point_type;
@@ -49,7 +54,7 @@ const ItemType object_mass_point_type{
     .record = record_operations<Record>(),
     .requested_node = Port::position,
     .requested_marker = Port::none,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/bodies/mass_point.toml",
 };
 

@@ -5,6 +5,11 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/body.hpp"
+#include "dalembert/items/bodies/rigid_body.hpp"
+#include "dalembert/items/nodes/rigid_body_ep.hpp"
+#include "dalembert/items/nodes/rigid_body_rot_vec_lg.hpp"
+#include "dalembert/items/nodes/rigid_body_rxyz.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -41,6 +46,8 @@ constexpr std::array<OutputVariableType, 12> outputs{
     OutputVariableType::AngularAccelerationLocal,
 };
 
+const auto& physics = body_physics<ObjectRigidBody, NodeRigidBodyEP, NodeRigidBodyRxyz, NodeRigidBodyRotVecLG>();
+
 }  // namespace
 
 extern const ItemType object_rigid_body_type;
@@ -56,7 +63,7 @@ const ItemType object_rigid_body_type{
     .record = record_operations<Record>(),
     .requested_node = Port::position | Port::orientation,
     .requested_marker = Port::none,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/bodies/rigid_body.toml",
 };
 

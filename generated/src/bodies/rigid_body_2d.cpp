@@ -5,6 +5,9 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/body.hpp"
+#include "dalembert/items/bodies/rigid_body_2d.hpp"
+#include "dalembert/items/nodes/rigid_body_2d.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -41,6 +44,8 @@ constexpr std::array<OutputVariableType, 12> outputs{
     OutputVariableType::AngularAccelerationLocal,
 };
 
+const auto& physics = body_physics<ObjectRigidBody2D, NodeRigidBody2D>();
+
 }  // namespace
 
 extern const ItemType object_rigid_body_2d_type;
@@ -56,7 +61,7 @@ const ItemType object_rigid_body_2d_type{
     .record = record_operations<Record>(),
     .requested_node = Port::position_2d | Port::orientation_2d | Port::position | Port::orientation,
     .requested_marker = Port::none,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/bodies/rigid_body_2d.toml",
 };
 

@@ -5,6 +5,9 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/body.hpp"
+#include "dalembert/items/bodies/rotational_mass_1d.hpp"
+#include "dalembert/items/nodes/one_d.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -35,6 +38,8 @@ constexpr std::array<OutputVariableType, 7> outputs{
     OutputVariableType::AngularVelocityLocal,
 };
 
+const auto& physics = body_physics<ObjectRotationalMass1D, Node1D>();
+
 }  // namespace
 
 extern const ItemType object_rotational_mass_1d_type;
@@ -50,7 +55,7 @@ const ItemType object_rotational_mass_1d_type{
     .record = record_operations<Record>(),
     .requested_node = Port::generic_ode2,
     .requested_marker = Port::none,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/bodies/rotational_mass_1d.toml",
 };
 

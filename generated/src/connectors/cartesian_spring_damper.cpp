@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/connector.hpp"
+#include "dalembert/items/connectors/cartesian_spring_damper.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -13,15 +15,21 @@ namespace {
 
 using Record = ObjectConnectorCartesianSpringDamperRecord;
 
-constexpr std::array<Signature::Kind, 5> springForceUserFunction_arguments{Signature::Kind::vector, Signature::Kind::vector, Signature::Kind::vector, Signature::Kind::vector, Signature::Kind::vector};
+constexpr std::array<Signature::Kind, 5> springForceUserFunction_arguments{
+    Signature::Kind::vector,
+    Signature::Kind::vector,
+    Signature::Kind::vector,
+    Signature::Kind::vector,
+    Signature::Kind::vector,
+};
 constexpr Signature springForceUserFunction_signature{.arguments = springForceUserFunction_arguments, .result = Signature::Kind::vector};
 
 constexpr std::array<Row, 10> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "markerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.markerNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
-    {.name = "stiffness", .storage = Storage::vector3, .offset = offsetof(Record, parameters.stiffness), .role = Role::parameter},
-    {.name = "damping", .storage = Storage::vector3, .offset = offsetof(Record, parameters.damping), .role = Role::parameter},
-    {.name = "offset", .storage = Storage::vector3, .offset = offsetof(Record, parameters.offset), .role = Role::parameter},
+    {.name = "stiffness", .storage = Storage::vector3, .offset = offsetof(Record, parameters.stiffness), .role = Role::parameter, .unit = "N/m"},
+    {.name = "damping", .storage = Storage::vector3, .offset = offsetof(Record, parameters.damping), .role = Role::parameter, .unit = "Ns/m"},
+    {.name = "offset", .storage = Storage::vector3, .offset = offsetof(Record, parameters.offset), .role = Role::parameter, .unit = "m"},
     {.name = "springForceUserFunction", .storage = Storage::user_function, .offset = offsetof(Record, parameters.springForceUserFunction), .role = Role::parameter, .signature = &springForceUserFunction_signature},
     {.name = "activeConnector", .storage = Storage::boolean, .offset = offsetof(Record, parameters.activeConnector), .role = Role::parameter},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
@@ -38,6 +46,8 @@ constexpr std::array<OutputVariableType, 4> outputs{
     OutputVariableType::Force,
 };
 
+const auto& physics = connector_physics<ObjectConnectorCartesianSpringDamper>();
+
 }  // namespace
 
 extern const ItemType object_connector_cartesian_spring_damper_type;
@@ -53,7 +63,7 @@ const ItemType object_connector_cartesian_spring_damper_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::position,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/connectors/cartesian_spring_damper.toml",
 };
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/connector.hpp"
+#include "dalembert/items/connectors/coordinate_spring_damper.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -13,15 +15,21 @@ namespace {
 
 using Record = ObjectConnectorCoordinateSpringDamperRecord;
 
-constexpr std::array<Signature::Kind, 5> springForceUserFunction_arguments{Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar};
+constexpr std::array<Signature::Kind, 5> springForceUserFunction_arguments{
+    Signature::Kind::scalar,
+    Signature::Kind::scalar,
+    Signature::Kind::scalar,
+    Signature::Kind::scalar,
+    Signature::Kind::scalar,
+};
 constexpr Signature springForceUserFunction_signature{.arguments = springForceUserFunction_arguments, .result = Signature::Kind::scalar};
 
 constexpr std::array<Row, 10> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "markerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.markerNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
-    {.name = "stiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.stiffness), .role = Role::parameter},
-    {.name = "damping", .storage = Storage::real, .offset = offsetof(Record, parameters.damping), .role = Role::parameter},
-    {.name = "offset", .storage = Storage::real, .offset = offsetof(Record, parameters.offset), .role = Role::parameter},
+    {.name = "stiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.stiffness), .role = Role::parameter, .unit = "various"},
+    {.name = "damping", .storage = Storage::real, .offset = offsetof(Record, parameters.damping), .role = Role::parameter, .unit = "various"},
+    {.name = "offset", .storage = Storage::real, .offset = offsetof(Record, parameters.offset), .role = Role::parameter, .unit = "various"},
     {.name = "activeConnector", .storage = Storage::boolean, .offset = offsetof(Record, parameters.activeConnector), .role = Role::parameter},
     {.name = "springForceUserFunction", .storage = Storage::user_function, .offset = offsetof(Record, parameters.springForceUserFunction), .role = Role::parameter, .signature = &springForceUserFunction_signature},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
@@ -36,6 +44,8 @@ constexpr std::array<OutputVariableType, 3> outputs{
     OutputVariableType::Velocity,
     OutputVariableType::Force,
 };
+
+const auto& physics = connector_physics<ObjectConnectorCoordinateSpringDamper>();
 
 }  // namespace
 
@@ -52,7 +62,7 @@ const ItemType object_connector_coordinate_spring_damper_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::coordinate,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/connectors/coordinate_spring_damper.toml",
 };
 

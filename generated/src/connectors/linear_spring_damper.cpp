@@ -13,7 +13,13 @@ namespace {
 
 using Record = ObjectConnectorLinearSpringDamperRecord;
 
-constexpr std::array<Signature::Kind, 5> springForceUserFunction_arguments{Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar};
+constexpr std::array<Signature::Kind, 5> springForceUserFunction_arguments{
+    Signature::Kind::scalar,
+    Signature::Kind::scalar,
+    Signature::Kind::scalar,
+    Signature::Kind::scalar,
+    Signature::Kind::scalar,
+};
 constexpr Signature springForceUserFunction_signature{.arguments = springForceUserFunction_arguments, .result = Signature::Kind::scalar};
 
 constexpr std::array<Row, 14> rows{{

@@ -13,21 +13,42 @@ namespace {
 
 using Record = ObjectConnectorRigidBodySpringDamperRecord;
 
-constexpr std::array<Signature::Kind, 9> springForceTorqueUserFunction_arguments{Signature::Kind::vector, Signature::Kind::vector, Signature::Kind::vector, Signature::Kind::vector, Signature::Kind::matrix, Signature::Kind::matrix, Signature::Kind::matrix, Signature::Kind::matrix, Signature::Kind::vector};
+constexpr std::array<Signature::Kind, 9> springForceTorqueUserFunction_arguments{
+    Signature::Kind::vector,
+    Signature::Kind::vector,
+    Signature::Kind::vector,
+    Signature::Kind::vector,
+    Signature::Kind::matrix,
+    Signature::Kind::matrix,
+    Signature::Kind::matrix,
+    Signature::Kind::matrix,
+    Signature::Kind::vector,
+};
 constexpr Signature springForceTorqueUserFunction_signature{.arguments = springForceTorqueUserFunction_arguments, .result = Signature::Kind::vector};
 
-constexpr std::array<Signature::Kind, 10> postNewtonStepUserFunction_arguments{Signature::Kind::vector, Signature::Kind::vector, Signature::Kind::vector, Signature::Kind::vector, Signature::Kind::vector, Signature::Kind::matrix, Signature::Kind::matrix, Signature::Kind::matrix, Signature::Kind::matrix, Signature::Kind::vector};
+constexpr std::array<Signature::Kind, 10> postNewtonStepUserFunction_arguments{
+    Signature::Kind::vector,
+    Signature::Kind::vector,
+    Signature::Kind::vector,
+    Signature::Kind::vector,
+    Signature::Kind::vector,
+    Signature::Kind::matrix,
+    Signature::Kind::matrix,
+    Signature::Kind::matrix,
+    Signature::Kind::matrix,
+    Signature::Kind::vector,
+};
 constexpr Signature postNewtonStepUserFunction_signature{.arguments = postNewtonStepUserFunction_arguments, .result = Signature::Kind::vector};
 
 constexpr std::array<Row, 15> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "markerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.markerNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
-    {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
-    {.name = "stiffness", .storage = Storage::matrix6, .offset = offsetof(Record, parameters.stiffness), .role = Role::parameter},
-    {.name = "damping", .storage = Storage::matrix6, .offset = offsetof(Record, parameters.damping), .role = Role::parameter},
-    {.name = "rotationMarker0", .storage = Storage::matrix3, .offset = offsetof(Record, parameters.rotationMarker0), .role = Role::parameter},
-    {.name = "rotationMarker1", .storage = Storage::matrix3, .offset = offsetof(Record, parameters.rotationMarker1), .role = Role::parameter},
-    {.name = "offset", .storage = Storage::vector6, .offset = offsetof(Record, parameters.offset), .role = Role::parameter},
+    {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .optional = true, .needs_assemble = true},
+    {.name = "stiffness", .storage = Storage::matrix6, .offset = offsetof(Record, parameters.stiffness), .role = Role::parameter, .unit = "various"},
+    {.name = "damping", .storage = Storage::matrix6, .offset = offsetof(Record, parameters.damping), .role = Role::parameter, .unit = "various"},
+    {.name = "rotationMarker0", .storage = Storage::matrix3, .offset = offsetof(Record, parameters.rotationMarker0), .role = Role::parameter, .unit = "1"},
+    {.name = "rotationMarker1", .storage = Storage::matrix3, .offset = offsetof(Record, parameters.rotationMarker1), .role = Role::parameter, .unit = "1"},
+    {.name = "offset", .storage = Storage::vector6, .offset = offsetof(Record, parameters.offset), .role = Role::parameter, .unit = "various"},
     {.name = "intrinsicFormulation", .storage = Storage::boolean, .offset = offsetof(Record, parameters.intrinsicFormulation), .role = Role::parameter},
     {.name = "activeConnector", .storage = Storage::boolean, .offset = offsetof(Record, parameters.activeConnector), .role = Role::parameter},
     {.name = "springForceTorqueUserFunction", .storage = Storage::user_function, .offset = offsetof(Record, parameters.springForceTorqueUserFunction), .role = Role::parameter, .signature = &springForceTorqueUserFunction_signature},

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/connector.hpp"
+#include "dalembert/items/connectors/spring_damper.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -13,17 +15,23 @@ namespace {
 
 using Record = ObjectConnectorSpringDamperRecord;
 
-constexpr std::array<Signature::Kind, 5> springForceUserFunction_arguments{Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar};
+constexpr std::array<Signature::Kind, 5> springForceUserFunction_arguments{
+    Signature::Kind::scalar,
+    Signature::Kind::scalar,
+    Signature::Kind::scalar,
+    Signature::Kind::scalar,
+    Signature::Kind::scalar,
+};
 constexpr Signature springForceUserFunction_signature{.arguments = springForceUserFunction_arguments, .result = Signature::Kind::scalar};
 
 constexpr std::array<Row, 12> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "markerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.markerNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
-    {.name = "referenceLength", .storage = Storage::real, .offset = offsetof(Record, parameters.referenceLength), .role = Role::parameter, .check = Check::non_negative},
-    {.name = "stiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.stiffness), .role = Role::parameter, .check = Check::non_negative},
-    {.name = "damping", .storage = Storage::real, .offset = offsetof(Record, parameters.damping), .role = Role::parameter, .check = Check::non_negative},
-    {.name = "force", .storage = Storage::real, .offset = offsetof(Record, parameters.force), .role = Role::parameter},
-    {.name = "velocityOffset", .storage = Storage::real, .offset = offsetof(Record, parameters.velocityOffset), .role = Role::parameter},
+    {.name = "referenceLength", .storage = Storage::real, .offset = offsetof(Record, parameters.referenceLength), .role = Role::parameter, .check = Check::non_negative, .unit = "m"},
+    {.name = "stiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.stiffness), .role = Role::parameter, .check = Check::non_negative, .unit = "N/m"},
+    {.name = "damping", .storage = Storage::real, .offset = offsetof(Record, parameters.damping), .role = Role::parameter, .check = Check::non_negative, .unit = "Ns/m"},
+    {.name = "force", .storage = Storage::real, .offset = offsetof(Record, parameters.force), .role = Role::parameter, .unit = "N"},
+    {.name = "velocityOffset", .storage = Storage::real, .offset = offsetof(Record, parameters.velocityOffset), .role = Role::parameter, .unit = "m/s"},
     {.name = "activeConnector", .storage = Storage::boolean, .offset = offsetof(Record, parameters.activeConnector), .role = Role::parameter},
     {.name = "springForceUserFunction", .storage = Storage::user_function, .offset = offsetof(Record, parameters.springForceUserFunction), .role = Role::parameter, .signature = &springForceUserFunction_signature},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
@@ -41,6 +49,8 @@ constexpr std::array<OutputVariableType, 5> outputs{
     OutputVariableType::ForceLocal,
 };
 
+const auto& physics = connector_physics<ObjectConnectorSpringDamper>();
+
 }  // namespace
 
 extern const ItemType object_connector_spring_damper_type;
@@ -56,7 +66,7 @@ const ItemType object_connector_spring_damper_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::position,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/connectors/spring_damper.toml",
 };
 

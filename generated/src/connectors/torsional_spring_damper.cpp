@@ -13,20 +13,26 @@ namespace {
 
 using Record = ObjectConnectorTorsionalSpringDamperRecord;
 
-constexpr std::array<Signature::Kind, 5> springTorqueUserFunction_arguments{Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar};
+constexpr std::array<Signature::Kind, 5> springTorqueUserFunction_arguments{
+    Signature::Kind::scalar,
+    Signature::Kind::scalar,
+    Signature::Kind::scalar,
+    Signature::Kind::scalar,
+    Signature::Kind::scalar,
+};
 constexpr Signature springTorqueUserFunction_signature{.arguments = springTorqueUserFunction_arguments, .result = Signature::Kind::scalar};
 
 constexpr std::array<Row, 15> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "markerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.markerNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
-    {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
-    {.name = "stiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.stiffness), .role = Role::parameter},
-    {.name = "damping", .storage = Storage::real, .offset = offsetof(Record, parameters.damping), .role = Role::parameter},
-    {.name = "rotationMarker0", .storage = Storage::matrix3, .offset = offsetof(Record, parameters.rotationMarker0), .role = Role::parameter},
-    {.name = "rotationMarker1", .storage = Storage::matrix3, .offset = offsetof(Record, parameters.rotationMarker1), .role = Role::parameter},
-    {.name = "offset", .storage = Storage::real, .offset = offsetof(Record, parameters.offset), .role = Role::parameter},
-    {.name = "velocityOffset", .storage = Storage::real, .offset = offsetof(Record, parameters.velocityOffset), .role = Role::parameter},
-    {.name = "torque", .storage = Storage::real, .offset = offsetof(Record, parameters.torque), .role = Role::parameter},
+    {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .optional = true, .needs_assemble = true},
+    {.name = "stiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.stiffness), .role = Role::parameter, .unit = "Nm/rad"},
+    {.name = "damping", .storage = Storage::real, .offset = offsetof(Record, parameters.damping), .role = Role::parameter, .unit = "Nms/rad"},
+    {.name = "rotationMarker0", .storage = Storage::matrix3, .offset = offsetof(Record, parameters.rotationMarker0), .role = Role::parameter, .unit = "1"},
+    {.name = "rotationMarker1", .storage = Storage::matrix3, .offset = offsetof(Record, parameters.rotationMarker1), .role = Role::parameter, .unit = "1"},
+    {.name = "offset", .storage = Storage::real, .offset = offsetof(Record, parameters.offset), .role = Role::parameter, .unit = "rad"},
+    {.name = "velocityOffset", .storage = Storage::real, .offset = offsetof(Record, parameters.velocityOffset), .role = Role::parameter, .unit = "rad/s"},
+    {.name = "torque", .storage = Storage::real, .offset = offsetof(Record, parameters.torque), .role = Role::parameter, .unit = "Nm"},
     {.name = "activeConnector", .storage = Storage::boolean, .offset = offsetof(Record, parameters.activeConnector), .role = Role::parameter},
     {.name = "springTorqueUserFunction", .storage = Storage::user_function, .offset = offsetof(Record, parameters.springTorqueUserFunction), .role = Role::parameter, .signature = &springTorqueUserFunction_signature},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},

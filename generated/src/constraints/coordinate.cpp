@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/constraint.hpp"
+#include "dalembert/items/constraints/coordinate.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -13,10 +15,14 @@ namespace {
 
 using Record = ObjectConnectorCoordinateRecord;
 
-constexpr std::array<Signature::Kind, 1> offsetUserFunction_arguments{Signature::Kind::scalar};
+constexpr std::array<Signature::Kind, 1> offsetUserFunction_arguments{
+    Signature::Kind::scalar,
+};
 constexpr Signature offsetUserFunction_signature{.arguments = offsetUserFunction_arguments, .result = Signature::Kind::scalar};
 
-constexpr std::array<Signature::Kind, 1> offsetUserFunction_t_arguments{Signature::Kind::scalar};
+constexpr std::array<Signature::Kind, 1> offsetUserFunction_t_arguments{
+    Signature::Kind::scalar,
+};
 constexpr Signature offsetUserFunction_t_signature{.arguments = offsetUserFunction_t_arguments, .result = Signature::Kind::scalar};
 
 constexpr std::array<Row, 11> rows{{
@@ -42,6 +48,8 @@ constexpr std::array<OutputVariableType, 4> outputs{
     OutputVariableType::Force,
 };
 
+const auto& physics = constraint_physics<ObjectConnectorCoordinate>();
+
 }  // namespace
 
 extern const ItemType object_connector_coordinate_type;
@@ -57,7 +65,7 @@ const ItemType object_connector_coordinate_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::coordinate,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/constraints/coordinate.toml",
 };
 

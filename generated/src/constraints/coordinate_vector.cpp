@@ -13,10 +13,18 @@ namespace {
 
 using Record = ObjectConnectorCoordinateVectorRecord;
 
-constexpr std::array<Signature::Kind, 3> constraintUserFunction_arguments{Signature::Kind::vector, Signature::Kind::vector, Signature::Kind::boolean};
+constexpr std::array<Signature::Kind, 3> constraintUserFunction_arguments{
+    Signature::Kind::vector,
+    Signature::Kind::vector,
+    Signature::Kind::boolean,
+};
 constexpr Signature constraintUserFunction_signature{.arguments = constraintUserFunction_arguments, .result = Signature::Kind::vector};
 
-constexpr std::array<Signature::Kind, 3> jacobianUserFunction_arguments{Signature::Kind::vector, Signature::Kind::vector, Signature::Kind::boolean};
+constexpr std::array<Signature::Kind, 3> jacobianUserFunction_arguments{
+    Signature::Kind::vector,
+    Signature::Kind::vector,
+    Signature::Kind::boolean,
+};
 constexpr Signature jacobianUserFunction_signature{.arguments = jacobianUserFunction_arguments, .result = Signature::Kind::matrix};
 
 constexpr std::array<Row, 13> rows{{

@@ -13,10 +13,30 @@ namespace {
 
 using Record = ObjectANCFCable2DRecord;
 
-constexpr std::array<Signature::Kind, 9> axialForceUserFunction_arguments{Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar};
+constexpr std::array<Signature::Kind, 9> axialForceUserFunction_arguments{
+    Signature::Kind::scalar,
+    Signature::Kind::scalar,
+    Signature::Kind::scalar,
+    Signature::Kind::scalar,
+    Signature::Kind::scalar,
+    Signature::Kind::scalar,
+    Signature::Kind::scalar,
+    Signature::Kind::scalar,
+    Signature::Kind::scalar,
+};
 constexpr Signature axialForceUserFunction_signature{.arguments = axialForceUserFunction_arguments, .result = Signature::Kind::scalar};
 
-constexpr std::array<Signature::Kind, 9> bendingMomentUserFunction_arguments{Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar, Signature::Kind::scalar};
+constexpr std::array<Signature::Kind, 9> bendingMomentUserFunction_arguments{
+    Signature::Kind::scalar,
+    Signature::Kind::scalar,
+    Signature::Kind::scalar,
+    Signature::Kind::scalar,
+    Signature::Kind::scalar,
+    Signature::Kind::scalar,
+    Signature::Kind::scalar,
+    Signature::Kind::scalar,
+    Signature::Kind::scalar,
+};
 constexpr Signature bendingMomentUserFunction_signature{.arguments = bendingMomentUserFunction_arguments, .result = Signature::Kind::scalar};
 
 constexpr std::array<Row, 17> rows{{

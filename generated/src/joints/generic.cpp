@@ -13,10 +13,14 @@ namespace {
 
 using Record = ObjectJointGenericRecord;
 
-constexpr std::array<Signature::Kind, 1> offsetUserFunction_arguments{Signature::Kind::vector};
+constexpr std::array<Signature::Kind, 1> offsetUserFunction_arguments{
+    Signature::Kind::vector,
+};
 constexpr Signature offsetUserFunction_signature{.arguments = offsetUserFunction_arguments, .result = Signature::Kind::vector};
 
-constexpr std::array<Signature::Kind, 1> offsetUserFunction_t_arguments{Signature::Kind::vector};
+constexpr std::array<Signature::Kind, 1> offsetUserFunction_t_arguments{
+    Signature::Kind::vector,
+};
 constexpr Signature offsetUserFunction_t_signature{.arguments = offsetUserFunction_t_arguments, .result = Signature::Kind::vector};
 
 constexpr std::array<Row, 14> rows{{

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/constraint.hpp"
+#include "dalembert/items/joints/spherical.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -32,6 +34,8 @@ constexpr std::array<OutputVariableType, 4> outputs{
     OutputVariableType::Force,
 };
 
+const auto& physics = constraint_physics<ObjectJointSpherical>();
+
 }  // namespace
 
 extern const ItemType object_joint_spherical_type;
@@ -47,7 +51,7 @@ const ItemType object_joint_spherical_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::position,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/joints/spherical.toml",
 };
 

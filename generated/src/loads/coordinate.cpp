@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/load.hpp"
+#include "dalembert/items/loads/coordinate.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -13,7 +15,9 @@ namespace {
 
 using Record = LoadCoordinateRecord;
 
-constexpr std::array<Signature::Kind, 1> loadUserFunction_arguments{Signature::Kind::scalar};
+constexpr std::array<Signature::Kind, 1> loadUserFunction_arguments{
+    Signature::Kind::scalar,
+};
 constexpr Signature loadUserFunction_signature{.arguments = loadUserFunction_arguments, .takes_item = false, .result = Signature::Kind::scalar};
 
 constexpr std::array<Row, 5> rows{{
@@ -28,6 +32,8 @@ constexpr std::array<std::string_view, 0> short_names{};
 constexpr std::array<std::string_view, 0> provides{};
 constexpr std::array<OutputVariableType, 0> outputs{
 };
+
+const auto& physics = load_physics<LoadCoordinate>();
 
 }  // namespace
 
@@ -44,7 +50,7 @@ const ItemType load_coordinate_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::coordinate,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/loads/coordinate.toml",
 };
 

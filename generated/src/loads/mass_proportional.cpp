@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/load.hpp"
+#include "dalembert/items/loads/mass_proportional.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -13,7 +15,9 @@ namespace {
 
 using Record = LoadMassProportionalRecord;
 
-constexpr std::array<Signature::Kind, 1> loadVectorUserFunction_arguments{Signature::Kind::vector};
+constexpr std::array<Signature::Kind, 1> loadVectorUserFunction_arguments{
+    Signature::Kind::vector,
+};
 constexpr Signature loadVectorUserFunction_signature{.arguments = loadVectorUserFunction_arguments, .takes_item = false, .result = Signature::Kind::vector};
 
 constexpr std::array<Row, 5> rows{{
@@ -28,6 +32,8 @@ constexpr std::array<std::string_view, 1> short_names{"Gravity"};
 constexpr std::array<std::string_view, 0> provides{};
 constexpr std::array<OutputVariableType, 0> outputs{
 };
+
+const auto& physics = load_physics<LoadMassProportional>();
 
 }  // namespace
 
@@ -44,7 +50,7 @@ const ItemType load_mass_proportional_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::body_mass,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/loads/mass_proportional.toml",
 };
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/load.hpp"
+#include "dalembert/items/loads/torque_vector.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -13,7 +15,9 @@ namespace {
 
 using Record = LoadTorqueVectorRecord;
 
-constexpr std::array<Signature::Kind, 1> loadVectorUserFunction_arguments{Signature::Kind::vector};
+constexpr std::array<Signature::Kind, 1> loadVectorUserFunction_arguments{
+    Signature::Kind::vector,
+};
 constexpr Signature loadVectorUserFunction_signature{.arguments = loadVectorUserFunction_arguments, .takes_item = false, .result = Signature::Kind::vector};
 
 constexpr std::array<Row, 6> rows{{
@@ -30,6 +34,8 @@ constexpr std::array<std::string_view, 0> provides{};
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
+const auto& physics = load_physics<LoadTorqueVector>();
+
 }  // namespace
 
 extern const ItemType load_torque_vector_type;
@@ -45,7 +51,7 @@ const ItemType load_torque_vector_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::orientation,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/loads/torque_vector.toml",
 };
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/marker.hpp"
+#include "dalembert/items/markers/node_coordinate.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -25,6 +27,8 @@ constexpr std::array<std::string_view, 2> provides{"Node", "Coordinate"};
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
+const auto& physics = marker_physics<MarkerNodeCoordinate>();
+
 }  // namespace
 
 extern const ItemType marker_node_coordinate_type;
@@ -40,7 +44,7 @@ const ItemType marker_node_coordinate_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::none,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/markers/node_coordinate.toml",
 };
 

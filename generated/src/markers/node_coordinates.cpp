@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/marker.hpp"
+#include "dalembert/items/markers/node_coordinates.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -24,6 +26,8 @@ constexpr std::array<std::string_view, 2> provides{"Node", "Coordinate"};
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
+const auto& physics = marker_physics<MarkerNodeCoordinates>();
+
 }  // namespace
 
 extern const ItemType marker_node_coordinates_type;
@@ -39,7 +43,7 @@ const ItemType marker_node_coordinates_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::none,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/markers/node_coordinates.toml",
 };
 

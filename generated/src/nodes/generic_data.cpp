@@ -15,7 +15,7 @@ using Record = NodeGenericDataRecord;
 
 constexpr std::array<Row, 4> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
-    {.name = "initialCoordinates", .storage = Storage::vector, .offset = offsetof(Record, parameters.initialCoordinates), .role = Role::parameter},
+    {.name = "initialCoordinates", .storage = Storage::vector, .offset = offsetof(Record, parameters.initialCoordinates), .role = Role::parameter, .unit = "various"},
     {.name = "numberOfDataCoordinates", .storage = Storage::integer, .offset = offsetof(Record, parameters.numberOfDataCoordinates), .role = Role::parameter, .check = Check::non_negative},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
 }};

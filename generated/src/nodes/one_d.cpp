@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/node.hpp"
+#include "dalembert/items/nodes/one_d.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -15,9 +17,9 @@ using Record = Node1DRecord;
 
 constexpr std::array<Row, 5> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
-    {.name = "referenceCoordinates", .storage = Storage::vector, .offset = offsetof(Record, parameters.referenceCoordinates), .role = Role::parameter},
-    {.name = "initialCoordinates", .storage = Storage::vector, .offset = offsetof(Record, parameters.initialCoordinates), .role = Role::parameter},
-    {.name = "initialVelocities", .storage = Storage::vector, .offset = offsetof(Record, parameters.initialVelocities), .role = Role::parameter},
+    {.name = "referenceCoordinates", .storage = Storage::vector, .offset = offsetof(Record, parameters.referenceCoordinates), .role = Role::parameter, .unit = "various"},
+    {.name = "initialCoordinates", .storage = Storage::vector, .offset = offsetof(Record, parameters.initialCoordinates), .role = Role::parameter, .unit = "various"},
+    {.name = "initialVelocities", .storage = Storage::vector, .offset = offsetof(Record, parameters.initialVelocities), .role = Role::parameter, .unit = "various"},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
 }};
 
@@ -29,6 +31,8 @@ constexpr std::array<OutputVariableType, 4> outputs{
     OutputVariableType::Coordinates_t,
     OutputVariableType::Coordinates_tt,
 };
+
+const auto& physics = node_physics<Node1D>();
 
 }  // namespace
 
@@ -45,7 +49,7 @@ const ItemType node_1d_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::none,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/nodes/one_d.toml",
 };
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/node.hpp"
+#include "dalembert/items/nodes/point.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -15,9 +17,9 @@ using Record = NodePointRecord;
 
 constexpr std::array<Row, 7> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
-    {.name = "referenceCoordinates", .storage = Storage::vector3, .offset = offsetof(Record, parameters.referenceCoordinates), .role = Role::parameter},
-    {.name = "initialCoordinates", .storage = Storage::vector3, .offset = offsetof(Record, parameters.initialCoordinates), .role = Role::parameter},
-    {.name = "initialVelocities", .storage = Storage::vector3, .offset = offsetof(Record, parameters.initialVelocities), .role = Role::parameter},
+    {.name = "referenceCoordinates", .storage = Storage::vector3, .offset = offsetof(Record, parameters.referenceCoordinates), .role = Role::parameter, .unit = "m"},
+    {.name = "initialCoordinates", .storage = Storage::vector3, .offset = offsetof(Record, parameters.initialCoordinates), .role = Role::parameter, .unit = "m"},
+    {.name = "initialVelocities", .storage = Storage::vector3, .offset = offsetof(Record, parameters.initialVelocities), .role = Role::parameter, .unit = "m/s"},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
     {.name = "drawSize", .storage = Storage::real, .offset = offsetof(Record, visualization.drawSize), .role = Role::visualization, .unit = "m"},
     {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
@@ -40,6 +42,8 @@ constexpr std::array<OutputVariableType, 12> outputs{
     OutputVariableType::AngularVelocityLocal,
 };
 
+const auto& physics = node_physics<NodePoint>();
+
 }  // namespace
 
 extern const ItemType node_point_type;
@@ -55,7 +59,7 @@ const ItemType node_point_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::none,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/nodes/point.toml",
 };
 

@@ -15,7 +15,7 @@ using Record = NodePointGroundRecord;
 
 constexpr std::array<Row, 5> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
-    {.name = "referenceCoordinates", .storage = Storage::vector3, .offset = offsetof(Record, parameters.referenceCoordinates), .role = Role::parameter},
+    {.name = "referenceCoordinates", .storage = Storage::vector3, .offset = offsetof(Record, parameters.referenceCoordinates), .role = Role::parameter, .unit = "m"},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
     {.name = "drawSize", .storage = Storage::real, .offset = offsetof(Record, visualization.drawSize), .role = Role::visualization, .unit = "m"},
     {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},

@@ -15,9 +15,9 @@ using Record = NodePointSlope23Record;
 
 constexpr std::array<Row, 7> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
-    {.name = "referenceCoordinates", .storage = Storage::vector9, .offset = offsetof(Record, parameters.referenceCoordinates), .role = Role::parameter},
-    {.name = "initialCoordinates", .storage = Storage::vector9, .offset = offsetof(Record, parameters.initialCoordinates), .role = Role::parameter},
-    {.name = "initialVelocities", .storage = Storage::vector9, .offset = offsetof(Record, parameters.initialVelocities), .role = Role::parameter},
+    {.name = "referenceCoordinates", .storage = Storage::vector9, .offset = offsetof(Record, parameters.referenceCoordinates), .role = Role::parameter, .unit = "various"},
+    {.name = "initialCoordinates", .storage = Storage::vector9, .offset = offsetof(Record, parameters.initialCoordinates), .role = Role::parameter, .unit = "various"},
+    {.name = "initialVelocities", .storage = Storage::vector9, .offset = offsetof(Record, parameters.initialVelocities), .role = Role::parameter, .unit = "various"},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
     {.name = "drawSize", .storage = Storage::real, .offset = offsetof(Record, visualization.drawSize), .role = Role::visualization, .unit = "m"},
     {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},

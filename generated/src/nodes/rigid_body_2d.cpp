@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/node.hpp"
+#include "dalembert/items/nodes/rigid_body_2d.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -15,9 +17,9 @@ using Record = NodeRigidBody2DRecord;
 
 constexpr std::array<Row, 7> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
-    {.name = "referenceCoordinates", .storage = Storage::vector3, .offset = offsetof(Record, parameters.referenceCoordinates), .role = Role::parameter},
-    {.name = "initialCoordinates", .storage = Storage::vector3, .offset = offsetof(Record, parameters.initialCoordinates), .role = Role::parameter},
-    {.name = "initialVelocities", .storage = Storage::vector3, .offset = offsetof(Record, parameters.initialVelocities), .role = Role::parameter},
+    {.name = "referenceCoordinates", .storage = Storage::vector3, .offset = offsetof(Record, parameters.referenceCoordinates), .role = Role::parameter, .unit = "various"},
+    {.name = "initialCoordinates", .storage = Storage::vector3, .offset = offsetof(Record, parameters.initialCoordinates), .role = Role::parameter, .unit = "various"},
+    {.name = "initialVelocities", .storage = Storage::vector3, .offset = offsetof(Record, parameters.initialVelocities), .role = Role::parameter, .unit = "various"},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
     {.name = "drawSize", .storage = Storage::real, .offset = offsetof(Record, visualization.drawSize), .role = Role::visualization, .unit = "m"},
     {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
@@ -41,6 +43,8 @@ constexpr std::array<OutputVariableType, 13> outputs{
     OutputVariableType::AngularAcceleration,
 };
 
+const auto& physics = node_physics<NodeRigidBody2D>();
+
 }  // namespace
 
 extern const ItemType node_rigid_body_2d_type;
@@ -56,7 +60,7 @@ const ItemType node_rigid_body_2d_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::none,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/nodes/rigid_body_2d.toml",
 };
 

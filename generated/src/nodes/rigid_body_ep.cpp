@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/node.hpp"
+#include "dalembert/items/nodes/rigid_body_ep.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -15,9 +17,9 @@ using Record = NodeRigidBodyEPRecord;
 
 constexpr std::array<Row, 8> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
-    {.name = "referenceCoordinates", .storage = Storage::vector7, .offset = offsetof(Record, parameters.referenceCoordinates), .role = Role::parameter},
-    {.name = "initialCoordinates", .storage = Storage::vector7, .offset = offsetof(Record, parameters.initialCoordinates), .role = Role::parameter},
-    {.name = "initialVelocities", .storage = Storage::vector7, .offset = offsetof(Record, parameters.initialVelocities), .role = Role::parameter},
+    {.name = "referenceCoordinates", .storage = Storage::vector7, .offset = offsetof(Record, parameters.referenceCoordinates), .role = Role::parameter, .unit = "various"},
+    {.name = "initialCoordinates", .storage = Storage::vector7, .offset = offsetof(Record, parameters.initialCoordinates), .role = Role::parameter, .unit = "various"},
+    {.name = "initialVelocities", .storage = Storage::vector7, .offset = offsetof(Record, parameters.initialVelocities), .role = Role::parameter, .unit = "various"},
     {.name = "addConstraintEquation", .storage = Storage::boolean, .offset = offsetof(Record, parameters.addConstraintEquation), .role = Role::parameter},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
     {.name = "drawSize", .storage = Storage::real, .offset = offsetof(Record, visualization.drawSize), .role = Role::visualization, .unit = "m"},
@@ -42,6 +44,8 @@ constexpr std::array<OutputVariableType, 13> outputs{
     OutputVariableType::AngularAcceleration,
 };
 
+const auto& physics = node_physics<NodeRigidBodyEP>();
+
 }  // namespace
 
 extern const ItemType node_rigid_body_ep_type;
@@ -57,7 +61,7 @@ const ItemType node_rigid_body_ep_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::none,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/nodes/rigid_body_ep.toml",
 };
 

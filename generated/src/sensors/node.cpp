@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/system/physics.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -28,6 +29,8 @@ constexpr std::array<std::string_view, 0> provides{};
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
+const auto& physics = SensorPhysics{};
+
 }  // namespace
 
 extern const ItemType sensor_node_type;
@@ -43,7 +46,7 @@ const ItemType sensor_node_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::none,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/sensors/node.toml",
 };
 

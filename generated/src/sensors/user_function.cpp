@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/system/physics.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -13,7 +14,11 @@ namespace {
 
 using Record = SensorUserFunctionRecord;
 
-constexpr std::array<Signature::Kind, 3> sensorUserFunction_arguments{Signature::Kind::index_list, Signature::Kind::vector, Signature::Kind::configuration};
+constexpr std::array<Signature::Kind, 3> sensorUserFunction_arguments{
+    Signature::Kind::index_list,
+    Signature::Kind::vector,
+    Signature::Kind::configuration,
+};
 constexpr Signature sensorUserFunction_signature{.arguments = sensorUserFunction_arguments, .takes_item = false, .result = Signature::Kind::vector};
 
 constexpr std::array<Row, 8> rows{{
@@ -32,6 +37,8 @@ constexpr std::array<std::string_view, 0> provides{};
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
+const auto& physics = SensorPhysics{};
+
 }  // namespace
 
 extern const ItemType sensor_user_function_type;
@@ -47,7 +54,7 @@ const ItemType sensor_user_function_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::none,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/sensors/user_function.toml",
 };
 

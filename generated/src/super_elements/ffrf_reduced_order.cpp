@@ -13,10 +13,16 @@ namespace {
 
 using Record = ObjectFFRFreducedOrderRecord;
 
-constexpr std::array<Signature::Kind, 2> forceUserFunction_arguments{Signature::Kind::vector, Signature::Kind::vector};
+constexpr std::array<Signature::Kind, 2> forceUserFunction_arguments{
+    Signature::Kind::vector,
+    Signature::Kind::vector,
+};
 constexpr Signature forceUserFunction_signature{.arguments = forceUserFunction_arguments, .result = Signature::Kind::vector};
 
-constexpr std::array<Signature::Kind, 2> massMatrixUserFunction_arguments{Signature::Kind::vector, Signature::Kind::vector};
+constexpr std::array<Signature::Kind, 2> massMatrixUserFunction_arguments{
+    Signature::Kind::vector,
+    Signature::Kind::vector,
+};
 constexpr Signature massMatrixUserFunction_signature{.arguments = massMatrixUserFunction_arguments, .result = Signature::Kind::matrix};
 
 constexpr std::array<Row, 28> rows{{

@@ -13,13 +13,24 @@ namespace {
 
 using Record = ObjectGenericODE2Record;
 
-constexpr std::array<Signature::Kind, 2> forceUserFunction_arguments{Signature::Kind::vector, Signature::Kind::vector};
+constexpr std::array<Signature::Kind, 2> forceUserFunction_arguments{
+    Signature::Kind::vector,
+    Signature::Kind::vector,
+};
 constexpr Signature forceUserFunction_signature{.arguments = forceUserFunction_arguments, .result = Signature::Kind::vector};
 
-constexpr std::array<Signature::Kind, 2> massMatrixUserFunction_arguments{Signature::Kind::vector, Signature::Kind::vector};
+constexpr std::array<Signature::Kind, 2> massMatrixUserFunction_arguments{
+    Signature::Kind::vector,
+    Signature::Kind::vector,
+};
 constexpr Signature massMatrixUserFunction_signature{.arguments = massMatrixUserFunction_arguments, .result = Signature::Kind::matrix};
 
-constexpr std::array<Signature::Kind, 4> jacobianUserFunction_arguments{Signature::Kind::vector, Signature::Kind::vector, Signature::Kind::scalar, Signature::Kind::scalar};
+constexpr std::array<Signature::Kind, 4> jacobianUserFunction_arguments{
+    Signature::Kind::vector,
+    Signature::Kind::vector,
+    Signature::Kind::scalar,
+    Signature::Kind::scalar,
+};
 constexpr Signature jacobianUserFunction_signature{.arguments = jacobianUserFunction_arguments, .result = Signature::Kind::matrix};
 
 constexpr std::array<Row, 18> rows{{

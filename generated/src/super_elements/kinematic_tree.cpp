@@ -13,7 +13,10 @@ namespace {
 
 using Record = ObjectKinematicTreeRecord;
 
-constexpr std::array<Signature::Kind, 2> forceUserFunction_arguments{Signature::Kind::vector, Signature::Kind::vector};
+constexpr std::array<Signature::Kind, 2> forceUserFunction_arguments{
+    Signature::Kind::vector,
+    Signature::Kind::vector,
+};
 constexpr Signature forceUserFunction_signature{.arguments = forceUserFunction_arguments, .result = Signature::Kind::vector};
 
 constexpr std::array<Row, 24> rows{{

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectConnectorCartesianSpringDamper
+// Three springs and dampers that act between two points in the directions of the global axes
 struct ObjectConnectorCartesianSpringDamperParameters {
   std::vector<MarkerIndex> markerNumbers = std::vector<MarkerIndex>(2);
   Vec<double, 3> stiffness = {};

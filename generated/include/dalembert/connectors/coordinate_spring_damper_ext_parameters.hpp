@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectConnectorCoordinateSpringDamperExt
+// A scalar spring and damper between two coordinates, with gear factors, friction and limit stops
 struct ObjectConnectorCoordinateSpringDamperExtParameters {
   std::vector<MarkerIndex> markerNumbers = std::vector<MarkerIndex>(2);
   NodeIndex nodeNumber;

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectConnectorCoordinateSpringDamper
+// A scalar spring and damper between two coordinates
 struct ObjectConnectorCoordinateSpringDamperParameters {
   std::vector<MarkerIndex> markerNumbers = std::vector<MarkerIndex>(2);
   double stiffness = 0.0;

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectConnectorRigidBodySpringDamper
+// A spring and damper with six components, against relative translation and rotation of two rigid body markers
 struct ObjectConnectorRigidBodySpringDamperParameters {
   std::vector<MarkerIndex> markerNumbers = std::vector<MarkerIndex>(2);
   NodeIndex nodeNumber;

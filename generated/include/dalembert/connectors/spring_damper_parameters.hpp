@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectConnectorSpringDamper
+// A spring and a damper that act along the line between two points
 struct ObjectConnectorSpringDamperParameters {
   std::vector<MarkerIndex> markerNumbers = std::vector<MarkerIndex>(2);
   double referenceLength = 0.0;

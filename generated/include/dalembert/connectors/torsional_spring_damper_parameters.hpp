@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectConnectorTorsionalSpringDamper
+// A torsional spring and damper about the z axis of a joint frame
 struct ObjectConnectorTorsionalSpringDamperParameters {
   std::vector<MarkerIndex> markerNumbers = std::vector<MarkerIndex>(2);
   NodeIndex nodeNumber;

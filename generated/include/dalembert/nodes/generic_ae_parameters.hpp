@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// NodeGenericAE
+// node with a chosen number of algebraic variables, for equations that hold without time derivatives
 struct NodeGenericAEParameters {
   std::vector<double> referenceCoordinates;
   std::vector<double> initialCoordinates;

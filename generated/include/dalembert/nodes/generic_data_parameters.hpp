@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// NodeGenericData
+// node with a chosen number of data variables: states that are kept from step to step and are not unknowns of the solver
 struct NodeGenericDataParameters {
   std::vector<double> initialCoordinates;
   int numberOfDataCoordinates = 0;

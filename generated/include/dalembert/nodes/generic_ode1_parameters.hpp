@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// NodeGenericODE1
+// node with a chosen number of coordinates of first order differential equations, for controllers, hydraulics and state-space models
 struct NodeGenericODE1Parameters {
   std::vector<double> referenceCoordinates;
   std::vector<double> initialCoordinates;

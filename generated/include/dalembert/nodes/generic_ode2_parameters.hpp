@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// NodeGenericODE2
+// node with a chosen number of coordinates of second order differential equations, without a meaning in space
 struct NodeGenericODE2Parameters {
   std::vector<double> referenceCoordinates;
   std::vector<double> initialCoordinates;

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// Node1D
+// node with one coordinate of a second order differential equation, for motion along a line or about a fixed axis
 struct Node1DParameters {
   std::vector<double> referenceCoordinates = {0.0};
   std::vector<double> initialCoordinates = {0.0};

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// NodePoint2D
+// node with the two displacements of a point in the global x-y plane
 struct NodePoint2DParameters {
   Vec<double, 2> referenceCoordinates = {};
   Vec<double, 2> initialCoordinates = {};

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// NodePoint2DSlope1
+// node of planar cable elements: position and axial slope vector in the global x-y plane
 struct NodePoint2DSlope1Parameters {
   Vec<double, 4> referenceCoordinates = {0.0, 0.0, 1.0, 0.0};
   Vec<double, 4> initialCoordinates = {};

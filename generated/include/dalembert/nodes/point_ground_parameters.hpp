@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// NodePointGround
+// fixed point without coordinates, as the other end of springs and constraints on coordinates or points
 struct NodePointGroundParameters {
   Vec<double, 3> referenceCoordinates = {};
 };

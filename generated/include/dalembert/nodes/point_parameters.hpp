@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// NodePoint
+// node with the three displacements of a point in space
 struct NodePointParameters {
   Vec<double, 3> referenceCoordinates = {};
   Vec<double, 3> initialCoordinates = {};

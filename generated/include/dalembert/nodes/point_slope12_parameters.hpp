@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// NodePointSlope12
+// node of thin plate elements: position and the two slope vectors in the plane of the plate
 struct NodePointSlope12Parameters {
   Vec<double, 9> referenceCoordinates = {0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0};
   Vec<double, 9> initialCoordinates = {};

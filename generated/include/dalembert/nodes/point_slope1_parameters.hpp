@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// NodePointSlope1
+// node of spatial cable elements: position and axial slope vector
 struct NodePointSlope1Parameters {
   Vec<double, 6> referenceCoordinates = {0.0, 0.0, 0.0, 1.0, 0.0, 0.0};
   Vec<double, 6> initialCoordinates = {};

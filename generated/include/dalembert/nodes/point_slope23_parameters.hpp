@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// NodePointSlope23
+// node of shear and cross-section deformable beam elements: position and the two slope vectors in the cross section
 struct NodePointSlope23Parameters {
   Vec<double, 9> referenceCoordinates = {0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0};
   Vec<double, 9> initialCoordinates = {};

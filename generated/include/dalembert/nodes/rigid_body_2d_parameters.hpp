@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// NodeRigidBody2D
+// node of a rigid body that moves in the global x-y plane: two displacements and the angle about z
 struct NodeRigidBody2DParameters {
   Vec<double, 3> referenceCoordinates = {};
   Vec<double, 3> initialCoordinates = {};

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// NodeRigidBodyEP
+// node of a rigid body in space: three displacements and four Euler parameters (unit quaternion)
 struct NodeRigidBodyEPParameters {
   Vec<double, 7> referenceCoordinates = {};
   Vec<double, 7> initialCoordinates = {};

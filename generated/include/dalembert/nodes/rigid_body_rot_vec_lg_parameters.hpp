@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// NodeRigidBodyRotVecLG
+// node of a rigid body in space: three displacements and a rotation vector that is integrated by Lie group methods
 struct NodeRigidBodyRotVecLGParameters {
   Vec<double, 6> referenceCoordinates = {};
   Vec<double, 6> initialCoordinates = {};

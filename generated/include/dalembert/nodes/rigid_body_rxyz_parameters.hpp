@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// NodeRigidBodyRxyz
+// node of a rigid body in space: three displacements and three Tait-Bryan angles about x, y and z in turn
 struct NodeRigidBodyRxyzParameters {
   Vec<double, 6> referenceCoordinates = {};
   Vec<double, 6> initialCoordinates = {};
