@@ -166,7 +166,7 @@ class RigidBodyInertia:
         return self.data
 
     def GetGraphics(
-        self, color: Sequence[float], nTiles: int | None = None, roundness: float | None = None
+        self, color: npt.ArrayLike, nTiles: int | None = None, roundness: float | None = None
     ) -> dict[str, Any] | None:
         """Return graphicsData of the shape the inertia was made of, placed at the centre of mass but not rotated.
 
@@ -174,7 +174,9 @@ class RigidBodyInertia:
         """
         from dalembert import graphics
 
-        rgba = graphics.color.defaultBody if color[0] == -1 else color
+        rgba = as_vector("GetGraphics: color", color, 4)
+        if rgba[0] == -1:
+            rgba = np.array(graphics.color.defaultBody, dtype=float)
         tiles = self._nTilesGraphics if nTiles is None else nTiles
         rounded = self._roundnessGraphics if roundness is None else roundness
         data, com = self.data, self.com

@@ -1,0 +1,39 @@
+"""Lines, circles and texts."""
+
+from __future__ import annotations
+
+import numpy.typing as npt
+
+from dalembert._checks import as_points, as_vector
+from dalembert.graphics._mesh import GraphicsData
+
+
+def Lines(pList: npt.ArrayLike, color: npt.ArrayLike = [0.0, 0.0, 0.0, 1.0]) -> GraphicsData:
+    """Return a line through a list of 3D points."""
+    return {"type": "Line", "color": as_vector("color", color, 4).copy(), "data": as_points("pList", pList).flatten()}
+
+
+def Circle(
+    point: npt.ArrayLike = [0, 0, 0], radius: float = 1, color: npt.ArrayLike = [0.0, 0.0, 0.0, 1.0]
+) -> GraphicsData:
+    """Return a circle about a centre point in the xy plane."""
+    position = as_vector("Circle: point", point, 3).copy()
+    return {"type": "Circle", "color": as_vector("color", color, 4).copy(), "radius": radius, "position": position}
+
+
+def Text(
+    point: npt.ArrayLike = [0, 0, 0],
+    text: str = "",
+    color: npt.ArrayLike = [0.0, 0.0, 0.0, 1.0],
+    fontSize: float = 0.0,
+    offset: npt.ArrayLike = [0.0, 0.0],
+) -> GraphicsData:
+    """Return a text at a 3D point; fontSize 0 is the default size, offset shifts the text by parts of its size."""
+    return {
+        "type": "Text",
+        "color": as_vector("color", color, 4).copy(),
+        "text": text,
+        "position": as_vector("Text: point", point, 3).copy(),
+        "fontSize": fontSize,
+        "offset": as_vector("Text: offset", offset, 2).tolist(),
+    }

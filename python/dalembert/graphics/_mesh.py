@@ -1,0 +1,91 @@
+"""Building blocks of triangle lists: the flat arrays of the interface from arrays with one point per row."""
+
+from __future__ import annotations
+
+import warnings
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from dalembert._checks import FloatArray, IntArray, as_vector, shape_error
+
+GraphicsData = dict[str, Any]
+
+
+def triangle_list(
+    points: FloatArray,
+    triangles: npt.ArrayLike,
+    colors: npt.ArrayLike,
+    normals: FloatArray | None = None,
+    edges: npt.ArrayLike | None = None,
+    edgeColor: npt.ArrayLike | None = None,
+) -> GraphicsData:
+    """Return graphicsData of the type TriangleList; colors is one RGBA colour or one per point."""
+    rgba = np.asarray(colors, dtype=float)
+    if rgba.ndim == 1:
+        rgba = np.tile(as_vector("color", rgba, 4), len(points))
+    data: GraphicsData = {"type": "TriangleList", "colors": rgba.ravel(), "points": points.ravel()}
+    if normals is not None:
+        data["normals"] = normals.ravel()
+    data["triangles"] = np.asarray(triangles, dtype=int).ravel()
+    if edges is not None:
+        data["edges"] = np.asarray(edges, dtype=int).ravel()
+        data["edgeColor"] = as_vector("edgeColor", edgeColor, 4).copy()
+    return data
+
+
+def unit_rows(vectors: FloatArray) -> FloatArray:
+    """Return the rows divided by their lengths; zero rows stay zero."""
+    lengths = np.linalg.norm(vectors, axis=-1, keepdims=True)
+    return np.divide(vectors, lengths, out=np.zeros_like(vectors), where=lengths != 0)
+
+
+def triangle_normals(points: FloatArray, triangles: IntArray) -> FloatArray:
+    """Return the unit normals of triangles with counter-clockwise corners; zero for degenerate triangles."""
+    a, b, c = points[triangles[:, 0]], points[triangles[:, 1]], points[triangles[:, 2]]
+    return unit_rows(np.cross(b - a, c - a))
+
+
+def grid_indices(rows: int, columns: int, wrapRows: bool = False, wrapColumns: bool = True) -> tuple[IntArray, ...]:
+    """Return the indices of the corners (i,j), (i+1,j), (i,j+1), (i+1,j+1) of the cells of a grid of points."""
+    index = np.arange(rows * columns).reshape(rows, columns)
+    if wrapRows:
+        index = np.vstack([index, index[:1]])
+    if wrapColumns:
+        index = np.hstack([index, index[:, :1]])
+    corners = index[:-1, :-1], index[1:, :-1], index[:-1, 1:], index[1:, 1:]
+    return tuple(corner.ravel() for corner in corners)
+
+
+def ring(n1: FloatArray, n2: FloatArray, angles: FloatArray) -> FloatArray:
+    """Return the unit vectors sin(angle)*n1 + cos(angle)*n2, one per row."""
+    return np.outer(np.sin(angles), n1) + np.outer(np.cos(angles), n2)
+
+
+def at_least(where: str, nTiles: int, minimum: int) -> int:
+    """Return nTiles, or the minimum with a warning if it is too small."""
+    if nTiles < minimum:
+        warnings.warn(f"{where}: nTiles = {nTiles} is too small, using {minimum}", stacklevel=3)
+        return minimum
+    return int(nTiles)
+
+
+def two_colors(rgba: npt.ArrayLike, alternating: npt.ArrayLike | None, n: int) -> FloatArray:
+    """Return n colours of which the second half is the alternating colour, if there is one."""
+    first = as_vector("color", rgba, 4)
+    second = first if alternating is None else as_vector("alternatingColor", alternating, 4)
+    return np.vstack([np.tile(first, (n // 2, 1)), np.tile(second, (n - n // 2, 1))])
+
+
+def no_unknown(where: str, arguments: dict[str, Any], known: tuple[str, ...]) -> None:
+    """Warn about optional keyword arguments that a function does not know; they have no effect."""
+    for name in sorted(set(arguments) - set(known)):
+        warnings.warn(f"{where}: argument '{name}' is unknown; known are {', '.join(known)}", stacklevel=3)
+
+
+def require_type(where: str, graphicsData: GraphicsData, kind: str) -> None:
+    """Refuse graphicsData of another type."""
+    received = graphicsData.get("type")
+    if received != kind:
+        raise shape_error(f"{where}: graphicsData['type']", f"'{kind}'", received)

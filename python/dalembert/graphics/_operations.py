@@ -1,0 +1,250 @@
+"""Operations on graphicsData: conversion, transformation, merging, checks, bounding boxes, edges."""
+
+from __future__ import annotations
+
+import copy
+import warnings
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from dalembert._checks import FloatArray, IntArray, as_matrix, as_vector, shape_error
+from dalembert.graphics._mesh import GraphicsData, require_type, triangle_list, triangle_normals, unit_rows
+
+
+def _points(g: GraphicsData) -> FloatArray:
+    return np.array(g["points"], dtype=float).reshape(-1, 3)
+
+
+def _triangles(g: GraphicsData) -> IntArray:
+    return np.array(g["triangles"], dtype=int).reshape(-1, 3)
+
+
+def BoundingBoxSingle(graphicsData: GraphicsData) -> list[FloatArray | None]:
+    """Return [lower, upper] corner (3D vectors) of one graphicsData, or [None, None] if it has no points."""
+    kind = graphicsData.get("type")
+    if kind in ("TriangleList", "Line"):
+        points = np.array(graphicsData["points" if kind == "TriangleList" else "data"], dtype=float).reshape(-1, 3)
+    elif kind in ("Text", "Circle"):
+        position = np.array(graphicsData["position"], dtype=float).reshape(3)
+        radius = float(graphicsData["radius"]) if kind == "Circle" else 0.0
+        if radius < 0.0:
+            raise shape_error("BoundingBoxSingle: graphicsData['radius']", "a non-negative number", radius)
+        extent = np.array([radius, radius, 0.0])
+        points = np.array([position - extent, position + extent])
+    else:
+        raise shape_error("BoundingBoxSingle: graphicsData['type']", "TriangleList, Line, Text or Circle", kind)
+    if points.size == 0:
+        return [None, None]
+    return [points.min(axis=0), points.max(axis=0)]
+
+
+def BoundingBox(graphicsData: GraphicsData | list[GraphicsData]) -> list[FloatArray | None]:
+    """Return [lower, upper] corner of one or several graphicsData, or [None, None] if there are no points."""
+    if not isinstance(graphicsData, dict | list):
+        raise shape_error("BoundingBox: graphicsData", "a dictionary or a list of dictionaries", graphicsData)
+    single = [graphicsData] if isinstance(graphicsData, dict) else graphicsData
+    corners = [corner for g in single for corner in BoundingBoxSingle(g) if corner is not None]
+    if not corners:
+        return [None, None]
+    return [np.min(corners, axis=0), np.max(corners, axis=0)]
+
+
+def FromPointsAndTrigs(
+    points: npt.ArrayLike,
+    triangles: npt.ArrayLike,
+    color: npt.ArrayLike = [0.0, 0.0, 0.0, 1.0],
+    normals: npt.ArrayLike | None = None,
+) -> GraphicsData:
+    """Return a TriangleList from n points, triangles of indices, one colour or n colours, and optional n normals."""
+    p = np.array(points, dtype=float).reshape(-1, 3)
+    rgba = np.array(color, dtype=float)
+    if rgba.size != 4 and rgba.size != 4 * len(p):
+        expected = f"4 RGBA values or 4 values for each of the {len(p)} points"
+        raise shape_error("FromPointsAndTrigs: color", expected, color)
+    n = None if normals is None else np.array(normals, dtype=float).reshape(-1, 3)
+    if n is not None and len(n) != len(p):
+        raise shape_error("FromPointsAndTrigs: normals", f"{len(p)} vectors, one per point", normals)
+    colors = rgba.ravel() if rgba.size == 4 else rgba.reshape(-1, 4)
+    return triangle_list(p, np.array(triangles, dtype=int), colors, n)
+
+
+def ToPointsAndTrigs(g: GraphicsData) -> list[list[npt.NDArray[Any]]]:
+    """Return [points, triangles] of a TriangleList, both as lists of arrays with 3 entries."""
+    require_type("ToPointsAndTrigs", g, "TriangleList")
+    return [list(_points(g)), list(_triangles(g))]
+
+
+def _normalized(normals: FloatArray, where: str, warn: bool = True) -> FloatArray:
+    nZero = int(np.count_nonzero(~normals.any(axis=1)))
+    if nZero and warn:
+        warnings.warn(f"{where}: {nZero} normals have length zero and are left as zeros", stacklevel=3)
+    return unit_rows(normals)
+
+
+def Transform(
+    graphicsData: GraphicsData,
+    translation: npt.ArrayLike | None = None,
+    rotation: npt.ArrayLike | None = None,
+    scale: float = 1,
+    normalizeNormals: bool = False,
+    invertNormals: bool = False,
+    invertTriangles: bool = False,
+    warn: bool = True,
+) -> GraphicsData:
+    """Return new graphicsData with the points translation + scale * rotation @ p, and turned normals.
+
+    normalizeNormals gives normals length one (warn reports zero ones); invertNormals and invertTriangles turn the
+    normals and the orientation of the triangles round.
+    """
+    r = np.zeros(3) if translation is None else as_vector("Transform: translation", translation, 3)
+    A = np.eye(3) if rotation is None else as_matrix("Transform: rotation", rotation, (3, 3))
+    kind = graphicsData["type"]
+    key = {"TriangleList": "points", "Line": "data", "Text": "position", "Circle": "position"}.get(kind)
+    if key is None:
+        raise shape_error("Transform: graphicsData['type']", "TriangleList, Line, Text or Circle", kind)
+    result = copy.deepcopy(graphicsData)
+    points = np.array(graphicsData[key], dtype=float).reshape(-1, 3)
+    result[key] = (r + scale * points @ A.T).ravel()
+    if "radius" in result:
+        result["radius"] = scale * result["radius"]
+    if "normal" in result:
+        result["normal"] = A @ result["normal"]
+    if kind != "TriangleList":
+        return result
+    for name in {"colors", "triangles", "edges", "edgeColor"} & result.keys():
+        result[name] = np.array(result[name])
+    if invertTriangles:
+        result["triangles"] = _triangles(graphicsData)[:, [1, 0, 2]].ravel()
+    if "normals" in result:
+        normals = np.array(graphicsData["normals"], dtype=float).reshape(-1, 3)
+        if normalizeNormals:
+            normals = _normalized(normals, "graphics.Transform", warn)
+        result["normals"] = ((-normals if invertNormals else normals) @ A.T).ravel()
+    return result
+
+
+def Move(g: GraphicsData, pOff: npt.ArrayLike, Aoff: npt.ArrayLike | None = None) -> GraphicsData:
+    """Return new graphicsData with the points pOff + Aoff @ p."""
+    return Transform(g, pOff, Aoff)
+
+
+def MergeTriangleLists(g1: GraphicsData, g2: GraphicsData) -> GraphicsData:
+    """Return one TriangleList of two; normals are kept if both have them, the edge colour is the first."""
+    n1 = len(g1["points"]) // 3
+    for name, g in (("g1", g1), ("g2", g2)):
+        require_type("MergeTriangleLists: " + name, g, "TriangleList")
+        n = len(g["points"]) // 3
+        for key, size in (("colors", 4), ("normals", 3)):
+            if key in g and len(g[key]) != size * n:
+                expected = f"{size} values for each of the {n} points"
+                raise shape_error(f"MergeTriangleLists: {name}['{key}']", expected, g[key])
+    merged: GraphicsData = {"type": "TriangleList"}
+    for key, dtype in (("colors", float), ("points", float), ("normals", float), ("triangles", int), ("edges", int)):
+        offset = n1 if dtype is int else 0
+        parts = [np.asarray(g[key], dtype) + k * offset for k, g in enumerate((g1, g2)) if key in g]
+        if len(parts) == 2 or (parts and key == "edges"):
+            merged[key] = np.concatenate(parts)
+    edgeColors = [g["edgeColor"] for g in (g1, g2) if "edgeColor" in g]
+    if edgeColors:
+        merged["edgeColor"] = np.array(edgeColors[0], dtype=float)
+    return merged
+
+
+def InvertTriangles(
+    graphicsData: GraphicsData, invertTriangles: bool = True, invertNormals: bool = True
+) -> GraphicsData:
+    """Return a copy of a TriangleList with inverted orientation of the triangles, of the normals, or of both."""
+    require_type("InvertTriangles", graphicsData, "TriangleList")
+    if invertNormals and "normals" not in graphicsData:
+        raise ValueError("InvertTriangles: graphicsData has no normals; use invertNormals=False")
+    return Transform(graphicsData, invertTriangles=invertTriangles, invertNormals=invertNormals)
+
+
+def InconsistentTriangles(graphicsData: GraphicsData) -> int:
+    """Return the number of triangle corners whose point normal is opposed to the normal of the triangle."""
+    require_type("InconsistentTriangles", graphicsData, "TriangleList")
+    if "normals" not in graphicsData:
+        raise ValueError("InconsistentTriangles: graphicsData has no normals")
+    points, triangles = _points(graphicsData), _triangles(graphicsData)
+    normals = np.array(graphicsData["normals"], dtype=float).reshape(-1, 3)[triangles]
+    return int(np.count_nonzero(np.einsum("tci,ti->tc", normals, triangle_normals(points, triangles)) < 0))
+
+
+def _merged_points(points: FloatArray, roundDigits: int) -> tuple[FloatArray, IntArray, IntArray]:
+    """Return points without duplicates, the index of the first duplicate of each, and the new index of each old one."""
+    extent = float(np.linalg.norm(points.max(axis=0) - points.min(axis=0))) or 1.0
+    rounded = extent * np.round(points / extent, roundDigits)
+    unique, first, inverse = np.unique(rounded, axis=0, return_index=True, return_inverse=True)
+    return unique, first, inverse.ravel()
+
+
+def _sharp_edges(triangles: IntArray, normals: FloatArray, edgeAngle: float) -> list[list[int]]:
+    """Return the edges where triangles meet at edgeAngle or more, and those with a triangle on one side only."""
+    owner: dict[tuple[int, int], int] = {}
+    for t, (a, b, c) in enumerate(triangles.tolist()):
+        for edge in ((a, b), (b, c), (c, a)):
+            owner.setdefault(edge, t)
+    sharp = []
+    for t, (a, b, c) in enumerate(triangles.tolist()):
+        for i, j in ((a, b), (b, c), (c, a)):
+            neighbour = owner.get((j, i))
+            if neighbour is None or (
+                i > j and np.arccos(np.clip(normals[t] @ normals[neighbour], -1.0, 1.0)) >= edgeAngle
+            ):
+                sharp.append([i, j])
+    return sharp
+
+
+def _point_colors(graphicsData: GraphicsData, nPoints: int, triangleColor: npt.ArrayLike) -> FloatArray:
+    """Return one colour per point: the given one, or the colours of the data, or its first one if they do not fit."""
+    where = "AddEdgesAndSmoothenNormals"
+    given = np.asarray(triangleColor, dtype=float)
+    if given.size:
+        return np.tile(as_vector(where + ": triangleColor", given, 4), (nPoints, 1))
+    colors = np.asarray(graphicsData["colors"], dtype=float)
+    if colors.size != 4 * nPoints:
+        warnings.warn(f"{where}: expected one colour for each of the {nPoints} points, using the first", stacklevel=3)
+        return np.tile(colors[:4], (nPoints, 1))
+    return colors.reshape(-1, 4)
+
+
+def AddEdgesAndSmoothenNormals(
+    graphicsData: GraphicsData,
+    edgeColor: npt.ArrayLike = [0.0, 0.0, 0.0, 1.0],
+    edgeAngle: float = 0.7853981633974483,
+    addEdges: bool = True,
+    smoothNormals: bool = True,
+    roundDigits: int = 5,
+    triangleColor: npt.ArrayLike = [],
+) -> GraphicsData:
+    """Return a TriangleList with edges where triangles meet at edgeAngle (rad) or more, and smooth normals elsewhere.
+
+    Points that agree in roundDigits digits relative to the size of the geometry are merged. Normals are averaged
+    with the areas of the triangles; at edges, every triangle gets points of its own. An empty triangleColor keeps
+    the colours.
+    """
+    require_type("AddEdgesAndSmoothenNormals", graphicsData, "TriangleList")
+    points = _points(graphicsData)
+    colors = _point_colors(graphicsData, len(points), triangleColor)
+    points, first, inverse = _merged_points(points, roundDigits)
+    triangles, colors = inverse[_triangles(graphicsData)], colors[first]
+    a, b, c = points[triangles[:, 0]], points[triangles[:, 1]], points[triangles[:, 2]]
+    areaNormals = 0.5 * np.cross(b - a, c - a)
+    normals = unit_rows(areaNormals)
+    edges = _sharp_edges(triangles, normals, edgeAngle)
+
+    pointNormals = None
+    if smoothNormals:
+        hasEdge = np.zeros(len(points), dtype=bool)
+        hasEdge[np.array(edges, dtype=int).ravel()] = True
+        pointNormals = np.zeros_like(points)
+        np.add.at(pointNormals, triangles.ravel(), np.repeat(areaNormals, 3, axis=0))
+        pointNormals = np.where(hasEdge[:, None], 0.0, unit_rows(pointNormals))
+        split = hasEdge[triangles]
+        old = triangles[split]
+        triangles[split] = len(points) + np.arange(len(old))
+        points, colors = np.vstack([points, points[old]]), np.vstack([colors, colors[old]])
+        pointNormals = np.vstack([pointNormals, np.repeat(normals, 3, axis=0)[split.ravel()]])
+    return triangle_list(points, triangles, colors, pointNormals, edges if addEdges else None, edgeColor)
