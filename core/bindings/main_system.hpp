@@ -8,6 +8,7 @@
 #include <string>
 
 #include "dalembert/model/model.hpp"
+#include "dalembert/output/sensor_recorder.hpp"
 #include "dalembert/system/system.hpp"
 
 namespace dalembert {
@@ -22,9 +23,9 @@ class MainSystem : public std::enable_shared_from_this<MainSystem> {
   Model model;
   System system;
 
-  py::dict variables, sys;                          // free for the user; kept for utilities
-  std::map<std::string, py::object> user_functions; // 'preStep', 'postStep', 'postNewton', 'preNewtonResidual', 'systemJacobian'
-  std::map<int, py::list> stored_sensor_data;       // sensors with storeInternal: one row per written step
+  py::dict variables, sys;  // free for the user; kept for utilities
+  std::map<std::string, py::object> user_functions;  // PreStep, PostStep, PostNewton, PreNewtonResidual, SystemJacobian
+  SensorStorage sensor_storage;                      // sensors with storeInternal
   bool interactive = false;
   bool stop_requested = false;
   bool jacobian_update_requested = false;

@@ -3,7 +3,6 @@
 
 #include <span>
 #include <vector>
-#include <vector>
 
 namespace dalembert {
 
@@ -21,8 +20,6 @@ class Callback {
   virtual void call(double time, int item, std::span<const Argument> arguments, std::span<double> results) const = 0;
   // The same for a result of any length.
   virtual std::vector<double> call_any(double time, int item, std::span<const Argument> arguments) const = 0;
-  // For functions whose result has a size that only they know (sensors).
-  virtual std::vector<double> evaluate(double time, int item, std::span<const Argument> arguments) const = 0;
 };
 
 }  // namespace dalembert

@@ -1,0 +1,430 @@
+#include "conversion.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "dalembert/model/member.hpp"
+#include "index_types.hpp"
+#include "python_callback.hpp"
+#include "python_errors.hpp"
+#include "sequence.hpp"
+
+namespace dalembert {
+namespace {
+
+py::handle module_handle;
+
+std::string counted(Py_ssize_t n, const std::string& noun) { return std::to_string(n) + " " + noun; }
+
+std::string length_advice(Py_ssize_t given, Py_ssize_t wanted) {
+  return "The length is " + std::to_string(given) + "; pass a list or numpy array of length " + std::to_string(wanted) + ".";
+}
+
+void require_length(Py_ssize_t given, Py_ssize_t wanted, const std::string& what) {
+  if (given != wanted) throw Refusal{ErrorKind::value, what, length_advice(given, wanted)};
+}
+
+// ---- from Python, one overload per member type ---------------------------------------------------------------------
+
+template <class Number>
+void check_sign(Number value, Check check, const char* noun) {
+  if (check == Check::none || value > 0) return;
+  if (check == Check::non_negative && !(value < 0)) return;
+  throw Refusal{ErrorKind::value,
+                std::string(noun) + (check == Check::positive ? " greater than zero" : " that is not negative"), ""};
+}
+
+void read(PyObject* value, const Row&, bool& out) {
+  if (PyBool_Check(value)) {
+    out = value == Py_True;
+    return;
+  }
+  if (std::string_view(Py_TYPE(value)->tp_name).starts_with("numpy.bool")) {
+    out = PyObject_IsTrue(value) == 1;
+    return;
+  }
+  if (PyIndex_Check(value) != 0) {
+    const int number = read_integer(value);
+    if (number == 0 || number == 1) {
+      out = number == 1;
+      return;
+    }
+    throw Refusal{ErrorKind::value, "True or False", ""};
+  }
+  throw Refusal{ErrorKind::type, "True or False", ""};
+}
+
+void read(PyObject* value, const Row& row, int& out) {
+  const int number = read_integer(value);
+  check_sign(number, row.check, "an integer");
+  out = number;
+}
+
+void read(PyObject* value, const Row& row, double& out) {
+  const double number = read_real(value);
+  check_sign(number, row.check, "a number");
+  out = number;
+}
+
+void read(PyObject* value, const Row&, std::string& out) {
+  if (!PyUnicode_Check(value)) throw Refusal{ErrorKind::type, "a string", ""};
+  out = to_string(value);
+}
+
+void read_fixed(PyObject* value, double* out, int n) {
+  // The usual case first: a list of the right length.
+  if (PyList_CheckExact(value) && PyList_GET_SIZE(value) == n) {
+    int i = 0;
+    for (; i < n; ++i) {
+      PyObject* entry = PyList_GET_ITEM(value, i);
+      if (!PyFloat_CheckExact(entry)) break;
+      out[i] = PyFloat_AS_DOUBLE(entry);
+      if (!std::isfinite(out[i])) break;
+    }
+    if (i == n) return;
+  }
+  const std::string what = counted(n, "finite numbers");
+  const Reals reals(value, what);
+  require_length(reals.size(), n, what);
+  reals.copy_to(out, what);
+}
+
+template <int N>
+void read(PyObject* value, const Row&, Vec<double, N>& out) {
+  Vec<double, N> read_values;
+  read_fixed(value, read_values.x.data(), N);
+  out = read_values;
+}
+
+std::vector<double> read_vector(PyObject* value, int size) {
+  const std::string what = size > 0 ? counted(size, "finite numbers") : "a list or array of finite numbers";
+  const Reals reals(value, what);
+  if (size > 0) require_length(reals.size(), size, what);
+  std::vector<double> values(static_cast<std::size_t>(reals.size()));
+  reals.copy_to(values.data(), what);
+  return values;
+}
+
+void read(PyObject* value, const Row& row, std::vector<double>& out) { out = read_vector(value, row.size); }
+
+// A matrix of numbers; negative sizes: any. `what` is the expectation.
+template <class Number>
+DynamicMatrix<Number> read_matrix(PyObject* value, int rows, int columns, const std::string& what) {
+  DynamicMatrix<Number> result;
+  constexpr bool integers = std::is_same_v<Number, int>;
+  const auto is_right = [&](Py_ssize_t r, Py_ssize_t c) { return (rows < 0 || r == rows) && (columns < 0 || c == columns); };
+  if (is_number_array(value)) {
+    const auto array = py::reinterpret_borrow<py::array>(value);
+    if (integers && array.dtype().kind() == 'f' && array.size() > 0)
+      throw Refusal{ErrorKind::type, what, "Convert the array with astype(int)."};
+    if (array.size() == 0 && rows < 0) return result;
+    if (array.ndim() != 2 || !is_right(array.shape(0), array.shape(1)))
+      throw Refusal{ErrorKind::value, what, "Check the shape of the array."};
+    const auto numbers = py::array_t<Number, py::array::c_style | py::array::forcecast>::ensure(value);
+    result.rows = static_cast<int>(array.shape(0));
+    result.columns = static_cast<int>(array.shape(1));
+    result.values.assign(numbers.data(), numbers.data() + numbers.size());
+  } else {
+    const Items lines(value, what);
+    result.rows = static_cast<int>(lines.size());
+    for (Py_ssize_t i = 0; i < lines.size(); ++i) {
+      std::vector<double> line = read_vector(lines[i], 0);
+      if (i == 0) result.columns = static_cast<int>(line.size());
+      if (static_cast<int>(line.size()) != result.columns)
+        throw Refusal{ErrorKind::value, what, "Row " + std::to_string(i) + " has another length than row 0."};
+      for (const double number : line) {
+        if (integers && number != std::floor(number)) throw Refusal{ErrorKind::type, what, "Entries must be integers."};
+        result.values.push_back(static_cast<Number>(number));
+      }
+    }
+    if (result.values.empty() && rows < 0) return {};
+    if (!is_right(result.rows, result.columns)) throw Refusal{ErrorKind::value, what, "Check the number of rows and columns."};
+  }
+  if constexpr (!integers) {
+    if (!std::ranges::all_of(result.values, [](double x) { return std::isfinite(x); }))
+      throw Refusal{ErrorKind::value, what, "An entry is not finite."};
+  }
+  return result;
+}
+
+template <int R, int C>
+void read(PyObject* value, const Row&, Mat<double, R, C>& out) {
+  const auto matrix = read_matrix<double>(
+      value, R, C, "a matrix of " + std::to_string(R) + " x " + std::to_string(C) + " finite numbers");
+  std::ranges::copy(matrix.values, out.x.begin());
+}
+
+template <class Number>
+void read(PyObject* value, const Row&, DynamicMatrix<Number>& out) {
+  if (value == Py_None) {
+    out = {};
+    return;
+  }
+  out = read_matrix<Number>(value, -1, -1,
+                            std::is_same_v<Number, int> ? "a matrix of integers" : "a matrix (2-dimensional array) of finite numbers");
+}
+
+void read_scipy(py::handle sparse, MatrixContainer& out) {
+  const py::object coordinates = sparse.attr("tocoo")();
+  const auto shape = coordinates.attr("shape").cast<std::pair<int, int>>();
+  const auto rows = coordinates.attr("row").cast<py::array_t<int, py::array::forcecast>>();
+  const auto columns = coordinates.attr("col").cast<py::array_t<int, py::array::forcecast>>();
+  const std::vector<double> values = read_vector(coordinates.attr("data").ptr(), 0);
+  MatrixContainer result;
+  result.rows = shape.first;
+  result.columns = shape.second;
+  result.dense = false;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    result.triplets.push_back({rows.at(static_cast<py::ssize_t>(i)), columns.at(static_cast<py::ssize_t>(i)), values[i]});
+  out = std::move(result);
+}
+
+void read(PyObject* value, const Row&, MatrixContainer& out) {
+  if (value == Py_None) {
+    out = {};
+    return;
+  }
+  if (py::isinstance<MatrixContainer>(value)) {
+    out = py::handle(value).cast<const MatrixContainer&>();
+    return;
+  }
+  if (PyObject_HasAttrString(value, "tocoo") != 0) {
+    read_scipy(value, out);
+    return;
+  }
+  auto matrix = read_matrix<double>(value, -1, -1, "a MatrixContainer, a matrix (2-dimensional array) or a scipy sparse matrix");
+  MatrixContainer result;
+  result.rows = matrix.rows;
+  result.columns = matrix.columns;
+  result.values = std::move(matrix.values);
+  out = std::move(result);
+}
+
+void read(PyObject* value, const Row& row, std::vector<int>& out) {
+  const std::string what = row.size > 0 ? counted(row.size, "integers") : "a list of integers";
+  const Items items(value, what);
+  if (row.size > 0) require_length(items.size(), row.size, what);
+  std::vector<int> numbers;
+  for (Py_ssize_t i = 0; i < items.size(); ++i) {
+    try {
+      numbers.push_back(read_integer(items[i]));
+    } catch (Refusal& refusal) {
+      throw Refusal{refusal.kind, what, "Entry " + std::to_string(i) + " is " + show(items[i]) + ". " + refusal.advice};
+    }
+  }
+  out = std::move(numbers);
+}
+
+// Lists of vectors or matrices, entry by entry.
+template <class Entry>
+  requires(is_vec<Entry> || is_mat<Entry>)
+void read(PyObject* value, const Row& row, std::vector<Entry>& out) {
+  constexpr int n = rows_of<Entry>;
+  const std::string shape = is_vec<Entry> ? "vectors of length " + std::to_string(n)
+                                          : "matrices of " + std::to_string(n) + " x " + std::to_string(n);
+  const std::string what = "a list of " + shape;
+  if (value == Py_None) {
+    out.clear();
+    return;
+  }
+  const Items items(value, what);
+  std::vector<Entry> entries(static_cast<std::size_t>(items.size()));
+  for (Py_ssize_t i = 0; i < items.size(); ++i) {
+    try {
+      read(items[i], row, entries[static_cast<std::size_t>(i)]);
+    } catch (Refusal& refusal) {
+      throw Refusal{refusal.kind, what, "Entry " + std::to_string(i) + " is " + show(items[i]) + ". " + refusal.advice};
+    }
+  }
+  out = std::move(entries);
+}
+
+int read_item_number(PyObject* value, ItemKind wanted) {
+  ItemKind kind{};
+  int number = -1;
+  const std::string what = "a " + std::string(index_name(wanted)) + " or an integer";
+  const std::string advice = "Pass what Add" + std::string(kind_title(wanted)) + "(...) returned.";
+  if (read_index(value, kind, number)) {
+    if (kind == wanted) return number;
+    throw Refusal{ErrorKind::type, what,
+                  "The value is a " + std::string(index_name(kind)) + ": it counts " + std::string(kind_name(kind)) + "s, not " +
+                      std::string(kind_name(wanted)) + "s. " + advice};
+  }
+  if (PyBool_Check(value)) throw Refusal{ErrorKind::type, what, advice};
+  try {
+    number = read_integer(value);
+  } catch (Refusal& refusal) {
+    throw Refusal{refusal.kind, what, advice};
+  }
+  if (number < -1) throw Refusal{ErrorKind::value, "the number of a " + std::string(kind_name(wanted)), advice};
+  return number;
+}
+
+template <ItemKind K>
+void read(PyObject* value, const Row&, ItemIndex<K>& out) {
+  out.value = read_item_number(value, K);
+}
+
+template <ItemKind K>
+void read(PyObject* value, const Row& row, std::vector<ItemIndex<K>>& out) {
+  const std::string noun(kind_name(K));
+  const std::string what = (row.size > 0 ? "a list of " + std::to_string(row.size) : std::string("a list of")) + " " +
+                           std::string(index_name(K)) + " or integers";
+  const Items items(value, what);
+  if (row.size > 0) require_length(items.size(), row.size, what);
+  std::vector<ItemIndex<K>> numbers;
+  numbers.reserve(static_cast<std::size_t>(items.size()));
+  for (Py_ssize_t i = 0; i < items.size(); ++i) {
+    try {
+      numbers.push_back({read_item_number(items[i], K)});
+    } catch (Refusal& refusal) {
+      throw Refusal{refusal.kind, what, "Entry " + std::to_string(i) + " is " + show(items[i]) + ". " + refusal.advice};
+    }
+  }
+  out = std::move(numbers);
+}
+
+std::uint32_t read_enum(PyObject* value, const char* name) {
+  const py::object type = py::getattr(core_module(), name);
+  if (PyObject_IsInstance(value, type.ptr()) != 1) {
+    PyErr_Clear();
+    throw Refusal{ErrorKind::type, "a member of exudyn." + std::string(name),
+                  PyUnicode_Check(value) ? "Write " + std::string(name) + "." + to_string(value) + " without quotes." : ""};
+  }
+  return static_cast<std::uint32_t>(py::int_(py::reinterpret_borrow<py::object>(value)).cast<std::int64_t>());
+}
+
+void read(PyObject* value, const Row&, OutputVariableType& out) {
+  out = static_cast<OutputVariableType>(read_enum(value, "OutputVariableType"));
+}
+void read(PyObject* value, const Row&, std::vector<JointType>& out) {
+  const Items items(value, "a list of members of JointType");
+  std::vector<JointType> types;
+  for (Py_ssize_t i = 0; i < items.size(); ++i) types.push_back(static_cast<JointType>(read_enum(items[i], "JointType")));
+  out = std::move(types);
+}
+void read(PyObject*, const Row&, std::uint32_t&) { throw std::logic_error("items have no rows of other enumerations"); }
+
+void read(PyObject* value, const Row& row, UserFunction& out) { out = read_user_function(value, row); }
+
+void read(PyObject* value, const Row&, Opaque& out) {
+  // A list or dictionary that the user goes on to fill must not change the item.
+  if (PyList_Check(value) || PyDict_Check(value)) {
+    const py::object copy = py::handle(value).attr("copy")();
+    out = make_opaque(copy.ptr());
+    return;
+  }
+  out = make_opaque(value);
+}
+
+// ---- to Python -------------------------------------------------------------------------------------------------------
+
+py::object array_of(std::vector<py::ssize_t> shape, const double* data, Form form, PyObject* owner) {
+  if (form == Form::view) return py::array_t<double>(std::move(shape), data, py::handle(owner));
+  return py::array_t<double>(std::move(shape), data);
+}
+
+py::object write(bool value, Form, PyObject*) { return py::bool_(value); }
+py::object write(int value, Form, PyObject*) { return py::int_(value); }
+py::object write(double value, Form, PyObject*) { return py::float_(value); }
+py::object write(const std::string& value, Form, PyObject*) { return py::str(value); }
+template <int N>
+py::object write(const Vec<double, N>& value, Form form, PyObject* owner) {
+  return array_of({N}, value.x.data(), form, owner);
+}
+template <int R, int C>
+py::object write(const Mat<double, R, C>& value, Form form, PyObject* owner) {
+  return array_of({R, C}, value.x.data(), form, owner);
+}
+py::object write(const std::vector<double>& value, Form, PyObject*) {
+  return array_of({static_cast<py::ssize_t>(value.size())}, value.data(), Form::copy, nullptr);
+}
+template <class Number>
+py::object write(const DynamicMatrix<Number>& value, Form, PyObject*) {
+  return py::array_t<Number>(std::vector<py::ssize_t>{value.rows, value.columns}, value.values.data());
+}
+py::object write(const MatrixContainer& value, Form, PyObject*) { return py::cast(value); }
+py::object write(const std::vector<int>& value, Form, PyObject*) {
+  py::list list;
+  for (const int number : value) list.append(number);
+  return list;
+}
+template <class Entry>
+  requires(is_vec<Entry> || is_mat<Entry>)
+py::object write(const std::vector<Entry>& value, Form, PyObject*) {
+  py::list list;
+  for (const Entry& entry : value) list.append(write(entry, Form::copy, nullptr));
+  constexpr int n = rows_of<Entry>;
+  const std::string name = std::string(is_vec<Entry> ? "Vector" : "Matrix") + std::to_string(n) + "DList";
+  if (!py::hasattr(core_module(), name.c_str())) return list;
+  return core_module().attr(name.c_str())(list);
+}
+template <ItemKind K>
+py::object write(const ItemIndex<K>& value, Form, PyObject*) {
+  return py::reinterpret_steal<py::object>(make_index(K, value.value));
+}
+template <ItemKind K>
+py::object write(const std::vector<ItemIndex<K>>& value, Form, PyObject*) {
+  py::list list;
+  for (const ItemIndex<K> index : value) list.append(py::reinterpret_steal<py::object>(make_index(K, index.value)));
+  return list;
+}
+py::object write(OutputVariableType value, Form, PyObject*) {
+  return enum_member("OutputVariableType", static_cast<std::uint32_t>(value));
+}
+py::object write(const std::vector<JointType>& value, Form, PyObject*) {
+  py::list list;
+  for (const JointType type : value) list.append(enum_member("JointType", static_cast<std::uint32_t>(type)));
+  return list;
+}
+py::object write(std::uint32_t value, Form, PyObject*) { return py::int_(value); }
+py::object write(const UserFunction& value, Form, PyObject*) {
+  return value ? py::reinterpret_borrow<py::object>(function_of(value)) : py::int_(0);
+}
+py::object write(const Opaque& value, Form, PyObject*) {
+  PyObject* object = opaque_object(value);
+  return object == nullptr ? py::object(py::none()) : py::reinterpret_borrow<py::object>(object);
+}
+
+// What stands for an opaque parameter that was never set: what its users would have written.
+py::object empty_opaque(const Row& row) {
+  if (row.name.find("UserFunction") != std::string_view::npos) return py::int_(0);
+  const char* section = row.name == "sectionData" ? "BeamSection" : row.name == "sectionGeometry" ? "BeamSectionGeometry" : nullptr;
+  if (section == nullptr) return py::list();
+  return py::hasattr(core_module(), section) ? core_module().attr(section)() : py::object(py::none());
+}
+
+}  // namespace
+
+void from_python(PyObject* value, const Row& row, void* member) {
+  with_type(row.storage, [&]<class T>(TypeTag<T>) { read(value, row, *static_cast<T*>(member)); });
+}
+
+PyObject* to_python(const Row& row, const void* member, Form form, PyObject* owner) {
+  if (row.storage == Storage::opaque && opaque_object(*static_cast<const Opaque*>(member)) == nullptr)
+    return empty_opaque(row).release().ptr();
+  return with_type(row.storage, [&]<class T>(TypeTag<T>) {
+    return write(*static_cast<const T*>(member), form, owner).release().ptr();
+  });
+}
+
+py::object enum_member(const char* name, std::uint32_t value) { return core_module().attr(name)(value); }
+
+py::handle core_module() { return module_handle; }
+void set_core_module(py::module_& module) { module_handle = module; }
+
+Opaque make_opaque(PyObject* object) {
+  Py_INCREF(object);
+  return {std::shared_ptr<void>(object, [](void* held) {
+    if (Py_IsInitialized() == 0) return;
+    const PyGILState_STATE gil = PyGILState_Ensure();
+    Py_DECREF(static_cast<PyObject*>(held));
+    PyGILState_Release(gil);
+  })};
+}
+
+PyObject* opaque_object(const Opaque& value) { return static_cast<PyObject*>(value.object.get()); }
+
+std::vector<double> read_reals(PyObject* value) { return read_vector(value, 0); }
+
+}  // namespace dalembert

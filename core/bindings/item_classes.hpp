@@ -1,0 +1,69 @@
+// The Python classes of items: compiled types that hold a record, made at import from the reflection rows.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <memory>
+#include <vector>
+
+#include "dalembert/model/item.hpp"
+
+namespace dalembert {
+
+namespace py = pybind11;
+
+struct ItemClass {
+  const ItemType* type = nullptr;
+  PyTypeObject* python_type = nullptr;          // NodePoint
+  PyTypeObject* visualization_type = nullptr;   // VNodePoint
+  struct Argument {
+    const Row* row = nullptr;    // nullptr: the argument `visualization`
+    PyObject* name = nullptr;    // interned
+  };
+  std::vector<Argument> arguments;                // of NodePoint(...), by position
+  std::vector<Argument> visualization_arguments;  // of VNodePoint(...)
+  std::shared_ptr<const void> defaults;           // a record as the spec gives it
+};
+
+// A Python item. Its record is either known to Python alone, or shared with a system and then never written.
+struct ItemObject {
+  PyObject_HEAD
+  const ItemClass* item_class;
+  std::shared_ptr<void> record;
+  bool exposed;  // numpy views or V objects write to the record: systems must copy it
+  bool shared;   // a system has it: Python must copy it before a change
+};
+
+// VNodePoint(...), or the attribute `visualization` of an item, whose record it then shares.
+struct VisualizationObject {
+  PyObject_HEAD
+  const ItemClass* item_class;
+  std::shared_ptr<void> record;
+};
+
+const std::vector<std::unique_ptr<ItemClass>>& item_classes();
+const ItemClass& class_of(const ItemType& type);
+ItemObject* as_item(PyObject* value);                    // nullptr: not an item
+VisualizationObject* as_visualization(PyObject* value);  // nullptr: not a V object
+
+std::string item_name(const ItemObject& item);  // as the user gave it; may be empty
+
+// The item for a model; a planned or changed record is not looked at here.
+Item take_item(ItemObject* object);
+
+// Set one member, with item and parameter named if the value is refused. `where` describes the item.
+void set_member(const ItemClass& item_class, const Row& row, PyObject* value, void* record, const std::string& where);
+// Set visualization parameters from a V object, a dictionary or another mapping.
+void set_visualization(const ItemClass& item_class, PyObject* value, void* record, const std::string& where);
+
+// {'nodeType': 'Point', 'name': ..., ..., 'Vshow': ...}
+py::dict item_dictionary(const ItemType& type, const void* record, const std::string& name, bool graphics);
+// The reverse; refuses unknown keys. The item's kind must be `kind`.
+Item item_from_dictionary(ItemKind kind, const py::dict& dictionary, const std::string& where);
+
+// Write the given parameters over those in `record`.
+void update_from_dictionary(const ItemClass& item_class, const py::dict& dictionary, void* record, const std::string& where);
+
+void register_items(py::module_& module);
+
+}  // namespace dalembert

@@ -1,0 +1,169 @@
+// Items as dictionaries, and the assignment of single members with complete error texts.
+#include "conversion.hpp"
+#include "dalembert/model/errors.hpp"
+#include "dalembert/model/member.hpp"
+#include "item_classes.hpp"
+#include "python_errors.hpp"
+
+namespace dalembert {
+namespace {
+
+// GetObject leaves the graphics out unless asked; what stands for them means 'unchanged' when it comes back.
+constexpr const char* not_requested = "<not requested>";
+
+bool is_graphics(const Row& row) {
+  return row.storage == Storage::opaque && (row.name == "graphicsData" || row.name == "graphicsDataList");
+}
+
+bool stands_for_graphics(const Row& row, PyObject* value) {
+  if (row.storage != Storage::opaque || !PyList_Check(value) || PyList_GET_SIZE(value) != 1) return false;
+  PyObject* entry = PyList_GET_ITEM(value, 0);
+  PyObject* text = PyDict_Check(entry) ? PyDict_GetItemString(entry, "graphicsData") : nullptr;
+  return text != nullptr && PyUnicode_Check(text) && PyUnicode_CompareWithASCIIString(text, not_requested) == 0;
+}
+
+// Some defaults do not pass the check of their own parameter (a number of coordinates of 0: not set yet). They must
+// survive dictionaries and pickles; Assemble() is where they are refused.
+bool is_default(const ItemClass& item_class, const Row& row, PyObject* value) {
+  if (row.check == Check::none) return false;
+  Row unchecked = row;
+  unchecked.check = Check::none;
+  const void* standard = member(item_class.defaults.get(), row);
+  try {
+    if (row.storage == Storage::integer) {
+      int number = 0;
+      from_python(value, unchecked, &number);
+      return number == *static_cast<const int*>(standard);
+    }
+    if (row.storage != Storage::real) return false;
+    double number = 0;
+    from_python(value, unchecked, &number);
+    return number == *static_cast<const double*>(standard);
+  } catch (const Refusal&) {
+    return false;
+  }
+}
+
+void copy_default(const ItemClass& item_class, const Row& row, void* record) {
+  with_type(row.storage, [&]<class T>(TypeTag<T>) {
+    *static_cast<T*>(member(record, row)) = *static_cast<const T*>(member(item_class.defaults.get(), row));
+  });
+}
+
+}  // namespace
+
+void set_member(const ItemClass& item_class, const Row& row, PyObject* value, void* record, const std::string& where) {
+  try {
+    from_python(value, row, member(record, row));
+  } catch (const Refusal& refusal) {
+    if (refusal.kind == ErrorKind::value && is_default(item_class, row, value)) {
+      copy_default(item_class, row, record);
+      return;
+    }
+    std::string expected = refusal.expected;
+    if (!row.unit.empty()) expected += " (unit " + std::string(row.unit) + ")";
+    const std::string name = (row.role == Role::visualization ? "V" : "") + std::string(row.name);
+    refuse(refusal.kind, {where, name, "", show(value), expected, refusal.advice});
+  }
+}
+
+void set_visualization(const ItemClass& item_class, PyObject* value, void* record, const std::string& where) {
+  const ItemType& type = *item_class.type;
+  if (VisualizationObject* other = as_visualization(value); other != nullptr && other->item_class == &item_class) {
+    for (const auto& argument : item_class.visualization_arguments) {
+      with_type(argument.row->storage, [&]<class T>(TypeTag<T>) {
+        *static_cast<T*>(member(record, *argument.row)) = *static_cast<const T*>(member(other->record.get(), *argument.row));
+      });
+    }
+    return;
+  }
+  const auto complain = [&](const std::string& problem, const std::string& advice) {
+    refuse(ErrorKind::type, {where, "visualization", problem, show(value), "V" + std::string(type.name) + "(...) or a dictionary", advice});
+  };
+  py::dict entries;
+  if (PyDict_Check(value)) {
+    entries = py::reinterpret_borrow<py::dict>(value);
+  } else {
+    PyObject* made = PyObject_CallOneArg(reinterpret_cast<PyObject*>(&PyDict_Type), value);
+    if (made == nullptr) {
+      PyErr_Clear();
+      complain("", "");
+    }
+    entries = py::reinterpret_steal<py::dict>(made);
+  }
+  for (const auto& [key, entry] : entries) {
+    const std::string word = PyUnicode_Check(key.ptr()) ? to_string(key.ptr()) : show(key.ptr());
+    const Row* row = find_visualization_row(type, word);
+    if (row == nullptr) {
+      std::vector<std::string_view> names;
+      for (const auto& argument : item_class.visualization_arguments) names.push_back(argument.row->name);
+      complain("there is no visualization parameter " + quoted(word), suggestion(word, names));
+    }
+    set_member(item_class, *row, entry.ptr(), record, where);
+  }
+}
+
+py::dict item_dictionary(const ItemType& type, const void* record, const std::string& name, bool graphics) {
+  py::dict result;
+  result[py::str(std::string(type_key(type.kind)))] = py::str(std::string(type.type_name));
+  for (const Row& row : type.rows) {
+    const py::str key((row.role == Role::visualization ? "V" : "") + std::string(row.name));
+    if (row.role == Role::name) {
+      result[key] = py::str(name);
+      continue;
+    }
+    if (!graphics && is_graphics(row)) {
+      py::dict placeholder;
+      placeholder["graphicsData"] = not_requested;
+      py::list list;
+      list.append(placeholder);
+      result[key] = list;
+      continue;
+    }
+    py::object value = py::reinterpret_steal<py::object>(to_python(row, member(record, row), Form::copy, nullptr));
+    if (row.role == Role::visualization && row.storage >= Storage::vector2 && row.storage <= Storage::vector9)
+      value = value.attr("tolist")();
+    result[key] = value;
+  }
+  return result;
+}
+
+void update_from_dictionary(const ItemClass& item_class, const py::dict& dictionary, void* record, const std::string& where) {
+  const ItemType& type = *item_class.type;
+  for (const auto& [key, value] : dictionary) {
+    const std::string word = PyUnicode_Check(key.ptr()) ? to_string(key.ptr()) : show(key.ptr());
+    if (word == type_key(type.kind)) continue;
+    if (word == "visualization") {
+      set_visualization(item_class, value.ptr(), record, where);
+      continue;
+    }
+    const Row* row = find_row(type, word);
+    if (row == nullptr)
+      refuse(ErrorKind::value, {where, "", "there is no parameter " + quoted(word), "", "", suggest_parameter(type, word)});
+    if (row->internal || stands_for_graphics(*row, value.ptr())) continue;
+    set_member(item_class, *row, value.ptr(), record, where);
+  }
+}
+
+Item item_from_dictionary(ItemKind kind, const py::dict& dictionary, const std::string& where) {
+  const std::string key(type_key(kind));
+  if (!dictionary.contains(key.c_str())) {
+    refuse(ErrorKind::value, {where, "", "the dictionary has no key " + quoted(key), show(dictionary.ptr()),
+                              "a dictionary of a " + std::string(kind_name(kind)),
+                              "Name the type, e.g. {" + quoted(key) + ": " +
+                                  quoted(find_type(kind, "Point") != nullptr ? "Point" : "...") + ", ...}"});
+  }
+  const py::object name = dictionary[key.c_str()];
+  if (!py::isinstance<py::str>(name))
+    refuse(ErrorKind::type, {where, key, "", show(name.ptr()), "the name of a type as a string", ""});
+  const ItemType& type = require_type(kind, name.cast<std::string>());
+  const ItemClass& item_class = class_of(type);
+  std::shared_ptr<void> record = type.record.create();
+  update_from_dictionary(item_class, dictionary, record.get(), where + ": " + std::string(type.name));
+  Item item{&type, record, {}};
+  for (const Row& row : type.rows)
+    if (row.role == Role::name) item.name = *static_cast<const std::string*>(member(record.get(), row));
+  return item;
+}
+
+}  // namespace dalembert

@@ -1,0 +1,142 @@
+#include "item_docs.hpp"
+
+#include <pybind11/numpy.h>
+
+#include "conversion.hpp"
+#include "dalembert/model/member.hpp"
+#include "item_equality.hpp"
+
+namespace dalembert {
+namespace {
+
+std::string_view storage_text(Storage storage) {
+  switch (storage) {
+    case Storage::boolean: return "bool";
+    case Storage::integer: return "int";
+    case Storage::real: return "float";
+    case Storage::text: return "str";
+    case Storage::vector2: return "2 numbers";
+    case Storage::vector3: return "3 numbers";
+    case Storage::vector4: return "4 numbers";
+    case Storage::vector6: return "6 numbers";
+    case Storage::vector7: return "7 numbers";
+    case Storage::vector9: return "9 numbers";
+    case Storage::matrix3: return "3 x 3 numbers";
+    case Storage::matrix6: return "6 x 6 numbers";
+    case Storage::vector: return "numbers";
+    case Storage::matrix: return "matrix";
+    case Storage::integer_matrix: return "matrix of integers";
+    case Storage::matrix_container: return "MatrixContainer or matrix";
+    case Storage::integers: return "list of int";
+    case Storage::vector3s: return "list of 3 numbers each";
+    case Storage::matrix3s: return "list of 3 x 3 matrices";
+    case Storage::vector6s: return "list of 6 numbers each";
+    case Storage::node: return "NodeIndex";
+    case Storage::object: return "ObjectIndex";
+    case Storage::marker: return "MarkerIndex";
+    case Storage::load: return "LoadIndex";
+    case Storage::sensor: return "SensorIndex";
+    case Storage::nodes: return "list of NodeIndex";
+    case Storage::objects: return "list of ObjectIndex";
+    case Storage::markers: return "list of MarkerIndex";
+    case Storage::loads: return "list of LoadIndex";
+    case Storage::sensors: return "list of SensorIndex";
+    case Storage::output_variable: return "OutputVariableType";
+    case Storage::joint_types: return "list of JointType";
+    case Storage::user_function: return "function or 0";
+    case Storage::opaque: return "object";
+    case Storage::enumeration: return "enumeration";
+  }
+  return "";
+}
+
+// A literal that Python reads as the default; None stands for what has no literal.
+std::string literal(const Row& row, const void* record) {
+  switch (row.storage) {
+    case Storage::matrix_container:
+    case Storage::output_variable: return "None";
+    case Storage::opaque: return row.name.find("UserFunction") != std::string_view::npos ? "0" : "[]";
+    case Storage::user_function: return "0";
+    case Storage::vector3s:
+    case Storage::matrix3s:
+    case Storage::vector6s:
+    case Storage::joint_types: return "[]";
+    default: break;
+  }
+  py::object value = py::reinterpret_steal<py::object>(to_python(row, member(record, row), Form::copy, nullptr));
+  if (py::isinstance<py::array>(value)) value = value.attr("tolist")();
+  return py::repr(value).cast<std::string>();
+}
+
+std::string visualization_literal(const ItemClass& item_class) {
+  std::string text = "{";
+  for (const auto& argument : item_class.visualization_arguments) {
+    text += (text.size() > 1 ? ", '" : "'") + std::string(argument.row->name) +
+            "': " + literal(*argument.row, item_class.defaults.get());
+  }
+  return text + "}";
+}
+
+std::string words(std::span<const std::string_view> list) {
+  std::string text;
+  for (const std::string_view word : list) text += (text.empty() ? "" : ", ") + std::string(word);
+  return text;
+}
+
+}  // namespace
+
+std::string row_doc(const Row& row) {
+  std::string text(storage_text(row.storage));
+  if (row.size > 0) text += " of length " + std::to_string(row.size);
+  if (row.check == Check::positive) text += ", > 0";
+  if (row.check == Check::non_negative) text += ", >= 0";
+  if (!row.unit.empty()) text += ", unit " + std::string(row.unit);
+  if (row.needs_assemble) text += "; changes need Assemble()";
+  return text;
+}
+
+std::string class_doc(const ItemClass& item_class, bool visualization) {
+  const ItemType& type = *item_class.type;
+  const std::string name = (visualization ? "V" : "") + std::string(type.name);
+  const auto& arguments = visualization ? item_class.visualization_arguments : item_class.arguments;
+  std::string signature, parameters;
+  for (const auto& argument : arguments) {
+    if (!signature.empty()) signature += ", ";
+    if (argument.row == nullptr) {
+      signature += "visualization=" + visualization_literal(item_class);
+      parameters += "    visualization: V" + std::string(type.name) + " or dict\n";
+      continue;
+    }
+    signature += std::string(argument.row->name) + "=" + literal(*argument.row, item_class.defaults.get());
+    parameters += "    " + std::string(argument.row->name) + ": " + row_doc(*argument.row) + "\n";
+  }
+  std::string text = name + "(" + signature + ")\n--\n\n";
+  text += visualization ? "How a " + std::string(type.name) + " is drawn.\n" : std::string(kind_title(type.kind)) + " '" + std::string(type.type_name) + "'.\n";
+  text += "\nParameters:\n" + parameters;
+  if (!visualization && !type.provides.empty()) text += "\nProvides: " + words(type.provides) + "\n";
+  if (!visualization && type.physics == nullptr && type.kind != ItemKind::sensor)
+    text += "\nIts physics is planned: it can be described, but not yet added to a system.\n";
+  return text;
+}
+
+std::string item_repr(const ItemClass& item_class, const void* record, bool visualization) {
+  const auto changes = [&](const std::vector<ItemClass::Argument>& arguments) {
+    std::string text;
+    for (const auto& argument : arguments) {
+      if (argument.row == nullptr || equal_members(*argument.row, record, item_class.defaults.get())) continue;
+      py::object value = py::reinterpret_steal<py::object>(
+          to_python(*argument.row, member(record, *argument.row), Form::copy, nullptr));
+      if (py::isinstance<py::array>(value)) value = value.attr("tolist")();
+      text += (text.empty() ? "" : ", ") + std::string(argument.row->name) + "=" + py::repr(value).cast<std::string>();
+    }
+    return text;
+  };
+  const std::string name(item_class.type->name);
+  const std::string drawn = changes(item_class.visualization_arguments);
+  if (visualization) return "V" + name + "(" + drawn + ")";
+  std::string text = changes(item_class.arguments);
+  if (!drawn.empty()) text += (text.empty() ? "" : ", ") + ("visualization=V" + name) + "(" + drawn + ")";
+  return name + "(" + text + ")";
+}
+
+}  // namespace dalembert

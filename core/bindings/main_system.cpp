@@ -1,0 +1,238 @@
+#include "main_system.hpp"
+
+#include "conversion.hpp"
+#include "dalembert/model/member.hpp"
+#include "item_classes.hpp"
+#include "python_callback.hpp"
+#include "python_errors.hpp"
+
+namespace dalembert {
+namespace {
+
+using Class = py::class_<MainSystem, std::shared_ptr<MainSystem>>;
+
+// The functions that a solver calls for the whole system, by the names of their setters.
+constexpr const char* system_functions[] = {"PreStep", "PostStep", "PostNewton", "PreNewtonResidual", "SystemJacobian"};
+
+constexpr const char* list_key(ItemKind kind) {
+  constexpr const char* keys[] = {"nodeList", "objectList", "markerList", "loadList", "sensorList"};
+  return keys[static_cast<std::size_t>(kind)];
+}
+
+void register_functions(Class& main_system) {
+  for (const char* name : system_functions) {
+    const std::string key(name);
+    main_system.def(
+        ("Set" + key + "UserFunction").c_str(),
+        [key](MainSystem& main, const py::object& value) {
+          if (value.is_none() || (PyLong_Check(value.ptr()) && PyObject_IsTrue(value.ptr()) == 0)) {
+            main.user_functions.erase(key);
+            return;
+          }
+          py::object function = value;
+          if (py::isinstance<py::dict>(value) && value.contains("function")) function = value["function"];
+          if (PyCallable_Check(function.ptr()) == 0)
+            refuse(ErrorKind::type, {"mbs.Set" + key + "UserFunction(...)", "value", "", show(value.ptr()), "a function, or 0 for none",
+                                     "Pass the function itself, without calling it."});
+          main.user_functions[key] = function;
+        },
+        py::arg("value"), "Set the function that solvers call; 0 removes it.");
+    main_system.def(
+        ("Get" + key + "UserFunction").c_str(),
+        [key](const MainSystem& main, bool as_dict) -> py::object {
+          py::object function = main.user_function(key);
+          if (function.is_none()) return py::int_(0);
+          if (!as_dict) return function;
+          py::dict result;
+          result["function"] = function;
+          result["type"] = "Python";
+          return result;
+        },
+        py::arg("asDict") = false, "The function that was set, or 0.");
+  }
+}
+
+// Everything of `main` that can be pickled: utilities keep solvers in mbs.sys, and those cannot.
+py::dict picklable(const py::dict& entries) {
+  const py::object dumps = py::module_::import("pickle").attr("dumps");
+  py::dict kept;
+  for (const auto& [key, value] : entries) {
+    PyObject* bytes = PyObject_CallOneArg(dumps.ptr(), value.ptr());
+    if (bytes == nullptr) {
+      PyErr_Clear();
+      continue;
+    }
+    Py_DECREF(bytes);
+    kept[key] = value;
+  }
+  return kept;
+}
+
+py::dict copy_of(const py::dict& entries) { return entries.attr("copy")(); }
+
+void register_state(Class& main_system) {
+  main_system.def("GetDictionary", &system_dictionary, "All items, user functions and variables as one dictionary.");
+  main_system.def("SetDictionary", &set_system_dictionary, py::arg("systemDict"),
+                  "Replace the whole system by what GetDictionary() gave.");
+  main_system.def(py::pickle(
+      [](const MainSystem& main) {
+        py::dict state = system_dictionary(main);
+        state["systemVariables"] = picklable(main.sys);
+        state["variables"] = picklable(main.variables);
+        return state;
+      },
+      [](const py::dict& state) {
+        auto main = std::make_shared<MainSystem>();
+        set_system_dictionary(*main, state);
+        return main;
+      }));
+  main_system.def("Reset", &MainSystem::reset, "Delete all items, user functions and variables.");
+  main_system.def("__repr__", [](const MainSystem& main) { return system_summary(main); });
+}
+
+// Nothing is drawn by this package; the switches are kept so that scripts with graphics run.
+void register_rendering(Class& main_system) {
+  main_system.def("SendRedrawSignal", [](MainSystem&) {}, "Does nothing: there is no renderer.");
+  main_system.def("ActivateRendering", [](MainSystem&, bool) {}, py::arg("flag") = true, "Does nothing: there is no renderer.");
+  main_system.def("GetRenderEngineStopFlag", [](const MainSystem& main) { return main.stop_requested; }, "Whether a stop was requested.");
+  main_system.def("SetRenderEngineStopFlag", [](MainSystem& main, bool flag) { main.stop_requested = flag; }, py::arg("stopFlag"),
+                  "Ask the running solver to stop.");
+  main_system.def("WaitForUserToContinue", [](MainSystem&, bool) {}, py::arg("printMessage") = true,
+                  "Does nothing: there is no renderer.");
+}
+
+void register_planned(Class& main_system) {
+  const auto planned = [](const char* method) {
+    return [method](MainSystem&, const py::args&, const py::kwargs&) -> py::object {
+      throw ModelError(ErrorKind::planned, "mbs." + std::string(method) +
+                                               "(...): GeneralContact is planned and not yet part of this release. Use the "
+                                               "contact objects, e.g. ObjectContactSphereSphere, where they suffice.");
+    };
+  };
+  for (const char* method : {"AddGeneralContact", "GetGeneralContact", "DeleteGeneralContact"})
+    main_system.def(method, planned(method));
+  main_system.def("NumberOfGeneralContacts", [](const MainSystem&) { return 0; });
+}
+
+}  // namespace
+
+void MainSystem::assemble() {
+  model.check();
+  system.assemble(model);
+  assembled_structure_ = model.structure_changes();
+  refreshed_values_ = model.value_changes();
+}
+
+void MainSystem::set_consistent(bool flag) { assembled_structure_ = flag ? model.structure_changes() : ~std::uint64_t{0}; }
+
+System& MainSystem::assembled(const char* method) {
+  if (!consistent()) {
+    Complaint complaint;
+    complaint.item = "mbs." + std::string(method) + "(...)";
+    complaint.problem = system.assembled() ? "items were added, deleted or connected differently since mbs.Assemble()"
+                                           : "the system is not assembled";
+    complaint.advice = "Call mbs.Assemble() after the last change of items and before this call.";
+    refuse(ErrorKind::state, complaint);
+  }
+  if (refreshed_values_ != model.value_changes()) {
+    system.refresh(model);
+    refreshed_values_ = model.value_changes();
+  }
+  return system;
+}
+
+void MainSystem::reset() {
+  model.clear();
+  variables = py::dict();
+  sys = py::dict();
+  user_functions.clear();
+  sensor_storage.tables.clear();
+  set_consistent(false);
+}
+
+py::object MainSystem::user_function(const std::string& name) const {
+  const auto found = user_functions.find(name);
+  return found == user_functions.end() ? py::object(py::none()) : found->second;
+}
+
+py::dict system_dictionary(const MainSystem& main) {
+  py::dict result;
+  result["__version__"] = DALEMBERT_VERSION;
+  for (int k = 0; k < item_kinds; ++k) {
+    const ItemKind kind = static_cast<ItemKind>(k);
+    py::list list;
+    for (int i = 0; i < main.model.count(kind); ++i) {
+      const Item& item = main.model.item(kind, i);
+      list.append(item_dictionary(*item.type, item.record.get(), main.model.name(kind, i), true));
+    }
+    result[list_key(kind)] = list;
+  }
+  py::dict functions;
+  for (const auto& [name, function] : main.user_functions) functions[name.c_str()] = function;
+  result["userFunctions"] = functions;
+  result["variables"] = copy_of(main.variables);
+  result["systemVariables"] = copy_of(main.sys);
+  return result;
+}
+
+void set_system_dictionary(MainSystem& main, const py::dict& data) {
+  Model model;
+  for (int k = 0; k < item_kinds; ++k) {
+    const ItemKind kind = static_cast<ItemKind>(k);
+    if (!data.contains(list_key(kind))) continue;
+    for (const py::handle entry : data[list_key(kind)]) {
+      const std::string where = "SetDictionary(...), " + std::string(list_key(kind)) + "[" + std::to_string(model.count(kind)) + "]";
+      if (!py::isinstance<py::dict>(entry)) refuse(ErrorKind::type, {where, "", "", show(entry.ptr()), "a dictionary", ""});
+      Item item = item_from_dictionary(kind, py::reinterpret_borrow<py::dict>(entry), where);
+      item.record = bind_user_functions(*item.type, std::move(item.record), main);
+      model.add(std::move(item));
+    }
+  }
+  const auto entries = [&](const char* key) {
+    return data.contains(key) && py::isinstance<py::dict>(data[key]) ? copy_of(data[key]) : py::dict();
+  };
+  const py::dict functions = entries("userFunctions");
+  const py::dict variables = entries("variables"), sys = entries("systemVariables");
+  main.reset();
+  main.model = std::move(model);
+  main.set_consistent(false);
+  main.variables = variables;
+  main.sys = sys;
+  for (const auto& [name, function] : functions)
+    main.user_functions[to_string(name.ptr())] = py::reinterpret_borrow<py::object>(function);
+}
+
+std::string system_summary(const MainSystem& main) {
+  std::string text = "<MainSystem:";
+  for (int k = 0; k < item_kinds; ++k) {
+    const ItemKind kind = static_cast<ItemKind>(k);
+    const int n = main.model.count(kind);
+    text += (k == 0 ? " " : ", ") + std::to_string(n) + " " + std::string(kind_name(kind)) + (n == 1 ? "" : "s");
+  }
+  if (!main.consistent()) return text + "; not assembled>";
+  const Sizes& sizes = main.system.sizes();
+  return text + "; coordinates: " + std::to_string(sizes.ode2) + " ODE2, " + std::to_string(sizes.ode1) + " ODE1, " +
+         std::to_string(sizes.ae) + " AE, " + std::to_string(sizes.data) + " data>";
+}
+
+void register_main_system(py::module_& module) {
+  Class main_system(module, "MainSystem", "One multibody system: items, their states, and what is computed from them.");
+  main_system.def(py::init([] { return std::make_shared<MainSystem>(); }));
+  main_system.def_readwrite("variables", &MainSystem::variables, "A dictionary that is free for the user.");
+  main_system.def_readwrite("sys", &MainSystem::sys, "A dictionary in which utilities keep their data.");
+  main_system.def_readwrite("interactiveMode", &MainSystem::interactive);
+  main_system.def_readwrite("solverSignalJacobianUpdate", &MainSystem::jacobian_update_requested,
+                            "Set by user functions to ask for a new Jacobian.");
+  main_system.def_property("systemIsConsistent", &MainSystem::consistent, &MainSystem::set_consistent,
+                           "Whether the system is assembled and has the same items since.");
+  main_system.def_property_readonly(
+      "systemData", [](MainSystem& main) { return SystemData{main.shared_from_this()}; }, "Coordinates and index tables.");
+  register_functions(main_system);
+  register_state(main_system);
+  register_rendering(main_system);
+  register_planned(main_system);
+  register_main_system_items(main_system);
+  register_main_system_assembled(main_system);
+}
+
+}  // namespace dalembert

@@ -1,0 +1,174 @@
+// The methods of MainSystem that need the assembled system.
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include "conversion.hpp"
+#include "item_arguments.hpp"
+#include "main_system.hpp"
+#include "python_errors.hpp"
+
+namespace dalembert {
+namespace {
+
+using Class = py::class_<MainSystem, std::shared_ptr<MainSystem>>;
+
+// Enumerations are checked here, so that the text can name method and argument.
+template <class Enum>
+Enum enum_argument(const py::object& value, const char* enum_name, const char* argument, const std::string& method) {
+  const py::object type = core_module().attr(enum_name);
+  if (PyObject_IsInstance(value.ptr(), type.ptr()) != 1) {
+    PyErr_Clear();
+    refuse(ErrorKind::type, {"mbs." + method + "(...)", argument, "", show(value.ptr()), "a member of exudyn." + std::string(enum_name), ""});
+  }
+  return static_cast<Enum>(py::int_(value).cast<std::int64_t>());
+}
+
+OutputVariableType variable_argument(const py::object& value, const std::string& method) {
+  return enum_argument<OutputVariableType>(value, "OutputVariableType", "variableType", method);
+}
+
+ConfigurationType configuration_argument(const py::object& value, const std::string& method) {
+  if (value.is_none()) return ConfigurationType::Current;
+  return enum_argument<ConfigurationType>(value, "ConfigurationType", "configuration", method);
+}
+
+py::object array(const std::vector<double>& values) {
+  return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
+}
+// One value comes out as a number.
+py::object number_or_array(const std::vector<double>& values) {
+  return values.size() == 1 ? py::object(py::float_(values[0])) : array(values);
+}
+
+void register_assembly(Class& main_system) {
+  main_system.def("Assemble", &MainSystem::assemble, "Check the model and build the system of equations from it.");
+  // The interface has the parts of Assemble as methods of their own; they are one here.
+  main_system.def("AssembleCoordinates", &MainSystem::assemble, "A part of Assemble(); does all of it.");
+  const auto rest = [](const char* method) { return [method](MainSystem& main) { main.assembled(method); }; };
+  main_system.def("AssembleLTGLists", rest("AssembleLTGLists"), "A part of Assemble(); done by AssembleCoordinates().");
+  main_system.def("AssembleInitializeSystemCoordinates", rest("AssembleInitializeSystemCoordinates"),
+                  "A part of Assemble(); done by AssembleCoordinates().");
+  main_system.def("AssembleSystemInitialize", rest("AssembleSystemInitialize"),
+                  "A part of Assemble(); done by AssembleCoordinates().");
+}
+
+void register_outputs(Class& main_system) {
+  main_system.def(
+      "GetNodeOutput",
+      [](MainSystem& main, const py::object& node, const py::object& variable, const py::object& configuration) {
+        const int number = item_number_argument(main, ItemKind::node, node.ptr(), "GetNodeOutput");
+        return number_or_array(main.assembled("GetNodeOutput").node_output(
+            number, variable_argument(variable, "GetNodeOutput"), configuration_argument(configuration, "GetNodeOutput")));
+      },
+      py::arg("nodeNumber"), py::arg("variableType"), py::arg("configuration") = py::none(), "An output variable of a node.");
+  main_system.def(
+      "GetObjectOutput",
+      [](MainSystem& main, const py::object& object, const py::object& variable, const py::object& configuration) {
+        const int number = item_number_argument(main, ItemKind::object, object.ptr(), "GetObjectOutput");
+        return number_or_array(main.assembled("GetObjectOutput").object_output(
+            number, variable_argument(variable, "GetObjectOutput"), configuration_argument(configuration, "GetObjectOutput")));
+      },
+      py::arg("objectNumber"), py::arg("variableType"), py::arg("configuration") = py::none(),
+      "An output variable of an object, e.g. the force in a connector.");
+  main_system.def(
+      "GetObjectOutputBody",
+      [](MainSystem& main, const py::object& object, const py::object& variable, const py::object& position,
+         const py::object& configuration) {
+        const std::string method = "GetObjectOutputBody";
+        const int number = item_number_argument(main, ItemKind::object, object.ptr(), method);
+        std::array<double, 3> local{};
+        try {
+          const std::vector<double> values = read_reals(position.ptr());
+          if (values.size() != 3) throw Refusal{ErrorKind::value, "3 numbers", ""};
+          std::copy(values.begin(), values.end(), local.begin());
+        } catch (const Refusal& refusal) {
+          refuse(refusal.kind, {"mbs." + method + "(...)", "localPosition", "", show(position.ptr()), "3 finite numbers (unit m)", ""});
+        }
+        return number_or_array(main.assembled(method.c_str()).body_output(
+            number, variable_argument(variable, method), local, configuration_argument(configuration, method)));
+      },
+      py::arg("objectNumber"), py::arg("variableType"), py::arg("localPosition") = std::vector<double>{0, 0, 0},
+      py::arg("configuration") = py::none(), "An output variable of a body at a local position.");
+  main_system.def(
+      "GetObjectOutputSuperElement",
+      [](MainSystem& main, const py::object& object, const py::object& variable, int mesh_node, const py::object& configuration) {
+        const std::string method = "GetObjectOutputSuperElement";
+        const int number = item_number_argument(main, ItemKind::object, object.ptr(), method);
+        return number_or_array(main.assembled(method.c_str()).super_element_output(
+            number, variable_argument(variable, method), mesh_node, configuration_argument(configuration, method)));
+      },
+      py::arg("objectNumber"), py::arg("variableType"), py::arg("meshNodeNumber"), py::arg("configuration") = py::none(),
+      "An output variable of a super element at one of its mesh nodes.");
+  main_system.def(
+      "GetMarkerOutput",
+      [](MainSystem& main, const py::object& marker, const py::object& variable, const py::object& configuration) {
+        const int number = item_number_argument(main, ItemKind::marker, marker.ptr(), "GetMarkerOutput");
+        return array(main.assembled("GetMarkerOutput").marker_output(
+            number, variable_argument(variable, "GetMarkerOutput"), configuration_argument(configuration, "GetMarkerOutput")));
+      },
+      py::arg("markerNumber"), py::arg("variableType"), py::arg("configuration") = py::none(), "An output variable of a marker.");
+}
+
+void register_loads_and_sensors(Class& main_system) {
+  main_system.def(
+      "GetLoadValues",
+      [](MainSystem& main, const py::object& load) {
+        const int number = item_number_argument(main, ItemKind::load, load.ptr(), "GetLoadValues");
+        System& system = main.assembled("GetLoadValues");
+        return number_or_array(system.load_values(number, system.state(ConfigurationType::Current).time));
+      },
+      py::arg("loadNumber"), "The value of a load at the current time.");
+  main_system.def(
+      "GetSensorValues",
+      [](MainSystem& main, const py::object& sensor, const py::object& configuration) {
+        const int number = item_number_argument(main, ItemKind::sensor, sensor.ptr(), "GetSensorValues");
+        return number_or_array(main.assembled("GetSensorValues").sensor_values(
+            number, configuration_argument(configuration, "GetSensorValues")));
+      },
+      py::arg("sensorNumber"), py::arg("configuration") = py::none(), "What a sensor measures.");
+  main_system.def(
+      "GetSensorStoredData",
+      [](MainSystem& main, const py::object& sensor) -> py::object {
+        const auto number = static_cast<std::size_t>(item_number_argument(main, ItemKind::sensor, sensor.ptr(), "GetSensorStoredData"));
+        if (number >= main.sensor_storage.tables.size()) return py::array_t<double>(std::vector<py::ssize_t>{0, 0});
+        const SensorTable& table = main.sensor_storage.tables[number];
+        return py::array_t<double>(std::vector<py::ssize_t>{table.rows(), table.columns}, table.values.data());
+      },
+      py::arg("sensorNumber"), "Rows of time and values that a sensor with storeInternal=True has recorded.");
+}
+
+void register_indices(Class& main_system) {
+  struct Entry {
+    const char* method;
+    const char* coordinates;
+    System::Coordinates kind;
+  };
+  for (const Entry entry : {Entry{"GetNodeODE2Index", "ODE2", System::Coordinates::ode2},
+                            Entry{"GetNodeODE1Index", "ODE1", System::Coordinates::ode1},
+                            Entry{"GetNodeAEIndex", "algebraic", System::Coordinates::ae}}) {
+    main_system.def(
+        entry.method,
+        [entry](MainSystem& main, const py::object& node) {
+          const int number = item_number_argument(main, ItemKind::node, node.ptr(), entry.method);
+          const int index = main.assembled(entry.method).node_index(number, entry.kind);
+          if (index < 0) {
+            refuse(ErrorKind::value, {"mbs." + std::string(entry.method) + "(...)", "",
+                                      main.model.describe(ItemKind::node, number) + " has no " + entry.coordinates + " coordinates", "",
+                                      "", "Ask for the coordinates that this type of node has."});
+          }
+          return index;
+        },
+        py::arg("nodeNumber"), "The first global coordinate of a node in the vector of the whole system.");
+  }
+}
+
+}  // namespace
+
+void register_main_system_assembled(Class& main_system) {
+  register_assembly(main_system);
+  register_outputs(main_system);
+  register_loads_and_sensors(main_system);
+  register_indices(main_system);
+}
+
+}  // namespace dalembert

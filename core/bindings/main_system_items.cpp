@@ -1,0 +1,296 @@
+// The methods of MainSystem that add, read and change items, for all five kinds.
+#include "conversion.hpp"
+#include "dalembert/model/member.hpp"
+#include "index_types.hpp"
+#include "item_arguments.hpp"
+#include "item_classes.hpp"
+#include "main_system.hpp"
+#include "python_callback.hpp"
+#include "python_errors.hpp"
+#include "sequence.hpp"
+
+namespace dalembert {
+
+int item_number_argument(const MainSystem& main, ItemKind kind, PyObject* value, const std::string& method) {
+  ItemKind given{};
+  int number = -1;
+  const auto complain = [&](const std::string& advice) {
+    refuse(ErrorKind::type, {"mbs." + method + "(...)", std::string(kind_name(kind)) + "Number", "", show(value),
+                             "a " + std::string(index_name(kind)) + " or an integer", advice});
+  };
+  if (read_index(value, given, number)) {
+    if (given != kind) {
+      complain("It is a " + std::string(index_name(given)) + ": it counts " + std::string(kind_name(given)) + "s, not " +
+               std::string(kind_name(kind)) + "s.");
+    }
+  } else if (PyUnicode_Check(value)) {
+    complain("To find an item by its name, use mbs.Get" + std::string(kind_title(kind)) + "Number(name).");
+  } else {
+    try {
+      number = read_integer(value);
+    } catch (const Refusal&) {
+      complain("Pass what Add" + std::string(kind_title(kind)) + "(...) returned.");
+    }
+  }
+  if (main.model.find_item(kind, number) != nullptr) return number;
+  try {
+    main.model.item(kind, number);
+  } catch (const ModelError& error) {
+    throw ModelError(error.kind(), "mbs." + method + "(...): " + error.what());
+  }
+  return number;
+}
+
+namespace {
+
+using Class = py::class_<MainSystem, std::shared_ptr<MainSystem>>;
+
+std::string method_name(const char* verb, ItemKind kind, const char* rest = "") {
+  return verb + std::string(kind_title(kind)) + rest;
+}
+
+// ---- adding: the one path that must be quick -----------------------------------------------------------------------
+
+[[noreturn]] void refuse_item(ItemKind kind, PyObject* value, const std::string& advice) {
+  refuse(ErrorKind::type, {"mbs." + method_name("Add", kind) + "(...)", "", "", show(value),
+                           "a " + std::string(kind_name(kind)) + " item or its dictionary", advice});
+}
+
+Item slow_item(ItemKind kind, PyObject* value) {
+  const std::string where = "mbs." + method_name("Add", kind) + "(...)";
+  if (PyDict_Check(value)) return item_from_dictionary(kind, py::reinterpret_borrow<py::dict>(value), where);
+  if (PyType_Check(value))
+    refuse_item(kind, value, "Put parentheses behind the class to make an item of it.");
+  // Whatever turns into a dictionary is welcome.
+  PyObject* dictionary = PyObject_CallOneArg(reinterpret_cast<PyObject*>(&PyDict_Type), value);
+  if (dictionary == nullptr) {
+    PyErr_Clear();
+    refuse_item(kind, value, "Items are made by their classes, e.g. NodePoint(...) or ObjectMassPoint(...).");
+  }
+  return item_from_dictionary(kind, py::reinterpret_steal<py::dict>(dictionary), where);
+}
+
+Item item_argument(ItemKind kind, PyObject* value) {
+  ItemObject* object = as_item(value);
+  if (object == nullptr) return slow_item(kind, value);
+  const ItemType& type = *object->item_class->type;
+  if (type.kind != kind) {
+    refuse_item(kind, value, std::string(type.name) + " is a " + std::string(kind_name(type.kind)) + "; use mbs." +
+                                 method_name("Add", type.kind) + "(...).");
+  }
+  return take_item(object);
+}
+
+// As a plain method descriptor: pybind11 would take longer to find the arguments than all the rest takes.
+template <ItemKind K>
+PyObject* add_item(PyObject* self, PyObject* value) {
+  return guarded([&] {
+    auto* instance = reinterpret_cast<py::detail::instance*>(self);
+    auto* main = instance->get_value_and_holder().value_ptr<MainSystem>();
+    if (main == nullptr) refuse(ErrorKind::state, {"mbs", "", "MainSystem.__init__ was not called", "", "", ""});
+    Item item = item_argument(K, value);
+    item.record = bind_user_functions(*item.type, std::move(item.record), *main);
+    return make_index(K, main->model.add(std::move(item)));
+  });
+}
+
+template <ItemKind K>
+void register_add(Class& main_system) {
+  static const std::string name = method_name("Add", K);
+  static const std::string doc = name + "($self, pyObject, /)\n--\n\nAdd a " + std::string(kind_name(K)) +
+                                 ", given as item or dictionary, and return its " + std::string(index_name(K)) + ".";
+  static PyMethodDef definition{name.c_str(), add_item<K>, METH_O, doc.c_str()};
+  PyObject* descriptor = PyDescr_NewMethod(reinterpret_cast<PyTypeObject*>(main_system.ptr()), &definition);
+  if (descriptor == nullptr) throw py::error_already_set();
+  main_system.attr(name.c_str()) = py::reinterpret_steal<py::object>(descriptor);
+}
+
+// ---- reading ---------------------------------------------------------------------------------------------------------
+
+py::dict get_item(const MainSystem& main, ItemKind kind, int number, bool graphics) {
+  const Item& item = main.model.item(kind, number);
+  return item_dictionary(*item.type, item.record.get(), main.model.name(kind, number), graphics);
+}
+
+const Row& require_row(const MainSystem& main, ItemKind kind, int number, const std::string& name) {
+  const ItemType& type = *main.model.item(kind, number).type;
+  const Row* row = find_row(type, name);
+  if (row == nullptr) {
+    refuse(ErrorKind::value, {main.model.describe(kind, number), "", "there is no parameter " + quoted(name), "", "",
+                              suggest_parameter(type, name)});
+  }
+  return *row;
+}
+
+py::object get_parameter(const MainSystem& main, ItemKind kind, int number, const std::string& name) {
+  const Row& row = require_row(main, kind, number, name);
+  if (row.role == Role::name) return py::str(main.model.name(kind, number));
+  const Item& item = main.model.item(kind, number);
+  py::object value = py::reinterpret_steal<py::object>(
+      to_python(row, member(item.record.get(), row), Form::copy, nullptr));
+  if (row.role == Role::visualization && row.storage == Storage::vector4) return value.attr("tolist")();
+  return value;
+}
+
+// ---- changing --------------------------------------------------------------------------------------------------------
+
+// Changes of values reach an assembled system at once: user functions change parameters between two steps.
+void take_over(MainSystem& main, const char* method) {
+  if (main.consistent()) main.assembled(method);
+}
+
+void set_parameter(MainSystem& main, ItemKind kind, int number, const std::string& name, const py::object& value) {
+  const Row& row = require_row(main, kind, number, name);
+  const Item& item = main.model.item(kind, number);
+  const std::string where = main.model.describe(kind, number);
+  if (row.internal) refuse(ErrorKind::value, {where, name, "cannot be set", "", "", "It is computed by the system."});
+  const ItemType& type = *item.type;
+  main.model.edit(kind, number, row, [&](void* target) {
+    // `target` is the member; the record begins at its offset before.
+    set_member(class_of(type), row, value.ptr(), static_cast<char*>(target) - row.offset, where);
+    if (row.storage == Storage::user_function) {
+      auto& function = *static_cast<UserFunction*>(target);
+      function = bind_user_function(type, function, main);
+    }
+  });
+  take_over(main, "SetParameter");
+}
+
+void modify_item(MainSystem& main, ItemKind kind, int number, const py::dict& changes) {
+  const Item& old = main.model.item(kind, number);
+  const ItemType& type = *old.type;
+  const std::string where = main.model.describe(kind, number), key(type_key(kind));
+  if (changes.contains(key.c_str())) {
+    const ItemType& given = require_type(kind, py::str(changes[key.c_str()]).cast<std::string>());
+    if (&given != &type) {
+      refuse(ErrorKind::value, {where, key, "", quoted(given.type_name), quoted(type.type_name),
+                                "The type of an item cannot change; delete the item and add another one."});
+    }
+  }
+  std::shared_ptr<void> record = type.record.copy(old.record.get());
+  update_from_dictionary(class_of(type), changes, record.get(), where);
+  Item item{&type, record, old.name};
+  for (const Row& row : type.rows)
+    if (row.role == Role::name && changes.contains(std::string(row.name).c_str()))
+      item.name = *static_cast<const std::string*>(member(record.get(), row));
+  item.record = bind_user_functions(type, std::move(item.record), main);
+  main.model.replace(kind, number, std::move(item));
+}
+
+void delete_item(MainSystem& main, ItemKind kind, int number, bool with_dependents, bool quiet) {
+  for (const std::string& lost : main.model.remove(kind, number, with_dependents)) {
+    const std::string text = "mbs." + method_name("Delete", kind) + "(...): " + lost + ".";
+    if (!quiet && PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) != 0) throw py::error_already_set();
+  }
+}
+
+void register_delete(Class& main_system, ItemKind kind) {
+  const std::string name = method_name("Delete", kind);
+  const std::string number = std::string(kind_name(kind)) + "Number";
+  const std::string doc = "Delete a " + std::string(kind_name(kind)) + "; the numbers behind it move up by one.";
+  const bool dependents = kind == ItemKind::object || kind == ItemKind::load;
+  if (!dependents) {
+    main_system.def(
+        name.c_str(),
+        [kind, name](MainSystem& main, const py::object& index, bool quiet) {
+          delete_item(main, kind, item_number_argument(main, kind, index.ptr(), name), false, quiet);
+        },
+        py::arg(number.c_str()), py::arg("suppressWarnings") = false, doc.c_str());
+    return;
+  }
+  main_system.def(
+      name.c_str(),
+      [kind, name](MainSystem& main, const py::object& index, bool along, bool quiet) {
+        delete_item(main, kind, item_number_argument(main, kind, index.ptr(), name), along, quiet);
+      },
+      py::arg(number.c_str()), py::arg(kind == ItemKind::object ? "deleteDependentItems" : "deleteDependentMarkers") = true,
+      py::arg("suppressWarnings") = false, doc.c_str());
+}
+
+void register_reading(Class& main_system, ItemKind kind) {
+  const std::string noun(kind_name(kind)), title(kind_title(kind)), number = noun + "Number", get = "Get" + title;
+  main_system.def(
+      (get + "Number").c_str(),
+      [kind](const MainSystem& main, const std::string& name) {
+        return py::reinterpret_steal<py::object>(make_index(kind, main.model.number(kind, name)));
+      },
+      py::arg((noun + "Name").c_str()), ("The index of the " + noun + " with that name; invalid if there is none.").c_str());
+  if (kind == ItemKind::object) {
+    main_system.def(
+        get.c_str(),
+        [kind, get](const MainSystem& main, const py::object& index, bool graphics) {
+          return get_item(main, kind, item_number_argument(main, kind, index.ptr(), get), graphics);
+        },
+        py::arg(number.c_str()), py::arg("addGraphicsData") = false, "All parameters as a dictionary.");
+  } else {
+    main_system.def(
+        get.c_str(),
+        [kind, get](const MainSystem& main, const py::object& index) {
+          return get_item(main, kind, item_number_argument(main, kind, index.ptr(), get), true);
+        },
+        py::arg(number.c_str()), "All parameters as a dictionary.");
+  }
+  main_system.def(
+      (get + "Defaults").c_str(),
+      [kind](const MainSystem&, const std::string& name) {
+        const ItemType& type = require_type(kind, name);
+        return item_dictionary(type, class_of(type).defaults.get(), "", true);
+      },
+      py::arg("typeName"), ("The default parameters of a type of " + noun + " as a dictionary.").c_str());
+  main_system.def(
+      (get + "Parameter").c_str(),
+      [kind, get](const MainSystem& main, const py::object& index, const std::string& name) {
+        return get_parameter(main, kind, item_number_argument(main, kind, index.ptr(), get + "Parameter"), name);
+      },
+      py::arg(number.c_str()), py::arg("parameterName"), "One parameter; visualization parameters begin with 'V'.");
+}
+
+void register_writing(Class& main_system, ItemKind kind) {
+  const std::string noun(kind_name(kind)), title(kind_title(kind)), number = noun + "Number";
+  const std::string set = "Set" + title + "Parameter", modify = "Modify" + title;
+  main_system.def(
+      set.c_str(),
+      [kind, set](MainSystem& main, const py::object& index, const std::string& name, const py::object& value) {
+        set_parameter(main, kind, item_number_argument(main, kind, index.ptr(), set), name, value);
+      },
+      py::arg(number.c_str()), py::arg("parameterName"), py::arg("value"),
+      "Set one parameter; visualization parameters begin with 'V'.");
+  main_system.def(
+      modify.c_str(),
+      [kind, modify](MainSystem& main, const py::object& index, const py::dict& changes) {
+        modify_item(main, kind, item_number_argument(main, kind, index.ptr(), modify), changes);
+      },
+      py::arg(number.c_str()), py::arg((noun + "Dict").c_str()), "Set the parameters that the dictionary names; the others stay.");
+}
+
+py::dict factory_items() {
+  py::dict result;
+  for (int k = 0; k < item_kinds; ++k) {
+    py::list names;
+    for (const ItemType* type : item_types())
+      if (type->kind == static_cast<ItemKind>(k)) names.append(std::string(type->name));
+    names.attr("sort")();
+    result[std::string(kind_title(static_cast<ItemKind>(k))).c_str()] = names;
+  }
+  return result;
+}
+
+}  // namespace
+
+void register_main_system_items(Class& main_system) {
+  register_add<ItemKind::node>(main_system);
+  register_add<ItemKind::object>(main_system);
+  register_add<ItemKind::marker>(main_system);
+  register_add<ItemKind::load>(main_system);
+  register_add<ItemKind::sensor>(main_system);
+  for (int k = 0; k < item_kinds; ++k) {
+    const ItemKind kind = static_cast<ItemKind>(k);
+    register_reading(main_system, kind);
+    register_writing(main_system, kind);
+    register_delete(main_system, kind);
+  }
+  main_system.def("GetAvailableFactoryItems", [](const MainSystem&) { return factory_items(); },
+                  "The names of all item types, by kind.");
+}
+
+}  // namespace dalembert

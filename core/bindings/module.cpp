@@ -1,0 +1,27 @@
+// The compiled module: one register function per file of bindings.
+#include "module.hpp"
+
+#include "conversion.hpp"
+#include "index_types.hpp"
+#include "item_classes.hpp"
+#include "main_system.hpp"
+#include "python_errors.hpp"
+
+PYBIND11_MODULE(_core, module) {
+  using namespace dalembert;
+  module.doc() = "Compiled part of dalembert: items, systems, settings and solvers.";
+  module.attr("__version__") = DALEMBERT_VERSION;
+  module.def("InvalidIndex", [] { return -1; }, "The value of an index that is not set.");
+
+  set_core_module(module);
+  register_errors(module);
+  register_enums(module);         // first: others have enumerations as defaults
+  register_containers(module);
+  register_settings(module);
+  register_index_types(module);
+  register_items(module);
+  register_main_system(module);
+  register_system_data(module);
+  register_system_container(module);
+  register_solvers(module);
+}

@@ -1,0 +1,29 @@
+// User functions: Python callables behind the Callback interface of the core.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <memory>
+
+#include "dalembert/model/item.hpp"
+#include "dalembert/reflection/callback.hpp"
+
+namespace dalembert {
+
+namespace py = pybind11;
+
+class MainSystem;
+
+// None and 0 mean none; everything else must be callable. Throws Refusal.
+UserFunction read_user_function(PyObject* value, const Row& row);
+PyObject* function_of(const UserFunction& function);  // borrowed
+
+// The record's functions as they must be in a system: they know which system to pass. Returns the record itself if it has
+// no functions, else a changed copy.
+std::shared_ptr<const void> bind_user_functions(const ItemType& type, std::shared_ptr<const void> record, MainSystem& main);
+UserFunction bind_user_function(const ItemType& type, const UserFunction& function, MainSystem& main);
+
+// Keeps the Python exception as it is and adds a note saying where it was raised; then throws py::error_already_set.
+[[noreturn]] void throw_python_error(const std::string& note);
+
+}  // namespace dalembert

@@ -1,0 +1,90 @@
+#include "python_errors.hpp"
+
+#include <pybind11/numpy.h>
+
+namespace dalembert {
+namespace {
+
+constexpr std::size_t longest_shown = 200;
+
+PyObject* exception_of(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::value: return PyExc_ValueError;
+    case ErrorKind::type: return PyExc_TypeError;
+    case ErrorKind::index: return PyExc_IndexError;
+    case ErrorKind::name: return PyExc_AttributeError;
+    case ErrorKind::state: return PyExc_RuntimeError;
+    case ErrorKind::planned: return PyExc_NotImplementedError;
+  }
+  return PyExc_RuntimeError;
+}
+
+}  // namespace
+
+void set_python_error() noexcept {
+  try {
+    throw;
+  } catch (py::error_already_set& error) {
+    error.restore();
+  } catch (const ModelError& error) {
+    PyErr_SetString(exception_of(error.kind()), error.what());
+  } catch (const py::builtin_exception& error) {
+    error.set_error();
+  } catch (const std::bad_alloc&) {
+    PyErr_NoMemory();
+  } catch (const std::invalid_argument& error) {
+    PyErr_SetString(PyExc_ValueError, error.what());
+  } catch (const std::exception& error) {
+    PyErr_SetString(PyExc_RuntimeError, error.what());
+  } catch (...) {
+    PyErr_SetString(PyExc_RuntimeError, "unknown error in the compiled core");
+  }
+}
+
+std::string to_string(PyObject* text) {
+  Py_ssize_t size = 0;
+  const char* data = PyUnicode_AsUTF8AndSize(text, &size);
+  if (data == nullptr) throw py::error_already_set();
+  return {data, static_cast<std::size_t>(size)};
+}
+
+std::string show(PyObject* value) {
+  std::string text;
+  if (PyObject* shown = PyObject_Repr(value); shown != nullptr) {
+    const char* data = PyUnicode_AsUTF8(shown);
+    text = data != nullptr ? data : "?";
+    Py_DECREF(shown);
+  }
+  if (PyErr_Occurred() != nullptr) {
+    PyErr_Clear();
+    text = "?";
+  }
+  if (text.size() > longest_shown) {
+    std::size_t cut = longest_shown;
+    while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xC0) == 0x80) --cut;  // not inside a character
+    text = text.substr(0, cut) + "...";
+  }
+  if (value == Py_None) return text;
+  text += " (" + std::string(Py_TYPE(value)->tp_name);
+  if (py::isinstance<py::array>(value)) {
+    const auto array = py::reinterpret_borrow<py::array>(value);
+    text += " of shape (";
+    for (py::ssize_t i = 0; i < array.ndim(); ++i) text += (i == 0 ? "" : ", ") + std::to_string(array.shape(i));
+    text += array.ndim() == 1 ? ",)" : ")";
+  } else if (PyList_Check(value) || PyTuple_Check(value)) {
+    text += " of length " + std::to_string(PySequence_Size(value));
+  }
+  return text + ")";
+}
+
+void register_errors(py::module_&) {
+  py::register_local_exception_translator([](std::exception_ptr pointer) {
+    try {
+      std::rethrow_exception(pointer);
+    } catch (const ModelError& error) {
+      PyErr_SetString(exception_of(error.kind()), error.what());
+    }
+  });
+}
+
+}  // namespace dalembert

@@ -1,0 +1,45 @@
+// From errors of the core to Python exceptions, and the words by which values are shown in error texts.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <string>
+
+#include "dalembert/model/errors.hpp"
+
+namespace dalembert {
+
+namespace py = pybind11;
+
+// Set the Python error that belongs to the C++ exception being handled; call inside catch (...).
+void set_python_error() noexcept;
+
+// Run `f`, which returns a new reference; on a C++ exception set the Python error and return nullptr.
+template <class F>
+PyObject* guarded(F&& f) noexcept {
+  try {
+    return f();
+  } catch (...) {
+    set_python_error();
+    return nullptr;
+  }
+}
+// The same for slots that return 0 or -1.
+template <class F>
+int guarded_status(F&& f) noexcept {
+  try {
+    f();
+    return 0;
+  } catch (...) {
+    set_python_error();
+    return -1;
+  }
+}
+
+// "[1, 2] (list of length 2)", shortened when long.
+std::string show(PyObject* value);
+std::string to_string(PyObject* text);  // of a str
+
+void register_errors(py::module_& module);
+
+}  // namespace dalembert

@@ -1,0 +1,136 @@
+#include "sequence.hpp"
+
+#include "index_types.hpp"
+#include "python_errors.hpp"
+
+namespace dalembert {
+namespace {
+
+[[noreturn]] void refuse_type(std::string expected, std::string advice = {}) {
+  throw Refusal{ErrorKind::type, std::move(expected), std::move(advice)};
+}
+
+double finite(double value) {
+  if (!std::isfinite(value)) throw Refusal{ErrorKind::value, "a finite number", "Check the calculation that the value comes from."};
+  return value;
+}
+
+bool is_array(PyObject* value) { return py::isinstance<py::array>(value); }
+
+bool is_numpy_scalar(PyObject* value) {
+  return std::string_view(Py_TYPE(value)->tp_name).starts_with("numpy.") && !is_array(value);
+}
+
+bool is_scalar_array(PyObject* value) {
+  return is_array(value) && py::reinterpret_borrow<py::array>(value).ndim() == 0;
+}
+
+double slow_real(PyObject* value) {
+  ItemKind kind{};
+  int number = 0;
+  const bool numeric = is_numpy_scalar(value) || is_scalar_array(value);
+  if (read_index(value, kind, number) || !numeric || PyComplex_Check(value) || PyNumber_Check(value) == 0)
+    refuse_type("a number");
+  PyObject* converted = PyNumber_Float(value);
+  if (converted == nullptr) {
+    PyErr_Clear();
+    refuse_type("a number");
+  }
+  const double real = PyFloat_AS_DOUBLE(converted);
+  Py_DECREF(converted);
+  return finite(real);
+}
+
+}  // namespace
+
+double read_real(PyObject* value) {
+  if (PyFloat_Check(value)) return finite(PyFloat_AS_DOUBLE(value));
+  if (PyLong_Check(value)) {
+    const double real = PyLong_AsDouble(value);
+    if (real == -1.0 && PyErr_Occurred() != nullptr) {
+      PyErr_Clear();
+      throw Refusal{ErrorKind::value, "a number that double precision can hold", ""};
+    }
+    return real;
+  }
+  return slow_real(value);
+}
+
+int read_integer(PyObject* value) {
+  ItemKind kind{};
+  int number = 0;
+  if (!PyLong_Check(value)) {
+    if (read_index(value, kind, number)) refuse_type("an integer", "Item numbers do not belong here.");
+    if (std::string_view(Py_TYPE(value)->tp_name).starts_with("numpy.bool")) return PyObject_IsTrue(value);
+    if (PyIndex_Check(value) == 0 || (is_array(value) && !is_scalar_array(value)))
+      refuse_type("an integer", PyFloat_Check(value) ? "Write it without a decimal point, or convert it with int(...)." : "");
+  }
+  const Py_ssize_t wide = PyNumber_AsSsize_t(value, PyExc_OverflowError);
+  if (wide == -1 && PyErr_Occurred() != nullptr) {
+    const bool overflow = PyErr_ExceptionMatches(PyExc_OverflowError) != 0;
+    PyErr_Clear();
+    if (!overflow) refuse_type("an integer");
+    throw Refusal{ErrorKind::value, "an integer of 32 bits", ""};
+  }
+  if (wide > 0x7fffffff || wide < -0x7fffffff) throw Refusal{ErrorKind::value, "an integer of 32 bits", ""};
+  return static_cast<int>(wide);
+}
+
+bool is_number_array(PyObject* value) {
+  if (!is_array(value)) return false;
+  const char kind = py::reinterpret_borrow<py::array>(value).dtype().kind();
+  return kind == 'f' || kind == 'i' || kind == 'u' || kind == 'b';
+}
+
+Items::Items(PyObject* value, const std::string& what) {
+  if (PyList_CheckExact(value) || PyTuple_CheckExact(value)) {
+    fast_ = py::reinterpret_borrow<py::object>(value);
+    return;
+  }
+  if (PyUnicode_Check(value) || PyBytes_Check(value) || PyDict_Check(value) || PyAnySet_Check(value) || value == Py_None)
+    refuse_type(what);
+  if (is_scalar_array(value)) refuse_type(what);
+  py::object source = py::reinterpret_borrow<py::object>(value);
+  // Vector3DList and its relatives give their content this way.
+  if (!is_array(value) && PyObject_HasAttrString(value, "GetPythonObject") != 0)
+    source = source.attr("GetPythonObject")();
+  PyObject* fast = PySequence_Fast(source.ptr(), "");
+  if (fast == nullptr) {
+    PyErr_Clear();
+    refuse_type(what);
+  }
+  fast_ = py::reinterpret_steal<py::object>(fast);
+}
+
+Reals::Reals(PyObject* value, const std::string& what) {
+  if (!is_number_array(value)) {
+    items_.emplace(value, what);
+    return;
+  }
+  const auto array = py::reinterpret_borrow<py::array>(value);
+  if (array.ndim() != 1)
+    throw Refusal{ErrorKind::value, what, "Pass an array with one dimension, e.g. by its method flatten()."};
+  array_ = py::array_t<double, py::array::forcecast>::ensure(value);
+}
+
+void Reals::copy_to(double* out, const std::string& what) const {
+  const Py_ssize_t n = size();
+  if (array_) {
+    const auto view = array_->unchecked<1>();
+    for (Py_ssize_t i = 0; i < n; ++i) out[i] = view(i);
+    for (Py_ssize_t i = 0; i < n; ++i)
+      if (!std::isfinite(out[i]))
+        throw Refusal{ErrorKind::value, what, "Entry " + std::to_string(i) + " is not finite."};
+    return;
+  }
+  for (Py_ssize_t i = 0; i < n; ++i) {
+    try {
+      out[i] = read_real((*items_)[i]);
+    } catch (Refusal& refusal) {
+      throw Refusal{refusal.kind, what,
+                    "Entry " + std::to_string(i) + " is " + show((*items_)[i]) + ", not " + refusal.expected + "."};
+    }
+  }
+}
+
+}  // namespace dalembert

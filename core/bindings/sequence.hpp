@@ -1,0 +1,46 @@
+// Read-only view of what Python users pass as arrays: lists, tuples, numpy arrays and list-like objects of the module.
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "conversion.hpp"
+
+namespace dalembert {
+
+// Numbers as Python users write them. The result is finite. Throws Refusal.
+double read_real(PyObject* value);
+int read_integer(PyObject* value);
+
+// The objects in a list, a tuple, an array of objects or another sequence.
+class Items {
+ public:
+  // `what` names the expectation, e.g. "3 numbers".
+  Items(PyObject* value, const std::string& what);
+  Py_ssize_t size() const { return PySequence_Fast_GET_SIZE(fast_.ptr()); }
+  PyObject* operator[](Py_ssize_t i) const { return PySequence_Fast_GET_ITEM(fast_.ptr(), i); }
+
+ private:
+  py::object fast_;
+};
+
+// Numbers in one dimension. Arrays of numpy are read without making Python objects of their entries.
+class Reals {
+ public:
+  Reals(PyObject* value, const std::string& what);
+  Py_ssize_t size() const { return array_ ? array_->size() : items_->size(); }
+  void copy_to(double* out, const std::string& what) const;
+
+ private:
+  std::optional<py::array_t<double>> array_;
+  std::optional<Items> items_;
+};
+
+// A numpy array of numbers (booleans, integers, floating point), not of objects, strings or complex numbers.
+bool is_number_array(PyObject* value);
+
+}  // namespace dalembert
