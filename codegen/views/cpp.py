@@ -13,17 +13,18 @@ from codegen.types import ParameterType
 # Enumerations whose name another C++ type of the namespace has.
 ENUM_NAMES = {"ItemType": "ItemTypeCode"}  # struct ItemType is what reflection knows of an item type
 
+# Folder -> the template that makes physics of a kernel, and the header (dalembert/batches/) that has it.
 _ITEM_PHYSICS = {
-    "nodes": ("node", "node"),
-    "bodies": ("body", "body"),
-    "super_elements": ("body", "body"),
-    "finite_elements": ("body", "body"),
-    "connectors": ("connector", "connector"),
-    "contacts": ("connector", "connector"),
-    "constraints": ("constraint", "constraint"),
-    "joints": ("constraint", "constraint"),
-    "markers": ("marker", "marker"),
-    "loads": ("load", "load"),
+    "nodes": ("NodePhysicsOf", "node"),
+    "bodies": ("BodyPhysics", "body"),
+    "super_elements": ("BodyPhysics", "body"),
+    "finite_elements": ("BodyPhysics", "body"),
+    "connectors": ("PairPhysics", "connector"),
+    "contacts": ("PairPhysics", "connector"),
+    "constraints": ("ConstraintPhysics", "constraint"),
+    "joints": ("ConstraintPhysics", "constraint"),
+    "markers": ("MarkerPhysicsOf", "marker"),
+    "loads": ("LoadPhysicsOf", "load"),
 }
 
 
@@ -181,4 +182,4 @@ def physics_expression(item: Item) -> str:
         return f"{snake_case(item.name)}_physics()"
     if item.kind == "sensor":
         return "SensorPhysics{}"
-    return f"{_ITEM_PHYSICS[item.folder][0]}_physics<{', '.join((item.name, *item.nodes))}>()"
+    return f"{_ITEM_PHYSICS[item.folder][0]}<{', '.join((item.name, f'{item.name}Record', *item.nodes))}>{{}}"

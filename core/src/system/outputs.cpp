@@ -160,7 +160,7 @@ std::vector<double> System::marker_output(int marker, Variable variable, Configu
     if (frame_output(variable, m, reference, values)) return values;
   } else {
     parts.update_ports(e);
-    const Port& port = parts.ports.ports[static_cast<std::size_t>(marker)];
+    const PortLayout& port = parts.ports.ports[static_cast<std::size_t>(marker)];
     const double* frame = parts.ports.frame(marker);
     if (variable == Variable::Coordinates) return Values(frame, frame + port.values / 2);
     if (variable == Variable::Coordinates_t) return Values(frame + port.values / 2, frame + port.values);

@@ -3,7 +3,7 @@
 namespace dalembert {
 
 void Ports::append(int value_count, int force_count, std::span<const int> coordinate_dofs) {
-  Port p;
+  PortLayout p;
   p.values = value_count;
   p.first_value = static_cast<int>(values.size());
   p.forces = force_count;

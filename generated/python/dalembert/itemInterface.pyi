@@ -654,18 +654,18 @@ class VObjectGenericODE1:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectGenericODE1(_Item):
-    """ObjectGenericODE1"""
+    """system of first order differential equations with a constant matrix, a constant vector and a user function"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     nodeNumbers: Sequence[NodeIndex | int]
-    """nodeNumbers [n]"""
+    """nodes with first order coordinates; their coordinates in this order form the vector of the object [n]"""
     systemMatrix: ArrayLike
-    """systemMatrix [n x m]"""
+    """constant system matrix; n rows and n columns for n coordinates, or empty for zero; other sizes are refused [n x m; various]"""
     rhsVector: ArrayLike
-    """rhsVector [n]"""
+    """constant right hand side; length n, or empty for zero [n; various]"""
     rhsUserFunction: Callable[..., Any] | Literal[0]
-    """rhsUserFunction"""
+    """function that gives a further right hand side, of time and coordinates"""
     visualization: VObjectGenericODE1 | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -684,7 +684,7 @@ class VObjectGround:
     show: bool
     """False: the item is not drawn"""
     graphicsDataUserFunction: Callable[..., Any] | Literal[0]
-    """graphicsDataUserFunction"""
+    """function that returns the shapes to be drawn, called at every redraw; shapes are given in the frame of the body"""
     graphicsData: Sequence[dict[str, Any]]
     """shapes attached to the body frame, as made by the functions of the graphics module [n]"""
     def __init__(
@@ -696,14 +696,14 @@ class VObjectGround:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectGround(_Item):
-    """ObjectGround"""
+    """body that does not move: the fixed end of joints, connectors and markers"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     referencePosition: ArrayLike
-    """referencePosition [3]"""
+    """global position of the origin of the ground frame; local positions of markers count from here [3; m]"""
     referenceRotation: ArrayLike
-    """referenceRotation [3 x 3]"""
+    """rotation matrix from the ground frame to the global frame; has to be orthonormal, which is not checked [3 x 3; 1]"""
     visualization: VObjectGround | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -729,18 +729,18 @@ class VObjectMass1D:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectMass1D(_Item):
-    """ObjectMass1D"""
+    """mass that is guided along a line: one translation along the local x-axis"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     physicsMass: float
-    """physicsMass"""
+    """mass; zero is allowed if something else makes the equation of the node regular [kg]"""
     nodeNumber: NodeIndex | int
-    """nodeNumber"""
+    """node with one coordinate of second order, which is the way (m) along the local x-axis"""
     referencePosition: ArrayLike
-    """referencePosition [3]"""
+    """global position of the body at coordinate zero [3; m]"""
     referenceRotation: ArrayLike
-    """referenceRotation [3 x 3]"""
+    """constant rotation matrix from the body frame to the global frame; its first column is the direction of motion; has to be orthonormal, which is not checked [3 x 3; 1]"""
     visualization: VObjectMass1D | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -771,14 +771,14 @@ class VObjectMassPoint:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectMassPoint(_Item):
-    """ObjectMassPoint"""
+    """point mass in space on a node with position"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     physicsMass: float
-    """physicsMass"""
+    """mass; zero is allowed if something else makes the equations of the node regular [kg]"""
     nodeNumber: NodeIndex | int
-    """nodeNumber"""
+    """node with a position in space and three displacement coordinates"""
     visualization: VObjectMassPoint | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -807,14 +807,14 @@ class VObjectMassPoint2D:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectMassPoint2D(_Item):
-    """ObjectMassPoint2D"""
+    """point mass in the global x-y plane on a planar node"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     physicsMass: float
-    """physicsMass"""
+    """mass; zero is allowed if something else makes the equations of the node regular [kg]"""
     nodeNumber: NodeIndex | int
-    """nodeNumber"""
+    """node with a position in the plane and two displacement coordinates"""
     visualization: VObjectMassPoint2D | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -834,7 +834,7 @@ class VObjectRigidBody:
     show: bool
     """False: the item is not drawn"""
     graphicsDataUserFunction: Callable[..., Any] | Literal[0]
-    """graphicsDataUserFunction"""
+    """function that returns the shapes to be drawn, called at every redraw; shapes are given in the frame of the body"""
     graphicsData: Sequence[dict[str, Any]]
     """shapes attached to the body frame, as made by the functions of the graphics module [n]"""
     def __init__(
@@ -846,18 +846,18 @@ class VObjectRigidBody:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectRigidBody(_Item):
-    """ObjectRigidBody"""
+    """rigid body in space with any center of mass, on a node with position and orientation"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     physicsMass: float
-    """physicsMass"""
+    """mass [kg]"""
     physicsInertia: ArrayLike
-    """physicsInertia [6]"""
+    """components :math:`[J_{xx}, J_{yy}, J_{zz}, J_{yz}, J_{xz}, J_{xy}]` of the inertia tensor in the body frame about the reference point, which is the node, and not about the center of mass; off-diagonal components are those of the tensor, :math:`J_{xy} = -\\int x y \\,\\mathrm{d}m` [6; kg m^2]"""
     physicsCenterOfMass: ArrayLike
-    """physicsCenterOfMass [3]"""
+    """position of the center of mass in the body frame, counted from the node [3; m]"""
     nodeNumber: NodeIndex | int
-    """nodeNumber"""
+    """node of a rigid body in space"""
     visualization: VObjectRigidBody | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -879,7 +879,7 @@ class VObjectRigidBody2D:
     show: bool
     """False: the item is not drawn"""
     graphicsDataUserFunction: Callable[..., Any] | Literal[0]
-    """graphicsDataUserFunction"""
+    """function that returns the shapes to be drawn, called at every redraw; shapes are given in the frame of the body"""
     graphicsData: Sequence[dict[str, Any]]
     """shapes attached to the body frame, as made by the functions of the graphics module [n]"""
     def __init__(
@@ -891,18 +891,18 @@ class VObjectRigidBody2D:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectRigidBody2D(_Item):
-    """ObjectRigidBody2D"""
+    """rigid body that moves in the global x-y plane, with any center of mass"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     physicsMass: float
-    """physicsMass"""
+    """mass [kg]"""
     physicsInertia: float
-    """physicsInertia"""
+    """moment of inertia about the z-axis through the reference point, which is the node, and not through the center of mass [kg m^2]"""
     physicsCenterOfMass: ArrayLike
-    """physicsCenterOfMass [2]"""
+    """x and y position of the center of mass in the body frame, counted from the node [2; m]"""
     nodeNumber: NodeIndex | int
-    """nodeNumber"""
+    """node of a rigid body in the plane"""
     visualization: VObjectRigidBody2D | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -933,18 +933,18 @@ class VObjectRotationalMass1D:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectRotationalMass1D(_Item):
-    """ObjectRotationalMass1D"""
+    """rotor about a fixed axis: one rotation about the local z-axis"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     physicsInertia: float
-    """physicsInertia"""
+    """moment of inertia about the axis of rotation [kg m^2]"""
     nodeNumber: NodeIndex | int
-    """nodeNumber"""
+    """node with one coordinate of second order, which is the angle (rad) about the local z-axis"""
     referencePosition: ArrayLike
-    """referencePosition [3]"""
+    """global position of the body frame, a fixed point of the axis [3; m]"""
     referenceRotation: ArrayLike
-    """referenceRotation [3 x 3]"""
+    """constant rotation matrix from the frame at angle zero to the global frame; its third column is the axis of rotation; has to be orthonormal, which is not checked [3 x 3; 1]"""
     visualization: VObjectRotationalMass1D | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -1920,20 +1920,20 @@ class VObjectConnectorGravity:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectConnectorGravity(_Item):
-    """ObjectConnectorGravity"""
+    """Newtonian gravitation between two masses, for celestial bodies and satellites; the weight on earth is LoadMassProportional"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
     """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     gravitationalConstant: float
-    """gravitationalConstant"""
+    """constant of gravitation; a negative value means repulsion [m^3/(kg s^2)]"""
     mass0: float
-    """mass0"""
+    """mass that attracts at marker m0; not taken from the body [kg]"""
     mass1: float
-    """mass1"""
+    """mass that attracts at marker m1; not taken from the body [kg]"""
     minDistanceRegularization: float
-    """minDistanceRegularization"""
+    """distance below which the force is regularized; 0: no regularization, and coinciding markers are an error [m]"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectConnectorGravity | dict[str, Any]
@@ -1959,23 +1959,23 @@ class VObjectConnectorHydraulicActuatorSimple:
     show: bool
     """False: the item is not drawn"""
     cylinderRadius: float
-    """cylinderRadius"""
+    """radius of the drawn cylinder [m]"""
     rodRadius: float
-    """rodRadius"""
+    """radius of the drawn rod [m]"""
     pistonRadius: float
-    """pistonRadius"""
+    """radius of the drawn piston [m]"""
     pistonLength: float
-    """pistonLength"""
+    """length of the drawn piston [m]"""
     rodMountRadius: float
-    """rodMountRadius"""
+    """radius of the sphere drawn at the mount of the rod; 0: none [m]"""
     baseMountRadius: float
-    """baseMountRadius"""
+    """radius of the sphere drawn at the mount of the cylinder; 0: none [m]"""
     baseMountLength: float
-    """baseMountLength"""
+    """length of the part drawn between the mount and the cylinder [m]"""
     colorCylinder: ArrayLike
-    """colorCylinder [4]"""
+    """red, green, blue and opacity of the cylinder; a negative red selects the default color of connectors [4; 1]"""
     colorPiston: ArrayLike
-    """colorPiston [4]"""
+    """red, green, blue and opacity of piston and rod [4; 1]"""
     def __init__(
         self,
         show: bool = True,
@@ -1992,46 +1992,46 @@ class VObjectConnectorHydraulicActuatorSimple:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectConnectorHydraulicActuatorSimple(_Item):
-    """ObjectConnectorHydraulicActuatorSimple"""
+    """A double-acting hydraulic cylinder between two points, with the build-up of pressure in both chambers"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
     """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     nodeNumbers: Sequence[NodeIndex | int]
-    """nodeNumbers [n]"""
+    """list with one NodeGenericODE1 whose two coordinates are the chamber pressures (Pa); its reference coordinates must be zero [n]"""
     offsetLength: float
-    """offsetLength"""
+    """distance of the markers at stroke zero, the shortest length of the actuator [m]"""
     strokeLength: float
-    """strokeLength"""
+    """largest stroke; the markers are ``offsetLength`` plus ``strokeLength`` apart in the fully extended actuator [m]"""
     chamberCrossSection0: float
-    """chamberCrossSection0"""
+    """area of the piston in chamber 0, on the side of the piston head [m^2]"""
     chamberCrossSection1: float
-    """chamberCrossSection1"""
+    """area of the piston in chamber 1, on the side of the rod; usually smaller [m^2]"""
     hoseVolume0: float
-    """hoseVolume0"""
+    """volume of the hose of chamber 0; must be positive, as the stiffness of the oil would be unbounded at stroke zero [m^3]"""
     hoseVolume1: float
-    """hoseVolume1"""
+    """volume of the hose of chamber 1; must be positive, as the stiffness of the oil would be unbounded at full stroke [m^3]"""
     valveOpening0: float
-    """valveOpening0"""
+    """opening of the valve of chamber 0, from -1 to 1: positive towards system pressure, negative towards tank pressure, 0 closed; changed during a simulation to control the actuator [1]"""
     valveOpening1: float
-    """valveOpening1"""
+    """opening of the valve of chamber 1, with the same meaning [1]"""
     actuatorDamping: float
-    """actuatorDamping"""
+    """viscous damping against the stroke velocity [Ns/m]"""
     oilBulkModulus: float
-    """oilBulkModulus"""
+    """bulk modulus of the oil [Pa]"""
     cylinderBulkModulus: float
-    """cylinderBulkModulus"""
+    """bulk modulus that stands for the compliance of the cylinder; 0: rigid cylinder [Pa]"""
     hoseBulkModulus: float
-    """hoseBulkModulus"""
+    """bulk modulus that stands for the compliance of the hoses; 0: rigid hoses [Pa]"""
     nominalFlow: float
-    """nominalFlow"""
+    """flow through the fully open valve per square root of the pressure difference [m^3/(s Pa^(1/2))]"""
     systemPressure: float
-    """systemPressure"""
+    """pressure of the supply [Pa]"""
     tankPressure: float
-    """tankPressure"""
+    """pressure of the tank [Pa]"""
     useChamberVolumeChange: bool
-    """useChamberVolumeChange"""
+    """True: volumes and stiffness of the oil change with the stroke; False: hose volumes and ``oilBulkModulus`` alone"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectConnectorHydraulicActuatorSimple | dict[str, Any]
@@ -2072,7 +2072,7 @@ class VObjectConnectorLinearSpringDamper:
     drawSize: float
     """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
     drawAsCylinder: bool
-    """drawAsCylinder"""
+    """True: drawn as a cylinder, which suits an actuator; False: drawn as a spring"""
     color: ArrayLike
     """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
@@ -2085,28 +2085,28 @@ class VObjectConnectorLinearSpringDamper:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectConnectorLinearSpringDamper(_Item):
-    """ObjectConnectorLinearSpringDamper"""
+    """A spring and damper along an axis that is fixed to the first marker, as in a prismatic joint"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
     """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     stiffness: float
-    """stiffness"""
+    """stiffness along the axis [N/m]"""
     damping: float
-    """damping"""
+    """damping coefficient along the axis [Ns/m]"""
     axisMarker0: ArrayLike
-    """axisMarker0 [3]"""
+    """axis in the frame of marker m0, a unit vector; it turns with that marker [3; 1]"""
     offset: float
-    """offset"""
+    """relative position along the axis at which the spring carries no force; may be changed during a simulation as the set value of a drive [m]"""
     velocityOffset: float
-    """velocityOffset"""
+    """relative velocity along the axis at which the damper carries no force; set value of a velocity control [m/s]"""
     force: float
-    """force"""
+    """constant force added to that of spring and damper; positive: pulls marker m1 against the direction of the axis [N]"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     springForceUserFunction: Callable[..., Any] | Literal[0]
-    """springForceUserFunction"""
+    """Python function that replaces the law of spring, damper and constant force; called only while the connector is active"""
     visualization: VObjectConnectorLinearSpringDamper | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -2133,7 +2133,7 @@ class VObjectConnectorReevingSystemSprings:
     show: bool
     """False: the item is not drawn"""
     ropeRadius: float
-    """ropeRadius"""
+    """radius of the drawn rope [m]"""
     color: ArrayLike
     """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
@@ -2145,32 +2145,32 @@ class VObjectConnectorReevingSystemSprings:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectConnectorReevingSystemSprings(_Item):
-    """ObjectConnectorReevingSystemSprings"""
+    """A massless elastic rope that runs without friction over sheaves and joins two end points"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """markerNumbers [n]"""
+    """rigid body or position markers along the rope: the first and the last are its ends, those between carry sheaves or deflection points; with ``hasCoordinateMarkers``, two coordinate markers follow [n]"""
     hasCoordinateMarkers: bool
-    """hasCoordinateMarkers"""
+    """True: the last two markers are coordinate markers that add rope at the start and at the end"""
     coordinateFactors: ArrayLike
-    """coordinateFactors [2]"""
+    """factors of the two coordinate markers: 1 for lengths, a radius (m) for the angle of a winch [2; various]"""
     stiffnessPerLength: float
-    """stiffnessPerLength"""
+    """axial stiffness of the rope, modulus times cross section; divided by the length it is the stiffness of the rope [N]"""
     dampingPerLength: float
-    """dampingPerLength"""
+    """axial damping of the rope; divided by the length it is the damping coefficient of the rope [Ns]"""
     dampingTorsional: float
-    """dampingTorsional"""
+    """damping of the relative rotation of neighbouring sheaves about the rope; experimental [Nms]"""
     dampingShear: float
-    """dampingShear"""
+    """damping of the relative motion of neighbouring sheaves across the rope; experimental [Ns]"""
     regularizationForce: float
-    """regularizationForce"""
+    """positive: largest compressive force, approached smoothly; negative: the rope carries compression like a spring [N]"""
     referenceLength: float
-    """referenceLength"""
+    """length of the rope without force [m]"""
     sheavesAxes: Sequence[ArrayLike]
-    """sheavesAxes [n x 3]"""
+    """axis of every sheave in the frame of its marker; the sign chooses the side at which the rope runs; first and last are ignored [n x 3; 1]"""
     sheavesRadii: ArrayLike
-    """sheavesRadii [n]"""
+    """radius of every sheave; first and last must be zero, 0 between means a deflection point [n; m]"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectConnectorReevingSystemSprings | dict[str, Any]
@@ -2268,7 +2268,7 @@ class VObjectConnectorRollingDiscPenalty:
     show: bool
     """False: the item is not drawn"""
     discWidth: float
-    """discWidth"""
+    """width of the drawn disc [m]"""
     color: ArrayLike
     """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
@@ -2280,36 +2280,36 @@ class VObjectConnectorRollingDiscPenalty:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectConnectorRollingDiscPenalty(_Item):
-    """ObjectConnectorRollingDiscPenalty"""
+    """A disc that rolls or slides with friction on a plane, with elastic contact instead of constraints"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
     """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     nodeNumber: NodeIndex | int
-    """nodeNumber"""
+    """NodeGenericData with three data coordinates: slip velocity in lateral and in forward direction, and gap, of the last update"""
     discRadius: float
-    """discRadius"""
+    """radius of the disc [m]"""
     discAxis: ArrayLike
-    """discAxis [3]"""
+    """axis of the disc in the frame of marker m1, a unit vector; must not become parallel to the normal of the plane [3; 1]"""
     planeNormal: ArrayLike
-    """planeNormal [3]"""
+    """normal of the plane in the frame of marker m0, a unit vector; the plane contains the position of marker m0 [3; 1]"""
     dryFrictionAngle: float
-    """dryFrictionAngle"""
+    """rotation of the directions of ``dryFriction`` in the plane, such as the angle of the rollers of a Mecanum wheel [rad]"""
     contactStiffness: float
-    """contactStiffness"""
+    """stiffness normal to the plane [N/m]"""
     contactDamping: float
-    """contactDamping"""
+    """damping coefficient normal to the plane [Ns/m]"""
     dryFriction: ArrayLike
-    """dryFriction [2]"""
+    """friction coefficients in lateral and in forward direction [2; 1]"""
     dryFrictionProportionalZone: float
-    """dryFrictionProportionalZone"""
+    """slip speed up to which friction is regularized; 0: none [m/s]"""
     viscousFriction: ArrayLike
-    """viscousFriction [2]"""
+    """growth of the friction coefficients with the slip speed, in lateral and in forward direction [2; s/m]"""
     rollingFrictionViscous: float
-    """rollingFrictionViscous"""
+    """rolling resistance per normal force and per speed of the disc center along the plane; only for a disc with its axis parallel to the plane [s/m]"""
     useLinearProportionalZone: bool
-    """useLinearProportionalZone"""
+    """True: friction grows linearly in the proportional zone, with a constant tangent in sticking; False: quadratically, with a smooth end of the zone"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectConnectorRollingDiscPenalty | dict[str, Any]
@@ -2478,22 +2478,22 @@ class VObjectConnectorCoordinate:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectConnectorCoordinate(_Item):
-    """ObjectConnectorCoordinate"""
+    """Couples two coordinates, or fixes one of them to a value or to a function of time"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
     """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     offset: float
-    """offset"""
+    """prescribed value of ``factorValue1`` times the second coordinate minus the first one; with ``velocityLevel`` the same for the velocity coordinates [various]"""
     factorValue1: float
-    """factorValue1"""
+    """factor of the coordinate of marker m1, such as a gear ratio [1]"""
     velocityLevel: bool
-    """velocityLevel"""
+    """True: the constraint is set for the velocity coordinates, and ``offset`` is a velocity; ``offsetUserFunction`` is then ignored; only for coordinates of second order equations"""
     offsetUserFunction: Callable[..., Any] | Literal[0]
-    """offsetUserFunction"""
+    """Python function that replaces ``offset`` by a function of time, on position level"""
     offsetUserFunction_t: Callable[..., Any] | Literal[0]
-    """offsetUserFunction_t"""
+    """Python function, the time derivative of ``offsetUserFunction``; used wherever the constraint is evaluated on velocity level"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectConnectorCoordinate | dict[str, Any]
@@ -2529,28 +2529,28 @@ class VObjectConnectorCoordinateVector:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectConnectorCoordinateVector(_Item):
-    """ObjectConnectorCoordinateVector"""
+    """Couples the coordinate vectors of two markers by linear and quadratic equations, or by a user function"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
     """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     scalingMarker0: ArrayLike
-    """scalingMarker0 [n x m]"""
+    """matrix of linear factors of the coordinates of marker m0, one row per equation and one column per coordinate; empty: no such term [n x m; various]"""
     scalingMarker1: ArrayLike
-    """scalingMarker1 [n x m]"""
+    """matrix of linear factors of the coordinates of marker m1; empty: no such term [n x m; various]"""
     quadraticTermMarker0: ArrayLike
-    """quadraticTermMarker0 [n x m]"""
+    """matrix of factors of the squared coordinates of marker m0; empty: no such term [n x m; various]"""
     quadraticTermMarker1: ArrayLike
-    """quadraticTermMarker1 [n x m]"""
+    """matrix of factors of the squared coordinates of marker m1; empty: no such term [n x m; various]"""
     offset: ArrayLike
-    """offset [n]"""
+    """vector that is subtracted from the equations, one component per equation; empty: zero; not used with a user function [n; various]"""
     velocityLevel: bool
-    """velocityLevel"""
+    """True: the equations are set for the velocity coordinates, and ``offset`` is a velocity; only for coordinates of second order equations"""
     constraintUserFunction: Callable[..., Any] | Literal[0]
-    """constraintUserFunction"""
+    """Python function that replaces all equations; ``jacobianUserFunction`` is needed as well, and ``scalingMarker0`` tells the number of equations by its number of rows, as in ``np.zeros((2, 1))``"""
     jacobianUserFunction: Callable[..., Any] | Literal[0]
-    """jacobianUserFunction"""
+    """Python function, the derivative of ``constraintUserFunction`` with respect to the coordinates (or velocity coordinates with ``velocityLevel``)"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectConnectorCoordinateVector | dict[str, Any]
@@ -2592,14 +2592,14 @@ class VObjectConnectorDistance:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectConnectorDistance(_Item):
-    """ObjectConnectorDistance"""
+    """Keeps the distance of two points constant, like a massless rigid rod between two ball joints"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
     """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     distance: float
-    """distance"""
+    """prescribed distance of the two markers; must be positive, and should fit the initial positions [m]"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectConnectorDistance | dict[str, Any]

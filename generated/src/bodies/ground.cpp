@@ -17,8 +17,8 @@ using Record = ObjectGroundRecord;
 
 constexpr std::array<Row, 6> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
-    {.name = "referencePosition", .storage = Storage::vector3, .offset = offsetof(Record, parameters.referencePosition), .role = Role::parameter},
-    {.name = "referenceRotation", .storage = Storage::matrix3, .offset = offsetof(Record, parameters.referenceRotation), .role = Role::parameter},
+    {.name = "referencePosition", .storage = Storage::vector3, .offset = offsetof(Record, parameters.referencePosition), .role = Role::parameter, .unit = "m"},
+    {.name = "referenceRotation", .storage = Storage::matrix3, .offset = offsetof(Record, parameters.referenceRotation), .role = Role::parameter, .unit = "1"},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
     {.name = "graphicsDataUserFunction", .storage = Storage::opaque, .offset = offsetof(Record, visualization.graphicsDataUserFunction), .role = Role::visualization},
     {.name = "graphicsData", .storage = Storage::opaque, .offset = offsetof(Record, visualization.graphicsData), .role = Role::visualization},
@@ -34,7 +34,7 @@ constexpr std::array<OutputVariableType, 5> outputs{
     OutputVariableType::RotationMatrix,
 };
 
-const auto& physics = body_physics<ObjectGround>();
+const auto& physics = BodyPhysics<ObjectGround, ObjectGroundRecord>{};
 
 }  // namespace
 

@@ -18,7 +18,7 @@ using Record = ObjectMassPointRecord;
 
 constexpr std::array<Row, 5> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
-    {.name = "physicsMass", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsMass), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "physicsMass", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsMass), .role = Role::parameter, .check = Check::non_negative, .unit = "kg"},
     {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
     {.name = "graphicsData", .storage = Storage::opaque, .offset = offsetof(Record, visualization.graphicsData), .role = Role::visualization},
@@ -37,7 +37,7 @@ constexpr std::array<OutputVariableType, 8> outputs{
     OutputVariableType::AngularVelocityLocal,
 };
 
-const auto& physics = body_physics<ObjectMassPoint, NodePoint>();
+const auto& physics = BodyPhysics<ObjectMassPoint, ObjectMassPointRecord, NodePoint>{};
 
 }  // namespace
 

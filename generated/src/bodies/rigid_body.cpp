@@ -20,9 +20,9 @@ using Record = ObjectRigidBodyRecord;
 
 constexpr std::array<Row, 8> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
-    {.name = "physicsMass", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsMass), .role = Role::parameter, .check = Check::non_negative},
-    {.name = "physicsInertia", .storage = Storage::vector6, .offset = offsetof(Record, parameters.physicsInertia), .role = Role::parameter},
-    {.name = "physicsCenterOfMass", .storage = Storage::vector3, .offset = offsetof(Record, parameters.physicsCenterOfMass), .role = Role::parameter},
+    {.name = "physicsMass", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsMass), .role = Role::parameter, .check = Check::non_negative, .unit = "kg"},
+    {.name = "physicsInertia", .storage = Storage::vector6, .offset = offsetof(Record, parameters.physicsInertia), .role = Role::parameter, .unit = "kg m^2"},
+    {.name = "physicsCenterOfMass", .storage = Storage::vector3, .offset = offsetof(Record, parameters.physicsCenterOfMass), .role = Role::parameter, .unit = "m"},
     {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
     {.name = "graphicsDataUserFunction", .storage = Storage::opaque, .offset = offsetof(Record, visualization.graphicsDataUserFunction), .role = Role::visualization},
@@ -46,7 +46,7 @@ constexpr std::array<OutputVariableType, 12> outputs{
     OutputVariableType::AngularAccelerationLocal,
 };
 
-const auto& physics = body_physics<ObjectRigidBody, NodeRigidBodyEP, NodeRigidBodyRxyz, NodeRigidBodyRotVecLG>();
+const auto& physics = BodyPhysics<ObjectRigidBody, ObjectRigidBodyRecord, NodeRigidBodyEP, NodeRigidBodyRxyz, NodeRigidBodyRotVecLG>{};
 
 }  // namespace
 

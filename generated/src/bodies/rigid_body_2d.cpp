@@ -18,9 +18,9 @@ using Record = ObjectRigidBody2DRecord;
 
 constexpr std::array<Row, 8> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
-    {.name = "physicsMass", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsMass), .role = Role::parameter, .check = Check::non_negative},
-    {.name = "physicsInertia", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsInertia), .role = Role::parameter, .check = Check::non_negative},
-    {.name = "physicsCenterOfMass", .storage = Storage::vector2, .offset = offsetof(Record, parameters.physicsCenterOfMass), .role = Role::parameter},
+    {.name = "physicsMass", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsMass), .role = Role::parameter, .check = Check::non_negative, .unit = "kg"},
+    {.name = "physicsInertia", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsInertia), .role = Role::parameter, .check = Check::non_negative, .unit = "kg m^2"},
+    {.name = "physicsCenterOfMass", .storage = Storage::vector2, .offset = offsetof(Record, parameters.physicsCenterOfMass), .role = Role::parameter, .unit = "m"},
     {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
     {.name = "graphicsDataUserFunction", .storage = Storage::opaque, .offset = offsetof(Record, visualization.graphicsDataUserFunction), .role = Role::visualization},
@@ -44,7 +44,7 @@ constexpr std::array<OutputVariableType, 12> outputs{
     OutputVariableType::AngularAccelerationLocal,
 };
 
-const auto& physics = body_physics<ObjectRigidBody2D, NodeRigidBody2D>();
+const auto& physics = BodyPhysics<ObjectRigidBody2D, ObjectRigidBody2DRecord, NodeRigidBody2D>{};
 
 }  // namespace
 

@@ -18,10 +18,10 @@ using Record = ObjectRotationalMass1DRecord;
 
 constexpr std::array<Row, 7> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
-    {.name = "physicsInertia", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsInertia), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "physicsInertia", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsInertia), .role = Role::parameter, .check = Check::non_negative, .unit = "kg m^2"},
     {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
-    {.name = "referencePosition", .storage = Storage::vector3, .offset = offsetof(Record, parameters.referencePosition), .role = Role::parameter},
-    {.name = "referenceRotation", .storage = Storage::matrix3, .offset = offsetof(Record, parameters.referenceRotation), .role = Role::parameter},
+    {.name = "referencePosition", .storage = Storage::vector3, .offset = offsetof(Record, parameters.referencePosition), .role = Role::parameter, .unit = "m"},
+    {.name = "referenceRotation", .storage = Storage::matrix3, .offset = offsetof(Record, parameters.referenceRotation), .role = Role::parameter, .unit = "1"},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
     {.name = "graphicsData", .storage = Storage::opaque, .offset = offsetof(Record, visualization.graphicsData), .role = Role::visualization},
 }};
@@ -38,7 +38,7 @@ constexpr std::array<OutputVariableType, 7> outputs{
     OutputVariableType::AngularVelocityLocal,
 };
 
-const auto& physics = body_physics<ObjectRotationalMass1D, Node1D>();
+const auto& physics = BodyPhysics<ObjectRotationalMass1D, ObjectRotationalMass1DRecord, Node1D>{};
 
 }  // namespace
 

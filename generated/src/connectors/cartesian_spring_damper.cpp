@@ -46,7 +46,7 @@ constexpr std::array<OutputVariableType, 4> outputs{
     OutputVariableType::Force,
 };
 
-const auto& physics = connector_physics<ObjectConnectorCartesianSpringDamper>();
+const auto& physics = PairPhysics<ObjectConnectorCartesianSpringDamper, ObjectConnectorCartesianSpringDamperRecord>{};
 
 }  // namespace
 

@@ -45,7 +45,7 @@ constexpr std::array<OutputVariableType, 3> outputs{
     OutputVariableType::Force,
 };
 
-const auto& physics = connector_physics<ObjectConnectorCoordinateSpringDamper>();
+const auto& physics = PairPhysics<ObjectConnectorCoordinateSpringDamper, ObjectConnectorCoordinateSpringDamperRecord>{};
 
 }  // namespace
 

@@ -49,7 +49,7 @@ constexpr std::array<OutputVariableType, 5> outputs{
     OutputVariableType::ForceLocal,
 };
 
-const auto& physics = connector_physics<ObjectConnectorSpringDamper>();
+const auto& physics = PairPhysics<ObjectConnectorSpringDamper, ObjectConnectorSpringDamperRecord>{};
 
 }  // namespace
 

@@ -28,8 +28,8 @@ constexpr Signature offsetUserFunction_t_signature{.arguments = offsetUserFuncti
 constexpr std::array<Row, 11> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "markerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.markerNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
-    {.name = "offset", .storage = Storage::real, .offset = offsetof(Record, parameters.offset), .role = Role::parameter},
-    {.name = "factorValue1", .storage = Storage::real, .offset = offsetof(Record, parameters.factorValue1), .role = Role::parameter},
+    {.name = "offset", .storage = Storage::real, .offset = offsetof(Record, parameters.offset), .role = Role::parameter, .unit = "various"},
+    {.name = "factorValue1", .storage = Storage::real, .offset = offsetof(Record, parameters.factorValue1), .role = Role::parameter, .unit = "1"},
     {.name = "velocityLevel", .storage = Storage::boolean, .offset = offsetof(Record, parameters.velocityLevel), .role = Role::parameter},
     {.name = "offsetUserFunction", .storage = Storage::user_function, .offset = offsetof(Record, parameters.offsetUserFunction), .role = Role::parameter, .signature = &offsetUserFunction_signature},
     {.name = "offsetUserFunction_t", .storage = Storage::user_function, .offset = offsetof(Record, parameters.offsetUserFunction_t), .role = Role::parameter, .signature = &offsetUserFunction_t_signature},
@@ -48,7 +48,7 @@ constexpr std::array<OutputVariableType, 4> outputs{
     OutputVariableType::Force,
 };
 
-const auto& physics = constraint_physics<ObjectConnectorCoordinate>();
+const auto& physics = ConstraintPhysics<ObjectConnectorCoordinate, ObjectConnectorCoordinateRecord>{};
 
 }  // namespace
 

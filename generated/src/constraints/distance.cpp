@@ -16,7 +16,7 @@ using Record = ObjectConnectorDistanceRecord;
 constexpr std::array<Row, 7> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "markerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.markerNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
-    {.name = "distance", .storage = Storage::real, .offset = offsetof(Record, parameters.distance), .role = Role::parameter, .check = Check::positive},
+    {.name = "distance", .storage = Storage::real, .offset = offsetof(Record, parameters.distance), .role = Role::parameter, .check = Check::positive, .unit = "m"},
     {.name = "activeConnector", .storage = Storage::boolean, .offset = offsetof(Record, parameters.activeConnector), .role = Role::parameter},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
     {.name = "drawSize", .storage = Storage::real, .offset = offsetof(Record, visualization.drawSize), .role = Role::visualization, .unit = "m"},

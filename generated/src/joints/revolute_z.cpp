@@ -40,7 +40,7 @@ constexpr std::array<OutputVariableType, 8> outputs{
     OutputVariableType::TorqueLocal,
 };
 
-const auto& physics = constraint_physics<ObjectJointRevoluteZ>();
+const auto& physics = ConstraintPhysics<ObjectJointRevoluteZ, ObjectJointRevoluteZRecord>{};
 
 }  // namespace
 

@@ -34,7 +34,7 @@ constexpr std::array<OutputVariableType, 4> outputs{
     OutputVariableType::Force,
 };
 
-const auto& physics = constraint_physics<ObjectJointSpherical>();
+const auto& physics = ConstraintPhysics<ObjectJointSpherical, ObjectJointSphericalRecord>{};
 
 }  // namespace
 

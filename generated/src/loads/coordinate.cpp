@@ -33,7 +33,7 @@ constexpr std::array<std::string_view, 0> provides{};
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
-const auto& physics = load_physics<LoadCoordinate>();
+const auto& physics = LoadPhysicsOf<LoadCoordinate, LoadCoordinateRecord>{};
 
 }  // namespace
 

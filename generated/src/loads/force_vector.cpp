@@ -34,7 +34,7 @@ constexpr std::array<std::string_view, 0> provides{};
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
-const auto& physics = load_physics<LoadForceVector>();
+const auto& physics = LoadPhysicsOf<LoadForceVector, LoadForceVectorRecord>{};
 
 }  // namespace
 

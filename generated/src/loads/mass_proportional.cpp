@@ -33,7 +33,7 @@ constexpr std::array<std::string_view, 0> provides{};
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
-const auto& physics = load_physics<LoadMassProportional>();
+const auto& physics = LoadPhysicsOf<LoadMassProportional, LoadMassProportionalRecord>{};
 
 }  // namespace
 

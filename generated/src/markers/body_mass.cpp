@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 3> provides{"Object", "Body", "BodyMass"}
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
-const auto& physics = marker_physics<MarkerBodyMass>();
+const auto& physics = MarkerPhysicsOf<MarkerBodyMass, MarkerBodyMassRecord>{};
 
 }  // namespace
 

@@ -27,7 +27,7 @@ constexpr std::array<std::string_view, 3> provides{"Object", "Body", "Position"}
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
-const auto& physics = marker_physics<MarkerBodyPosition>();
+const auto& physics = MarkerPhysicsOf<MarkerBodyPosition, MarkerBodyPositionRecord>{};
 
 }  // namespace
 

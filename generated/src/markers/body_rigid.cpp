@@ -27,7 +27,7 @@ constexpr std::array<std::string_view, 4> provides{"Object", "Body", "Position",
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
-const auto& physics = marker_physics<MarkerBodyRigid>();
+const auto& physics = MarkerPhysicsOf<MarkerBodyRigid, MarkerBodyRigidRecord>{};
 
 }  // namespace
 

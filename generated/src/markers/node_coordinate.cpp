@@ -27,7 +27,7 @@ constexpr std::array<std::string_view, 2> provides{"Node", "Coordinate"};
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
-const auto& physics = marker_physics<MarkerNodeCoordinate>();
+const auto& physics = MarkerPhysicsOf<MarkerNodeCoordinate, MarkerNodeCoordinateRecord>{};
 
 }  // namespace
 

@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 2> provides{"Node", "Coordinate"};
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
-const auto& physics = marker_physics<MarkerNodeCoordinates>();
+const auto& physics = MarkerPhysicsOf<MarkerNodeCoordinates, MarkerNodeCoordinatesRecord>{};
 
 }  // namespace
 

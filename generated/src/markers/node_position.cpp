@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 2> provides{"Node", "Position"};
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
-const auto& physics = marker_physics<MarkerNodePosition>();
+const auto& physics = MarkerPhysicsOf<MarkerNodePosition, MarkerNodePositionRecord>{};
 
 }  // namespace
 

@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 3> provides{"Node", "Position", "Orientat
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
-const auto& physics = marker_physics<MarkerNodeRigid>();
+const auto& physics = MarkerPhysicsOf<MarkerNodeRigid, MarkerNodeRigidRecord>{};
 
 }  // namespace
 

@@ -32,7 +32,7 @@ constexpr std::array<OutputVariableType, 4> outputs{
     OutputVariableType::Coordinates_tt,
 };
 
-const auto& physics = node_physics<Node1D>();
+const auto& physics = NodePhysicsOf<Node1D, Node1DRecord>{};
 
 }  // namespace
 

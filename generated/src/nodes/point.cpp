@@ -42,7 +42,7 @@ constexpr std::array<OutputVariableType, 12> outputs{
     OutputVariableType::AngularVelocityLocal,
 };
 
-const auto& physics = node_physics<NodePoint>();
+const auto& physics = NodePhysicsOf<NodePoint, NodePointRecord>{};
 
 }  // namespace
 

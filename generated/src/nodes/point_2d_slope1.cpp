@@ -38,7 +38,7 @@ constexpr std::array<OutputVariableType, 8> outputs{
     OutputVariableType::Coordinates_tt,
 };
 
-const auto& physics = node_physics<NodePoint2DSlope1>();
+const auto& physics = NodePhysicsOf<NodePoint2DSlope1, NodePoint2DSlope1Record>{};
 
 }  // namespace
 

@@ -43,7 +43,7 @@ constexpr std::array<OutputVariableType, 13> outputs{
     OutputVariableType::AngularAcceleration,
 };
 
-const auto& physics = node_physics<NodeRigidBody2D>();
+const auto& physics = NodePhysicsOf<NodeRigidBody2D, NodeRigidBody2DRecord>{};
 
 }  // namespace
 

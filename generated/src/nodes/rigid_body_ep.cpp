@@ -44,7 +44,7 @@ constexpr std::array<OutputVariableType, 13> outputs{
     OutputVariableType::AngularAcceleration,
 };
 
-const auto& physics = node_physics<NodeRigidBodyEP>();
+const auto& physics = NodePhysicsOf<NodeRigidBodyEP, NodeRigidBodyEPRecord>{};
 
 }  // namespace
 

@@ -41,7 +41,7 @@ constexpr std::array<OutputVariableType, 11> outputs{
     OutputVariableType::AngularVelocityLocal,
 };
 
-const auto& physics = node_physics<NodeRigidBodyRotVecLG>();
+const auto& physics = NodePhysicsOf<NodeRigidBodyRotVecLG, NodeRigidBodyRotVecLGRecord>{};
 
 }  // namespace
 

@@ -43,7 +43,7 @@ constexpr std::array<OutputVariableType, 13> outputs{
     OutputVariableType::AngularAcceleration,
 };
 
-const auto& physics = node_physics<NodeRigidBodyRxyz>();
+const auto& physics = NodePhysicsOf<NodeRigidBodyRxyz, NodeRigidBodyRxyzRecord>{};
 
 }  // namespace
 

@@ -86,49 +86,4 @@ inline constexpr int time_to_go = 1, newton_iterations = 2, newton_jacobians = 4
                      step_size = 16, cpu_time = 32, step_reductions = 64, step_increases = 128, every_step = 1024;
 }
 
-// Copies of settings.staticSolver or settings.timeIntegration, whichever the solver obeys.
-struct NumericalDifferentiationOptions {
-  bool addReferenceCoordinatesToEpsilon = false, doSystemWideDifferentiation = false;
-  bool forAE = false, forODE2 = false, forODE2connectors = false, jacobianConnectorDerivative = true;
-  double minimumCoordinateSize = 1e-2, relativeEpsilon = 1e-7;
-
-  bool wanted() const { return doSystemWideDifferentiation || forAE || forODE2 || forODE2connectors; }
-};
-
-struct NewtonOptions {
-  NumericalDifferentiationOptions numericalDifferentiation;
-  double absoluteTolerance = 1e-10;
-  bool adaptInitialResidual = true;
-  double maximumSolutionNorm = 1e38;
-  int maxIterations = 25, maxModifiedNewtonIterations = 8, maxModifiedNewtonRestartIterations = 7;
-  double modifiedNewtonContractivity = 0.5;
-  bool modifiedNewtonJacUpdatePerStep = false;
-  int newtonResidualMode = 0;
-  double relativeTolerance = 1e-8;
-  bool useModifiedNewton = false, useNewtonSolver = true, weightTolerancePerCoordinate = false;
-};
-
-struct DiscontinuousOptions {
-  bool ignoreMaxIterations = true;
-  double iterationTolerance = 1;
-  int maxIterations = 5;
-  bool useRecommendedStepSize = true;
-};
-
-template <class Settings>
-NewtonOptions newton_options(const Settings& s) {
-  const auto& d = s.numericalDifferentiation;
-  return {{d.addReferenceCoordinatesToEpsilon, d.doSystemWideDifferentiation, d.forAE, d.forODE2, d.forODE2connectors,
-           d.jacobianConnectorDerivative, d.minimumCoordinateSize, d.relativeEpsilon},
-          s.absoluteTolerance, s.adaptInitialResidual, s.maximumSolutionNorm, s.maxIterations,
-          s.maxModifiedNewtonIterations, s.maxModifiedNewtonRestartIterations, s.modifiedNewtonContractivity,
-          s.modifiedNewtonJacUpdatePerStep, s.newtonResidualMode, s.relativeTolerance, s.useModifiedNewton,
-          s.useNewtonSolver, s.weightTolerancePerCoordinate};
-}
-
-template <class Settings>
-DiscontinuousOptions discontinuous_options(const Settings& s) {
-  return {s.ignoreMaxIterations, s.iterationTolerance, s.maxIterations, s.useRecommendedStepSize};
-}
-
 }  // namespace dalembert

@@ -5,14 +5,19 @@
 #include <cstddef>
 #include <span>
 
-#include "dalembert/solvers/data.hpp"
+#include "dalembert/simulation_settings.hpp"
 #include "dalembert/system/system.hpp"
 
 namespace dalembert {
 
+// Whether any of the settings asks for differences instead of exact derivatives.
+inline bool wants_differences(const NewtonNumericalDifferentiationSettings& s) {
+  return s.doSystemWideDifferentiation || s.forAE || s.forODE2 || s.forODE2connectors;
+}
+
 // The same matrix as System::tangent, from differences along the same directions.
 void numerical_tangent(System& system, const State& state, const Conditions& conditions, const Weights& weights,
-                       const NumericalDifferentiationOptions& options, const Pattern& pattern, std::span<double> values);
+                       const NewtonNumericalDifferentiationSettings& options, const Pattern& pattern, std::span<double> values);
 
 // f(row, column, slot) for all entries.
 template <class F>

@@ -89,8 +89,8 @@ class Solver {
   SolverConvergenceData conv;
   SolverOutputData output;
   SolverTimer timer;
-  NewtonOptions newton_settings;
-  DiscontinuousOptions discontinuous;
+  NewtonSettings newton_settings;       // of staticSolver or timeIntegration, whichever this solver obeys
+  DiscontinuousSettings discontinuous;
 
  protected:
   State& current() { return system_->state(ConfigurationType::Current); }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "dalembert/math/rotations.hpp"
 #include "dalembert/model/model.hpp"
 #include "dalembert/system/physics.hpp"
 #include "dalembert/system/system.hpp"

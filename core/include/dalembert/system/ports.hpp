@@ -7,7 +7,7 @@
 namespace dalembert {
 
 // One marker's stretch. Frames are `values` scalars; `n` coordinates move it.
-struct Port {
+struct PortLayout {
   int values = 0, first_value = 0;        // frame
   int forces = 0, first_force = 0;        // conjugate of the frame
   int n = 0, first_dof = 0;               // global ODE2 coordinates
@@ -17,7 +17,7 @@ struct Port {
 
 class Ports {
  public:
-  std::vector<Port> ports;                // by marker number
+  std::vector<PortLayout> ports;                // by marker number
   std::vector<double> values, forces;
   std::vector<double> derivatives, jacobians;
   std::vector<int> dofs;

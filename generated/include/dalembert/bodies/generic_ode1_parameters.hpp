@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectGenericODE1
+// system of first order differential equations with a constant matrix, a constant vector and a user function
 struct ObjectGenericODE1Parameters {
   std::vector<NodeIndex> nodeNumbers;
   DynamicMatrix<double> systemMatrix;

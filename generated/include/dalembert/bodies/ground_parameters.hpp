@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectGround
+// body that does not move: the fixed end of joints, connectors and markers
 struct ObjectGroundParameters {
   Vec<double, 3> referencePosition = {};
   Mat<double, 3, 3> referenceRotation = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};

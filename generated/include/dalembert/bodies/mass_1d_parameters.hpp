@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectMass1D
+// mass that is guided along a line: one translation along the local x-axis
 struct ObjectMass1DParameters {
   double physicsMass = 0.0;
   NodeIndex nodeNumber;

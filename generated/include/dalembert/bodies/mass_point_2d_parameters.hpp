@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectMassPoint2D
+// point mass in the global x-y plane on a planar node
 struct ObjectMassPoint2DParameters {
   double physicsMass = 0.0;
   NodeIndex nodeNumber;

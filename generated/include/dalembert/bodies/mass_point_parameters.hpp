@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectMassPoint
+// point mass in space on a node with position
 struct ObjectMassPointParameters {
   double physicsMass = 0.0;
   NodeIndex nodeNumber;

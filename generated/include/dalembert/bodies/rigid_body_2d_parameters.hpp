@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectRigidBody2D
+// rigid body that moves in the global x-y plane, with any center of mass
 struct ObjectRigidBody2DParameters {
   double physicsMass = 0.0;
   double physicsInertia = 0.0;

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectRigidBody
+// rigid body in space with any center of mass, on a node with position and orientation
 struct ObjectRigidBodyParameters {
   double physicsMass = 0.0;
   Vec<double, 6> physicsInertia = {};

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectRotationalMass1D
+// rotor about a fixed axis: one rotation about the local z-axis
 struct ObjectRotationalMass1DParameters {
   double physicsInertia = 0.0;
   NodeIndex nodeNumber;

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectConnectorGravity
+// Newtonian gravitation between two masses, for celestial bodies and satellites; the weight on earth is LoadMassProportional
 struct ObjectConnectorGravityParameters {
   std::vector<MarkerIndex> markerNumbers = std::vector<MarkerIndex>(2);
   double gravitationalConstant = 6.6743e-11;

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectConnectorHydraulicActuatorSimple
+// A double-acting hydraulic cylinder between two points, with the build-up of pressure in both chambers
 struct ObjectConnectorHydraulicActuatorSimpleParameters {
   std::vector<MarkerIndex> markerNumbers = std::vector<MarkerIndex>(2);
   std::vector<NodeIndex> nodeNumbers;

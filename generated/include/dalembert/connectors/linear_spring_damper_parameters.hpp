@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectConnectorLinearSpringDamper
+// A spring and damper along an axis that is fixed to the first marker, as in a prismatic joint
 struct ObjectConnectorLinearSpringDamperParameters {
   std::vector<MarkerIndex> markerNumbers = std::vector<MarkerIndex>(2);
   double stiffness = 0.0;

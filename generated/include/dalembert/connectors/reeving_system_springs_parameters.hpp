@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectConnectorReevingSystemSprings
+// A massless elastic rope that runs without friction over sheaves and joins two end points
 struct ObjectConnectorReevingSystemSpringsParameters {
   std::vector<MarkerIndex> markerNumbers = std::vector<MarkerIndex>(2);
   bool hasCoordinateMarkers = false;

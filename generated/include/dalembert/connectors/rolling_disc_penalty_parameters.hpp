@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectConnectorRollingDiscPenalty
+// A disc that rolls or slides with friction on a plane, with elastic contact instead of constraints
 struct ObjectConnectorRollingDiscPenaltyParameters {
   std::vector<MarkerIndex> markerNumbers = std::vector<MarkerIndex>(2);
   NodeIndex nodeNumber;

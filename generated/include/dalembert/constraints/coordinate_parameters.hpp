@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectConnectorCoordinate
+// Couples two coordinates, or fixes one of them to a value or to a function of time
 struct ObjectConnectorCoordinateParameters {
   std::vector<MarkerIndex> markerNumbers = std::vector<MarkerIndex>(2);
   double offset = 0.0;

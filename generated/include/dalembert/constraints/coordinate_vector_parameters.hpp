@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectConnectorCoordinateVector
+// Couples the coordinate vectors of two markers by linear and quadratic equations, or by a user function
 struct ObjectConnectorCoordinateVectorParameters {
   std::vector<MarkerIndex> markerNumbers = std::vector<MarkerIndex>(2);
   DynamicMatrix<double> scalingMarker0;

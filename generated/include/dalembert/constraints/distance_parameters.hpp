@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectConnectorDistance
+// Keeps the distance of two points constant, like a massless rigid rod between two ball joints
 struct ObjectConnectorDistanceParameters {
   std::vector<MarkerIndex> markerNumbers = std::vector<MarkerIndex>(2);
   double distance = 0.0;
