@@ -197,7 +197,7 @@ void NewtonSolver::treat_slow_convergence(Loop& loop) {
       conv.newtonSolutionDiverged = true;
     }
   }
-  const NewtonOptions& s = newton_settings;
+  const NewtonSettings& s = newton_settings;
   bool switched_to_full = false;
   if (!loop.full && it.newtonSteps > s.maxModifiedNewtonIterations) {
     conv.jacobianUpdateRequested = true;

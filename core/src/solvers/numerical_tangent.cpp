@@ -65,7 +65,7 @@ class Differences {
 }  // namespace
 
 void numerical_tangent(System& system, const State& state, const Conditions& conditions, const Weights& weights,
-                       const NumericalDifferentiationOptions& options, const Pattern& pattern,
+                       const NewtonNumericalDifferentiationSettings& options, const Pattern& pattern,
                        std::span<double> values) {
   const Sizes& s = system.sizes();
   const State& reference = system.state(ConfigurationType::Reference);

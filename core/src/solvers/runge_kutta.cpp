@@ -12,8 +12,12 @@ namespace {
 
 RungeKuttaMethod make(int order, std::vector<double> c, std::vector<std::vector<double>> rows, std::vector<double> b,
                       std::vector<double> b_error = {}) {
-  RungeKuttaMethod m{.stages = static_cast<int>(b.size()), .order = order, .b = std::move(b), .c = std::move(c),
-                     .b_error = std::move(b_error)};
+  RungeKuttaMethod m;
+  m.stages = static_cast<int>(b.size());
+  m.order = order;
+  m.b = std::move(b);
+  m.c = std::move(c);
+  m.b_error = std::move(b_error);
   m.a.assign(static_cast<std::size_t>(m.stages * m.stages), 0.0);
   for (int i = 1; i < m.stages; ++i) {
     for (int j = 0; j < i; ++j) m.a[static_cast<std::size_t>(i * m.stages + j)] = rows[i - 1][j];

@@ -212,7 +212,7 @@ void SecondOrderSolver::compute_jacobian() {
   const double h = it.currentStepSize, scale = newmark_beta * h * h;
   const Weights weights{.q = 1, .v = gamma_prime(), .a = beta_prime(), .y = 1, .y_t = 2 / h};
   const auto& differences = newton_settings.numericalDifferentiation;
-  if (differences.wanted()) {
+  if (wants_differences(differences)) {
     numerical_tangent(system(), current(), conditions_, weights, differences, pattern(), jacobian_);
   } else if (simplified_lie_ && settings().timeIntegration.generalizedAlpha.lieGroupAddTangentOperator) {
     simplified_lie_jacobian(weights);

@@ -32,15 +32,15 @@ void Solver::initialize_output() {
     output.verboseMode = o.verboseMode;
     output.verboseModeFile = o.verboseModeFile;
     output.stepInformation = o.stepInformation;
-    newton_settings = newton_options(o.newton);
-    discontinuous = discontinuous_options(o.discontinuous);
+    newton_settings = o.newton;
+    discontinuous = o.discontinuous;
   } else {
     const auto& o = settings_->timeIntegration;
     output.verboseMode = o.verboseMode;
     output.verboseModeFile = o.verboseModeFile;
     output.stepInformation = o.stepInformation;
-    newton_settings = newton_options(o.newton);
-    discontinuous = discontinuous_options(o.discontinuous);
+    newton_settings = o.newton;
+    discontinuous = o.discontinuous;
   }
   close_files();
   output.writeToSolutionFile = s.writeSolutionToFile && !s.coordinatesSolutionFileName.empty();

@@ -120,7 +120,7 @@ void StaticSolver::compute_update(bool initial) {
 void StaticSolver::compute_jacobian() {
   constexpr Weights weights{.q = 1, .v = 0, .a = 0, .y = 1, .y_t = 0};
   turn_multipliers();
-  if (newton_settings.numericalDifferentiation.wanted()) {
+  if (wants_differences(newton_settings.numericalDifferentiation)) {
     numerical_tangent(system(), current(), conditions_, weights, newton_settings.numericalDifferentiation, pattern(),
                       jacobian_);
   } else {

@@ -1,0 +1,65 @@
+// Explicit time integration: Runge-Kutta methods, some with automatic step size, and the velocity Verlet method.
+//
+// Lie-group nodes follow Munthe-Kaas (1998) in the form of Holzinger and Gerstmayr (Multibody System Dynamics 53, 2021):
+// stages add up in the Lie algebra and are composed with the start of the step.
+#pragma once
+
+#include <vector>
+
+#include "dalembert/solvers/mass_operator.hpp"
+#include "dalembert/solvers/runge_kutta.hpp"
+#include "dalembert/solvers/solver.hpp"
+
+namespace dalembert {
+
+class ExplicitSolver final : public Solver {
+ public:
+  std::string name() const override;
+  bool controls_step_size() const override { return method_.controls_step_size(); }
+  int method_order() const { return verlet_ ? 2 : method_.order; }
+  int number_of_stages() const { return verlet_ ? 1 : method_.stages; }
+
+  void pre_initialize() override;
+  void initialize_data() override;
+  void post_initialize() override;
+  void update_current_time() override;
+  bool newton() override;  // one step of the method
+  bool reduce_step_size() override;
+  void increase_step_size() override;
+
+  const MassOperator& mass() const { return mass_; }
+
+ protected:
+  void save_start_of_step() override;
+
+ private:
+  using Vector = std::vector<double>;
+
+  void runge_kutta_step();
+  void verlet_step();
+  void compute_stage(int stage);
+  void move_from_start(const Vector& weights, Vector& q, Vector& v, Vector& y);
+  void compute_stage_rates(int stage);
+  bool accelerations(Vector& a);
+  void rates(Vector& y_t);
+  void eliminate(Vector& x) const;
+  void find_eliminated_coordinates();
+  void end_of_step();
+  bool control_step_size();
+  double estimated_error();
+  void mass_failed(int row);
+
+  DynamicSolverType type_ = DynamicSolverType::ExplicitEuler;
+  RungeKuttaMethod method_;
+  std::vector<Vector> rows_;  // rows of the coefficients, for move_from_start
+  bool verlet_ = false, lie_ = false, constant_mass_ = false, warned_minimum_ = false;
+  // What was computed at the end of a step is the first stage of the next, if nobody changes the system in between.
+  bool nobody_interferes_ = false, end_known_ = false, first_stage_known_ = false;
+  MassOperator mass_;
+  std::vector<int> eliminated_;
+  std::vector<Vector> stage_q_, stage_v_, stage_y_;  // derivatives at the stages
+  Vector second_q_, second_v_, second_y_;
+  Vector end_a_, end_y_t_, turn_;
+};
+
+}  // namespace dalembert

@@ -1,0 +1,54 @@
+// Accelerations from forces: the mass matrix, taken apart into blocks that do not touch each other.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "dalembert/linear/linear_solver.hpp"
+#include "dalembert/system/system.hpp"
+
+namespace dalembert {
+
+class MassOperator {
+ public:
+  // Forgets everything; `type` decides between dense and sparse factors of large blocks.
+  void prepare(System& system, LinearSolverType type, const LinearSolverOptions& options);
+  // Mass matrix and factors of this state. Returns success or the coordinate without a pivot.
+  int update(System& system, const State& state);
+  // Forces become accelerations.
+  void solve(std::span<double> x);
+
+  bool is_diagonal() const { return blocks_.empty(); }
+  std::span<const double> values() const { return values_; }
+  const Pattern& pattern() const { return *pattern_; }
+
+ private:
+  struct Entry {
+    int row, column;
+    std::size_t slot;
+  };
+  struct Block {
+    std::vector<int> coordinates;
+    std::vector<std::size_t> from, to;  // slots in the system's values, and in the values of the block
+    std::unique_ptr<Pattern> pattern;
+    std::unique_ptr<LinearSolver> solver;
+    std::vector<double> values, x;
+  };
+  int root(int i);
+  bool join_blocks();
+  void build_blocks();
+
+  const Pattern* pattern_ = nullptr;
+  LinearSolverType type_ = LinearSolverType::EXUdense;
+  LinearSolverOptions options_;
+  int size_ = 0;
+  std::vector<double> values_, inverse_;   // inverse_: of coordinates that stand alone, otherwise 0
+  std::vector<std::size_t> diagonal_;
+  std::vector<Entry> entries_;             // off the diagonal
+  std::vector<int> parent_;                // union-find over coordinates
+  std::vector<char> alone_;
+  std::vector<Block> blocks_;
+};
+
+}  // namespace dalembert

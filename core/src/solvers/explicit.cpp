@@ -1,0 +1,349 @@
+#include "dalembert/solvers/explicit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dalembert/model/errors.hpp"
+#include "dalembert/output/numbers.hpp"
+#include "rotation_increments.hpp"
+
+namespace dalembert {
+
+namespace {
+
+const char* type_name(DynamicSolverType type) {
+  switch (type) {
+    case DynamicSolverType::ExplicitEuler: return "ExplicitEuler";
+    case DynamicSolverType::ExplicitMidpoint: return "ExplicitMidpoint";
+    case DynamicSolverType::RK33: return "RK33";
+    case DynamicSolverType::RK44: return "RK44";
+    case DynamicSolverType::RK67: return "RK67";
+    case DynamicSolverType::ODE23: return "ODE23";
+    case DynamicSolverType::DOPRI5: return "DOPRI5";
+    case DynamicSolverType::DVERK6: return "DVERK6";
+    case DynamicSolverType::VelocityVerlet: return "VelocityVerlet";
+    default: return "no explicit method";
+  }
+}
+
+void add(std::vector<double>& x, double factor, const std::vector<double>& y) {
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] += factor * y[i];
+}
+
+}  // namespace
+
+std::string ExplicitSolver::name() const { return std::string("explicit time integration (") + type_name(type_) + ")"; }
+
+void ExplicitSolver::pre_initialize() {
+  type_ = settings().timeIntegration.explicitIntegration.dynamicSolverType;
+  verlet_ = type_ == DynamicSolverType::VelocityVerlet;
+  method_ = runge_kutta_method(type_);
+  if (!verlet_ && method_.stages == 0) {
+    throw ModelError(ErrorKind::value,
+                     "timeIntegration.explicitIntegration.dynamicSolverType: received an implicit method; expected "
+                     "ExplicitEuler, ExplicitMidpoint, RK33, RK44, RK67, ODE23, DOPRI5, DVERK6 or VelocityVerlet");
+  }
+  if (controls_step_size() && !(settings().timeIntegration.absoluteTolerance > 0)) {
+    throw ModelError(ErrorKind::value, "timeIntegration.absoluteTolerance: received " +
+                                           format_number(settings().timeIntegration.absoluteTolerance) +
+                                           "; expected a positive number");
+  }
+  rows_.assign(static_cast<std::size_t>(method_.stages), {});
+  for (int i = 0; i < method_.stages; ++i) {
+    for (int j = 0; j < i; ++j) rows_[i].push_back(method_.coefficient(i, j));
+  }
+  warned_minimum_ = end_known_ = first_stage_known_ = false;
+  conditions_ = {.rate_level = false, .inertia = true};
+}
+
+void ExplicitSolver::initialize_data() {
+  Solver::initialize_data();
+  const auto n = static_cast<std::size_t>(sizes_.ode2), n1 = static_cast<std::size_t>(sizes_.ode1);
+  const auto stages = static_cast<std::size_t>(method_.stages);
+  stage_q_.assign(stages, Vector(n));
+  stage_v_.assign(stages, Vector(n));
+  stage_y_.assign(stages, Vector(n1));
+  second_q_.assign(n, 0.0);
+  second_v_.assign(n, 0.0);
+  second_y_.assign(n1, 0.0);
+  end_a_.assign(n, 0.0);
+  end_y_t_.assign(n1, 0.0);
+  lie_ = settings().timeIntegration.explicitIntegration.useLieGroupIntegration && system().has_lie_nodes();
+  turn_.assign(lie_ ? n : 0, 0.0);
+}
+
+void ExplicitSolver::post_initialize() {
+  if (!controls_step_size()) it.automaticStepSize = false;
+  find_eliminated_coordinates();
+  State& now = current();
+  std::fill(now.a.begin(), now.a.end(), 0.0);
+  std::fill(now.y_t.begin(), now.y_t.end(), 0.0);
+  std::fill(now.lambda.begin(), now.lambda.end(), 0.0);
+  const auto& l = settings().linearSolverSettings;
+  mass_.prepare(system(), settings().linearSolverType,
+                {.pivot_threshold = l.pivotThreshold, .ignore_singular = l.ignoreSingularJacobian});
+  constant_mass_ = system().constant_mass_matrix() && settings().timeIntegration.reuseConstantMassMatrix;
+  if (constant_mass_) {
+    if (const int row = mass_.update(system(), now); row != LinearSolver::success) {
+      mass_failed(row);
+      throw SolverError(diagnosis_);
+    }
+  }
+  nobody_interferes_ = !system().has_discontinuities() && !hooks().pre_step && !hooks().post_step && !hooks().post_newton;
+  if (verlet_ && !accelerations(now.a)) throw SolverError(diagnosis_);
+  start_of_step() = now;
+}
+
+// Constraints that fix one coordinate are kept by setting it back to zero; others cannot be.
+void ExplicitSolver::find_eliminated_coordinates() {
+  eliminated_.clear();
+  if (sizes_.ae == 0) return;
+  if (!settings().timeIntegration.explicitIntegration.eliminateConstraints) {
+    warn("explicit integration ignores all constraints (timeIntegration.explicitIntegration.eliminateConstraints=False)");
+    return;
+  }
+  auto fixed = system().fixed_coordinates();
+  if (!fixed) {
+    throw ModelError(ErrorKind::value,
+                     name() + ": the system has constraints that explicit integration cannot eliminate; only "
+                     "CoordinateConstraint between a node's coordinate and a ground node is possible. Use an implicit "
+                     "solver, nodes without constraints of their own, or spring-dampers instead of joints");
+  }
+  eliminated_ = std::move(*fixed);
+}
+
+void ExplicitSolver::eliminate(Vector& x) const {
+  for (const int i : eliminated_) x[static_cast<std::size_t>(i)] = 0;
+}
+
+void ExplicitSolver::update_current_time() {
+  if (!it.adaptiveStep && !it.automaticStepSize) {
+    it.currentTime = it.currentStepIndex * it.currentStepSize + it.startTime;
+    return;
+  }
+  if (it.currentTime + it.currentStepSize > it.endTime) it.currentStepSize = it.endTime - it.currentTime;
+  it.currentTime += it.currentStepSize;
+}
+
+bool ExplicitSolver::reduce_step_size() {
+  it.currentTime = current().time;
+  if (conv.discontinuousIterationSuccessful) return true;  // the error control has chosen a step size
+  if (!(it.lastStepSize > it.minStepSize)) return false;
+  it.currentStepSize = it.recommendedStepSize != -1 ? std::min(0.75 * it.lastStepSize, it.recommendedStepSize)
+                                                    : std::min(it.currentStepSize, 0.5 * it.lastStepSize);
+  it.currentStepSize = std::max(it.minStepSize, it.currentStepSize);
+  return true;
+}
+
+void ExplicitSolver::increase_step_size() {
+  if (!it.automaticStepSize) it.currentStepSize = std::min(it.maxStepSize, 2 * it.currentStepSize);
+}
+
+void ExplicitSolver::save_start_of_step() {
+  first_stage_known_ = false;
+  if (!end_known_ || verlet_) return;
+  std::swap(stage_v_[0], end_a_);
+  std::swap(stage_y_[0], end_y_t_);
+  first_stage_known_ = true;
+  end_known_ = false;
+}
+
+bool ExplicitSolver::newton() {
+  conv.linearSolverFailed = conv.newtonSolutionDiverged = false;
+  conv.linearSolverCausingRow = -1;
+  conv.newtonConverged = true;
+  end_known_ = false;
+  verlet_ ? verlet_step() : runge_kutta_step();
+  if (conv.linearSolverFailed) {
+    conv.newtonConverged = false;
+    return false;
+  }
+  return !controls_step_size() || control_step_size();
+}
+
+void ExplicitSolver::runge_kutta_step() {
+  for (int stage = 0; stage < method_.stages; ++stage) {
+    compute_stage(stage);
+    if (conv.linearSolverFailed) return;
+  }
+  State& now = current();
+  move_from_start(method_.b, now.q, now.v, now.y);
+  eliminate(now.q);
+  eliminate(now.v);
+  now.time = it.currentTime;
+  end_of_step();
+}
+
+// State at a stage, and its derivative.
+void ExplicitSolver::compute_stage(int stage) {
+  State& now = current();
+  if (stage > 0) {
+    move_from_start(rows_[static_cast<std::size_t>(stage)], now.q, now.v, now.y);
+  } else {
+    // A discontinuous iteration may have left the state elsewhere.
+    const State& start = start_of_step();
+    now.q = start.q;
+    now.v = start.v;
+    now.y = start.y;
+  }
+  now.time = start_of_step().time + it.currentStepSize * method_.c[static_cast<std::size_t>(stage)];
+  compute_stage_rates(stage);
+}
+
+void ExplicitSolver::compute_stage_rates(int stage) {
+  const auto s = static_cast<std::size_t>(stage);
+  const State& now = current();
+  if (stage > 0 || !first_stage_known_) {
+    rates(stage_y_[s]);
+    if (!accelerations(stage_v_[s])) return;
+    if (stage == 0) first_stage_known_ = nobody_interferes_;
+  }
+  stage_q_[s] = now.v;
+  if (!lie_) return;
+  for (const System::LieBlock& block : system().lie_blocks()) {
+    const auto r = static_cast<std::size_t>(block.rotation);
+    std::array<double, 3> turned{};
+    for (int j = 0; j < stage; ++j) {
+      const double factor = method_.coefficient(stage, j) * it.currentStepSize;
+      for (std::size_t k = 0; k < 3; ++k) turned[k] += factor * stage_q_[static_cast<std::size_t>(j)][r + k];
+    }
+    const auto t = inverse_tangent_operator(turned.data());
+    for (int k = 0; k < 3; ++k) {
+      stage_q_[s][r + static_cast<std::size_t>(k)] = t(k, 0) * now.v[r] + t(k, 1) * now.v[r + 1] + t(k, 2) * now.v[r + 2];
+    }
+  }
+}
+
+// Start of the step plus weighted derivatives of the stages.
+void ExplicitSolver::move_from_start(const Vector& weights, Vector& q, Vector& v, Vector& y) {
+  const State& start = start_of_step();
+  const double h = it.currentStepSize;
+  q = start.q;
+  v = start.v;
+  y = start.y;
+  if (lie_) std::fill(turn_.begin(), turn_.end(), 0.0);
+  for (std::size_t j = 0; j < weights.size(); ++j) {
+    if (weights[j] == 0) continue;
+    const double factor = weights[j] * h;
+    add(q, factor, stage_q_[j]);
+    add(v, factor, stage_v_[j]);
+    add(y, factor, stage_y_[j]);
+    if (lie_) add(turn_, factor, stage_q_[j]);
+  }
+  if (lie_) system().compose(start.q, turn_, q);
+}
+
+void ExplicitSolver::end_of_step() {
+  State& now = current();
+  rates(now.y_t);
+  if (settings().timeIntegration.explicitIntegration.computeEndOfStepAccelerations) {
+    if (!accelerations(now.a)) return;
+    end_known_ = nobody_interferes_;
+    if (end_known_) {
+      end_a_ = now.a;
+      end_y_t_ = now.y_t;
+    }
+  } else {
+    now.a = stage_v_.back();
+  }
+  eliminate(now.a);
+}
+
+// v(t+h/2) = v + h/2 a;  q(t+h) = q + h v(t+h/2);  v(t+h) = v(t+h/2) + h/2 a(t+h). ODE1 coordinates: explicit Euler.
+void ExplicitSolver::verlet_step() {
+  State& now = current();
+  const double h = it.currentStepSize;
+  add(now.v, 0.5 * h, now.a);
+  if (lie_) {
+    for (std::size_t i = 0; i < turn_.size(); ++i) turn_[i] = h * now.v[i];
+    add(now.q, h, now.v);
+    system().compose(start_of_step().q, turn_, now.q);
+  } else {
+    add(now.q, h, now.v);
+  }
+  eliminate(now.q);
+  eliminate(now.v);
+  now.time = it.currentTime;
+  if (!accelerations(now.a)) return;
+  eliminate(now.a);
+  add(now.v, 0.5 * h, now.a);
+  rates(now.y_t);
+  add(now.y, h, now.y_t);
+}
+
+void ExplicitSolver::rates(Vector& y_t) {
+  if (sizes_.ode1 == 0) return;
+  const TimedPart time(timer, timer.ODE1RHS);
+  system().rates(current(), conditions_, y_t);
+}
+
+bool ExplicitSolver::accelerations(Vector& a) {
+  if (!constant_mass_) {
+    const TimedPart time(timer, timer.massMatrix);
+    if (const int row = mass_.update(system(), current()); row != LinearSolver::success) {
+      mass_failed(row);
+      return false;
+    }
+  }
+  {
+    const TimedPart time(timer, timer.ODE2RHS);
+    system().forces(current(), conditions_, a);
+  }
+  const TimedPart time(timer, timer.newtonIncrement);
+  mass_.solve(a);
+  return true;
+}
+
+void ExplicitSolver::mass_failed(int row) {
+  conv.linearSolverFailed = conv.massMatrixNotInvertible = true;
+  conv.linearSolverCausingRow = row;
+  diagnose(FailureReason::mass_matrix);
+  say(1, "  " + diagnosis_.text() + "\n");
+}
+
+// Distance of the two approximations in units of the tolerances, root mean square over ODE1, positions and velocities.
+// Signed values enter the scale, not magnitudes: step sizes are to be those that users of this interface know.
+double ExplicitSolver::estimated_error() {
+  const double absolute = settings().timeIntegration.absoluteTolerance;
+  const double relative = settings().timeIntegration.relativeTolerance;
+  move_from_start(method_.b_error, second_q_, second_v_, second_y_);
+  eliminate(second_q_);
+  eliminate(second_v_);
+  const State &now = current(), &start = start_of_step();
+  double sum = 0;
+  const auto add_errors = [&](const Vector& second, const Vector& first, const Vector& old) {
+    for (std::size_t i = 0; i < second.size(); ++i) {
+      const double e = (second[i] - first[i]) / (absolute + std::max(second[i], old[i]) * relative);
+      sum += e * e;
+    }
+  };
+  add_errors(second_y_, now.y, start.y);
+  add_errors(second_q_, now.q, start.q);
+  add_errors(second_v_, now.v, start.v);
+  return std::sqrt(sum / (sizes_.ode1 + 2 * sizes_.ode2));
+}
+
+// Hairer, Norsett, Wanner I, section II.4. False: the step has to be repeated.
+bool ExplicitSolver::control_step_size() {
+  const TimedPart time(timer, timer.errorEstimator);
+  const auto& s = settings().timeIntegration;
+  it.automaticStepSizeError = estimated_error();
+  const double error = it.automaticStepSizeError == 0 ? 1e-12 : it.automaticStepSizeError;
+  const double h = it.currentStepSize;
+  const double optimal = h * std::pow(1 / error, 1.0 / method_.order);
+  const double largest = std::min(it.maxStepSize, h * s.stepSizeMaxIncrease);
+  const double next = std::min(largest, std::max(it.minStepSize, s.stepSizeSafety * optimal));
+  bool accepted = true;
+  if (next == it.minStepSize && !warned_minimum_) {
+    warn("automatic step size reached timeIntegration.minimumStepSize at time " + format_number(it.currentTime) +
+         "; the error becomes larger than the tolerances");
+    warned_minimum_ = true;
+  } else if (optimal < h) {
+    accepted = false;
+    ++it.rejectedAutomaticStepSizeSteps;
+  }
+  it.currentStepSize = next;
+  return accepted;
+}
+
+}  // namespace dalembert

@@ -1,0 +1,129 @@
+#include "dalembert/solvers/mass_operator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "dalembert/solvers/numerical_tangent.hpp"
+
+namespace dalembert {
+
+// Blocks up to this size are dense in any case.
+constexpr int dense_limit = 40;
+
+void MassOperator::prepare(System& system, LinearSolverType type, const LinearSolverOptions& options) {
+  *this = MassOperator();
+  type_ = type;
+  options_ = options;
+  size_ = system.sizes().ode2;
+  pattern_ = &system.pattern(is_dense(type));
+  values_.resize(static_cast<std::size_t>(pattern_->values()));
+  inverse_.assign(static_cast<std::size_t>(size_), 0.0);
+  diagonal_.resize(static_cast<std::size_t>(size_));
+  alone_.assign(static_cast<std::size_t>(size_), 1);
+  parent_.resize(static_cast<std::size_t>(size_));
+  std::iota(parent_.begin(), parent_.end(), 0);
+  for_each_entry(*pattern_, [&](int row, int column, std::size_t slot) {
+    if (row >= size_ || column >= size_) return;
+    if (row == column) {
+      diagonal_[row] = slot;
+    } else {
+      entries_.push_back({row, column, slot});
+    }
+  });
+}
+
+int MassOperator::root(int i) {
+  while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+  return i;
+}
+
+// Blocks only grow: an entry that is zero now may return.
+bool MassOperator::join_blocks() {
+  bool joined = false;
+  for (const Entry& e : entries_) {
+    if (values_[e.slot] == 0) continue;
+    const int a = root(e.row), b = root(e.column);
+    if (a == b) continue;
+    parent_[std::max(a, b)] = std::min(a, b);
+    joined = true;
+  }
+  return joined;
+}
+
+void MassOperator::build_blocks() {
+  blocks_.clear();
+  std::vector<int> members(size_, 0), block_of(size_, -1), place(size_, 0);
+  for (int i = 0; i < size_; ++i) ++members[root(i)];
+  for (int i = 0; i < size_; ++i) {
+    const int r = root(i);
+    alone_[i] = members[r] == 1;
+    if (alone_[i]) continue;
+    if (r == i) {
+      block_of[r] = static_cast<int>(blocks_.size());
+      blocks_.emplace_back();
+    }
+    Block& block = blocks_[block_of[r]];
+    block_of[i] = block_of[r];
+    place[i] = static_cast<int>(block.coordinates.size());
+    block.coordinates.push_back(i);
+  }
+  std::vector<std::vector<Entry>> entries(blocks_.size());
+  for (const Entry& e : entries_) {
+    if (block_of[e.row] >= 0 && block_of[e.row] == block_of[e.column]) entries[block_of[e.row]].push_back(e);
+  }
+  for (std::size_t k = 0; k < blocks_.size(); ++k) {
+    Block& block = blocks_[k];
+    const int n = static_cast<int>(block.coordinates.size());
+    for (const int i : block.coordinates) entries[k].push_back({i, i, diagonal_[i]});
+    const bool dense = is_dense(type_) || n <= dense_limit;
+    std::vector<std::pair<int, int>> pairs;
+    for (const Entry& e : entries[k]) pairs.emplace_back(place[e.row], place[e.column]);
+    block.pattern = std::make_unique<Pattern>(dense ? Pattern::dense(n) : Pattern::sparse(n, pairs));
+    block.values.assign(static_cast<std::size_t>(block.pattern->values()), 0.0);
+    block.x.resize(static_cast<std::size_t>(n));
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      block.from.push_back(entries[k][i].slot);
+      block.to.push_back(static_cast<std::size_t>(block.pattern->slot(pairs[i].first, pairs[i].second)));
+    }
+    block.solver = make_linear_solver(*block.pattern, dense ? LinearSolverType::EXUdense : type_, options_);
+  }
+}
+
+int MassOperator::update(System& system, const State& state) {
+  system.mass_matrix(state, *pattern_, values_);
+  if (join_blocks()) build_blocks();
+  for (int i = 0; i < size_; ++i) {
+    if (!alone_[i]) continue;
+    const double m = values_[diagonal_[i]];
+    if (!(std::abs(m) > options_.pivot_threshold)) {
+      if (!options_.ignore_singular) return i;
+      inverse_[i] = 0;
+    } else {
+      inverse_[i] = 1 / m;
+    }
+  }
+  for (Block& block : blocks_) {
+    for (std::size_t i = 0; i < block.from.size(); ++i) block.values[block.to[i]] = values_[block.from[i]];
+    const int failed = block.solver->factorize(block.values);
+    if (failed != LinearSolver::success) return block.coordinates[static_cast<std::size_t>(failed)];
+  }
+  return LinearSolver::success;
+}
+
+void MassOperator::solve(std::span<double> x) {
+  if (blocks_.empty()) {
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] *= inverse_[i];
+    return;
+  }
+  for (Block& block : blocks_) {
+    for (std::size_t i = 0; i < block.x.size(); ++i) block.x[i] = x[block.coordinates[i]];
+    block.solver->solve(block.x);
+  }
+  for (int i = 0; i < size_; ++i) x[i] *= inverse_[i];
+  for (const Block& block : blocks_) {
+    for (std::size_t i = 0; i < block.x.size(); ++i) x[block.coordinates[i]] = block.x[i];
+  }
+}
+
+}  // namespace dalembert
