@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import nullcontext
 from typing import Any
 
 from codegen.model import Parameter, SpecError
@@ -46,7 +47,7 @@ def load_settings(path: str, content: str, enums: Mapping[str, Enum]) -> Setting
 
 def _group(name: str, path: str, table: Mapping[str, Any], shared: Shared, enums: Mapping[str, Enum]) -> SettingsGroup:
     """One structure; entries with a `type` are its rows, other tables its children."""
-    with at(path) if path else at("root"):
+    with at(path) if path else nullcontext():
         origin = table.get("use", "")
         full = _splice(table, shared)
         rows: list[Parameter] = []

@@ -703,7 +703,7 @@ class ObjectGround(_Item):
     referencePosition: ArrayLike
     """global position of the origin of the ground frame; local positions of markers count from here [3; m]"""
     referenceRotation: ArrayLike
-    """rotation matrix from the ground frame to the global frame; has to be orthonormal, which is not checked [3 x 3; 1]"""
+    """rotation matrix from the ground frame to the global frame; has to be orthonormal [3 x 3; 1]"""
     visualization: VObjectGround | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -740,7 +740,7 @@ class ObjectMass1D(_Item):
     referencePosition: ArrayLike
     """global position of the body at coordinate zero [3; m]"""
     referenceRotation: ArrayLike
-    """constant rotation matrix from the body frame to the global frame; its first column is the direction of motion; has to be orthonormal, which is not checked [3 x 3; 1]"""
+    """constant rotation matrix from the body frame to the global frame; its first column is the direction of motion; has to be orthonormal [3 x 3; 1]"""
     visualization: VObjectMass1D | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -944,7 +944,7 @@ class ObjectRotationalMass1D(_Item):
     referencePosition: ArrayLike
     """global position of the body frame, a fixed point of the axis [3; m]"""
     referenceRotation: ArrayLike
-    """constant rotation matrix from the frame at angle zero to the global frame; its third column is the axis of rotation; has to be orthonormal, which is not checked [3 x 3; 1]"""
+    """constant rotation matrix from the frame at angle zero to the global frame; its third column is the axis of rotation; has to be orthonormal [3 x 3; 1]"""
     visualization: VObjectRotationalMass1D | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -3156,24 +3156,24 @@ class VObjectJointALEMoving2D:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectJointALEMoving2D(_Item):
-    """ObjectJointALEMoving2D"""
+    """A body attached to an axially moving ANCF cable, whose sliding coordinate is shared by all elements of the cable"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    """marker m0 of the sliding body, and marker m1 of the cable element on which it begins; m1 is updated when the body passes to a neighbouring element [2]"""
     slidingMarkerNumbers: Sequence[MarkerIndex | int]
-    """slidingMarkerNumbers [n]"""
+    """shape or coordinate markers of all cable elements in the order in which they follow each other: the end of one element is the begin of the next [n]"""
     slidingMarkerOffsets: ArrayLike
-    """slidingMarkerOffsets [n]"""
+    """for each of these elements, the sum of the reference lengths of all elements before it; 0 for the first [n; m]"""
     slidingOffset: float
-    """slidingOffset"""
+    """reference arc length that is added to the sliding coordinate [m]"""
     nodeNumbers: Sequence[NodeIndex | int]
-    """nodeNumbers [2]"""
+    """NodeGenericData with one data coordinate (index of the current element), and the NodeGenericODE2 with the sliding coordinate of the cable [2]"""
     usePenaltyFormulation: bool
-    """usePenaltyFormulation"""
+    """True: the constraint is softened by ``penaltyStiffness``, still with multipliers as unknowns"""
     penaltyStiffness: float
-    """penaltyStiffness"""
+    """stiffness of the softened constraint [N/m]"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectJointALEMoving2D | dict[str, Any]
@@ -3201,9 +3201,9 @@ class VObjectJointGeneric:
     show: bool
     """False: the item is not drawn"""
     axesRadius: float
-    """axesRadius"""
+    """radius of the drawn axes [m]"""
     axesLength: float
-    """axesLength"""
+    """length of the drawn axes [m]"""
     color: ArrayLike
     """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
@@ -3216,28 +3216,28 @@ class VObjectJointGeneric:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectJointGeneric(_Item):
-    """ObjectJointGeneric"""
+    """A joint between two rigid body markers that constrains any choice of three translations and three rotations"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
     """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     constrainedAxes: Sequence[int]
-    """constrainedAxes [6]"""
+    """six flags, 1 constrained and 0 free: translation along the x, y, z axis of frame J0, rotation about them; other values are refused [6]"""
     rotationMarker0: ArrayLike
-    """rotationMarker0 [3 x 3]"""
+    """rotation matrix from joint frame J0 to the frame of marker m0; turns the axes of the joint [3 x 3; 1]"""
     rotationMarker1: ArrayLike
-    """rotationMarker1 [3 x 3]"""
+    """rotation matrix from joint frame J1 to the frame of marker m1; the joint is in its zero position if J0 and J1 are parallel [3 x 3; 1]"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     offsetUserFunctionParameters: ArrayLike
-    """offsetUserFunctionParameters [6]"""
+    """six values that are passed to the user functions, of free meaning [6; various]"""
     offsetUserFunction: Callable[..., Any] | Literal[0]
-    """offsetUserFunction"""
+    """Python function that prescribes relative translation and rotation in the constrained directions, on position level"""
     offsetUserFunction_t: Callable[..., Any] | Literal[0]
-    """offsetUserFunction_t"""
+    """Python function, the time derivative of ``offsetUserFunction``; a joint with this function is refused on velocity level, that is by index 2 integrators"""
     alternativeConstraints: bool
-    """alternativeConstraints"""
+    """True: other equations for three constrained rotations, which keep static solutions from flipping by half a turn; changes the meaning of the multipliers; experimental"""
     visualization: VObjectJointGeneric | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -3276,18 +3276,18 @@ class VObjectJointPrismatic2D:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectJointPrismatic2D(_Item):
-    """ObjectJointPrismatic2D"""
+    """A prismatic joint of planar bodies: one point moves on a line that is fixed to the other body"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
     """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     axisMarker0: ArrayLike
-    """axisMarker0 [3]"""
+    """direction of the axis in the frame of marker m0, a unit vector in the x-y plane [3; 1]"""
     normalMarker1: ArrayLike
-    """normalMarker1 [3]"""
+    """normal of the axis in the frame of marker m1, a unit vector in the x-y plane; perpendicular to the axis in the initial position [3; 1]"""
     constrainRotation: bool
-    """constrainRotation"""
+    """True: the bodies do not rotate relative to each other; False: relative rotation is free"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectJointPrismatic2D | dict[str, Any]
@@ -3312,9 +3312,9 @@ class VObjectJointPrismaticX:
     show: bool
     """False: the item is not drawn"""
     axisRadius: float
-    """axisRadius"""
+    """radius of the drawn axis [m]"""
     axisLength: float
-    """axisLength"""
+    """length of the drawn axis [m]"""
     color: ArrayLike
     """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
@@ -3327,16 +3327,16 @@ class VObjectJointPrismaticX:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectJointPrismaticX(_Item):
-    """ObjectJointPrismaticX"""
+    """A prismatic joint between two rigid body markers, free to translate along the x axis of the joint frame"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
     """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     rotationMarker0: ArrayLike
-    """rotationMarker0 [3 x 3]"""
+    """rotation matrix from joint frame J0 to the frame of marker m0; turns the axes of the joint [3 x 3; 1]"""
     rotationMarker1: ArrayLike
-    """rotationMarker1 [3 x 3]"""
+    """rotation matrix from joint frame J1 to the frame of marker m1; the joint is in its zero position if J0 and J1 are parallel [3 x 3; 1]"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectJointPrismaticX | dict[str, Any]
@@ -3372,7 +3372,7 @@ class VObjectJointRevolute2D:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectJointRevolute2D(_Item):
-    """ObjectJointRevolute2D"""
+    """A revolute joint of planar bodies: keeps two points together in the x-y plane"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
@@ -3399,9 +3399,9 @@ class VObjectJointRevoluteZ:
     show: bool
     """False: the item is not drawn"""
     axisRadius: float
-    """axisRadius"""
+    """radius of the drawn axis [m]"""
     axisLength: float
-    """axisLength"""
+    """length of the drawn axis [m]"""
     color: ArrayLike
     """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
@@ -3414,16 +3414,16 @@ class VObjectJointRevoluteZ:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectJointRevoluteZ(_Item):
-    """ObjectJointRevoluteZ"""
+    """A revolute joint between two rigid body markers, free to rotate about the z axis of the joint frame"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
     """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     rotationMarker0: ArrayLike
-    """rotationMarker0 [3 x 3]"""
+    """rotation matrix from joint frame J0 to the frame of marker m0; turns the axes of the joint [3 x 3; 1]"""
     rotationMarker1: ArrayLike
-    """rotationMarker1 [3 x 3]"""
+    """rotation matrix from joint frame J1 to the frame of marker m1; the joint is in its zero position if J0 and J1 are parallel [3 x 3; 1]"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectJointRevoluteZ | dict[str, Any]
@@ -3447,7 +3447,7 @@ class VObjectJointRollingDisc:
     show: bool
     """False: the item is not drawn"""
     discWidth: float
-    """discWidth"""
+    """width of the drawn disc [m]"""
     color: ArrayLike
     """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
@@ -3459,22 +3459,22 @@ class VObjectJointRollingDisc:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectJointRollingDisc(_Item):
-    """ObjectJointRollingDisc"""
+    """A rigid disc that rolls on a plane without slip, by constraints on the velocity of the contact point"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
     """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     constrainedAxes: Sequence[int]
-    """constrainedAxes [3]"""
+    """three flags, 1 constrained and 0 free: lateral, forward and normal velocity of the contact point; other values are refused [3]"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     discRadius: float
-    """discRadius"""
+    """radius of the disc [m]"""
     discAxis: ArrayLike
-    """discAxis [3]"""
+    """axis of the disc in the frame of marker m1, a unit vector; must not become parallel to the normal of the plane [3; 1]"""
     planeNormal: ArrayLike
-    """planeNormal [3]"""
+    """normal of the plane in the frame of marker m0, a unit vector [3; 1]"""
     visualization: VObjectJointRollingDisc | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -3510,24 +3510,24 @@ class VObjectJointSliding:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectJointSliding(_Item):
-    """ObjectJointSliding"""
+    """A body that slides along a chain of ANCF cable elements in space"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    """marker m0 of the sliding body, and marker m1 of the cable element on which it begins; m1 is updated when the body passes to a neighbouring element [2]"""
     slidingMarkerNumbers: Sequence[MarkerIndex | int]
-    """slidingMarkerNumbers [n]"""
+    """shape or coordinate markers of all cable elements in the order in which they follow each other: the end of one element is the begin of the next [n]"""
     slidingMarkerOffsets: ArrayLike
-    """slidingMarkerOffsets [n]"""
+    """for each of these elements, the sum of the reference lengths of all elements before it; 0 for the first [n; m]"""
     nodeNumber: NodeIndex | int
-    """nodeNumber"""
+    """NodeGenericData with two data coordinates: index of the current element in ``slidingMarkerNumbers``, and sliding coordinate at the begin of the step"""
     constrainRotations: Sequence[int]
-    """constrainRotations [3]"""
+    """three flags, 1 constrained and 0 free: rotation of marker m0 relative to the cable about its x, y and z axis; rotation about x is not available for cables [3]"""
     constrainTranslations: Sequence[int]
-    """constrainTranslations [3]"""
+    """three flags, 1 constrained and 0 free: translation of marker m0 relative to the cable along its axes [3]"""
     axialForce: float
-    """axialForce"""
+    """force along the cable that drives the body; changed during a simulation to move it [N]"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectJointSliding | dict[str, Any]
@@ -3567,24 +3567,24 @@ class VObjectJointSliding2D:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectJointSliding2D(_Item):
-    """ObjectJointSliding2D"""
+    """A body that slides along a chain of planar ANCF cable elements"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    """marker m0 of the sliding body, and marker m1 of the cable element on which it begins; m1 is updated when the body passes to a neighbouring element [2]"""
     slidingMarkerNumbers: Sequence[MarkerIndex | int]
-    """slidingMarkerNumbers [n]"""
+    """shape or coordinate markers of all cable elements in the order in which they follow each other: the end of one element is the begin of the next [n]"""
     slidingMarkerOffsets: ArrayLike
-    """slidingMarkerOffsets [n]"""
+    """for each of these elements, the sum of the reference lengths of all elements before it; 0 for the first [n; m]"""
     nodeNumber: NodeIndex | int
-    """nodeNumber"""
+    """NodeGenericData with two data coordinates: index of the current element in ``slidingMarkerNumbers``, and sliding coordinate at the begin of the step"""
     classicalFormulation: bool
-    """classicalFormulation"""
+    """True: the force along the cable is prescribed, and both components of position are constrained; index 3 only; False: only the normal direction is constrained, which index 2 integrators can solve as well"""
     constrainRotation: bool
-    """constrainRotation"""
+    """True: marker m0, then a rigid body marker, keeps its orientation relative to the slope of the cable; False: it rotates freely"""
     axialForce: float
-    """axialForce"""
+    """force along the cable that drives the body; only for ``classicalFormulation``; changed during a simulation to move the body [N]"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectJointSliding2D | dict[str, Any]
@@ -3612,7 +3612,7 @@ class VObjectJointSpherical:
     show: bool
     """False: the item is not drawn"""
     jointRadius: float
-    """jointRadius"""
+    """radius of the drawn joint [m]"""
     color: ArrayLike
     """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
@@ -3624,14 +3624,14 @@ class VObjectJointSpherical:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectJointSpherical(_Item):
-    """ObjectJointSpherical"""
+    """A ball joint: keeps two points together, or their chosen global components"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
     """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     constrainedAxes: Sequence[int]
-    """constrainedAxes [3]"""
+    """three flags, 1 constrained and 0 free: relative translation along the global x, y and z axis; other values are refused [3]"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectJointSpherical | dict[str, Any]

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/constraint.hpp"
+#include "dalembert/items/constraints/distance.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -32,6 +34,8 @@ constexpr std::array<OutputVariableType, 4> outputs{
     OutputVariableType::Force,
 };
 
+const auto& physics = ConstraintPhysics<ObjectConnectorDistance, ObjectConnectorDistanceRecord>{};
+
 }  // namespace
 
 extern const ItemType object_connector_distance_type;
@@ -47,7 +51,7 @@ const ItemType object_connector_distance_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::position,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/constraints/distance.toml",
 };
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/constraint.hpp"
+#include "dalembert/items/joints/revolute_2d.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -27,6 +29,8 @@ constexpr std::array<std::string_view, 2> provides{"Connector", "Constraint"};
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
+const auto& physics = ConstraintPhysics<ObjectJointRevolute2D, ObjectJointRevolute2DRecord>{};
+
 }  // namespace
 
 extern const ItemType object_joint_revolute_2d_type;
@@ -42,7 +46,7 @@ const ItemType object_joint_revolute_2d_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::position,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/joints/revolute_2d.toml",
 };
 

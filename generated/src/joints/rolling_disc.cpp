@@ -18,11 +18,11 @@ constexpr std::array<Row, 10> rows{{
     {.name = "markerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.markerNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
     {.name = "constrainedAxes", .storage = Storage::integers, .offset = offsetof(Record, parameters.constrainedAxes), .role = Role::parameter, .size = 3},
     {.name = "activeConnector", .storage = Storage::boolean, .offset = offsetof(Record, parameters.activeConnector), .role = Role::parameter},
-    {.name = "discRadius", .storage = Storage::real, .offset = offsetof(Record, parameters.discRadius), .role = Role::parameter, .check = Check::positive},
-    {.name = "discAxis", .storage = Storage::vector3, .offset = offsetof(Record, parameters.discAxis), .role = Role::parameter},
-    {.name = "planeNormal", .storage = Storage::vector3, .offset = offsetof(Record, parameters.planeNormal), .role = Role::parameter},
+    {.name = "discRadius", .storage = Storage::real, .offset = offsetof(Record, parameters.discRadius), .role = Role::parameter, .check = Check::positive, .unit = "m"},
+    {.name = "discAxis", .storage = Storage::vector3, .offset = offsetof(Record, parameters.discAxis), .role = Role::parameter, .unit = "1"},
+    {.name = "planeNormal", .storage = Storage::vector3, .offset = offsetof(Record, parameters.planeNormal), .role = Role::parameter, .unit = "1"},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
-    {.name = "discWidth", .storage = Storage::real, .offset = offsetof(Record, visualization.discWidth), .role = Role::visualization},
+    {.name = "discWidth", .storage = Storage::real, .offset = offsetof(Record, visualization.discWidth), .role = Role::visualization, .unit = "m"},
     {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
 }};
 

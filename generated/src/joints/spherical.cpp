@@ -21,7 +21,7 @@ constexpr std::array<Row, 7> rows{{
     {.name = "constrainedAxes", .storage = Storage::integers, .offset = offsetof(Record, parameters.constrainedAxes), .role = Role::parameter, .size = 3},
     {.name = "activeConnector", .storage = Storage::boolean, .offset = offsetof(Record, parameters.activeConnector), .role = Role::parameter},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
-    {.name = "jointRadius", .storage = Storage::real, .offset = offsetof(Record, visualization.jointRadius), .role = Role::visualization},
+    {.name = "jointRadius", .storage = Storage::real, .offset = offsetof(Record, visualization.jointRadius), .role = Role::visualization, .unit = "m"},
     {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
 }};
 

@@ -9,6 +9,9 @@
 
 namespace dalembert {
 
+// By hand: it has as many coordinates as its parameters say
+const Physics& node_generic_data_physics();
+
 namespace {
 
 using Record = NodeGenericDataRecord;
@@ -26,6 +29,8 @@ constexpr std::array<OutputVariableType, 1> outputs{
     OutputVariableType::Coordinates,
 };
 
+const auto& physics = node_generic_data_physics();
+
 }  // namespace
 
 extern const ItemType node_generic_data_type;
@@ -41,7 +46,7 @@ const ItemType node_generic_data_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::none,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/nodes/generic_data.toml",
 };
 

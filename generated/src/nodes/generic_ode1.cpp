@@ -9,6 +9,9 @@
 
 namespace dalembert {
 
+// By hand: it has as many coordinates as its parameters say
+const Physics& node_generic_ode1_physics();
+
 namespace {
 
 using Record = NodeGenericODE1Record;
@@ -29,6 +32,8 @@ constexpr std::array<OutputVariableType, 3> outputs{
     OutputVariableType::Coordinates_t,
 };
 
+const auto& physics = node_generic_ode1_physics();
+
 }  // namespace
 
 extern const ItemType node_generic_ode1_type;
@@ -44,7 +49,7 @@ const ItemType node_generic_ode1_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::none,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/nodes/generic_ode1.toml",
 };
 

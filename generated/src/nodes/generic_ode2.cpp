@@ -9,6 +9,9 @@
 
 namespace dalembert {
 
+// By hand: it has as many coordinates as its parameters say
+const Physics& node_generic_ode2_physics();
+
 namespace {
 
 using Record = NodeGenericODE2Record;
@@ -31,6 +34,8 @@ constexpr std::array<OutputVariableType, 4> outputs{
     OutputVariableType::Coordinates_tt,
 };
 
+const auto& physics = node_generic_ode2_physics();
+
 }  // namespace
 
 extern const ItemType node_generic_ode2_type;
@@ -46,7 +51,7 @@ const ItemType node_generic_ode2_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::none,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/nodes/generic_ode2.toml",
 };
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/node.hpp"
+#include "dalembert/items/nodes/point_ground.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -36,6 +38,8 @@ constexpr std::array<OutputVariableType, 10> outputs{
     OutputVariableType::AngularVelocityLocal,
 };
 
+const auto& physics = NodePhysicsOf<NodePointGround, NodePointGroundRecord>{};
+
 }  // namespace
 
 extern const ItemType node_point_ground_type;
@@ -51,7 +55,7 @@ const ItemType node_point_ground_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::none,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/nodes/point_ground.toml",
 };
 

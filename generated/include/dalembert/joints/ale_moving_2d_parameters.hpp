@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectJointALEMoving2D
+// A body attached to an axially moving ANCF cable, whose sliding coordinate is shared by all elements of the cable
 struct ObjectJointALEMoving2DParameters {
   std::vector<MarkerIndex> markerNumbers = std::vector<MarkerIndex>(2);
   std::vector<MarkerIndex> slidingMarkerNumbers;

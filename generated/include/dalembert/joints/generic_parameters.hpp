@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectJointGeneric
+// A joint between two rigid body markers that constrains any choice of three translations and three rotations
 struct ObjectJointGenericParameters {
   std::vector<MarkerIndex> markerNumbers = std::vector<MarkerIndex>(2);
   std::vector<int> constrainedAxes = {1, 1, 1, 1, 1, 1};

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectJointPrismatic2D
+// A prismatic joint of planar bodies: one point moves on a line that is fixed to the other body
 struct ObjectJointPrismatic2DParameters {
   std::vector<MarkerIndex> markerNumbers = std::vector<MarkerIndex>(2);
   Vec<double, 3> axisMarker0 = {1.0, 0.0, 0.0};

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectJointPrismaticX
+// A prismatic joint between two rigid body markers, free to translate along the x axis of the joint frame
 struct ObjectJointPrismaticXParameters {
   std::vector<MarkerIndex> markerNumbers = std::vector<MarkerIndex>(2);
   Mat<double, 3, 3> rotationMarker0 = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};

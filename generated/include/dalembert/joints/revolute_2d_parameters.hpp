@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectJointRevolute2D
+// A revolute joint of planar bodies: keeps two points together in the x-y plane
 struct ObjectJointRevolute2DParameters {
   std::vector<MarkerIndex> markerNumbers = std::vector<MarkerIndex>(2);
   bool activeConnector = true;

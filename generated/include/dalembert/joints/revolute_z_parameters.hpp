@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectJointRevoluteZ
+// A revolute joint between two rigid body markers, free to rotate about the z axis of the joint frame
 struct ObjectJointRevoluteZParameters {
   std::vector<MarkerIndex> markerNumbers = std::vector<MarkerIndex>(2);
   Mat<double, 3, 3> rotationMarker0 = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};

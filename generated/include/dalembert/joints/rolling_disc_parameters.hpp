@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectJointRollingDisc
+// A rigid disc that rolls on a plane without slip, by constraints on the velocity of the contact point
 struct ObjectJointRollingDiscParameters {
   std::vector<MarkerIndex> markerNumbers = std::vector<MarkerIndex>(2);
   std::vector<int> constrainedAxes = {1, 1, 1};

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectJointSliding2D
+// A body that slides along a chain of planar ANCF cable elements
 struct ObjectJointSliding2DParameters {
   std::vector<MarkerIndex> markerNumbers = std::vector<MarkerIndex>(2);
   std::vector<MarkerIndex> slidingMarkerNumbers;

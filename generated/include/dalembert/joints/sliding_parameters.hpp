@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectJointSliding
+// A body that slides along a chain of ANCF cable elements in space
 struct ObjectJointSlidingParameters {
   std::vector<MarkerIndex> markerNumbers = std::vector<MarkerIndex>(2);
   std::vector<MarkerIndex> slidingMarkerNumbers;

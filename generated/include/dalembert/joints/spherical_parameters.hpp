@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectJointSpherical
+// A ball joint: keeps two points together, or their chosen global components
 struct ObjectJointSphericalParameters {
   std::vector<MarkerIndex> markerNumbers = std::vector<MarkerIndex>(2);
   std::vector<int> constrainedAxes = {1, 1, 1};

@@ -1,0 +1,154 @@
+"""The specs say what the reference says: same items, rows, order, types, defaults, outputs, enumerations and settings."""
+
+from __future__ import annotations
+
+import ast
+import json
+import struct
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from codegen.model import Item, Parameter
+from codegen.model_settings import SettingsGroup, Specs
+from plain_latex import plain_latex
+
+DATA = Path(__file__).parents[1] / "data/reference"
+REFERENCE = {item["name"]: item for item in json.loads((DATA / "items.json").read_text())}
+
+# Type names: the documentation repeats or misspells them, dictionaries of items use these (a type name names one item).
+TYPE_NAMES = {
+    "ObjectANCFBeam": "ANCFBeam",
+    "ObjectBeamGeometricallyExact": "BeamGeometricallyExact",
+    "ObjectConnectorHydraulicActuatorSimple": "ConnectorHydraulicActuatorSimple",
+    "ObjectContactSphereTorus": "ContactSphereTorus",
+    "ObjectContactSphereTriangle": "ContactSphereTriangle",
+    "MarkerBodiesRelativeRotationCoordinate": "BodiesRelativeRotationCoordinate",
+}
+# Signatures that the documentation states wrongly: the type of the parameter says how many numbers are passed.
+SIGNATURES = {
+    ("ObjectConnectorCoordinateSpringDamper", "springForceUserFunction"): [
+        "mbs", "t", "itemNumber", "displacement", "velocity", "stiffness", "damping", "offset",
+    ],
+}  # fmt: skip
+# Sizes that contradict the type beside them: six numbers, said to be three.
+WRONG_SIZES = {"Vector6D": "3"}
+KINDS = {"Node": "node", "Object": "object", "Marker": "marker", "Load": "load", "Sensor": "sensor"}
+
+
+@pytest.fixture(scope="module")
+def items(specs: Specs) -> dict[str, Item]:
+    return {item.name: item for item in specs.items}
+
+
+def test_the_items_are_those_of_the_reference(items: dict[str, Item]) -> None:
+    assert sorted(items) == sorted(REFERENCE)
+
+
+@pytest.mark.parametrize("name", REFERENCE)
+def test_item(items: dict[str, Item], name: str) -> None:
+    item, fact = items[name], REFERENCE[name]
+    assert item.kind == KINDS[fact["kind"]]
+    assert item.object_type == fact["object_type"]
+    assert item.type_name == TYPE_NAMES.get(name, fact["type_name"])
+    assert list(item.short_names) == fact["short_names"]
+    assert list(item.provides) == fact["provides"]
+    assert list(item.requested_nodes) == fact["requested_node"]
+    assert list(item.requested_markers) == [word for word in fact["requested_marker"] if word != "_None"]
+
+
+@pytest.mark.parametrize("table", ["parameters", "visualization"])
+@pytest.mark.parametrize("name", REFERENCE)
+def test_rows(items: dict[str, Item], name: str, table: str) -> None:
+    rows: tuple[Parameter, ...] = getattr(items[name], table)
+    facts = REFERENCE[name][table]
+    assert [row.name for row in rows] == [fact["name"] for fact in facts]
+    for row, fact in zip(rows, facts, strict=True):
+        assert row.type.name == {"bool": "Bool"}.get(fact["type"], fact["type"])
+        assert row.optional == fact["optional"], row.name
+        assert row.internal == (table == "parameters" and "python_default" not in fact), row.name
+        assert fact["size"] in ("", WRONG_SIZES.get(row.type.name), str((row.shape or ("",))[0])), row.name
+        if fact.get("symbol"):
+            assert row.symbol == plain_latex(fact["symbol"]), row.name
+        assert default_of(row) == expected_default(row, fact), row.name
+
+
+def default_of(row: Parameter) -> Any:
+    """The default as Python sees it; what starts empty or not set is None."""
+    if row.default == "invalid":
+        return -1
+    return None if row.default in ([], None) or set(flat(row.default)) == {-1} and row.type.index else row.default
+
+
+def expected_default(row: Parameter, fact: dict[str, Any]) -> Any:
+    if row.type.index or row.type.function or row.type.opaque or row.type.storage == "matrix_container":
+        return None
+    if row.type.storage == "output_variable":
+        return "_None" if "_None" in fact["default"] else fact["default"]
+    if "python_default" in fact:
+        value = fact["python_default"]
+    else:
+        text = fact["default"].strip()
+        value = [] if text in ("Matrix[]", "MatrixI[]") else ast.literal_eval(text)
+    return None if value == [] else value
+
+
+def flat(value: Any) -> list[Any]:
+    return [entry for row in value for entry in flat(row)] if isinstance(value, list) else [value]
+
+
+@pytest.mark.parametrize("name", REFERENCE)
+def test_outputs(items: dict[str, Item], name: str) -> None:
+    facts = REFERENCE[name]["output_variables"]
+    assert [output.name for output in items[name].outputs] == [fact["name"] for fact in facts]
+    for output, fact in zip(items[name].outputs, facts, strict=True):
+        if fact["symbol"]:
+            assert output.symbol == plain_latex(fact["symbol"]), output.name
+
+
+@pytest.mark.parametrize("name", [name for name, fact in REFERENCE.items() if fact["user_functions"]])
+def test_user_functions(items: dict[str, Item], name: str) -> None:
+    functions = {function.name: function for function in items[name].user_functions}
+    for text in REFERENCE[name]["user_functions"]:
+        function, arguments = text.rstrip(")").split("(")
+        words = [argument.split()[-1].replace("itemIndex", "itemNumber") for argument in arguments.split(",")]
+        assert list(functions[function].argument_names) == SIGNATURES.get((name, function), words)
+
+
+def test_enumerations(specs: Specs) -> None:
+    assert {enum.name: {v.name: v.value for v in enum.values} for enum in specs.enums} == json.loads(
+        (DATA / "enums.json").read_text()
+    )
+
+
+@pytest.mark.parametrize("stem", ["simulation_settings", "visualization_settings"])
+def test_settings(specs: Specs, stem: str) -> None:
+    facts = json.loads((DATA / f"{stem}.json").read_text())
+    settings = next(s for s in specs.settings if s.stem == stem)
+    rows = dict(all_rows(settings.root))
+    assert sorted(rows) == sorted(facts)
+    for path, fact in facts.items():
+        row = rows[path]
+        assert setting_kind(row) == fact["type"], path
+        value = ast.literal_eval(fact["default"]) if fact["type"] == "list" else fact["default"]
+        expected = value.split(".")[-1] if row.type.storage in ("enumeration", "output_variable") else value
+        assert (single(row.default) if row.type.single else row.default) == expected, path
+
+
+def all_rows(group: SettingsGroup) -> list[tuple[str, Parameter]]:
+    return [(f"{path}.{row.name}".lstrip("."), row) for path, each in group.walk() for row in each.rows]
+
+
+def setting_kind(row: Parameter) -> str:
+    """The type as the dump of the reference names it."""
+    if row.type.shape:
+        return "list"
+    return row.type.python
+
+
+def single(value: Any) -> Any:
+    """The value after a way through single precision."""
+    if isinstance(value, list):
+        return [single(entry) for entry in value]
+    return struct.unpack("f", struct.pack("f", value))[0]
