@@ -242,32 +242,63 @@ void read(PyObject* value, const Row& row, std::vector<Entry>& out) {
 int read_item_number(PyObject* value, ItemKind wanted) {
   ItemKind kind{};
   int number = -1;
-  const std::string what = "a " + std::string(index_name(wanted)) + " or an integer";
-  const std::string advice = "Pass what Add" + std::string(kind_title(wanted)) + "(...) returned.";
+  const auto what = [&] { return with_article(index_name(wanted)) + " or an integer"; };
+  const auto advice = [&] { return "Pass what Add" + std::string(kind_title(wanted)) + "(...) returned."; };
   if (read_index(value, kind, number)) {
     if (kind == wanted) return number;
-    throw Refusal{ErrorKind::type, what,
-                  "The value is a " + std::string(index_name(kind)) + ": it counts " + std::string(kind_name(kind)) + "s, not " +
-                      std::string(kind_name(wanted)) + "s. " + advice};
+    throw Refusal{ErrorKind::type, what(),
+                  "The value is " + with_article(index_name(kind)) + ": it counts " + std::string(kind_name(kind)) + "s, not " +
+                      std::string(kind_name(wanted)) + "s. " + advice()};
   }
-  if (PyBool_Check(value)) throw Refusal{ErrorKind::type, what, advice};
+  if (PyBool_Check(value)) throw Refusal{ErrorKind::type, what(), advice()};
   try {
     number = read_integer(value);
   } catch (Refusal& refusal) {
-    throw Refusal{refusal.kind, what, advice};
+    throw Refusal{refusal.kind, what(), advice()};
   }
-  if (number < -1) throw Refusal{ErrorKind::value, "the number of a " + std::string(kind_name(wanted)), advice};
+  if (number < -1) throw Refusal{ErrorKind::value, "the number of " + with_article(kind_name(wanted)), advice()};
   return number;
+}
+
+// False: look closer.
+bool quick_item_number(PyObject* value, ItemKind wanted, int& out) {
+  ItemKind kind{};
+  int number = -1;
+  if (read_index(value, kind, number)) {
+    if (kind != wanted) return false;
+  } else if (PyLong_CheckExact(value)) {
+    int overflow = 0;
+    const long wide = PyLong_AsLongAndOverflow(value, &overflow);
+    if (overflow != 0 || wide < -1 || wide > 0x7fffffff) return false;
+    number = static_cast<int>(wide);
+  } else {
+    return false;
+  }
+  out = number;
+  return true;
 }
 
 template <ItemKind K>
 void read(PyObject* value, const Row&, ItemIndex<K>& out) {
+  if (quick_item_number(value, K, out.value)) return;
   out.value = read_item_number(value, K);
 }
 
 template <ItemKind K>
 void read(PyObject* value, const Row& row, std::vector<ItemIndex<K>>& out) {
-  const std::string noun(kind_name(K));
+  // The usual case first: a list or tuple of the right length.
+  const bool plain = PyList_CheckExact(value) || PyTuple_CheckExact(value);
+  if (plain && (row.size == 0 || PySequence_Fast_GET_SIZE(value) == row.size)) {
+    const Py_ssize_t n = PySequence_Fast_GET_SIZE(value);
+    std::vector<ItemIndex<K>> numbers(static_cast<std::size_t>(n));
+    Py_ssize_t i = 0;
+    for (; i < n && quick_item_number(PySequence_Fast_GET_ITEM(value, i), K, numbers[static_cast<std::size_t>(i)].value); ++i) {
+    }
+    if (i == n) {
+      out = std::move(numbers);
+      return;
+    }
+  }
   const std::string what = (row.size > 0 ? "a list of " + std::to_string(row.size) : std::string("a list of")) + " " +
                            std::string(index_name(K)) + " or integers";
   const Items items(value, what);

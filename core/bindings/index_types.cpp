@@ -39,7 +39,7 @@ ItemKind kind_of_type(PyTypeObject* type) {
   complaint.item = std::string(index_name(kind));
   complaint.received = show(value);
   complaint.expected = "an integer";
-  complaint.advice = "Pass the number of a " + std::string(kind_name(kind)) + " or nothing for an invalid index.";
+  complaint.advice = "Pass the number of " + with_article(kind_name(kind)) + ", or nothing for an invalid index.";
   refuse(ErrorKind::type, complaint);
 }
 
@@ -154,7 +154,7 @@ PyTypeObject* make_type(ItemKind kind) {
   std::string& name = names[static_cast<std::size_t>(kind)];
   std::string& doc = docs[static_cast<std::size_t>(kind)];
   name = "dalembert._core." + std::string(index_name(kind));
-  doc = std::string(index_name(kind)) + "(index=-1)\n--\n\nThe number of a " + std::string(kind_name(kind)) +
+  doc = std::string(index_name(kind)) + "(index=-1)\n--\n\nThe number of " + with_article(kind_name(kind)) +
         " in its system; refused where another kind of item is wanted.";
   PyType_Slot slots[] = {
       {Py_tp_new, reinterpret_cast<void*>(index_new)},

@@ -107,6 +107,7 @@ py::dict item_dictionary(const ItemType& type, const void* record, const std::st
   py::dict result;
   result[py::str(std::string(type_key(type.kind)))] = py::str(std::string(type.type_name));
   for (const Row& row : type.rows) {
+    if (row.internal) continue;
     const py::str key((row.role == Role::visualization ? "V" : "") + std::string(row.name));
     if (row.role == Role::name) {
       result[key] = py::str(name);
@@ -149,14 +150,14 @@ Item item_from_dictionary(ItemKind kind, const py::dict& dictionary, const std::
   const std::string key(type_key(kind));
   if (!dictionary.contains(key.c_str())) {
     refuse(ErrorKind::value, {where, "", "the dictionary has no key " + quoted(key), show(dictionary.ptr()),
-                              "a dictionary of a " + std::string(kind_name(kind)),
+                              "a dictionary of " + with_article(kind_name(kind)),
                               "Name the type, e.g. {" + quoted(key) + ": " +
                                   quoted(find_type(kind, "Point") != nullptr ? "Point" : "...") + ", ...}"});
   }
   const py::object name = dictionary[key.c_str()];
   if (!py::isinstance<py::str>(name))
     refuse(ErrorKind::type, {where, key, "", show(name.ptr()), "the name of a type as a string", ""});
-  const ItemType& type = require_type(kind, name.cast<std::string>());
+  const ItemType& type = require_type(kind, name.cast<std::string>(), where);
   const ItemClass& item_class = class_of(type);
   std::shared_ptr<void> record = type.record.create();
   update_from_dictionary(item_class, dictionary, record.get(), where + ": " + std::string(type.name));

@@ -16,11 +16,11 @@ int item_number_argument(const MainSystem& main, ItemKind kind, PyObject* value,
   int number = -1;
   const auto complain = [&](const std::string& advice) {
     refuse(ErrorKind::type, {"mbs." + method + "(...)", std::string(kind_name(kind)) + "Number", "", show(value),
-                             "a " + std::string(index_name(kind)) + " or an integer", advice});
+                             with_article(index_name(kind)) + " or an integer", advice});
   };
   if (read_index(value, given, number)) {
     if (given != kind) {
-      complain("It is a " + std::string(index_name(given)) + ": it counts " + std::string(kind_name(given)) + "s, not " +
+      complain("It is " + with_article(index_name(given)) + ": it counts " + std::string(kind_name(given)) + "s, not " +
                std::string(kind_name(kind)) + "s.");
     }
   } else if (PyUnicode_Check(value)) {
@@ -53,7 +53,7 @@ std::string method_name(const char* verb, ItemKind kind, const char* rest = "") 
 
 [[noreturn]] void refuse_item(ItemKind kind, PyObject* value, const std::string& advice) {
   refuse(ErrorKind::type, {"mbs." + method_name("Add", kind) + "(...)", "", "", show(value),
-                           "a " + std::string(kind_name(kind)) + " item or its dictionary", advice});
+                           with_article(kind_name(kind)) + " item or its dictionary", advice});
 }
 
 Item slow_item(ItemKind kind, PyObject* value) {
@@ -75,7 +75,7 @@ Item item_argument(ItemKind kind, PyObject* value) {
   if (object == nullptr) return slow_item(kind, value);
   const ItemType& type = *object->item_class->type;
   if (type.kind != kind) {
-    refuse_item(kind, value, std::string(type.name) + " is a " + std::string(kind_name(type.kind)) + "; use mbs." +
+    refuse_item(kind, value, std::string(type.name) + " is " + with_article(kind_name(type.kind)) + "; use mbs." +
                                  method_name("Add", type.kind) + "(...).");
   }
   return take_item(object);
@@ -97,7 +97,7 @@ PyObject* add_item(PyObject* self, PyObject* value) {
 template <ItemKind K>
 void register_add(Class& main_system) {
   static const std::string name = method_name("Add", K);
-  static const std::string doc = name + "($self, pyObject, /)\n--\n\nAdd a " + std::string(kind_name(K)) +
+  static const std::string doc = name + "($self, pyObject, /)\n--\n\nAdd " + with_article(kind_name(K)) +
                                  ", given as item or dictionary, and return its " + std::string(index_name(K)) + ".";
   static PyMethodDef definition{name.c_str(), add_item<K>, METH_O, doc.c_str()};
   PyObject* descriptor = PyDescr_NewMethod(reinterpret_cast<PyTypeObject*>(main_system.ptr()), &definition);
@@ -161,7 +161,7 @@ void modify_item(MainSystem& main, ItemKind kind, int number, const py::dict& ch
   const ItemType& type = *old.type;
   const std::string where = main.model.describe(kind, number), key(type_key(kind));
   if (changes.contains(key.c_str())) {
-    const ItemType& given = require_type(kind, py::str(changes[key.c_str()]).cast<std::string>());
+    const ItemType& given = require_type(kind, py::str(changes[key.c_str()]).cast<std::string>(), where);
     if (&given != &type) {
       refuse(ErrorKind::value, {where, key, "", quoted(given.type_name), quoted(type.type_name),
                                 "The type of an item cannot change; delete the item and add another one."});
@@ -187,7 +187,7 @@ void delete_item(MainSystem& main, ItemKind kind, int number, bool with_dependen
 void register_delete(Class& main_system, ItemKind kind) {
   const std::string name = method_name("Delete", kind);
   const std::string number = std::string(kind_name(kind)) + "Number";
-  const std::string doc = "Delete a " + std::string(kind_name(kind)) + "; the numbers behind it move up by one.";
+  const std::string doc = "Delete " + with_article(kind_name(kind)) + "; the numbers behind it move up by one.";
   const bool dependents = kind == ItemKind::object || kind == ItemKind::load;
   if (!dependents) {
     main_system.def(
@@ -233,7 +233,7 @@ void register_reading(Class& main_system, ItemKind kind) {
   main_system.def(
       (get + "Defaults").c_str(),
       [kind](const MainSystem&, const std::string& name) {
-        const ItemType& type = require_type(kind, name);
+        const ItemType& type = require_type(kind, name, "mbs." + method_name("Get", kind, "Defaults") + "(...)");
         return item_dictionary(type, class_of(type).defaults.get(), "", true);
       },
       py::arg("typeName"), ("The default parameters of a type of " + noun + " as a dictionary.").c_str());

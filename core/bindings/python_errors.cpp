@@ -65,7 +65,10 @@ std::string show(PyObject* value) {
     text = text.substr(0, cut) + "...";
   }
   if (value == Py_None) return text;
-  text += " (" + std::string(Py_TYPE(value)->tp_name);
+  std::string_view type = Py_TYPE(value)->tp_name;
+  constexpr std::string_view own = "dalembert._core.";
+  if (type.starts_with(own)) type.remove_prefix(own.size());
+  text += " (" + std::string(type);
   if (py::isinstance<py::array>(value)) {
     const auto array = py::reinterpret_borrow<py::array>(value);
     text += " of shape (";

@@ -74,7 +74,7 @@ class Checker {
     for (const int value : index_values(row, item().record.get())) {
       if (value == -1 && row.optional) continue;
       if (value == -1) {
-        complain(row, "the invalid index -1", "the number of a " + noun,
+        complain(row, "the invalid index -1", "the number of " + with_article(noun),
                  "Pass the index that Add" + std::string(kind_title(target)) +
                      "(...) returned; if that item was deleted, set another one or delete this item as well.");
       }
@@ -98,7 +98,7 @@ class Checker {
     if (target == ItemKind::marker) requested = type.requested_marker;
     if (!meets(provided_by(found), requested)) {
       complain(row, named + ", which provides " + join({found.provides.begin(), found.provides.end()}),
-               "a " + std::string(kind_name(target)) + " that provides " + join(names_of(requested)),
+               with_article(kind_name(target)) + " that provides " + join(names_of(requested)),
                "Use another type of " + std::string(kind_name(target)) + " here");
     }
     if (target == ItemKind::object && row.name.starts_with("body") && !is_body(found)) {

@@ -31,6 +31,11 @@ int edit_distance(std::string_view a, std::string_view b) {
 
 std::string quoted(std::string_view word) { return "'" + std::string(word) + "'"; }
 
+std::string with_article(std::string_view noun) {
+  const bool vowel = !noun.empty() && std::string_view("aeiouAEIOU").find(noun.front()) != std::string_view::npos;
+  return (vowel ? "an " : "a ") + std::string(noun);
+}
+
 std::string Complaint::text() const {
   std::string text = item;
   const auto join = [&](std::string_view separator, const std::string& part) {

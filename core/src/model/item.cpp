@@ -46,16 +46,17 @@ const ItemType* find_type(ItemKind kind, std::string_view name) {
   return nullptr;
 }
 
-const ItemType& require_type(ItemKind kind, std::string_view name) {
+const ItemType& require_type(ItemKind kind, std::string_view name, const std::string& where) {
   if (const ItemType* type = find_type(kind, name)) return *type;
   std::vector<std::string_view> known;
   for (const ItemType* type : item_types())
     if (type->kind == kind) known.push_back(type->type_name);
   Complaint complaint;
+  complaint.item = where;
   complaint.problem = "there is no " + std::string(kind_name(kind)) + " type " + quoted(name);
   complaint.advice = suggestion(name, known);
   if (const ItemType* other = find_type(name))
-    complaint.advice = quoted(name) + " is a " + std::string(kind_name(other->kind)) + " type; use Add" +
+    complaint.advice = quoted(name) + " is " + with_article(kind_name(other->kind)) + " type; use Add" +
                        std::string(kind_title(other->kind)) + "(...).";
   refuse(ErrorKind::value, complaint);
 }

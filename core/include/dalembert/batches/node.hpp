@@ -80,8 +80,21 @@ class NodeConditionBatch final : public Term {
   std::vector<Entry> entries_;
 };
 
+// A node without coordinates: it rests where its parameters say, and is an element by itself.
 template <class Node, class Record>
-struct NodePhysicsOf final : NodePhysics {
+  requires(Node::size == 0)
+struct RestingNodePhysics final : NodePhysics {
+  Sizes sizes(const void*) const override { return {}; }
+  void values(const void*, NodeValues&) const override {}
+  std::unique_ptr<MarkerBatch> make_marker(FrameShape shape) const override { return make_frame_marker<Node, Record>(shape); }
+  bool motion(const void* record, const NodeView&, Motion<double>& m) const override {
+    m = Node::template motion<double>(static_cast<const Record*>(record)->parameters, {}, {});
+    return true;
+  }
+};
+
+template <class Node, class Record>
+struct MovingNodePhysics final : NodePhysics {
   static_assert(NodeKernel<Node>, "see core/include/dalembert/contracts/element.hpp");
 
   Sizes sizes(const void* record) const override {
@@ -125,5 +138,19 @@ struct NodePhysicsOf final : NodePhysics {
     return 0;
   }
 };
+
+namespace detail {
+template <class Node, class Record, bool Rests>
+struct ChooseNodePhysics {
+  using Type = MovingNodePhysics<Node, Record>;
+};
+template <class Node, class Record>
+struct ChooseNodePhysics<Node, Record, true> {
+  using Type = RestingNodePhysics<Node, Record>;
+};
+}  // namespace detail
+
+template <class Node, class Record>
+using NodePhysicsOf = typename detail::ChooseNodePhysics<Node, Record, Node::size == 0>::Type;
 
 }  // namespace dalembert

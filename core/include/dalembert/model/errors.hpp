@@ -38,5 +38,6 @@ std::string nearest(std::string_view word, const std::vector<std::string_view>& 
 // " Did you mean 'x'?" or, when nothing is close, " Known are: a, b, c."
 std::string suggestion(std::string_view word, const std::vector<std::string_view>& known);
 std::string quoted(std::string_view word);
+std::string with_article(std::string_view noun);  // "an object"
 
 }  // namespace dalembert

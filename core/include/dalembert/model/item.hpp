@@ -32,8 +32,8 @@ std::string_view type_key(ItemKind kind);     // "nodeType"
 // nullptr if there is none.
 const ItemType* find_type(std::string_view name);                 // 'NodePoint'
 const ItemType* find_type(ItemKind kind, std::string_view name);  // 'NodePoint' or 'Point'
-// As above; an unknown name is refused with the nearest known one.
-const ItemType& require_type(ItemKind kind, std::string_view name);
+// As above; an unknown name is refused with the nearest known one. `where` begins the text of the error.
+const ItemType& require_type(ItemKind kind, std::string_view name, const std::string& where);
 
 // Parameters by their names or aliases, visualization with a leading 'V'; nullptr if there is none.
 const Row* find_row(const ItemType& type, std::string_view name);

@@ -37,8 +37,8 @@ struct ObjectConnectorSpringDamper {
  private:
   template <class S>
   struct Line {
-    Vec3<S> span, axis;
-    S length, rate;
+    Vec3<S> span, axis{};
+    S length{}, rate{};
 
     Line(const PointFrame<S>& m0, const PointFrame<S>& m1) : span(m1.position - m0.position) {
       const S square = dot(span, span);

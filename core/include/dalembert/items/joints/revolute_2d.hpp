@@ -1,0 +1,33 @@
+// ObjectJointRevolute2D, specs/joints/revolute_2d.toml
+#pragma once
+
+#include "dalembert/contracts/context.hpp"
+#include "dalembert/enums.hpp"
+#include "dalembert/frames.hpp"
+#include "dalembert/joints/revolute_2d_parameters.hpp"
+
+namespace dalembert {
+
+struct ObjectJointRevolute2D {
+  using Parameters = ObjectJointRevolute2DParameters;
+  using Port = PointPort;
+  static constexpr int equations = 2;
+
+  // The points coincide in the plane.
+  template <class S>
+  static Vec<S, 2> gap(const Parameters&, const Context&, const PointFrame<S>& m0, const PointFrame<S>& m1) {
+    return {m1.position[0] - m0.position[0], m1.position[1] - m0.position[1]};
+  }
+  template <class S>
+  static Vec<S, 2> gap_rate(const Parameters&, const Context&, const PointFrame<S>& m0, const PointFrame<S>& m1) {
+    return {m1.velocity[0] - m0.velocity[0], m1.velocity[1] - m0.velocity[1]};
+  }
+  template <class S>
+  static std::array<Force<S>, 2> reaction(const Parameters&, const Context&, const PointFrame<S>&, const PointFrame<S>&,
+                                          const Vec<double, 2>& lambda) {
+    const Vec3<S> f{S(lambda[0]), S(lambda[1]), S(0)};
+    return {Force<S>{-f}, Force<S>{f}};
+  }
+};
+
+}  // namespace dalembert
