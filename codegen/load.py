@@ -40,7 +40,7 @@ def load(root: Path) -> Specs:
     specs = root / "specs"
     _check_folders(specs)
     enums = {enum.name: enum for enum in _each(root, ["enums"], load_enum)}
-    groups = dict(_each(root, ["groups"], lambda path, content: (Path(path).stem, _load_group(path, content))))
+    groups = dict(_each(root, ["groups"], lambda path, content: (Path(path).stem, load_group(path, content))))
     items = _each(root, FOLDERS, lambda path, content: load_item(path, content, groups, enums))
     settings = _each(root, ["settings"], lambda path, content: load_settings(path, content, enums))
     _check_references(items, enums, root)
@@ -102,7 +102,7 @@ def _check_folders(specs: Path) -> None:
             raise SpecError(f"specs/{entry.name}: not a folder of specs; {nearest(entry.name, known)}")
 
 
-def _load_group(path: str, content: str) -> dict[str, Any]:
+def load_group(path: str, content: str) -> dict[str, Any]:
     with at(path):
         raw = parse(content)
         check_keys(raw, TABLES)

@@ -12,8 +12,8 @@ ROOT = Path(__file__).parents[2]
 if str(ROOT) not in sys.path:
     sys.path.insert(0, str(ROOT))
 
-from codegen.load import load  # noqa: E402
-from codegen.model_settings import Specs  # noqa: E402
+from codegen.load import load
+from codegen.model_settings import Specs
 
 
 @pytest.fixture(scope="session")

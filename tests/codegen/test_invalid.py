@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from codegen.load import _load_group, load_item  # noqa: PLC2701
+from codegen.load import load_group, load_item
 from codegen.load_settings import load_enum, load_settings
 from codegen.model import SpecError
 from codegen.model_settings import Specs
@@ -38,7 +38,7 @@ def read(specs: Specs, root: Path, path: str, content: str) -> None:
     elif folder == "settings":
         load_settings(path, content, enums)
     elif folder == "groups":
-        _load_group(path, content)
+        load_group(path, content)
     else:
         groups = {f.stem: tomllib.loads(f.read_text()) for f in (root / "specs/groups").glob("*.toml")}
         load_item(path, content, groups, enums)

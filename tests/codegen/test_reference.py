@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from plain_latex import plain_latex
 
 from codegen.model import Item, Parameter
 from codegen.model_settings import SettingsGroup, Specs
-from plain_latex import plain_latex
 
 DATA = Path(__file__).parents[1] / "data/reference"
 REFERENCE = {item["name"]: item for item in json.loads((DATA / "items.json").read_text())}

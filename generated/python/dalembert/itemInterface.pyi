@@ -2,7 +2,7 @@
 # tests/codegen/test_freshness.py compares this file with its sources.
 
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any, Literal
+from typing import Any, Literal, Protocol
 
 from numpy.typing import ArrayLike
 
@@ -19,8 +19,13 @@ from dalembert._core import (
     SensorIndex,
 )
 
-# A matrix given densely, as triplets in a container, or as a sparse matrix of scipy.
-MatrixLike = ArrayLike | MatrixContainer | Any
+class _SparseMatrix(Protocol):
+    """A sparse matrix of scipy."""
+
+    def tocoo(self) -> Any: ...
+
+# A matrix given densely, as triplets in a container, or as a sparse matrix.
+MatrixLike = ArrayLike | MatrixContainer | _SparseMatrix
 
 class _Item:
     """A set of parameters: item classes convert to dictionaries, and are what AddNode, AddObject, ... take."""
@@ -968,9 +973,9 @@ class VObjectFFRF:
     color: ArrayLike
     """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     triangleMesh: ArrayLike
-    """triangleMesh [n x m]"""
+    """surface triangles, one row with three positions in ``nodeNumbers`` each (counted from 0); empty: no surface is drawn [n x m]"""
     showNodes: bool
-    """showNodes"""
+    """draw the nodes of the object at their deformed positions, whether or not the nodes themselves are shown"""
     def __init__(
         self,
         show: bool = True,
@@ -981,28 +986,28 @@ class VObjectFFRF:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectFFRF(_Item):
-    """ObjectFFRF"""
+    """flexible body with the nodal coordinates of a finite element mesh in a floating frame of reference"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     nodeNumbers: Sequence[NodeIndex | int]
-    """nodeNumbers [n]"""
+    """first the node of the body frame (Euler parameters), then the points of the mesh; the displacements of the latter are components in the body frame [n]"""
     massMatrixFF: MatrixLike
-    """massMatrixFF [n x m]"""
+    """mass matrix of the free mesh, without the coordinates of the body frame; three rows and columns per mesh node [n x m; various]"""
     stiffnessMatrixFF: MatrixLike
-    """stiffnessMatrixFF [n x m]"""
+    """stiffness matrix of the free mesh in the body frame; three rows and columns per mesh node [n x m; various]"""
     dampingMatrixFF: MatrixLike
-    """dampingMatrixFF [n x m]"""
+    """damping matrix of the free mesh in the body frame; three rows and columns per mesh node, or empty for zero [n x m; various]"""
     forceVector: ArrayLike
-    """forceVector [n]"""
+    """constant generalized forces on the right hand side, for body frame and mesh, in global components; those of the mesh are turned into the body frame; empty for zero [n; various]"""
     forceUserFunction: Callable[..., Any] | Literal[0]
-    """forceUserFunction"""
+    """function that gives further generalized forces on the right hand side"""
     massMatrixUserFunction: Callable[..., Any] | Literal[0]
-    """massMatrixUserFunction"""
+    """function that gives an additional mass matrix for all coordinates"""
     computeFFRFterms: bool
-    """computeFFRFterms"""
+    """true: the inertia coupling of rigid body motion and deformation is computed by the object; false: only the given matrices act, and the user functions supply mass matrix and velocity terms"""
     objectIsInitialized: bool
-    """objectIsInitialized"""
+    """leave it at false; the object sets it when its constant matrices are computed in ``Assemble()``, and setting it back to false has them computed anew"""
     visualization: VObjectFFRF | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -1028,9 +1033,9 @@ class VObjectFFRFreducedOrder:
     color: ArrayLike
     """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     triangleMesh: ArrayLike
-    """triangleMesh [n x m]"""
+    """surface triangles, one row with three positions in ``nodeNumbers`` each (counted from 0); empty: no surface is drawn [n x m]"""
     showNodes: bool
-    """showNodes"""
+    """draw the nodes of the object at their deformed positions, whether or not the nodes themselves are shown"""
     def __init__(
         self,
         show: bool = True,
@@ -1041,54 +1046,54 @@ class VObjectFFRFreducedOrder:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectFFRFreducedOrder(_Item):
-    """ObjectFFRFreducedOrder"""
+    """flexible body with modal coordinates in a floating frame of reference"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     nodeNumbers: Sequence[NodeIndex | int]
-    """nodeNumbers [n]"""
+    """two nodes: the node of the body frame, and a generic node of second order with the modal coordinates [n]"""
     massMatrixReduced: MatrixLike
-    """massMatrixReduced [n x m]"""
+    """modal mass matrix, one row and column per mode [n x m; various]"""
     stiffnessMatrixReduced: MatrixLike
-    """stiffnessMatrixReduced [n x m]"""
+    """modal stiffness matrix, one row and column per mode [n x m; various]"""
     dampingMatrixReduced: MatrixLike
-    """dampingMatrixReduced [n x m]"""
+    """modal damping matrix, one row and column per mode; empty for zero [n x m; various]"""
     forceUserFunction: Callable[..., Any] | Literal[0]
-    """forceUserFunction"""
+    """function that gives generalized forces on the right hand side"""
     massMatrixUserFunction: Callable[..., Any] | Literal[0]
-    """massMatrixUserFunction"""
+    """function that gives an additional mass matrix for all coordinates"""
     computeFFRFterms: bool
-    """computeFFRFterms"""
+    """true: the inertia coupling of rigid body motion and deformation is computed by the object; false: only the given matrices act, and the user functions supply mass matrix and velocity terms"""
     modeBasis: ArrayLike
-    """modeBasis [n x m]"""
+    """one column per mode, three rows per mesh node: displacements of the mesh in the body frame for a unit modal coordinate [n x m; various]"""
     outputVariableModeBasis: ArrayLike
-    """outputVariableModeBasis [n x m]"""
+    """values of an output variable per unit modal coordinate, one row per mesh node; for each mode as many columns as the variable has components; empty: none [n x m; various]"""
     outputVariableTypeModeBasis: OutputVariableType
-    """outputVariableTypeModeBasis"""
+    """output variable that ``outputVariableModeBasis`` holds, such as stress or strain"""
     referencePositions: ArrayLike
-    """referencePositions [n]"""
+    """reference positions of the mesh nodes in the body frame, three per node [n; m]"""
     objectIsInitialized: bool
-    """objectIsInitialized"""
+    """leave it at false; the object sets it when its constant matrices are computed in ``Assemble()``, and setting it back to false has them computed anew"""
     physicsMass: float
-    """physicsMass"""
+    """total mass [kg]"""
     physicsInertia: ArrayLike
-    """physicsInertia [3 x 3]"""
+    """inertia tensor of the undeformed body about the origin of the body frame [3 x 3; kg m^2]"""
     physicsCenterOfMass: ArrayLike
-    """physicsCenterOfMass [3]"""
+    """center of mass of the undeformed body in the body frame [3; m]"""
     mPsiTildePsi: ArrayLike
-    """mPsiTildePsi [n x m]"""
+    """constant matrix of the inertia coupling, computed from mesh and modes by the class ``ObjectFFRFreducedOrderInterface``; empty as long as that class is not used [n x m; various]"""
     mPsiTildePsiTilde: ArrayLike
-    """mPsiTildePsiTilde [n x m]"""
+    """constant matrix of the inertia coupling, computed from mesh and modes by the class ``ObjectFFRFreducedOrderInterface``; empty as long as that class is not used [n x m; various]"""
     mPhitTPsi: ArrayLike
-    """mPhitTPsi [n x m]"""
+    """constant matrix of the inertia coupling, computed from mesh and modes by the class ``ObjectFFRFreducedOrderInterface``; empty as long as that class is not used [n x m; various]"""
     mPhitTPsiTilde: ArrayLike
-    """mPhitTPsiTilde [n x m]"""
+    """constant matrix of the inertia coupling, computed from mesh and modes by the class ``ObjectFFRFreducedOrderInterface``; empty as long as that class is not used [n x m; various]"""
     mXRefTildePsi: ArrayLike
-    """mXRefTildePsi [n x m]"""
+    """constant matrix of the inertia coupling, computed from mesh and modes by the class ``ObjectFFRFreducedOrderInterface``; empty as long as that class is not used [n x m; various]"""
     mXRefTildePsiTilde: ArrayLike
-    """mXRefTildePsiTilde [n x m]"""
+    """constant matrix of the inertia coupling, computed from mesh and modes by the class ``ObjectFFRFreducedOrderInterface``; empty as long as that class is not used [n x m; various]"""
     physicsCenterOfMassTilde: ArrayLike
-    """physicsCenterOfMassTilde [3 x 3]"""
+    """skew symmetric matrix of the center of mass, computed by the object [3 x 3; m]"""
     visualization: VObjectFFRFreducedOrder | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -1130,11 +1135,11 @@ class VObjectGenericODE2:
     color: ArrayLike
     """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     triangleMesh: ArrayLike
-    """triangleMesh [n x m]"""
+    """surface triangles, one row with three positions in ``nodeNumbers`` each (counted from 0); empty: no surface is drawn [n x m]"""
     showNodes: bool
-    """showNodes"""
+    """draw the nodes of the object at their deformed positions, whether or not the nodes themselves are shown"""
     graphicsDataUserFunction: Callable[..., Any] | Literal[0]
-    """graphicsDataUserFunction"""
+    """function that returns the shapes to be drawn, called at every redraw; shapes are given in the global frame"""
     def __init__(
         self,
         show: bool = True,
@@ -1146,26 +1151,26 @@ class VObjectGenericODE2:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectGenericODE2(_Item):
-    """ObjectGenericODE2"""
+    """system of second order differential equations with constant matrices and user functions, on any nodes"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     nodeNumbers: Sequence[NodeIndex | int]
-    """nodeNumbers [n]"""
+    """nodes with second order coordinates; their coordinates in this order form the vector of the object [n]"""
     massMatrix: MatrixLike
-    """massMatrix [n x m]"""
+    """constant mass matrix; n rows and n columns for n coordinates, dense or sparse, or empty for zero; other sizes are refused [n x m; various]"""
     stiffnessMatrix: MatrixLike
-    """stiffnessMatrix [n x m]"""
+    """constant stiffness matrix; n rows and n columns, or empty for zero; dense or sparse, in the same form as the damping matrix [n x m; various]"""
     dampingMatrix: MatrixLike
-    """dampingMatrix [n x m]"""
+    """constant damping matrix; n rows and n columns, or empty for zero; dense or sparse, in the same form as the stiffness matrix [n x m; various]"""
     forceVector: ArrayLike
-    """forceVector [n]"""
+    """constant generalized forces on the right hand side; length n, or empty for zero [n; various]"""
     forceUserFunction: Callable[..., Any] | Literal[0]
-    """forceUserFunction"""
+    """function that gives further generalized forces on the right hand side"""
     massMatrixUserFunction: Callable[..., Any] | Literal[0]
-    """massMatrixUserFunction"""
+    """function that gives the mass matrix; it replaces ``massMatrix``"""
     jacobianUserFunction: Callable[..., Any] | Literal[0]
-    """jacobianUserFunction"""
+    """function that gives the derivatives of the user forces; without it they are found by numerical differentiation"""
     visualization: VObjectGenericODE2 | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -1188,13 +1193,13 @@ class VObjectKinematicTree:
     show: bool
     """False: the item is not drawn"""
     showLinks: bool
-    """showLinks"""
+    """draw the links, as given by ``graphicsDataList`` or, if that is empty, as cylinders between the joints"""
     showJoints: bool
-    """showJoints"""
+    """draw the joints in a standard form; only if ``graphicsDataList`` is empty"""
     color: ArrayLike
     """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     graphicsDataList: Sequence[Sequence[dict[str, Any]]]
-    """graphicsDataList [n x m]"""
+    """for each link a list of shapes in the frame of the link; empty, or as long as there are links [n x m]"""
     def __init__(
         self,
         show: bool = True,
@@ -1206,46 +1211,46 @@ class VObjectKinematicTree:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectKinematicTree(_Item):
-    """ObjectKinematicTree"""
+    """open tree of rigid bodies in minimal coordinates, one joint coordinate per link"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     nodeNumber: NodeIndex | int
-    """nodeNumber"""
+    """generic node of second order with one coordinate per joint: rad for revolute, m for prismatic joints"""
     gravity: ArrayLike
-    """gravity [3]"""
+    """gravity in global components; mass proportional loads do not act on this object [3; m/s^2]"""
     baseOffset: ArrayLike
-    """baseOffset [3]"""
+    """global position of the base frame [3; m]"""
     jointTypes: Sequence[JointType]
-    """jointTypes [n]"""
+    """type of each joint, one per link; required [n]"""
     linkParents: Sequence[int]
-    """linkParents [n]"""
+    """number of the parent link of each link, -1 for the base; a parent has a smaller number than its links; required [n]"""
     jointTransformations: Sequence[ArrayLike]
-    """jointTransformations [n x 3 x 3]"""
+    """for each link the rotation matrix from its joint frame, at coordinate zero, to the frame of the parent; required [n x 3 x 3; 1]"""
     jointOffsets: Sequence[ArrayLike]
-    """jointOffsets [n x 3]"""
+    """for each link the origin of its joint frame in the frame of the parent, for the base in the base frame; required [n x 3; m]"""
     linkInertiasCOM: Sequence[ArrayLike]
-    """linkInertiasCOM [n x 3 x 3]"""
+    """for each link the inertia tensor about its center of mass, in the frame of the link; required [n x 3 x 3; kg m^2]"""
     linkCOMs: Sequence[ArrayLike]
-    """linkCOMs [n x 3]"""
+    """for each link the center of mass in the frame of the link; required [n x 3; m]"""
     linkMasses: ArrayLike
-    """linkMasses [n]"""
+    """mass of each link; required [n; kg]"""
     linkForces: Sequence[ArrayLike]
-    """linkForces [n x 3]"""
+    """for each link a force in global components at the origin of its joint frame; empty for zero [n x 3; N]"""
     linkTorques: Sequence[ArrayLike]
-    """linkTorques [n x 3]"""
+    """for each link a torque in global components; empty for zero [n x 3; Nm]"""
     jointForceVector: ArrayLike
-    """jointForceVector [n]"""
+    """for each joint a torque (Nm) or force (N) about or along its axis, positive on the link and negative on its parent; empty for zero [n; various]"""
     jointPositionOffsetVector: ArrayLike
-    """jointPositionOffsetVector [n]"""
+    """desired joint coordinates of the position control (rad or m); empty for zero [n; various]"""
     jointVelocityOffsetVector: ArrayLike
-    """jointVelocityOffsetVector [n]"""
+    """desired joint velocities of the velocity control (rad/s or m/s); empty for zero [n; various]"""
     jointPControlVector: ArrayLike
-    """jointPControlVector [n]"""
+    """proportional gain of each joint (Nm/rad or N/m); empty for zero [n; various]"""
     jointDControlVector: ArrayLike
-    """jointDControlVector [n]"""
+    """derivative gain of each joint (Nm s/rad or Ns/m); empty for zero [n; various]"""
     forceUserFunction: Callable[..., Any] | Literal[0]
-    """forceUserFunction"""
+    """function that gives further joint forces, which act as those of ``jointForceVector``"""
     visualization: VObjectKinematicTree | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -1281,7 +1286,7 @@ class VObjectALEANCFCable2D:
     show: bool
     """False: the item is not drawn"""
     drawHeight: float
-    """drawHeight"""
+    """height of the rectangle that is drawn; 0 draws the axis only [m]"""
     color: ArrayLike
     """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
@@ -1293,38 +1298,38 @@ class VObjectALEANCFCable2D:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectALEANCFCable2D(_Item):
-    """ObjectALEANCFCable2D"""
+    """planar cable through which material moves along the axis, on two nodes with slope and one node with the axial coordinate"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     physicsLength: float
-    """physicsLength"""
+    """length of the element in its undeformed state; must be positive [m]"""
     physicsMassPerLength: float
-    """physicsMassPerLength"""
+    """total mass per undeformed length, of the resting and the moving part [kg/m]"""
     physicsMovingMassFactor: float
-    """physicsMovingMassFactor"""
+    """share of the mass per length that moves along the axis: 1 for an axially moving beam, 0 for none, between for a pipe with fluid [1]"""
     physicsBendingStiffness: float
-    """physicsBendingStiffness"""
+    """bending stiffness: bending moment per curvature [N m^2]"""
     physicsAxialStiffness: float
-    """physicsAxialStiffness"""
+    """axial stiffness: axial force per axial strain [N]"""
     physicsBendingDamping: float
-    """physicsBendingDamping"""
+    """viscous damping of bending: bending moment per rate of curvature [N m^2 s]"""
     physicsAxialDamping: float
-    """physicsAxialDamping"""
+    """viscous damping of stretching: axial force per rate of axial strain [N s]"""
     physicsReferenceAxialStrain: float
-    """physicsReferenceAxialStrain"""
+    """axial strain at which the axial force is zero [1]"""
     physicsReferenceCurvature: float
-    """physicsReferenceCurvature"""
+    """curvature at which the bending moment is zero; positive for a left turn along the axis [1/m]"""
     physicsUseCouplingTerms: bool
-    """physicsUseCouplingTerms"""
+    """true: all inertia terms of the axial motion act; false: the axial coordinate has its own mass only, and the element behaves like ObjectANCFCable2D"""
     physicsAddALEvariation: bool
-    """physicsAddALEvariation"""
+    """true: the axial coordinate feels the change of strain and curvature energy that its motion brings about; false: this term is left out"""
     nodeNumbers: Sequence[NodeIndex | int]
-    """nodeNumbers [3]"""
+    """node at axial position 0, node at axial position L (both with position and slope in the plane), and a generic node of second order whose coordinate is the axial displacement of the material [3]"""
     useReducedOrderIntegration: int
-    """useReducedOrderIntegration"""
+    """integration of the elastic forces along the axis: 0 with 5 Gauss points for stretching and 3 for bending, 1 with 4 and 2"""
     strainIsRelativeToReference: float
-    """strainIsRelativeToReference"""
+    """share of the strains of the reference configuration that are free of stress: 0 for an element that is straight and of length L without stress, 1 for a reference configuration without stress; values between serve for a transition [1]"""
     visualization: VObjectALEANCFCable2D | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -1356,7 +1361,7 @@ class VObjectANCFBeam:
     show: bool
     """False: the item is not drawn"""
     sectionGeometry: BeamSectionGeometry
-    """sectionGeometry"""
+    """outline of the cross section for drawing and contact, as a ``BeamSectionGeometry``"""
     color: ArrayLike
     """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
@@ -1368,20 +1373,20 @@ class VObjectANCFBeam:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectANCFBeam(_Item):
-    """ObjectANCFBeam"""
+    """spatial beam with shear and cross section deformation, on two nodes with position and two slopes"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     nodeNumbers: Sequence[NodeIndex | int]
-    """nodeNumbers [2]"""
+    """node at the negative and node at the positive end of the axis, each with position and the slopes of the cross section [2]"""
     physicsLength: float
-    """physicsLength"""
+    """length of the element in its undeformed state; must be positive [m]"""
     sectionData: BeamSection
-    """sectionData"""
+    """cross section with inertia, stiffness and damping matrices, as a ``BeamSection``"""
     crossSectionPenaltyFactor: ArrayLike
-    """crossSectionPenaltyFactor [3]"""
+    """factors of the stiffness against stretching of the cross section in y and z (times the axial stiffness) and against its distortion (times the sum of the shear stiffnesses) [3; 1]"""
     crossSectionDamping: ArrayLike
-    """crossSectionDamping [3]"""
+    """damping of the same deformations, as factors of the stiffness; 0 for none [3; s]"""
     visualization: VObjectANCFBeam | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -1404,7 +1409,7 @@ class VObjectANCFCable:
     show: bool
     """False: the item is not drawn"""
     radius: float
-    """radius"""
+    """radius of the cylinder that is drawn; 0 draws the axis only [m]"""
     color: ArrayLike
     """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
@@ -1416,30 +1421,30 @@ class VObjectANCFCable:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectANCFCable(_Item):
-    """ObjectANCFCable"""
+    """spatial cable or thin beam without torsion and shear deformation, on two nodes with position and slope"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     physicsLength: float
-    """physicsLength"""
+    """length of the element in its undeformed state; must be positive [m]"""
     physicsMassPerLength: float
-    """physicsMassPerLength"""
+    """mass per undeformed length [kg/m]"""
     physicsBendingStiffness: float
-    """physicsBendingStiffness"""
+    """bending stiffness: bending moment per curvature [N m^2]"""
     physicsAxialStiffness: float
-    """physicsAxialStiffness"""
+    """axial stiffness: axial force per axial strain [N]"""
     physicsBendingDamping: float
-    """physicsBendingDamping"""
+    """viscous damping of bending: bending moment per rate of curvature [N m^2 s]"""
     physicsAxialDamping: float
-    """physicsAxialDamping"""
+    """viscous damping of stretching: axial force per rate of axial strain [N s]"""
     physicsReferenceAxialStrain: float
-    """physicsReferenceAxialStrain"""
+    """axial strain at which the axial force is zero [1]"""
     strainIsRelativeToReference: float
-    """strainIsRelativeToReference"""
+    """share of the strains of the reference configuration that are free of stress: 0 for an element that is straight and of length L without stress, 1 for a reference configuration without stress; values between serve for a transition [1]"""
     nodeNumbers: Sequence[NodeIndex | int]
-    """nodeNumbers [2]"""
+    """node at axial position 0 and node at axial position L, both with position and one slope [2]"""
     useReducedOrderIntegration: int
-    """useReducedOrderIntegration"""
+    """integration of the elastic forces along the axis: 0 with 5 Gauss points for stretching and 3 for bending, 1 with 4 and 2"""
     visualization: VObjectANCFCable | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -1467,7 +1472,7 @@ class VObjectANCFCable2D:
     show: bool
     """False: the item is not drawn"""
     drawHeight: float
-    """drawHeight"""
+    """height of the rectangle that is drawn; 0 draws the axis only [m]"""
     color: ArrayLike
     """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
@@ -1479,36 +1484,36 @@ class VObjectANCFCable2D:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectANCFCable2D(_Item):
-    """ObjectANCFCable2D"""
+    """planar cable or thin beam without shear deformation for large deformation, on two nodes with position and slope"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     physicsLength: float
-    """physicsLength"""
+    """length of the element in its undeformed state; must be positive [m]"""
     physicsMassPerLength: float
-    """physicsMassPerLength"""
+    """mass per undeformed length [kg/m]"""
     physicsBendingStiffness: float
-    """physicsBendingStiffness"""
+    """bending stiffness: bending moment per curvature [N m^2]"""
     physicsAxialStiffness: float
-    """physicsAxialStiffness"""
+    """axial stiffness: axial force per axial strain [N]"""
     physicsBendingDamping: float
-    """physicsBendingDamping"""
+    """viscous damping of bending: bending moment per rate of curvature [N m^2 s]"""
     physicsAxialDamping: float
-    """physicsAxialDamping"""
+    """viscous damping of stretching: axial force per rate of axial strain [N s]"""
     physicsReferenceAxialStrain: float
-    """physicsReferenceAxialStrain"""
+    """axial strain at which the axial force is zero [1]"""
     physicsReferenceCurvature: float
-    """physicsReferenceCurvature"""
+    """curvature at which the bending moment is zero; positive for a left turn along the axis [1/m]"""
     strainIsRelativeToReference: float
-    """strainIsRelativeToReference"""
+    """share of the strains of the reference configuration that are free of stress: 0 for an element that is straight and of length L without stress, 1 for a reference configuration without stress; values between serve for a transition [1]"""
     nodeNumbers: Sequence[NodeIndex | int]
-    """nodeNumbers [2]"""
+    """node at axial position 0 and node at axial position L, both with position and slope in the plane [2]"""
     useReducedOrderIntegration: int
-    """useReducedOrderIntegration"""
+    """integration of the elastic forces along the axis: 0 with 5 Gauss points for stretching and 3 for bending; 1 with 4 and 2; 2 with 3 Lobatto points for stretching and 2 Gauss points for bending, with smoother axial forces but possibly modes without stiffness"""
     axialForceUserFunction: Callable[..., Any] | Literal[0]
-    """axialForceUserFunction"""
+    """function that gives the axial force in place of the linear law"""
     bendingMomentUserFunction: Callable[..., Any] | Literal[0]
-    """bendingMomentUserFunction"""
+    """function that gives the bending moment in place of the linear law"""
     visualization: VObjectANCFCable2D | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -1548,30 +1553,30 @@ class VObjectANCFThinPlate:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectANCFThinPlate(_Item):
-    """ObjectANCFThinPlate"""
+    """thin plate without shear deformation, on four nodes with position and two slopes"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     physicsThickness: ArrayLike
-    """physicsThickness [n]"""
+    """thickness of the plate: one value, or one value per node that is interpolated; as many as there are strain and curvature matrices [n; m]"""
     physicsDensity: float
-    """physicsDensity"""
+    """mass per volume [kg/m^3]"""
     physicsMassProportionalDamping: float
-    """physicsMassProportionalDamping"""
+    """damping forces are this factor times mass matrix times velocity [1/s]"""
     physicsStrainCoefficients: Sequence[ArrayLike]
-    """physicsStrainCoefficients [n x 3 x 3]"""
+    """stiffness against the strains in the plane, integrated over the thickness; one matrix, or one per node [n x 3 x 3; N/m]"""
     physicsCurvatureCoefficients: Sequence[ArrayLike]
-    """physicsCurvatureCoefficients [n x 3 x 3]"""
+    """stiffness against curvatures and twist, integrated over the thickness; one matrix, or one per node [n x 3 x 3; Nm]"""
     strainIsRelativeToReference: float
-    """strainIsRelativeToReference"""
+    """share of the strains of the reference configuration that are free of stress: 0 for a plate that is flat without stress, 1 for a reference configuration without stress [1]"""
     slopesScalingX: ArrayLike
-    """slopesScalingX [4]"""
+    """for each node the length that belongs to a unit slope in x, half the side length for a flat rectangle; negative: from the distances of the nodes [4; m]"""
     slopesScalingY: ArrayLike
-    """slopesScalingY [4]"""
+    """for each node the length that belongs to a unit slope in y; negative: from the distances of the nodes [4; m]"""
     nodeNumbers: Sequence[NodeIndex | int]
-    """nodeNumbers [4]"""
+    """four nodes with position and two slopes, at the local corners (-1, -1), (1, -1), (1, 1), (-1, 1) [4]"""
     useReducedOrderIntegration: int
-    """useReducedOrderIntegration"""
+    """0: highest number of integration points; larger values use fewer"""
     visualization: VObjectANCFThinPlate | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -1596,7 +1601,7 @@ class VObjectBeamGeometricallyExact:
     show: bool
     """False: the item is not drawn"""
     sectionGeometry: BeamSectionGeometry
-    """sectionGeometry"""
+    """outline of the cross section for drawing and contact, as a ``BeamSectionGeometry``"""
     color: ArrayLike
     """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
@@ -1608,16 +1613,16 @@ class VObjectBeamGeometricallyExact:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectBeamGeometricallyExact(_Item):
-    """ObjectBeamGeometricallyExact"""
+    """spatial geometrically exact beam with shear deformation, on two rigid body nodes"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     nodeNumbers: Sequence[NodeIndex | int]
-    """nodeNumbers [2]"""
+    """node at the negative and node at the positive end of the axis, both with position and orientation [2]"""
     physicsLength: float
-    """physicsLength"""
+    """length of the element in its undeformed state; must be positive [m]"""
     sectionData: BeamSection
-    """sectionData"""
+    """cross section with inertia, stiffness and damping matrices, as a ``BeamSection``"""
     visualization: VObjectBeamGeometricallyExact | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -1638,7 +1643,7 @@ class VObjectBeamGeometricallyExact2D:
     show: bool
     """False: the item is not drawn"""
     drawHeight: float
-    """drawHeight"""
+    """height of the rectangle that is drawn; 0 draws the axis only [m]"""
     color: ArrayLike
     """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
     def __init__(
@@ -1650,34 +1655,34 @@ class VObjectBeamGeometricallyExact2D:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectBeamGeometricallyExact2D(_Item):
-    """ObjectBeamGeometricallyExact2D"""
+    """planar geometrically exact beam with shear deformation, on two or three rigid body nodes"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     nodeNumbers: Sequence[NodeIndex | int]
-    """nodeNumbers [n]"""
+    """two or three nodes of rigid bodies in the plane, in the order in which they follow along the axis [n]"""
     physicsLength: float
-    """physicsLength"""
+    """length of the element in its undeformed state; must be positive [m]"""
     physicsMassPerLength: float
-    """physicsMassPerLength"""
+    """mass per undeformed length [kg/m]"""
     physicsCrossSectionInertia: float
-    """physicsCrossSectionInertia"""
+    """mass moment of inertia of the cross section per length, against its rotation [kg m]"""
     physicsBendingStiffness: float
-    """physicsBendingStiffness"""
+    """bending stiffness: bending moment per curvature [N m^2]"""
     physicsAxialStiffness: float
-    """physicsAxialStiffness"""
+    """axial stiffness: axial force per axial strain [N]"""
     physicsShearStiffness: float
-    """physicsShearStiffness"""
+    """shear stiffness, including the shear correction factor [N]"""
     physicsBendingDamping: float
-    """physicsBendingDamping"""
+    """viscous damping of bending: bending moment per rate of curvature [N m^2 s]"""
     physicsAxialDamping: float
-    """physicsAxialDamping"""
+    """viscous damping of stretching: axial force per rate of axial strain [N s]"""
     physicsShearDamping: float
-    """physicsShearDamping"""
+    """viscous damping of shear: shear force per rate of shear strain [N s]"""
     physicsReferenceCurvature: float
-    """physicsReferenceCurvature"""
+    """curvature at which the bending moment is zero [1/m]"""
     includeReferenceRotations: bool
-    """includeReferenceRotations"""
+    """true: the reference angles of the nodes are the angles of the cross sections, so that a curved reference configuration is free of stress; false: only rotations relative to the reference configuration count, and the cross sections are normal to the reference axis"""
     visualization: VObjectBeamGeometricallyExact2D | dict[str, Any]
     """how the item is drawn"""
     def __init__(

@@ -16,10 +16,10 @@ using Record = ObjectANCFBeamRecord;
 constexpr std::array<Row, 9> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "nodeNumbers", .storage = Storage::nodes, .offset = offsetof(Record, parameters.nodeNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
-    {.name = "physicsLength", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsLength), .role = Role::parameter, .check = Check::positive},
+    {.name = "physicsLength", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsLength), .role = Role::parameter, .check = Check::positive, .unit = "m"},
     {.name = "sectionData", .storage = Storage::opaque, .offset = offsetof(Record, parameters.sectionData), .role = Role::parameter},
-    {.name = "crossSectionPenaltyFactor", .storage = Storage::vector3, .offset = offsetof(Record, parameters.crossSectionPenaltyFactor), .role = Role::parameter},
-    {.name = "crossSectionDamping", .storage = Storage::vector3, .offset = offsetof(Record, parameters.crossSectionDamping), .role = Role::parameter},
+    {.name = "crossSectionPenaltyFactor", .storage = Storage::vector3, .offset = offsetof(Record, parameters.crossSectionPenaltyFactor), .role = Role::parameter, .unit = "1"},
+    {.name = "crossSectionDamping", .storage = Storage::vector3, .offset = offsetof(Record, parameters.crossSectionDamping), .role = Role::parameter, .unit = "s"},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
     {.name = "sectionGeometry", .storage = Storage::opaque, .offset = offsetof(Record, visualization.sectionGeometry), .role = Role::visualization},
     {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},

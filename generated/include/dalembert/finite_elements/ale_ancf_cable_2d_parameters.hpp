@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectALEANCFCable2D
+// planar cable through which material moves along the axis, on two nodes with slope and one node with the axial coordinate
 struct ObjectALEANCFCable2DParameters {
   double physicsLength = 0.0;
   double physicsMassPerLength = 0.0;

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectANCFBeam
+// spatial beam with shear and cross section deformation, on two nodes with position and two slopes
 struct ObjectANCFBeamParameters {
   std::vector<NodeIndex> nodeNumbers = std::vector<NodeIndex>(2);
   double physicsLength = 0.0;

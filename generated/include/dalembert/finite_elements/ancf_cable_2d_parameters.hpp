@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectANCFCable2D
+// planar cable or thin beam without shear deformation for large deformation, on two nodes with position and slope
 struct ObjectANCFCable2DParameters {
   double physicsLength = 0.0;
   double physicsMassPerLength = 0.0;

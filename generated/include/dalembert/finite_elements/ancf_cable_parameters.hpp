@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectANCFCable
+// spatial cable or thin beam without torsion and shear deformation, on two nodes with position and slope
 struct ObjectANCFCableParameters {
   double physicsLength = 0.0;
   double physicsMassPerLength = 0.0;

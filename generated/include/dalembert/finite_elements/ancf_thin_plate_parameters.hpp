@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectANCFThinPlate
+// thin plate without shear deformation, on four nodes with position and two slopes
 struct ObjectANCFThinPlateParameters {
   std::vector<double> physicsThickness;
   double physicsDensity = 0.0;

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectBeamGeometricallyExact2D
+// planar geometrically exact beam with shear deformation, on two or three rigid body nodes
 struct ObjectBeamGeometricallyExact2DParameters {
   std::vector<NodeIndex> nodeNumbers;
   double physicsLength = 0.0;

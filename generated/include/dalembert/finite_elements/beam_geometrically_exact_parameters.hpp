@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectBeamGeometricallyExact
+// spatial geometrically exact beam with shear deformation, on two rigid body nodes
 struct ObjectBeamGeometricallyExactParameters {
   std::vector<NodeIndex> nodeNumbers = std::vector<NodeIndex>(2);
   double physicsLength = 0.0;

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectFFRF
+// flexible body with the nodal coordinates of a finite element mesh in a floating frame of reference
 struct ObjectFFRFParameters {
   std::vector<NodeIndex> nodeNumbers;
   MatrixContainer massMatrixFF;

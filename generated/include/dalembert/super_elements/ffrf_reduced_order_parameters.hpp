@@ -7,7 +7,7 @@
 
 namespace dalembert {
 
-// ObjectFFRFreducedOrder
+// flexible body with modal coordinates in a floating frame of reference
 struct ObjectFFRFreducedOrderParameters {
   std::vector<NodeIndex> nodeNumbers;
   MatrixContainer massMatrixReduced;

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectGenericODE2
+// system of second order differential equations with constant matrices and user functions, on any nodes
 struct ObjectGenericODE2Parameters {
   std::vector<NodeIndex> nodeNumbers;
   MatrixContainer massMatrix;

@@ -7,7 +7,7 @@
 
 namespace dalembert {
 
-// ObjectKinematicTree
+// open tree of rigid bodies in minimal coordinates, one joint coordinate per link
 struct ObjectKinematicTreeParameters {
   NodeIndex nodeNumber;
   Vec<double, 3> gravity = {};
