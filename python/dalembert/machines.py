@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import atan, atan2, cbrt, cos, hypot, pi, radians, sin, tan
+from math import atan, atan2, cbrt, copysign, cos, hypot, pi, radians, sin, tan
 from typing import Any
 
 import numpy as np
@@ -29,7 +29,7 @@ def InvInvolute(y: float, warn: bool = True) -> float:
 
     Raises ValueError if it does not converge in 10 steps; warn=False returns the last value instead.
     """
-    x = atan(y) if abs(y) > 2 else cbrt(3 * y) - 0.4 * y
+    x = atan(y + atan(y + copysign(1.0, y))) if abs(y) > 0.5 else cbrt(3 * y) - 0.4 * y
     for _ in range(10):
         if x == 0.0:
             return x
