@@ -139,7 +139,7 @@ def _block(T: FloatArray, coupling: FloatArray) -> FloatArray:
 
 
 def TExpSE3(x: npt.ArrayLike) -> FloatArray:
-    """Return the 6x6 tangent operator of ExpSE3; the upper right block is the derivative of TExpSO3 along the translation."""
+    """Return the 6x6 tangent operator of ExpSE3; its upper right block is the directional derivative of TExpSO3."""
     motion = as_vector("x", x, 6)
     U, S = Skew(motion[:3]), Skew(motion[3:])
     f2, f3, f4, f5 = _coefficients(float(np.linalg.norm(motion[3:])))

@@ -57,8 +57,12 @@ def potential(types, parents, q):
 @pytest.mark.parametrize(("types", "parents"), TREES)
 def test_equations_of_motion_are_those_of_lagrange(types, parents):
     h = 1e-3
-    dM = [(mass_matrix(types, parents, Q + h * e) - mass_matrix(types, parents, Q - h * e)) / (2 * h) for e in np.eye(N)]
-    dV = [(potential(types, parents, Q + h * e) - potential(types, parents, Q - h * e)) / (2 * h) for e in np.eye(N)]
+
+    def gradient(function):
+        steps = h * np.eye(N)
+        return [(function(types, parents, Q + e) - function(types, parents, Q - e)) / (2 * h) for e in steps]
+
+    dM, dV = gradient(mass_matrix), gradient(potential)
     M_t = sum(D * rate for D, rate in zip(dM, Q_T, strict=True))
     expected = M_t @ Q_T - 0.5 * np.array([Q_T @ D @ Q_T for D in dM]) + dV
     for tree in trees(types, parents):
