@@ -16,6 +16,7 @@ PYBIND11_MODULE(_core, module) {
   set_core_module(module);
   register_errors(module);
   register_enums(module);         // first: others have enumerations as defaults
+  register_module_functions(module);
   register_containers(module);
   register_settings(module);
   register_index_types(module);

@@ -5,10 +5,13 @@
 
 namespace dalembert {
 
-void register_enums(pybind11::module_& module);        // enums.cpp
-void register_containers(pybind11::module_& module);   // containers.cpp
-void register_settings(pybind11::module_& module);     // settings.cpp
-void register_system_data(pybind11::module_& module);  // system_data.cpp
-void register_solvers(pybind11::module_& module);      // solvers.cpp
+namespace py = pybind11;
+
+void register_enums(py::module_& module);        // enums.cpp
+void register_module_functions(py::module_& module);  // module_functions.cpp
+void register_containers(py::module_& module);   // containers.cpp
+void register_settings(py::module_& module);     // settings.cpp
+void register_system_data(py::module_& module);  // system_data.cpp
+void register_solvers(py::module_& module);      // solvers.cpp
 
 }  // namespace dalembert

@@ -1,0 +1,23 @@
+// Where exu.Print and the solvers write: the console, a file, both or nothing; and the switches of exu.special.
+#pragma once
+
+#include <string>
+
+namespace dalembert {
+
+// Write text as it is. Takes the GIL.
+void write_console(const std::string& text);
+// "Warning: ..." as a line, unless exu.config.suppressWarnings is set. Takes the GIL.
+void write_warning(const std::string& text);
+// exu.config.outputPrecision: significant digits.
+int console_precision();
+
+// exu.special.solver
+struct SolverSwitches {
+  double timeout = -1;  // s of processor time; negative: none
+  bool throwErrorWithCtrlC = false;
+  bool multiThreadingLoadBalancing = true;
+};
+const SolverSwitches& solver_switches();
+
+}  // namespace dalembert

@@ -1,0 +1,72 @@
+// Settings in Python: objects that refer into one structure, their attributes made from the reflection rows.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "dalembert/reflection/item_type.hpp"
+#include "dalembert/reflection/settings.hpp"
+#include "dalembert/simulation_settings.hpp"
+#include "dalembert/visualization_settings.hpp"
+
+namespace dalembert {
+
+namespace py = pybind11;
+
+// The structures behind Python objects, shared with them. TypeError if `object` is something else.
+std::shared_ptr<SimulationSettings> simulation_settings_of(py::handle object);
+std::shared_ptr<VisualizationSettings> visualization_settings_of(py::handle object);
+
+// Another name for a parameter or a structure, both as dotted paths.
+struct SettingsAlias {
+  std::string_view path, target;
+};
+std::span<const SettingsAlias> visualization_aliases();
+
+// What users get from one class: SimulationSettings() or VisualizationSettings().
+struct SettingsTree {
+  const SettingsGroup* group = nullptr;
+  RecordOperations operations{};
+  std::span<const SettingsAlias> aliases = {};
+};
+
+// A structure within the memory of its root.
+struct SettingsView {
+  const SettingsTree* tree = nullptr;
+  const SettingsGroup* group = nullptr;
+  std::shared_ptr<void> root;
+  void* data = nullptr;
+  std::string path;  // empty: the root
+
+  // "SimulationSettings.timeIntegration"
+  std::string title() const;
+  std::string path_to(std::string_view name) const;
+  SettingsView child(const SettingsChild& child) const;
+};
+
+// What a name below a structure stands for; all empty: nothing. Earlier names are followed.
+struct SettingsField {
+  SettingsView view;  // that has the field
+  const Row* row = nullptr;
+  const SettingsChild* child = nullptr;
+  bool without_effect = false;
+  explicit operator bool() const { return row != nullptr || child != nullptr || without_effect; }
+};
+SettingsField find_field(const SettingsView& view, std::string_view name);
+[[noreturn]] void refuse_unknown(const SettingsView& view, std::string_view name);
+
+// Values, settings_values.cpp. Writing refuses what does not fit, and changes nothing then.
+py::object read_setting(const SettingsView& view, const Row& row);
+void write_setting(const SettingsView& view, const Row& row, PyObject* value);
+void assign_settings(const SettingsGroup& group, void* target, const void* source);
+py::dict settings_dictionary(const SettingsView& view);
+py::dict settings_dictionary_with_types(const SettingsView& view);
+void set_settings_dictionary(const SettingsView& view, const py::dict& values);
+std::string settings_text(const SettingsView& view);
+std::string setting_doc(const Row& row);
+
+}  // namespace dalembert

@@ -1,0 +1,75 @@
+// Names of settings: finding them, following earlier names, and naming the nearest when there is none.
+#include <algorithm>
+#include <vector>
+
+#include "dalembert/model/errors.hpp"
+#include "settings.hpp"
+
+namespace dalembert {
+namespace {
+
+SettingsField field_in(const SettingsView& view, std::string_view name) {
+  const auto row = std::ranges::find(view.group->rows, name, &Row::name);
+  if (row != view.group->rows.end()) return {view, &*row, nullptr, false};
+  const auto child = std::ranges::find(view.group->children, name, &SettingsChild::name);
+  if (child != view.group->children.end()) return {view, nullptr, &*child, false};
+  for (const Row& each : view.group->rows)
+    if (std::ranges::find(each.aliases, name) != each.aliases.end()) return {view, &each, nullptr, false};
+  return {};
+}
+
+SettingsView root_of(const SettingsView& view) { return {view.tree, view.tree->group, view.root, view.root.get(), ""}; }
+
+// The field at a dotted path from the root.
+SettingsField follow(SettingsView view, std::string_view path) {
+  for (;;) {
+    const std::size_t dot = path.find('.');
+    const SettingsField field = field_in(view, path.substr(0, dot));
+    if (dot == std::string_view::npos || field.child == nullptr) return field;
+    view = view.child(*field.child);
+    path.remove_prefix(dot + 1);
+  }
+}
+
+// Paths of all rows with that name.
+void paths_of(const SettingsGroup& group, const std::string& path, std::string_view name, std::vector<std::string>& found) {
+  for (const Row& row : group.rows)
+    if (row.name == name) found.push_back(path + std::string(name));
+  for (const SettingsChild& child : group.children) paths_of(*child.group, path + std::string(child.name) + ".", name, found);
+}
+
+}  // namespace
+
+std::string SettingsView::title() const {
+  const std::string root(tree->group->name);
+  return path.empty() ? root : root + "." + path;
+}
+
+std::string SettingsView::path_to(std::string_view name) const { return path.empty() ? std::string(name) : path + "." + std::string(name); }
+
+SettingsView SettingsView::child(const SettingsChild& child) const {
+  return {tree, child.group, root, static_cast<char*>(data) + child.offset, path_to(child.name)};
+}
+
+SettingsField find_field(const SettingsView& view, std::string_view name) {
+  if (SettingsField field = field_in(view, name)) return field;
+  const std::string path = view.path_to(name);
+  const auto alias = std::ranges::find(view.tree->aliases, path, &SettingsAlias::path);
+  if (alias == view.tree->aliases.end()) return {};
+  if (alias->target.empty()) return {view, nullptr, nullptr, true};
+  return follow(root_of(view), alias->target);
+}
+
+void refuse_unknown(const SettingsView& view, std::string_view name) {
+  const std::string problem = view.title() + " has no parameter " + quoted(name);
+  std::vector<std::string_view> known;
+  for (const SettingsChild& child : view.group->children) known.push_back(child.name);
+  for (const Row& row : view.group->rows) known.push_back(row.name);
+  std::vector<std::string> elsewhere;
+  paths_of(*view.tree->group, "", name, elsewhere);
+  const bool near = !nearest(name, known).empty();
+  const std::string advice = !near && !elsewhere.empty() ? "Did you mean " + quoted(elsewhere.front()) + "?" : suggestion(name, known);
+  refuse(ErrorKind::name, {.problem = problem, .advice = advice});
+}
+
+}  // namespace dalembert

@@ -1,0 +1,195 @@
+// Values of settings: to Python, from Python, as dictionaries and as text.
+#include <pybind11/numpy.h>
+
+#include <algorithm>
+
+#include "conversion.hpp"
+#include "dalembert/model/member.hpp"
+#include "python_errors.hpp"
+#include "settings.hpp"
+
+namespace dalembert {
+namespace {
+
+const char* type_word(const Row& row) {
+  switch (row.storage) {
+    case Storage::boolean: return "bool";
+    case Storage::integer: return "int";
+    case Storage::real: return "float";
+    case Storage::text: return "str";
+    case Storage::output_variable: return "OutputVariableType";
+    case Storage::enumeration: return enum_tables()[row.enumeration].name.data();
+    case Storage::user_function:
+    case Storage::opaque: return "function";
+    default: return "list";
+  }
+}
+
+bool is_function(const Row& row) { return row.storage == Storage::opaque && row.name.ends_with("UserFunction"); }
+
+// Arrays are lists here, as in dictionaries of settings.
+template <class T>
+py::object plain(const Row& row, const T& value) {
+  if constexpr (is_vec<T>) {
+    py::list list;
+    for (const auto& entry : value.x) list.append(entry);
+    return list;
+  } else if constexpr (is_mat<T>) {
+    constexpr int n = rows_of<T>;
+    py::list list;
+    for (int i = 0; i < n; ++i) {
+      py::list line;
+      for (int j = 0; j < n; ++j) line.append(value(i, j));
+      list.append(line);
+    }
+    return list;
+  } else if constexpr (std::is_same_v<T, std::vector<double>> || std::is_same_v<T, std::vector<int>>) {
+    py::list list;
+    for (const auto& entry : value) list.append(entry);
+    return list;
+  } else if constexpr (std::is_same_v<T, std::uint32_t>) {
+    return enum_member(enum_tables()[row.enumeration].name.data(), value);
+  } else {
+    return py::reinterpret_steal<py::object>(to_python(row, &value, Form::copy, nullptr));
+  }
+}
+
+void write_enumeration(const Row& row, PyObject* value, std::uint32_t& out) {
+  const std::string name(enum_tables()[row.enumeration].name);
+  const py::object type = core_module().attr(name.c_str());
+  if (!py::isinstance(value, type)) {
+    const bool text = PyUnicode_Check(value);
+    throw Refusal{ErrorKind::type, "a member of " + name, text ? "Write " + name + "." + to_string(value) + " without quotes." : ""};
+  }
+  out = py::handle(value).cast<std::uint32_t>();
+}
+
+void write_value(const SettingsView& view, const Row& row, PyObject* value) {
+  visit(row, view.data, [&]<class T>(T& out) {
+    if constexpr (std::is_same_v<T, std::uint32_t>) {
+      write_enumeration(row, value, out);
+    } else {
+      const bool none = value == Py_None || (PyLong_Check(value) && PyObject_IsTrue(value) == 0);
+      if (is_function(row) && !none && PyCallable_Check(value) == 0)
+        throw Refusal{ErrorKind::type, "a function, or 0 for none", ""};
+      if (is_function(row) && none)
+        out = T{};
+      else
+        from_python(value, row, &out);
+    }
+  });
+}
+
+// Write a dictionary into a copy, so that an error leaves the settings as they were.
+void merge(const SettingsView& view, const py::dict& values) {
+  for (const auto& [key, value] : values) {
+    if (!py::isinstance<py::str>(key))
+      refuse(ErrorKind::type, {.item = view.title(), .problem = "keys of a dictionary of settings must be strings", .received = show(key.ptr())});
+    const auto name = key.cast<std::string>();
+    const SettingsField field = find_field(view, name);
+    if (!field) refuse_unknown(view, name);
+    if (field.row != nullptr) {
+      write_setting(field.view, *field.row, value.ptr());
+    } else if (field.child != nullptr) {
+      if (!py::isinstance<py::dict>(value))
+        refuse(ErrorKind::type, {.item = view.title(), .parameter = name, .received = show(value.ptr()), .expected = "a dictionary"});
+      merge(field.view.child(*field.child), py::reinterpret_borrow<py::dict>(value));
+    }
+  }
+}
+
+py::list size_of(const py::object& value) {
+  py::list size;
+  if (!py::isinstance<py::list>(value)) {
+    size.append(1);
+    return size;
+  }
+  size.append(py::len(value));
+  if (py::len(value) > 0 && py::isinstance<py::list>(value[py::int_(0)])) size.append(py::len(value[py::int_(0)]));
+  return size;
+}
+
+void append_text(const SettingsView& view, int depth, std::string& text) {
+  const std::string indent(static_cast<std::size_t>(2 * depth), ' ');
+  for (const SettingsChild& child : view.group->children) {
+    text += indent + std::string(child.name) + ":\n";
+    append_text(view.child(child), depth + 1, text);
+  }
+  for (const Row& row : view.group->rows)
+    text += indent + std::string(row.name) + " = " + std::string(py::str(read_setting(view, row))) + "\n";
+}
+
+}  // namespace
+
+py::object read_setting(const SettingsView& view, const Row& row) {
+  return visit(row, static_cast<const void*>(view.data), [&](const auto& value) { return plain(row, value); });
+}
+
+void write_setting(const SettingsView& view, const Row& row, PyObject* value) {
+  try {
+    write_value(view, row, value);
+  } catch (const Refusal& refusal) {
+    const std::string root(view.tree->group->name);
+    refuse(refusal.kind, {.item = root, .parameter = view.path_to(row.name), .received = show(value), .expected = refusal.expected, .advice = refusal.advice});
+  }
+}
+
+void assign_settings(const SettingsGroup& group, void* target, const void* source) {
+  for (const Row& row : group.rows)
+    with_type(row.storage, [&]<class T>(TypeTag<T>) {
+      *static_cast<T*>(member(target, row)) = *static_cast<const T*>(member(source, row));
+    });
+  for (const SettingsChild& child : group.children)
+    assign_settings(*child.group, static_cast<char*>(target) + child.offset, static_cast<const char*>(source) + child.offset);
+}
+
+py::dict settings_dictionary(const SettingsView& view) {
+  py::dict values;
+  for (const SettingsChild& child : view.group->children) values[py::str(child.name)] = settings_dictionary(view.child(child));
+  for (const Row& row : view.group->rows) values[py::str(row.name)] = read_setting(view, row);
+  return values;
+}
+
+py::dict settings_dictionary_with_types(const SettingsView& view) {
+  py::dict values;
+  for (const SettingsChild& child : view.group->children)
+    values[py::str(child.name)] = settings_dictionary_with_types(view.child(child));
+  for (const Row& row : view.group->rows) {
+    py::dict entry;
+    const py::object value = read_setting(view, row);
+    entry["itemIdentifier"] = "";
+    entry["value"] = value;
+    entry["type"] = type_word(row);
+    entry["size"] = size_of(value);
+    entry["description"] = setting_doc(row);
+    values[py::str(row.name)] = entry;
+  }
+  return values;
+}
+
+void set_settings_dictionary(const SettingsView& view, const py::dict& values) {
+  SettingsView copy = view;
+  copy.root = view.tree->operations.copy(view.root.get());
+  copy.data = static_cast<char*>(copy.root.get()) + (static_cast<char*>(view.data) - static_cast<char*>(view.root.get()));
+  merge(copy, values);
+  // Earlier names may reach beyond this structure.
+  assign_settings(*view.tree->group, view.root.get(), copy.root.get());
+}
+
+std::string settings_text(const SettingsView& view) {
+  std::string text = view.title() + ":\n";
+  append_text(view, 1, text);
+  text.pop_back();
+  return text;
+}
+
+std::string setting_doc(const Row& row) {
+  std::string text = type_word(row);
+  if (row.check == Check::positive) text += ", greater than zero";
+  if (row.check == Check::non_negative) text += ", not negative";
+  if (row.size > 0) text += " of length " + std::to_string(row.size);
+  if (!row.unit.empty()) text += ", in " + std::string(row.unit);
+  return text;
+}
+
+}  // namespace dalembert

@@ -1,0 +1,320 @@
+// mbs.systemData: coordinates of all configurations and index tables of the assembled system.
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <array>
+
+#include "console.hpp"
+#include "conversion.hpp"
+#include "dalembert/model/errors.hpp"
+#include "index_types.hpp"
+#include "item_classes.hpp"
+#include "main_system.hpp"
+#include "module.hpp"
+#include "python_errors.hpp"
+#include "sequence.hpp"
+
+namespace dalembert {
+namespace {
+
+using Configuration = ConfigurationType;
+using Data = py::class_<SystemData>;
+using Member = std::vector<double> State::*;
+
+// The vectors of a state, by the words that method names are made of.
+struct Coordinates {
+  const char* name;     // "ODE2Coordinates_t"
+  const char* key;      // of GetSystemStateDict
+  Member member;
+  int Sizes::* size;
+  bool reference;       // the reference configuration has them
+};
+constexpr Coordinates coordinates[] = {
+    {"ODE1Coordinates", "ODE1Coords", &State::y, &Sizes::ode1, true},
+    {"ODE1Coordinates_t", "ODE1Coords_t", &State::y_t, &Sizes::ode1, false},
+    {"ODE2Coordinates", "ODE2Coords", &State::q, &Sizes::ode2, true},
+    {"ODE2Coordinates_t", "ODE2Coords_t", &State::v, &Sizes::ode2, false},
+    {"ODE2Coordinates_tt", "ODE2Coords_tt", &State::a, &Sizes::ode2, false},
+    {"AECoordinates", "AECoords", &State::lambda, &Sizes::ae, false},
+    {"DataCoordinates", "dataCoords", &State::data, &Sizes::data, false},
+};
+const Coordinates& coordinates_of(Member member) {
+  return *std::ranges::find(coordinates, member, &Coordinates::member);
+}
+
+// What GetSystemState lists, in this order.
+constexpr Member state_members[] = {&State::q, &State::v, &State::y, &State::lambda, &State::data};
+
+std::string full_name(const std::string& method) { return "mbs.systemData." + method; }
+
+System& assembled(const SystemData& self, const std::string& method) {
+  if (self.main->consistent()) return self.main->system;
+  return self.main->assembled(("systemData." + method).c_str());
+}
+
+// Python gives an enumeration member; numbers are refused.
+Configuration read_configuration(const py::object& value, const std::string& method) {
+  if (py::isinstance(value, core_module().attr("ConfigurationType"))) {
+    const auto configuration = static_cast<Configuration>(value.cast<std::uint32_t>());
+    if (configuration != Configuration::_None && configuration != Configuration::EndOfEnumList) return configuration;
+  }
+  refuse(py::isinstance(value, core_module().attr("ConfigurationType")) ? ErrorKind::value : ErrorKind::type,
+         {.item = full_name(method), .parameter = "configuration", .received = show(value.ptr()),
+          .expected = "ConfigurationType.Current, Initial, Reference, StartOfStep or Visualization"});
+}
+
+bool has(const Coordinates& which, Configuration configuration) { return which.reference || configuration != Configuration::Reference; }
+
+int size_of(const System& system, const Coordinates& which, Configuration configuration) {
+  return has(which, configuration) ? system.sizes().*which.size : 0;
+}
+
+// A copy, or a view that keeps `owner` alive; it is valid until the next Assemble().
+py::array_t<double> array_of(std::vector<double>& values, bool copy, const py::object& owner) {
+  const auto n = static_cast<py::ssize_t>(values.size());
+  if (copy) return py::array_t<double>(n, values.data());
+  return py::array_t<double>({n}, {static_cast<py::ssize_t>(sizeof(double))}, values.data(), owner);
+}
+
+py::array_t<double> get(const py::object& self, const Coordinates& which, const py::object& where, bool copy) {
+  const std::string method = std::string("Get") + which.name;
+  const auto& data = self.cast<const SystemData&>();
+  System& system = assembled(data, method);
+  const Configuration configuration = read_configuration(where, method);
+  if (!has(which, configuration)) return py::array_t<double>(0);
+  return array_of(system.state(configuration).*which.member, copy, self);
+}
+
+// Numbers for one vector of a state, checked; nothing is written.
+std::vector<double> read_coordinates(const System& system, const Coordinates& which, Configuration configuration, const py::object& value,
+                                     const std::string& method) {
+  const int size = size_of(system, which, configuration);
+  const std::string expected = std::to_string(size) + " finite numbers, the " + std::string(which.name) + " of the assembled system";
+  try {
+    std::vector<double> numbers = read_reals(value.ptr());
+    if (static_cast<int>(numbers.size()) == size) return numbers;
+  } catch (const Refusal& refusal) {
+    refuse(refusal.kind, {.item = full_name(method), .received = show(value.ptr()), .expected = expected, .advice = refusal.advice});
+  }
+  refuse(ErrorKind::value, {.item = full_name(method), .received = show(value.ptr()), .expected = expected});
+}
+
+void set(const SystemData& self, const Coordinates& which, const py::object& value, const py::object& where) {
+  const std::string method = std::string("Set") + which.name;
+  System& system = assembled(self, method);
+  const Configuration configuration = read_configuration(where, method);
+  const std::vector<double> numbers = read_coordinates(system, which, configuration, value, method);
+  // In place: views stay valid.
+  std::ranges::copy(numbers, (system.state(configuration).*which.member).begin());
+}
+
+py::array_t<double> total(const SystemData& self, const py::object& where) {
+  System& system = assembled(self, "GetODE2CoordinatesTotal");
+  const Configuration configuration = read_configuration(where, "GetODE2CoordinatesTotal");
+  std::vector<double> sum = system.state(Configuration::Reference).q;
+  if (configuration != Configuration::Reference)
+    std::ranges::transform(sum, system.state(configuration).q, sum.begin(), std::plus<>());
+  return py::array_t<double>(static_cast<py::ssize_t>(sum.size()), sum.data());
+}
+
+py::list system_state(const py::object& self, const py::object& where) {
+  py::list state;
+  for (const Member member : state_members) state.append(get(self, coordinates_of(member), where, true));
+  return state;
+}
+
+void set_system_state(const SystemData& self, const py::object& value, const py::object& where) {
+  const std::string method = "SetSystemState";
+  System& system = assembled(self, method);
+  const Configuration configuration = read_configuration(where, method);
+  constexpr std::size_t n = std::size(state_members);
+  if (!py::isinstance<py::sequence>(value) || py::len(value) != n)
+    refuse(ErrorKind::value, {.item = full_name(method), .received = show(value.ptr()),
+                              .expected = "a list of 5 vectors: ODE2 coordinates, their velocities, ODE1, AE and data coordinates"});
+  std::array<std::vector<double>, n> numbers;
+  for (std::size_t i = 0; i < n; ++i)
+    numbers[i] = read_coordinates(system, coordinates_of(state_members[i]), configuration, value[py::int_(i)], method);
+  for (std::size_t i = 0; i < n; ++i) std::ranges::copy(numbers[i], (system.state(configuration).*state_members[i]).begin());
+}
+
+py::dict state_dictionary(const py::object& self, const py::object& where, bool reference) {
+  py::dict state;
+  for (const Coordinates& which : coordinates) state[which.key] = get(self, which, where, !reference);
+  return state;
+}
+
+// ---- index tables ------------------------------------------------------------------------------------------------------
+
+int item_number(const SystemData& self, ItemKind kind, const py::object& value, const std::string& method) {
+  ItemKind given = kind;
+  int number = -1;
+  const std::string noun(kind_name(kind));
+  const std::string expected = "the number of a " + noun + ": " + std::string(index_name(kind)) + " or int";
+  if (!read_index(value.ptr(), given, number)) {
+    try {
+      number = read_integer(value.ptr());
+    } catch (const Refusal& refusal) {
+      refuse(refusal.kind, {.item = full_name(method), .received = show(value.ptr()), .expected = expected});
+    }
+  }
+  if (given != kind) refuse(ErrorKind::type, {.item = full_name(method), .received = show(value.ptr()), .expected = expected});
+  if (self.main->model.find_item(kind, number) == nullptr)
+    refuse(ErrorKind::index, {.item = full_name(method), .problem = "there is no " + noun + " " + std::to_string(number),
+                              .advice = "The system has " + std::to_string(self.main->model.count(kind)) + " " + noun + "s."});
+  return number;
+}
+
+struct Table {
+  const char* name;
+  System::Coordinates kind;
+};
+constexpr Table tables[] = {{"ODE2", System::Coordinates::ode2}, {"ODE1", System::Coordinates::ode1},
+                            {"AE", System::Coordinates::ae}, {"Data", System::Coordinates::data}};
+
+void register_tables(Data& data) {
+  for (const Table& table : tables) {
+    const std::string object_method = std::string("GetObjectLTG") + table.name, node_method = std::string("GetNodeLTG") + table.name;
+    data.def(object_method.c_str(), [object_method, kind = table.kind](const SystemData& self, const py::object& number) {
+      System& system = assembled(self, object_method);
+      const auto indices = system.object_ltg(item_number(self, ItemKind::object, number, object_method), kind);
+      return std::vector<int>(indices.begin(), indices.end());
+    }, py::arg("objectNumber"), "Global numbers of the object's coordinates.");
+    data.def(node_method.c_str(), [node_method, kind = table.kind](const SystemData& self, const py::object& number) {
+      System& system = assembled(self, node_method);
+      return system.node_ltg(item_number(self, ItemKind::node, number, node_method), kind);
+    }, py::arg("nodeNumber"), "Global numbers of the node's coordinates.");
+  }
+}
+
+// ---- loads that depend on coordinates ------------------------------------------------------------------------------------
+
+constexpr const char* dependencies_key = "ODE2LoadDependencies";
+
+void add_load_dependencies(const SystemData& self, const py::object& load, const py::object& value) {
+  const std::string method = "AddODE2LoadDependencies";
+  System& system = assembled(self, method);
+  const int number = item_number(self, ItemKind::load, load, method);
+  const int size = system.sizes().ode2;
+  py::list indices;
+  try {
+    const Items items(value.ptr(), "a list of global ODE2 coordinate numbers");
+    for (Py_ssize_t i = 0; i < items.size(); ++i) {
+      const int index = read_integer(items[i]);
+      if (index < 0 || index >= size)
+        refuse(ErrorKind::index, {.item = full_name(method), .parameter = "globalODE2coordinates", .received = std::to_string(index),
+                                  .expected = "numbers from 0 to " + std::to_string(size - 1)});
+      indices.append(index);
+    }
+  } catch (const Refusal& refusal) {
+    refuse(refusal.kind, {.item = full_name(method), .parameter = "globalODE2coordinates", .received = show(value.ptr()), .expected = refusal.expected});
+  }
+  py::dict& sys = self.main->sys;
+  if (!sys.contains(dependencies_key)) sys[dependencies_key] = py::dict();
+  sys[dependencies_key][py::int_(number)] = indices;
+}
+
+// ---- texts ---------------------------------------------------------------------------------------------------------------
+
+void info(const SystemData& self) {
+  const Model& model = self.main->model;
+  std::string text;
+  for (const ItemKind kind : {ItemKind::node, ItemKind::object, ItemKind::marker, ItemKind::load, ItemKind::sensor})
+    for (int i = 0; i < model.count(kind); ++i) {
+      const Item& item = model.item(kind, i);
+      text += std::string(kind_name(kind)) + std::to_string(i) + ":\n    " +
+              std::string(py::str(item_dictionary(*item.type, item.record.get(), model.name(kind, i), false))) + "\n";
+    }
+  write_console(text);
+}
+
+std::string list_text(std::span<const int> numbers) {
+  std::string text = "[";
+  for (std::size_t i = 0; i < numbers.size(); ++i) text += (i == 0 ? "" : ",") + std::to_string(numbers[i]);
+  return text + "]";
+}
+
+void info_ltg(const SystemData& self) {
+  System& system = assembled(self, "InfoLTG");
+  std::string text;
+  for (const Table& table : tables)
+    for (int i = 0; i < self.main->model.count(ItemKind::object); ++i)
+      text += "object " + std::to_string(i) + " " + table.name + " LTG=" + list_text(system.object_ltg(i, table.kind)) + "\n";
+  if (self.main->sys.contains(dependencies_key))
+    for (const auto& [load, indices] : self.main->sys[dependencies_key].cast<py::dict>())
+      text += "load " + std::string(py::str(load)) + " ODE2 dependencies=" + list_text(indices.cast<std::vector<int>>()) + "\n";
+  write_console(text);
+}
+
+// ---- methods -------------------------------------------------------------------------------------------------------------
+
+void register_numbers(Data& data) {
+  for (const ItemKind kind : {ItemKind::load, ItemKind::marker, ItemKind::node, ItemKind::object, ItemKind::sensor}) {
+    const std::string name = "NumberOf" + std::string(kind_title(kind)) + "s";
+    data.def(name.c_str(), [kind](const SystemData& self) { return self.main->model.count(kind); }, "How many there are.");
+  }
+}
+
+void register_sizes(Data& data, const py::object& current) {
+  for (const auto& [name, member] : {std::pair{"ODE2Size", &State::q}, {"ODE1Size", &State::y}, {"AEsize", &State::lambda}, {"DataSize", &State::data}})
+    data.def(name, [name = std::string(name), member](const SystemData& self, const py::object& where) {
+      const System& system = assembled(self, name);
+      return size_of(system, coordinates_of(member), read_configuration(where, name));
+    }, py::arg("configurationType") = current, "Number of these coordinates.");
+  // As in the interface: data coordinates do not count.
+  data.def("SystemSize", [](const SystemData& self, const py::object& where) {
+    const System& system = assembled(self, "SystemSize");
+    const Configuration configuration = read_configuration(where, "SystemSize");
+    int size = 0;
+    for (const Member member : {&State::q, &State::y, &State::lambda}) size += size_of(system, coordinates_of(member), configuration);
+    return size;
+  }, py::arg("configurationType") = current, "Number of ODE2, ODE1 and AE coordinates.");
+}
+
+void register_time(Data& data, const py::object& current) {
+  data.def("GetTime", [](const SystemData& self, const py::object& where) {
+    const Configuration configuration = read_configuration(where, "GetTime");
+    return self.main->system.assembled() ? self.main->system.state(configuration).time : 0.0;
+  }, py::arg("configurationType") = current, "Time of a configuration, in s.");
+  data.def("SetTime", [](const SystemData& self, const py::object& time, const py::object& where) {
+    System& system = assembled(self, "SetTime");
+    try {
+      system.state(read_configuration(where, "SetTime")).time = read_real(time.ptr());
+    } catch (const Refusal& refusal) {
+      refuse(refusal.kind, {.item = full_name("SetTime"), .parameter = "newTime", .received = show(time.ptr()), .expected = refusal.expected});
+    }
+  }, py::arg("newTime"), py::arg("configurationType") = current, "Set the time of a configuration, in s.");
+}
+
+void register_coordinates(Data& data, const py::object& current) {
+  data.def("GetODE2CoordinatesTotal", &total, py::arg("configuration") = current, "ODE2 coordinates plus those of the reference configuration.");
+  for (const Coordinates& which : coordinates) {
+    data.def((std::string("Get") + which.name).c_str(), [&which](const py::object& self, const py::object& where, bool copy) { return get(self, which, where, copy); },
+             py::arg("configuration") = current, py::arg("copy") = true,
+             "Coordinates as an array. copy=False: a view, which writes to the system and is valid until the next Assemble().");
+    data.def((std::string("Set") + which.name).c_str(), [&which](const SystemData& self, const py::object& value, const py::object& where) { set(self, which, value, where); },
+             py::arg("coordinates"), py::arg("configuration") = current, "Set coordinates: as many finite numbers as there are.");
+  }
+  data.def("GetSystemState", &system_state, py::arg("configuration") = current, "Copies of [ODE2, ODE2_t, ODE1, AE, data] coordinates.");
+  data.def("SetSystemState", &set_system_state, py::arg("systemStateList"), py::arg("configuration") = current, "Set what GetSystemState gave. An error changes nothing.");
+  data.def("GetSystemStateDict", &state_dictionary, py::arg("configuration") = current, py::arg("reference") = false,
+           "All coordinates by name; reference=True: views, see GetODE2Coordinates.");
+}
+
+}  // namespace
+
+void register_system_data(py::module_& module) {
+  const py::object current = enum_member("ConfigurationType", static_cast<std::uint32_t>(Configuration::Current));
+  Data data(module, "SystemData", "Coordinates and index tables of a system.");
+  register_numbers(data);
+  register_sizes(data, current);
+  register_time(data, current);
+  register_coordinates(data, current);
+  register_tables(data);
+  data.def("AddODE2LoadDependencies", &add_load_dependencies, py::arg("loadNumber"), py::arg("globalODE2coordinates"),
+           "Say that a load depends on ODE2 coordinates, e.g. in its user function.");
+  data.def("Info", &info, "Print all items.");
+  data.def("InfoLTG", &info_ltg, "Print the index tables of objects, and on what loads depend.");
+}
+
+}  // namespace dalembert
