@@ -11,7 +11,6 @@ from math import atan2, cos, hypot, sin
 
 import numpy as np
 import numpy.typing as npt
-from scipy.spatial.transform import Rotation
 
 from dalembert._checks import FloatArray, as_array, as_matrix, as_vector, shape_error, unit_vector
 
@@ -134,6 +133,8 @@ def AngularVelocity2EulerParameters_t(
 
 def RotationVector2RotationMatrix(rotationVector: npt.ArrayLike) -> FloatArray:
     """Return the 3x3 rotation matrix of a rotation vector (axis times angle); exact for angles of any size."""
+    from scipy.spatial.transform import Rotation  # on first use: it takes half a second to load
+
     return Rotation.from_rotvec(as_vector("rotationVector", rotationVector, 3)).as_matrix()
 
 

@@ -1,0 +1,101 @@
+"""Flexible multibody dynamics: models of nodes, objects, markers, loads and sensors, and solvers for them.
+
+import dalembert as exu
+SC = exu.SystemContainer()
+mbs = SC.AddSystem()
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+try:
+    from dalembert import _core as _core
+except ImportError as _error:
+    raise ImportError(
+        f"the compiled module dalembert._core cannot be loaded ({_error}); "
+        "install the package, e.g. by 'pip install .' in the source folder"
+    ) from _error
+from dalembert._core import *
+from dalembert._version import RequireVersion, __version__, interface_version
+from dalembert.mainSystemExtensions import methods as _methods  # noqa: F401  importing it extends MainSystem
+from dalembert.solver import (
+    ComputeLinearizedSystem,
+    ComputeODE2Eigenvalues,
+    ComputeSystemDegreeOfFreedom,
+    SolveDynamic,
+    SolverSuccess,
+    SolveStatic,
+)
+
+# Modules that are loaded when they are first used, as attribute or by import.
+_submodules = frozenset(
+    (
+        "FEM",
+        "GUI",
+        "advancedUtilities",
+        "alias",
+        "artificialIntelligence",
+        "basicUtilities",
+        "beams",
+        "demos",
+        "graphics",
+        "graphicsDataUtilities",
+        "interactive",
+        "itemInterface",
+        "kinematicTree",
+        "lieGroupBasics",
+        "lieGroupIntegration",
+        "machines",
+        "mainSystemExtensions",
+        "particles",
+        "physics",
+        "plot",
+        "processing",
+        "resultsMonitor",
+        "rigidBodyUtilities",
+        "robotics",
+        "shells",
+        "signalProcessing",
+        "solver",
+        "utilities",
+    )
+)
+_renamed = {"exudynCPP": _core}
+
+__all__ = [  # noqa: PLE0604
+    "ComputeLinearizedSystem",
+    "ComputeODE2Eigenvalues",
+    "ComputeSystemDegreeOfFreedom",
+    "RequireVersion",
+    "SolveDynamic",
+    "SolveStatic",
+    "SolverSuccess",
+    "__version__",
+    "interface_version",
+    *[name for name in vars(_core) if not name.startswith("_")],
+]
+
+if TYPE_CHECKING:
+
+    def __getattr__(name: str) -> Any: ...
+
+else:
+
+    def __getattr__(name: str) -> Any:
+        """Load a submodule on first use."""
+        if name in _renamed:
+            return _renamed[name]
+        if name in _submodules:
+            from importlib import import_module
+
+            try:
+                return import_module(f"dalembert.{name}")
+            except ModuleNotFoundError as error:
+                if error.name != f"dalembert.{name}":
+                    raise
+                raise AttributeError(f"module 'dalembert.{name}' is not part of this version") from None
+        raise AttributeError(f"module 'dalembert' has no attribute '{name}'")
+
+    def __dir__() -> list[str]:
+        return sorted({*globals(), *_submodules})

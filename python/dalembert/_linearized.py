@@ -1,0 +1,218 @@
+"""The system linearized about its initial state: mass, stiffness and damping matrices, eigenvalues, redundancy."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from dalembert import _core
+from dalembert._checks import FloatArray
+from dalembert._quiet import quiet_static_solver
+
+
+class _Matrices(NamedTuple):
+    """M x_tt + D x_t + K x + C lambda = 0 for small ODE2 motions x."""
+
+    M: FloatArray
+    K: FloatArray
+    D: FloatArray
+    C: FloatArray  # transposed constraint Jacobian, one column per constraint
+    algebraic: FloatArray  # derivative of the constraints with respect to the multipliers
+
+
+def _dense(matrix: Any) -> FloatArray:
+    return np.array(matrix.toarray() if hasattr(matrix, "toarray") else matrix, dtype=float)
+
+
+def _linearize(function: str, mbs: Any, simulationSettings: Any, autoAssemble: bool) -> _Matrices:
+    """Compute all matrices of the linearized system; ODE1 coordinates are left out, with a warning."""
+    with quiet_static_solver(function, mbs, simulationSettings, autoAssemble) as solver:
+        n2, n1 = solver.GetODE2size(), solver.GetODE1size()
+        if n1 != 0:
+            _core.Print(f"WARNING: {function}: the {n1} ODE1 coordinates are left out of the linearized system")
+        solver.ComputeMassMatrix(mbs)
+        M = _dense(solver.GetSystemMassMatrix())[:n2, :n2]
+        solver.ComputeJacobianODE2RHS(mbs, scalarFactor_ODE2=-1, scalarFactor_ODE2_t=0, scalarFactor_ODE1=0)
+        if solver.GetAEsize() != 0:
+            solver.ComputeJacobianAE(
+                mbs, scalarFactor_ODE2=1, scalarFactor_ODE2_t=0, scalarFactor_ODE1=1, velocityLevel=False
+            )
+        jacobian = _dense(solver.GetSystemJacobian())
+        solver.ComputeJacobianODE2RHS(mbs, scalarFactor_ODE2=0, scalarFactor_ODE2_t=-1, scalarFactor_ODE1=0)
+        D = _dense(solver.GetSystemJacobian())[:n2, :n2]
+    first = n2 + n1
+    return _Matrices(M, jacobian[:n2, :n2], D, jacobian[:n2, first:], jacobian[first:, first:])
+
+
+def _nullspace(C: FloatArray, tolerance: float) -> FloatArray:
+    """Return an orthonormal basis, in rows, of the motions that the constraints permit."""
+    from scipy.linalg import svd
+
+    U, singularValues, _ = svd(C)
+    return np.asarray(U[:, int((np.abs(singularValues) > tolerance).sum()) :].T)
+
+
+def ComputeLinearizedSystem(
+    mbs: Any,
+    simulationSettings: Any = None,
+    projectIntoConstraintNullspace: bool = False,
+    singularValuesTolerance: float = 1e-12,
+    returnConstraintJacobian: bool = False,
+    returnConstraintNullspace: bool = False,
+    autoAssemble: bool = True,
+) -> list[Any]:
+    """Return [M, K, D]: mass, stiffness and damping matrix of the system linearized about the initial state.
+
+    The ODE2 coordinates count (n x n), or the motions that the constraints permit if projectIntoConstraintNullspace.
+    With constraints and returnConstraintJacobian or -Nullspace, the list goes on with C (n x constraints, or []) and
+    the nullspace N (motions x n, or []); N C = 0. Singular values below singularValuesTolerance are taken for zero.
+    """
+    system = _linearize("ComputeLinearizedSystem", mbs, simulationSettings, autoAssemble)
+    matrices: list[Any] = [system.M, system.K, system.D]
+    wants_nullspace = projectIntoConstraintNullspace or returnConstraintNullspace
+    if system.C.shape[1] == 0 or not (wants_nullspace or returnConstraintJacobian):
+        return matrices
+    extra: list[Any] = [system.C if returnConstraintJacobian else []]
+    if wants_nullspace:
+        N = _nullspace(system.C, singularValuesTolerance)
+        extra.append(N if returnConstraintNullspace else [])
+        if projectIntoConstraintNullspace:
+            matrices = [N @ matrix @ N.T for matrix in matrices]
+    return matrices + extra
+
+
+def _undamped_modes(K: FloatArray, M: FloatArray) -> Any:
+    """Return eigenvalues omega^2 (rad^2/s^2) and eigenvectors, in columns, of K x = omega^2 M x."""
+    from scipy.linalg import LinAlgError, eigh
+
+    try:
+        return eigh(K, M)
+    except LinAlgError as error:
+        massless = [int(i) for i in np.flatnonzero(np.diag(M) <= 0.0)]
+        raise ValueError(
+            "ComputeODE2Eigenvalues: the mass matrix is not positive definite; give every coordinate mass or inertia "
+            f"(coordinates without: {massless}), or exclude them by constrainedCoordinates"
+        ) from error
+
+
+def _damped_modes(K: FloatArray, D: FloatArray, M: FloatArray) -> Any:
+    """Return eigenvalues lambda (1/s) and eigenvectors [x, lambda x], in columns, of (lambda^2 M + lambda D + K) x = 0."""
+    from scipy.linalg import eig
+
+    n = len(M)
+    companion = np.block([[np.zeros((n, n)), np.eye(n)], [-np.linalg.solve(M, K), -np.linalg.solve(M, D)]])
+    return eig(companion)
+
+
+def _sparse_modes(K: FloatArray, M: FloatArray, number: int) -> Any:
+    """Return the `number` eigenvalues omega^2 nearest to zero and their eigenvectors, by a shift-inverted Lanczos method."""
+    from scipy.sparse import csc_matrix
+    from scipy.sparse.linalg import eigsh
+
+    return eigsh(csc_matrix(K), k=number, M=csc_matrix(M), which="LM", sigma=0, mode="normal")
+
+
+def ComputeODE2Eigenvalues(
+    mbs: Any,
+    simulationSettings: Any = None,
+    useSparseSolver: bool = False,
+    numberOfEigenvalues: int = 0,
+    constrainedCoordinates: list[int] = [],
+    convert2Frequencies: bool = False,
+    useAbsoluteValues: bool = True,
+    computeComplexEigenvalues: bool = False,
+    ignoreAlgebraicEquations: bool = False,
+    singularValuesTolerance: float = 1e-12,
+    autoAssemble: bool = True,
+) -> list[Any]:
+    """Return [eigenvalues, eigenvectors in columns] of the system linearized about its initial state, sorted.
+
+    Eigenvalues are omega^2 (rad^2/s^2), frequencies in Hz if convert2Frequencies, or the complex lambda (1/s) of the
+    damped system if computeComplexEigenvalues; useAbsoluteValues sorts and returns magnitudes. numberOfEigenvalues
+    limits the number (0: all). Constraints are projected out, unless ignoreAlgebraicEquations; constrainedCoordinates
+    lists ODE2 coordinates that are held. Complex eigenvectors without constraints are [x, lambda x].
+    """
+    name = "ComputeODE2Eigenvalues"
+    if computeComplexEigenvalues and convert2Frequencies:
+        raise ValueError(f"{name}: complex eigenvalues are no frequencies: set convert2Frequencies=False")
+    if computeComplexEigenvalues and useSparseSolver:
+        raise ValueError(f"{name}: complex eigenvalues need the dense solver: set useSparseSolver=False")
+    system = _linearize(name, mbs, simulationSettings, autoAssemble)
+    n = len(system.M)
+    held = [int(i) for i in constrainedCoordinates]
+    if any(not -n <= i < n for i in held):
+        raise ValueError(f"{name}: constrainedCoordinates: expected indices of the {n} ODE2 coordinates, got {held}")
+    has_constraints = system.C.shape[1] != 0 and not ignoreAlgebraicEquations
+    if has_constraints and held:
+        raise ValueError(f"{name}: with constraints, set ignoreAlgebraicEquations=True or constrainedCoordinates=[]")
+    if has_constraints and useSparseSolver:
+        raise ValueError(f"{name}: with constraints, set ignoreAlgebraicEquations=True or useSparseSolver=False")
+
+    M, K, D = system.M, system.K, system.D
+    basis: FloatArray | None = None  # x = basis @ y leaves free coordinates y
+    if has_constraints or held:
+        basis = _nullspace(system.C, singularValuesTolerance).T if has_constraints else np.delete(np.eye(n), held, 1)
+        M, K, D = (basis.T @ matrix @ basis for matrix in (M, K, D))
+    if computeComplexEigenvalues:
+        values, vectors = _damped_modes(K, D, M)
+        parts = [vectors[: len(M)]] if has_constraints else [vectors[: len(M)], vectors[len(M) :]]
+    elif useSparseSolver:
+        values, vectors = _sparse_modes(K, M, numberOfEigenvalues or len(M))
+        parts = [vectors]
+    else:
+        values, vectors = _undamped_modes(K, M)
+        parts = [vectors]
+    vectors = np.vstack(parts if basis is None else [basis @ part for part in parts])
+
+    order = np.argsort(np.abs(values) if useAbsoluteValues else values)
+    if numberOfEigenvalues > 0:
+        order = order[:numberOfEigenvalues]
+    values = np.abs(values[order]) if useAbsoluteValues else values[order]
+    if convert2Frequencies:
+        values = np.sqrt(values) / (2 * np.pi)
+    return [values, vectors[:, order]]
+
+
+def ComputeSystemDegreeOfFreedom(
+    mbs: Any,
+    simulationSettings: Any = None,
+    threshold: float = 1e-12,
+    verbose: bool | int = False,
+    useSVD: bool = False,
+    autoAssemble: bool = True,
+) -> dict[str, int]:
+    """Count the degrees of freedom and the redundant constraints of the system in its initial state.
+
+    The dict has degreeOfFreedom, redundantConstraints, nODE2, nODE1, nAE (all constraints) and nPureAE (constraints on
+    multipliers only). Redundant are those that do not raise the rank of the constraint Jacobian, found by numpy's rank
+    or, with useSVD, as singular values below `threshold`. verbose prints the counts, with useSVD also the values.
+    """
+    name = "ComputeSystemDegreeOfFreedom"
+    system = _linearize(name, mbs, simulationSettings, autoAssemble)
+    n2, constraints = system.C.shape
+    redundant = pure = 0
+    if constraints != 0:
+        columns = np.vstack([system.C, system.algebraic])
+        if useSVD:
+            values, pureValues = (np.linalg.svd(matrix, compute_uv=False) for matrix in (columns, system.algebraic))
+            redundant, pure = int((values <= threshold).sum()), int((pureValues > threshold).sum())
+            if verbose:
+                _core.Print(f"singular values of the constraints: {values}\nof the multipliers alone: {pureValues}")
+        else:
+            redundant = constraints - int(np.linalg.matrix_rank(columns))
+            pure = int(np.linalg.matrix_rank(system.algebraic))
+    freedom = n2 - (constraints - pure) + redundant
+    if verbose:
+        _core.Print(
+            f"ODE2 coordinates {n2}, constraints {constraints}, redundant {redundant}, on multipliers only {pure}: "
+            f"{freedom} degrees of freedom"
+        )
+    return {
+        "degreeOfFreedom": freedom,
+        "redundantConstraints": redundant,
+        "nODE2": n2,
+        "nODE1": mbs.systemData.ODE1Size(),
+        "nAE": constraints,
+        "nPureAE": pure,
+    }

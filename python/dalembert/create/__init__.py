@@ -1,0 +1,16 @@
+"""The Create functions of MainSystem: nodes, bodies, markers, connectors, joints and loads in one call each."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from dalembert.create import bodies, connectors, joints, loads, planned
+
+# What MainSystem gets, by the name of the method.
+functions: dict[str, Callable[..., Any]] = {
+    name: function
+    for module in (bodies, connectors, joints, loads)
+    for name, function in vars(module).items()
+    if name.startswith("Create")
+} | planned.functions

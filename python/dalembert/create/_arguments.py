@@ -1,0 +1,139 @@
+"""Argument checks of the Create functions: one table of checks per function, one place where errors are worded."""
+
+from __future__ import annotations
+
+import difflib
+import functools
+import inspect
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple, ParamSpec, TypeVar
+
+import numpy as np
+import numpy.typing as npt
+
+from dalembert._checks import shape_error
+from dalembert._core import MarkerIndex, NodeIndex, ObjectIndex
+
+P = ParamSpec("P")
+R = TypeVar("R")
+
+# Defaults that several functions share. They are passed on and never changed.
+ZERO3 = [0.0, 0.0, 0.0]
+NO_PAIR: list[Any] = [None, None]
+DEFAULT_COLOR = [-1.0, -1.0, -1.0, -1.0]
+
+Vector = Sequence[float] | npt.NDArray[np.float64]
+
+
+class Check(NamedTuple):
+    """What an argument must be: a test and the words for it."""
+
+    test: Callable[[Any], bool]
+    expected: str
+
+    def optional(self) -> Check:
+        """Return the check that also accepts None."""
+        return Check(lambda value: value is None or self.test(value), self.expected + " or None")
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, (int, float, np.integer, np.floating)) and bool(np.isfinite(value))
+
+
+def _has_shape(value: Any, shape: tuple[int, ...]) -> bool:
+    if isinstance(value, (str, bytes, dict)) or not hasattr(value, "__len__"):
+        return False
+    try:
+        array = np.asarray(value, dtype=float)
+    except (TypeError, ValueError):
+        return False
+    return array.shape == shape and bool(np.isfinite(array).all())
+
+
+def vector(size: int) -> Check:
+    """Return the check for a list or array of `size` finite numbers."""
+    return Check(lambda value: _has_shape(value, (size,)), f"a vector with {size} finite components")
+
+
+def matrix(size: int) -> Check:
+    """Return the check for a square matrix of finite numbers."""
+    return Check(lambda value: _has_shape(value, (size, size)), f"a {size}x{size} matrix of finite numbers")
+
+
+def flags(size: int) -> Check:
+    """Return the check for a list of `size` integers that are 0 or 1."""
+    return Check(
+        lambda value: _has_shape(value, (size,)) and bool(np.isin(value, (0, 1)).all()),
+        f"a list with {size} flags, each 0 or 1",
+    )
+
+
+def list_of(size: int, what: str) -> Check:
+    """Return the check for a list or tuple with `size` entries of any kind."""
+    return Check(lambda value: isinstance(value, (list, tuple)) and len(value) == size, f"a list of {size} {what}")
+
+
+TEXT = Check(lambda value: isinstance(value, str), "a string")
+FLAG = Check(lambda value: isinstance(value, (bool, int, np.bool_, np.integer)), "a bool")
+NUMBER = Check(_is_number, "a finite number")
+NOT_NEGATIVE = Check(lambda value: _is_number(value) and value >= 0, "a finite number that is not negative")
+GRAPHICS = Check(lambda value: isinstance(value, list), "a (possibly empty) list of graphics data")
+BODY_PAIR = list_of(2, "body, node or marker numbers")
+
+# Arguments that mean the same in every function that has them.
+COMMON = {
+    "name": TEXT,
+    "show": FLAG,
+    "color": vector(4),
+    "drawSize": NUMBER,
+    "useGlobalFrame": FLAG,
+    "activeConnector": FLAG,
+    "bodyNumbers": BODY_PAIR,
+    "bodyOrNodeList": BODY_PAIR,
+    "bodyList": BODY_PAIR,
+    "localPosition": vector(3),
+    "localPosition0": vector(3),
+    "localPosition1": vector(3),
+    "graphicsDataList": GRAPHICS,
+}
+
+
+def argument_error(function: str, argument: str, expected: str, received: Any) -> ValueError:
+    """Return the error that names function, argument, expectation and what was received."""
+    return shape_error(f"MainSystem.{function}(...): argument '{argument}'", expected, received)
+
+
+def checked(**checks: Check) -> Callable[[Callable[P, R]], Callable[P, R]]:
+    """Check the arguments that a caller gives, by the table and by COMMON; unknown names get the nearest known one.
+
+    Raises ValueError for a wrong value and TypeError for an unknown argument, before any item has been added.
+    """
+
+    def decorate(function: Callable[P, R]) -> Callable[P, R]:
+        names = list(inspect.signature(function).parameters)
+        title = function.__name__
+        table = {name: check for name, check in (COMMON | checks).items() if name in names}
+
+        @functools.wraps(function)
+        def call(*args: P.args, **kwargs: P.kwargs) -> R:
+            for name, value in (*zip(names, args, strict=False), *kwargs.items()):
+                check = table.get(name)
+                if check is not None:
+                    if not check.test(value):
+                        raise argument_error(title, name, check.expected, value)
+                elif name not in names:
+                    near = difflib.get_close_matches(name, names, 1)
+                    hint = f"; did you mean '{near[0]}'?" if near else f"; known are: {', '.join(names[1:])}"
+                    raise TypeError(f"MainSystem.{title}(...): unknown argument '{name}'{hint}")
+            return function(*args, **kwargs)
+
+        return call
+
+    return decorate
+
+
+def is_body(value: Any) -> bool:
+    """Return whether the value can be the number of an object: an ObjectIndex or a plain integer."""
+    if isinstance(value, (MarkerIndex, NodeIndex, bool)):
+        return False
+    return isinstance(value, (ObjectIndex, int, np.integer))

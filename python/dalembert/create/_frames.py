@@ -1,0 +1,162 @@
+"""Where items are in the reference configuration, and the markers by which connectors and joints attach to them."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from dalembert import itemInterface as items
+from dalembert._checks import FloatArray
+from dalembert._core import ConfigurationType, MarkerIndex, NodeIndex, OutputVariableType, Print
+from dalembert.create._arguments import ZERO3, Vector, argument_error, is_body
+
+
+def reference_output(mbs: Any, item: Any, variable: OutputVariableType, localPosition: Vector = ZERO3) -> FloatArray:
+    """Return a position or rotation of a body (at a local position), node or marker in the reference configuration."""
+    if isinstance(item, MarkerIndex):
+        output = mbs.GetMarkerOutput(item, variable, configuration=ConfigurationType.Reference)
+    elif isinstance(item, NodeIndex):
+        output = mbs.GetNodeOutput(item, variable, configuration=ConfigurationType.Reference)
+    else:
+        output = mbs.GetObjectOutputBody(
+            item, variable, localPosition=localPosition, configuration=ConfigurationType.Reference
+        )
+    return np.asarray(output, dtype=float)
+
+
+def reference_position(mbs: Any, item: Any, localPosition: Vector = ZERO3) -> FloatArray:
+    """Return the global reference position (m) of an item."""
+    return reference_output(mbs, item, OutputVariableType.Position, localPosition)
+
+
+def reference_rotation(mbs: Any, item: Any) -> FloatArray:
+    """Return the 3x3 reference rotation matrix of an item, local to global."""
+    return reference_output(mbs, item, OutputVariableType.RotationMatrix).reshape(3, 3)
+
+
+def marker_names(name: str) -> tuple[str, str]:
+    """Return the names of the two markers of a connector; empty if the connector has no name."""
+    return (f"Marker0:{name}", f"Marker1:{name}") if name else ("", "")
+
+
+# ---- connectors: attached to bodies, nodes or markers ---------------------------------------------------------------
+
+
+class Ends(NamedTuple):
+    """The two items that a connector joins, with the local positions on them (bodies only)."""
+
+    numbers: list[Any]
+    localPositions: list[Vector]
+
+
+def connector_ends(
+    function: str,
+    bodyNumbers: list[Any],
+    localPosition0: Vector,
+    localPosition1: Vector,
+    bodyOrNodeList: list[Any],
+    bodyList: list[Any],
+) -> Ends:
+    """Return what a connector joins; the first of the three arguments that is not [None, None] counts.
+
+    Bodies take a local position, nodes and markers must not have one. ValueError otherwise.
+    """
+    candidates = {"bodyNumbers": bodyNumbers, "bodyList": bodyList, "bodyOrNodeList": bodyOrNodeList}
+    given = [name for name, pair in candidates.items() if any(entry is not None for entry in pair)]
+    name = given[0] if given else "bodyNumbers"
+    if name == "bodyList":
+        Print(f"WARNING: {function}: argument bodyList is deprecated, use bodyNumbers")
+
+    numbers, localPositions = list(candidates[name]), [localPosition0, localPosition1]
+    for i, (number, local) in enumerate(zip(numbers, localPositions, strict=True)):
+        if is_body(number):
+            continue
+        if not isinstance(number, (NodeIndex, MarkerIndex)):
+            raise argument_error(function, f"{name}[{i}]", "an ObjectIndex, a NodeIndex or a MarkerIndex", number)
+        if np.any(np.asarray(local) != 0):
+            expected = f"[0,0,0], because {name}[{i}] is the number of a node or marker"
+            raise argument_error(function, f"localPosition{i}", expected, local)
+    return Ends(numbers, localPositions)
+
+
+def add_end_marker(mbs: Any, number: Any, localPosition: Vector, name: str, rigid: bool) -> Any:
+    """Add a position (or rigid) marker at a body or node and return its number; a marker is returned as it is."""
+    if isinstance(number, MarkerIndex):
+        return number
+    if isinstance(number, NodeIndex):
+        node_marker = items.MarkerNodeRigid if rigid else items.MarkerNodePosition
+        return mbs.AddMarker(node_marker(name=name, nodeNumber=number))
+    body_marker = items.MarkerBodyRigid if rigid else items.MarkerBodyPosition
+    return mbs.AddMarker(body_marker(name=name, bodyNumber=number, localPosition=localPosition))
+
+
+def add_end_markers(mbs: Any, ends: Ends, name: str, rigid: bool = False) -> list[Any]:
+    """Add the markers of both ends of a connector and return their numbers."""
+    return [
+        add_end_marker(mbs, number, local, marker_name, rigid)
+        for number, local, marker_name in zip(ends.numbers, ends.localPositions, marker_names(name), strict=True)
+    ]
+
+
+def end_distance(mbs: Any, ends: Ends) -> float:
+    """Return the distance (m) of the two ends in the reference configuration."""
+    p0, p1 = (reference_position(mbs, *end) for end in zip(ends.numbers, ends.localPositions, strict=True))
+    return float(np.linalg.norm(p1 - p0))
+
+
+# ---- joints: a point and axes that both bodies share ----------------------------------------------------------------
+
+
+class JointPlace(NamedTuple):
+    """Where a joint sits on its two bodies (or markers)."""
+
+    numbers: list[Any]
+    localPositions: list[FloatArray]  # of the joint, in the frame of each body
+    rotations: list[FloatArray]  # of the bodies, local to global
+
+    def to_global(self, vector: Vector, useGlobalFrame: bool) -> FloatArray:
+        """Return a direction in the global frame; it is given there or, if not useGlobalFrame, in body 0's frame."""
+        direction = np.asarray(vector, dtype=float)
+        return direction if useGlobalFrame else self.rotations[0] @ direction
+
+    def local_frames(self, axes: FloatArray) -> list[FloatArray]:
+        """Return the joint axes, columns given in the global frame, as rotation matrices in both bodies' frames."""
+        return [rotation.T @ axes for rotation in self.rotations]
+
+
+def joint_place(mbs: Any, function: str, bodyNumbers: list[Any], position: Vector, useGlobalFrame: bool) -> JointPlace:
+    """Return the place of a joint between two bodies or markers.
+
+    The position (m) is global or, if not useGlobalFrame, in the frame of body 0. A marker sets the position itself:
+    `position` must then be empty. ValueError otherwise.
+    """
+    has_marker = False
+    for i, number in enumerate(bodyNumbers):
+        if isinstance(number, MarkerIndex):
+            has_marker = True
+        elif not is_body(number):
+            raise argument_error(function, f"bodyNumbers[{i}]", "an ObjectIndex or a MarkerIndex", number)
+    size = 0 if has_marker else 3
+    if np.shape(position) != (size,):
+        expected = "[], because a marker sets the position" if has_marker else "a vector with 3 components"
+        raise argument_error(function, "position", expected, position)
+
+    positions = [reference_position(mbs, number) for number in bodyNumbers]
+    rotations = [reference_rotation(mbs, number) for number in bodyNumbers]
+    if has_marker:
+        point = next(p for p, n in zip(positions, bodyNumbers, strict=True) if isinstance(n, MarkerIndex))
+    else:
+        point = np.asarray(position, dtype=float)
+        if not useGlobalFrame:
+            point = positions[0] + rotations[0] @ point
+    local = [rotation.T @ (point - p) for rotation, p in zip(rotations, positions, strict=True)]
+    return JointPlace(list(bodyNumbers), local, rotations)
+
+
+def add_joint_markers(mbs: Any, place: JointPlace, name: str, rigid: bool = True) -> list[Any]:
+    """Add the markers of a joint on both bodies and return their numbers; markers are returned as they are."""
+    return [
+        add_end_marker(mbs, number, local, marker_name, rigid)
+        for number, local, marker_name in zip(place.numbers, place.localPositions, marker_names(name), strict=True)
+    ]

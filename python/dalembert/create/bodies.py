@@ -1,0 +1,300 @@
+"""Create functions of ground, mass points and rigid bodies: node, body, and gravity load in one call."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from dalembert import itemInterface as items
+from dalembert._checks import FloatArray
+from dalembert._core import NodeType
+from dalembert.create._arguments import (
+    DEFAULT_COLOR,
+    FLAG,
+    ZERO3,
+    Vector,
+    argument_error,
+    checked,
+    matrix,
+    vector,
+)
+from dalembert.rigidBodyUtilities import (
+    AngularVelocity2EulerParameters_t,
+    AngularVelocity2RotXYZ_t,
+    RigidBodyInertia,
+    RotationMatrix2EulerParameters,
+    RotationMatrix2RotationVector,
+    RotationMatrix2RotXYZ,
+)
+
+
+@checked(
+    referencePosition=vector(3),
+    referenceRotationMatrix=matrix(3),
+)
+def CreateGround(
+    mbs: Any,
+    name: str = "",
+    referencePosition: Vector = ZERO3,
+    referenceRotationMatrix: FloatArray = np.eye(3),
+    graphicsDataList: list[Any] = [],
+    graphicsDataUserFunction: Any = 0,
+    show: bool = True,
+) -> Any:
+    """Add a ground object and return its ObjectIndex.
+
+    Position (m) and rotation (local to global) are those of the ground's frame, in the global frame.
+    """
+    visualization = items.VObjectGround(
+        show=show, graphicsDataUserFunction=graphicsDataUserFunction, graphicsData=graphicsDataList
+    )
+    return mbs.AddObject(
+        items.ObjectGround(
+            name=name,
+            referencePosition=referencePosition,
+            referenceRotation=referenceRotationMatrix,
+            visualization=visualization,
+        )
+    )
+
+
+def _add_gravity(mbs: Any, node: Any, body: Any, gravity: Vector, returnDict: bool) -> Any:
+    """Add the weight of a body, if there is gravity, and return what a Create function of a body returns."""
+    numbers = {"nodeNumber": node, "bodyNumber": body}
+    if np.any(np.asarray(gravity) != 0.0):
+        marker = mbs.AddMarker(items.MarkerBodyMass(bodyNumber=body))
+        numbers["markerBodyMass"] = marker
+        numbers["loadNumber"] = mbs.AddLoad(items.LoadMassProportional(markerNumber=marker, loadVector=gravity))
+    return numbers if returnDict else body
+
+
+@checked(
+    referencePosition=vector(3),
+    initialDisplacement=vector(3),
+    initialVelocity=vector(3),
+    gravity=vector(3),
+    create2D=FLAG,
+    returnDict=FLAG,
+)
+def CreateMassPoint(
+    mbs: Any,
+    name: str = "",
+    referencePosition: Vector = ZERO3,
+    initialDisplacement: Vector = ZERO3,
+    initialVelocity: Vector = ZERO3,
+    physicsMass: float = 0,
+    gravity: Vector = ZERO3,
+    graphicsDataList: list[Any] = [],
+    drawSize: float = -1,
+    color: Vector = DEFAULT_COLOR,
+    show: bool = True,
+    create2D: bool = False,
+    returnDict: bool = False,
+) -> Any:
+    """Add a mass point with its node, and its weight if there is gravity; return the body's ObjectIndex.
+
+    Vectors are in the global frame (m, m/s, m/s^2), the mass in kg; in 2D only x and y count. With returnDict, a dict
+    with nodeNumber, bodyNumber and, if there is gravity, markerBodyMass and loadNumber is returned.
+    """
+    size, suffix = (2, "2D") if create2D else (3, "")
+    node_type, node_view = getattr(items, "NodePoint" + suffix), getattr(items, "VNodePoint" + suffix)
+    body_type = getattr(items, "ObjectMassPoint" + suffix)
+    if graphicsDataList:
+        drawSize = 0  # the graphics replaces the node's symbol
+    node = mbs.AddNode(
+        node_type(
+            name=f"Node:{name}" if name else "",
+            referenceCoordinates=referencePosition[:size],
+            initialCoordinates=initialDisplacement[:size],
+            initialVelocities=initialVelocity[:size],
+            visualization=node_view(show=show, drawSize=drawSize, color=color),
+        )
+    )
+    body = mbs.AddObject(
+        body_type(
+            name=name,
+            physicsMass=physicsMass,
+            nodeNumber=node,
+            visualization=getattr(items, "VObjectMassPoint" + suffix)(
+                show=bool(graphicsDataList), graphicsData=graphicsDataList
+            ),
+        )
+    )
+    return _add_gravity(mbs, node, body, gravity, returnDict)
+
+
+class _RotationParameters(NamedTuple):
+    """How a node type describes rotations: its item, and the maps to its parameters and their rates."""
+
+    item: str
+    of_matrix: Callable[[FloatArray], FloatArray]
+    rates: Callable[[FloatArray, FloatArray, FloatArray], FloatArray]  # of omega, reference parameters and matrix
+
+
+_ROTATION_PARAMETERS = {
+    NodeType.RotationEulerParameters: _RotationParameters(
+        "NodeRigidBodyEP",
+        RotationMatrix2EulerParameters,
+        lambda omega, parameters, A: AngularVelocity2EulerParameters_t(omega, parameters),
+    ),
+    NodeType.RotationRxyz: _RotationParameters(
+        "NodeRigidBodyRxyz",
+        RotationMatrix2RotXYZ,
+        lambda omega, parameters, A: AngularVelocity2RotXYZ_t(omega, parameters),
+    ),
+    NodeType.RotationRotationVector: _RotationParameters(
+        "NodeRigidBodyRotVecLG",
+        RotationMatrix2RotationVector,
+        lambda omega, parameters, A: A.T @ omega,  # local angular velocity
+    ),
+}
+
+
+def _node_3d(
+    nodeType: Any,
+    position: Vector,
+    A: FloatArray,
+    velocity: Vector,
+    omega: FloatArray,
+    displacement: Vector | None,
+    rotation: FloatArray | None,
+) -> tuple[str, dict[str, Any]]:
+    """Return item name and coordinates of a spatial node; the initial rotation counts from the reference."""
+    if nodeType not in _ROTATION_PARAMETERS:
+        known = ", ".join(str(key) for key in _ROTATION_PARAMETERS)
+        raise argument_error("CreateRigidBody", "nodeType", f"one of {known}", nodeType)
+    kind = _ROTATION_PARAMETERS[nodeType]
+    reference = np.asarray(kind.of_matrix(A))
+    initial = np.zeros(3 + len(reference))
+    if displacement is not None:
+        initial[:3] = displacement
+    if rotation is not None:
+        initial[3:] = np.asarray(kind.of_matrix(A @ rotation)) - reference
+    return kind.item, {
+        "referenceCoordinates": [*position, *reference],
+        "initialCoordinates": list(initial),
+        "initialVelocities": [*velocity, *kind.rates(omega, reference, A)],
+    }
+
+
+def _turns_about_z(A: FloatArray) -> bool:
+    return bool(np.abs([A[2, 0], A[2, 1], A[0, 2], A[1, 2], A[2, 2] - 1.0]).sum() <= 1e-13)
+
+
+def _node_2d(
+    position: Vector,
+    A: FloatArray,
+    velocity: Vector,
+    omega: FloatArray,
+    displacement: Vector | None,
+    rotation: FloatArray | None,
+) -> tuple[str, dict[str, Any]]:
+    """Return item name and coordinates of a planar node; the initial rotation is the total one, about z.
+
+    ValueError names the argument that leaves the plane.
+    """
+
+    def stays_in_plane(argument: str, value: Any, condition: bool, expected: str) -> None:
+        if not condition:
+            raise argument_error("CreateRigidBody", argument, f"{expected} (create2D=True)", value)
+
+    for argument, value in {
+        "referencePosition": position,
+        "initialVelocity": velocity,
+        "initialDisplacement": ZERO3 if displacement is None else displacement,
+    }.items():
+        stays_in_plane(argument, value, abs(value[2]) <= 1e-14, "a vector without z component")
+    stays_in_plane("initialAngularVelocity", omega, np.abs(omega[:2]).sum() <= 1e-14, "a vector along z")
+    stays_in_plane("referenceRotationMatrix", A, _turns_about_z(A), "a rotation about z")
+
+    angle = float(np.arctan2(A[1, 0], A[0, 0]))
+    initial = [0.0, 0.0, 0.0]
+    if displacement is not None:
+        initial[:2] = displacement[0], displacement[1]
+    if rotation is not None:
+        stays_in_plane("initialRotationMatrix", rotation, _turns_about_z(rotation), "a rotation about z")
+        initial[2] = float(np.arctan2(rotation[1, 0], rotation[0, 0])) - angle
+    return "NodeRigidBody2D", {
+        "referenceCoordinates": [position[0], position[1], angle],
+        "initialCoordinates": initial,
+        "initialVelocities": [velocity[0], velocity[1], omega[2]],
+    }
+
+
+@checked(
+    referencePosition=vector(3),
+    referenceRotationMatrix=matrix(3),
+    initialVelocity=vector(3),
+    initialAngularVelocity=vector(3),
+    initialDisplacement=vector(3).optional(),
+    initialRotationMatrix=matrix(3).optional(),
+    gravity=vector(3),
+    create2D=FLAG,
+    returnDict=FLAG,
+)
+def CreateRigidBody(
+    mbs: Any,
+    name: str = "",
+    referencePosition: Vector = ZERO3,
+    referenceRotationMatrix: FloatArray = np.eye(3),
+    initialVelocity: Vector = ZERO3,
+    initialAngularVelocity: Vector = ZERO3,
+    initialDisplacement: Vector | None = None,
+    initialRotationMatrix: FloatArray | None = None,
+    inertia: RigidBodyInertia | None = None,
+    gravity: Vector = ZERO3,
+    nodeType: Any = NodeType.RotationEulerParameters,
+    graphicsDataList: list[Any] = [],
+    graphicsDataUserFunction: Any = 0,
+    drawSize: float = -1,
+    color: Vector = DEFAULT_COLOR,
+    show: bool = True,
+    create2D: bool = False,
+    returnDict: bool = False,
+) -> Any:
+    """Add a rigid body with its node, and its weight if there is gravity; return the body's ObjectIndex.
+
+    Positions (m), velocities (m/s), the angular velocity (rad/s) and gravity (m/s^2) are in the global frame. The
+    initial rotation multiplies the reference rotation from the right; in 2D it is the total rotation. Without
+    graphicsDataList, the body is drawn in the shape of its inertia. With returnDict, a dict with nodeNumber,
+    bodyNumber and, if there is gravity, markerBodyMass and loadNumber is returned.
+    """
+    if not isinstance(inertia, RigidBodyInertia):
+        raise argument_error("CreateRigidBody", "inertia", "a RigidBodyInertia, e.g. InertiaCuboid(...)", inertia)
+    if create2D and np.linalg.norm(inertia.com) > 1e-14:
+        expected = "an inertia with its centre of mass at [0,0,0] (create2D=True)"
+        raise argument_error("CreateRigidBody", "inertia", expected, inertia.com)
+    A, omega = np.asarray(referenceRotationMatrix, dtype=float), np.asarray(initialAngularVelocity, dtype=float)
+    rotation = None if initialRotationMatrix is None else np.asarray(initialRotationMatrix, dtype=float)
+    motion = (referencePosition, A, initialVelocity, omega, initialDisplacement, rotation)
+    node_type, coordinates = _node_2d(*motion) if create2D else _node_3d(nodeType, *motion)
+
+    if not graphicsDataList:
+        graphicsDataList = [shape] if (shape := inertia.GetGraphics(color)) else []
+    if graphicsDataList:
+        drawSize = 0  # the graphics replaces the node's symbol
+    node_view = getattr(items, "V" + node_type)(show=show, drawSize=drawSize, color=color)
+    node = mbs.AddNode(
+        getattr(items, node_type)(name=f"Node:{name}" if name else "", visualization=node_view, **coordinates)
+    )
+    suffix = "2D" if create2D else ""
+    tensor = inertia.GetInertia6D()
+    mass = (
+        {"physicsInertia": tensor[2]}
+        if create2D
+        else {
+            "physicsInertia": tensor,
+            "physicsCenterOfMass": inertia.com,
+        }
+    )
+    body_view = getattr(items, "VObjectRigidBody" + suffix)(
+        show=show, graphicsDataUserFunction=graphicsDataUserFunction, graphicsData=graphicsDataList
+    )
+    body = mbs.AddObject(
+        getattr(items, "ObjectRigidBody" + suffix)(
+            name=name, physicsMass=inertia.mass, nodeNumber=node, visualization=body_view, **mass
+        )
+    )
+    return _add_gravity(mbs, node, body, gravity, returnDict)

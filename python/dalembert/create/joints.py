@@ -1,0 +1,295 @@
+"""Create functions of joints and rolling discs between two bodies."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from dalembert import itemInterface as items
+from dalembert._checks import FloatArray
+from dalembert.create._arguments import (
+    DEFAULT_COLOR,
+    FLAG,
+    NO_PAIR,
+    NUMBER,
+    Vector,
+    argument_error,
+    checked,
+    flags,
+    is_body,
+    matrix,
+    vector,
+)
+from dalembert.create._frames import add_joint_markers, joint_place, marker_names
+from dalembert.create.connectors import frame_with_z
+from dalembert.rigidBodyUtilities import ComputeOrthonormalBasis
+
+
+@checked(axis=vector(3), axisRadius=NUMBER, axisLength=NUMBER)
+def CreateRevoluteJoint(
+    mbs: Any,
+    name: str = "",
+    bodyNumbers: list[Any] = NO_PAIR,
+    position: Vector = [],
+    axis: Vector = [],
+    useGlobalFrame: bool = True,
+    show: bool = True,
+    axisRadius: float = 0.1,
+    axisLength: float = 0.4,
+    color: Vector = DEFAULT_COLOR,
+) -> Any:
+    """Add a hinge between two bodies or markers and return its ObjectIndex.
+
+    Position (m) and axis of the hinge are given in the reference configuration, in the global frame or, if not
+    useGlobalFrame, in the frame of the first body. A marker sets the position: then position must be [].
+    """
+    axis_given("CreateRevoluteJoint", axis)
+    place = joint_place(mbs, "CreateRevoluteJoint", bodyNumbers, position, useGlobalFrame)
+    rotation0, rotation1 = place.local_frames(frame_with_z(place.to_global(axis, useGlobalFrame)))
+    return mbs.AddObject(
+        items.ObjectJointRevoluteZ(
+            name=name,
+            markerNumbers=add_joint_markers(mbs, place, name),
+            rotationMarker0=rotation0,
+            rotationMarker1=rotation1,
+            visualization=items.VObjectJointRevoluteZ(
+                show=show, axisRadius=axisRadius, axisLength=axisLength, color=color
+            ),
+        )
+    )
+
+
+@checked(axis=vector(3), axisRadius=NUMBER, axisLength=NUMBER)
+def CreatePrismaticJoint(
+    mbs: Any,
+    name: str = "",
+    bodyNumbers: list[Any] = NO_PAIR,
+    position: Vector = [],
+    axis: Vector = [],
+    useGlobalFrame: bool = True,
+    show: bool = True,
+    axisRadius: float = 0.1,
+    axisLength: float = 0.4,
+    color: Vector = DEFAULT_COLOR,
+) -> Any:
+    """Add a slider between two bodies or markers and return its ObjectIndex.
+
+    Position (m) and axis of sliding are given in the reference configuration, in the global frame or, if not
+    useGlobalFrame, in the frame of the first body. A marker sets the position: then position must be [].
+    """
+    axis_given("CreatePrismaticJoint", axis)
+    place = joint_place(mbs, "CreatePrismaticJoint", bodyNumbers, position, useGlobalFrame)
+    frame_with_x = ComputeOrthonormalBasis(place.to_global(axis, useGlobalFrame))
+    rotation0, rotation1 = place.local_frames(frame_with_x)
+    return mbs.AddObject(
+        items.ObjectJointPrismaticX(
+            name=name,
+            markerNumbers=add_joint_markers(mbs, place, name),
+            rotationMarker0=rotation0,
+            rotationMarker1=rotation1,
+            visualization=items.VObjectJointPrismaticX(
+                show=show, axisRadius=axisRadius, axisLength=axisLength, color=color
+            ),
+        )
+    )
+
+
+def axis_given(function: str, axis: Vector) -> None:
+    """Raise a ValueError if a joint has no axis, or one of zero length."""
+    if len(axis) != 3 or not np.any(np.asarray(axis, dtype=float) != 0):
+        raise argument_error(function, "axis", "a vector with 3 components that is not zero", axis)
+
+
+@checked(constrainedAxes=flags(3), jointRadius=NUMBER)
+def CreateSphericalJoint(
+    mbs: Any,
+    name: str = "",
+    bodyNumbers: list[Any] = NO_PAIR,
+    position: Vector = [],
+    constrainedAxes: list[int] = [1, 1, 1],
+    useGlobalFrame: bool = True,
+    show: bool = True,
+    jointRadius: float = 0.1,
+    color: Vector = DEFAULT_COLOR,
+) -> Any:
+    """Add a ball joint between two bodies or markers and return its ObjectIndex.
+
+    The position (m) is given in the reference configuration, in the global frame or, if not useGlobalFrame, in the
+    frame of the first body. constrainedAxes says which global directions are held. A marker sets the position: then
+    position must be [].
+    """
+    place = joint_place(mbs, "CreateSphericalJoint", bodyNumbers, position, useGlobalFrame)
+    return mbs.AddObject(
+        items.ObjectJointSpherical(
+            name=name,
+            markerNumbers=add_joint_markers(mbs, place, name, rigid=False),
+            constrainedAxes=constrainedAxes,
+            visualization=items.VObjectJointSpherical(show=show, jointRadius=jointRadius, color=color),
+        )
+    )
+
+
+@checked(rotationMatrixAxes=matrix(3), constrainedAxes=flags(6), axesRadius=NUMBER, axesLength=NUMBER)
+def CreateGenericJoint(
+    mbs: Any,
+    name: str = "",
+    bodyNumbers: list[Any] = NO_PAIR,
+    position: Vector = [],
+    rotationMatrixAxes: FloatArray = np.eye(3),
+    constrainedAxes: list[int] = [1, 1, 1, 1, 1, 1],
+    useGlobalFrame: bool = True,
+    offsetUserFunction: Any = 0,
+    offsetUserFunction_t: Any = 0,
+    show: bool = True,
+    axesRadius: float = 0.1,
+    axesLength: float = 0.4,
+    color: Vector = DEFAULT_COLOR,
+) -> Any:
+    """Add a joint with freely chosen constrained directions between two bodies or markers; return its ObjectIndex.
+
+    constrainedAxes holds three translations and three rotations along the joint axes, the columns of
+    rotationMatrixAxes. Axes and position (m) are given in the reference configuration, in the global frame or, if not
+    useGlobalFrame, in the frame of the first body. A marker sets the position: then position must be [].
+    """
+    place = joint_place(mbs, "CreateGenericJoint", bodyNumbers, position, useGlobalFrame)
+    axes = np.asarray(rotationMatrixAxes, dtype=float)
+    rotation0, rotation1 = place.local_frames(axes if useGlobalFrame else place.rotations[0] @ axes)
+    return mbs.AddObject(
+        items.ObjectJointGeneric(
+            name=name,
+            markerNumbers=add_joint_markers(mbs, place, name),
+            constrainedAxes=constrainedAxes,
+            rotationMarker0=rotation0,
+            rotationMarker1=rotation1,
+            offsetUserFunction=offsetUserFunction,
+            offsetUserFunction_t=offsetUserFunction_t,
+            visualization=items.VObjectJointGeneric(
+                show=show, axesRadius=axesRadius, axesLength=axesLength, color=color
+            ),
+        )
+    )
+
+
+def _rolling_markers(
+    mbs: Any, function: str, name: str, bodyNumbers: list[Any], planePosition: Vector, axisPosition: Vector
+) -> list[Any]:
+    """Add the rigid markers of a rolling disc: on the body that carries the plane, and on the disc."""
+    for i, body in enumerate(bodyNumbers):
+        if not is_body(body):
+            raise argument_error(function, f"bodyNumbers[{i}]", "an ObjectIndex", body)
+    if len(axisPosition) != 3:
+        raise argument_error(function, "axisPosition", "a vector with 3 components", axisPosition)
+    return [
+        mbs.AddMarker(items.MarkerBodyRigid(name=marker_name, bodyNumber=body, localPosition=local))
+        for marker_name, body, local in zip(marker_names(name), bodyNumbers, (planePosition, axisPosition), strict=True)
+    ]
+
+
+_ROLLING_CHECKS = {
+    "axisPosition": vector(3),
+    "axisVector": vector(3),
+    "discRadius": NUMBER,
+    "planePosition": vector(3),
+    "planeNormal": vector(3),
+    "discWidth": NUMBER,
+}
+
+
+@checked(**_ROLLING_CHECKS, constrainedAxes=flags(3))
+def CreateRollingDisc(
+    mbs: Any,
+    name: str = "",
+    bodyNumbers: list[Any] = NO_PAIR,
+    axisPosition: Vector = [],
+    axisVector: Vector = [1, 0, 0],
+    discRadius: float = 0.0,
+    planePosition: Vector = [0, 0, 0],
+    planeNormal: Vector = [0, 0, 1],
+    constrainedAxes: list[int] = [1, 1, 1],
+    activeConnector: bool = True,
+    show: bool = True,
+    discWidth: float = 0.1,
+    color: Vector = DEFAULT_COLOR,
+) -> Any:
+    """Let a disc, fixed to the second body, roll without slip on a plane of the first body; return the ObjectIndex.
+
+    Axis position (m) and axis vector are in the frame of the disc's body; position (m) and normal of the plane are in
+    the frame of the first body. constrainedAxes: lateral, rolling and normal direction.
+    """
+    markers = _rolling_markers(mbs, "CreateRollingDisc", name, bodyNumbers, planePosition, axisPosition)
+    return mbs.AddObject(
+        items.ObjectJointRollingDisc(
+            name=name,
+            markerNumbers=markers,
+            constrainedAxes=constrainedAxes,
+            discRadius=discRadius,
+            discAxis=axisVector,
+            planeNormal=planeNormal,
+            activeConnector=activeConnector,
+            visualization=items.VObjectJointRollingDisc(show=show, discWidth=discWidth, color=color),
+        )
+    )
+
+
+@checked(
+    **_ROLLING_CHECKS,
+    contactStiffness=NUMBER,
+    contactDamping=NUMBER,
+    dryFriction=vector(2),
+    dryFrictionAngle=NUMBER,
+    dryFrictionProportionalZone=NUMBER,
+    viscousFriction=vector(2),
+    rollingFrictionViscous=NUMBER,
+    useLinearProportionalZone=FLAG,
+)
+def CreateRollingDiscPenalty(
+    mbs: Any,
+    name: str = "",
+    bodyNumbers: list[Any] = NO_PAIR,
+    axisPosition: Vector = [],
+    axisVector: Vector = [1, 0, 0],
+    discRadius: float = 0.0,
+    planePosition: Vector = [0, 0, 0],
+    planeNormal: Vector = [0, 0, 1],
+    contactStiffness: float = 0.0,
+    contactDamping: float = 0.0,
+    dryFriction: Vector = [0, 0],
+    dryFrictionAngle: float = 0.0,
+    dryFrictionProportionalZone: float = 0.0,
+    viscousFriction: Vector = [0, 0],
+    rollingFrictionViscous: float = 0.0,
+    useLinearProportionalZone: bool = False,
+    activeConnector: bool = True,
+    show: bool = True,
+    discWidth: float = 0.1,
+    color: Vector = DEFAULT_COLOR,
+) -> Any:
+    """Let a disc, fixed to the second body, roll with contact and friction forces on a plane of the first body.
+
+    Frames as in CreateRollingDisc. Contact stiffness in N/m, contact damping in Ns/m; friction has a coefficient (-)
+    and a viscous part (Ns/m) per local direction, dryFrictionAngle (rad) turns these directions about the plane normal,
+    dryFrictionProportionalZone (m/s) is the velocity of regularization. Returns the ObjectIndex.
+    """
+    markers = _rolling_markers(mbs, "CreateRollingDiscPenalty", name, bodyNumbers, planePosition, axisPosition)
+    history = mbs.AddNode(items.NodeGenericData(initialCoordinates=[0, 0, 0], numberOfDataCoordinates=3))
+    return mbs.AddObject(
+        items.ObjectConnectorRollingDiscPenalty(
+            name=name,
+            markerNumbers=markers,
+            nodeNumber=history,
+            discRadius=discRadius,
+            discAxis=axisVector,
+            planeNormal=planeNormal,
+            contactStiffness=contactStiffness,
+            contactDamping=contactDamping,
+            dryFriction=dryFriction,
+            dryFrictionAngle=dryFrictionAngle,
+            dryFrictionProportionalZone=dryFrictionProportionalZone,
+            viscousFriction=viscousFriction,
+            rollingFrictionViscous=rollingFrictionViscous,
+            useLinearProportionalZone=useLinearProportionalZone,
+            activeConnector=activeConnector,
+            visualization=items.VObjectConnectorRollingDiscPenalty(show=show, discWidth=discWidth, color=color),
+        )
+    )

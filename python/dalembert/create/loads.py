@@ -1,0 +1,78 @@
+"""Create functions of forces and torques on bodies."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from dalembert import itemInterface as items
+from dalembert._core import MarkerIndex
+from dalembert.create._arguments import FLAG, ZERO3, Vector, argument_error, checked, is_body, vector
+
+
+def _load_marker(mbs: Any, function: str, bodyNumber: Any, localPosition: Vector, rigid: bool) -> Any:
+    """Return the marker at which a load acts: the given one, or a new one at a local position of a body."""
+    if isinstance(bodyNumber, MarkerIndex):
+        if np.any(np.asarray(localPosition) != 0):
+            expected = "[0,0,0], because bodyNumber is the number of a marker"
+            raise argument_error(function, "localPosition", expected, localPosition)
+        return bodyNumber
+    if not is_body(bodyNumber):
+        raise argument_error(function, "bodyNumber", "an ObjectIndex or a MarkerIndex", bodyNumber)
+    marker = items.MarkerBodyRigid if rigid else items.MarkerBodyPosition
+    return mbs.AddMarker(marker(bodyNumber=bodyNumber, localPosition=localPosition))
+
+
+@checked(loadVector=vector(3), bodyFixed=FLAG)
+def CreateForce(
+    mbs: Any,
+    name: str = "",
+    bodyNumber: Any = None,
+    loadVector: Vector = ZERO3,
+    localPosition: Vector = ZERO3,
+    bodyFixed: bool = False,
+    loadVectorUserFunction: Any = 0,
+    show: bool = True,
+) -> Any:
+    """Add a force (N) at a local position (m) of a body, or at a marker; return its LoadIndex.
+
+    The force is given in the global frame or, if bodyFixed, in the body's. The user function f(mbs, t, loadVector)
+    returns the force at time t.
+    """
+    marker = _load_marker(mbs, "CreateForce", bodyNumber, localPosition, rigid=bool(bodyFixed))
+    return mbs.AddLoad(
+        items.LoadForceVector(
+            markerNumber=marker,
+            loadVector=loadVector,
+            bodyFixed=bodyFixed,
+            loadVectorUserFunction=loadVectorUserFunction,
+        )
+    )
+
+
+@checked(loadVector=vector(3), bodyFixed=FLAG)
+def CreateTorque(
+    mbs: Any,
+    name: str = "",
+    bodyNumber: Any = None,
+    loadVector: Vector = ZERO3,
+    localPosition: Vector = ZERO3,
+    bodyFixed: bool = False,
+    loadVectorUserFunction: Any = 0,
+    show: bool = True,
+) -> Any:
+    """Add a torque (Nm) at a body, or at a marker; return its LoadIndex.
+
+    The torque is given in the global frame or, if bodyFixed, in the body's. The user function f(mbs, t, loadVector)
+    returns the torque at time t.
+    """
+    marker = _load_marker(mbs, "CreateTorque", bodyNumber, localPosition, rigid=True)
+    return mbs.AddLoad(
+        items.LoadTorqueVector(
+            markerNumber=marker,
+            loadVector=loadVector,
+            bodyFixed=bodyFixed,
+            loadVectorUserFunction=loadVectorUserFunction,
+        )
+    )

@@ -1,0 +1,264 @@
+"""Dialogs that let users drive a simulation or look through a solution; without a window, they run without one."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from dalembert import _core
+from dalembert._core import ConfigurationType, OutputVariableType, Print
+from dalembert._solution_files import LoadSolutionFile, SetSolutionState
+
+_noticed: set[str] = set()
+
+
+def _notice_once(what: str) -> None:
+    """Say once per process that something runs without a window."""
+    if what not in _noticed:
+        _noticed.add(what)
+        Print(f"{what}: there is no window to open, going on without it")
+
+
+class InteractiveDialog:
+    """A simulation in periods of real time, with values that dialog items set in mbs.variables (or mbs.sys).
+
+    Without a window, all dialog items keep their initial values; with runOnStart, the simulation then runs from
+    startTime to endTime of the settings (without time integration: simulationFunction is called once).
+    """
+
+    def __init__(
+        self,
+        mbs: Any,
+        simulationSettings: Any,
+        simulationFunction: Callable[[Any, Any], Any],
+        dialogItems: list[dict[str, Any]],
+        plots: Any = None,
+        period: float = 0.04,
+        realtimeFactor: float = 1,
+        userStartSimulation: Callable[[bool], Any] | None = None,
+        title: str = "",
+        showTime: bool = False,
+        fontSize: int = 12,
+        doTimeIntegration: bool = True,
+        runOnStart: bool = False,
+        addLabelStringVariables: bool = False,
+        addSliderVariables: bool = False,
+        checkRenderEngineStopFlag: bool = True,
+        userOnChange: Callable[[Any, Any], Any] | None = None,
+        useSysVariables: bool = False,
+    ) -> None:
+        """Store what the dialog needs, initialize the solver and, with runOnStart, run; period in s."""
+        _notice_once(title or "InteractiveDialog")
+        self.mbs, self.SC = mbs, mbs.GetSystemContainer()
+        self.simulationSettings, self.simulationFunction = simulationSettings, simulationFunction
+        self.dialogItems, self.plots = dialogItems, plots or []
+        self.period, self.realtimeFactor, self.title = period, realtimeFactor, title
+        self.userStartSimulation, self.userOnChange = userStartSimulation, userOnChange
+        self.doTimeIntegration = doTimeIntegration
+        self.checkRenderStop = checkRenderEngineStopFlag
+        integration = simulationSettings.timeIntegration
+        self.endTime = float(integration.endTime)
+        self.stepSize = integration.endTime / integration.numberOfSteps
+        self.counter = 0
+        self.simulationStopped = True
+        self.values = {item["variable"]: _initial_value(item) for item in dialogItems if "variable" in item}
+        self._variables = mbs.sys if useSysVariables else mbs.variables
+
+        self.InitializeSolver()
+        self.InitializePlots()
+        self.ProcessWidgetStates()
+        if runOnStart:
+            self.StartSimulation()
+        self.FinalizeSolver()
+
+    def OnQuit(self, event: Any = None) -> None:
+        """Stop the simulation."""
+        self.simulationStopped = True
+
+    def StartSimulation(self, event: Any = None) -> None:
+        """Start the simulation, or stop it if it runs."""
+        self.simulationStopped = not self.simulationStopped
+        if self.userStartSimulation is not None:
+            self.userStartSimulation(self.simulationStopped)
+        self.ContinuousRunFunction()
+
+    def ProcessWidgetStates(self) -> None:
+        """Hand the values of the dialog items to the system; userOnChange is called if one of them is new."""
+        if any(self._variables.get(name, self) != value for name, value in self.values.items()):
+            self._variables.update(self.values)
+            if self.userOnChange is not None:
+                self.userOnChange(self.mbs, self)
+
+    def ContinuousRunFunction(self, event: Any = None) -> None:
+        """Run period after period until the end time, or until something stops the simulation."""
+        integration = self.simulationSettings.timeIntegration
+        while not self.simulationStopped:
+            if self.mbs.GetRenderEngineStopFlag() and self.checkRenderStop:
+                self.OnQuit()
+                return
+            self.RunSimulationPeriod()
+            self.counter += 1
+            if not self.doTimeIntegration or integration.startTime >= self.endTime * (1 - 1e-12):
+                self.OnQuit()
+
+    def InitializePlots(self) -> None:
+        """Do nothing: there is no window for plots."""
+
+    def UpdatePlots(self) -> None:
+        """Do nothing: there is no window for plots."""
+
+    def InitializeSolver(self) -> None:
+        """Create the implicit solver mbs.sys['solver'] and initialize it."""
+        if self.doTimeIntegration:
+            self.mbs.sys["solver"] = _core.MainSolverImplicitSecondOrder()
+            self.mbs.sys["solver"].InitializeSolver(self.mbs, self.simulationSettings)
+
+    def FinalizeSolver(self) -> None:
+        """Close the files of the solver."""
+        if self.doTimeIntegration:
+            self.mbs.sys["solver"].FinalizeSolver(self.mbs, self.simulationSettings)
+
+    def RunSimulationPeriod(self) -> float:
+        """Call simulationFunction, integrate over one period and return the time (s) that is reached."""
+        self.simulationFunction(self.mbs, self)
+        self.UpdatePlots()
+        integration = self.simulationSettings.timeIntegration
+        if self.doTimeIntegration:
+            data, solver = self.mbs.systemData, self.mbs.sys["solver"]
+            integration.numberOfSteps = max(int(self.period / self.stepSize), 1)
+            integration.endTime = integration.startTime + self.period
+            accelerations = data.GetODE2Coordinates_tt(configuration=ConfigurationType.Current)
+            solver.InitializeSolverInitialConditions(self.mbs, self.simulationSettings)
+            data.SetODE2Coordinates_tt(coordinates=accelerations)
+            solver.SolveSteps(self.mbs, self.simulationSettings)
+            data.SetSystemState(systemStateList=data.GetSystemState(), configuration=ConfigurationType.Initial)
+            integration.startTime += self.period
+        return float(integration.endTime)
+
+
+def _initial_value(item: dict[str, Any]) -> Any:
+    """Return the value with which a dialog item starts; sliders start in the middle if theirs is out of range."""
+    if item["type"] != "slider":
+        return item.get("value", 0)
+    low, high = item.get("range", (0, 1))
+    value = item.get("value", 0.5)
+    return value if low <= value <= high else 0.5 * (low + high)
+
+
+def AnimateModes(
+    systemContainer: Any,
+    mainSystem: Any,
+    nodeNumber: Any,
+    period: float = 0.04,
+    stepsPerPeriod: int = 30,
+    showTime: bool = True,
+    renderWindowText: str = "",
+    runOnStart: bool = False,
+    runMode: int = 0,
+    scaleAmplitude: float = 1,
+    title: str = "",
+    fontSize: int = 12,
+    checkRenderEngineStopFlag: bool = True,
+    systemEigenVectors: Any = None,
+) -> None:
+    """Show the modes of a node with modal coordinates, or eigenvectors (in columns) of the system if nodeNumber is None.
+
+    Without a window, the first mode with a small amplitude becomes the visualized state. ValueError if there is no mode.
+    """
+    data = mainSystem.systemData
+    size = data.ODE2Size()
+    if not 0 <= runMode <= 3:
+        raise ValueError(f"AnimateModes: runMode: expected 0 to 3, received {runMode}")
+    _notice_once(title or "AnimateModes")
+    amplitude = 0.05 * scaleAmplitude
+    if nodeNumber is not None:
+        coordinates = np.array(data.GetODE2Coordinates(), dtype=float)
+        reference = (OutputVariableType.Coordinates, ConfigurationType.Reference)
+        if len(np.atleast_1d(mainSystem.GetNodeOutput(nodeNumber, *reference))) == 0:
+            raise ValueError(f"AnimateModes: nodeNumber: node {nodeNumber} has no modal coordinates")
+        coordinates[mainSystem.GetNodeODE2Index(nodeNumber)] = amplitude
+    else:
+        is_matrix = isinstance(systemEigenVectors, np.ndarray)
+        modes = systemEigenVectors.T if is_matrix else systemEigenVectors
+        if modes is None or len(modes) == 0 or any(len(mode) < size for mode in modes):
+            raise ValueError(
+                f"AnimateModes: systemEigenVectors: expected an array with modes in columns, or a list of modes, with "
+                f"at least {size} components each, because nodeNumber is None"
+            )
+        coordinates = amplitude * np.real(np.asarray(modes[0]))[:size]
+    data.SetODE2Coordinates(coordinates, ConfigurationType.Visualization)
+    systemContainer.renderer.SendRedrawSignal()
+
+
+def _solution_of_last_simulation(mbs: Any) -> dict[str, Any]:
+    """Return the solution that the last simulation has written; ValueError if it has written none."""
+    if "simulationSettings" not in mbs.sys:
+        raise ValueError("SolutionViewer: no simulation has been run yet; solve first or pass a solution")
+    settings = mbs.sys["simulationSettings"].solutionSettings
+    if not settings.writeSolutionToFile:
+        raise ValueError("SolutionViewer: the last simulation had solutionSettings.writeSolutionToFile = False")
+    name = settings.coordinatesSolutionFileName
+    if "." not in name:
+        name += ".sol" if settings.binarySolutionFile else ".txt"
+    return LoadSolutionFile(name)
+
+
+def SolutionViewer(
+    mainSystem: Any,
+    solution: dict[str, Any] | None = None,
+    rowIncrement: int = 1,
+    timeout: float = 0.04,
+    runOnStart: bool = True,
+    runMode: int = 2,
+    fontSize: int = 12,
+    title: str = "",
+    checkRenderEngineStopFlag: bool = True,
+) -> None:
+    """Look through a solution (of LoadSolutionFile), or through that of the last simulation if solution is None.
+
+    Without a window, the first row becomes the visualized state. ValueError if there is no solution.
+    """
+    data = _solution_of_last_simulation(mainSystem) if solution is None else solution
+    if runMode not in (0, 1, 2):
+        raise ValueError(f"SolutionViewer: runMode: expected 0, 1 or 2, received {runMode}")
+    if not 1 <= rowIncrement <= data["nRows"]:
+        raise ValueError(f"SolutionViewer: rowIncrement: expected 1 to {data['nRows']} (rows), received {rowIncrement}")
+    _notice_once(title or "SolutionViewer")
+    SetSolutionState(mainSystem, data, 0, ConfigurationType.Visualization)
+
+
+def ConvertImages2Video(
+    workingDir: str = "images",
+    inputPattern: str = "frame%05d.png",
+    outputFile: str = "animation.mp4",
+    inputFrameRate: int = 25,
+    outputFrameRate: int = 25,
+    compressionCRF: int = 28,
+    startNumber: int = 0,
+    totalFrames: int | None = None,
+) -> None:
+    """Make a video (H.264) of numbered images by the program ffmpeg; rates in frames per second.
+
+    compressionCRF: 0 is lossless, larger values give smaller files. FileNotFoundError if ffmpeg is not installed,
+    RuntimeError with its message if it fails.
+    """
+    program = shutil.which("ffmpeg")
+    if program is None:
+        raise FileNotFoundError("ConvertImages2Video: the program ffmpeg is not installed, or not in the search path")
+    images, video = (os.path.join(workingDir, name) for name in (inputPattern, outputFile))
+    command = [program, "-y", "-framerate", str(inputFrameRate), "-start_number", str(startNumber), "-i", images]
+    command += ["-vcodec", "libx264", "-crf", str(compressionCRF), "-vf", f"fps={outputFrameRate},format=yuv420p"]
+    command += [] if totalFrames is None else ["-frames:v", str(totalFrames)]
+    result = subprocess.run([*command, video], capture_output=True, text=True, check=False)
+    if result.returncode != 0:
+        raise RuntimeError(f"ConvertImages2Video: ffmpeg failed: {result.stderr.strip()[-500:]}")
+
+
+def InteractiveImages2Video(closeAfterCreation: bool = False, fontSize: int = 11) -> None:
+    """Say that there is no window; ConvertImages2Video does the same without one."""
+    _notice_once("InteractiveImages2Video")

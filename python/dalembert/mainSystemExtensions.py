@@ -1,0 +1,35 @@
+"""The methods of MainSystem that are written in Python, attached to the compiled class when the package is imported."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from dalembert import create, solver
+from dalembert._core import MainSystem
+from dalembert._distance_sensor import CreateDistanceSensor, CreateDistanceSensorGeometry
+from dalembert._system_graph import DrawSystemGraph
+from dalembert.interactive import SolutionViewer
+from dalembert.plot import PlotSensor
+
+methods: dict[str, Callable[..., Any]] = create.functions | {
+    function.__name__: function
+    for function in (
+        CreateDistanceSensor,
+        CreateDistanceSensorGeometry,
+        DrawSystemGraph,
+        PlotSensor,
+        SolutionViewer,
+        solver.ComputeLinearizedSystem,
+        solver.ComputeODE2Eigenvalues,
+        solver.ComputeSystemDegreeOfFreedom,
+        solver.SolveDynamic,
+        solver.SolveStatic,
+    )
+}
+
+for _name, _method in methods.items():
+    setattr(MainSystem, _name, _method)
+
+# Functions of the module, MainSystemCreateGround(mbs, ...) and so on.
+globals().update({f"MainSystem{name}": function for name, function in create.functions.items()})

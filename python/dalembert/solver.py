@@ -1,0 +1,153 @@
+"""Solve static and dynamic problems, and look at the linearized system: matrices, eigenvalues, degrees of freedom."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+from dalembert import _core
+from dalembert._core import ConfigurationType, DynamicSolverType, Print
+from dalembert._diagnosis import CheckSolverInfoStatistics, SolverError, SolverErrorMessage
+from dalembert._linearized import ComputeLinearizedSystem, ComputeODE2Eigenvalues, ComputeSystemDegreeOfFreedom
+from dalembert._quiet import DeactivateWritingOfSolvers, RestoreSimulationSettings, assemble_if_needed
+
+__all__ = [
+    "CheckSolverInfoStatistics",
+    "ComputeLinearizedSystem",
+    "ComputeODE2Eigenvalues",
+    "ComputeSystemDegreeOfFreedom",
+    "DeactivateWritingOfSolvers",
+    "RestoreSimulationSettings",
+    "SolveDynamic",
+    "SolveStatic",
+    "SolverError",
+    "SolverErrorMessage",
+    "SolverSuccess",
+]
+
+_IMPLICIT = {DynamicSolverType.GeneralizedAlpha, DynamicSolverType.TrapezoidalIndex2}
+_EXPLICIT = {
+    DynamicSolverType.ExplicitEuler,
+    DynamicSolverType.ExplicitMidpoint,
+    DynamicSolverType.RK33,
+    DynamicSolverType.RK44,
+    DynamicSolverType.RK67,
+    DynamicSolverType.ODE23,
+    DynamicSolverType.DOPRI5,
+    DynamicSolverType.VelocityVerlet,
+}
+
+
+def _run(function: str, solver: Any, mbs: Any, settings: Any, slot: str | None, show: bool, hints: bool) -> None:
+    """Run a compiled solver to the end; SolverError with the diagnosis if it gives up.
+
+    `slot` is the key in mbs.sys that keeps the solver. An exception of a user function surfaces as itself, with the
+    diagnosis as a note.
+    """
+    if slot is not None:
+        mbs.sys[slot] = solver
+        mbs.sys["simulationSettings"] = settings
+    is_static = function == "SolveStatic"
+
+    def diagnosis() -> str:
+        return SolverErrorMessage(solver, mbs, isStatic=is_static, showCausingObjects=show, showHints=hints)
+
+    try:
+        success = solver.SolveSystem(mbs, settings)
+    except Exception as error:
+        error.add_note(f"raised during mbs.{function}(...)\n{diagnosis()}")
+        raise
+    if not success:
+        message = diagnosis()
+        Print(message)
+        raise SolverError(f"{function} terminated due to errors", message, solver)
+
+
+def _keep_as_initial_values(mbs: Any, accelerations: bool) -> None:
+    """Make the current state the initial state of the next simulation."""
+    data = mbs.systemData
+    data.SetSystemState(systemStateList=data.GetSystemState(), configuration=ConfigurationType.Initial)
+    if accelerations:
+        data.SetODE2Coordinates_tt(coordinates=data.GetODE2Coordinates_tt(), configuration=ConfigurationType.Initial)
+
+
+def SolveStatic(
+    mbs: Any,
+    simulationSettings: Any = None,
+    updateInitialValues: bool = False,
+    storeSolver: bool = True,
+    showHints: bool = False,
+    showCausingItems: bool = True,
+    autoAssemble: bool = True,
+) -> bool:
+    """Find the static equilibrium by the settings in staticSolver and return True.
+
+    storeSolver keeps the solver in mbs.sys['staticSolver']; updateInitialValues starts the next simulation from the
+    result. SolverError (a ValueError) carries the diagnosis if there is no solution.
+    """
+    settings = _core.SimulationSettings() if simulationSettings is None else simulationSettings
+    assemble_if_needed("SolveStatic", mbs, autoAssemble)
+    slot = "staticSolver" if storeSolver else None
+    _run("SolveStatic", _core.MainSolverStatic(), mbs, settings, slot, showCausingItems, showHints)
+    if updateInitialValues:
+        _keep_as_initial_values(mbs, accelerations=False)
+    return True
+
+
+@contextmanager
+def _trapezoidal_rule(settings: Any, active: bool) -> Iterator[None]:
+    """Switch the implicit integrator to the trapezoidal rule with index 2 constraints while a solver runs."""
+    integrator = settings.timeIntegration.generalizedAlpha
+    before = integrator.useNewmark, integrator.useIndex2Constraints
+    if active:
+        integrator.useNewmark = integrator.useIndex2Constraints = True
+    try:
+        yield
+    finally:
+        integrator.useNewmark, integrator.useIndex2Constraints = before
+
+
+def SolveDynamic(
+    mbs: Any,
+    simulationSettings: Any = None,
+    solverType: Any = DynamicSolverType.GeneralizedAlpha,
+    updateInitialValues: bool = False,
+    storeSolver: bool = True,
+    showHints: bool = False,
+    showCausingItems: bool = True,
+    autoAssemble: bool = True,
+) -> bool:
+    """Integrate the equations of motion by the settings in timeIntegration and return True.
+
+    solverType chooses among implicit (GeneralizedAlpha, TrapezoidalIndex2) and explicit methods. storeSolver keeps the
+    solver in mbs.sys['dynamicSolver']; updateInitialValues starts the next simulation from the result. SolverError (a
+    ValueError) carries the diagnosis if a step cannot be solved.
+    """
+    settings = _core.SimulationSettings() if simulationSettings is None else simulationSettings
+    if solverType not in _IMPLICIT and solverType not in _EXPLICIT:
+        known = ", ".join(sorted(str(kind) for kind in _IMPLICIT | _EXPLICIT))
+        raise ValueError(f"SolveDynamic: solverType: expected one of {known}; received {solverType!r}")
+    assemble_if_needed("SolveDynamic", mbs, autoAssemble)
+    slot = "dynamicSolver" if storeSolver else None
+    allocations = _core.special.InfoStat(False)
+    solver: Any
+    if solverType in _IMPLICIT:
+        solver = _core.MainSolverImplicitSecondOrder()
+        with _trapezoidal_rule(settings, solverType == DynamicSolverType.TrapezoidalIndex2):
+            _run("SolveDynamic", solver, mbs, settings, slot, showCausingItems, showHints)
+        evaluations = solver.it.newtonStepsCount
+    else:
+        settings.timeIntegration.explicitIntegration.dynamicSolverType = solverType
+        solver = _core.MainSolverExplicit()
+        _run("SolveDynamic", solver, mbs, settings, slot, showCausingItems, showHints)
+        evaluations = solver.it.currentStepIndex * solver.GetNumberOfStages()
+    CheckSolverInfoStatistics(solver.GetSolverName(), allocations, evaluations)
+    if updateInitialValues:
+        _keep_as_initial_values(mbs, accelerations=True)
+    return True
+
+
+def SolverSuccess(solverStructure: Any) -> list[Any]:
+    """Return [whether the solver finished, its error text] of a solver such as mbs.sys['dynamicSolver']."""
+    return [solverStructure.output.finishedSuccessfully, solverStructure.GetErrorString()]
