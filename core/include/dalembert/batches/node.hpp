@@ -105,9 +105,9 @@ struct MovingNodePhysics final : NodePhysics {
   }
   void values(const void* record, NodeValues& values) const override {
     const auto& p = static_cast<const Record*>(record)->parameters;
-    values.reference.assign(p.referenceCoordinates.x.begin(), p.referenceCoordinates.x.end());
-    values.displacement.assign(p.initialCoordinates.x.begin(), p.initialCoordinates.x.end());
-    values.velocity.assign(p.initialVelocities.x.begin(), p.initialVelocities.x.end());
+    values.reference = list(p.referenceCoordinates);
+    values.displacement = list(p.initialCoordinates);
+    values.velocity = list(p.initialVelocities);
     values.algebraic.assign(static_cast<std::size_t>(sizes(record).ae), 0.0);
   }
   int lie_rotation() const override {
@@ -133,6 +133,16 @@ struct MovingNodePhysics final : NodePhysics {
   }
 
  private:
+  template <int N>
+  static std::vector<double> list(const Vec<double, N>& v) {
+    return {v.x.begin(), v.x.end()};
+  }
+  // Of any length in the spec; the node has its own.
+  static std::vector<double> list(const std::vector<double>& v) {
+    std::vector<double> r = v;
+    r.resize(Node::size);
+    return r;
+  }
   static constexpr int equations() {
     if constexpr (requires { Node::equations; }) return Node::equations;
     return 0;
