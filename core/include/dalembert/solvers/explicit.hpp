@@ -12,7 +12,7 @@
 
 namespace dalembert {
 
-class ExplicitSolver final : public Solver {
+class ExplicitSolver : public Solver {
  public:
   std::string name() const override;
   bool controls_step_size() const override { return method_.controls_step_size(); }

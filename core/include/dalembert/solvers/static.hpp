@@ -7,7 +7,7 @@
 
 namespace dalembert {
 
-class StaticSolver final : public NewtonSolver {
+class StaticSolver : public NewtonSolver {
  public:
   bool is_static() const override { return true; }
   std::string name() const override { return "nonlinear static solver"; }

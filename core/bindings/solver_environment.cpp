@@ -1,0 +1,189 @@
+#include "solver_environment.hpp"
+
+#include <pybind11/stl.h>
+
+#include "console.hpp"
+#include "conversion.hpp"
+#include "dalembert/model/member.hpp"
+#include "python_callback.hpp"
+#include "python_errors.hpp"
+
+namespace dalembert {
+
+namespace {
+
+// Calls one of the main system's functions with the system, the time and what else it takes. Afterwards the system takes
+// over the parameters that the function has changed.
+class SystemFunction {
+ public:
+  SystemFunction(const std::shared_ptr<MainSystem>& main, std::string name)
+      : main_(main), name_(std::move(name)), function_(main->user_function(name_)) {}
+  ~SystemFunction() {
+    const py::gil_scoped_acquire gil;
+    function_ = py::object();
+  }
+  SystemFunction(const SystemFunction&) = delete;
+  SystemFunction& operator=(const SystemFunction&) = delete;
+
+  template <class Read, class... Arguments>
+  auto call(Read&& read, double time, Arguments... arguments) const {
+    const py::gil_scoped_acquire gil;
+    const auto main = main_.lock();
+    PyObject* raw = nullptr;
+    {
+      const py::tuple all = py::make_tuple(main, time, arguments...);
+      raw = PyObject_Call(function_.ptr(), all.ptr(), nullptr);
+    }
+    if (raw == nullptr) throw_python_error("in mbs." + name_ + "UserFunction, at time " + std::to_string(time));
+    const py::object result = py::reinterpret_steal<py::object>(raw);
+    main->assembled(name_.c_str());
+    try {
+      return read(result);
+    } catch (const py::cast_error&) {
+      refuse_result(result, time);
+    }
+  }
+
+  [[noreturn]] void refuse_result(const py::object& result, double time) const {
+    const char* expected = name_ == "PostNewton" ? "a list [error, recommended step size]"
+                           : name_ == "SystemJacobian" ? "a MatrixContainer"
+                                                       : "True to go on, or False to stop";
+    refuse(ErrorKind::value, {"mbs." + name_ + "UserFunction, at time " + std::to_string(time), "", "",
+                              show(result.ptr()) + " as result", expected, "Return it at the end of the function."});
+  }
+
+ private:
+  std::weak_ptr<MainSystem> main_;
+  std::string name_;
+  py::object function_;
+};
+
+std::function<bool(double)> step_function(const std::shared_ptr<MainSystem>& main, const char* name) {
+  if (main->user_function(name).is_none()) return nullptr;
+  const auto function = std::make_shared<SystemFunction>(main, name);
+  return [function](double time) {
+    return function->call(
+        [&](const py::object& result) {
+          if (result.is_none()) function->refuse_result(result, time);
+          return result.cast<bool>();
+        },
+        time);
+  };
+}
+
+std::vector<MatrixEntry> read_entries(const py::object& result) {
+  MatrixContainer matrix;
+  Row row{};
+  row.storage = Storage::matrix_container;
+  try {
+    from_python(result.ptr(), row, &matrix);
+  } catch (const Refusal&) {
+    throw py::cast_error();
+  }
+  std::vector<MatrixEntry> entries;
+  for (const auto& t : matrix.triplets) entries.push_back({t.row, t.column, t.value});
+  for (int i = 0; matrix.dense && i < matrix.rows * matrix.columns; ++i) {
+    const double value = matrix.values[static_cast<std::size_t>(i)];
+    if (value != 0) entries.push_back({i / matrix.columns, i % matrix.columns, value});
+  }
+  return entries;
+}
+
+void add_user_functions(SolverHooks& hooks, const std::shared_ptr<MainSystem>& main) {
+  hooks.pre_step = step_function(main, "PreStep");
+  hooks.post_step = step_function(main, "PostStep");
+  if (!main->user_function("PostNewton").is_none()) {
+    hooks.post_newton = [function = std::make_shared<SystemFunction>(main, "PostNewton")](double time) {
+      return function->call([](const py::object& result) { return result.cast<std::array<double, 2>>(); }, time);
+    };
+  }
+  if (!main->user_function("PreNewtonResidual").is_none()) {
+    hooks.pre_newton_residual = [function = std::make_shared<SystemFunction>(main, "PreNewtonResidual")](
+                                    double time, int newton, int discontinuous) {
+      function->call([](const py::object&) { return 0; }, time, newton, discontinuous);
+    };
+  }
+  if (!main->user_function("SystemJacobian").is_none()) {
+    hooks.system_jacobian = [function = std::make_shared<SystemFunction>(main, "SystemJacobian")](
+                                double time, double q, double v, double y) {
+      return function->call(&read_entries, time, q, v, y);
+    };
+  }
+}
+
+void add_console(SolverHooks& hooks) {
+  hooks.print = [](std::string_view text) { write_console(std::string(text)); };
+  hooks.warn = [](std::string_view text) { write_warning(std::string(text)); };
+}
+
+void add_interruption(SolverHooks& hooks, const std::shared_ptr<MainSystem>& main) {
+  const std::weak_ptr<MainSystem> weak = main;
+  hooks.interrupted = [weak] {
+    const py::gil_scoped_acquire gil;
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    const auto locked = weak.lock();
+    return locked && locked->stop_requested;
+  };
+  hooks.jacobian_update_requested = [main = main.get()] { return std::exchange(main->jacobian_update_requested, false); };
+  hooks.show = [weak](bool) {
+    const auto locked = weak.lock();
+    if (locked) locked->system.state(ConfigurationType::Visualization) = locked->system.state(ConfigurationType::Current);
+  };
+}
+
+template <class T>
+const T* sensor_member(const Item& sensor, std::string_view name) {
+  const Row* row = find_row(*sensor.type, name);
+  return row ? static_cast<const T*>(member(sensor.record.get(), *row)) : nullptr;
+}
+
+std::string_view variable_name(OutputVariableType variable) {
+  for (const EnumTable& table : enum_tables()) {
+    if (table.name != "OutputVariableType") continue;
+    for (const EnumEntry& entry : table.entries) {
+      if (entry.value == static_cast<std::uint32_t>(variable)) return entry.name;
+    }
+  }
+  return "_None";
+}
+
+// "Node number = 3": what the header of a sensor's file calls the sensor's item.
+std::string measured_item(const Item& sensor) {
+  std::string text(sensor.type->type_name);
+  for (const Row& row : sensor.type->rows) {
+    if (!index_storage(row.storage).is_index || index_storage(row.storage).is_list) continue;
+    return text + " number = " + std::to_string(*static_cast<const int*>(member(sensor.record.get(), row)));
+  }
+  return text;
+}
+
+std::vector<SensorChannel> sensor_channels(const Model& model) {
+  std::vector<SensorChannel> channels;
+  for (const Item& sensor : model.items(ItemKind::sensor)) {
+    SensorChannel& channel = channels.emplace_back();
+    if (const auto* name = sensor_member<std::string>(sensor, "fileName")) channel.file_name = *name;
+    if (const auto* write = sensor_member<bool>(sensor, "writeToFile")) channel.write_to_file = *write;
+    if (const auto* store = sensor_member<bool>(sensor, "storeInternal")) channel.store_internal = *store;
+    const auto* variable = sensor_member<OutputVariableType>(sensor, "outputVariableType");
+    channel.variable = variable_name(variable ? *variable : OutputVariableType::_None);
+    channel.measured = measured_item(sensor);
+  }
+  return channels;
+}
+
+}  // namespace
+
+SolverEnvironment make_environment(const std::shared_ptr<MainSystem>& main) {
+  SolverEnvironment environment;
+  add_user_functions(environment.hooks, main);
+  add_console(environment.hooks);
+  add_interruption(environment.hooks, main);
+  environment.hooks.timeout = solver_switches().timeout;
+  environment.sensors = sensor_channels(main->model);
+  environment.sensor_storage = &main->sensor_storage;
+  environment.build = std::string(DALEMBERT_VERSION) + "; Python" + std::to_string(PY_MAJOR_VERSION) + "." +
+                      std::to_string(PY_MINOR_VERSION) + "." + std::to_string(PY_MICRO_VERSION);
+  return environment;
+}
+
+}  // namespace dalembert

@@ -1,0 +1,233 @@
+#include "solver_wrapper.hpp"
+
+#include <algorithm>
+
+#include "dalembert/model/errors.hpp"
+#include "dalembert/solvers/numerical_tangent.hpp"
+
+namespace dalembert {
+
+Array dense_matrix(const Pattern& pattern, std::span<const double> values, int size) {
+  Array matrix({size, size});
+  auto m = matrix.mutable_unchecked<2>();
+  std::fill_n(matrix.mutable_data(), matrix.size(), 0.0);
+  if (values.empty()) return matrix;
+  for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
+    if (row < size && column < size) m(row, column) = values[slot];
+  });
+  return matrix;
+}
+
+Array vector_array(std::span<const double> values) {
+  return Array(static_cast<py::ssize_t>(values.size()), values.data());
+}
+
+namespace {
+
+[[noreturn]] void refuse_shape(const char* method, const std::string& received, const std::string& expected) {
+  refuse(ErrorKind::value, {.item = std::string("solver.") + method + "(...)", .received = received, .expected = expected});
+}
+
+}  // namespace
+
+void read_matrix(const char* method, const Array& matrix, const Pattern& pattern, std::span<double> values, int size) {
+  const std::string expected = "a matrix of shape (" + std::to_string(size) + ", " + std::to_string(size) + ")";
+  if (matrix.ndim() != 2 || matrix.shape(0) != size || matrix.shape(1) != size) {
+    refuse_shape(method, "an array with " + std::to_string(matrix.ndim()) + " dimensions and " +
+                             std::to_string(matrix.size()) + " entries", expected);
+  }
+  const auto m = matrix.unchecked<2>();
+  std::vector<double> stored(values.size(), 0.0);
+  for (int i = 0; i < size; ++i) {
+    for (int j = 0; j < size; ++j) {
+      if (m(i, j) != 0) stored[static_cast<std::size_t>(pattern.slot(i, j))] = m(i, j);
+    }
+  }
+  std::copy(stored.begin(), stored.end(), values.begin());
+}
+
+void read_vector(const char* method, const Array& vector, std::span<double> values) {
+  if (vector.ndim() != 1 || vector.size() != static_cast<py::ssize_t>(values.size())) {
+    refuse_shape(method, std::to_string(vector.size()) + " numbers", "a vector of length " + std::to_string(values.size()));
+  }
+  std::copy_n(vector.data(), values.size(), values.begin());
+}
+
+void SolverWrapper::attach(const MainPointer& new_main, const py::object& object, const char* method, bool renew) {
+  if (!new_main) throw py::type_error(std::string("solver.") + method + "(mainSystem, ...): expected a MainSystem");
+  const bool other = new_main != main;
+  System& system = new_main->assembled(method);
+  if (!object.is_none() && !object.is(settings_object)) {
+    settings = simulation_settings_of(object);
+    settings_object = object;
+  }
+  if (!settings) settings = std::make_shared<SimulationSettings>();
+  main = new_main;
+  if (renew || other) environment_ = make_environment(main);
+  if (newton_settings_) {
+    const auto copy = simulation_settings_of(newton_settings_);
+    solver().newton_settings = copy->timeIntegration.newton;
+  }
+  solver().attach(system, *settings, environment_);
+}
+
+void SolverWrapper::require(const MainPointer& new_main, const py::object& object, const char* method) {
+  attach(new_main, object, method, false);
+  const Sizes &mine = solver().sizes(), &its = main->system.sizes();
+  if (!initialized_ || mine.ode2 != its.ode2 || mine.ode1 != its.ode1 || mine.ae != its.ae || mine.data != its.data) {
+    throw ModelError(ErrorKind::state, std::string("solver.") + method +
+                                           "(...): the solver is not initialized for this system; call "
+                                           "InitializeSolver(mbs, simulationSettings) first");
+  }
+}
+
+void SolverWrapper::require(const MainPointer& new_main, const char* method) {
+  require(new_main, settings_object ? settings_object : py::object(py::none()), method);
+}
+
+bool SolverWrapper::initialize_for(const MainPointer& new_main, const py::object& object) {
+  attach(new_main, object, "InitializeSolver", true);
+  main->stop_requested = false;
+  initialized_ = true;
+  {
+    const py::gil_scoped_release release;
+    initialized_ = solver().initialize();
+  }
+  update_newton_view();
+  return initialized_;
+}
+
+bool SolverWrapper::solve_for(const MainPointer& new_main, const py::object& object) {
+  attach(new_main, object, "SolveSystem", true);
+  main->stop_requested = false;
+  initialized_ = true;
+  bool success = false;
+  {
+    const py::gil_scoped_release release;
+    success = solver().solve_system();
+    main->system.state(ConfigurationType::Visualization) = main->system.state(ConfigurationType::Current);
+  }
+  update_newton_view();
+  return success;
+}
+
+py::object SolverWrapper::newton_view() {
+  if (!newton_settings_) {
+    newton_settings_ = py::module_::import("dalembert._core").attr("SimulationSettings")();
+    update_newton_view();
+  }
+  return newton_settings_.attr("timeIntegration").attr("newton");
+}
+
+void SolverWrapper::set_newton(const py::object& newton) {
+  newton_view();
+  newton_settings_.attr("timeIntegration").attr("newton") = newton;
+  solver().newton_settings = simulation_settings_of(newton_settings_)->timeIntegration.newton;
+}
+
+void SolverWrapper::update_newton_view() {
+  if (newton_settings_) simulation_settings_of(newton_settings_)->timeIntegration.newton = solver().newton_settings;
+}
+
+const Pattern& SolverWrapper::pattern() {
+  if (NewtonSolver* newton = newton_solver()) return newton->pattern();
+  return main->system.pattern(is_dense(settings->linearSolverType));
+}
+
+std::span<double> SolverWrapper::residual() {
+  if (NewtonSolver* newton = newton_solver()) return newton->residual();
+  own_residual_.resize(static_cast<std::size_t>(solver().sizes().total()));
+  return own_residual_;
+}
+
+Array SolverWrapper::residual_array() { return vector_array(residual()); }
+
+void SolverWrapper::store_mass_matrix(double factor) {
+  mass_.assign(static_cast<std::size_t>(pattern().values()), 0.0);
+  main->system.mass_matrix(main->system.state(ConfigurationType::Current), pattern(), mass_);
+  for (double& x : mass_) x *= factor;
+}
+
+Array SolverWrapper::mass_matrix() const {
+  auto& self = const_cast<SolverWrapper&>(*this);
+  if (!main) throw ModelError(ErrorKind::state, "solver.GetSystemMassMatrix(): call ComputeMassMatrix(mbs) first");
+  if (mass_.empty()) self.store_mass_matrix(1);
+  return dense_matrix(self.pattern(), mass_, solver().sizes().ode2);
+}
+
+void SolverWrapper::set_mass_matrix(const Array& matrix) {
+  mass_.assign(static_cast<std::size_t>(pattern().values()), 0.0);
+  read_matrix("SetSystemMassMatrix", matrix, pattern(), mass_, solver().sizes().ode2);
+}
+
+Array SolverWrapper::jacobian() {
+  NewtonSolver* newton = newton_solver();
+  return dense_matrix(newton->pattern(), newton->jacobian_values(), solver().sizes().total());
+}
+
+// The current state without accelerations and multipliers: forces alone.
+State SolverWrapper::quiet_state() {
+  State state = main->system.state(ConfigurationType::Current);
+  state.a.assign(state.q.size(), 0.0);
+  std::fill(state.lambda.begin(), state.lambda.end(), 0.0);
+  return state;
+}
+
+template <class Wanted>
+void SolverWrapper::add_part(const Weights& weights, bool rate_level, double factor, Wanted&& wanted) {
+  if (factor == 0) return;
+  NewtonSolver& newton = *newton_solver();
+  part_.resize(newton.jacobian_values().size());
+  const State state = quiet_state();
+  main->system.tangent(state, {.rate_level = rate_level, .inertia = true}, weights, newton.pattern(), part_);
+  const std::span<double> values = newton.jacobian_values();
+  for_each_entry(newton.pattern(), [&](int row, int column, std::size_t slot) {
+    if (wanted(row, column)) values[slot] += factor * part_[slot];
+  });
+}
+
+// Right-hand sides stand on the other side of the equations: the sign changes.
+void SolverWrapper::compute_ode2_jacobian(double q, double v, double y) {
+  std::ranges::fill(newton_solver()->jacobian_values(), 0.0);
+  const Sizes s = solver().sizes();
+  add_part({.q = q, .v = v, .a = 0, .y = y, .y_t = 0}, false, -1,
+           [s](int row, int column) { return row < s.ode2 && column < s.first_ae(); });
+}
+
+void SolverWrapper::add_ode1_jacobian(double q, double v, double y) {
+  const Sizes s = solver().sizes();
+  if (s.ode1 == 0) return;
+  add_part({.q = q, .v = v, .a = 0, .y = y, .y_t = 0}, false, 1,
+           [s](int row, int column) { return row >= s.ode2 && row < s.first_ae() && column < s.first_ae(); });
+}
+
+void SolverWrapper::add_ae_jacobian(double q, double v, double y, bool rate_level) {
+  const Sizes s = solver().sizes();
+  if (s.ae == 0) return;
+  add_part({.q = 1, .v = 0, .a = 0, .y = 0, .y_t = 0}, rate_level, q,
+           [s](int row, int column) { return row >= s.first_ae() && column < s.ode2; });
+  add_part({.q = 0, .v = 1, .a = 0, .y = 0, .y_t = 0}, rate_level, v,
+           [s](int row, int column) { return row >= s.first_ae() && column < s.ode2; });
+  add_part({.q = 1, .v = 0, .a = 0, .y = 1, .y_t = 0}, rate_level, y,
+           [s](int row, int column) { return row >= s.first_ae() && column >= s.ode2 && column < s.first_ae(); });
+  add_part({.q = 1, .v = 0, .a = 0, .y = 1, .y_t = 0}, rate_level, 1,
+           [s](int, int column) { return column >= s.first_ae(); });
+}
+
+void SolverWrapper::compute_forces() {
+  main->system.forces(main->system.state(ConfigurationType::Current), {},
+                      residual().first(static_cast<std::size_t>(solver().sizes().ode2)));
+}
+
+void SolverWrapper::compute_rates() {
+  const Sizes& s = solver().sizes();
+  main->system.rates(main->system.state(ConfigurationType::Current), {},
+                     residual().subspan(static_cast<std::size_t>(s.ode2), static_cast<std::size_t>(s.ode1)));
+}
+
+void SolverWrapper::compute_gaps(bool rate_level) {
+  main->system.gaps(main->system.state(ConfigurationType::Current), {.rate_level = rate_level},
+                    residual().subspan(static_cast<std::size_t>(solver().sizes().first_ae())));
+}
+
+}  // namespace dalembert

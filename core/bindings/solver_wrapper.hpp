@@ -1,0 +1,93 @@
+// A solver as Python sees it: with the system and the settings of the current call, and with access to its matrices.
+#pragma once
+
+#include <pybind11/numpy.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "dalembert/solvers/newton.hpp"
+#include "main_system.hpp"
+#include "settings.hpp"
+#include "solver_environment.hpp"
+
+namespace dalembert {
+
+using Array = py::array_t<double>;
+using MainPointer = std::shared_ptr<MainSystem>;
+
+Array dense_matrix(const Pattern& pattern, std::span<const double> values, int size);
+Array vector_array(std::span<const double> values);
+// Refused if the shape differs, or if an entry lies outside the pattern.
+void read_matrix(const char* method, const Array& matrix, const Pattern& pattern, std::span<double> values, int size);
+void read_vector(const char* method, const Array& vector, std::span<double> values);
+
+// What MainSolver... classes need besides the solver itself.
+class SolverWrapper {
+ public:
+  virtual ~SolverWrapper() = default;
+  virtual Solver& solver() = 0;
+  virtual NewtonSolver* newton_solver() { return nullptr; }
+  const Solver& solver() const { return const_cast<SolverWrapper*>(this)->solver(); }
+
+  // Before every call that works on a system. Hooks are made anew when `renew`, otherwise only for another system.
+  void attach(const MainPointer& main, const py::object& settings, const char* method, bool renew);
+  // As attach, and refused unless InitializeSolver has been called for a system of this size.
+  void require(const MainPointer& main, const py::object& settings, const char* method);
+  // The same for methods without settings: those of the last call are used.
+  void require(const MainPointer& main, const char* method);
+
+  bool solve_for(const MainPointer& main, const py::object& settings);
+  bool initialize_for(const MainPointer& main, const py::object& settings);
+
+  // A copy of the settings that the solver obeys, which writes through at the next call.
+  py::object newton_view();
+  void set_newton(const py::object& newton);
+  void update_newton_view();
+
+  // ---- matrices ----------------------------------------------------------------------------------------------------
+  void store_mass_matrix(double factor);
+  void compute_ode2_jacobian(double q, double v, double y);
+  void add_ode1_jacobian(double q, double v, double y);
+  void add_ae_jacobian(double q, double v, double y, bool rate_level);
+  void compute_forces();
+  void compute_rates();
+  void compute_gaps(bool rate_level);
+  Array mass_matrix() const;
+  Array jacobian();
+  Array residual_array();
+  void set_mass_matrix(const Array& matrix);
+  std::span<double> residual();
+  const Pattern& pattern();
+
+  MainPointer main;
+  std::shared_ptr<SimulationSettings> settings;
+  py::object settings_object;
+
+ private:
+  // The part of a tangent that `wanted(row, column)` selects is added to the Jacobian, times `factor`.
+  template <class Wanted>
+  void add_part(const Weights& weights, bool rate_level, double factor, Wanted&& wanted);
+  State quiet_state();
+
+  SolverEnvironment environment_;
+  bool initialized_ = false;
+  std::vector<double> mass_, own_residual_, part_;
+  py::object newton_settings_;  // settings of which one branch holds the copy
+};
+
+template <class Core>
+class WrappedSolver : public SolverWrapper, public Core, public std::enable_shared_from_this<WrappedSolver<Core>> {
+ public:
+  Solver& solver() override { return *this; }
+  NewtonSolver* newton_solver() override {
+    if constexpr (std::is_base_of_v<NewtonSolver, Core>) {
+      return this;
+    } else {
+      return nullptr;
+    }
+  }
+};
+
+}  // namespace dalembert
