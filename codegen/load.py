@@ -24,7 +24,7 @@ from codegen.rows import at, check_keys, known_key, parameter, parse, text
 TABLES = ("parameters", "visualization", "outputs")
 TOP_LEVEL = (
     "name", "type_name", "object_type", "short_names", "summary", "provides", "requested_nodes", "requested_markers", "physics",
-    "nodes", "irregular", *TABLES, "user_functions", "capabilities", "docs", "example",
+    "nodes", "irregular", *TABLES, "user_functions", "docs", "example",
 )  # fmt: skip
 WORD_LISTS = ("short_names", "provides", "requested_nodes", "requested_markers", "nodes")
 OUTPUT_KEYS = ("size", "unit", "from", "symbol", "doc")
@@ -80,7 +80,6 @@ def load_item(path: str, content: str, groups: Groups, enums: Mapping[str, Enum]
             visualization=_rows("visualization", tables, lambda n, r: parameter(n, r, enums)),
             outputs=_rows("outputs", tables, lambda n, r: _output(n, r, enums)),
             user_functions=_rows("user_functions", raw, _user_function),
-            capabilities=raw.get("capabilities", {}),
             equations=docs.get("equations", "").strip(),
             quantities=tuple(_quantity(i, row) for i, row in enumerate(docs.get("quantities", ()))),
             examples=tuple(docs.get("examples", ())),

@@ -8,8 +8,7 @@ from __future__ import annotations
 
 import keyword
 import re
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 from codegen.names import FOLDERS, nearest, stem_of
@@ -244,7 +243,6 @@ class Item:
     requested_markers: tuple[str, ...] = ()
     nodes: tuple[str, ...] = ()
     irregular: str = ""
-    capabilities: Mapping[str, bool | str] = field(default_factory=dict)
     equations: str = ""
     quantities: tuple[Quantity, ...] = ()
     examples: tuple[str, ...] = ()

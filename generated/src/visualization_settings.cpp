@@ -9,16 +9,16 @@ namespace dalembert {
 namespace {
 
 constexpr std::array<Row, 11> VSettingsViewCamera_rows{{
-    {.name = "cameraPosition", .storage = Storage::vector3, .offset = offsetof(VSettingsViewCamera, cameraPosition), .role = Role::parameter},
-    {.name = "clippingPlaneDistance", .storage = Storage::real, .offset = offsetof(VSettingsViewCamera, clippingPlaneDistance), .role = Role::parameter},
-    {.name = "clippingPlaneNormal", .storage = Storage::vector3, .offset = offsetof(VSettingsViewCamera, clippingPlaneNormal), .role = Role::parameter},
+    {.name = "cameraPosition", .storage = Storage::vector3, .offset = offsetof(VSettingsViewCamera, cameraPosition), .role = Role::parameter, .unit = "m"},
+    {.name = "clippingPlaneDistance", .storage = Storage::real, .offset = offsetof(VSettingsViewCamera, clippingPlaneDistance), .role = Role::parameter, .unit = "m"},
+    {.name = "clippingPlaneNormal", .storage = Storage::vector3, .offset = offsetof(VSettingsViewCamera, clippingPlaneNormal), .role = Role::parameter, .unit = "1"},
     {.name = "modelCentricView", .storage = Storage::boolean, .offset = offsetof(VSettingsViewCamera, modelCentricView), .role = Role::parameter},
-    {.name = "nearFarPlaneOffset", .storage = Storage::vector3, .offset = offsetof(VSettingsViewCamera, nearFarPlaneOffset), .role = Role::parameter},
-    {.name = "perspective", .storage = Storage::real, .offset = offsetof(VSettingsViewCamera, perspective), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "nearFarPlaneOffset", .storage = Storage::vector3, .offset = offsetof(VSettingsViewCamera, nearFarPlaneOffset), .role = Role::parameter, .unit = "various"},
+    {.name = "perspective", .storage = Storage::real, .offset = offsetof(VSettingsViewCamera, perspective), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
     {.name = "trackMarker", .storage = Storage::integer, .offset = offsetof(VSettingsViewCamera, trackMarker), .role = Role::parameter},
     {.name = "trackMarkerMbsNumber", .storage = Storage::integer, .offset = offsetof(VSettingsViewCamera, trackMarkerMbsNumber), .role = Role::parameter, .check = Check::non_negative},
-    {.name = "trackMarkerOrientation", .storage = Storage::vector3, .offset = offsetof(VSettingsViewCamera, trackMarkerOrientation), .role = Role::parameter},
-    {.name = "trackMarkerPosition", .storage = Storage::vector3, .offset = offsetof(VSettingsViewCamera, trackMarkerPosition), .role = Role::parameter},
+    {.name = "trackMarkerOrientation", .storage = Storage::vector3, .offset = offsetof(VSettingsViewCamera, trackMarkerOrientation), .role = Role::parameter, .unit = "1"},
+    {.name = "trackMarkerPosition", .storage = Storage::vector3, .offset = offsetof(VSettingsViewCamera, trackMarkerPosition), .role = Role::parameter, .unit = "1"},
     {.name = "useRaytracer", .storage = Storage::boolean, .offset = offsetof(VSettingsViewCamera, useRaytracer), .role = Role::parameter},
 }};
 constexpr SettingsGroup VSettingsViewCamera_group{"VSettingsViewCamera", VSettingsViewCamera_rows, {}};
@@ -32,13 +32,13 @@ constexpr std::array<Row, 9> VSettingsViewScene_rows{{
     {.name = "showLines", .storage = Storage::boolean, .offset = offsetof(VSettingsViewScene, showLines), .role = Role::parameter},
     {.name = "showMeshEdges", .storage = Storage::boolean, .offset = offsetof(VSettingsViewScene, showMeshEdges), .role = Role::parameter},
     {.name = "showMeshFaces", .storage = Storage::boolean, .offset = offsetof(VSettingsViewScene, showMeshFaces), .role = Role::parameter},
-    {.name = "worldBasisSize", .storage = Storage::real, .offset = offsetof(VSettingsViewScene, worldBasisSize), .role = Role::parameter, .check = Check::positive},
+    {.name = "worldBasisSize", .storage = Storage::real, .offset = offsetof(VSettingsViewScene, worldBasisSize), .role = Role::parameter, .check = Check::positive, .unit = "m"},
 }};
 constexpr SettingsGroup VSettingsViewScene_group{"VSettingsViewScene", VSettingsViewScene_rows, {}};
 
 constexpr std::array<Row, 9> VSettingsViewWindow_rows{{
     {.name = "alwaysOnTop", .storage = Storage::boolean, .offset = offsetof(VSettingsViewWindow, alwaysOnTop), .role = Role::parameter},
-    {.name = "globalFontSize", .storage = Storage::real, .offset = offsetof(VSettingsViewWindow, globalFontSize), .role = Role::parameter, .check = Check::positive},
+    {.name = "globalFontSize", .storage = Storage::real, .offset = offsetof(VSettingsViewWindow, globalFontSize), .role = Role::parameter, .check = Check::positive, .unit = "1"},
     {.name = "lockModelView", .storage = Storage::boolean, .offset = offsetof(VSettingsViewWindow, lockModelView), .role = Role::parameter},
     {.name = "maximize", .storage = Storage::boolean, .offset = offsetof(VSettingsViewWindow, maximize), .role = Role::parameter},
     {.name = "renderWindowSize", .storage = Storage::integers, .offset = offsetof(VSettingsViewWindow, renderWindowSize), .role = Role::parameter, .size = 2},
@@ -59,35 +59,35 @@ constexpr std::array<SettingsChild, 3> VSettingsView_children{{
 constexpr SettingsGroup VSettingsView_group{"VSettingsView", VSettingsView_rows, VSettingsView_children};
 
 constexpr std::array<Row, 10> VSettingsLight_rows{{
-    {.name = "constantAttenuation", .storage = Storage::real, .offset = offsetof(VSettingsLight, constantAttenuation), .role = Role::parameter},
-    {.name = "diffuse", .storage = Storage::real, .offset = offsetof(VSettingsLight, diffuse), .role = Role::parameter},
+    {.name = "constantAttenuation", .storage = Storage::real, .offset = offsetof(VSettingsLight, constantAttenuation), .role = Role::parameter, .unit = "1"},
+    {.name = "diffuse", .storage = Storage::real, .offset = offsetof(VSettingsLight, diffuse), .role = Role::parameter, .unit = "1"},
     {.name = "enable", .storage = Storage::boolean, .offset = offsetof(VSettingsLight, enable), .role = Role::parameter},
-    {.name = "lightRadius", .storage = Storage::real, .offset = offsetof(VSettingsLight, lightRadius), .role = Role::parameter},
-    {.name = "linearAttenuation", .storage = Storage::real, .offset = offsetof(VSettingsLight, linearAttenuation), .role = Role::parameter},
-    {.name = "position", .storage = Storage::vector4, .offset = offsetof(VSettingsLight, position), .role = Role::parameter},
-    {.name = "quadraticAttenuation", .storage = Storage::real, .offset = offsetof(VSettingsLight, quadraticAttenuation), .role = Role::parameter},
-    {.name = "shadow", .storage = Storage::real, .offset = offsetof(VSettingsLight, shadow), .role = Role::parameter, .check = Check::non_negative},
-    {.name = "specular", .storage = Storage::real, .offset = offsetof(VSettingsLight, specular), .role = Role::parameter},
+    {.name = "lightRadius", .storage = Storage::real, .offset = offsetof(VSettingsLight, lightRadius), .role = Role::parameter, .unit = "m"},
+    {.name = "linearAttenuation", .storage = Storage::real, .offset = offsetof(VSettingsLight, linearAttenuation), .role = Role::parameter, .unit = "1/m"},
+    {.name = "position", .storage = Storage::vector4, .offset = offsetof(VSettingsLight, position), .role = Role::parameter, .unit = "m"},
+    {.name = "quadraticAttenuation", .storage = Storage::real, .offset = offsetof(VSettingsLight, quadraticAttenuation), .role = Role::parameter, .unit = "1/m^2"},
+    {.name = "shadow", .storage = Storage::real, .offset = offsetof(VSettingsLight, shadow), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
+    {.name = "specular", .storage = Storage::real, .offset = offsetof(VSettingsLight, specular), .role = Role::parameter, .unit = "1"},
     {.name = "useCameraFrame", .storage = Storage::boolean, .offset = offsetof(VSettingsLight, useCameraFrame), .role = Role::parameter},
 }};
 constexpr SettingsGroup VSettingsLight_group{"VSettingsLight", VSettingsLight_rows, {}};
 
 constexpr std::array<Row, 8> VSettingsMaterial_rows{{
-    {.name = "alpha", .storage = Storage::real, .offset = offsetof(VSettingsMaterial, alpha), .role = Role::parameter, .check = Check::non_negative},
-    {.name = "baseColor", .storage = Storage::vector3, .offset = offsetof(VSettingsMaterial, baseColor), .role = Role::parameter},
-    {.name = "emission", .storage = Storage::vector3, .offset = offsetof(VSettingsMaterial, emission), .role = Role::parameter},
-    {.name = "ior", .storage = Storage::real, .offset = offsetof(VSettingsMaterial, ior), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "alpha", .storage = Storage::real, .offset = offsetof(VSettingsMaterial, alpha), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
+    {.name = "baseColor", .storage = Storage::vector3, .offset = offsetof(VSettingsMaterial, baseColor), .role = Role::parameter, .unit = "1"},
+    {.name = "emission", .storage = Storage::vector3, .offset = offsetof(VSettingsMaterial, emission), .role = Role::parameter, .unit = "1"},
+    {.name = "ior", .storage = Storage::real, .offset = offsetof(VSettingsMaterial, ior), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
     {.name = "name", .storage = Storage::text, .offset = offsetof(VSettingsMaterial, name), .role = Role::parameter},
-    {.name = "reflectivity", .storage = Storage::real, .offset = offsetof(VSettingsMaterial, reflectivity), .role = Role::parameter, .check = Check::non_negative},
-    {.name = "shininess", .storage = Storage::real, .offset = offsetof(VSettingsMaterial, shininess), .role = Role::parameter, .check = Check::non_negative},
-    {.name = "specular", .storage = Storage::vector3, .offset = offsetof(VSettingsMaterial, specular), .role = Role::parameter},
+    {.name = "reflectivity", .storage = Storage::real, .offset = offsetof(VSettingsMaterial, reflectivity), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
+    {.name = "shininess", .storage = Storage::real, .offset = offsetof(VSettingsMaterial, shininess), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
+    {.name = "specular", .storage = Storage::vector3, .offset = offsetof(VSettingsMaterial, specular), .role = Role::parameter, .unit = "1"},
 }};
 constexpr SettingsGroup VSettingsMaterial_group{"VSettingsMaterial", VSettingsMaterial_rows, {}};
 
 constexpr std::array<Row, 9> VSettingsNodes_rows{{
-    {.name = "basisSize", .storage = Storage::real, .offset = offsetof(VSettingsNodes, basisSize), .role = Role::parameter},
-    {.name = "defaultColor", .storage = Storage::vector4, .offset = offsetof(VSettingsNodes, defaultColor), .role = Role::parameter},
-    {.name = "defaultSize", .storage = Storage::real, .offset = offsetof(VSettingsNodes, defaultSize), .role = Role::parameter},
+    {.name = "basisSize", .storage = Storage::real, .offset = offsetof(VSettingsNodes, basisSize), .role = Role::parameter, .unit = "m"},
+    {.name = "defaultColor", .storage = Storage::vector4, .offset = offsetof(VSettingsNodes, defaultColor), .role = Role::parameter, .unit = "1"},
+    {.name = "defaultSize", .storage = Storage::real, .offset = offsetof(VSettingsNodes, defaultSize), .role = Role::parameter, .unit = "m"},
     {.name = "drawNodesAsPoint", .storage = Storage::boolean, .offset = offsetof(VSettingsNodes, drawNodesAsPoint), .role = Role::parameter},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(VSettingsNodes, show), .role = Role::parameter},
     {.name = "showBasis", .storage = Storage::boolean, .offset = offsetof(VSettingsNodes, showBasis), .role = Role::parameter},
@@ -102,17 +102,17 @@ constexpr std::array<Row, 10> VSettingsBodiesBeams_rows{{
     {.name = "crossSectionFilled", .storage = Storage::boolean, .offset = offsetof(VSettingsBodiesBeams, crossSectionFilled), .role = Role::parameter},
     {.name = "crossSectionTiling", .storage = Storage::integer, .offset = offsetof(VSettingsBodiesBeams, crossSectionTiling), .role = Role::parameter, .check = Check::positive},
     {.name = "drawVertical", .storage = Storage::boolean, .offset = offsetof(VSettingsBodiesBeams, drawVertical), .role = Role::parameter},
-    {.name = "drawVerticalColor", .storage = Storage::vector4, .offset = offsetof(VSettingsBodiesBeams, drawVerticalColor), .role = Role::parameter},
-    {.name = "drawVerticalFactor", .storage = Storage::real, .offset = offsetof(VSettingsBodiesBeams, drawVerticalFactor), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "drawVerticalColor", .storage = Storage::vector4, .offset = offsetof(VSettingsBodiesBeams, drawVerticalColor), .role = Role::parameter, .unit = "1"},
+    {.name = "drawVerticalFactor", .storage = Storage::real, .offset = offsetof(VSettingsBodiesBeams, drawVerticalFactor), .role = Role::parameter, .check = Check::non_negative, .unit = "various"},
     {.name = "drawVerticalLines", .storage = Storage::boolean, .offset = offsetof(VSettingsBodiesBeams, drawVerticalLines), .role = Role::parameter},
-    {.name = "drawVerticalOffset", .storage = Storage::real, .offset = offsetof(VSettingsBodiesBeams, drawVerticalOffset), .role = Role::parameter},
+    {.name = "drawVerticalOffset", .storage = Storage::real, .offset = offsetof(VSettingsBodiesBeams, drawVerticalOffset), .role = Role::parameter, .unit = "various"},
     {.name = "drawVerticalValues", .storage = Storage::boolean, .offset = offsetof(VSettingsBodiesBeams, drawVerticalValues), .role = Role::parameter},
     {.name = "reducedAxialInterploation", .storage = Storage::boolean, .offset = offsetof(VSettingsBodiesBeams, reducedAxialInterploation), .role = Role::parameter},
 }};
 constexpr SettingsGroup VSettingsBodiesBeams_group{"VSettingsBodiesBeams", VSettingsBodiesBeams_rows, {}};
 
 constexpr std::array<Row, 4> VSettingsBodiesKinematicTree_rows{{
-    {.name = "frameSize", .storage = Storage::real, .offset = offsetof(VSettingsBodiesKinematicTree, frameSize), .role = Role::parameter},
+    {.name = "frameSize", .storage = Storage::real, .offset = offsetof(VSettingsBodiesKinematicTree, frameSize), .role = Role::parameter, .unit = "m"},
     {.name = "showCOMframes", .storage = Storage::boolean, .offset = offsetof(VSettingsBodiesKinematicTree, showCOMframes), .role = Role::parameter},
     {.name = "showFramesNumbers", .storage = Storage::boolean, .offset = offsetof(VSettingsBodiesKinematicTree, showFramesNumbers), .role = Role::parameter},
     {.name = "showJointFrames", .storage = Storage::boolean, .offset = offsetof(VSettingsBodiesKinematicTree, showJointFrames), .role = Role::parameter},
@@ -121,14 +121,14 @@ constexpr SettingsGroup VSettingsBodiesKinematicTree_group{"VSettingsBodiesKinem
 
 constexpr std::array<Row, 2> VSettingsBodiesShells_rows{{
     {.name = "drawSolid", .storage = Storage::boolean, .offset = offsetof(VSettingsBodiesShells, drawSolid), .role = Role::parameter},
-    {.name = "thicknessFactor", .storage = Storage::real, .offset = offsetof(VSettingsBodiesShells, thicknessFactor), .role = Role::parameter, .check = Check::positive},
+    {.name = "thicknessFactor", .storage = Storage::real, .offset = offsetof(VSettingsBodiesShells, thicknessFactor), .role = Role::parameter, .check = Check::positive, .unit = "1"},
 }};
 constexpr SettingsGroup VSettingsBodiesShells_group{"VSettingsBodiesShells", VSettingsBodiesShells_rows, {}};
 
 constexpr std::array<Row, 5> VSettingsBodies_rows{{
-    {.name = "defaultColor", .storage = Storage::vector4, .offset = offsetof(VSettingsBodies, defaultColor), .role = Role::parameter},
-    {.name = "defaultSize", .storage = Storage::vector3, .offset = offsetof(VSettingsBodies, defaultSize), .role = Role::parameter},
-    {.name = "deformationScaleFactor", .storage = Storage::real, .offset = offsetof(VSettingsBodies, deformationScaleFactor), .role = Role::parameter},
+    {.name = "defaultColor", .storage = Storage::vector4, .offset = offsetof(VSettingsBodies, defaultColor), .role = Role::parameter, .unit = "1"},
+    {.name = "defaultSize", .storage = Storage::vector3, .offset = offsetof(VSettingsBodies, defaultSize), .role = Role::parameter, .unit = "m"},
+    {.name = "deformationScaleFactor", .storage = Storage::real, .offset = offsetof(VSettingsBodies, deformationScaleFactor), .role = Role::parameter, .unit = "1"},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(VSettingsBodies, show), .role = Role::parameter},
     {.name = "showNumbers", .storage = Storage::boolean, .offset = offsetof(VSettingsBodies, showNumbers), .role = Role::parameter},
 }};
@@ -140,11 +140,11 @@ constexpr std::array<SettingsChild, 3> VSettingsBodies_children{{
 constexpr SettingsGroup VSettingsBodies_group{"VSettingsBodies", VSettingsBodies_rows, VSettingsBodies_children};
 
 constexpr std::array<Row, 10> VSettingsConnectors_rows{{
-    {.name = "contactPointsDefaultSize", .storage = Storage::real, .offset = offsetof(VSettingsConnectors, contactPointsDefaultSize), .role = Role::parameter},
-    {.name = "defaultColor", .storage = Storage::vector4, .offset = offsetof(VSettingsConnectors, defaultColor), .role = Role::parameter},
-    {.name = "defaultSize", .storage = Storage::real, .offset = offsetof(VSettingsConnectors, defaultSize), .role = Role::parameter},
-    {.name = "jointAxesLength", .storage = Storage::real, .offset = offsetof(VSettingsConnectors, jointAxesLength), .role = Role::parameter},
-    {.name = "jointAxesRadius", .storage = Storage::real, .offset = offsetof(VSettingsConnectors, jointAxesRadius), .role = Role::parameter},
+    {.name = "contactPointsDefaultSize", .storage = Storage::real, .offset = offsetof(VSettingsConnectors, contactPointsDefaultSize), .role = Role::parameter, .unit = "m"},
+    {.name = "defaultColor", .storage = Storage::vector4, .offset = offsetof(VSettingsConnectors, defaultColor), .role = Role::parameter, .unit = "1"},
+    {.name = "defaultSize", .storage = Storage::real, .offset = offsetof(VSettingsConnectors, defaultSize), .role = Role::parameter, .unit = "m"},
+    {.name = "jointAxesLength", .storage = Storage::real, .offset = offsetof(VSettingsConnectors, jointAxesLength), .role = Role::parameter, .unit = "m"},
+    {.name = "jointAxesRadius", .storage = Storage::real, .offset = offsetof(VSettingsConnectors, jointAxesRadius), .role = Role::parameter, .unit = "m"},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(VSettingsConnectors, show), .role = Role::parameter},
     {.name = "showContact", .storage = Storage::boolean, .offset = offsetof(VSettingsConnectors, showContact), .role = Role::parameter},
     {.name = "showJointAxes", .storage = Storage::boolean, .offset = offsetof(VSettingsConnectors, showJointAxes), .role = Role::parameter},
@@ -154,8 +154,8 @@ constexpr std::array<Row, 10> VSettingsConnectors_rows{{
 constexpr SettingsGroup VSettingsConnectors_group{"VSettingsConnectors", VSettingsConnectors_rows, {}};
 
 constexpr std::array<Row, 5> VSettingsMarkers_rows{{
-    {.name = "defaultColor", .storage = Storage::vector4, .offset = offsetof(VSettingsMarkers, defaultColor), .role = Role::parameter},
-    {.name = "defaultSize", .storage = Storage::real, .offset = offsetof(VSettingsMarkers, defaultSize), .role = Role::parameter},
+    {.name = "defaultColor", .storage = Storage::vector4, .offset = offsetof(VSettingsMarkers, defaultColor), .role = Role::parameter, .unit = "1"},
+    {.name = "defaultSize", .storage = Storage::real, .offset = offsetof(VSettingsMarkers, defaultSize), .role = Role::parameter, .unit = "m"},
     {.name = "drawSimplified", .storage = Storage::boolean, .offset = offsetof(VSettingsMarkers, drawSimplified), .role = Role::parameter},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(VSettingsMarkers, show), .role = Role::parameter},
     {.name = "showNumbers", .storage = Storage::boolean, .offset = offsetof(VSettingsMarkers, showNumbers), .role = Role::parameter},
@@ -163,20 +163,20 @@ constexpr std::array<Row, 5> VSettingsMarkers_rows{{
 constexpr SettingsGroup VSettingsMarkers_group{"VSettingsMarkers", VSettingsMarkers_rows, {}};
 
 constexpr std::array<Row, 9> VSettingsLoads_rows{{
-    {.name = "defaultColor", .storage = Storage::vector4, .offset = offsetof(VSettingsLoads, defaultColor), .role = Role::parameter},
-    {.name = "defaultRadius", .storage = Storage::real, .offset = offsetof(VSettingsLoads, defaultRadius), .role = Role::parameter},
-    {.name = "defaultSize", .storage = Storage::real, .offset = offsetof(VSettingsLoads, defaultSize), .role = Role::parameter},
+    {.name = "defaultColor", .storage = Storage::vector4, .offset = offsetof(VSettingsLoads, defaultColor), .role = Role::parameter, .unit = "1"},
+    {.name = "defaultRadius", .storage = Storage::real, .offset = offsetof(VSettingsLoads, defaultRadius), .role = Role::parameter, .unit = "m"},
+    {.name = "defaultSize", .storage = Storage::real, .offset = offsetof(VSettingsLoads, defaultSize), .role = Role::parameter, .unit = "m"},
     {.name = "drawSimplified", .storage = Storage::boolean, .offset = offsetof(VSettingsLoads, drawSimplified), .role = Role::parameter},
     {.name = "drawWithUserFunction", .storage = Storage::boolean, .offset = offsetof(VSettingsLoads, drawWithUserFunction), .role = Role::parameter},
     {.name = "fixedLoadSize", .storage = Storage::boolean, .offset = offsetof(VSettingsLoads, fixedLoadSize), .role = Role::parameter},
-    {.name = "loadSizeFactor", .storage = Storage::real, .offset = offsetof(VSettingsLoads, loadSizeFactor), .role = Role::parameter},
+    {.name = "loadSizeFactor", .storage = Storage::real, .offset = offsetof(VSettingsLoads, loadSizeFactor), .role = Role::parameter, .unit = "various"},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(VSettingsLoads, show), .role = Role::parameter},
     {.name = "showNumbers", .storage = Storage::boolean, .offset = offsetof(VSettingsLoads, showNumbers), .role = Role::parameter},
 }};
 constexpr SettingsGroup VSettingsLoads_group{"VSettingsLoads", VSettingsLoads_rows, {}};
 
 constexpr std::array<Row, 18> VSettingsSensorsTraces_rows{{
-    {.name = "lineWidth", .storage = Storage::real, .offset = offsetof(VSettingsSensorsTraces, lineWidth), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "lineWidth", .storage = Storage::real, .offset = offsetof(VSettingsSensorsTraces, lineWidth), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
     {.name = "listOfPositionSensors", .storage = Storage::integers, .offset = offsetof(VSettingsSensorsTraces, listOfPositionSensors), .role = Role::parameter},
     {.name = "listOfTriadSensors", .storage = Storage::integers, .offset = offsetof(VSettingsSensorsTraces, listOfTriadSensors), .role = Role::parameter},
     {.name = "listOfVectorSensors", .storage = Storage::integers, .offset = offsetof(VSettingsSensorsTraces, listOfVectorSensors), .role = Role::parameter},
@@ -188,18 +188,18 @@ constexpr std::array<Row, 18> VSettingsSensorsTraces_rows{{
     {.name = "showPositionTrace", .storage = Storage::boolean, .offset = offsetof(VSettingsSensorsTraces, showPositionTrace), .role = Role::parameter},
     {.name = "showTriads", .storage = Storage::boolean, .offset = offsetof(VSettingsSensorsTraces, showTriads), .role = Role::parameter},
     {.name = "showVectors", .storage = Storage::boolean, .offset = offsetof(VSettingsSensorsTraces, showVectors), .role = Role::parameter},
-    {.name = "timeSpan", .storage = Storage::real, .offset = offsetof(VSettingsSensorsTraces, timeSpan), .role = Role::parameter, .check = Check::non_negative},
-    {.name = "traceColors", .storage = Storage::vector, .offset = offsetof(VSettingsSensorsTraces, traceColors), .role = Role::parameter},
-    {.name = "triadSize", .storage = Storage::real, .offset = offsetof(VSettingsSensorsTraces, triadSize), .role = Role::parameter},
+    {.name = "timeSpan", .storage = Storage::real, .offset = offsetof(VSettingsSensorsTraces, timeSpan), .role = Role::parameter, .check = Check::non_negative, .unit = "s"},
+    {.name = "traceColors", .storage = Storage::vector, .offset = offsetof(VSettingsSensorsTraces, traceColors), .role = Role::parameter, .unit = "1"},
+    {.name = "triadSize", .storage = Storage::real, .offset = offsetof(VSettingsSensorsTraces, triadSize), .role = Role::parameter, .unit = "m"},
     {.name = "triadsShowEvery", .storage = Storage::integer, .offset = offsetof(VSettingsSensorsTraces, triadsShowEvery), .role = Role::parameter, .check = Check::positive},
-    {.name = "vectorScaling", .storage = Storage::real, .offset = offsetof(VSettingsSensorsTraces, vectorScaling), .role = Role::parameter},
+    {.name = "vectorScaling", .storage = Storage::real, .offset = offsetof(VSettingsSensorsTraces, vectorScaling), .role = Role::parameter, .unit = "various"},
     {.name = "vectorsShowEvery", .storage = Storage::integer, .offset = offsetof(VSettingsSensorsTraces, vectorsShowEvery), .role = Role::parameter, .check = Check::positive},
 }};
 constexpr SettingsGroup VSettingsSensorsTraces_group{"VSettingsSensorsTraces", VSettingsSensorsTraces_rows, {}};
 
 constexpr std::array<Row, 5> VSettingsSensors_rows{{
-    {.name = "defaultColor", .storage = Storage::vector4, .offset = offsetof(VSettingsSensors, defaultColor), .role = Role::parameter},
-    {.name = "defaultSize", .storage = Storage::real, .offset = offsetof(VSettingsSensors, defaultSize), .role = Role::parameter},
+    {.name = "defaultColor", .storage = Storage::vector4, .offset = offsetof(VSettingsSensors, defaultColor), .role = Role::parameter, .unit = "1"},
+    {.name = "defaultSize", .storage = Storage::real, .offset = offsetof(VSettingsSensors, defaultSize), .role = Role::parameter, .unit = "m"},
     {.name = "drawSimplified", .storage = Storage::boolean, .offset = offsetof(VSettingsSensors, drawSimplified), .role = Role::parameter},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(VSettingsSensors, show), .role = Role::parameter},
     {.name = "showNumbers", .storage = Storage::boolean, .offset = offsetof(VSettingsSensors, showNumbers), .role = Role::parameter},
@@ -212,22 +212,22 @@ constexpr SettingsGroup VSettingsSensors_group{"VSettingsSensors", VSettingsSens
 constexpr std::array<Row, 10> VSettingsContourAdvanced_rows{{
     {.name = "colorBarPrecision", .storage = Storage::integer, .offset = offsetof(VSettingsContourAdvanced, colorBarPrecision), .role = Role::parameter, .check = Check::positive},
     {.name = "colorBarTiling", .storage = Storage::integer, .offset = offsetof(VSettingsContourAdvanced, colorBarTiling), .role = Role::parameter, .check = Check::positive},
-    {.name = "contourColor0", .storage = Storage::vector4, .offset = offsetof(VSettingsContourAdvanced, contourColor0), .role = Role::parameter},
-    {.name = "contourColor1", .storage = Storage::vector4, .offset = offsetof(VSettingsContourAdvanced, contourColor1), .role = Role::parameter},
-    {.name = "contourColor2", .storage = Storage::vector4, .offset = offsetof(VSettingsContourAdvanced, contourColor2), .role = Role::parameter},
-    {.name = "contourColor3", .storage = Storage::vector4, .offset = offsetof(VSettingsContourAdvanced, contourColor3), .role = Role::parameter},
-    {.name = "contourColor4", .storage = Storage::vector4, .offset = offsetof(VSettingsContourAdvanced, contourColor4), .role = Role::parameter},
-    {.name = "contourColorMax", .storage = Storage::vector4, .offset = offsetof(VSettingsContourAdvanced, contourColorMax), .role = Role::parameter},
-    {.name = "contourColorMin", .storage = Storage::vector4, .offset = offsetof(VSettingsContourAdvanced, contourColorMin), .role = Role::parameter},
+    {.name = "contourColor0", .storage = Storage::vector4, .offset = offsetof(VSettingsContourAdvanced, contourColor0), .role = Role::parameter, .unit = "1"},
+    {.name = "contourColor1", .storage = Storage::vector4, .offset = offsetof(VSettingsContourAdvanced, contourColor1), .role = Role::parameter, .unit = "1"},
+    {.name = "contourColor2", .storage = Storage::vector4, .offset = offsetof(VSettingsContourAdvanced, contourColor2), .role = Role::parameter, .unit = "1"},
+    {.name = "contourColor3", .storage = Storage::vector4, .offset = offsetof(VSettingsContourAdvanced, contourColor3), .role = Role::parameter, .unit = "1"},
+    {.name = "contourColor4", .storage = Storage::vector4, .offset = offsetof(VSettingsContourAdvanced, contourColor4), .role = Role::parameter, .unit = "1"},
+    {.name = "contourColorMax", .storage = Storage::vector4, .offset = offsetof(VSettingsContourAdvanced, contourColorMax), .role = Role::parameter, .unit = "1"},
+    {.name = "contourColorMin", .storage = Storage::vector4, .offset = offsetof(VSettingsContourAdvanced, contourColorMin), .role = Role::parameter, .unit = "1"},
     {.name = "showColorBar", .storage = Storage::boolean, .offset = offsetof(VSettingsContourAdvanced, showColorBar), .role = Role::parameter},
 }};
 constexpr SettingsGroup VSettingsContourAdvanced_group{"VSettingsContourAdvanced", VSettingsContourAdvanced_rows, {}};
 
 constexpr std::array<Row, 9> VSettingsContour_rows{{
-    {.name = "alphaTransparency", .storage = Storage::real, .offset = offsetof(VSettingsContour, alphaTransparency), .role = Role::parameter},
+    {.name = "alphaTransparency", .storage = Storage::real, .offset = offsetof(VSettingsContour, alphaTransparency), .role = Role::parameter, .unit = "1"},
     {.name = "automaticRange", .storage = Storage::boolean, .offset = offsetof(VSettingsContour, automaticRange), .role = Role::parameter},
-    {.name = "maxValue", .storage = Storage::real, .offset = offsetof(VSettingsContour, maxValue), .role = Role::parameter},
-    {.name = "minValue", .storage = Storage::real, .offset = offsetof(VSettingsContour, minValue), .role = Role::parameter},
+    {.name = "maxValue", .storage = Storage::real, .offset = offsetof(VSettingsContour, maxValue), .role = Role::parameter, .unit = "various"},
+    {.name = "minValue", .storage = Storage::real, .offset = offsetof(VSettingsContour, minValue), .role = Role::parameter, .unit = "various"},
     {.name = "nodesColored", .storage = Storage::boolean, .offset = offsetof(VSettingsContour, nodesColored), .role = Role::parameter},
     {.name = "outputVariable", .storage = Storage::output_variable, .offset = offsetof(VSettingsContour, outputVariable), .role = Role::parameter},
     {.name = "outputVariableComponent", .storage = Storage::integer, .offset = offsetof(VSettingsContour, outputVariableComponent), .role = Role::parameter},
@@ -240,13 +240,13 @@ constexpr std::array<SettingsChild, 1> VSettingsContour_children{{
 constexpr SettingsGroup VSettingsContour_group{"VSettingsContour", VSettingsContour_rows, VSettingsContour_children};
 
 constexpr std::array<Row, 17> VSettingsContact_rows{{
-    {.name = "colorBoundingBoxes", .storage = Storage::vector4, .offset = offsetof(VSettingsContact, colorBoundingBoxes), .role = Role::parameter},
-    {.name = "colorSearchTree", .storage = Storage::vector4, .offset = offsetof(VSettingsContact, colorSearchTree), .role = Role::parameter},
-    {.name = "colorSpheres", .storage = Storage::vector4, .offset = offsetof(VSettingsContact, colorSpheres), .role = Role::parameter},
-    {.name = "colorTori", .storage = Storage::vector4, .offset = offsetof(VSettingsContact, colorTori), .role = Role::parameter},
-    {.name = "colorTriangles", .storage = Storage::vector4, .offset = offsetof(VSettingsContact, colorTriangles), .role = Role::parameter},
-    {.name = "contactForcesFactor", .storage = Storage::real, .offset = offsetof(VSettingsContact, contactForcesFactor), .role = Role::parameter},
-    {.name = "contactPointsDefaultSize", .storage = Storage::real, .offset = offsetof(VSettingsContact, contactPointsDefaultSize), .role = Role::parameter},
+    {.name = "colorBoundingBoxes", .storage = Storage::vector4, .offset = offsetof(VSettingsContact, colorBoundingBoxes), .role = Role::parameter, .unit = "1"},
+    {.name = "colorSearchTree", .storage = Storage::vector4, .offset = offsetof(VSettingsContact, colorSearchTree), .role = Role::parameter, .unit = "1"},
+    {.name = "colorSpheres", .storage = Storage::vector4, .offset = offsetof(VSettingsContact, colorSpheres), .role = Role::parameter, .unit = "1"},
+    {.name = "colorTori", .storage = Storage::vector4, .offset = offsetof(VSettingsContact, colorTori), .role = Role::parameter, .unit = "1"},
+    {.name = "colorTriangles", .storage = Storage::vector4, .offset = offsetof(VSettingsContact, colorTriangles), .role = Role::parameter, .unit = "1"},
+    {.name = "contactForcesFactor", .storage = Storage::real, .offset = offsetof(VSettingsContact, contactForcesFactor), .role = Role::parameter, .unit = "m/N"},
+    {.name = "contactPointsDefaultSize", .storage = Storage::real, .offset = offsetof(VSettingsContact, contactPointsDefaultSize), .role = Role::parameter, .unit = "m"},
     {.name = "showBoundingBoxes", .storage = Storage::boolean, .offset = offsetof(VSettingsContact, showBoundingBoxes), .role = Role::parameter},
     {.name = "showContactForces", .storage = Storage::boolean, .offset = offsetof(VSettingsContact, showContactForces), .role = Role::parameter},
     {.name = "showContactForcesValues", .storage = Storage::boolean, .offset = offsetof(VSettingsContact, showContactForcesValues), .role = Role::parameter},
@@ -261,39 +261,39 @@ constexpr std::array<Row, 17> VSettingsContact_rows{{
 constexpr SettingsGroup VSettingsContact_group{"VSettingsContact", VSettingsContact_rows, {}};
 
 constexpr std::array<Row, 18> VSettingsOpenGLAdvanced_rows{{
-    {.name = "clippingPlaneColor", .storage = Storage::vector4, .offset = offsetof(VSettingsOpenGLAdvanced, clippingPlaneColor), .role = Role::parameter},
+    {.name = "clippingPlaneColor", .storage = Storage::vector4, .offset = offsetof(VSettingsOpenGLAdvanced, clippingPlaneColor), .role = Role::parameter, .unit = "1"},
     {.name = "depthSorting", .storage = Storage::boolean, .offset = offsetof(VSettingsOpenGLAdvanced, depthSorting), .role = Role::parameter},
     {.name = "enableLighting", .storage = Storage::boolean, .offset = offsetof(VSettingsOpenGLAdvanced, enableLighting), .role = Role::parameter},
-    {.name = "faceNormalsColor", .storage = Storage::vector4, .offset = offsetof(VSettingsOpenGLAdvanced, faceNormalsColor), .role = Role::parameter},
-    {.name = "initialCenterPoint", .storage = Storage::vector3, .offset = offsetof(VSettingsOpenGLAdvanced, initialCenterPoint), .role = Role::parameter},
-    {.name = "initialMaxSceneSize", .storage = Storage::real, .offset = offsetof(VSettingsOpenGLAdvanced, initialMaxSceneSize), .role = Role::parameter, .check = Check::positive},
-    {.name = "initialModelRotation", .storage = Storage::matrix3, .offset = offsetof(VSettingsOpenGLAdvanced, initialModelRotation), .role = Role::parameter},
-    {.name = "initialZoom", .storage = Storage::real, .offset = offsetof(VSettingsOpenGLAdvanced, initialZoom), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "faceNormalsColor", .storage = Storage::vector4, .offset = offsetof(VSettingsOpenGLAdvanced, faceNormalsColor), .role = Role::parameter, .unit = "1"},
+    {.name = "initialCenterPoint", .storage = Storage::vector3, .offset = offsetof(VSettingsOpenGLAdvanced, initialCenterPoint), .role = Role::parameter, .unit = "m"},
+    {.name = "initialMaxSceneSize", .storage = Storage::real, .offset = offsetof(VSettingsOpenGLAdvanced, initialMaxSceneSize), .role = Role::parameter, .check = Check::positive, .unit = "m"},
+    {.name = "initialModelRotation", .storage = Storage::matrix3, .offset = offsetof(VSettingsOpenGLAdvanced, initialModelRotation), .role = Role::parameter, .unit = "1"},
+    {.name = "initialZoom", .storage = Storage::real, .offset = offsetof(VSettingsOpenGLAdvanced, initialZoom), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
     {.name = "lightModelLocalViewer", .storage = Storage::boolean, .offset = offsetof(VSettingsOpenGLAdvanced, lightModelLocalViewer), .role = Role::parameter},
     {.name = "lightModelTwoSide", .storage = Storage::boolean, .offset = offsetof(VSettingsOpenGLAdvanced, lightModelTwoSide), .role = Role::parameter},
     {.name = "lineSmooth", .storage = Storage::boolean, .offset = offsetof(VSettingsOpenGLAdvanced, lineSmooth), .role = Role::parameter},
-    {.name = "polygonOffset", .storage = Storage::real, .offset = offsetof(VSettingsOpenGLAdvanced, polygonOffset), .role = Role::parameter},
+    {.name = "polygonOffset", .storage = Storage::real, .offset = offsetof(VSettingsOpenGLAdvanced, polygonOffset), .role = Role::parameter, .unit = "1"},
     {.name = "shadeModelSmooth", .storage = Storage::boolean, .offset = offsetof(VSettingsOpenGLAdvanced, shadeModelSmooth), .role = Role::parameter},
-    {.name = "shadowPolygonOffset", .storage = Storage::real, .offset = offsetof(VSettingsOpenGLAdvanced, shadowPolygonOffset), .role = Role::parameter, .check = Check::positive},
+    {.name = "shadowPolygonOffset", .storage = Storage::real, .offset = offsetof(VSettingsOpenGLAdvanced, shadowPolygonOffset), .role = Role::parameter, .check = Check::positive, .unit = "1"},
     {.name = "showBoundingBox", .storage = Storage::boolean, .offset = offsetof(VSettingsOpenGLAdvanced, showBoundingBox), .role = Role::parameter},
     {.name = "textLineSmooth", .storage = Storage::boolean, .offset = offsetof(VSettingsOpenGLAdvanced, textLineSmooth), .role = Role::parameter},
-    {.name = "textLineWidth", .storage = Storage::real, .offset = offsetof(VSettingsOpenGLAdvanced, textLineWidth), .role = Role::parameter, .check = Check::non_negative},
-    {.name = "vertexNormalsColor", .storage = Storage::vector4, .offset = offsetof(VSettingsOpenGLAdvanced, vertexNormalsColor), .role = Role::parameter},
+    {.name = "textLineWidth", .storage = Storage::real, .offset = offsetof(VSettingsOpenGLAdvanced, textLineWidth), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
+    {.name = "vertexNormalsColor", .storage = Storage::vector4, .offset = offsetof(VSettingsOpenGLAdvanced, vertexNormalsColor), .role = Role::parameter, .unit = "1"},
 }};
 constexpr SettingsGroup VSettingsOpenGLAdvanced_group{"VSettingsOpenGLAdvanced", VSettingsOpenGLAdvanced_rows, {}};
 
 constexpr std::array<Row, 11> VSettingsOpenGL_rows{{
     {.name = "drawFaceNormals", .storage = Storage::boolean, .offset = offsetof(VSettingsOpenGL, drawFaceNormals), .role = Role::parameter},
-    {.name = "drawNormalsLength", .storage = Storage::real, .offset = offsetof(VSettingsOpenGL, drawNormalsLength), .role = Role::parameter, .check = Check::positive},
+    {.name = "drawNormalsLength", .storage = Storage::real, .offset = offsetof(VSettingsOpenGL, drawNormalsLength), .role = Role::parameter, .check = Check::positive, .unit = "m"},
     {.name = "drawVertexNormals", .storage = Storage::boolean, .offset = offsetof(VSettingsOpenGL, drawVertexNormals), .role = Role::parameter},
-    {.name = "faceEdgesColor", .storage = Storage::vector4, .offset = offsetof(VSettingsOpenGL, faceEdgesColor), .role = Role::parameter},
-    {.name = "faceTransparencyGlobal", .storage = Storage::real, .offset = offsetof(VSettingsOpenGL, faceTransparencyGlobal), .role = Role::parameter, .check = Check::non_negative},
-    {.name = "lightModelAmbient", .storage = Storage::vector4, .offset = offsetof(VSettingsOpenGL, lightModelAmbient), .role = Role::parameter},
-    {.name = "lineWidth", .storage = Storage::real, .offset = offsetof(VSettingsOpenGL, lineWidth), .role = Role::parameter, .check = Check::non_negative},
-    {.name = "materialShininess", .storage = Storage::real, .offset = offsetof(VSettingsOpenGL, materialShininess), .role = Role::parameter},
-    {.name = "materialSpecular", .storage = Storage::vector4, .offset = offsetof(VSettingsOpenGL, materialSpecular), .role = Role::parameter},
+    {.name = "faceEdgesColor", .storage = Storage::vector4, .offset = offsetof(VSettingsOpenGL, faceEdgesColor), .role = Role::parameter, .unit = "1"},
+    {.name = "faceTransparencyGlobal", .storage = Storage::real, .offset = offsetof(VSettingsOpenGL, faceTransparencyGlobal), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
+    {.name = "lightModelAmbient", .storage = Storage::vector4, .offset = offsetof(VSettingsOpenGL, lightModelAmbient), .role = Role::parameter, .unit = "1"},
+    {.name = "lineWidth", .storage = Storage::real, .offset = offsetof(VSettingsOpenGL, lineWidth), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
+    {.name = "materialShininess", .storage = Storage::real, .offset = offsetof(VSettingsOpenGL, materialShininess), .role = Role::parameter, .unit = "1"},
+    {.name = "materialSpecular", .storage = Storage::vector4, .offset = offsetof(VSettingsOpenGL, materialSpecular), .role = Role::parameter, .unit = "1"},
     {.name = "multiSampling", .storage = Storage::integer, .offset = offsetof(VSettingsOpenGL, multiSampling), .role = Role::parameter, .check = Check::positive},
-    {.name = "zMaxSceneFactor", .storage = Storage::real, .offset = offsetof(VSettingsOpenGL, zMaxSceneFactor), .role = Role::parameter, .check = Check::positive},
+    {.name = "zMaxSceneFactor", .storage = Storage::real, .offset = offsetof(VSettingsOpenGL, zMaxSceneFactor), .role = Role::parameter, .check = Check::positive, .unit = "1"},
 }};
 constexpr std::array<SettingsChild, 5> VSettingsOpenGL_children{{
     {"advanced", &VSettingsOpenGLAdvanced_group, offsetof(VSettingsOpenGL, advanced)},
@@ -305,19 +305,19 @@ constexpr std::array<SettingsChild, 5> VSettingsOpenGL_children{{
 constexpr SettingsGroup VSettingsOpenGL_group{"VSettingsOpenGL", VSettingsOpenGL_rows, VSettingsOpenGL_children};
 
 constexpr std::array<Row, 7> VSettingsRaytracerAdvanced_rows{{
-    {.name = "backgroundColorReflections", .storage = Storage::vector4, .offset = offsetof(VSettingsRaytracerAdvanced, backgroundColorReflections), .role = Role::parameter},
+    {.name = "backgroundColorReflections", .storage = Storage::vector4, .offset = offsetof(VSettingsRaytracerAdvanced, backgroundColorReflections), .role = Role::parameter, .unit = "1"},
     {.name = "searchTreeFactor", .storage = Storage::integer, .offset = offsetof(VSettingsRaytracerAdvanced, searchTreeFactor), .role = Role::parameter, .check = Check::positive},
     {.name = "shadowScalingFactor", .storage = Storage::integer, .offset = offsetof(VSettingsRaytracerAdvanced, shadowScalingFactor), .role = Role::parameter, .check = Check::non_negative},
     {.name = "shadowSmoothingSteps", .storage = Storage::integer, .offset = offsetof(VSettingsRaytracerAdvanced, shadowSmoothingSteps), .role = Role::parameter, .check = Check::non_negative},
     {.name = "showText", .storage = Storage::boolean, .offset = offsetof(VSettingsRaytracerAdvanced, showText), .role = Role::parameter},
     {.name = "tilesPerThread", .storage = Storage::integer, .offset = offsetof(VSettingsRaytracerAdvanced, tilesPerThread), .role = Role::parameter, .check = Check::positive},
-    {.name = "zBiasLines", .storage = Storage::real, .offset = offsetof(VSettingsRaytracerAdvanced, zBiasLines), .role = Role::parameter},
+    {.name = "zBiasLines", .storage = Storage::real, .offset = offsetof(VSettingsRaytracerAdvanced, zBiasLines), .role = Role::parameter, .unit = "1"},
 }};
 constexpr SettingsGroup VSettingsRaytracerAdvanced_group{"VSettingsRaytracerAdvanced", VSettingsRaytracerAdvanced_rows, {}};
 
 constexpr std::array<Row, 10> VSettingsRaytracer_rows{{
-    {.name = "globalFogColor", .storage = Storage::vector4, .offset = offsetof(VSettingsRaytracer, globalFogColor), .role = Role::parameter},
-    {.name = "globalFogDensity", .storage = Storage::real, .offset = offsetof(VSettingsRaytracer, globalFogDensity), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "globalFogColor", .storage = Storage::vector4, .offset = offsetof(VSettingsRaytracer, globalFogColor), .role = Role::parameter, .unit = "1"},
+    {.name = "globalFogDensity", .storage = Storage::real, .offset = offsetof(VSettingsRaytracer, globalFogDensity), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
     {.name = "imageSizeFactor", .storage = Storage::integer, .offset = offsetof(VSettingsRaytracer, imageSizeFactor), .role = Role::parameter, .check = Check::positive},
     {.name = "keepWindowActive", .storage = Storage::boolean, .offset = offsetof(VSettingsRaytracer, keepWindowActive), .role = Role::parameter},
     {.name = "lightRadiusVariations", .storage = Storage::integer, .offset = offsetof(VSettingsRaytracer, lightRadiusVariations), .role = Role::parameter, .check = Check::positive},
@@ -345,19 +345,19 @@ constexpr SettingsGroup VSettingsRaytracer_group{"VSettingsRaytracer", VSettings
 constexpr std::array<Row, 33> VSettingsGeneral_rows{{
     {.name = "autoFitScene", .storage = Storage::boolean, .offset = offsetof(VSettingsGeneral, autoFitScene), .role = Role::parameter},
     {.name = "axesTiling", .storage = Storage::integer, .offset = offsetof(VSettingsGeneral, axesTiling), .role = Role::parameter, .check = Check::positive},
-    {.name = "backgroundColor", .storage = Storage::vector4, .offset = offsetof(VSettingsGeneral, backgroundColor), .role = Role::parameter},
-    {.name = "backgroundColorBottom", .storage = Storage::vector4, .offset = offsetof(VSettingsGeneral, backgroundColorBottom), .role = Role::parameter},
-    {.name = "boundingBoxZoomAllFactor", .storage = Storage::real, .offset = offsetof(VSettingsGeneral, boundingBoxZoomAllFactor), .role = Role::parameter, .check = Check::positive},
-    {.name = "boundingBoxZoomAllOffset", .storage = Storage::real, .offset = offsetof(VSettingsGeneral, boundingBoxZoomAllOffset), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "backgroundColor", .storage = Storage::vector4, .offset = offsetof(VSettingsGeneral, backgroundColor), .role = Role::parameter, .unit = "1"},
+    {.name = "backgroundColorBottom", .storage = Storage::vector4, .offset = offsetof(VSettingsGeneral, backgroundColorBottom), .role = Role::parameter, .unit = "1"},
+    {.name = "boundingBoxZoomAllFactor", .storage = Storage::real, .offset = offsetof(VSettingsGeneral, boundingBoxZoomAllFactor), .role = Role::parameter, .check = Check::positive, .unit = "1"},
+    {.name = "boundingBoxZoomAllOffset", .storage = Storage::real, .offset = offsetof(VSettingsGeneral, boundingBoxZoomAllOffset), .role = Role::parameter, .check = Check::non_negative, .unit = "m"},
     {.name = "circleTiling", .storage = Storage::integer, .offset = offsetof(VSettingsGeneral, circleTiling), .role = Role::parameter, .check = Check::positive},
-    {.name = "coordinateSystemSize", .storage = Storage::real, .offset = offsetof(VSettingsGeneral, coordinateSystemSize), .role = Role::parameter, .check = Check::positive},
+    {.name = "coordinateSystemSize", .storage = Storage::real, .offset = offsetof(VSettingsGeneral, coordinateSystemSize), .role = Role::parameter, .check = Check::positive, .unit = "1"},
     {.name = "cylinderTiling", .storage = Storage::integer, .offset = offsetof(VSettingsGeneral, cylinderTiling), .role = Role::parameter, .check = Check::positive},
-    {.name = "graphicsUpdateInterval", .storage = Storage::real, .offset = offsetof(VSettingsGeneral, graphicsUpdateInterval), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "graphicsUpdateInterval", .storage = Storage::real, .offset = offsetof(VSettingsGeneral, graphicsUpdateInterval), .role = Role::parameter, .check = Check::non_negative, .unit = "s"},
     {.name = "limitWindowToScreenSize", .storage = Storage::boolean, .offset = offsetof(VSettingsGeneral, limitWindowToScreenSize), .role = Role::parameter},
-    {.name = "linuxDisplayScaleFactor", .storage = Storage::real, .offset = offsetof(VSettingsGeneral, linuxDisplayScaleFactor), .role = Role::parameter, .check = Check::positive},
-    {.name = "minSceneSize", .storage = Storage::real, .offset = offsetof(VSettingsGeneral, minSceneSize), .role = Role::parameter, .check = Check::positive},
-    {.name = "pointSize", .storage = Storage::real, .offset = offsetof(VSettingsGeneral, pointSize), .role = Role::parameter, .check = Check::positive},
-    {.name = "reallyQuitTimeLimit", .storage = Storage::real, .offset = offsetof(VSettingsGeneral, reallyQuitTimeLimit), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "linuxDisplayScaleFactor", .storage = Storage::real, .offset = offsetof(VSettingsGeneral, linuxDisplayScaleFactor), .role = Role::parameter, .check = Check::positive, .unit = "1"},
+    {.name = "minSceneSize", .storage = Storage::real, .offset = offsetof(VSettingsGeneral, minSceneSize), .role = Role::parameter, .check = Check::positive, .unit = "m"},
+    {.name = "pointSize", .storage = Storage::real, .offset = offsetof(VSettingsGeneral, pointSize), .role = Role::parameter, .check = Check::positive, .unit = "m"},
+    {.name = "reallyQuitTimeLimit", .storage = Storage::real, .offset = offsetof(VSettingsGeneral, reallyQuitTimeLimit), .role = Role::parameter, .check = Check::non_negative, .unit = "s"},
     {.name = "rendererPrecision", .storage = Storage::integer, .offset = offsetof(VSettingsGeneral, rendererPrecision), .role = Role::parameter, .check = Check::positive},
     {.name = "rendererStartupTimeout", .storage = Storage::integer, .offset = offsetof(VSettingsGeneral, rendererStartupTimeout), .role = Role::parameter, .check = Check::positive},
     {.name = "renderWindowString", .storage = Storage::text, .offset = offsetof(VSettingsGeneral, renderWindowString), .role = Role::parameter},
@@ -367,9 +367,9 @@ constexpr std::array<Row, 33> VSettingsGeneral_rows{{
     {.name = "showSolverTime", .storage = Storage::boolean, .offset = offsetof(VSettingsGeneral, showSolverTime), .role = Role::parameter},
     {.name = "sphereTiling", .storage = Storage::integer, .offset = offsetof(VSettingsGeneral, sphereTiling), .role = Role::parameter, .check = Check::positive},
     {.name = "textAlwaysInFront", .storage = Storage::boolean, .offset = offsetof(VSettingsGeneral, textAlwaysInFront), .role = Role::parameter},
-    {.name = "textColor", .storage = Storage::vector4, .offset = offsetof(VSettingsGeneral, textColor), .role = Role::parameter},
+    {.name = "textColor", .storage = Storage::vector4, .offset = offsetof(VSettingsGeneral, textColor), .role = Role::parameter, .unit = "1"},
     {.name = "textHasBackground", .storage = Storage::boolean, .offset = offsetof(VSettingsGeneral, textHasBackground), .role = Role::parameter},
-    {.name = "textOffsetFactor", .storage = Storage::real, .offset = offsetof(VSettingsGeneral, textOffsetFactor), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "textOffsetFactor", .storage = Storage::real, .offset = offsetof(VSettingsGeneral, textOffsetFactor), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
     {.name = "threadSafeGraphicsUpdate", .storage = Storage::boolean, .offset = offsetof(VSettingsGeneral, threadSafeGraphicsUpdate), .role = Role::parameter},
     {.name = "useBitmapText", .storage = Storage::boolean, .offset = offsetof(VSettingsGeneral, useBitmapText), .role = Role::parameter},
     {.name = "useGradientBackground", .storage = Storage::boolean, .offset = offsetof(VSettingsGeneral, useGradientBackground), .role = Role::parameter},
@@ -380,20 +380,20 @@ constexpr std::array<Row, 33> VSettingsGeneral_rows{{
 constexpr SettingsGroup VSettingsGeneral_group{"VSettingsGeneral", VSettingsGeneral_rows, {}};
 
 constexpr std::array<Row, 14> VSettingsInteractiveAdvanced_rows{{
-    {.name = "highlightColor", .storage = Storage::vector4, .offset = offsetof(VSettingsInteractiveAdvanced, highlightColor), .role = Role::parameter},
-    {.name = "highlightOtherColor", .storage = Storage::vector4, .offset = offsetof(VSettingsInteractiveAdvanced, highlightOtherColor), .role = Role::parameter},
-    {.name = "joystickScaleRotation", .storage = Storage::real, .offset = offsetof(VSettingsInteractiveAdvanced, joystickScaleRotation), .role = Role::parameter},
-    {.name = "joystickScaleTranslation", .storage = Storage::real, .offset = offsetof(VSettingsInteractiveAdvanced, joystickScaleTranslation), .role = Role::parameter},
-    {.name = "keypressRotationStep", .storage = Storage::real, .offset = offsetof(VSettingsInteractiveAdvanced, keypressRotationStep), .role = Role::parameter},
-    {.name = "keypressTranslationStep", .storage = Storage::real, .offset = offsetof(VSettingsInteractiveAdvanced, keypressTranslationStep), .role = Role::parameter},
-    {.name = "mouseMoveRotationFactor", .storage = Storage::real, .offset = offsetof(VSettingsInteractiveAdvanced, mouseMoveRotationFactor), .role = Role::parameter},
+    {.name = "highlightColor", .storage = Storage::vector4, .offset = offsetof(VSettingsInteractiveAdvanced, highlightColor), .role = Role::parameter, .unit = "1"},
+    {.name = "highlightOtherColor", .storage = Storage::vector4, .offset = offsetof(VSettingsInteractiveAdvanced, highlightOtherColor), .role = Role::parameter, .unit = "1"},
+    {.name = "joystickScaleRotation", .storage = Storage::real, .offset = offsetof(VSettingsInteractiveAdvanced, joystickScaleRotation), .role = Role::parameter, .unit = "1"},
+    {.name = "joystickScaleTranslation", .storage = Storage::real, .offset = offsetof(VSettingsInteractiveAdvanced, joystickScaleTranslation), .role = Role::parameter, .unit = "1"},
+    {.name = "keypressRotationStep", .storage = Storage::real, .offset = offsetof(VSettingsInteractiveAdvanced, keypressRotationStep), .role = Role::parameter, .unit = "deg"},
+    {.name = "keypressTranslationStep", .storage = Storage::real, .offset = offsetof(VSettingsInteractiveAdvanced, keypressTranslationStep), .role = Role::parameter, .unit = "1"},
+    {.name = "mouseMoveRotationFactor", .storage = Storage::real, .offset = offsetof(VSettingsInteractiveAdvanced, mouseMoveRotationFactor), .role = Role::parameter, .unit = "deg"},
     {.name = "pauseWithSpacebar", .storage = Storage::boolean, .offset = offsetof(VSettingsInteractiveAdvanced, pauseWithSpacebar), .role = Role::parameter},
     {.name = "selectionHighlights", .storage = Storage::boolean, .offset = offsetof(VSettingsInteractiveAdvanced, selectionHighlights), .role = Role::parameter},
     {.name = "selectionLeftMouse", .storage = Storage::boolean, .offset = offsetof(VSettingsInteractiveAdvanced, selectionLeftMouse), .role = Role::parameter},
     {.name = "selectionLeftMouseItemTypes", .storage = Storage::integer, .offset = offsetof(VSettingsInteractiveAdvanced, selectionLeftMouseItemTypes), .role = Role::parameter, .check = Check::non_negative},
     {.name = "selectionRightMouse", .storage = Storage::boolean, .offset = offsetof(VSettingsInteractiveAdvanced, selectionRightMouse), .role = Role::parameter},
     {.name = "selectionRightMouseGraphicsData", .storage = Storage::boolean, .offset = offsetof(VSettingsInteractiveAdvanced, selectionRightMouseGraphicsData), .role = Role::parameter},
-    {.name = "zoomStepFactor", .storage = Storage::real, .offset = offsetof(VSettingsInteractiveAdvanced, zoomStepFactor), .role = Role::parameter},
+    {.name = "zoomStepFactor", .storage = Storage::real, .offset = offsetof(VSettingsInteractiveAdvanced, zoomStepFactor), .role = Role::parameter, .unit = "1"},
 }};
 constexpr SettingsGroup VSettingsInteractiveAdvanced_group{"VSettingsInteractiveAdvanced", VSettingsInteractiveAdvanced_rows, {}};
 
@@ -407,7 +407,7 @@ constexpr SettingsGroup VSettingsInteractiveOpenVR_group{"VSettingsInteractiveOp
 
 constexpr std::array<Row, 8> VSettingsInteractive_rows{{
     {.name = "autoRotateModelView", .storage = Storage::boolean, .offset = offsetof(VSettingsInteractive, autoRotateModelView), .role = Role::parameter},
-    {.name = "autoRotationVelocity", .storage = Storage::vector3, .offset = offsetof(VSettingsInteractive, autoRotationVelocity), .role = Role::parameter},
+    {.name = "autoRotationVelocity", .storage = Storage::vector3, .offset = offsetof(VSettingsInteractive, autoRotationVelocity), .role = Role::parameter, .unit = "rad/s"},
     {.name = "highlightItemIndex", .storage = Storage::integer, .offset = offsetof(VSettingsInteractive, highlightItemIndex), .role = Role::parameter},
     {.name = "highlightItemType", .storage = Storage::enumeration, .offset = offsetof(VSettingsInteractive, highlightItemType), .role = Role::parameter, .enumeration = 5},
     {.name = "highlightMbsNumber", .storage = Storage::integer, .offset = offsetof(VSettingsInteractive, highlightMbsNumber), .role = Role::parameter, .check = Check::non_negative},
@@ -422,9 +422,9 @@ constexpr std::array<SettingsChild, 2> VSettingsInteractive_children{{
 constexpr SettingsGroup VSettingsInteractive_group{"VSettingsInteractive", VSettingsInteractive_rows, VSettingsInteractive_children};
 
 constexpr std::array<Row, 5> VSettingsDialogs_rows{{
-    {.name = "alphaTransparency", .storage = Storage::real, .offset = offsetof(VSettingsDialogs, alphaTransparency), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "alphaTransparency", .storage = Storage::real, .offset = offsetof(VSettingsDialogs, alphaTransparency), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
     {.name = "alwaysTopmost", .storage = Storage::boolean, .offset = offsetof(VSettingsDialogs, alwaysTopmost), .role = Role::parameter},
-    {.name = "fontScalingMacOS", .storage = Storage::real, .offset = offsetof(VSettingsDialogs, fontScalingMacOS), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "fontScalingMacOS", .storage = Storage::real, .offset = offsetof(VSettingsDialogs, fontScalingMacOS), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
     {.name = "multiThreadedDialogs", .storage = Storage::boolean, .offset = offsetof(VSettingsDialogs, multiThreadedDialogs), .role = Role::parameter},
     {.name = "openTreeView", .storage = Storage::boolean, .offset = offsetof(VSettingsDialogs, openTreeView), .role = Role::parameter},
 }};

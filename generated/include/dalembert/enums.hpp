@@ -8,7 +8,7 @@
 
 namespace dalembert {
 
-// AccessFunctionType
+// derivatives and integrals of kinematic quantities that an object offers to markers
 enum class AccessFunctionType : std::uint32_t {
   _None = 0,
   TranslationalVelocity_qt = 32,
@@ -21,7 +21,7 @@ enum class AccessFunctionType : std::uint32_t {
   DisplacementSurfaceNormalIntegral_q = 8192,
 };
 
-// ConfigurationType
+// the state of the model that an output or a vector of coordinates is taken from
 enum class ConfigurationType : std::uint32_t {
   _None = 0,
   Initial = 1,
@@ -32,7 +32,7 @@ enum class ConfigurationType : std::uint32_t {
   EndOfEnumList = 6,
 };
 
-// ContactTypeIndex
+// kinds of contact partners in general contact, as indices
 enum class ContactTypeIndex : std::uint32_t {
   IndexSpheresMarkerBased = 0,
   IndexANCFCable2D = 1,
@@ -40,13 +40,13 @@ enum class ContactTypeIndex : std::uint32_t {
   IndexEndOfEnumList = 3,
 };
 
-// CrossSectionType
+// shape of the cross section of a beam, for drawing and contact
 enum class CrossSectionType : std::uint32_t {
   Polygon = 1,
   Circular = 2,
 };
 
-// DynamicSolverType
+// time integration methods
 enum class DynamicSolverType : std::uint32_t {
   GeneralizedAlpha = 1,
   TrapezoidalIndex2 = 2,
@@ -61,7 +61,7 @@ enum class DynamicSolverType : std::uint32_t {
   VelocityVerlet = 11,
 };
 
-// ItemType
+// the five kinds of items
 enum class ItemTypeCode : std::uint32_t {
   _None = 0,
   Node = 1,
@@ -71,7 +71,7 @@ enum class ItemTypeCode : std::uint32_t {
   Sensor = 5,
 };
 
-// JointType
+// joints of a kinematic tree, each with one coordinate; axes are those of the joint frame
 enum class JointType : std::uint32_t {
   _None = 0,
   RevoluteX = 1,
@@ -82,7 +82,7 @@ enum class JointType : std::uint32_t {
   PrismaticZ = 6,
 };
 
-// KeyCode
+// keys without a character, as passed to a key press user function; keys with a character are passed as that character's code
 enum class KeyCode : std::uint32_t {
   SPACE = 32,
   ENTER = 257,
@@ -104,7 +104,7 @@ enum class KeyCode : std::uint32_t {
   F10 = 300,
 };
 
-// LinearSolverType
+// direct solvers for linear systems of equations
 enum class LinearSolverType : std::uint32_t {
   _None = 0,
   EXUdense = 1,
@@ -113,7 +113,7 @@ enum class LinearSolverType : std::uint32_t {
   EigenDense = 8,
 };
 
-// NodeGroup
+// kinds of coordinates that a node has; values can be joined
 enum class NodeGroup : std::uint32_t {
   _None = 0,
   ODE1variables = 1,
@@ -122,7 +122,7 @@ enum class NodeGroup : std::uint32_t {
   DataVariables = 8,
 };
 
-// NodeType
+// what a node provides; values can be joined
 enum class NodeType : std::uint32_t {
   _None = 0,
   Ground = 1,
@@ -145,7 +145,7 @@ enum class NodeType : std::uint32_t {
   PointSlope23 = 262144,
 };
 
-// ObjectType
+// what an object is; values can be joined
 enum class ObjectType : std::uint32_t {
   _None = 0,
   Ground = 2,
@@ -159,7 +159,7 @@ enum class ObjectType : std::uint32_t {
   EndOfEnumList = 1024,
 };
 
-// OutputVariableType
+// quantities that items offer to outputs and sensors; the page of an item lists those that it has, with size and frame
 enum class OutputVariableType : std::uint32_t {
   _None = 0,
   Distance = 1,

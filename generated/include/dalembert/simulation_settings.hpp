@@ -8,7 +8,7 @@
 
 namespace dalembert {
 
-// NewtonNumericalDifferentiationSettings
+// Jacobians by numerical differentiation
 struct NewtonNumericalDifferentiationSettings {
   bool addReferenceCoordinatesToEpsilon = false;
   bool doSystemWideDifferentiation = false;
@@ -20,7 +20,7 @@ struct NewtonNumericalDifferentiationSettings {
   double relativeEpsilon = 1e-07;
 };
 
-// NewtonSettings
+// Newton's method for the nonlinear equations of a step
 struct NewtonSettings {
   double absoluteTolerance = 1e-10;
   bool adaptInitialResidual = true;
@@ -38,7 +38,7 @@ struct NewtonSettings {
   NewtonNumericalDifferentiationSettings numericalDifferentiation{};
 };
 
-// DiscontinuousSettings
+// iterations for contact, friction and other discontinuous states, after Newton's method has converged
 struct DiscontinuousSettings {
   bool ignoreMaxIterations = true;
   double iterationTolerance = 1.0;
@@ -46,7 +46,7 @@ struct DiscontinuousSettings {
   bool useRecommendedStepSize = true;
 };
 
-// LinearSolverSettings
+// settings of the linear solver
 struct LinearSolverSettings {
   bool ignoreSingularJacobian = false;
   double pivotThreshold = 0.0;
@@ -54,7 +54,7 @@ struct LinearSolverSettings {
   bool showCausingItems = true;
 };
 
-// ParallelSettings
+// computation with several threads
 struct ParallelSettings {
   int multithreadedLLimitJacobians = 20;
   int multithreadedLLimitLoads = 20;
@@ -66,7 +66,7 @@ struct ParallelSettings {
   bool useLoadBalancing = true;
 };
 
-// SolutionSettings
+// what is written to files, and how often
 struct SolutionSettings {
   bool appendToFile = false;
   bool binarySolutionFile = false;
@@ -97,7 +97,7 @@ struct SolutionSettings {
   bool writeSolutionToFile = true;
 };
 
-// StaticSolverSettings
+// static solver: equilibrium under loads that are increased in steps
 struct StaticSolverSettings {
   bool adaptiveStep = true;
   double adaptiveStepDecrease = 0.25;
@@ -121,7 +121,7 @@ struct StaticSolverSettings {
   NewtonSettings newton{};
 };
 
-// TimeIntegrationExplicitIntegrationSettings
+// explicit integrators
 struct TimeIntegrationExplicitIntegrationSettings {
   bool computeEndOfStepAccelerations = true;
   bool computeMassMatrixInversePerBody = false;
@@ -130,7 +130,7 @@ struct TimeIntegrationExplicitIntegrationSettings {
   bool useLieGroupIntegration = true;
 };
 
-// TimeIntegrationGeneralizedAlphaSettings
+// generalized-alpha, Newmark and implicit trapezoidal integrators
 struct TimeIntegrationGeneralizedAlphaSettings {
   bool computeInitialAccelerations = true;
   bool lieGroupAddTangentOperator = true;
@@ -144,7 +144,7 @@ struct TimeIntegrationGeneralizedAlphaSettings {
   bool useNewmark = false;
 };
 
-// TimeIntegrationSettings
+// time integration
 struct TimeIntegrationSettings {
   double absoluteTolerance = 1e-08;
   bool adaptiveStep = true;
@@ -175,7 +175,7 @@ struct TimeIntegrationSettings {
   NewtonSettings newton{};
 };
 
-// SimulationSettings
+// settings of the solvers: time integration, static solver, linear algebra, output and threads
 struct SimulationSettings {
   bool cleanUpMemory = false;
   bool displayComputationTime = false;

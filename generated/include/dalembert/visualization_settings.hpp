@@ -8,7 +8,7 @@
 
 namespace dalembert {
 
-// VSettingsViewCamera
+// camera of a view
 struct VSettingsViewCamera {
   Vec<double, 3> cameraPosition = {};
   double clippingPlaneDistance = 0.0;
@@ -23,7 +23,7 @@ struct VSettingsViewCamera {
   bool useRaytracer = false;
 };
 
-// VSettingsViewScene
+// what a view shows
 struct VSettingsViewScene {
   int drawCoordinateSystem = 2;
   bool drawWorldBasis = false;
@@ -36,7 +36,7 @@ struct VSettingsViewScene {
   double worldBasisSize = 1.0;
 };
 
-// VSettingsViewWindow
+// window of a view
 struct VSettingsViewWindow {
   bool alwaysOnTop = false;
   double globalFontSize = 12.0;
@@ -49,14 +49,14 @@ struct VSettingsViewWindow {
   bool showWindow = true;
 };
 
-// VSettingsView
+// one view of the model
 struct VSettingsView {
   VSettingsViewCamera camera{};
   VSettingsViewScene scene{};
   VSettingsViewWindow window{};
 };
 
-// VSettingsLight
+// one light
 struct VSettingsLight {
   double constantAttenuation = 1.0;
   double diffuse = 0.5;
@@ -70,7 +70,7 @@ struct VSettingsLight {
   bool useCameraFrame = false;
 };
 
-// VSettingsMaterial
+// one material of the ray tracer
 struct VSettingsMaterial {
   double alpha = 1.0;
   Vec<double, 3> baseColor = {0.4, 0.4, 0.9};
@@ -82,7 +82,7 @@ struct VSettingsMaterial {
   Vec<double, 3> specular = {0.6, 0.6, 0.6};
 };
 
-// VSettingsNodes
+// drawing of nodes
 struct VSettingsNodes {
   double basisSize = 0.2;
   Vec<double, 4> defaultColor = {0.2, 0.2, 1.0, 1.0};
@@ -95,7 +95,7 @@ struct VSettingsNodes {
   int tiling = 4;
 };
 
-// VSettingsBodiesBeams
+// drawing of beams and cables
 struct VSettingsBodiesBeams {
   int axialTiling = 8;
   bool crossSectionFilled = true;
@@ -109,7 +109,7 @@ struct VSettingsBodiesBeams {
   bool reducedAxialInterploation = true;
 };
 
-// VSettingsBodiesKinematicTree
+// drawing of kinematic trees
 struct VSettingsBodiesKinematicTree {
   double frameSize = 0.2;
   bool showCOMframes = false;
@@ -117,13 +117,13 @@ struct VSettingsBodiesKinematicTree {
   bool showJointFrames = true;
 };
 
-// VSettingsBodiesShells
+// drawing of plates and shells
 struct VSettingsBodiesShells {
   bool drawSolid = true;
   double thicknessFactor = 1.0;
 };
 
-// VSettingsBodies
+// drawing of bodies
 struct VSettingsBodies {
   Vec<double, 4> defaultColor = {0.3, 0.3, 1.0, 1.0};
   Vec<double, 3> defaultSize = {1.0, 1.0, 1.0};
@@ -135,7 +135,7 @@ struct VSettingsBodies {
   VSettingsBodiesShells shells{};
 };
 
-// VSettingsConnectors
+// drawing of connectors, joints and constraints
 struct VSettingsConnectors {
   double contactPointsDefaultSize = 0.02;
   Vec<double, 4> defaultColor = {0.2, 0.2, 1.0, 1.0};
@@ -149,7 +149,7 @@ struct VSettingsConnectors {
   int springNumberOfWindings = 8;
 };
 
-// VSettingsMarkers
+// drawing of markers
 struct VSettingsMarkers {
   Vec<double, 4> defaultColor = {0.1, 0.5, 0.1, 1.0};
   double defaultSize = -1.0;
@@ -158,7 +158,7 @@ struct VSettingsMarkers {
   bool showNumbers = false;
 };
 
-// VSettingsLoads
+// drawing of loads
 struct VSettingsLoads {
   Vec<double, 4> defaultColor = {0.7, 0.1, 0.1, 1.0};
   double defaultRadius = 0.005;
@@ -171,7 +171,7 @@ struct VSettingsLoads {
   bool showNumbers = false;
 };
 
-// VSettingsSensorsTraces
+// traces of sensors in the render window
 struct VSettingsSensorsTraces {
   double lineWidth = 2.0;
   std::vector<int> listOfPositionSensors;
@@ -193,7 +193,7 @@ struct VSettingsSensorsTraces {
   int vectorsShowEvery = 1;
 };
 
-// VSettingsSensors
+// drawing of sensors
 struct VSettingsSensors {
   Vec<double, 4> defaultColor = {0.6, 0.6, 0.1, 1.0};
   double defaultSize = -1.0;
@@ -203,7 +203,7 @@ struct VSettingsSensors {
   VSettingsSensorsTraces traces{};
 };
 
-// VSettingsContourAdvanced
+// color scale of contours
 struct VSettingsContourAdvanced {
   int colorBarPrecision = 4;
   int colorBarTiling = 12;
@@ -217,7 +217,7 @@ struct VSettingsContourAdvanced {
   bool showColorBar = true;
 };
 
-// VSettingsContour
+// coloring by an output variable
 struct VSettingsContour {
   double alphaTransparency = 1.0;
   bool automaticRange = true;
@@ -231,7 +231,7 @@ struct VSettingsContour {
   VSettingsContourAdvanced advanced{};
 };
 
-// VSettingsContact
+// drawing of general contact
 struct VSettingsContact {
   Vec<double, 4> colorBoundingBoxes = {0.9, 0.1, 0.1, 1.0};
   Vec<double, 4> colorSearchTree = {0.1, 0.1, 0.9, 1.0};
@@ -252,7 +252,7 @@ struct VSettingsContact {
   int tilingSpheres = 4;
 };
 
-// VSettingsOpenGLAdvanced
+// OpenGL renderer: initial view, lighting and text
 struct VSettingsOpenGLAdvanced {
   Vec<double, 4> clippingPlaneColor = {0.7, 0.5, 0.5, 0.0};
   bool depthSorting = false;
@@ -274,7 +274,7 @@ struct VSettingsOpenGLAdvanced {
   Vec<double, 4> vertexNormalsColor = {0.8, 0.2, 0.2, 1.0};
 };
 
-// VSettingsOpenGL
+// OpenGL renderer: faces, lines and material
 struct VSettingsOpenGL {
   bool drawFaceNormals = false;
   double drawNormalsLength = 0.1;
@@ -294,7 +294,7 @@ struct VSettingsOpenGL {
   VSettingsLight light3{.diffuse = 0.2, .enable = false, .specular = 0.2};
 };
 
-// VSettingsRaytracerAdvanced
+// software ray tracer: quality and speed
 struct VSettingsRaytracerAdvanced {
   Vec<double, 4> backgroundColorReflections = {0.4, 0.4, 0.4, 1.0};
   int searchTreeFactor = 1;
@@ -305,7 +305,7 @@ struct VSettingsRaytracerAdvanced {
   double zBiasLines = 0.001;
 };
 
-// VSettingsRaytracer
+// software ray tracer
 struct VSettingsRaytracer {
   Vec<double, 4> globalFogColor = {0.5, 0.5, 0.5, 1.0};
   double globalFogDensity = 0.0;
@@ -330,7 +330,7 @@ struct VSettingsRaytracer {
   VSettingsMaterial material9{.baseColor = {0.85, 0.85, 0.7}, .emission = {0.8, 0.8, 0.7}, .name = "emission", .shininess = 20.0};
 };
 
-// VSettingsGeneral
+// general settings of drawing and window
 struct VSettingsGeneral {
   bool autoFitScene = true;
   int axesTiling = 12;
@@ -367,7 +367,7 @@ struct VSettingsGeneral {
   bool zoomAllUseBoundingBox = true;
 };
 
-// VSettingsInteractiveAdvanced
+// highlighting, selection, and speed of keys and mouse
 struct VSettingsInteractiveAdvanced {
   Vec<double, 4> highlightColor = {0.8, 0.05, 0.05, 0.75};
   Vec<double, 4> highlightOtherColor = {0.5, 0.5, 0.5, 0.4};
@@ -385,7 +385,7 @@ struct VSettingsInteractiveAdvanced {
   double zoomStepFactor = 1.15;
 };
 
-// VSettingsInteractiveOpenVR
+// virtual reality by OpenVR
 struct VSettingsInteractiveOpenVR {
   std::string actionManifestFileName = "C:/openVRactionsManifest.json";
   bool enable = false;
@@ -393,7 +393,7 @@ struct VSettingsInteractiveOpenVR {
   bool showCompanionWindow = true;
 };
 
-// VSettingsInteractive
+// interaction with the render window
 struct VSettingsInteractive {
   bool autoRotateModelView = false;
   Vec<double, 3> autoRotationVelocity = {0.0, 0.0, 1.047198};
@@ -407,7 +407,7 @@ struct VSettingsInteractive {
   VSettingsInteractiveOpenVR openVR{};
 };
 
-// VSettingsDialogs
+// dialogs
 struct VSettingsDialogs {
   double alphaTransparency = 0.94;
   bool alwaysTopmost = true;
@@ -416,7 +416,7 @@ struct VSettingsDialogs {
   bool openTreeView = false;
 };
 
-// VSettingsExportImages
+// export of images
 struct VSettingsExportImages {
   int heightAlignment = 2;
   bool saveImageAsTextCircles = true;
@@ -431,7 +431,7 @@ struct VSettingsExportImages {
   int widthAlignment = 4;
 };
 
-// VisualizationSettings
+// settings of the renderer: what is drawn, and how
 struct VisualizationSettings {
   VSettingsNodes nodes{};
   VSettingsBodies bodies{};

@@ -4,321 +4,321 @@
 from enum import IntEnum
 
 class AccessFunctionType(IntEnum):
-    """AccessFunctionType"""
+    """derivatives and integrals of kinematic quantities that an object offers to markers"""
 
     _None = 0
-    """_None"""
+    """none"""
     TranslationalVelocity_qt = 32
-    """TranslationalVelocity_qt"""
+    """derivative of the velocity of a local point with respect to the velocity coordinates: the Jacobian of positions"""
     AngularVelocity_qt = 64
-    """AngularVelocity_qt"""
+    """derivative of the angular velocity at a local point with respect to the velocity coordinates: the Jacobian of rotations"""
     Coordinate_q = 128
-    """Coordinate_q"""
+    """derivative of a single generalized coordinate with respect to the coordinates"""
     DisplacementLineIntegral_q = 512
-    """DisplacementLineIntegral_q"""
+    """derivative of the integral of the displacement over a line, for loads per length"""
     DisplacementSurfaceIntegral_q = 1024
-    """DisplacementSurfaceIntegral_q"""
+    """derivative of the integral of the displacement over a surface, for loads per area"""
     DisplacementVolumeIntegral_q = 2048
-    """DisplacementVolumeIntegral_q"""
+    """derivative of the integral of the displacement over the volume, for loads per volume"""
     DisplacementMassIntegral_q = 4096
-    """DisplacementMassIntegral_q"""
+    """derivative of the integral of the displacement over the mass, for gravity and other mass proportional loads"""
     DisplacementSurfaceNormalIntegral_q = 8192
-    """DisplacementSurfaceNormalIntegral_q"""
+    """derivative of the integral of the displacement along the surface normal, for pressure"""
 
 class ConfigurationType(IntEnum):
-    """ConfigurationType"""
+    """the state of the model that an output or a vector of coordinates is taken from"""
 
     _None = 0
-    """_None"""
+    """no configuration; not accepted where a state is needed"""
     Initial = 1
-    """Initial"""
+    """state at the start of a computation, as given by the initial values of the nodes"""
     Current = 2
-    """Current"""
+    """state that the solver has reached; after a computation its final state"""
     Reference = 3
-    """Reference"""
+    """undeformed state that the reference coordinates describe; velocities are zero"""
     StartOfStep = 4
-    """StartOfStep"""
+    """state at the start of the step that is being computed; the last converged state"""
     Visualization = 5
-    """Visualization"""
+    """state that is drawn; updated at intervals, so that it may lag behind the current one"""
     EndOfEnumList = 6
-    """EndOfEnumList"""
+    """number of the values before; not a configuration"""
 
 class ContactTypeIndex(IntEnum):
-    """ContactTypeIndex"""
+    """kinds of contact partners in general contact, as indices"""
 
     IndexSpheresMarkerBased = 0
-    """IndexSpheresMarkerBased"""
+    """spheres at markers"""
     IndexANCFCable2D = 1
-    """IndexANCFCable2D"""
+    """surfaces of planar cable elements"""
     IndexTrigsRigidBodyBased = 2
-    """IndexTrigsRigidBodyBased"""
+    """triangles fixed to rigid bodies"""
     IndexEndOfEnumList = 3
-    """IndexEndOfEnumList"""
+    """number of the values before; not a kind of contact"""
 
 class CrossSectionType(IntEnum):
-    """CrossSectionType"""
+    """shape of the cross section of a beam, for drawing and contact"""
 
     Polygon = 1
-    """Polygon"""
+    """polygon, given by its corners"""
     Circular = 2
-    """Circular"""
+    """circle, given by its radius"""
 
 class DynamicSolverType(IntEnum):
-    """DynamicSolverType"""
+    """time integration methods"""
 
     GeneralizedAlpha = 1
-    """GeneralizedAlpha"""
+    """implicit, second order with adjustable numerical damping, for all models; its parameters are in ``timeIntegration.generalizedAlpha``"""
     TrapezoidalIndex2 = 2
-    """TrapezoidalIndex2"""
+    """implicit trapezoidal rule (Newmark) with constraints on velocity level; second order, no numerical damping"""
     ExplicitEuler = 3
-    """ExplicitEuler"""
+    """explicit, first order, one evaluation per step"""
     ExplicitMidpoint = 4
-    """ExplicitMidpoint"""
+    """explicit, second order, two evaluations per step"""
     RK33 = 5
-    """RK33"""
+    """explicit Runge-Kutta method of order 3 with three stages and fixed step"""
     RK44 = 6
-    """RK44"""
+    """explicit Runge-Kutta method of order 4 with four stages and fixed step"""
     RK67 = 7
-    """RK67"""
+    """explicit Runge-Kutta method of order 6 with seven stages and fixed step"""
     ODE23 = 8
-    """ODE23"""
+    """explicit Runge-Kutta method of Bogacki and Shampine, order 3 with error estimate of order 2 and automatic step size"""
     DOPRI5 = 9
-    """DOPRI5"""
+    """explicit Runge-Kutta method of Dormand and Prince, order 5 with error estimate of order 4 and automatic step size"""
     DVERK6 = 10
-    """DVERK6"""
+    """explicit Runge-Kutta method of Verner, order 6 with error estimate of order 5 and automatic step size"""
     VelocityVerlet = 11
-    """VelocityVerlet"""
+    """explicit, second order for coordinates of second order equations, one evaluation per step; for particles and contact"""
 
 class ItemType(IntEnum):
-    """ItemType"""
+    """the five kinds of items"""
 
     _None = 0
-    """_None"""
+    """no item"""
     Node = 1
-    """Node"""
+    """node: coordinates"""
     Object = 2
-    """Object"""
+    """object: body, connector, constraint, joint, contact or finite element"""
     Marker = 3
-    """Marker"""
+    """marker: where something acts on a node or object"""
     Load = 4
-    """Load"""
+    """load: force, torque or generalized force"""
     Sensor = 5
-    """Sensor"""
+    """sensor: a measured output"""
 
 class JointType(IntEnum):
-    """JointType"""
+    """joints of a kinematic tree, each with one coordinate; axes are those of the joint frame"""
 
     _None = 0
-    """_None"""
+    """no joint; refused in a kinematic tree"""
     RevoluteX = 1
-    """RevoluteX"""
+    """rotation about the x-axis, coordinate in rad"""
     RevoluteY = 2
-    """RevoluteY"""
+    """rotation about the y-axis, coordinate in rad"""
     RevoluteZ = 3
-    """RevoluteZ"""
+    """rotation about the z-axis, coordinate in rad"""
     PrismaticX = 4
-    """PrismaticX"""
+    """translation along the x-axis, coordinate in m"""
     PrismaticY = 5
-    """PrismaticY"""
+    """translation along the y-axis, coordinate in m"""
     PrismaticZ = 6
-    """PrismaticZ"""
+    """translation along the z-axis, coordinate in m"""
 
 class KeyCode(IntEnum):
-    """KeyCode"""
+    """keys without a character, as passed to a key press user function; keys with a character are passed as that character's code"""
 
     SPACE = 32
-    """SPACE"""
+    """space bar"""
     ENTER = 257
-    """ENTER"""
+    """enter key"""
     TAB = 258
-    """TAB"""
+    """tabulator key"""
     BACKSPACE = 259
-    """BACKSPACE"""
+    """backspace key"""
     RIGHT = 262
-    """RIGHT"""
+    """cursor right"""
     LEFT = 263
-    """LEFT"""
+    """cursor left"""
     DOWN = 264
-    """DOWN"""
+    """cursor down"""
     UP = 265
-    """UP"""
+    """cursor up"""
     F1 = 291
-    """F1"""
+    """function key F1"""
     F2 = 292
-    """F2"""
+    """function key F2"""
     F3 = 293
-    """F3"""
+    """function key F3"""
     F4 = 294
-    """F4"""
+    """function key F4"""
     F5 = 295
-    """F5"""
+    """function key F5"""
     F6 = 296
-    """F6"""
+    """function key F6"""
     F7 = 297
-    """F7"""
+    """function key F7"""
     F8 = 298
-    """F8"""
+    """function key F8"""
     F9 = 299
-    """F9"""
+    """function key F9"""
     F10 = 300
-    """F10"""
+    """function key F10"""
 
 class LinearSolverType(IntEnum):
-    """LinearSolverType"""
+    """direct solvers for linear systems of equations"""
 
     _None = 0
-    """_None"""
+    """no solver; refused"""
     EXUdense = 1
-    """EXUdense"""
+    """dense factorization with partial pivoting; for small systems"""
     EigenSparse = 2
-    """EigenSparse"""
+    """sparse LU factorization; for models with many coordinates"""
     EigenSparseSymmetric = 4
-    """EigenSparseSymmetric"""
+    """sparse factorization for symmetric positive definite systems; not for models with constraints or unsymmetric forces"""
     EigenDense = 8
-    """EigenDense"""
+    """dense factorization with full pivoting, which tolerates redundant constraints; slower than the other dense one"""
 
 class NodeGroup(IntEnum):
-    """NodeGroup"""
+    """kinds of coordinates that a node has; values can be joined"""
 
     _None = 0
-    """_None"""
+    """no coordinates"""
     ODE1variables = 1
-    """ODE1variables"""
+    """coordinates of first order differential equations"""
     ODE2variables = 2
-    """ODE2variables"""
+    """coordinates of second order differential equations"""
     AEvariables = 4
-    """AEvariables"""
+    """algebraic variables"""
     DataVariables = 8
-    """DataVariables"""
+    """data variables"""
 
 class NodeType(IntEnum):
-    """NodeType"""
+    """what a node provides; values can be joined"""
 
     _None = 0
-    """_None"""
+    """nothing"""
     Ground = 1
-    """Ground"""
+    """fixed node without coordinates"""
     Position2D = 2
-    """Position2D"""
+    """position in the x-y plane"""
     Orientation2D = 4
-    """Orientation2D"""
+    """rotation about z"""
     Point2DSlope1 = 8
-    """Point2DSlope1"""
+    """position and one slope vector in the plane"""
     Position = 16
-    """Position"""
+    """position in space"""
     Orientation = 32
-    """Orientation"""
+    """orientation in space"""
     RigidBody = 64
-    """RigidBody"""
+    """displacements and rotations of a rigid body"""
     RotationEulerParameters = 128
-    """RotationEulerParameters"""
+    """rotation by Euler parameters"""
     RotationRxyz = 256
-    """RotationRxyz"""
+    """rotation by Tait-Bryan angles about x, y and z"""
     RotationRotationVector = 512
-    """RotationRotationVector"""
+    """rotation by a rotation vector"""
     LieGroupWithDirectUpdate = 1024
-    """LieGroupWithDirectUpdate"""
+    """rotation that integrators update by composition on the Lie group instead of by sums"""
     GenericODE2 = 4096
-    """GenericODE2"""
+    """second order coordinates without a meaning in space"""
     GenericODE1 = 8192
-    """GenericODE1"""
+    """first order coordinates"""
     GenericAE = 16384
-    """GenericAE"""
+    """algebraic variables"""
     GenericData = 32768
-    """GenericData"""
+    """data variables"""
     PointSlope1 = 65536
-    """PointSlope1"""
+    """position and one slope vector"""
     PointSlope12 = 131072
-    """PointSlope12"""
+    """position and the slope vectors in x and y"""
     PointSlope23 = 262144
-    """PointSlope23"""
+    """position and the slope vectors in y and z"""
 
 class ObjectType(IntEnum):
-    """ObjectType"""
+    """what an object is; values can be joined"""
 
     _None = 0
-    """_None"""
+    """none of the following"""
     Ground = 2
-    """Ground"""
+    """ground without coordinates"""
     Constraint = 4
-    """Constraint"""
+    """algebraic equations between markers"""
     Connector = 8
-    """Connector"""
+    """forces between markers; also the base of constraints and joints"""
     Body = 16
-    """Body"""
+    """has local points with position, so that body markers can be attached"""
     SingleNoded = 32
-    """SingleNoded"""
+    """uses one node"""
     MultiNoded = 64
-    """MultiNoded"""
+    """uses several nodes"""
     FiniteElement = 128
-    """FiniteElement"""
+    """finite element"""
     SuperElement = 256
-    """SuperElement"""
+    """many mesh nodes, reached by super element markers and outputs"""
     EndOfEnumList = 1024
-    """EndOfEnumList"""
+    """upper bound of the values; not a kind of object"""
 
 class OutputVariableType(IntEnum):
-    """OutputVariableType"""
+    """quantities that items offer to outputs and sensors; the page of an item lists those that it has, with size and frame"""
 
     _None = 0
-    """_None"""
+    """no output variable; sensors refuse it"""
     Distance = 1
-    """Distance"""
+    """distance between two points, or gap of a contact"""
     Position = 2
-    """Position"""
+    """position in global coordinates"""
     Displacement = 4
-    """Displacement"""
+    """displacement from the reference configuration in global coordinates; of connectors the relative displacement"""
     DisplacementLocal = 8
-    """DisplacementLocal"""
+    """displacement in local coordinates, of body or joint"""
     Velocity = 16
-    """Velocity"""
+    """velocity in global coordinates; of connectors the relative velocity"""
     VelocityLocal = 32
-    """VelocityLocal"""
+    """velocity in local coordinates, of body or joint"""
     Acceleration = 64
-    """Acceleration"""
+    """acceleration in global coordinates"""
     AccelerationLocal = 128
-    """AccelerationLocal"""
+    """acceleration in body coordinates"""
     RotationMatrix = 256
-    """RotationMatrix"""
+    """nine components of the rotation matrix from body to global frame, row by row"""
     Rotation = 8192
-    """Rotation"""
+    """angles: three Tait-Bryan angles about x, y and z, or one angle for planar items"""
     AngularVelocity = 512
-    """AngularVelocity"""
+    """angular velocity in global coordinates"""
     AngularVelocityLocal = 1024
-    """AngularVelocityLocal"""
+    """angular velocity in local coordinates, of body or joint"""
     AngularAcceleration = 2048
-    """AngularAcceleration"""
+    """angular acceleration in global coordinates"""
     AngularAccelerationLocal = 4096
-    """AngularAccelerationLocal"""
+    """angular acceleration in body coordinates"""
     CoordinatesTotal = 16384
-    """CoordinatesTotal"""
+    """coordinates including the reference coordinates"""
     Coordinates = 32768
-    """Coordinates"""
+    """coordinates relative to the reference coordinates"""
     Coordinates_t = 65536
-    """Coordinates_t"""
+    """first time derivatives of the coordinates"""
     Coordinates_tt = 131072
-    """Coordinates_tt"""
+    """second time derivatives of the coordinates"""
     SlidingCoordinate = 262144
-    """SlidingCoordinate"""
+    """path along a beam or curve, of sliding joints"""
     Director1 = 524288
-    """Director1"""
+    """first direction: slope or axis vector in x"""
     Director2 = 1048576
-    """Director2"""
+    """second direction: slope or axis vector in y"""
     Director3 = 2097152
-    """Director3"""
+    """third direction: slope or axis vector in z"""
     Force = 4194304
-    """Force"""
+    """force in global coordinates; of super elements the generalized forces"""
     ForceLocal = 8388608
-    """ForceLocal"""
+    """force in local coordinates; of beams the section forces"""
     Torque = 16777216
-    """Torque"""
+    """torque in global coordinates"""
     TorqueLocal = 33554432
-    """TorqueLocal"""
+    """torque in local coordinates; of beams the section moments"""
     StrainLocal = 268435456
-    """StrainLocal"""
+    """strain components in the local frame"""
     StressLocal = 536870912
-    """StressLocal"""
+    """stress components in the local frame"""
     CurvatureLocal = 1073741824
-    """CurvatureLocal"""
+    """curvature and twist in the local frame"""
     ConstraintEquation = 2147483648
-    """ConstraintEquation"""
+    """residual of the constraint equations of a constraint or joint"""

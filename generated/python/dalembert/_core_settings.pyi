@@ -9,215 +9,215 @@ from numpy.typing import ArrayLike
 from dalembert._core_enums import DynamicSolverType, ItemType, LinearSolverType, OutputVariableType
 
 class NewtonNumericalDifferentiationSettings:
-    """NewtonNumericalDifferentiationSettings"""
+    """Jacobians by numerical differentiation"""
 
     addReferenceCoordinatesToEpsilon: bool
-    """addReferenceCoordinatesToEpsilon; default: False"""
+    """true: the size of a coordinate, which scales its increment, includes the reference value; default: False"""
     doSystemWideDifferentiation: bool
-    """doSystemWideDifferentiation; default: False"""
+    """true: the whole system is differentiated at once, with all dependencies, at a cost that grows with the square of its size; false: item by item; default: False"""
     forAE: bool
-    """forAE; default: False"""
+    """true: derivatives of algebraic equations by numerical differentiation, for tests; false: exact ones; default: False"""
     forODE2: bool
-    """forODE2; default: False"""
+    """true: derivatives of second order equations by numerical differentiation; false: exact ones; default: False"""
     forODE2connectors: bool
-    """forODE2connectors; default: False"""
+    """true: derivatives of connector forces by numerical differentiation, for tests; false: as ``forODE2`` says; default: False"""
     jacobianConnectorDerivative: bool
-    """jacobianConnectorDerivative; default: True"""
+    """true: exact derivatives of connectors include the change of the directions of their forces; false: they leave it out; default: True"""
     minimumCoordinateSize: float
-    """minimumCoordinateSize; default: 0.01"""
+    """smallest size of a coordinate that is used for its increment, in the units of the coordinate [various]; default: 0.01"""
     relativeEpsilon: float
-    """relativeEpsilon; default: 1e-07"""
+    """increment of a coordinate relative to its size [1]; default: 1e-07"""
     def __init__(self) -> None: ...
     def GetDictionary(self) -> dict[str, Any]: ...
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class NewtonSettings:
-    """NewtonSettings"""
+    """Newton's method for the nonlinear equations of a step"""
 
     absoluteTolerance: float
-    """absoluteTolerance; default: 1e-10"""
+    """the iteration ends if the error is below this value, in the units of the residual [various]; default: 1e-10"""
     adaptInitialResidual: bool
-    """adaptInitialResidual; default: True"""
+    """true: if the residual grows in the first iteration, the larger value is the one that has to be reduced by the relative tolerance; for steps that start with a residual near zero; default: True"""
     maximumSolutionNorm: float
-    """maximumSolutionNorm; default: 1e+38"""
+    """the solver stops if the squared norm of coordinates, velocities or accelerations exceeds this value [various]; default: 1e+38"""
     maxIterations: int
-    """maxIterations; default: 25"""
+    """number of iterations of all kinds after which a step has failed; default: 25"""
     maxModifiedNewtonIterations: int
-    """maxModifiedNewtonIterations; default: 8"""
+    """number of iterations with an old Jacobian after which it is computed anew; default: 8"""
     maxModifiedNewtonRestartIterations: int
-    """maxModifiedNewtonRestartIterations; default: 7"""
+    """number of iterations with a renewed Jacobian after which the step goes on with full Newton; default: 7"""
     modifiedNewtonContractivity: float
-    """modifiedNewtonContractivity; default: 0.5"""
+    """largest ratio of the errors of two iterations that an old Jacobian may show; above it the Jacobian is computed anew [1]; default: 0.5"""
     modifiedNewtonJacUpdatePerStep: bool
-    """modifiedNewtonJacUpdatePerStep; default: False"""
+    """true: modified Newton computes the Jacobian once per step; false: only when convergence asks for it; default: False"""
     newtonResidualMode: int
-    """newtonResidualMode; default: 0"""
+    """quantity that measures the error: 0 the residual, 1 the increment of the coordinates of differential equations; default: 0"""
     relativeTolerance: float
-    """relativeTolerance; default: 1e-08"""
+    """the iteration ends if the error has fallen below this fraction of the initial one [1]; default: 1e-08"""
     useModifiedNewton: bool
-    """useModifiedNewton; default: False"""
+    """true: the Jacobian and its factorization are kept as long as convergence allows; false: computed in every iteration; default: False"""
     useNewtonSolver: bool
-    """useNewtonSolver; default: True"""
+    """true: nonlinear equations; false: one linear step; default: True"""
     weightTolerancePerCoordinate: bool
-    """weightTolerancePerCoordinate; default: False"""
+    """true: the norm of the error is divided by the root of the number of coordinates, so that tolerances do not depend on the size of the model; false: plain norm; default: False"""
     numericalDifferentiation: NewtonNumericalDifferentiationSettings
     def __init__(self) -> None: ...
     def GetDictionary(self) -> dict[str, Any]: ...
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class DiscontinuousSettings:
-    """DiscontinuousSettings"""
+    """iterations for contact, friction and other discontinuous states, after Newton's method has converged"""
 
     ignoreMaxIterations: bool
-    """ignoreMaxIterations; default: True"""
+    """true: the step is accepted when the maximum number of iterations is reached; false: it has failed; default: True"""
     iterationTolerance: float
-    """iterationTolerance; default: 1.0"""
+    """largest error of the discontinuous states that is accepted; an absolute value, in the units of the contact or friction item [various]; default: 1.0"""
     maxIterations: int
-    """maxIterations; default: 5"""
+    """number of discontinuous iterations in one step; default: 5"""
     useRecommendedStepSize: bool
-    """useRecommendedStepSize; default: True"""
+    """true: the step size follows recommendations of items, for example at the start of a contact; false: they are ignored; default: True"""
     def __init__(self) -> None: ...
     def GetDictionary(self) -> dict[str, Any]: ...
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class LinearSolverSettings:
-    """LinearSolverSettings"""
+    """settings of the linear solver"""
 
     ignoreSingularJacobian: bool
-    """ignoreSingularJacobian; default: False"""
+    """true: a singular system matrix is no error, and one of the possible solutions is taken, for example with redundant constraints; only with a dense solver with full pivoting, and to be checked with care; false: a singular matrix stops the solver; default: False"""
     pivotThreshold: float
-    """pivotThreshold; default: 0.0"""
+    """a pivot below this value is treated as zero, so that an almost singular matrix is reported; dense solvers only; 0: exact zeros only [1]; default: 0.0"""
     reuseAnalyzedPattern: bool
-    """reuseAnalyzedPattern; default: False"""
+    """true: the symbolic analysis of a sparse matrix is used for all factorizations with the same pattern; default: False"""
     showCausingItems: bool
-    """showCausingItems; default: True"""
+    """name the items whose equations make the system matrix singular when the solver fails; default: True"""
     def __init__(self) -> None: ...
     def GetDictionary(self) -> dict[str, Any]: ...
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class ParallelSettings:
-    """ParallelSettings"""
+    """computation with several threads"""
 
     multithreadedLLimitJacobians: int
-    """multithreadedLLimitJacobians; default: 20"""
+    """number of objects from which on Jacobians are computed in parallel; default: 20"""
     multithreadedLLimitLoads: int
-    """multithreadedLLimitLoads; default: 20"""
+    """number of loads from which on loads are computed in parallel; default: 20"""
     multithreadedLLimitMassMatrices: int
-    """multithreadedLLimitMassMatrices; default: 20"""
+    """number of bodies from which on mass matrices are computed in parallel; default: 20"""
     multithreadedLLimitResiduals: int
-    """multithreadedLLimitResiduals; default: 20"""
+    """number of objects from which on residuals are computed in parallel; default: 20"""
     numberOfThreads: int
-    """numberOfThreads; default: 1"""
+    """number of threads of the solver; 1: no parallel computation; more than the number of cores does not help; default: 1"""
     taskSplitMinItems: int
-    """taskSplitMinItems; default: 50"""
+    """number of items from which on the work is split into more tasks than threads; default: 50"""
     taskSplitTasksPerThread: int
-    """taskSplitTasksPerThread; default: 16"""
+    """number of tasks per thread when the work is split; about 1 to 100; default: 16"""
     useLoadBalancing: bool
-    """useLoadBalancing; default: True"""
+    """true: threads that are ready take over work of others; false: fixed share per thread; default: True"""
     def __init__(self) -> None: ...
     def GetDictionary(self) -> dict[str, Any]: ...
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class SolutionSettings:
-    """SolutionSettings"""
+    """what is written to files, and how often"""
 
     appendToFile: bool
-    """appendToFile; default: False"""
+    """true: solution and solver information are appended to existing files; false: existing files are replaced; binary files are always replaced; default: False"""
     binarySolutionFile: bool
-    """binarySolutionFile; default: False"""
+    """true: the solution file is binary, with 8 byte numbers if ``outputPrecision`` is at least 8 and with 4 byte numbers otherwise; false: text; default: False"""
     coordinatesSolutionFileName: str
-    """coordinatesSolutionFileName; default: 'coordinatesSolution'"""
+    """solution file with all coordinates, with its path; directories are created; without an ending .txt or, for a binary file, .sol is added; default: 'coordinatesSolution'"""
     exportAccelerations: bool
-    """exportAccelerations; default: True"""
+    """write the accelerations of second order coordinates to the solution file; default: True"""
     exportAlgebraicCoordinates: bool
-    """exportAlgebraicCoordinates; default: True"""
+    """write algebraic variables, such as Lagrange multipliers, to the solution file; default: True"""
     exportDataCoordinates: bool
-    """exportDataCoordinates; default: True"""
+    """write data variables to the solution file; default: True"""
     exportODE1Velocities: bool
-    """exportODE1Velocities; default: True"""
+    """write the time derivatives of first order coordinates to the solution file; default: True"""
     exportVelocities: bool
-    """exportVelocities; default: True"""
+    """write the velocities of second order coordinates to the solution file; default: True"""
     flushFilesDOF: int
-    """flushFilesDOF; default: 10000"""
+    """number of coordinates from which on the solution file is flushed at every output, whatever ``flushFilesImmediately`` says; default: 10000"""
     flushFilesImmediately: bool
-    """flushFilesImmediately; default: False"""
+    """true: files are complete after every output, which costs time in models with short steps; false: output is buffered; default: False"""
     outputPrecision: int
-    """outputPrecision; default: 10"""
+    """number of significant digits in solution and sensor files; default: 10"""
     recordImagesInterval: float
-    """recordImagesInterval; default: -1.0"""
+    """simulated time between two images of the main view that are saved while the solver runs; negative: no images [s]; default: -1.0"""
     restartFileName: str
-    """restartFileName; default: 'restartFile.txt'"""
+    """restart file, with its path; the one before is kept with the ending .bck; default: 'restartFile.txt'"""
     restartWritePeriod: float
-    """restartWritePeriod; default: 0.01"""
+    """simulated time between two updates of the restart file [s]; default: 0.01"""
     sensorsAppendToFile: bool
-    """sensorsAppendToFile; default: False"""
+    """true: sensor values are appended to existing files and stored values; false: these are replaced; default: False"""
     sensorsStoreAndWriteFiles: bool
-    """sensorsStoreAndWriteFiles; default: True"""
+    """false: sensors neither write files nor store values; default: True"""
     sensorsWriteFileFooter: bool
-    """sensorsWriteFileFooter; default: False"""
+    """write a footer to sensor files when the solver has finished; default: False"""
     sensorsWriteFileHeader: bool
-    """sensorsWriteFileHeader; default: True"""
+    """write a header to sensor files; default: True"""
     sensorsWritePeriod: float
-    """sensorsWritePeriod; default: 0.01"""
+    """simulated time between two outputs of sensors, to file and memory; 0: every step [s]; default: 0.01"""
     solutionInformation: str
-    """solutionInformation; default: ''"""
+    """text that is written to the header of the solution file and shown in the render window; default: ''"""
     solutionWritePeriod: float
-    """solutionWritePeriod; default: 0.01"""
+    """simulated time between two outputs to the solution file; 0: every step [s]; default: 0.01"""
     solverInformationFileName: str
-    """solverInformationFileName; default: 'solverInformation.txt'"""
+    """file for the information of the solver, as much as ``verboseModeFile`` says; directories are created; default: 'solverInformation.txt'"""
     writeFileFooter: bool
-    """writeFileFooter; default: True"""
+    """write a footer with convergence and computation time to the solution file when the solver has finished; default: True"""
     writeFileHeader: bool
-    """writeFileHeader; default: True"""
+    """write a header to the solution file; default: True"""
     writeInitialValues: bool
-    """writeInitialValues; default: True"""
+    """write the state at the start to solution and sensor files; false avoids double lines when files are appended; default: True"""
     writeRestartFile: bool
-    """writeRestartFile; default: False"""
+    """write the restart file from time to time; default: False"""
     writeSolutionToFile: bool
-    """writeSolutionToFile; default: True"""
+    """write the solution file; default: True"""
     def __init__(self) -> None: ...
     def GetDictionary(self) -> dict[str, Any]: ...
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class StaticSolverSettings:
-    """StaticSolverSettings"""
+    """static solver: equilibrium under loads that are increased in steps"""
 
     adaptiveStep: bool
-    """adaptiveStep; default: True"""
+    """true: a load step that fails is repeated with a smaller step; false: it is an error; default: True"""
     adaptiveStepDecrease: float
-    """adaptiveStepDecrease; default: 0.25"""
+    """factor of the step size when a step has failed; between 0 and 1 [1]; default: 0.25"""
     adaptiveStepIncrease: float
-    """adaptiveStepIncrease; default: 2.0"""
+    """factor of the step size when it may grow again after a reduction, up to its regular value; greater than 1 [1]; default: 2.0"""
     adaptiveStepRecoveryIterations: int
-    """adaptiveStepRecoveryIterations; default: 7"""
+    """a step counts for recovery if it took at most this number of Newton and discontinuous iterations; default: 7"""
     adaptiveStepRecoverySteps: int
-    """adaptiveStepRecoverySteps; default: 4"""
+    """number of steps after a reduction before the step size is increased; default: 4"""
     computeLoadsJacobian: bool
-    """computeLoadsJacobian; default: True"""
+    """take derivatives of loads with respect to the coordinates into the Jacobian; needed for good convergence if loads depend on coordinates; default: True"""
     constrainODE1coordinates: bool
-    """constrainODE1coordinates; default: True"""
+    """true: first order coordinates keep their initial values; false is not supported; default: True"""
     loadStepDuration: float
-    """loadStepDuration; default: 1.0"""
+    """quasi-time from the first to the last load step, as seen by loads that depend on time [s]; default: 1.0"""
     loadStepGeometric: bool
-    """loadStepGeometric; default: False"""
+    """true: the load factors form a geometric series, for problems that need small first steps; false: equal load steps; default: False"""
     loadStepGeometricRange: float
-    """loadStepGeometricRange; default: 1000.0"""
+    """range of the geometric series: load factor i of n is this number to the power i/n - 1 [1]; default: 1000.0"""
     loadStepStart: float
-    """loadStepStart; default: 0.0"""
+    """quasi-time at which the load steps start [s]; default: 0.0"""
     minimumStepSize: float
-    """minimumStepSize; default: 1e-08"""
+    """smallest step of the quasi-time; the solver stops with an error below it [s]; default: 1e-08"""
     numberOfLoadSteps: int
-    """numberOfLoadSteps; default: 1"""
+    """number of load steps; 1: the full load is applied at once; default: 1"""
     stabilizerODE2term: float
-    """stabilizerODE2term; default: 0.0"""
+    """factor of a mass proportional term that is added to the Jacobian of the second order equations, and that fades out as one minus the square of the load factor; 0: none [1]; default: 0.0"""
     stepInformation: int
-    """stepInformation; default: 67"""
+    """sum of numbers that say what a line about a step shows: 1 remaining time, 2 Newton iterations, 4 Jacobians, 8 discontinuous iterations, 16 step size, 32 CPU time, 64 warnings when a step is reduced, 128 increases of the step size, 1024 every step; 0 shows the time only; default: 67"""
     useLoadFactor: bool
-    """useLoadFactor; default: True"""
+    """true: loads are multiplied with the load factor, which goes from 0 to 1; false: loads act in full, for loads that follow the quasi-time by themselves; default: True"""
     verboseMode: int
-    """verboseMode; default: 1"""
+    """amount of output: 0 none, 1 now and then a line, 2 a line per step, 3 with the solution, 4 with mass matrix and Jacobian, 5 with the inverse of the Jacobian; on the console; default: 1"""
     verboseModeFile: int
-    """verboseModeFile; default: 0"""
+    """amount of output: 0 none, 1 now and then a line, 2 a line per step, 3 with the solution, 4 with mass matrix and Jacobian, 5 with the inverse of the Jacobian; in the solver information file; default: 0"""
     discontinuous: DiscontinuousSettings
     newton: NewtonSettings
     def __init__(self) -> None: ...
@@ -225,98 +225,98 @@ class StaticSolverSettings:
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class TimeIntegrationExplicitIntegrationSettings:
-    """TimeIntegrationExplicitIntegrationSettings"""
+    """explicit integrators"""
 
     computeEndOfStepAccelerations: bool
-    """computeEndOfStepAccelerations; default: True"""
+    """true: accelerations are evaluated at the end of each step; false: those of the last stage are shown, which saves one evaluation per step; default: True"""
     computeMassMatrixInversePerBody: bool
-    """computeMassMatrixInversePerBody; default: False"""
+    """true: mass matrices are inverted body by body, which is fast but wrong if bodies share nodes; false: the system mass matrix is factorized; default: False"""
     dynamicSolverType: DynamicSolverType
-    """dynamicSolverType; default: DynamicSolverType.DOPRI5"""
+    """method that is used when the solver is called without one; default: DynamicSolverType.DOPRI5"""
     eliminateConstraints: bool
-    """eliminateConstraints; default: True"""
+    """true: constraints that fix single coordinates to ground are eliminated; false: they are ignored; other constraints cannot be treated; default: True"""
     useLieGroupIntegration: bool
-    """useLieGroupIntegration; default: True"""
+    """true: rotation vectors of Lie group nodes are updated by composition; needed for such nodes; default: True"""
     def __init__(self) -> None: ...
     def GetDictionary(self) -> dict[str, Any]: ...
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class TimeIntegrationGeneralizedAlphaSettings:
-    """TimeIntegrationGeneralizedAlphaSettings"""
+    """generalized-alpha, Newmark and implicit trapezoidal integrators"""
 
     computeInitialAccelerations: bool
-    """computeInitialAccelerations; default: True"""
+    """true: initial accelerations are computed from the equations of motion; false: they are taken from the system or set to zero; default: True"""
     lieGroupAddTangentOperator: bool
-    """lieGroupAddTangentOperator; default: True"""
+    """true: the tangent operator of the Lie group nodes is part of the Jacobian, for better convergence; only with ``lieGroupSimplifiedKinematicRelations``; default: True"""
     lieGroupSimplifiedKinematicRelations: bool
-    """lieGroupSimplifiedKinematicRelations; default: False"""
+    """true: kinematic relations of Lie group nodes after Brüls and Cardona; false: more accurate ones; default: False"""
     newmarkBeta: float
-    """newmarkBeta; default: 0.25"""
+    """parameter beta of the Newmark method; 1/4 with gamma 1/2 is the trapezoidal rule [1]; default: 0.25"""
     newmarkGamma: float
-    """newmarkGamma; default: 0.5"""
+    """parameter gamma of the Newmark method; 1/2 gives no numerical damping [1]; default: 0.5"""
     resetAccelerations: bool
-    """resetAccelerations; default: False"""
+    """true: initial accelerations that are not computed are set to zero; false: they continue from the system; only without ``computeInitialAccelerations``; default: False"""
     spectralRadius: float
-    """spectralRadius; default: 0.9"""
+    """spectral radius at infinite frequency: 1 no numerical damping, 0 largest; has to be below 1 for constraints on position level [1]; default: 0.9"""
     storeInitialAlgebraicCoordinates: bool
-    """storeInitialAlgebraicCoordinates; default: True"""
+    """true: the algebraic variables that belong to the computed initial accelerations become initial values; default: True"""
     useIndex2Constraints: bool
-    """useIndex2Constraints; default: False"""
+    """true: constraints are fulfilled on velocity level (index 2); false: on position level (index 3); default: False"""
     useNewmark: bool
-    """useNewmark; default: False"""
+    """true: Newmark method with the parameters given here; false: generalized-alpha; default: False"""
     def __init__(self) -> None: ...
     def GetDictionary(self) -> dict[str, Any]: ...
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class TimeIntegrationSettings:
-    """TimeIntegrationSettings"""
+    """time integration"""
 
     absoluteTolerance: float
-    """absoluteTolerance; default: 1e-08"""
+    """absolute tolerance of the error control of explicit integrators, in the units of the coordinates; positive [various]; default: 1e-08"""
     adaptiveStep: bool
-    """adaptiveStep; default: True"""
+    """true: an implicit step that fails is repeated with a smaller step size; false: it is an error; default: True"""
     adaptiveStepDecrease: float
-    """adaptiveStepDecrease; default: 0.5"""
+    """factor of the step size when a step has failed; between 0 and 1 [1]; default: 0.5"""
     adaptiveStepIncrease: float
-    """adaptiveStepIncrease; default: 2.0"""
+    """factor of the step size when it may grow again after a reduction, up to its regular value; greater than 1 [1]; default: 2.0"""
     adaptiveStepRecoveryIterations: int
-    """adaptiveStepRecoveryIterations; default: 7"""
+    """a step counts for recovery if it took at most this number of Newton and discontinuous iterations; default: 7"""
     adaptiveStepRecoverySteps: int
-    """adaptiveStepRecoverySteps; default: 10"""
+    """number of steps after a reduction before the step size is increased; default: 10"""
     automaticStepSize: bool
-    """automaticStepSize; default: True"""
+    """true: integrators with an error estimate choose the step size; (endTime - startTime)/numberOfSteps is its upper bound; false: constant step size; default: True"""
     computeLoadsJacobian: int
-    """computeLoadsJacobian; default: 0"""
+    """derivatives of loads in the Jacobian of implicit integrators: 0 none, 1 with respect to the coordinates, 2 with respect to the velocities as well; default: 0"""
     endTime: float
-    """endTime; default: 1.0"""
+    """time at which the integration ends [s]; default: 1.0"""
     initialStepSize: float
-    """initialStepSize; default: 0.0"""
+    """first step size when the step size is automatic; 0: the largest step size [s]; default: 0.0"""
     minimumStepSize: float
-    """minimumStepSize; default: 1e-08"""
+    """lower bound of the step size; an implicit solver that would need a smaller one stops with an error, automatic step sizes continue at the bound with a warning [s]; default: 1e-08"""
     numberOfSteps: float
-    """numberOfSteps; default: 100.0"""
+    """number of steps of equal size from startTime to endTime; a whole number is expected [1]; default: 100.0"""
     realtimeFactor: float
-    """realtimeFactor; default: 1.0"""
+    """simulated seconds per second of real time when simulating in real time: greater than 1 is fast motion, smaller than 1 slow motion [1]; default: 1.0"""
     realtimeWaitMicroseconds: int
-    """realtimeWaitMicroseconds; default: 1000"""
+    """waiting time in microseconds between two looks at the clock when simulating in real time; small values are more accurate and cost more CPU time; default: 1000"""
     relativeTolerance: float
-    """relativeTolerance; default: 1e-08"""
+    """relative tolerance of the error control of explicit integrators [1]; default: 1e-08"""
     reuseConstantMassMatrix: bool
-    """reuseConstantMassMatrix; default: True"""
+    """true: mass matrices that do not depend on the state are computed once; false: they are computed anew, for example if masses are changed by user functions; default: True"""
     simulateInRealtime: bool
-    """simulateInRealtime; default: False"""
+    """true: the solver waits until real time has caught up with the simulated time; it does not wait when it is too slow; default: False"""
     startTime: float
-    """startTime; default: 0.0"""
+    """time at which the integration starts [s]; default: 0.0"""
     stepInformation: int
-    """stepInformation; default: 67"""
+    """sum of numbers that say what a line about a step shows: 1 remaining time, 2 Newton iterations, 4 Jacobians, 8 discontinuous iterations, 16 step size, 32 CPU time, 64 warnings when a step is reduced, 128 increases of the step size, 1024 every step; 0 shows the time only; default: 67"""
     stepSizeMaxIncrease: float
-    """stepSizeMaxIncrease; default: 2.0"""
+    """largest factor by which the automatic step size grows from one step to the next; greater than 1 [1]; default: 2.0"""
     stepSizeSafety: float
-    """stepSizeSafety; default: 0.9"""
+    """factor of the step size that the error estimate allows; smaller values avoid rejected steps [1]; default: 0.9"""
     verboseMode: int
-    """verboseMode; default: 0"""
+    """amount of output: 0 none, 1 now and then a line, 2 a line per step, 3 with the solution, 4 with mass matrix and Jacobian, 5 with the inverse of the Jacobian; on the console; default: 0"""
     verboseModeFile: int
-    """verboseModeFile; default: 0"""
+    """amount of output: 0 none, 1 now and then a line, 2 a line per step, 3 with the solution, 4 with mass matrix and Jacobian, 5 with the inverse of the Jacobian; in the solver information file; default: 0"""
     discontinuous: DiscontinuousSettings
     explicitIntegration: TimeIntegrationExplicitIntegrationSettings
     generalizedAlpha: TimeIntegrationGeneralizedAlphaSettings
@@ -326,22 +326,22 @@ class TimeIntegrationSettings:
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class SimulationSettings:
-    """SimulationSettings"""
+    """settings of the solvers: time integration, static solver, linear algebra, output and threads"""
 
     cleanUpMemory: bool
-    """cleanUpMemory; default: False"""
+    """true: the solver frees its memory when it has finished; false: it keeps it for the next computation; default: False"""
     displayComputationTime: bool
-    """displayComputationTime; default: False"""
+    """print how the computation time is distributed when the solver has finished; default: False"""
     displayGlobalTimers: bool
-    """displayGlobalTimers; default: True"""
+    """print global timers when the solver has finished; default: True"""
     displayStatistics: bool
-    """displayStatistics; default: False"""
+    """print numbers of steps, iterations, Jacobians and rejected steps when the solver has finished; default: False"""
     linearSolverType: LinearSolverType
-    """linearSolverType; default: LinearSolverType.EXUdense"""
+    """direct solver of the linear systems; default: LinearSolverType.EXUdense"""
     outputPrecision: int
-    """outputPrecision; default: 6"""
+    """number of significant digits in texts on the console; default: 6"""
     pauseAfterEachStep: bool
-    """pauseAfterEachStep; default: False"""
+    """wait for the space bar in the renderer after each step; default: False"""
     linearSolverSettings: LinearSolverSettings
     parallel: ParallelSettings
     solutionSettings: SolutionSettings
@@ -352,86 +352,86 @@ class SimulationSettings:
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class VSettingsViewCamera:
-    """VSettingsViewCamera"""
+    """camera of a view"""
 
     cameraPosition: ArrayLike
-    """cameraPosition [3]; default: [0.0, 0.0, 0.0]"""
+    """shift of the camera, in the frame of the view; relative to the tracked marker if there is one [3; m]; default: [0.0, 0.0, 0.0]"""
     clippingPlaneDistance: float
-    """clippingPlaneDistance; default: 0.0"""
+    """distance of the clipping plane from the origin, along its normal [m]; default: 0.0"""
     clippingPlaneNormal: ArrayLike
-    """clippingPlaneNormal [3]; default: [0.0, 0.0, 0.0]"""
+    """normal of a plane behind which faces are not drawn, the half-space in direction of the normal being cut off; zeros: no clipping [3; 1]; default: [0.0, 0.0, 0.0]"""
     modelCentricView: bool
-    """modelCentricView; default: True"""
+    """true: zooming and rotating move the model and the camera sees all of it; false: the camera moves through the model; default: True"""
     nearFarPlaneOffset: ArrayLike
-    """nearFarPlaneOffset [3]; default: [0.0, 0.0, 0.0]"""
+    """nearest and farthest visible distance (m), and a number that is 1 to use them and 0 to compute them from the size of the scene [3; various]; default: [0.0, 0.0, 0.0]"""
     perspective: float
-    """perspective; default: 0.0"""
+    """amount of perspective, the tangent of half the field of view; 0: parallel projection [1]; default: 0.0"""
     trackMarker: int
-    """trackMarker; default: -1"""
+    """number of the marker that the view follows; -1: none; default: -1"""
     trackMarkerMbsNumber: int
-    """trackMarkerMbsNumber; default: 0"""
+    """number of the system in the container that the tracked marker belongs to; 0 for the first; default: 0"""
     trackMarkerOrientation: ArrayLike
-    """trackMarkerOrientation [3]; default: [0.0, 0.0, 0.0]"""
+    """1 in all three components to follow the rotation of the marker, zeros to keep the direction of view [3; 1]; default: [0.0, 0.0, 0.0]"""
     trackMarkerPosition: ArrayLike
-    """trackMarkerPosition [3]; default: [1.0, 1.0, 1.0]"""
+    """for x, y and z: 1 to follow the marker in this direction, 0 not to [3; 1]; default: [1.0, 1.0, 1.0]"""
     useRaytracer: bool
-    """useRaytracer; default: False"""
+    """true: software ray tracer; false: OpenGL; default: False"""
     def __init__(self) -> None: ...
     def GetDictionary(self) -> dict[str, Any]: ...
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class VSettingsViewScene:
-    """VSettingsViewScene"""
+    """what a view shows"""
 
     drawCoordinateSystem: int
-    """drawCoordinateSystem; default: 2"""
+    """coordinate system in the corner: 0 none, 1 lines with text, 2 arrows, 3 arrows with text; default: 2"""
     drawWorldBasis: bool
-    """drawWorldBasis; default: False"""
+    """draw the global frame at the origin; default: False"""
     facesTransparent: bool
-    """facesTransparent; default: False"""
+    """draw all faces transparent, so that what they hide can be seen; default: False"""
     showFaceEdges: bool
-    """showFaceEdges; default: False"""
+    """draw the edges of faces; default: False"""
     showFaces: bool
-    """showFaces; default: True"""
+    """draw faces; without them and with edges, a wire frame is left; default: True"""
     showLines: bool
-    """showLines; default: True"""
+    """draw lines, other than edges; default: True"""
     showMeshEdges: bool
-    """showMeshEdges; default: True"""
+    """draw the edges of finite elements; default: True"""
     showMeshFaces: bool
-    """showMeshFaces; default: True"""
+    """draw the faces of finite elements; default: True"""
     worldBasisSize: float
-    """worldBasisSize; default: 1.0"""
+    """length of the axes of the global frame [m]; default: 1.0"""
     def __init__(self) -> None: ...
     def GetDictionary(self) -> dict[str, Any]: ...
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class VSettingsViewWindow:
-    """VSettingsViewWindow"""
+    """window of a view"""
 
     alwaysOnTop: bool
-    """alwaysOnTop; default: False"""
+    """the window stays above other windows; default: False"""
     globalFontSize: float
-    """globalFontSize; default: 12.0"""
+    """size of the font, about in pixels [1]; default: 12.0"""
     lockModelView: bool
-    """lockModelView; default: False"""
+    """mouse and keys do not change the view; default: False"""
     maximize: bool
-    """maximize; default: False"""
+    """open the window in full size; default: False"""
     renderWindowSize: Sequence[int]
-    """renderWindowSize [2]; default: [1024, 768]"""
+    """width and height of the window at the start, in pixels [2]; default: [1024, 768]"""
     showComputationInfo: bool
-    """showComputationInfo; default: True"""
+    """show version, solver and other information in the window; default: True"""
     showMouseCoordinates: bool
-    """showMouseCoordinates; default: False"""
+    """show the position of the mouse in the model and its distance from the last click; default: False"""
     showRenderStateInfo: bool
-    """showRenderStateInfo; default: False"""
+    """show zoom, center and rotation of the view; default: False"""
     showWindow: bool
-    """showWindow; default: True"""
+    """true: the window is shown at the start; false: it starts as an icon; default: True"""
     def __init__(self) -> None: ...
     def GetDictionary(self) -> dict[str, Any]: ...
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class VSettingsView:
-    """VSettingsView"""
+    """one view of the model"""
 
     camera: VSettingsViewCamera
     scene: VSettingsViewScene
@@ -441,146 +441,146 @@ class VSettingsView:
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class VSettingsLight:
-    """VSettingsLight"""
+    """one light"""
 
     constantAttenuation: float
-    """constantAttenuation; default: 1.0"""
+    """constant term of the attenuation, whose inverse weakens the light; of lights with a position only [1]; default: 1.0"""
     diffuse: float
-    """diffuse; default: 0.5"""
+    """strength of the light that is scattered by faces [1]; default: 0.5"""
     enable: bool
-    """enable; default: True"""
+    """switch the light on; default: True"""
     lightRadius: float
-    """lightRadius; default: 0.1"""
+    """radius of the light for soft shadows, of the ray tracer only [m]; default: 0.1"""
     linearAttenuation: float
-    """linearAttenuation; default: 0.0"""
+    """term of the attenuation that grows with the distance; of lights with a position only [1/m]; default: 0.0"""
     position: ArrayLike
-    """position [4]; default: [2.0, 2.0, 10.0, 0.0]"""
+    """position of the light if the fourth number is 1; direction towards a light at infinity if it is 0 [4; m]; default: [2.0, 2.0, 10.0, 0.0]"""
     quadraticAttenuation: float
-    """quadraticAttenuation; default: 0.0"""
+    """term of the attenuation that grows with the square of the distance; of lights with a position only [1/m^2]; default: 0.0"""
     shadow: float
-    """shadow; default: 0.0"""
+    """strength of the shadows of this light, from 0 (none) to 1; shadows cost rendering time [1]; default: 0.0"""
     specular: float
-    """specular; default: 0.5"""
+    """strength of highlights [1]; default: 0.5"""
     useCameraFrame: bool
-    """useCameraFrame; default: False"""
+    """true: position and direction are fixed to the camera; false: to the model; default: False"""
     def __init__(self) -> None: ...
     def GetDictionary(self) -> dict[str, Any]: ...
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class VSettingsMaterial:
-    """VSettingsMaterial"""
+    """one material of the ray tracer"""
 
     alpha: float
-    """alpha; default: 1.0"""
+    """opacity, from 0 to 1 [1]; default: 1.0"""
     baseColor: ArrayLike
-    """baseColor [3]; default: [0.4, 0.4, 0.9]"""
+    """red, green and blue of faces without a color of their own [3; 1]; default: [0.4, 0.4, 0.9]"""
     emission: ArrayLike
-    """emission [3]; default: [0.0, 0.0, 0.0]"""
+    """red, green and blue of light that the material emits [3; 1]; default: [0.0, 0.0, 0.0]"""
     ior: float
-    """ior; default: 1.0"""
+    """index of refraction of transparent materials; 1: none [1]; default: 1.0"""
     name: str
-    """name; default: 'default'"""
+    """name of the material; default: 'default'"""
     reflectivity: float
-    """reflectivity; default: 0.0"""
+    """share of light that is reflected, from 0 (rough) to 1 (mirror); costs rendering time [1]; default: 0.0"""
     shininess: float
-    """shininess; default: 32.0"""
+    """sharpness of highlights; below 5 dull, above 50 glossy [1]; default: 32.0"""
     specular: ArrayLike
-    """specular [3]; default: [0.6, 0.6, 0.6]"""
+    """red, green and blue of highlights [3; 1]; default: [0.6, 0.6, 0.6]"""
     def __init__(self) -> None: ...
     def GetDictionary(self) -> dict[str, Any]: ...
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class VSettingsNodes:
-    """VSettingsNodes"""
+    """drawing of nodes"""
 
     basisSize: float
-    """basisSize; default: 0.2"""
+    """length of the axes of node frames [m]; default: 0.2"""
     defaultColor: ArrayLike
-    """defaultColor [4]; default: [0.2, 0.2, 1.0, 1.0]"""
+    """red, green, blue and opacity of nodes without a color of their own, each from 0 to 1 [4; 1]; default: [0.2, 0.2, 1.0, 1.0]"""
     defaultSize: float
-    """defaultSize; default: -1.0"""
+    """size of nodes without a size of their own; negative: chosen from the size of the scene [m]; default: -1.0"""
     drawNodesAsPoint: bool
-    """drawNodesAsPoint; default: True"""
+    """true: nodes are points of the size ``general.pointSize`` and frames are lines, which is fast; false: spheres or circles; default: True"""
     show: bool
-    """show; default: True"""
+    """draw nodes; default: True"""
     showBasis: bool
-    """showBasis; default: False"""
+    """draw the axes of nodes with orientation; default: False"""
     showNodalSlopes: int
-    """showNodalSlopes; default: 0"""
+    """draw the slope vectors of nodes that have them; 0: no; default: 0"""
     showNumbers: bool
-    """showNumbers; default: False"""
+    """draw the numbers of nodes; default: False"""
     tiling: int
-    """tiling; default: 4"""
+    """number of segments of a node that is drawn as a sphere; circles have four times as many; default: 4"""
     def __init__(self) -> None: ...
     def GetDictionary(self) -> dict[str, Any]: ...
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class VSettingsBodiesBeams:
-    """VSettingsBodiesBeams"""
+    """drawing of beams and cables"""
 
     axialTiling: int
-    """axialTiling; default: 8"""
+    """number of segments along the axis of a beam element; default: 8"""
     crossSectionFilled: bool
-    """crossSectionFilled; default: True"""
+    """true: cross sections are solid, if the element can do so; false: wire frame; default: True"""
     crossSectionTiling: int
-    """crossSectionTiling; default: 4"""
+    """number of faces over the height of a beam that is drawn flat; default: 4"""
     drawVertical: bool
-    """drawVertical; default: False"""
+    """draw the contour variable as a diagram normal to the beam axis; default: False"""
     drawVerticalColor: ArrayLike
-    """drawVerticalColor [4]; default: [0.2, 0.2, 0.2, 1.0]"""
+    """red, green, blue and opacity of the diagram along the beam axis, each from 0 to 1 [4; 1]; default: [0.2, 0.2, 0.2, 1.0]"""
     drawVerticalFactor: float
-    """drawVerticalFactor; default: 1.0"""
+    """length in the drawing (m) per unit of the contour variable [various]; default: 1.0"""
     drawVerticalLines: bool
-    """drawVerticalLines; default: True"""
+    """draw lines from the beam axis to the diagram; default: True"""
     drawVerticalOffset: float
-    """drawVerticalOffset; default: 0.0"""
+    """value that is added to the contour variable before it is scaled [various]; default: 0.0"""
     drawVerticalValues: bool
-    """drawVerticalValues; default: False"""
+    """write values at the lines of the diagram; they are interpolated ones; default: False"""
     reducedAxialInterploation: bool
-    """reducedAxialInterploation; default: True"""
+    """true: contour variables are interpolated along the axis with a lower order, which hides oscillations; false: as the element does; default: True"""
     def __init__(self) -> None: ...
     def GetDictionary(self) -> dict[str, Any]: ...
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class VSettingsBodiesKinematicTree:
-    """VSettingsBodiesKinematicTree"""
+    """drawing of kinematic trees"""
 
     frameSize: float
-    """frameSize; default: 0.2"""
+    """length of the axes of joint and center of mass frames [m]; default: 0.2"""
     showCOMframes: bool
-    """showCOMframes; default: False"""
+    """draw a frame at the center of mass of each link; default: False"""
     showFramesNumbers: bool
-    """showFramesNumbers; default: False"""
+    """write object and link numbers at the frames; default: False"""
     showJointFrames: bool
-    """showJointFrames; default: True"""
+    """draw a frame at each joint; default: True"""
     def __init__(self) -> None: ...
     def GetDictionary(self) -> dict[str, Any]: ...
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class VSettingsBodiesShells:
-    """VSettingsBodiesShells"""
+    """drawing of plates and shells"""
 
     drawSolid: bool
-    """drawSolid; default: True"""
+    """true: with thickness; false: the mid-surface only; default: True"""
     thicknessFactor: float
-    """thicknessFactor; default: 1.0"""
+    """factor of the thickness in the drawing [1]; default: 1.0"""
     def __init__(self) -> None: ...
     def GetDictionary(self) -> dict[str, Any]: ...
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class VSettingsBodies:
-    """VSettingsBodies"""
+    """drawing of bodies"""
 
     defaultColor: ArrayLike
-    """defaultColor [4]; default: [0.3, 0.3, 1.0, 1.0]"""
+    """red, green, blue and opacity of bodies without a color of their own, each from 0 to 1 [4; 1]; default: [0.3, 0.3, 1.0, 1.0]"""
     defaultSize: ArrayLike
-    """defaultSize [3]; default: [1.0, 1.0, 1.0]"""
+    """edge lengths in x, y and z of the block that stands for a body without shapes [3; m]; default: [1.0, 1.0, 1.0]"""
     deformationScaleFactor: float
-    """deformationScaleFactor; default: 1.0"""
+    """factor of the deformation of finite element meshes in floating frame bodies [1]; default: 1.0"""
     show: bool
-    """show; default: True"""
+    """draw bodies; default: True"""
     showNumbers: bool
-    """showNumbers; default: False"""
+    """draw the numbers of bodies; default: False"""
     beams: VSettingsBodiesBeams
     kinematicTree: VSettingsBodiesKinematicTree
     shells: VSettingsBodiesShells
@@ -589,297 +589,297 @@ class VSettingsBodies:
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class VSettingsConnectors:
-    """VSettingsConnectors"""
+    """drawing of connectors, joints and constraints"""
 
     contactPointsDefaultSize: float
-    """contactPointsDefaultSize; default: 0.02"""
+    """size of contact points; without effect, see ``contact.contactPointsDefaultSize`` [m]; default: 0.02"""
     defaultColor: ArrayLike
-    """defaultColor [4]; default: [0.2, 0.2, 1.0, 1.0]"""
+    """red, green, blue and opacity of connectors without a color of their own, each from 0 to 1 [4; 1]; default: [0.2, 0.2, 1.0, 1.0]"""
     defaultSize: float
-    """defaultSize; default: 0.1"""
+    """size of connectors without a size of their own; negative: chosen from the size of the scene [m]; default: 0.1"""
     jointAxesLength: float
-    """jointAxesLength; default: 0.2"""
+    """length of joint axes [m]; default: 0.2"""
     jointAxesRadius: float
-    """jointAxesRadius; default: 0.02"""
+    """radius of joint axes [m]; default: 0.02"""
     show: bool
-    """show; default: True"""
+    """draw connectors; default: True"""
     showContact: bool
-    """showContact; default: False"""
+    """draw contact points and lines of contacts between circles and cables; default: False"""
     showJointAxes: bool
-    """showJointAxes; default: False"""
+    """draw the axes of joints in space; default: False"""
     showNumbers: bool
-    """showNumbers; default: False"""
+    """draw the numbers of connectors; default: False"""
     springNumberOfWindings: int
-    """springNumberOfWindings; default: 8"""
+    """number of windings of springs; default: 8"""
     def __init__(self) -> None: ...
     def GetDictionary(self) -> dict[str, Any]: ...
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class VSettingsMarkers:
-    """VSettingsMarkers"""
+    """drawing of markers"""
 
     defaultColor: ArrayLike
-    """defaultColor [4]; default: [0.1, 0.5, 0.1, 1.0]"""
+    """red, green, blue and opacity of markers without a color of their own, each from 0 to 1 [4; 1]; default: [0.1, 0.5, 0.1, 1.0]"""
     defaultSize: float
-    """defaultSize; default: -1.0"""
+    """size of markers without a size of their own; negative: chosen from the size of the scene [m]; default: -1.0"""
     drawSimplified: bool
-    """drawSimplified; default: True"""
+    """draw markers with simple symbols; default: True"""
     show: bool
-    """show; default: True"""
+    """draw markers; default: True"""
     showNumbers: bool
-    """showNumbers; default: False"""
+    """draw the numbers of markers; default: False"""
     def __init__(self) -> None: ...
     def GetDictionary(self) -> dict[str, Any]: ...
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class VSettingsLoads:
-    """VSettingsLoads"""
+    """drawing of loads"""
 
     defaultColor: ArrayLike
-    """defaultColor [4]; default: [0.7, 0.1, 0.1, 1.0]"""
+    """red, green, blue and opacity of loads without a color of their own, each from 0 to 1 [4; 1]; default: [0.7, 0.1, 0.1, 1.0]"""
     defaultRadius: float
-    """defaultRadius; default: 0.005"""
+    """radius of load arrows [m]; default: 0.005"""
     defaultSize: float
-    """defaultSize; default: 0.2"""
+    """size of loads without a size of their own; negative: chosen from the size of the scene [m]; default: 0.2"""
     drawSimplified: bool
-    """drawSimplified; default: True"""
+    """draw loads with simple symbols; default: True"""
     drawWithUserFunction: bool
-    """drawWithUserFunction; default: True"""
+    """true: loads with user functions are drawn with their current value; needs ``fixedLoadSize`` false to show more than the direction; default: True"""
     fixedLoadSize: bool
-    """fixedLoadSize; default: True"""
+    """true: arrows of loads have the same length; false: the length is proportional to the load; default: True"""
     loadSizeFactor: float
-    """loadSizeFactor; default: 0.1"""
+    """length of an arrow (m) per unit of the load (N or Nm), if ``fixedLoadSize`` is false [various]; default: 0.1"""
     show: bool
-    """show; default: True"""
+    """draw loads; default: True"""
     showNumbers: bool
-    """showNumbers; default: False"""
+    """draw the numbers of loads; default: False"""
     def __init__(self) -> None: ...
     def GetDictionary(self) -> dict[str, Any]: ...
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class VSettingsSensorsTraces:
-    """VSettingsSensorsTraces"""
+    """traces of sensors in the render window"""
 
     lineWidth: float
-    """lineWidth; default: 2.0"""
+    """width of trace lines in pixels [1]; default: 2.0"""
     listOfPositionSensors: Sequence[int]
-    """listOfPositionSensors [n]; default: []"""
+    """numbers of the position sensors whose traces are drawn; they have to store their values; empty: all position sensors [n]; default: []"""
     listOfTriadSensors: Sequence[int]
-    """listOfTriadSensors [n]; default: []"""
+    """numbers of sensors of rotation matrices whose axes are drawn along the traces; one for each position sensor in the list [n]; default: []"""
     listOfVectorSensors: Sequence[int]
-    """listOfVectorSensors [n]; default: []"""
+    """numbers of sensors of vectors that are drawn along the traces; one for each position sensor in the list [n]; default: []"""
     positionsShowEvery: int
-    """positionsShowEvery; default: 1"""
+    """only every position of this number is part of the trace; default: 1"""
     sensorsMbsNumber: int
-    """sensorsMbsNumber; default: 0"""
+    """number of the system in the container that the sensors belong to; 0 for the first; default: 0"""
     showCurrent: bool
-    """showCurrent; default: True"""
+    """draw the values at the time that is shown; default: True"""
     showFuture: bool
-    """showFuture; default: False"""
+    """draw the trace after the time that is shown, as far as it is known; default: False"""
     showPast: bool
-    """showPast; default: True"""
+    """draw the trace before the time that is shown; default: True"""
     showPositionTrace: bool
-    """showPositionTrace; default: False"""
+    """draw traces of positions; default: False"""
     showTriads: bool
-    """showTriads; default: False"""
+    """draw axes along the traces; default: False"""
     showVectors: bool
-    """showVectors; default: False"""
+    """draw vectors along the traces; default: False"""
     timeSpan: float
-    """timeSpan; default: 0.0"""
+    """length of the trace in simulated time, into past and future; 0: not limited [s]; default: 0.0"""
     traceColors: ArrayLike
-    """traceColors [n]; default: [0.2, 0.2, 0.2, 1.0, 0.8, 0.2, 0.2, 1.0, 0.2, 0.8, 0.2, 1.0, 0.2, 0.2, 0.8, 1.0, 0.2, 0.8, 0.8, 1.0, 0.8, 0.2, 0.8, 1.0, 0.8, 0.4, 0.1, 1.0]"""
+    """red, green, blue and opacity of the traces one after the other, four numbers per trace; used again from the start if there are more traces [n; 1]; default: [0.2, 0.2, 0.2, 1.0, 0.8, 0.2, 0.2, 1.0, 0.2, 0.8, 0.2, 1.0, 0.2, 0.2, 0.8, 1.0, 0.2, 0.8, 0.8, 1.0, 0.8, 0.2, 0.8, 1.0, 0.8, 0.4, 0.1, 1.0]"""
     triadSize: float
-    """triadSize; default: 0.1"""
+    """length of the axes along the traces [m]; default: 0.1"""
     triadsShowEvery: int
-    """triadsShowEvery; default: 1"""
+    """only axes of every position of this number are drawn; default: 1"""
     vectorScaling: float
-    """vectorScaling; default: 0.01"""
+    """length in the drawing (m) per unit of the vector [various]; default: 0.01"""
     vectorsShowEvery: int
-    """vectorsShowEvery; default: 1"""
+    """only vectors of every position of this number are drawn; default: 1"""
     def __init__(self) -> None: ...
     def GetDictionary(self) -> dict[str, Any]: ...
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class VSettingsSensors:
-    """VSettingsSensors"""
+    """drawing of sensors"""
 
     defaultColor: ArrayLike
-    """defaultColor [4]; default: [0.6, 0.6, 0.1, 1.0]"""
+    """red, green, blue and opacity of sensors without a color of their own, each from 0 to 1 [4; 1]; default: [0.6, 0.6, 0.1, 1.0]"""
     defaultSize: float
-    """defaultSize; default: -1.0"""
+    """size of sensors without a size of their own; negative: chosen from the size of the scene [m]; default: -1.0"""
     drawSimplified: bool
-    """drawSimplified; default: True"""
+    """draw sensors with simple symbols; default: True"""
     show: bool
-    """show; default: True"""
+    """draw sensors; default: True"""
     showNumbers: bool
-    """showNumbers; default: False"""
+    """draw the numbers of sensors; default: False"""
     traces: VSettingsSensorsTraces
     def __init__(self) -> None: ...
     def GetDictionary(self) -> dict[str, Any]: ...
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class VSettingsContourAdvanced:
-    """VSettingsContourAdvanced"""
+    """color scale of contours"""
 
     colorBarPrecision: int
-    """colorBarPrecision; default: 4"""
+    """number of significant digits in the color bar, 16 at most; default: 4"""
     colorBarTiling: int
-    """colorBarTiling; default: 12"""
+    """number of steps of the color bar; default: 12"""
     contourColor0: ArrayLike
-    """contourColor0 [4]; default: [0.1, 0.1, 0.9, 1.0]"""
+    """color at the start of the range: red, green and blue from 0 to 1; the fourth number is not used [4; 1]; default: [0.1, 0.1, 0.9, 1.0]"""
     contourColor1: ArrayLike
-    """contourColor1 [4]; default: [0.1, 0.9, 0.9, 1.0]"""
+    """color at one quarter of the range: red, green and blue from 0 to 1; the fourth number is not used [4; 1]; default: [0.1, 0.9, 0.9, 1.0]"""
     contourColor2: ArrayLike
-    """contourColor2 [4]; default: [0.1, 0.9, 0.1, 1.0]"""
+    """color at the middle of the range: red, green and blue from 0 to 1; the fourth number is not used [4; 1]; default: [0.1, 0.9, 0.1, 1.0]"""
     contourColor3: ArrayLike
-    """contourColor3 [4]; default: [0.9, 0.9, 0.1, 1.0]"""
+    """color at three quarters of the range: red, green and blue from 0 to 1; the fourth number is not used [4; 1]; default: [0.9, 0.9, 0.1, 1.0]"""
     contourColor4: ArrayLike
-    """contourColor4 [4]; default: [0.9, 0.1, 0.1, 1.0]"""
+    """color at the end of the range: red, green and blue from 0 to 1; the fourth number is not used [4; 1]; default: [0.9, 0.1, 0.1, 1.0]"""
     contourColorMax: ArrayLike
-    """contourColorMax [4]; default: [0.9, 0.9, 0.9, 1.0]"""
+    """color of values above the range: red, green and blue from 0 to 1; the fourth number is not used [4; 1]; default: [0.9, 0.9, 0.9, 1.0]"""
     contourColorMin: ArrayLike
-    """contourColorMin [4]; default: [0.1, 0.1, 0.1, 1.0]"""
+    """color of values below the range: red, green and blue from 0 to 1; the fourth number is not used [4; 1]; default: [0.1, 0.1, 0.1, 1.0]"""
     showColorBar: bool
-    """showColorBar; default: True"""
+    """show the color bar; default: True"""
     def __init__(self) -> None: ...
     def GetDictionary(self) -> dict[str, Any]: ...
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class VSettingsContour:
-    """VSettingsContour"""
+    """coloring by an output variable"""
 
     alphaTransparency: float
-    """alphaTransparency; default: 1.0"""
+    """opacity of contour colors, from 0 to 1 [1]; default: 1.0"""
     automaticRange: bool
-    """automaticRange; default: True"""
+    """true: the colors span the values that occur; false: from ``minValue`` to ``maxValue``; default: True"""
     maxValue: float
-    """maxValue; default: 1.0"""
+    """largest value of the color scale, in the unit of the output variable [various]; default: 1.0"""
     minValue: float
-    """minValue; default: 0.0"""
+    """smallest value of the color scale, in the unit of the output variable [various]; default: 0.0"""
     nodesColored: bool
-    """nodesColored; default: True"""
+    """color nodes as well; default: True"""
     outputVariable: OutputVariableType
-    """outputVariable; default: OutputVariableType._None"""
+    """output variable that is shown as color; ``_None``: none; default: OutputVariableType._None"""
     outputVariableComponent: int
-    """outputVariableComponent; default: 0"""
+    """component of the output variable, from 0; -1: its norm; default: 0"""
     reduceRange: bool
-    """reduceRange; default: True"""
+    """true: an automatic range shrinks with the values, which suits static computations; false: it only grows; default: True"""
     rigidBodiesColored: bool
-    """rigidBodiesColored; default: True"""
+    """color rigid bodies and mass points as well; default: True"""
     advanced: VSettingsContourAdvanced
     def __init__(self) -> None: ...
     def GetDictionary(self) -> dict[str, Any]: ...
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class VSettingsContact:
-    """VSettingsContact"""
+    """drawing of general contact"""
 
     colorBoundingBoxes: ArrayLike
-    """colorBoundingBoxes [4]; default: [0.9, 0.1, 0.1, 1.0]"""
+    """red, green, blue and opacity of bounding boxes, each from 0 to 1 [4; 1]; default: [0.9, 0.1, 0.1, 1.0]"""
     colorSearchTree: ArrayLike
-    """colorSearchTree [4]; default: [0.1, 0.1, 0.9, 1.0]"""
+    """red, green, blue and opacity of the search tree, each from 0 to 1 [4; 1]; default: [0.1, 0.1, 0.9, 1.0]"""
     colorSpheres: ArrayLike
-    """colorSpheres [4]; default: [0.8, 0.5, 0.2, 1.0]"""
+    """red, green, blue and opacity of contact spheres, each from 0 to 1 [4; 1]; default: [0.8, 0.5, 0.2, 1.0]"""
     colorTori: ArrayLike
-    """colorTori [4]; default: [0.8, 0.2, 0.8, 1.0]"""
+    """red, green, blue and opacity of contact tori, each from 0 to 1 [4; 1]; default: [0.8, 0.2, 0.8, 1.0]"""
     colorTriangles: ArrayLike
-    """colorTriangles [4]; default: [0.5, 0.5, 0.5, 1.0]"""
+    """red, green, blue and opacity of contact triangles, each from 0 to 1 [4; 1]; default: [0.5, 0.5, 0.5, 1.0]"""
     contactForcesFactor: float
-    """contactForcesFactor; default: 0.001"""
+    """length of a contact force in the drawing per newton [m/N]; default: 0.001"""
     contactPointsDefaultSize: float
-    """contactPointsDefaultSize; default: 0.001"""
+    """size of contact points; negative: chosen from the size of the scene [m]; default: 0.001"""
     showBoundingBoxes: bool
-    """showBoundingBoxes; default: False"""
+    """draw the bounding boxes of contact partners; slow if there are many; default: False"""
     showContactForces: bool
-    """showContactForces; default: False"""
+    """draw contact forces, of contacts that support it; default: False"""
     showContactForcesValues: bool
-    """showContactForcesValues; default: False"""
+    """write the values of contact forces that are drawn; default: False"""
     showSearchTree: bool
-    """showSearchTree; default: False"""
+    """draw the outer box of the search tree; default: False"""
     showSearchTreeCells: bool
-    """showSearchTreeCells; default: False"""
+    """draw all cells of the search tree, the redder the more partners they hold; slow if there are many; default: False"""
     showSpheres: bool
-    """showSpheres; default: False"""
+    """draw contact spheres; default: False"""
     showTori: bool
-    """showTori; default: False"""
+    """draw contact tori; default: False"""
     showTriangles: bool
-    """showTriangles; default: False"""
+    """draw contact triangles; default: False"""
     tilingCurves: int
-    """tilingCurves; default: 8"""
+    """number of segments of contact curves; default: 8"""
     tilingSpheres: int
-    """tilingSpheres; default: 4"""
+    """number of segments of contact spheres; default: 4"""
     def __init__(self) -> None: ...
     def GetDictionary(self) -> dict[str, Any]: ...
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class VSettingsOpenGLAdvanced:
-    """VSettingsOpenGLAdvanced"""
+    """OpenGL renderer: initial view, lighting and text"""
 
     clippingPlaneColor: ArrayLike
-    """clippingPlaneColor [4]; default: [0.7, 0.5, 0.5, 0.0]"""
+    """red, green and blue of cut faces at a clipping plane; the fourth number chooses the color: 0 nothing is drawn, 1 this color, 2 the color of the body [4; 1]; default: [0.7, 0.5, 0.5, 0.0]"""
     depthSorting: bool
-    """depthSorting; default: False"""
+    """true: faces are sorted by depth, so that transparent ones are drawn correctly, at more cost; default: False"""
     enableLighting: bool
-    """enableLighting; default: True"""
+    """true: faces are lit; false: plain colors; default: True"""
     faceNormalsColor: ArrayLike
-    """faceNormalsColor [4]; default: [0.8, 0.2, 0.2, 1.0]"""
+    """red, green, blue and opacity of normals of faces, each from 0 to 1 [4; 1]; default: [0.8, 0.2, 0.2, 1.0]"""
     initialCenterPoint: ArrayLike
-    """initialCenterPoint [3]; default: [0.0, 0.0, 0.0]"""
+    """point of the model in the middle of the window at the start; only without ``general.autoFitScene`` and with a model centric view [3; m]; default: [0.0, 0.0, 0.0]"""
     initialMaxSceneSize: float
-    """initialMaxSceneSize; default: 1.0"""
+    """size of the scene at the start; only without ``general.autoFitScene`` [m]; default: 1.0"""
     initialModelRotation: ArrayLike
-    """initialModelRotation [3 x 3]; default: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]"""
+    """rotation matrix of the view at the start; only with a model centric view [3 x 3; 1]; default: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]"""
     initialZoom: float
-    """initialZoom; default: 1.0"""
+    """zoom at the start; only without ``general.autoFitScene`` [1]; default: 1.0"""
     lightModelLocalViewer: bool
-    """lightModelLocalViewer; default: False"""
+    """true: highlights are computed with the position of the camera; false: with the direction of view only; default: False"""
     lightModelTwoSide: bool
-    """lightModelTwoSide; default: False"""
+    """light the back of faces too; default: False"""
     lineSmooth: bool
-    """lineSmooth; default: True"""
+    """smooth lines; default: True"""
     polygonOffset: float
-    """polygonOffset; default: 0.05"""
+    """shift of faces away from the viewer, so that lines on them stay visible [1]; default: 0.05"""
     shadeModelSmooth: bool
-    """shadeModelSmooth; default: True"""
+    """true: shading is interpolated between the corners of faces; false: one shade per face; default: True"""
     shadowPolygonOffset: float
-    """shadowPolygonOffset; default: 0.1"""
+    """shift of shadows against artifacts; smaller for large scenes, larger for thin bodies [1]; default: 0.1"""
     showBoundingBox: bool
-    """showBoundingBox; default: False"""
+    """draw the bounding box of the scene that zooming to all uses; default: False"""
     textLineSmooth: bool
-    """textLineSmooth; default: False"""
+    """smooth the lines of text; default: False"""
     textLineWidth: float
-    """textLineWidth; default: 1.0"""
+    """width of the lines of text in pixels [1]; default: 1.0"""
     vertexNormalsColor: ArrayLike
-    """vertexNormalsColor [4]; default: [0.8, 0.2, 0.2, 1.0]"""
+    """red, green, blue and opacity of normals at the corners of faces, each from 0 to 1 [4; 1]; default: [0.8, 0.2, 0.2, 1.0]"""
     def __init__(self) -> None: ...
     def GetDictionary(self) -> dict[str, Any]: ...
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class VSettingsOpenGL:
-    """VSettingsOpenGL"""
+    """OpenGL renderer: faces, lines and material"""
 
     drawFaceNormals: bool
-    """drawFaceNormals; default: False"""
+    """draw the normals of faces, to find errors in meshes; default: False"""
     drawNormalsLength: float
-    """drawNormalsLength; default: 0.1"""
+    """length of normals [m]; default: 0.1"""
     drawVertexNormals: bool
-    """drawVertexNormals; default: False"""
+    """draw the normals at the corners of faces, to find errors in meshes; default: False"""
     faceEdgesColor: ArrayLike
-    """faceEdgesColor [4]; default: [0.2, 0.2, 0.2, 1.0]"""
+    """red, green, blue and opacity of the edges of faces, each from 0 to 1 [4; 1]; default: [0.2, 0.2, 0.2, 1.0]"""
     faceTransparencyGlobal: float
-    """faceTransparencyGlobal; default: 0.4"""
+    """largest opacity of faces when ``scene.facesTransparent`` is set [1]; default: 0.4"""
     lightModelAmbient: ArrayLike
-    """lightModelAmbient [4]; default: [0.4, 0.4, 0.4, 1.0]"""
+    """red, green, blue and opacity of light that comes from everywhere, for faces that no light reaches; used by the ray tracer as well [4; 1]; default: [0.4, 0.4, 0.4, 1.0]"""
     lineWidth: float
-    """lineWidth; default: 1.0"""
+    """width of lines in pixels [1]; default: 1.0"""
     materialShininess: float
-    """materialShininess; default: 32.0"""
+    """sharpness of highlights; larger is sharper [1]; default: 32.0"""
     materialSpecular: ArrayLike
-    """materialSpecular [4]; default: [0.6, 0.6, 0.6, 1.0]"""
+    """red, green, blue and opacity of highlights [4; 1]; default: [0.6, 0.6, 0.6, 1.0]"""
     multiSampling: int
-    """multiSampling; default: 1"""
+    """number of samples per pixel against jagged edges: 1 for none, 2, 4, 8 or 16; set it before the renderer starts; default: 1"""
     zMaxSceneFactor: float
-    """zMaxSceneFactor; default: 2.0"""
+    """depth of the visible space relative to the size of the scene; too small cuts near and far parts off, too large makes faces flicker [1]; default: 2.0"""
     advanced: VSettingsOpenGLAdvanced
     light0: VSettingsLight
     light1: VSettingsLight
@@ -890,49 +890,49 @@ class VSettingsOpenGL:
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class VSettingsRaytracerAdvanced:
-    """VSettingsRaytracerAdvanced"""
+    """software ray tracer: quality and speed"""
 
     backgroundColorReflections: ArrayLike
-    """backgroundColorReflections [4]; default: [0.4, 0.4, 0.4, 1.0]"""
+    """red, green, blue and opacity that reflected rays see where they leave the scene [4; 1]; default: [0.4, 0.4, 0.4, 1.0]"""
     searchTreeFactor: int
-    """searchTreeFactor; default: 1"""
+    """factor of the number of cells of the search tree, from 1 to 128, for scenes with unevenly distributed faces; default: 1"""
     shadowScalingFactor: int
-    """shadowScalingFactor; default: 3"""
+    """factor by which the map of soft shadows is coarser than the image, from 0 to 16; 0: shadows are sampled as the image is; default: 3"""
     shadowSmoothingSteps: int
-    """shadowSmoothingSteps; default: 3"""
+    """number of smoothing steps of the map of soft shadows, from 0 to 32; default: 3"""
     showText: bool
-    """showText; default: True"""
+    """true: texts are part of the image; false: no text; default: True"""
     tilesPerThread: int
-    """tilesPerThread; default: 12"""
+    """number of parts of the image per thread, for an even load; default: 12"""
     zBiasLines: float
-    """zBiasLines; default: 0.001"""
+    """shift of lines towards the viewer relative to the size of the scene, so that lines on faces are visible [1]; default: 0.001"""
     def __init__(self) -> None: ...
     def GetDictionary(self) -> dict[str, Any]: ...
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class VSettingsRaytracer:
-    """VSettingsRaytracer"""
+    """software ray tracer"""
 
     globalFogColor: ArrayLike
-    """globalFogColor [4]; default: [0.5, 0.5, 0.5, 1.0]"""
+    """red, green, blue and opacity of fog, each from 0 to 1 [4; 1]; default: [0.5, 0.5, 0.5, 1.0]"""
     globalFogDensity: float
-    """globalFogDensity; default: 0.0"""
+    """density of fog relative to the size of the scene; 0: no fog [1]; default: 0.0"""
     imageSizeFactor: int
-    """imageSizeFactor; default: 1"""
+    """factor by which the image is smaller than the window, from 1 to 16, for fast previews; default: 1"""
     keepWindowActive: bool
-    """keepWindowActive; default: False"""
+    """true: the window is kept responsive during long renderings; default: False"""
     lightRadiusVariations: int
-    """lightRadiusVariations; default: 1"""
+    """number of positions on a light that are sampled for soft shadows, from 1 (hard shadows) to 256; squares of integers look worst; default: 1"""
     maxReflectionDepth: int
-    """maxReflectionDepth; default: 2"""
+    """number of reflections that a ray follows, 32 at most; default: 2"""
     maxTransparencyDepth: int
-    """maxTransparencyDepth; default: 2"""
+    """number of transparent faces that a ray passes, 32 at most; default: 2"""
     multiSampling: int
-    """multiSampling; default: 1"""
+    """number of samples per pixel in each direction, from 1 to 4; the cost grows with its square; default: 1"""
     numberOfThreads: int
-    """numberOfThreads; default: 8"""
+    """number of threads, 256 at most; default: 8"""
     verbose: int
-    """verbose; default: 0"""
+    """amount of output on rendering: 0 none, 1 times and counters, 2 or more details; default: 0"""
     advanced: VSettingsRaytracerAdvanced
     material0: VSettingsMaterial
     material1: VSettingsMaterial
@@ -949,147 +949,147 @@ class VSettingsRaytracer:
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class VSettingsGeneral:
-    """VSettingsGeneral"""
+    """general settings of drawing and window"""
 
     autoFitScene: bool
-    """autoFitScene; default: True"""
+    """fit the scene into the window when the renderer starts; default: True"""
     axesTiling: int
-    """axesTiling; default: 12"""
+    """number of segments of axes and arrows; default: 12"""
     backgroundColor: ArrayLike
-    """backgroundColor [4]; default: [1.0, 1.0, 1.0, 1.0]"""
+    """red, green, blue and opacity of the background, at the top if it has a gradient, each from 0 to 1 [4; 1]; default: [1.0, 1.0, 1.0, 1.0]"""
     backgroundColorBottom: ArrayLike
-    """backgroundColorBottom [4]; default: [0.8, 0.8, 1.0, 1.0]"""
+    """red, green, blue and opacity of the background at the bottom if it has a gradient, each from 0 to 1 [4; 1]; default: [0.8, 0.8, 1.0, 1.0]"""
     boundingBoxZoomAllFactor: float
-    """boundingBoxZoomAllFactor; default: 1.2"""
+    """space around the bounding box after zooming to all, as a factor of its size [1]; default: 1.2"""
     boundingBoxZoomAllOffset: float
-    """boundingBoxZoomAllOffset; default: 0.01"""
+    """smallest size of the bounding box when zooming to all [m]; default: 0.01"""
     circleTiling: int
-    """circleTiling; default: 16"""
+    """number of segments of circles; at least 2 are drawn; default: 16"""
     coordinateSystemSize: float
-    """coordinateSystemSize; default: 5.0"""
+    """size of the coordinate system in the corner, relative to the font size [1]; default: 5.0"""
     cylinderTiling: int
-    """cylinderTiling; default: 16"""
+    """number of segments around cylinders; at least 2 are drawn; default: 16"""
     graphicsUpdateInterval: float
-    """graphicsUpdateInterval; default: 0.1"""
+    """real time between two updates of the drawing while a solver runs [s]; default: 0.1"""
     limitWindowToScreenSize: bool
-    """limitWindowToScreenSize; default: True"""
+    """true: windows are not larger than the screen; false: larger windows are allowed; default: True"""
     linuxDisplayScaleFactor: float
-    """linuxDisplayScaleFactor; default: 1.0"""
+    """factor of fonts in windows and dialogs on Linux [1]; default: 1.0"""
     minSceneSize: float
-    """minSceneSize; default: 0.1"""
+    """smallest size of the scene, for models without extension; positive [m]; default: 0.1"""
     pointSize: float
-    """pointSize; default: 0.01"""
+    """size of points [m]; default: 0.01"""
     reallyQuitTimeLimit: float
-    """reallyQuitTimeLimit; default: 900.0"""
+    """duration of a computation from which on closing the window asks for confirmation; 0: always [s]; default: 900.0"""
     rendererPrecision: int
-    """rendererPrecision; default: 4"""
+    """number of significant digits in the render window, 16 at most; default: 4"""
     rendererStartupTimeout: int
-    """rendererStartupTimeout; default: 2500"""
+    """time in milliseconds that a start of the renderer may take; default: 2500"""
     renderWindowString: str
-    """renderWindowString; default: ''"""
+    """text that is shown in the render window; default: ''"""
     showHelpOnStartup: int
-    """showHelpOnStartup; default: 5"""
+    """seconds for which help is shown when the renderer starts; 0: none; default: 5"""
     showSolutionInformation: bool
-    """showSolutionInformation; default: True"""
+    """show the text of ``solutionSettings.solutionInformation``; default: True"""
     showSolverInformation: bool
-    """showSolverInformation; default: True"""
+    """show name and state of the solver; default: True"""
     showSolverTime: bool
-    """showSolverTime; default: True"""
+    """show the simulated time; default: True"""
     sphereTiling: int
-    """sphereTiling; default: 6"""
+    """number of segments of spheres; at least 2 are drawn; default: 6"""
     textAlwaysInFront: bool
-    """textAlwaysInFront; default: True"""
+    """true: texts of items are drawn in front of everything; false: faces can hide them; default: True"""
     textColor: ArrayLike
-    """textColor [4]; default: [0.0, 0.0, 0.0, 1.0]"""
+    """red, green, blue and opacity of texts of the window, each from 0 to 1 [4; 1]; default: [0.0, 0.0, 0.0, 1.0]"""
     textHasBackground: bool
-    """textHasBackground; default: False"""
+    """draw a background behind texts of items; default: False"""
     textOffsetFactor: float
-    """textOffsetFactor; default: 0.005"""
+    """shift of texts of items towards the viewer relative to the size of the scene; only without ``textAlwaysInFront`` [1]; default: 0.005"""
     threadSafeGraphicsUpdate: bool
-    """threadSafeGraphicsUpdate; default: True"""
+    """true: the state that is drawn is copied under a lock; false: faster, but pictures may mix two states; default: True"""
     useBitmapText: bool
-    """useBitmapText; default: True"""
+    """true: texts are drawn from bitmaps; false: from lines; default: True"""
     useGradientBackground: bool
-    """useGradientBackground; default: False"""
+    """draw the background with a vertical gradient; default: False"""
     useMultiThreadedRendering: bool
-    """useMultiThreadedRendering; default: True"""
+    """true: the renderer runs in a thread of its own; false: in the thread of the solver; set it before the renderer starts; default: True"""
     useWindowsDisplayScaleFactor: bool
-    """useWindowsDisplayScaleFactor; default: True"""
+    """scale fonts with the display scaling of Windows; default: True"""
     zoomAllUseBoundingBox: bool
-    """zoomAllUseBoundingBox; default: True"""
+    """true: zooming to all uses the exact bounding box of the scene, without perspective; false: an estimate; default: True"""
     def __init__(self) -> None: ...
     def GetDictionary(self) -> dict[str, Any]: ...
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class VSettingsInteractiveAdvanced:
-    """VSettingsInteractiveAdvanced"""
+    """highlighting, selection, and speed of keys and mouse"""
 
     highlightColor: ArrayLike
-    """highlightColor [4]; default: [0.8, 0.05, 0.05, 0.75]"""
+    """red, green, blue and opacity of the highlighted item, each from 0 to 1 [4; 1]; default: [0.8, 0.05, 0.05, 0.75]"""
     highlightOtherColor: ArrayLike
-    """highlightOtherColor [4]; default: [0.5, 0.5, 0.5, 0.4]"""
+    """red, green, blue and opacity of all other items while one is highlighted, each from 0 to 1 [4; 1]; default: [0.5, 0.5, 0.5, 0.4]"""
     joystickScaleRotation: float
-    """joystickScaleRotation; default: 200.0"""
+    """factor of joystick rotations [1]; default: 200.0"""
     joystickScaleTranslation: float
-    """joystickScaleTranslation; default: 6.0"""
+    """factor of joystick translations [1]; default: 6.0"""
     keypressRotationStep: float
-    """keypressRotationStep; default: 5.0"""
+    """rotation of the view per key press [deg]; default: 5.0"""
     keypressTranslationStep: float
-    """keypressTranslationStep; default: 0.1"""
+    """translation of the view per key press, relative to the window [1]; default: 0.1"""
     mouseMoveRotationFactor: float
-    """mouseMoveRotationFactor; default: 1.0"""
+    """rotation of the view per pixel of mouse movement [deg]; default: 1.0"""
     pauseWithSpacebar: bool
-    """pauseWithSpacebar; default: True"""
+    """the space bar pauses and continues a computation; default: True"""
     selectionHighlights: bool
-    """selectionHighlights; default: True"""
+    """a click highlights an item; default: True"""
     selectionLeftMouse: bool
-    """selectionLeftMouse; default: True"""
+    """a left click shows a short description of an item; default: True"""
     selectionLeftMouseItemTypes: int
-    """selectionLeftMouseItemTypes; default: 31"""
+    """kinds of items that a left click selects, a sum of 1 nodes, 2 objects, 4 markers, 8 loads, 16 sensors; default: 31"""
     selectionRightMouse: bool
-    """selectionRightMouse; default: True"""
+    """a right click shows all parameters of an item; default: True"""
     selectionRightMouseGraphicsData: bool
-    """selectionRightMouseGraphicsData; default: False"""
+    """a right click shows the graphics data as well, which may be long; default: False"""
     zoomStepFactor: float
-    """zoomStepFactor; default: 1.15"""
+    """factor of the zoom per key press or step of the mouse wheel [1]; default: 1.15"""
     def __init__(self) -> None: ...
     def GetDictionary(self) -> dict[str, Any]: ...
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class VSettingsInteractiveOpenVR:
-    """VSettingsInteractiveOpenVR"""
+    """virtual reality by OpenVR"""
 
     actionManifestFileName: str
-    """actionManifestFileName; default: 'C:/openVRactionsManifest.json'"""
+    """absolute path of the file with the actions of the devices; default: 'C:/openVRactionsManifest.json'"""
     enable: bool
-    """enable; default: False"""
+    """use OpenVR, if the package is built with it; default: False"""
     logLevel: int
-    """logLevel; default: 1"""
+    """amount of output: -1 none, 0 errors, 1 warnings, 2 information, 3 for debugging; default: 1"""
     showCompanionWindow: bool
-    """showCompanionWindow; default: True"""
+    """show the views of both eyes in a window; default: True"""
     def __init__(self) -> None: ...
     def GetDictionary(self) -> dict[str, Any]: ...
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class VSettingsInteractive:
-    """VSettingsInteractive"""
+    """interaction with the render window"""
 
     autoRotateModelView: bool
-    """autoRotateModelView; default: False"""
+    """rotate the view by itself; default: False"""
     autoRotationVelocity: ArrayLike
-    """autoRotationVelocity [3]; default: [0.0, 0.0, 1.047198]"""
+    """angular velocity of the rotating view [3; rad/s]; default: [0.0, 0.0, 1.047198]"""
     highlightItemIndex: int
-    """highlightItemIndex; default: -1"""
+    """number of the item that is highlighted; -1: none; default: -1"""
     highlightItemType: ItemType
-    """highlightItemType; default: ItemType._None"""
+    """kind of the item that is highlighted; default: ItemType._None"""
     highlightMbsNumber: int
-    """highlightMbsNumber; default: 0"""
+    """number of the system in the container whose item is highlighted; 0 for the first; default: 0"""
     ignoreKeys: bool
-    """ignoreKeys; default: False"""
+    """true: keys, except for escape and F2, are left to the key press user function; default: False"""
     logMouseCoordinates: bool
-    """logMouseCoordinates; default: True"""
+    """write mouse coordinates to the console as well, if they are shown; default: True"""
     useJoystickInput: bool
-    """useJoystickInput; default: True"""
+    """move and rotate the view with a six-axis joystick, if there is one; default: True"""
     advanced: VSettingsInteractiveAdvanced
     openVR: VSettingsInteractiveOpenVR
     def __init__(self) -> None: ...
@@ -1097,53 +1097,53 @@ class VSettingsInteractive:
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class VSettingsDialogs:
-    """VSettingsDialogs"""
+    """dialogs"""
 
     alphaTransparency: float
-    """alphaTransparency; default: 0.94"""
+    """opacity of dialogs, from 0 to 1 [1]; default: 0.94"""
     alwaysTopmost: bool
-    """alwaysTopmost; default: True"""
+    """dialogs stay above other windows; default: True"""
     fontScalingMacOS: float
-    """fontScalingMacOS; default: 1.35"""
+    """factor of fonts in dialogs on macOS [1]; default: 1.35"""
     multiThreadedDialogs: bool
-    """multiThreadedDialogs; default: True"""
+    """true: the render window follows changes while a dialog is open; false: when it is closed; default: True"""
     openTreeView: bool
-    """openTreeView; default: False"""
+    """open all branches of the dialog of visualization settings; default: False"""
     def __init__(self) -> None: ...
     def GetDictionary(self) -> dict[str, Any]: ...
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class VSettingsExportImages:
-    """VSettingsExportImages"""
+    """export of images"""
 
     heightAlignment: int
-    """heightAlignment; default: 2"""
+    """the height of an image is a multiple of this number of pixels; 2 suits video encoders; default: 2"""
     saveImageAsTextCircles: bool
-    """saveImageAsTextCircles; default: True"""
+    """write circles, in the format TXT; default: True"""
     saveImageAsTextLines: bool
-    """saveImageAsTextLines; default: True"""
+    """write lines, in the format TXT; default: True"""
     saveImageAsTextTexts: bool
-    """saveImageAsTextTexts; default: False"""
+    """write texts, in the format TXT; default: False"""
     saveImageAsTextTriangles: bool
-    """saveImageAsTextTriangles; default: False"""
+    """write triangles, in the format TXT; default: False"""
     saveImageFileCounter: int
-    """saveImageFileCounter; default: 0"""
+    """number of the next image; increased with each image; default: 0"""
     saveImageFileName: str
-    """saveImageFileName; default: 'images/frame'"""
+    """path and start of the names of image files, to which number and ending are added; directories are created; default: 'images/frame'"""
     saveImageFormat: str
-    """saveImageFormat; default: 'PNG'"""
+    """format of images: PNG, TGA, or TXT for the lines and faces of the scene in text form; default: 'PNG'"""
     saveImageSingleFile: bool
-    """saveImageSingleFile; default: False"""
+    """true: the file name has no number, so that a new image replaces the one before; false: numbered files; default: False"""
     saveImageTimeOut: int
-    """saveImageTimeOut; default: 5000"""
+    """time in milliseconds that saving an image may take; default: 5000"""
     widthAlignment: int
-    """widthAlignment; default: 4"""
+    """the width of an image is a multiple of this number of pixels; 4 suits video encoders; default: 4"""
     def __init__(self) -> None: ...
     def GetDictionary(self) -> dict[str, Any]: ...
     def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
 class VisualizationSettings:
-    """VisualizationSettings"""
+    """settings of the renderer: what is drawn, and how"""
 
     nodes: VSettingsNodes
     bodies: VSettingsBodies

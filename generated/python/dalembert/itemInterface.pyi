@@ -3665,22 +3665,22 @@ class VMarkerBodiesRelativeRotationCoordinate:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class MarkerBodiesRelativeRotationCoordinate(_Item):
-    """MarkerBodiesRelativeRotationCoordinate"""
+    """A coordinate marker on the relative rotation of two bodies about an axis"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     bodyNumbers: Sequence[ObjectIndex | int]
-    """bodyNumbers [2]"""
+    """the two bodies whose relative motion is the coordinate [2]"""
     nodeNumber: NodeIndex | int
-    """nodeNumber"""
+    """NodeGenericData with one data coordinate that holds the last angle and makes the coordinate continuous beyond half a turn; not set: the angle jumps"""
     localPosition0: ArrayLike
-    """localPosition0 [3]"""
+    """point in the frame of the first body [3; m]"""
     localPosition1: ArrayLike
-    """localPosition1 [3]"""
+    """point in the frame of the second body [3; m]"""
     axis0: ArrayLike
-    """axis0 [3]"""
+    """axis of rotation in the frame of the first body, a unit vector [3; 1]"""
     offset: float
-    """offset"""
+    """angle that is subtracted from the measured one [rad]"""
     visualization: VMarkerBodiesRelativeRotationCoordinate | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -3707,20 +3707,20 @@ class VMarkerBodiesRelativeTranslationCoordinate:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class MarkerBodiesRelativeTranslationCoordinate(_Item):
-    """MarkerBodiesRelativeTranslationCoordinate"""
+    """A coordinate marker on the relative translation of two bodies along an axis"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     bodyNumbers: Sequence[ObjectIndex | int]
-    """bodyNumbers [2]"""
+    """the two bodies whose relative motion is the coordinate [2]"""
     localPosition0: ArrayLike
-    """localPosition0 [3]"""
+    """point in the frame of the first body [3; m]"""
     localPosition1: ArrayLike
-    """localPosition1 [3]"""
+    """point in the frame of the second body [3; m]"""
     axis0: ArrayLike
-    """axis0 [3]"""
+    """axis of translation in the frame of the first body, a unit vector [3; 1]"""
     offset: float
-    """offset"""
+    """length that is subtracted from the measured one [m]"""
     visualization: VMarkerBodiesRelativeTranslationCoordinate | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -3746,12 +3746,12 @@ class VMarkerBodyBeamShape:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class MarkerBodyBeamShape(_Item):
-    """MarkerBodyBeamShape"""
+    """A marker that gives joints and contacts access to the shape of a beam element"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     bodyNumber: ObjectIndex | int
-    """bodyNumber"""
+    """beam element to which the marker is attached"""
     visualization: VMarkerBodyBeamShape | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -3773,12 +3773,12 @@ class VMarkerBodyCable2DCoordinates:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class MarkerBodyCable2DCoordinates(_Item):
-    """MarkerBodyCable2DCoordinates"""
+    """A marker on all coordinates of a planar ANCF cable element, for sliding joints"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     bodyNumber: ObjectIndex | int
-    """bodyNumber"""
+    """planar cable element to which the marker is attached"""
     visualization: VMarkerBodyCable2DCoordinates | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -3800,16 +3800,16 @@ class VMarkerBodyCable2DShape:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class MarkerBodyCable2DShape(_Item):
-    """MarkerBodyCable2DShape"""
+    """A marker that divides a planar ANCF cable element into straight segments, for contact with circles"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     bodyNumber: ObjectIndex | int
-    """bodyNumber"""
+    """planar cable element to which the marker is attached"""
     numberOfSegments: int
-    """numberOfSegments"""
+    """number of segments; must be that of the contact that uses the marker"""
     verticalOffset: float
-    """verticalOffset"""
+    """distance of the segments from the axis of the cable in direction of its local y axis, such as half the thickness of a belt [m]"""
     visualization: VMarkerBodyCable2DShape | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -3833,12 +3833,12 @@ class VMarkerBodyMass:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class MarkerBodyMass(_Item):
-    """MarkerBodyMass"""
+    """A marker on the mass of a body, for loads that are proportional to mass such as gravity"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     bodyNumber: ObjectIndex | int
-    """bodyNumber"""
+    """body with a mass to which the marker is attached"""
     visualization: VMarkerBodyMass | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -3860,14 +3860,14 @@ class VMarkerBodyPosition:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class MarkerBodyPosition(_Item):
-    """MarkerBodyPosition"""
+    """A marker at a point that is fixed to a body, with its position but without orientation"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     bodyNumber: ObjectIndex | int
-    """bodyNumber"""
+    """body to which the marker is attached"""
     localPosition: ArrayLike
-    """localPosition [3]"""
+    """position of the marker in the body frame, relative to the reference point of the body [3; m]"""
     visualization: VMarkerBodyPosition | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -3890,14 +3890,14 @@ class VMarkerBodyRigid:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class MarkerBodyRigid(_Item):
-    """MarkerBodyRigid"""
+    """A marker at a point that is fixed to a body, with its position and orientation"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     bodyNumber: ObjectIndex | int
-    """bodyNumber"""
+    """body to which the marker is attached"""
     localPosition: ArrayLike
-    """localPosition [3]"""
+    """position of the marker in the body frame, relative to the reference point of the body [3; m]"""
     visualization: VMarkerBodyRigid | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -3920,16 +3920,16 @@ class VMarkerKinematicTreeRigid:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class MarkerKinematicTreeRigid(_Item):
-    """MarkerKinematicTreeRigid"""
+    """A marker at a point that is fixed to a link of a kinematic tree, with position and orientation"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     objectNumber: ObjectIndex | int
-    """objectNumber"""
+    """kinematic tree to which the marker is attached"""
     linkNumber: int
-    """linkNumber"""
+    """number of the link within the tree, from 0; -1 means not set and is refused"""
     localPosition: ArrayLike
-    """localPosition [3]"""
+    """position of the marker in the frame of the link [3; m]"""
     visualization: VMarkerKinematicTreeRigid | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -3953,14 +3953,14 @@ class VMarkerNodeCoordinate:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class MarkerNodeCoordinate(_Item):
-    """MarkerNodeCoordinate"""
+    """A marker on a single coordinate of a node"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     nodeNumber: NodeIndex | int
-    """nodeNumber"""
+    """node to which the marker is attached"""
     coordinate: int
-    """coordinate"""
+    """number of the coordinate within the node, from 0; -1 means not set and is refused; for a ground node only 0 has a meaning"""
     visualization: VMarkerNodeCoordinate | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -3983,12 +3983,12 @@ class VMarkerNodeCoordinates:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class MarkerNodeCoordinates(_Item):
-    """MarkerNodeCoordinates"""
+    """A marker on all coordinates of a node, as a vector"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     nodeNumber: NodeIndex | int
-    """nodeNumber"""
+    """node to which the marker is attached"""
     visualization: VMarkerNodeCoordinates | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -4010,14 +4010,14 @@ class VMarkerNodeODE1Coordinate:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class MarkerNodeODE1Coordinate(_Item):
-    """MarkerNodeODE1Coordinate"""
+    """A marker on a single coordinate of a node with first order equations"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     nodeNumber: NodeIndex | int
-    """nodeNumber"""
+    """NodeGenericODE1 to which the marker is attached"""
     coordinate: int
-    """coordinate"""
+    """number of the coordinate within the node, from 0; -1 means not set and is refused"""
     visualization: VMarkerNodeODE1Coordinate | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -4040,12 +4040,12 @@ class VMarkerNodePosition:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class MarkerNodePosition(_Item):
-    """MarkerNodePosition"""
+    """A marker at the position of a node"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     nodeNumber: NodeIndex | int
-    """nodeNumber"""
+    """node with a position to which the marker is attached"""
     visualization: VMarkerNodePosition | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -4067,12 +4067,12 @@ class VMarkerNodeRigid:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class MarkerNodeRigid(_Item):
-    """MarkerNodeRigid"""
+    """A marker at a node with position and orientation"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     nodeNumber: NodeIndex | int
-    """nodeNumber"""
+    """node with position and orientation, such as a rigid body node, to which the marker is attached"""
     visualization: VMarkerNodeRigid | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -4094,14 +4094,14 @@ class VMarkerNodeRotationCoordinate:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class MarkerNodeRotationCoordinate(_Item):
-    """MarkerNodeRotationCoordinate"""
+    """A marker on the rotation of a node about one global axis"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     nodeNumber: NodeIndex | int
-    """nodeNumber"""
+    """node with an orientation in space to which the marker is attached; planar nodes are refused, use MarkerNodeCoordinate for them"""
     rotationCoordinate: int
-    """rotationCoordinate"""
+    """axis of rotation: 0 for x, 1 for y, 2 for z; -1 means not set and is refused"""
     visualization: VMarkerNodeRotationCoordinate | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -4124,12 +4124,12 @@ class VMarkerObjectODE2Coordinates:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class MarkerObjectODE2Coordinates(_Item):
-    """MarkerObjectODE2Coordinates"""
+    """A marker on all second order coordinates of an object, as a vector"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     objectNumber: ObjectIndex | int
-    """objectNumber"""
+    """body to which the marker is attached"""
     visualization: VMarkerObjectODE2Coordinates | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -4145,7 +4145,7 @@ class VMarkerSuperElementPosition:
     show: bool
     """False: the item is not drawn"""
     showMarkerNodes: bool
-    """showMarkerNodes"""
+    """True: the mesh nodes of the marker are drawn as well"""
     def __init__(
         self,
         show: bool = True,
@@ -4154,16 +4154,16 @@ class VMarkerSuperElementPosition:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class MarkerSuperElementPosition(_Item):
-    """MarkerSuperElementPosition"""
+    """A marker at the weighted mean position of mesh nodes of a super element"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     bodyNumber: ObjectIndex | int
-    """bodyNumber"""
+    """super element to which the marker is attached"""
     meshNodeNumbers: Sequence[int]
-    """meshNodeNumbers [n]"""
+    """mesh nodes of the super element, numbered within it from 0; each must have a position [n]"""
     weightingFactors: ArrayLike
-    """weightingFactors [n]"""
+    """weight of every mesh node, as many as mesh nodes; should sum up to 1, such that the marker moves with a rigid translation of the nodes [n; 1]"""
     visualization: VMarkerSuperElementPosition | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -4181,7 +4181,7 @@ class VMarkerSuperElementRigid:
     show: bool
     """False: the item is not drawn"""
     showMarkerNodes: bool
-    """showMarkerNodes"""
+    """True: the mesh nodes of the marker are drawn as well"""
     def __init__(
         self,
         show: bool = True,
@@ -4190,22 +4190,22 @@ class VMarkerSuperElementRigid:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class MarkerSuperElementRigid(_Item):
-    """MarkerSuperElementRigid"""
+    """A marker with the weighted mean position and rotation of mesh nodes of a super element"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     bodyNumber: ObjectIndex | int
-    """bodyNumber"""
+    """super element to which the marker is attached"""
     offset: ArrayLike
-    """offset [3]"""
+    """correction of the marker position in the reference frame of the super element, if the mean of the mesh nodes is not the wanted point; should be small [3; m]"""
     meshNodeNumbers: Sequence[int]
-    """meshNodeNumbers [n]"""
+    """mesh nodes of the super element, numbered within it from 0; each must have a position [n]"""
     weightingFactors: ArrayLike
-    """weightingFactors [n]"""
+    """weight of every mesh node, as many as mesh nodes; should sum up to 1, for instance parts of the area of an interface [n; 1]"""
     useAlternativeApproach: bool
-    """useAlternativeApproach"""
+    """True: the mean rotation follows from the angular momentum of the weighted nodes; False: it is a mean weighted by squared distances"""
     rotationsExponentialMap: int
-    """rotationsExponentialMap"""
+    """0: rotation and angular velocity are linearized; 1: rotation by the exponential map; 2: rotation by the exponential map and angular velocity by its tangent map, the consistent choice"""
     visualization: VMarkerSuperElementRigid | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -4232,16 +4232,16 @@ class VLoadCoordinate:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class LoadCoordinate(_Item):
-    """LoadCoordinate"""
+    """A generalized force on a single coordinate"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumber: MarkerIndex | int
-    """markerNumber"""
+    """coordinate marker to which the load is applied"""
     load: float
-    """load"""
+    """generalized force: N on a coordinate that is a length, Nm on an angle; without effect if there is a user function, which gets it as an argument [various]"""
     loadUserFunction: Callable[..., Any] | Literal[0]
-    """loadUserFunction"""
+    """Python function that computes the load as a function of time"""
     visualization: VLoadCoordinate | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -4265,18 +4265,18 @@ class VLoadForceVector:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class LoadForceVector(_Item):
-    """LoadForceVector"""
+    """A force vector at a point of a body or at a node"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumber: MarkerIndex | int
-    """markerNumber"""
+    """marker with a position to which the force is applied; with ``bodyFixed`` it must have an orientation as well"""
     loadVector: ArrayLike
-    """loadVector [3]"""
+    """force vector in global coordinates, or in the marker frame with ``bodyFixed``; without effect if there is a user function, which gets it as an argument [3; N]"""
     bodyFixed: bool
-    """bodyFixed"""
+    """True: the vector is given in the frame of the marker and turns with the body, a follower force; False: in global coordinates"""
     loadVectorUserFunction: Callable[..., Any] | Literal[0]
-    """loadVectorUserFunction"""
+    """Python function that computes the force vector as a function of time"""
     visualization: VLoadForceVector | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -4304,16 +4304,16 @@ class VLoadMassProportional:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class LoadMassProportional(_Item):
-    """LoadMassProportional"""
+    """A distributed load proportional to mass, such as gravity"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumber: MarkerIndex | int
-    """markerNumber"""
+    """marker of type BodyMass on the body to which the load is applied"""
     loadVector: ArrayLike
-    """loadVector [3]"""
+    """force per mass in global coordinates, such as the gravitational acceleration ``[0, 0, -9.81]``; without effect if there is a user function, which gets it as an argument [3; m/s^2]"""
     loadVectorUserFunction: Callable[..., Any] | Literal[0]
-    """loadVectorUserFunction"""
+    """Python function that computes the vector as a function of time"""
     visualization: VLoadMassProportional | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -4340,18 +4340,18 @@ class VLoadTorqueVector:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class LoadTorqueVector(_Item):
-    """LoadTorqueVector"""
+    """A torque vector on a body or node with orientation"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumber: MarkerIndex | int
-    """markerNumber"""
+    """marker with an orientation to which the torque is applied"""
     loadVector: ArrayLike
-    """loadVector [3]"""
+    """torque vector in global coordinates, or in the marker frame with ``bodyFixed``; without effect if there is a user function, which gets it as an argument [3; Nm]"""
     bodyFixed: bool
-    """bodyFixed"""
+    """True: the vector is given in the frame of the marker and turns with the body; False: in global coordinates"""
     loadVectorUserFunction: Callable[..., Any] | Literal[0]
-    """loadVectorUserFunction"""
+    """Python function that computes the torque vector as a function of time"""
     visualization: VLoadTorqueVector | dict[str, Any]
     """how the item is drawn"""
     def __init__(
@@ -4379,14 +4379,14 @@ class VSensorBody:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class SensorBody(_Item):
-    """SensorBody"""
+    """Measures an output variable of a body at a local position"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     bodyNumber: ObjectIndex | int
-    """bodyNumber"""
+    """body that is measured"""
     localPosition: ArrayLike
-    """localPosition [3]"""
+    """point in the body frame, relative to the reference point; for beams and cables the x component is the position along the axis [3; m]"""
     writeToFile: bool
     """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
     fileName: str
@@ -4421,16 +4421,16 @@ class VSensorKinematicTree:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class SensorKinematicTree(_Item):
-    """SensorKinematicTree"""
+    """Measures an output variable of a link of a kinematic tree at a local position"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     objectNumber: ObjectIndex | int
-    """objectNumber"""
+    """kinematic tree that is measured"""
     linkNumber: int
-    """linkNumber"""
+    """link, numbered within the tree from 0; -1 means not set and is refused"""
     localPosition: ArrayLike
-    """localPosition [3]"""
+    """point in the frame of the link [3; m]"""
     writeToFile: bool
     """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
     fileName: str
@@ -4466,12 +4466,12 @@ class VSensorLoad:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class SensorLoad(_Item):
-    """SensorLoad"""
+    """Measures the value of a load"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     loadNumber: LoadIndex | int
-    """loadNumber"""
+    """load that is measured"""
     writeToFile: bool
     """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
     fileName: str
@@ -4502,12 +4502,12 @@ class VSensorMarker:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class SensorMarker(_Item):
-    """SensorMarker"""
+    """Measures an output variable of a marker"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumber: MarkerIndex | int
-    """markerNumber"""
+    """marker that is measured"""
     writeToFile: bool
     """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
     fileName: str
@@ -4541,12 +4541,12 @@ class VSensorNode:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class SensorNode(_Item):
-    """SensorNode"""
+    """Measures an output variable of a node"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     nodeNumber: NodeIndex | int
-    """nodeNumber"""
+    """node that is measured"""
     writeToFile: bool
     """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
     fileName: str
@@ -4580,12 +4580,12 @@ class VSensorObject:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class SensorObject(_Item):
-    """SensorObject"""
+    """Measures an output variable of a connector, constraint, joint or contact"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     objectNumber: ObjectIndex | int
-    """objectNumber"""
+    """object that is measured; a body is refused for variables that need a local position, use SensorBody for it"""
     writeToFile: bool
     """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
     fileName: str
@@ -4619,14 +4619,14 @@ class VSensorSuperElement:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class SensorSuperElement(_Item):
-    """SensorSuperElement"""
+    """Measures an output variable at a mesh node of a super element"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     bodyNumber: ObjectIndex | int
-    """bodyNumber"""
+    """super element that is measured"""
     meshNodeNumber: int
-    """meshNodeNumber"""
+    """mesh node, numbered within the super element from 0; -1 means not set and is refused"""
     writeToFile: bool
     """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
     fileName: str
@@ -4661,20 +4661,20 @@ class VSensorUserFunction:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class SensorUserFunction(_Item):
-    """SensorUserFunction"""
+    """Computes its values by a Python function, for instance from other sensors"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     sensorNumbers: Sequence[SensorIndex | int]
-    """sensorNumbers [n]"""
+    """sensors that the user function may evaluate; may be empty [n]"""
     factors: ArrayLike
-    """factors [n]"""
+    """values that are passed to the user function, of free meaning, such as weights or conversions of units [n; various]"""
     writeToFile: bool
     """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
     fileName: str
     """file with the time in the first and the values in the further columns; the path is relative to the working directory, missing directories are created"""
     sensorUserFunction: Callable[..., Any] | Literal[0]
-    """sensorUserFunction"""
+    """Python function that returns the values of the sensor"""
     storeInternal: bool
     """keep time and values in memory, to be read with ``mbs.GetSensorStoredData`` during or after the solution"""
     visualization: VSensorUserFunction | dict[str, Any]

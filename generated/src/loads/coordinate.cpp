@@ -23,7 +23,7 @@ constexpr Signature loadUserFunction_signature{.arguments = loadUserFunction_arg
 constexpr std::array<Row, 5> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "markerNumber", .storage = Storage::marker, .offset = offsetof(Record, parameters.markerNumber), .role = Role::parameter, .needs_assemble = true},
-    {.name = "load", .storage = Storage::real, .offset = offsetof(Record, parameters.load), .role = Role::parameter},
+    {.name = "load", .storage = Storage::real, .offset = offsetof(Record, parameters.load), .role = Role::parameter, .unit = "various"},
     {.name = "loadUserFunction", .storage = Storage::user_function, .offset = offsetof(Record, parameters.loadUserFunction), .role = Role::parameter, .signature = &loadUserFunction_signature},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
 }};

@@ -17,10 +17,10 @@ constexpr std::array<Row, 8> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "bodyNumbers", .storage = Storage::objects, .offset = offsetof(Record, parameters.bodyNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
     {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
-    {.name = "localPosition0", .storage = Storage::vector3, .offset = offsetof(Record, parameters.localPosition0), .role = Role::parameter},
-    {.name = "localPosition1", .storage = Storage::vector3, .offset = offsetof(Record, parameters.localPosition1), .role = Role::parameter},
-    {.name = "axis0", .storage = Storage::vector3, .offset = offsetof(Record, parameters.axis0), .role = Role::parameter},
-    {.name = "offset", .storage = Storage::real, .offset = offsetof(Record, parameters.offset), .role = Role::parameter},
+    {.name = "localPosition0", .storage = Storage::vector3, .offset = offsetof(Record, parameters.localPosition0), .role = Role::parameter, .unit = "m"},
+    {.name = "localPosition1", .storage = Storage::vector3, .offset = offsetof(Record, parameters.localPosition1), .role = Role::parameter, .unit = "m"},
+    {.name = "axis0", .storage = Storage::vector3, .offset = offsetof(Record, parameters.axis0), .role = Role::parameter, .unit = "1"},
+    {.name = "offset", .storage = Storage::real, .offset = offsetof(Record, parameters.offset), .role = Role::parameter, .unit = "rad"},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
 }};
 

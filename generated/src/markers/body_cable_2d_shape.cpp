@@ -17,7 +17,7 @@ constexpr std::array<Row, 5> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "bodyNumber", .storage = Storage::object, .offset = offsetof(Record, parameters.bodyNumber), .role = Role::parameter, .needs_assemble = true},
     {.name = "numberOfSegments", .storage = Storage::integer, .offset = offsetof(Record, parameters.numberOfSegments), .role = Role::parameter, .check = Check::positive},
-    {.name = "verticalOffset", .storage = Storage::real, .offset = offsetof(Record, parameters.verticalOffset), .role = Role::parameter},
+    {.name = "verticalOffset", .storage = Storage::real, .offset = offsetof(Record, parameters.verticalOffset), .role = Role::parameter, .unit = "m"},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
 }};
 

@@ -24,7 +24,7 @@ constexpr Signature sensorUserFunction_signature{.arguments = sensorUserFunction
 constexpr std::array<Row, 8> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "sensorNumbers", .storage = Storage::sensors, .offset = offsetof(Record, parameters.sensorNumbers), .role = Role::parameter, .needs_assemble = true},
-    {.name = "factors", .storage = Storage::vector, .offset = offsetof(Record, parameters.factors), .role = Role::parameter},
+    {.name = "factors", .storage = Storage::vector, .offset = offsetof(Record, parameters.factors), .role = Role::parameter, .unit = "various"},
     {.name = "writeToFile", .storage = Storage::boolean, .offset = offsetof(Record, parameters.writeToFile), .role = Role::parameter},
     {.name = "fileName", .storage = Storage::text, .offset = offsetof(Record, parameters.fileName), .role = Role::parameter},
     {.name = "sensorUserFunction", .storage = Storage::user_function, .offset = offsetof(Record, parameters.sensorUserFunction), .role = Role::parameter, .signature = &sensorUserFunction_signature},

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// LoadCoordinate
+// A generalized force on a single coordinate
 struct LoadCoordinateParameters {
   MarkerIndex markerNumber;
   double load = 0.0;

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// LoadForceVector
+// A force vector at a point of a body or at a node
 struct LoadForceVectorParameters {
   MarkerIndex markerNumber;
   Vec<double, 3> loadVector = {};

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// LoadMassProportional
+// A distributed load proportional to mass, such as gravity
 struct LoadMassProportionalParameters {
   MarkerIndex markerNumber;
   Vec<double, 3> loadVector = {};

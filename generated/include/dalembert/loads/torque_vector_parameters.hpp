@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// LoadTorqueVector
+// A torque vector on a body or node with orientation
 struct LoadTorqueVectorParameters {
   MarkerIndex markerNumber;
   Vec<double, 3> loadVector = {};

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// MarkerBodiesRelativeRotationCoordinate
+// A coordinate marker on the relative rotation of two bodies about an axis
 struct MarkerBodiesRelativeRotationCoordinateParameters {
   std::vector<ObjectIndex> bodyNumbers = std::vector<ObjectIndex>(2);
   NodeIndex nodeNumber;

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// MarkerBodiesRelativeTranslationCoordinate
+// A coordinate marker on the relative translation of two bodies along an axis
 struct MarkerBodiesRelativeTranslationCoordinateParameters {
   std::vector<ObjectIndex> bodyNumbers = std::vector<ObjectIndex>(2);
   Vec<double, 3> localPosition0 = {};

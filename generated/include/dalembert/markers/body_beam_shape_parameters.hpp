@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// MarkerBodyBeamShape
+// A marker that gives joints and contacts access to the shape of a beam element
 struct MarkerBodyBeamShapeParameters {
   ObjectIndex bodyNumber;
 };

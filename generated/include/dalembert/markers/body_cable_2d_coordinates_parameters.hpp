@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// MarkerBodyCable2DCoordinates
+// A marker on all coordinates of a planar ANCF cable element, for sliding joints
 struct MarkerBodyCable2DCoordinatesParameters {
   ObjectIndex bodyNumber;
 };

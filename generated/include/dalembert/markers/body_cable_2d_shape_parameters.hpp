@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// MarkerBodyCable2DShape
+// A marker that divides a planar ANCF cable element into straight segments, for contact with circles
 struct MarkerBodyCable2DShapeParameters {
   ObjectIndex bodyNumber;
   int numberOfSegments = 3;

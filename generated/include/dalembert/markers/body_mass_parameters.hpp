@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// MarkerBodyMass
+// A marker on the mass of a body, for loads that are proportional to mass such as gravity
 struct MarkerBodyMassParameters {
   ObjectIndex bodyNumber;
 };

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// MarkerBodyPosition
+// A marker at a point that is fixed to a body, with its position but without orientation
 struct MarkerBodyPositionParameters {
   ObjectIndex bodyNumber;
   Vec<double, 3> localPosition = {};

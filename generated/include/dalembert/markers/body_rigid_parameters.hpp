@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// MarkerBodyRigid
+// A marker at a point that is fixed to a body, with its position and orientation
 struct MarkerBodyRigidParameters {
   ObjectIndex bodyNumber;
   Vec<double, 3> localPosition = {};

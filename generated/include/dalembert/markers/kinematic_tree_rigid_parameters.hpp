@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// MarkerKinematicTreeRigid
+// A marker at a point that is fixed to a link of a kinematic tree, with position and orientation
 struct MarkerKinematicTreeRigidParameters {
   ObjectIndex objectNumber;
   int linkNumber = -1;

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// MarkerNodeCoordinate
+// A marker on a single coordinate of a node
 struct MarkerNodeCoordinateParameters {
   NodeIndex nodeNumber;
   int coordinate = -1;

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// MarkerNodeCoordinates
+// A marker on all coordinates of a node, as a vector
 struct MarkerNodeCoordinatesParameters {
   NodeIndex nodeNumber;
 };

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// MarkerNodeODE1Coordinate
+// A marker on a single coordinate of a node with first order equations
 struct MarkerNodeODE1CoordinateParameters {
   NodeIndex nodeNumber;
   int coordinate = -1;

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// MarkerNodePosition
+// A marker at the position of a node
 struct MarkerNodePositionParameters {
   NodeIndex nodeNumber;
 };

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// MarkerNodeRigid
+// A marker at a node with position and orientation
 struct MarkerNodeRigidParameters {
   NodeIndex nodeNumber;
 };

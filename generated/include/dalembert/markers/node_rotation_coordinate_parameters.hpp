@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// MarkerNodeRotationCoordinate
+// A marker on the rotation of a node about one global axis
 struct MarkerNodeRotationCoordinateParameters {
   NodeIndex nodeNumber;
   int rotationCoordinate = -1;

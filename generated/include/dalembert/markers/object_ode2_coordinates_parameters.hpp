@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// MarkerObjectODE2Coordinates
+// A marker on all second order coordinates of an object, as a vector
 struct MarkerObjectODE2CoordinatesParameters {
   ObjectIndex objectNumber;
 };

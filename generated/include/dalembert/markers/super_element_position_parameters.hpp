@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// MarkerSuperElementPosition
+// A marker at the weighted mean position of mesh nodes of a super element
 struct MarkerSuperElementPositionParameters {
   ObjectIndex bodyNumber;
   std::vector<int> meshNodeNumbers;

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// MarkerSuperElementRigid
+// A marker with the weighted mean position and rotation of mesh nodes of a super element
 struct MarkerSuperElementRigidParameters {
   ObjectIndex bodyNumber;
   Vec<double, 3> offset = {};

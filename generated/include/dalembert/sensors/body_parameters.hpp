@@ -7,7 +7,7 @@
 
 namespace dalembert {
 
-// SensorBody
+// Measures an output variable of a body at a local position
 struct SensorBodyParameters {
   ObjectIndex bodyNumber;
   Vec<double, 3> localPosition = {};

@@ -7,7 +7,7 @@
 
 namespace dalembert {
 
-// SensorKinematicTree
+// Measures an output variable of a link of a kinematic tree at a local position
 struct SensorKinematicTreeParameters {
   ObjectIndex objectNumber;
   int linkNumber = -1;

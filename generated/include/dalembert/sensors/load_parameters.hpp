@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// SensorLoad
+// Measures the value of a load
 struct SensorLoadParameters {
   LoadIndex loadNumber;
   bool writeToFile = true;

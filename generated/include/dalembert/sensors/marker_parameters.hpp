@@ -7,7 +7,7 @@
 
 namespace dalembert {
 
-// SensorMarker
+// Measures an output variable of a marker
 struct SensorMarkerParameters {
   MarkerIndex markerNumber;
   bool writeToFile = true;

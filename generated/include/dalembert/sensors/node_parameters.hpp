@@ -7,7 +7,7 @@
 
 namespace dalembert {
 
-// SensorNode
+// Measures an output variable of a node
 struct SensorNodeParameters {
   NodeIndex nodeNumber;
   bool writeToFile = true;

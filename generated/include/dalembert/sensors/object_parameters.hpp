@@ -7,7 +7,7 @@
 
 namespace dalembert {
 
-// SensorObject
+// Measures an output variable of a connector, constraint, joint or contact
 struct SensorObjectParameters {
   ObjectIndex objectNumber;
   bool writeToFile = true;

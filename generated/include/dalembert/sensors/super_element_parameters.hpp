@@ -7,7 +7,7 @@
 
 namespace dalembert {
 
-// SensorSuperElement
+// Measures an output variable at a mesh node of a super element
 struct SensorSuperElementParameters {
   ObjectIndex bodyNumber;
   int meshNodeNumber = -1;

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// SensorUserFunction
+// Computes its values by a Python function, for instance from other sensors
 struct SensorUserFunctionParameters {
   std::vector<SensorIndex> sensorNumbers;
   std::vector<double> factors;
