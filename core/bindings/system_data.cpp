@@ -150,7 +150,7 @@ int item_number(const SystemData& self, ItemKind kind, const py::object& value, 
   ItemKind given = kind;
   int number = -1;
   const std::string noun(kind_name(kind));
-  const std::string expected = "the number of a " + noun + ": " + std::string(index_name(kind)) + " or int";
+  const std::string expected = "the number of " + std::string(kind == ItemKind::object ? "an " : "a ") + noun + ": " + std::string(index_name(kind)) + " or int";
   if (!read_index(value.ptr(), given, number)) {
     try {
       number = read_integer(value.ptr());

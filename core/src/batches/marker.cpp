@@ -12,11 +12,13 @@ void CoordinateMarkerBatch::add(const void*, const Placement& placement, const P
   entries_.push_back({placement.item, placement.dofs});
 }
 void CoordinateMarkerBatch::evaluate(const Evaluation& evaluation, Ports& ports) const {
+  const double* q = totals_ ? evaluation.q : evaluation.u;
+  const double* coordinates = totals_ ? evaluation.q : evaluation.u;
   for (const Entry& e : entries_) {
     double* values = ports.frame(e.marker);
     const std::size_t n = e.dofs.size();
     for (std::size_t i = 0; i < n; ++i) {
-      values[i] = evaluation.u[e.dofs[i]];
+      values[i] = q[e.dofs[i]];
       values[n + i] = evaluation.v[e.dofs[i]];
     }
   }

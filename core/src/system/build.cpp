@@ -115,6 +115,7 @@ class Builder {
       append_range(p.dofs, node.ode2, node.sizes.ode2);
       append_range(p.ode1, node.ode1, node.sizes.ode1);
       p.node_sizes.push_back(node.sizes.ode2);
+      p.node_records.push_back(node.record.get());
       if (node.sizes.data > 0) {
         p.first_data = node.data;
         p.data_count = node.sizes.data;
@@ -143,11 +144,12 @@ class Builder {
     FrameShape shape{};
     Vec3<double> local;
     const void* record = item.record.get();
+    physics.check(record, p, parts_.ports, parts_.names[2][number]);
     if (physics.passes_frame(shape, local, record)) {
       record = &local;
       place.member.batch = &frame_batch(number, place, shape, types, p);
     } else {
-      p.dofs = selected(p.dofs, physics.coordinates(record, static_cast<int>(p.dofs.size())), number);
+      p.dofs = selected(p.dofs, physics.coordinates(record, p), number);
       const ItemType* owner = place.object >= 0 ? parts_.objects[place.object].type : parts_.nodes[place.node].type;
       place.member.batch = &marker_batch({item.type, owner, types}, [&] { return physics.make_batch(*owner, types); }, number);
       p.owner = place.object >= 0 ? parts_.objects[place.object].record.get() : parts_.nodes[place.node].record.get();
@@ -245,6 +247,7 @@ class Builder {
     p.item = number;
     p.markers = place.markers;
     p.first_ae = first_ae_[number];
+    physics.check(place.record.get(), p, parts_.ports, parts_.names[1][number]);
     const TypeList types = node_types(place.nodes);
     place.member.batch = &term({place.type, place.type, types}, [&] { return physics.make_batch(types); }, ItemKind::object, number);
     place.member.entry = entries_[place.member.batch]++;

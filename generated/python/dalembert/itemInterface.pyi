@@ -2095,7 +2095,7 @@ class ObjectConnectorLinearSpringDamper(_Item):
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    """marker m0, to which the axis is fixed, and marker m1 [2]"""
     stiffness: float
     """stiffness along the axis [N/m]"""
     damping: float
@@ -2290,7 +2290,7 @@ class ObjectConnectorRollingDiscPenalty(_Item):
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    """marker m0 on the plane and marker m1 at the center of the disc [2]"""
     nodeNumber: NodeIndex | int
     """NodeGenericData with three data coordinates: slip velocity in lateral and in forward direction, and gap, of the last update"""
     discRadius: float
@@ -2539,7 +2539,7 @@ class ObjectConnectorCoordinateVector(_Item):
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    """two markers on coordinate vectors; the equations are those of m1 minus those of m0 [2]"""
     scalingMarker0: ArrayLike
     """matrix of linear factors of the coordinates of marker m0, one row per equation and one column per coordinate; empty: no such term [n x m; various]"""
     scalingMarker1: ArrayLike
@@ -2627,7 +2627,7 @@ class VObjectContactCircleCable2D:
     show: bool
     """False: the item is not drawn"""
     showContactCircle: bool
-    """showContactCircle"""
+    """True: the circle is drawn"""
     drawSize: float
     """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
     color: ArrayLike
@@ -2642,24 +2642,24 @@ class VObjectContactCircleCable2D:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectContactCircleCable2D(_Item):
-    """ObjectContactCircleCable2D"""
+    """Contact without friction of a planar cable element with a circle"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    """marker m0 at the center of the circle and marker m1, the shape of the cable [2]"""
     nodeNumber: NodeIndex | int
-    """nodeNumber"""
+    """NodeGenericData with one data coordinate per segment, the gap of the last update"""
     numberOfContactSegments: int
-    """numberOfContactSegments"""
+    """number of segments; must be that of the shape marker"""
     contactStiffness: float
-    """contactStiffness"""
+    """contact stiffness per segment [N/m]"""
     contactDamping: float
-    """contactDamping"""
+    """contact damping coefficient per segment [Ns/m]"""
     circleRadius: float
-    """circleRadius"""
+    """radius of the circle [m]"""
     offset: float
-    """offset"""
+    """distance that is added to the radius of the circle, such as half the thickness of the cable [m]"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectContactCircleCable2D | dict[str, Any]
@@ -2693,34 +2693,34 @@ class VObjectContactConvexRoll:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectContactConvexRoll(_Item):
-    """ObjectContactConvexRoll"""
+    """Contact of a convex roll, a body of revolution with a polynomial profile, with the ground plane"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    """marker m0 on the ground, which may translate but not rotate, and marker m1 at the center of the roll [2]"""
     nodeNumber: NodeIndex | int
-    """nodeNumber"""
+    """NodeGenericData with three data coordinates: slip velocity in two directions, and gap, of the last update"""
     contactStiffness: float
-    """contactStiffness"""
+    """stiffness normal to the plane [N/m]"""
     contactDamping: float
-    """contactDamping"""
+    """damping coefficient normal to the plane [Ns/m]"""
     dynamicFriction: float
-    """dynamicFriction"""
+    """coefficient of friction in sliding [1]"""
     staticFrictionOffset: float
-    """staticFrictionOffset"""
+    """what the coefficient of static friction exceeds the dynamic one [1]"""
     viscousFriction: float
-    """viscousFriction"""
+    """growth of the friction coefficient with the slip speed [s/m]"""
     exponentialDecayStatic: float
-    """exponentialDecayStatic"""
+    """slip speed by which the static offset falls to 1/e [m/s]"""
     frictionProportionalZone: float
-    """frictionProportionalZone"""
+    """slip speed up to which friction is proportional to it [m/s]"""
     rollLength: float
-    """rollLength"""
+    """length of the roll, symmetric about its center [m]"""
     coefficientsHull: ArrayLike
-    """coefficientsHull [n]"""
+    """coefficients of the polynomial radius over the position x on the axis, highest power first; the profile must be convex [n; various]"""
     rBoundingSphere: float
-    """rBoundingSphere"""
+    """radius of spheres at both ends that exclude contact by a cheap test; follows from the profile [m]"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectContactConvexRoll | dict[str, Any]
@@ -2762,20 +2762,20 @@ class VObjectContactCoordinate:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectContactCoordinate(_Item):
-    """ObjectContactCoordinate"""
+    """Contact of two coordinates, a one-sided spring and damper"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
     """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     nodeNumber: NodeIndex | int
-    """nodeNumber"""
+    """NodeGenericData with one data coordinate, the gap of the last update; must not be positive if the simulation begins in contact"""
     contactStiffness: float
-    """contactStiffness"""
+    """contact stiffness; N/m for coordinates that are lengths [various]"""
     contactDamping: float
-    """contactDamping"""
+    """contact damping coefficient; Ns/m for coordinates that are lengths [various]"""
     offset: float
-    """offset"""
+    """difference of the coordinates at which contact begins; m for lengths [various]"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectContactCoordinate | dict[str, Any]
@@ -2807,32 +2807,32 @@ class VObjectContactCurveCircles:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectContactCurveCircles(_Item):
-    """ObjectContactCurveCircles"""
+    """Contact of a planar curve with circles, as of a cam with its followers"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """markerNumbers [2]"""
+    """rigid body marker that carries the curve, followed by one marker per circle [2]"""
     nodeNumber: NodeIndex | int
-    """nodeNumber"""
+    """NodeGenericData with three data coordinates per segment: number of the circle in contact, gap, tangential velocity, of the last update"""
     circlesRadii: ArrayLike
-    """circlesRadii [n]"""
+    """radius of every circle, as many as circle markers [n; m]"""
     segmentsData: MatrixLike
-    """segmentsData [n x m]"""
+    """one row per segment with the planar coordinates of its begin and end, [x0, y0, x1, y1], in the frame of the curve; the outer side lies to the right when going from begin to end [n x m; m]"""
     polynomialData: MatrixLike
-    """polynomialData [n x m]"""
+    """one row per segment with slopes at its begin and end (1) and curvatures at its begin and end (1/m), in the frame of the segment; empty: straight segments [n x m; various]"""
     rotationMarker0: ArrayLike
-    """rotationMarker0 [3 x 3]"""
+    """rotation matrix from the frame of the curve, in whose x-y plane it lies, to the frame of the first marker [3 x 3; 1]"""
     dynamicFriction: float
-    """dynamicFriction"""
+    """coefficient of friction in sliding [1]"""
     frictionProportionalZone: float
-    """frictionProportionalZone"""
+    """slip speed up to which friction is proportional to it [m/s]"""
     contactStiffness: float
-    """contactStiffness"""
+    """stiffness of the normal contact per length of segment [N/m^2]"""
     contactDamping: float
-    """contactDamping"""
+    """damping coefficient of the normal contact per length of segment [Ns/m^2]"""
     contactModel: int
-    """contactModel"""
+    """0: force by penetration of the segment, robust but with jumps between segments; 1: force by the area of penetration, smooth in sliding"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectContactCurveCircles | dict[str, Any]
@@ -2864,7 +2864,7 @@ class VObjectContactFrictionCircleCable2D:
     show: bool
     """False: the item is not drawn"""
     showContactCircle: bool
-    """showContactCircle"""
+    """True: the circle is drawn"""
     drawSize: float
     """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
     color: ArrayLike
@@ -2879,30 +2879,30 @@ class VObjectContactFrictionCircleCable2D:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectContactFrictionCircleCable2D(_Item):
-    """ObjectContactFrictionCircleCable2D"""
+    """Contact with friction of a planar cable element with a circle, such as of a belt on a pulley"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    """marker m0 at the center of the circle and marker m1, the shape of the cable [2]"""
     nodeNumber: NodeIndex | int
-    """nodeNumber"""
+    """NodeGenericData with three data coordinates per segment: all gaps, then all friction states (-1 and 1 slip, 0 stick, -2 undefined), then all last sticking positions; begin for instance with 0.1, -2, 0 for no contact"""
     numberOfContactSegments: int
-    """numberOfContactSegments"""
+    """number of segments; must be that of the shape marker"""
     contactStiffness: float
-    """contactStiffness"""
+    """contact stiffness per segment [N/m]"""
     contactDamping: float
-    """contactDamping"""
+    """contact damping coefficient per segment [Ns/m]"""
     frictionVelocityPenalty: float
-    """frictionVelocityPenalty"""
+    """tangential force per tangential velocity, per segment [Ns/m]"""
     frictionStiffness: float
-    """frictionStiffness"""
+    """tangential force per displacement from the last sticking position, per segment; 0: no sticking, friction by velocity only [N/m]"""
     frictionCoefficient: float
-    """frictionCoefficient"""
+    """coefficient of dry friction, the bound of the tangential to the normal force [1]"""
     circleRadius: float
-    """circleRadius"""
+    """radius of the circle [m]"""
     useSegmentNormals: bool
-    """useSegmentNormals"""
+    """True: normal and tangent are those of the segment, for segments that are long against the circle; False: those of the circle at the points of the segment, for short segments"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectContactFrictionCircleCable2D | dict[str, Any]
@@ -2930,7 +2930,7 @@ class VObjectContactSphereSphere:
     show: bool
     """True: the item is drawn"""
     color: ArrayLike
-    """color [4]"""
+    """red, green, blue and opacity of the drawn shapes [4; 1]"""
     def __init__(
         self,
         show: bool = False,
@@ -2939,42 +2939,42 @@ class VObjectContactSphereSphere:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectContactSphereSphere(_Item):
-    """ObjectContactSphereSphere"""
+    """Contact of two spheres, or of a sphere inside a hollow sphere, with friction, restitution and adhesion"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    """markers at the centers of the two spheres [2]"""
     nodeNumber: NodeIndex | int
-    """nodeNumber"""
+    """NodeGenericData with four data coordinates of the last update: gap, tangential speed, impact velocity, plastic overlap; initial gap positive: no contact"""
     spheresRadii: ArrayLike
-    """spheresRadii [2]"""
+    """radii of the spheres at marker m0 and marker m1; must be positive [2; m]"""
     isHollowSphere1: bool
-    """isHollowSphere1"""
+    """True: the sphere of marker m1 is hollow, and the other one touches it from inside"""
     dynamicFriction: float
-    """dynamicFriction"""
+    """coefficient of dry friction; 0: no friction, and no torques [1]"""
     frictionProportionalZone: float
-    """frictionProportionalZone"""
+    """tangential speed up to which friction is proportional to it [m/s]"""
     contactStiffness: float
-    """contactStiffness"""
+    """stiffness of the normal contact; n is ``contactStiffnessExponent`` [N/m^n]"""
     contactDamping: float
-    """contactDamping"""
+    """linear damping coefficient in normal direction, added in all impact models; leave it 0 for a restitution coefficient below 1 [Ns/m]"""
     contactStiffnessExponent: float
-    """contactStiffnessExponent"""
+    """exponent n of the penetration in the normal force; 1.5 for Hertzian contact [1]"""
     constantPullOffForce: float
-    """constantPullOffForce"""
+    """constant adhesive force in contact, for ``impactModel`` 0 [N]"""
     contactPlasticityRatio: float
-    """contactPlasticityRatio"""
+    """one minus the ratio of the stiffness at first loading to that at unloading, from 0 to below 1; 0: no plastic overlap [1]"""
     adhesionCoefficient: float
-    """adhesionCoefficient"""
+    """coefficient of the adhesive force that grows with penetration (N/m for an exponent of 1); 0: none [various]"""
     adhesionExponent: float
-    """adhesionExponent"""
+    """exponent of the penetration in the adhesive force [1]"""
     restitutionCoefficient: float
-    """restitutionCoefficient"""
+    """ratio of normal speeds after and before an impact, for ``impactModel`` 1 and 2; positive, 1: elastic [1]"""
     minimumImpactVelocity: float
-    """minimumImpactVelocity"""
+    """lower bound of the impact velocity in the restitution law; larger values damp slow and lasting contacts more [m/s]"""
     impactModel: int
-    """impactModel"""
+    """0: elastic contact with linear damping; 1: Hunt-Crossley, for restitution near 1; 2: Carvalho-Martins and Gonthier, for all restitution coefficients"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectContactSphereSphere | dict[str, Any]
@@ -3008,7 +3008,7 @@ class VObjectContactSphereTorus:
     show: bool
     """True: the item is drawn"""
     color: ArrayLike
-    """color [4]"""
+    """red, green, blue and opacity of the drawn shapes [4; 1]"""
     def __init__(
         self,
         show: bool = False,
@@ -3017,38 +3017,38 @@ class VObjectContactSphereTorus:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectContactSphereTorus(_Item):
-    """ObjectContactSphereTorus"""
+    """Contact of a sphere inside the tube of a torus, as of a ball in the groove of a bearing"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    """marker m0 at the center of the sphere and marker m1 at the center of the torus [2]"""
     nodeNumber: NodeIndex | int
-    """nodeNumber"""
+    """NodeGenericData with four data coordinates of the last update: gap, tangential speed, impact velocity, and one that is not used"""
     radiusSphere: float
-    """radiusSphere"""
+    """radius of the sphere at marker m0 [m]"""
     torusMajorRadius: float
-    """torusMajorRadius"""
+    """radius of the center line of the torus [m]"""
     torusMinorRadius: float
-    """torusMinorRadius"""
+    """radius of the tube, larger than that of the sphere [m]"""
     torusAxis: ArrayLike
-    """torusAxis [3]"""
+    """axis of the torus in the frame of marker m1, a unit vector [3; 1]"""
     dynamicFriction: float
-    """dynamicFriction"""
+    """coefficient of dry friction; 0: no friction, and no torques [1]"""
     frictionProportionalZone: float
-    """frictionProportionalZone"""
+    """tangential speed up to which friction is proportional to it [m/s]"""
     contactStiffness: float
-    """contactStiffness"""
+    """stiffness of the normal contact; n is ``contactStiffnessExponent`` [N/m^n]"""
     contactDamping: float
-    """contactDamping"""
+    """linear damping coefficient in normal direction, added in all impact models; leave it 0 for a restitution coefficient below 1 [Ns/m]"""
     contactStiffnessExponent: float
-    """contactStiffnessExponent"""
+    """exponent n of the penetration in the normal force; 1.5 for Hertzian contact [1]"""
     restitutionCoefficient: float
-    """restitutionCoefficient"""
+    """ratio of normal speeds after and before an impact, for ``impactModel`` 1 and 2; positive, 1: elastic [1]"""
     minimumImpactVelocity: float
-    """minimumImpactVelocity"""
+    """lower bound of the impact velocity in the restitution law; larger values damp slow and lasting contacts more [m/s]"""
     impactModel: int
-    """impactModel"""
+    """0: elastic contact with linear damping; 1: Hunt-Crossley, for restitution near 1; 2: Carvalho-Martins and Gonthier, for all restitution coefficients"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectContactSphereTorus | dict[str, Any]
@@ -3080,7 +3080,7 @@ class VObjectContactSphereTriangle:
     show: bool
     """True: the item is drawn"""
     color: ArrayLike
-    """color [4]"""
+    """red, green, blue and opacity of the drawn shapes [4; 1]"""
     def __init__(
         self,
         show: bool = False,
@@ -3089,36 +3089,36 @@ class VObjectContactSphereTriangle:
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
 class ObjectContactSphereTriangle(_Item):
-    """ObjectContactSphereTriangle"""
+    """Contact of a sphere with a triangle, its face and chosen edges"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    """marker m0 at the center of the sphere and marker m1 on the body that carries the triangle [2]"""
     nodeNumber: NodeIndex | int
-    """nodeNumber"""
+    """NodeGenericData with four data coordinates of the last update: gap, tangential speed, impact velocity, and one that is not used"""
     radiusSphere: float
-    """radiusSphere"""
+    """radius of the sphere at marker m0 [m]"""
     trianglePoints: Sequence[ArrayLike]
-    """trianglePoints [n x 3]"""
+    """three points in the frame of marker m1 [n x 3; m]"""
     includeEdges: int
-    """includeEdges"""
+    """sum of 1, 2 and 4 for contact with edge 0 (points 0 and 1), edge 1 (points 1 and 2) and edge 2 (points 2 and 0); 7: all edges; edges between triangles of a smooth surface are left out"""
     dynamicFriction: float
-    """dynamicFriction"""
+    """coefficient of dry friction; 0: no friction, and no torques [1]"""
     frictionProportionalZone: float
-    """frictionProportionalZone"""
+    """tangential speed up to which friction is proportional to it [m/s]"""
     contactStiffness: float
-    """contactStiffness"""
+    """stiffness of the normal contact; n is ``contactStiffnessExponent`` [N/m^n]"""
     contactDamping: float
-    """contactDamping"""
+    """linear damping coefficient in normal direction, added in all impact models; leave it 0 for a restitution coefficient below 1 [Ns/m]"""
     contactStiffnessExponent: float
-    """contactStiffnessExponent"""
+    """exponent n of the penetration in the normal force; 1.5 for Hertzian contact [1]"""
     restitutionCoefficient: float
-    """restitutionCoefficient"""
+    """ratio of normal speeds after and before an impact, for ``impactModel`` 1 and 2; positive, 1: elastic [1]"""
     minimumImpactVelocity: float
-    """minimumImpactVelocity"""
+    """lower bound of the impact velocity in the restitution law; larger values damp slow and lasting contacts more [m/s]"""
     impactModel: int
-    """impactModel"""
+    """0: elastic contact with linear damping; 1: Hunt-Crossley, for restitution near 1; 2: Carvalho-Martins and Gonthier, for all restitution coefficients"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     visualization: VObjectContactSphereTriangle | dict[str, Any]
@@ -3469,7 +3469,7 @@ class ObjectJointRollingDisc(_Item):
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    """marker m0 on the plane and marker m1 at the center of the disc [2]"""
     constrainedAxes: Sequence[int]
     """three flags, 1 constrained and 0 free: lateral, forward and normal velocity of the contact point; other values are refused [3]"""
     activeConnector: bool

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/connector.hpp"
+#include "dalembert/items/connectors/coordinate_spring_damper_ext.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -65,6 +67,8 @@ constexpr std::array<OutputVariableType, 3> outputs{
     OutputVariableType::Force,
 };
 
+const auto& physics = PairPhysics<ObjectConnectorCoordinateSpringDamperExt, ObjectConnectorCoordinateSpringDamperExtRecord>{};
+
 }  // namespace
 
 extern const ItemType object_connector_coordinate_spring_damper_ext_type;
@@ -80,7 +84,7 @@ const ItemType object_connector_coordinate_spring_damper_ext_type{
     .record = record_operations<Record>(),
     .requested_node = Port::generic_data,
     .requested_marker = Port::coordinate,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/connectors/coordinate_spring_damper_ext.toml",
 };
 

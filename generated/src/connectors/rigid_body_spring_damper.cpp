@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/connector.hpp"
+#include "dalembert/items/connectors/rigid_body_spring_damper.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -69,6 +71,8 @@ constexpr std::array<OutputVariableType, 6> outputs{
     OutputVariableType::TorqueLocal,
 };
 
+const auto& physics = PairPhysics<ObjectConnectorRigidBodySpringDamper, ObjectConnectorRigidBodySpringDamperRecord>{};
+
 }  // namespace
 
 extern const ItemType object_connector_rigid_body_spring_damper_type;
@@ -84,7 +88,7 @@ const ItemType object_connector_rigid_body_spring_damper_type{
     .record = record_operations<Record>(),
     .requested_node = Port::generic_data,
     .requested_marker = Port::position | Port::orientation,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/connectors/rigid_body_spring_damper.toml",
 };
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/connector.hpp"
+#include "dalembert/items/connectors/torsional_spring_damper.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -48,6 +50,8 @@ constexpr std::array<OutputVariableType, 3> outputs{
     OutputVariableType::TorqueLocal,
 };
 
+const auto& physics = PairPhysics<ObjectConnectorTorsionalSpringDamper, ObjectConnectorTorsionalSpringDamperRecord>{};
+
 }  // namespace
 
 extern const ItemType object_connector_torsional_spring_damper_type;
@@ -63,7 +67,7 @@ const ItemType object_connector_torsional_spring_damper_type{
     .record = record_operations<Record>(),
     .requested_node = Port::generic_data,
     .requested_marker = Port::orientation,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/connectors/torsional_spring_damper.toml",
 };
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/constraint.hpp"
+#include "dalembert/items/joints/generic.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -53,6 +55,8 @@ constexpr std::array<OutputVariableType, 8> outputs{
     OutputVariableType::TorqueLocal,
 };
 
+const auto& physics = ConstraintPhysics<ObjectJointGeneric, ObjectJointGenericRecord>{};
+
 }  // namespace
 
 extern const ItemType object_joint_generic_type;
@@ -68,7 +72,7 @@ const ItemType object_joint_generic_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::position | Port::orientation,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/joints/generic.toml",
 };
 

@@ -1,6 +1,7 @@
 // Bodies and finite elements: physics of an item type from its kernel and the nodes that it stands on.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 
 #include "dalembert/batches/element.hpp"
@@ -20,6 +21,10 @@ struct BodyPhysics final : ObjectPhysics {
     choose(nodes, [&]<class E>() { batch = make_frame_marker<E, Record>(shape); });
     return batch;
   }
+  void check(const void* record, const Placement&, const Ports&, const std::string& item) const override {
+    if constexpr (requires(const typename Body::Parameters& p) { Body::check(p, item); })
+      Body::check(static_cast<const Record*>(record)->parameters, item);
+  }
 
  private:
   template <class F>
@@ -28,7 +33,10 @@ struct BodyPhysics final : ObjectPhysics {
       f.template operator()<Body>();
     } else if constexpr (requires { Body::size; }) {
       static_assert(ElementKernel<Body>, "see core/include/dalembert/contracts/element.hpp");
-      ((nodes[0]->name == Nodes::item ? (f.template operator()<Body>(), true) : false) || ...);
+      const auto all = [&](std::string_view name) {
+        return std::ranges::all_of(nodes, [&](const ItemType* node) { return node->name == name; });
+      };
+      ((all(Nodes::item) ? (f.template operator()<Body>(), true) : false) || ...);
     } else {
       static_assert(BodyKernel<Body>, "see core/include/dalembert/contracts/element.hpp");
       ((nodes[0]->name == Nodes::item ? (f.template operator()<OnNode<Body, Nodes>>(), true) : false) || ...);

@@ -33,6 +33,7 @@ class PortBatch final : public Term {
     for (int m = 0; m < M; ++m) e.markers[m] = placement.markers[m];
     e.item = placement.item;
     e.first_data = placement.first_data;
+    e.data_count = placement.data_count;
     entries_.push_back(std::move(e));
   }
   void refresh(int entry, const void* record) override {
@@ -100,7 +101,7 @@ class PortBatch final : public Term {
   struct Entry {
     typename K::Parameters parameters;
     std::array<int, M> markers{};
-    int item = -1, first_data = -1;
+    int item = -1, first_data = -1, data_count = 0;
   };
 
   static bool active(const typename K::Parameters& p) {
@@ -108,7 +109,7 @@ class PortBatch final : public Term {
     return true;
   }
   static Context context(const Evaluation& evaluation, const Entry& e) {
-    return Context::of(evaluation, e.item, e.first_data);
+    return Context::of(evaluation, e.item, e.first_data, e.data_count);
   }
   static std::array<typename Port::template Frame<double>, M> read(const Ports& ports, const Entry& e) {
     std::array<typename Port::template Frame<double>, M> frames;

@@ -23,10 +23,13 @@ class ElementBatch final : public Term {
       entry.dofs[i] = placement.dofs[i];
       entry.reference[i] = placement.reference[i];
     }
+    entry.constants = prepared<E>(entry.parameters, entry.reference);
     entries_.push_back(std::move(entry));
   }
   void refresh(int entry, const void* record) override {
-    entries_[entry].parameters = static_cast<const Record*>(record)->parameters;
+    Entry& e = entries_[entry];
+    e.parameters = static_cast<const Record*>(record)->parameters;
+    e.constants = prepared<E>(e.parameters, e.reference);
   }
   void visit(BlockVisitor& visitor, const Ports&) const override {
     if constexpr (n > 0)
@@ -36,7 +39,8 @@ class ElementBatch final : public Term {
   void residual(const Evaluation& evaluation, Ports&, double* r) const override {
     if constexpr (n > 0)
       for (const Entry& e : entries_) {
-        const auto f = E::template residual<double>(e.parameters, context(evaluation, e), gather<n>(evaluation, e.dofs.data()));
+        const auto x = gather<n>(evaluation, e.dofs.data());
+        const auto f = element_residual<E, double>(e.parameters, e.constants, context(evaluation, e), x);
         for (int i = 0; i < n; ++i) r[e.dofs[i]] += f[i];
       }
   }
@@ -70,6 +74,7 @@ class ElementBatch final : public Term {
     int item = -1;
     std::array<int, n> dofs{};
     Vec<double, n> reference{};
+    [[no_unique_address]] typename PreparedOf<E>::Type constants;
   };
 
   static Context context(const Evaluation& evaluation, const Entry& e) { return Context::of(evaluation, e.item); }
@@ -78,10 +83,15 @@ class ElementBatch final : public Term {
     if constexpr (n > 0) {
       SlotCursor slot(slots.data(), values);
       for (const Entry& e : entries_) {
-        const auto x = seeded<E>(gather<n>(evaluation, e.dofs.data()), weights);
-        const auto f = E::template residual<Dual<n>>(e.parameters, context(evaluation, e), x);
-        for (int i = 0; i < n; ++i)
-          for (int j = 0; j < n; ++j) slot.add(f[i].d[j]);
+        const auto x = gather<n>(evaluation, e.dofs.data());
+        if constexpr (TangentKernel<E>) {
+          const auto k = E::tangent(e.parameters, e.constants, context(evaluation, e), x, weights);
+          for (const double entry : k.x) slot.add(entry);
+        } else {
+          const auto f = element_residual<E, Dual<n>>(e.parameters, e.constants, context(evaluation, e), seeded<E>(x, weights));
+          for (int i = 0; i < n; ++i)
+            for (int j = 0; j < n; ++j) slot.add(f[i].d[j]);
+        }
       }
     }
   }

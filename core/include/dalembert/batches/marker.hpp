@@ -10,9 +10,11 @@
 
 namespace dalembert {
 
-// Values: selected displacements, then their rates. The force on each goes straight to its coordinate.
+// Values: selected coordinates, then their rates. The force on each goes straight to its coordinate.
 class CoordinateMarkerBatch : public MarkerBatch {
  public:
+  // `totals`: coordinates include their reference values.
+  explicit CoordinateMarkerBatch(bool totals) : totals_(totals) {}
   int value_count(const void* record, const Placement& placement) const override;
   int force_count(const void* record, const Placement& placement) const override;
   void add(const void* record, const Placement& placement, const Ports& ports) override;
@@ -29,11 +31,12 @@ class CoordinateMarkerBatch : public MarkerBatch {
     std::vector<int> dofs;
   };
   std::vector<Entry> entries_;
+  bool totals_;
 };
 
 // A marker kernel says either
 //   shape, local(p): the frame of its body or node at a local position, or
-//   coordinates(p, n): which of the n coordinates of its node it selects.
+//   coordinates(p, n): which of the n coordinates of its node it selects, and `totals` = true if with reference values.
 template <class K>
 concept FrameMarkerKernel = requires(const typename K::Parameters& p) {
   { K::shape } -> std::convertible_to<FrameShape>;
@@ -56,12 +59,17 @@ struct MarkerPhysicsOf final : MarkerPhysics {
     }
     return false;
   }
-  std::vector<int> coordinates(const void* record, int available) const override {
-    if constexpr (CoordinateMarkerKernel<K>) return K::coordinates(static_cast<const Record*>(record)->parameters, available);
+  std::vector<int> coordinates(const void* record, const Placement& on) const override {
+    if constexpr (CoordinateMarkerKernel<K>)
+      return K::coordinates(static_cast<const Record*>(record)->parameters, static_cast<int>(on.dofs.size()));
     return {};
   }
   std::unique_ptr<MarkerBatch> make_batch(const ItemType&, std::span<const ItemType* const>) const override {
-    if constexpr (CoordinateMarkerKernel<K>) return std::make_unique<CoordinateMarkerBatch>();
+    if constexpr (requires { K::totals; }) {
+      return std::make_unique<CoordinateMarkerBatch>(K::totals);
+    } else if constexpr (CoordinateMarkerKernel<K>) {
+      return std::make_unique<CoordinateMarkerBatch>(false);
+    }
     return nullptr;
   }
 };

@@ -12,10 +12,11 @@ struct Context {
   int item = -1;
   double load_factor = 1;
   double step_size = 0;
-  const double* data = nullptr;  // the item's data coordinates
+  const double* data = nullptr;  // the item's data coordinates; null: none
+  int data_count = 0;
 
-  static Context of(const Evaluation& e, int item, int first_data = -1) {
-    return {e.time, item, e.load_factor, e.step_size, first_data < 0 ? nullptr : e.data + first_data};
+  static Context of(const Evaluation& e, int item, int first_data = -1, int data_count = 0) {
+    return {e.time, item, e.load_factor, e.step_size, first_data < 0 ? nullptr : e.data + first_data, data_count};
   }
 };
 

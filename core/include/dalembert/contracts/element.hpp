@@ -42,10 +42,49 @@ concept BodyKernel = requires(const typename B::Parameters& p, const Context& c,
   { B::constant_mass } -> std::convertible_to<bool>;
 };
 
+// An element may make constants of its parameters and reference coordinates, once: its residual gets them in addition.
 template <class E>
-concept ElementKernel = requires(const typename E::Parameters& p, const Context& c, const Coordinates<double, E::size>& x,
-                                 const Vec3<double>& local) {
-  { E::template residual<double>(p, c, x) } -> std::same_as<Vec<double, E::size>>;
+concept PreparedKernel = requires(const typename E::Parameters& p, const Vec<double, E::size>& reference) {
+  { E::prepare(p, reference) } -> std::same_as<typename E::Prepared>;
+};
+struct NothingPrepared {};
+template <class E>
+struct PreparedOf {
+  using Type = NothingPrepared;
+};
+template <PreparedKernel E>
+struct PreparedOf<E> {
+  using Type = typename E::Prepared;
+};
+template <class E>
+typename PreparedOf<E>::Type prepared(const typename E::Parameters& p, const Vec<double, E::size>& reference) {
+  if constexpr (PreparedKernel<E>) {
+    return E::prepare(p, reference);
+  } else {
+    return {};
+  }
+}
+template <class E, class S>
+Vec<S, E::size> element_residual(const typename E::Parameters& p, const typename PreparedOf<E>::Type& constants, const Context& c,
+                                 const Coordinates<S, E::size>& x) {
+  if constexpr (PreparedKernel<E>) {
+    return E::template residual<S>(p, constants, c, x);
+  } else {
+    return E::template residual<S>(p, c, x);
+  }
+}
+
+// The derivative of the residual along the weights, in closed form; tests compare it with the automatic one.
+template <class E>
+concept TangentKernel = PreparedKernel<E> && requires(const typename E::Parameters& p, const typename E::Prepared& constants,
+                                                      const Context& c, const Coordinates<double, E::size>& x, const Weights& w) {
+  { E::tangent(p, constants, c, x, w) } -> std::same_as<Mat<double, E::size, E::size>>;
+};
+
+template <class E>
+concept ElementKernel = requires(const typename E::Parameters& p, const typename PreparedOf<E>::Type& constants, const Context& c,
+                                 const Coordinates<double, E::size>& x, const Vec3<double>& local) {
+  { element_residual<E, double>(p, constants, c, x) } -> std::same_as<Vec<double, E::size>>;
   { E::template motion<double>(p, x, local) } -> std::same_as<Motion<double>>;
   { E::template pull_back<double>(p, x, local, local, local) } -> std::same_as<Vec<double, E::size>>;
   { E::template mass_load<double>(p, x, local) } -> std::same_as<Vec<double, E::size>>;

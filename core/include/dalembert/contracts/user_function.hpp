@@ -38,8 +38,19 @@ class CallArguments {
   // Calls with the given numbers in place of the arguments' values.
   void call(const UserFunction& f, const Context& c, const double* numbers, std::span<double> results) const {
     std::array<Argument, 16> arguments;
-    for (int i = 0; i < count_; ++i) arguments[i] = {numbers + shapes_[i].start, shapes_[i].rows, shapes_[i].columns};
+    describe(arguments, numbers);
     f.callback->call(c.time, c.item, std::span(arguments.data(), static_cast<std::size_t>(count_)), results);
+  }
+
+  // The arguments as a callback takes them, over their own numbers (S is double) or over given ones.
+  void describe(std::span<Argument> arguments) const
+    requires std::is_same_v<S, double>
+  {
+    describe(arguments, values_.data());
+  }
+  void describe(std::span<Argument> arguments, const double* numbers) const {
+    for (int i = 0; i < count_; ++i)
+      arguments[static_cast<std::size_t>(i)] = {numbers + shapes_[i].start, shapes_[i].rows, shapes_[i].columns};
   }
 
   int size() const { return size_; }

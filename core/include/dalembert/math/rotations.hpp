@@ -148,6 +148,20 @@ inline Vec3<double> rotation_vector_of(const Mat3<double>& r) {
   const double scale = length < 1e-300 ? 0 : sign * 2 * std::atan2(length, sign * q[0]) / length;
   return {scale * q[1], scale * q[2], scale * q[3]};
 }
+// The same for duals, angle below pi: series near zero, where the angle itself has no derivative.
+template <class S>
+Vec3<S> rotation_vector_of_moving(const Mat3<S>& r) {
+  using std::atan2;
+  using std::sqrt;
+  const Vec3<S> sine_axis{0.5 * (r(2, 1) - r(1, 2)), 0.5 * (r(0, 2) - r(2, 0)), 0.5 * (r(1, 0) - r(0, 1))};
+  const S square = dot(sine_axis, sine_axis), cosine = 0.5 * (r(0, 0) + r(1, 1) + r(2, 2) - 1.0);
+  if (square < 1e-4 && cosine > 0.0) {  // asin(x)/x in powers of x^2
+    const S factor = 1.0 + square * (1.0 / 6 + square * (3.0 / 40 + square * (15.0 / 336 + square * (105.0 / 3456))));
+    return factor * sine_axis;
+  }
+  const S sine = sqrt(square);
+  return (atan2(sine, cosine) / sine) * sine_axis;
+}
 // The rotation vector of exp(v) exp(increment).
 inline Vec3<double> rotation_vector_composed(const Vec3<double>& v, const Vec3<double>& increment) {
   return rotation_vector_of(rotation_vector_rotation(v) * rotation_vector_rotation(increment));

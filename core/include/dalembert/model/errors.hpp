@@ -22,12 +22,12 @@ class ModelError : public std::runtime_error {
 
 // The parts of an error text; empty parts are left out.
 struct Complaint {
-  std::string item;       // "node 3 'foot' (NodePoint)"
-  std::string parameter;  // "referenceCoordinates"
-  std::string problem;    // when there is no single value to blame
-  std::string received;   // "[1, 2] (list of length 2)"
-  std::string expected;   // "3 finite numbers"
-  std::string advice;     // what to do
+  std::string item = {};      // "node 3 'foot' (NodePoint)"
+  std::string parameter = {}; // "referenceCoordinates"
+  std::string problem = {};   // when there is no single value to blame
+  std::string received = {};  // "[1, 2] (list of length 2)"
+  std::string expected = {};  // "3 finite numbers"
+  std::string advice = {};    // what to do
   std::string text() const;
 };
 

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <memory>
+#include <numeric>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "dalembert/reflection/item_type.hpp"
@@ -14,6 +16,8 @@ namespace dalembert {
 
 struct Physics {
   virtual ~Physics() = default;
+  // Refuses parameters that do not fit the nodes and markers of the item; `item` is how errors name it.
+  virtual void check(const void* /*record*/, const Placement&, const Ports&, const std::string& /*item*/) const {}
 };
 
 // Which frame a marker passes on.
@@ -48,6 +52,8 @@ struct NodePhysics : Physics {
 struct ObjectPhysics : Physics {
   virtual std::unique_ptr<Term> make_batch(std::span<const ItemType* const> nodes) const = 0;
   virtual std::unique_ptr<MarkerBatch> make_marker(FrameShape, std::span<const ItemType* const> /*nodes*/) const { return nullptr; }
+  // Super elements: markers that rest on several mesh nodes.
+  virtual std::unique_ptr<MarkerBatch> make_mesh_marker(FrameShape, std::span<const ItemType* const> /*nodes*/) const { return nullptr; }
   virtual int algebraic_equations(const void* /*record*/, std::span<const int> /*marker coordinates*/) const { return 0; }
 };
 
@@ -63,10 +69,10 @@ struct LoadPhysics : Physics {
 struct MarkerPhysics : Physics {
   // Markers that only pass on a body's or a node's frame name its shape; others make their own batch.
   virtual bool passes_frame(FrameShape&, Vec3<double>& /*local*/, const void* /*record*/) const { return false; }
-  // Which of the `available` coordinates of its node or object it selects: these make up Placement::dofs.
-  virtual std::vector<int> coordinates(const void* /*record*/, int available) const {
-    std::vector<int> all(static_cast<std::size_t>(available));
-    for (int i = 0; i < available; ++i) all[i] = i;
+  // Which coordinates of its node or object move it, as positions in Placement::dofs; these then make up the dofs.
+  virtual std::vector<int> coordinates(const void* /*record*/, const Placement& on) const {
+    std::vector<int> all(on.dofs.size());
+    std::iota(all.begin(), all.end(), 0);
     return all;
   }
   // `item`: type of the node or object that the marker sits on, `nodes`: types of its nodes.

@@ -56,6 +56,7 @@ struct Placement {
   std::vector<double> reference;     // their reference values
   std::vector<int> ode1;             // ODE1 coordinates
   std::vector<int> nodes;            // node numbers
+  std::vector<const void*> node_records;
   std::vector<int> node_sizes;       // ODE2 coordinates per node
   std::vector<int> markers;
   int first_data = -1;               // data coordinates, of its data node

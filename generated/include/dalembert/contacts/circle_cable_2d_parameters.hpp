@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectContactCircleCable2D
+// Contact without friction of a planar cable element with a circle
 struct ObjectContactCircleCable2DParameters {
   std::vector<MarkerIndex> markerNumbers = std::vector<MarkerIndex>(2);
   NodeIndex nodeNumber;

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectContactConvexRoll
+// Contact of a convex roll, a body of revolution with a polynomial profile, with the ground plane
 struct ObjectContactConvexRollParameters {
   std::vector<MarkerIndex> markerNumbers = std::vector<MarkerIndex>(2);
   NodeIndex nodeNumber;

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectContactCoordinate
+// Contact of two coordinates, a one-sided spring and damper
 struct ObjectContactCoordinateParameters {
   std::vector<MarkerIndex> markerNumbers = std::vector<MarkerIndex>(2);
   NodeIndex nodeNumber;

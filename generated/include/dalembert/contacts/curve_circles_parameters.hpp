@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectContactCurveCircles
+// Contact of a planar curve with circles, as of a cam with its followers
 struct ObjectContactCurveCirclesParameters {
   std::vector<MarkerIndex> markerNumbers = std::vector<MarkerIndex>(2);
   NodeIndex nodeNumber;

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectContactFrictionCircleCable2D
+// Contact with friction of a planar cable element with a circle, such as of a belt on a pulley
 struct ObjectContactFrictionCircleCable2DParameters {
   std::vector<MarkerIndex> markerNumbers = std::vector<MarkerIndex>(2);
   NodeIndex nodeNumber;

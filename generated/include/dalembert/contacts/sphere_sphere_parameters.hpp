@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectContactSphereSphere
+// Contact of two spheres, or of a sphere inside a hollow sphere, with friction, restitution and adhesion
 struct ObjectContactSphereSphereParameters {
   std::vector<MarkerIndex> markerNumbers = std::vector<MarkerIndex>(2);
   NodeIndex nodeNumber;

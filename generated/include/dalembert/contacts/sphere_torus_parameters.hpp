@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectContactSphereTorus
+// Contact of a sphere inside the tube of a torus, as of a ball in the groove of a bearing
 struct ObjectContactSphereTorusParameters {
   std::vector<MarkerIndex> markerNumbers = std::vector<MarkerIndex>(2);
   NodeIndex nodeNumber;

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-// ObjectContactSphereTriangle
+// Contact of a sphere with a triangle, its face and chosen edges
 struct ObjectContactSphereTriangleParameters {
   std::vector<MarkerIndex> markerNumbers = std::vector<MarkerIndex>(2);
   NodeIndex nodeNumber;

@@ -15,17 +15,17 @@ struct ObjectConnectorCartesianSpringDamper {
   // One spring per global axis.
   template <class S>
   static std::array<Force<S>, 2> forces(const Parameters& p, const Context& c, const PointFrame<S>& m0, const PointFrame<S>& m1) {
-    const Vec3<S> f = tension<S>(p, c, m1.position - m0.position, m1.velocity - m0.velocity);
+    const Vec3<S> f = tension<S>(p, c, elongation(p, m0, m1), m1.velocity - m0.velocity);
     return {Force<S>{f}, Force<S>{-f}};
   }
 
   static bool output(const Parameters& p, const Context& c, const PointFrame<double>& m0, const PointFrame<double>& m1,
                      OutputVariableType variable, std::vector<double>& values) {
-    const Vec3<double> span = m1.position - m0.position, rate = m1.velocity - m0.velocity;
+    const Vec3<double> span = elongation(p, m0, m1), rate = m1.velocity - m0.velocity;
     const auto vector = [&](const Vec3<double>& v) { values.assign(v.x.begin(), v.x.end()); };
     switch (variable) {
       case OutputVariableType::Displacement: vector(span); return true;
-      case OutputVariableType::Distance: values = {norm(span)}; return true;
+      case OutputVariableType::Distance: values = {norm(m1.position - m0.position)}; return true;
       case OutputVariableType::Velocity: vector(rate); return true;
       case OutputVariableType::Force: vector(p.activeConnector ? tension<double>(p, c, span, rate) : Vec3<double>{}); return true;
       default: return false;
@@ -34,6 +34,11 @@ struct ObjectConnectorCartesianSpringDamper {
 
  private:
   template <class S>
+  static Vec3<S> elongation(const Parameters& p, const PointFrame<S>& m0, const PointFrame<S>& m1) {
+    return m1.position - m0.position - p.offset;
+  }
+
+  template <class S>
   static Vec3<S> tension(const Parameters& p, const Context& c, const Vec3<S>& span, const Vec3<S>& rate) {
     if (p.springForceUserFunction) {
       CallArguments<S, 15> arguments;
@@ -41,7 +46,7 @@ struct ObjectConnectorCartesianSpringDamper {
       return evaluate<3>(p.springForceUserFunction, c, arguments);
     }
     Vec3<S> f;
-    for (int i = 0; i < 3; ++i) f[i] = p.stiffness[i] * (span[i] - p.offset[i]) + p.damping[i] * rate[i];
+    for (int i = 0; i < 3; ++i) f[i] = p.stiffness[i] * span[i] + p.damping[i] * rate[i];
     return f;
   }
 };

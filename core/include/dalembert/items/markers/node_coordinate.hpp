@@ -9,6 +9,7 @@ namespace dalembert {
 
 struct MarkerNodeCoordinate {
   using Parameters = MarkerNodeCoordinateParameters;
+  static constexpr bool totals = false;  // reference coordinates are left out
 
   static std::vector<int> coordinates(const Parameters& p, int) { return {p.coordinate}; }
 };

@@ -1,0 +1,129 @@
+// ObjectJointGeneric, specs/joints/generic.toml
+#pragma once
+
+#include "dalembert/contracts/joint_frames.hpp"
+#include "dalembert/contracts/user_function.hpp"
+#include "dalembert/joints/generic_parameters.hpp"
+
+namespace dalembert {
+
+struct ObjectJointGeneric {
+  using Parameters = ObjectJointGenericParameters;
+  using Port = RigidPort;
+  static constexpr int equations = 6;
+  static constexpr int offsets = 6;  // prescribed motion: a displacement and Tait-Bryan angles in the first joint frame
+
+  static bool constrains(const Parameters& p, int k) { return p.constrainedAxes[static_cast<std::size_t>(k)] != 0; }
+  static Vec<double, 6> offset(const Parameters& p, const Context& c) { return prescribed(p.offsetUserFunction, p, c); }
+  static Vec<double, 6> offset_rate(const Parameters& p, const Context& c) { return prescribed(p.offsetUserFunction_t, p, c); }
+
+  // Displacements along the constrained axes, and products of axes that have to be normal to each other.
+  template <class S>
+  static Vec<S, 6> gap(const Parameters& p, const Context&, const RigidFrame<S>& m0, const RigidFrame<S>& m1,
+                       const Vec<S, 6>& offset) {
+    const Axes<S> axes(p, m0, m1, offset);
+    const Vec3<S> span = m1.position - m0.position;
+    const Vec3<S> along = all_translations(p) ? span : transposed_times(axes.first, span);
+    Vec<S, 6> g;
+    for (int i = 0; i < 3; ++i) g[i] = along[i] - offset[i];
+    if (p.alternativeConstraints && locked(p) == 3) {
+      for (int i = 0; i < 3; ++i) g[3 + i] = triple_product(axes, i) - 1.0;
+      return g;
+    }
+    for_each_product(p, [&](int row, int a, int b) { g[row] = dot(column(axes.first, a), column(axes.second, b)); });
+    return g;
+  }
+
+  template <class S>
+  static std::array<Wrench<S>, 2> reaction(const Parameters& p, const Context& c, const RigidFrame<S>& m0, const RigidFrame<S>& m1,
+                                           const Vec<double, 6>& lambda) {
+    const Vec<double, 6> now = offset(p, c);
+    Vec<S, 6> o;
+    for (int i = 0; i < 6; ++i) o[i] = S(now[i]);
+    const Axes<S> axes(p, m0, m1, o);
+    Vec3<S> f{S(lambda[0]), S(lambda[1]), S(lambda[2])};
+    Vec3<S> lever{};  // the axes of the first frame turn under the displacement
+    if (!all_translations(p)) {
+      f = axes.first * f;
+      lever = cross(m1.position - m0.position, f);
+    }
+    std::array<Wrench<S>, 2> forces{Wrench<S>{.force = -f, .moment = -lever}, Wrench<S>{.force = f}};
+    if (p.alternativeConstraints && locked(p) == 3) {
+      for (int i = 0; i < 3; ++i) add_triple_product(axes, i, lambda[3 + i], forces);
+    } else {
+      for_each_product(p, [&](int row, int a, int b) {
+        add_moment_of_product(column(axes.first, a), column(axes.second, b), lambda[row], forces);
+      });
+    }
+    return forces;
+  }
+
+  static bool output(const Parameters& p, const Context&, const RigidFrame<double>& m0, const RigidFrame<double>& m1,
+                     const Vec<double, 6>& lambda, OutputVariableType variable, std::vector<double>& values) {
+    if (variable == OutputVariableType::ForceLocal) {
+      Vec3<double> force = segment<3>(lambda, 0);
+      if (all_translations(p)) force = transposed_times(JointAxes<double>(p, m0, m1).first, force);
+      values.assign(force.x.begin(), force.x.end());
+      return true;
+    }
+    if (variable == OutputVariableType::TorqueLocal) {
+      values = {lambda[3], lambda[4], lambda[5]};
+      return true;
+    }
+    return joint_motion_output(p, m0, m1, variable, values);
+  }
+
+ private:
+  // Joint axes; the prescribed rotation turns those of the first frame.
+  template <class S>
+  struct Axes : JointAxes<S> {
+    Axes(const Parameters& p, const RigidFrame<S>& m0, const RigidFrame<S>& m1, const Vec<S, 6>& offset)
+        : JointAxes<S>(p, m0, m1) {
+      if (p.offsetUserFunction) this->first = this->first * tait_bryan_rotation(segment<3>(offset, 3));
+    }
+  };
+
+  static bool all_translations(const Parameters& p) { return constrains(p, 0) && constrains(p, 1) && constrains(p, 2); }
+  static int locked(const Parameters& p) { return constrains(p, 3) + constrains(p, 4) + constrains(p, 5); }
+
+  static Vec<double, 6> prescribed(const UserFunction& f, const Parameters& p, const Context& c) {
+    if (!f) return {};
+    CallArguments<double, 6> arguments;
+    arguments.vector(p.offsetUserFunctionParameters);
+    return evaluate<6>(f, c, arguments);
+  }
+
+  // Which axis a of the first frame has to be normal to which axis b of the second, and in which equation.
+  template <class F>
+  static void for_each_product(const Parameters& p, F&& f) {
+    constexpr int x = 0, y = 1, z = 2;
+    if (locked(p) == 3) {
+      f(3, z, y);
+      f(4, z, x);
+      f(5, x, y);
+      return;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      const int low = axis == 0 ? 1 : 0, high = axis == 2 ? 1 : 2;  // the two other axes, in order
+      if (locked(p) == 2 && !constrains(p, 3 + axis)) {
+        f(3 + low, axis, low);
+        f(3 + high, axis, high);
+      } else if (locked(p) == 1 && constrains(p, 3 + axis)) {
+        f(3 + axis, low, high);
+      }
+    }
+  }
+
+  // a_i . (b_(i+1) x a_(i+2)) with axes a of the first and b of the second frame: 1 where the frames agree.
+  template <class S>
+  static S triple_product(const Axes<S>& axes, int i) {
+    return dot(cross(column(axes.first, (i + 2) % 3), column(axes.first, i)), column(axes.second, (i + 1) % 3));
+  }
+  template <class S>
+  static void add_triple_product(const Axes<S>& axes, int i, double lambda, std::array<Wrench<S>, 2>& forces) {
+    add_moment_of_product(cross(column(axes.first, (i + 2) % 3), column(axes.first, i)), column(axes.second, (i + 1) % 3), lambda,
+                          forces);
+  }
+};
+
+}  // namespace dalembert
