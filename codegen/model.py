@@ -32,6 +32,7 @@ PROVIDED = {
     *NODE_PORTS, *MARKER_PORTS, "Node", "Object", "Ground", "Connector", "Constraint", "SingleNoded", "MultiNoded",
     "SuperElement", "RotationEulerParameters", "RotationRxyz", "RotationRotationVector",
 }  # fmt: skip
+NO_UNIT = "unit: empty; write '1' if dimensionless, 'various' if it depends on the component"
 # Arguments that user functions share, named by a string alone.
 STANDARD_ARGUMENTS = ("mbs", "t", "itemNumber")
 
@@ -53,12 +54,8 @@ def check_identifier(name: str) -> None:
 
 
 def check_documented(doc: str, key: str = "doc") -> None:
-    if REQUIRE_DOCS and not doc.strip():
+    if not doc.strip():
         raise SpecError(f"{key}: empty; a phrase in your own words is required")
-
-
-# Empty texts are refused.
-REQUIRE_DOCS = False
 
 
 @dataclass(frozen=True)
@@ -87,8 +84,8 @@ class Parameter:
             raise SpecError(f"size: {self.type.name} has no free length")
         if self.unit and not self.type.real:
             raise SpecError(f"unit: {self.type.name} is not made of floating point numbers")
-        if REQUIRE_DOCS and self.type.real and not self.unit:
-            raise SpecError("unit: empty; write '1' if dimensionless, 'various' if it depends on the component")
+        if self.type.real and not self.unit:
+            raise SpecError(NO_UNIT)
         if problem := default_problem(self.type, self.default, self.size):
             raise SpecError(f"default: {problem}")
 
@@ -156,7 +153,7 @@ class Output:
         check_documented(self.doc)
         _one_of("from", self.source, SOURCES)
         if not self.unit:
-            raise SpecError("unit: empty; write '1' if dimensionless, 'various' if it depends on the component")
+            raise SpecError(NO_UNIT)
         if self.size != "n" and (not isinstance(self.size, int) or self.size < 1):
             raise SpecError(f"size: {self.size!r} is neither a positive integer nor 'n'")
 
@@ -172,6 +169,8 @@ class Argument:
     def __post_init__(self) -> None:
         check_identifier(self.name)
         check_documented(self.doc)
+        if self.type.kind in ("scalar", "vector", "matrix") and not self.unit:
+            raise SpecError(NO_UNIT)
         if self.size and self.type.shape != (None,):
             raise SpecError(f"size: {self.type.name} has no free length")
 
@@ -270,7 +269,7 @@ class Item:
             raise SpecError("nodes: a ready body names the nodes that its kernel is compiled for")
         if self.nodes and self.folder not in BODY_FOLDERS:
             raise SpecError(f"nodes: only for {', '.join(BODY_FOLDERS)}")
-        if REQUIRE_DOCS and self.ready and self.example is None:
+        if self.ready and self.example is None:
             raise SpecError("[example]: a ready item has one")
 
     def _check_name(self) -> None:

@@ -52,6 +52,9 @@ class SettingsGroup:
     children: tuple[SettingsGroup, ...]
     shared: str = ""
 
+    def __post_init__(self) -> None:
+        check_documented(self.summary, "summary")
+
     def walk(self, prefix: str = "") -> Iterator[tuple[str, SettingsGroup]]:
         """This group and all below it, with their dotted paths, children first."""
         for child in self.children:

@@ -5,6 +5,9 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/body.hpp"
+#include "dalembert/items/finite_elements/ancf_cable_2d.hpp"
+#include "dalembert/items/nodes/point_2d_slope1.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -77,6 +80,8 @@ constexpr std::array<OutputVariableType, 13> outputs{
     OutputVariableType::AngularAcceleration,
 };
 
+const auto& physics = BodyPhysics<ObjectANCFCable2D, ObjectANCFCable2DRecord, NodePoint2DSlope1>{};
+
 }  // namespace
 
 extern const ItemType object_ancf_cable_2d_type;
@@ -92,7 +97,7 @@ const ItemType object_ancf_cable_2d_type{
     .record = record_operations<Record>(),
     .requested_node = Port::position_2d | Port::orientation_2d | Port::position | Port::orientation,
     .requested_marker = Port::none,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/finite_elements/ancf_cable_2d.toml",
 };
 
