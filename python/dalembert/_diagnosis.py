@@ -29,7 +29,7 @@ class SolverError(ValueError):
         self.causingRow = int(solver.conv.linearSolverCausingRow)
 
     def __str__(self) -> str:
-        return f"{self.message}\n{self.diagnosis}"
+        return f"{self.message}: {'; '.join(self.diagnosis.splitlines()[1:4])}"
 
 
 def _row_kind(solver: Any, row: int) -> tuple[str, int, str] | None:

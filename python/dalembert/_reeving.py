@@ -83,7 +83,7 @@ def _segments(circles: list[_Circle], removeFirstLine: bool, removeLastLine: boo
 def _length(segment: dict[str, Any]) -> float:
     if segment["type"] == "LINE":
         return float(np.linalg.norm(segment["point1"] - segment["point0"]))
-    return abs(segment["radius"] * segment["arcAngle"])
+    return float(abs(segment["radius"] * segment["arcAngle"]))
 
 
 def _curvature(segment: dict[str, Any]) -> float:

@@ -84,7 +84,8 @@ def LoadSolutionFile(
             expected = sum(columns) + 1 if hasHeader else None
             data = np.array(list(islice(_consistent_rows(text, expected), limit)), dtype=float)
         else:
-            data = np.loadtxt(text, comments="#", delimiter=",", ndmin=2, max_rows=limit)
+            source = text if limit is None else islice((line for line in text if line[0] not in "#\n"), limit)
+            data = np.loadtxt(source, comments="#", delimiter=",", ndmin=2)
     if data.size == 0:
         raise ValueError(f"{os.fspath(fileName)}: no rows of data found")
     if hasHeader and data.shape[1] != sum(columns) + 1:
@@ -247,17 +248,18 @@ def SetSolutionState(
 
 
 def InitializeFromRestartFile(mbs: Any, simulationSettings: Any, restartFileName: Path, verbose: bool = True) -> None:
-    """Go on from a restart file: its state becomes the current, initial and visualized one, its time the start time.
+    """Go on from the last complete row of a solution file: it becomes the current, initial and visualized state.
 
-    The system must be assembled and have the structure of the one that wrote the file. ValueError if the file is
-    incomplete.
+    Its time becomes the start time of the settings. The system must be assembled and have the structure of the one
+    that wrote the file, which must hold velocities too. ValueError if the file does not fit.
     """
-    with open(restartFileName, encoding="utf-8") as file:
-        lines = [line for line in file if line.strip()]
-    if not lines or not lines[-1].startswith("#FINISHED"):
-        raise ValueError(f"{os.fspath(restartFileName)}: no '#FINISHED' in the last line, the file is incomplete")
-    solution = LoadSolutionFile(restartFileName, verbose=verbose)
+    solution = LoadSolutionFile(restartFileName, safeMode=True, verbose=verbose)
     state, columns = solution["data"][-1], solution["columnsExported"]
+    if columns[0] != mbs.systemData.ODE2Size() or columns[1] != columns[0]:
+        raise ValueError(
+            f"{os.fspath(restartFileName)}: expected {mbs.systemData.ODE2Size()} ODE2 coordinates and as many "
+            f"velocities, found {columns[0]} and {columns[1]}; does the file belong to this system?"
+        )
     for configuration in (ConfigurationType.Current, ConfigurationType.Initial, ConfigurationType.Visualization):
         _set_row(mbs, state, columns, configuration)
         mbs.systemData.SetTime(float(state[0]), configuration)

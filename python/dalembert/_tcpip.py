@@ -53,8 +53,8 @@ def CreateTCPIPconnection(
         raise
     if verbose:
         Print(f"TCP/IP connection from {address}")
-    packers = [struct.Struct(f"{order}{size}d") for size in (sendSize, receiveSize)]
-    return TCPIPdata(sendSize, receiveSize, *packers, server, connection, address, 0.0)
+    send, receive = struct.Struct(f"{order}{sendSize}d"), struct.Struct(f"{order}{receiveSize}d")
+    return TCPIPdata(sendSize, receiveSize, send, receive, server, connection, address, 0.0)
 
 
 def TCPIPsendReceive(TCPIPobject: TCPIPdata, sendData: Sequence[float]) -> tuple[float, ...]:

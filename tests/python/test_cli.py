@@ -1,0 +1,86 @@
+"""The command dalembert: run, info, items, demo."""
+
+import subprocess
+import sys
+
+import pytest
+
+pytest.importorskip("dalembert", exc_type=ImportError)
+
+from dalembert import cli  # noqa: E402
+
+MODEL = """
+import sys
+import exudyn as exu
+from exudyn.utilities import *
+import neighbour
+
+SC = exu.SystemContainer()
+mbs = SC.AddSystem()
+mbs.CreateGround()
+print(__name__, sys.argv[1:], exu.__name__, mbs.systemData.NumberOfObjects(), neighbour.value)
+sys.exit(int(sys.argv[1]) if len(sys.argv) > 1 else 0)
+"""
+
+
+def run(*arguments, cwd=None):
+    command = [sys.executable, "-m", "dalembert", *arguments]
+    return subprocess.run(command, capture_output=True, text=True, check=False, cwd=cwd)
+
+
+def test_models_run_unchanged(tmp_path):
+    (tmp_path / "model.py").write_text(MODEL)
+    (tmp_path / "neighbour.py").write_text("value = 42")
+    result = run("run", str(tmp_path / "model.py"), "3", "--fast", cwd=tmp_path.parent)
+    assert "__main__ ['3', '--fast'] dalembert 1 42" in result.stdout, result.stderr
+    assert result.returncode == 3
+
+
+def test_a_missing_model_is_named():
+    result = run("run", "nowhere.py")
+    assert result.returncode == 2 and "nowhere.py" in result.stderr and "Traceback" not in result.stderr
+
+
+def test_errors_of_models_keep_their_traceback(tmp_path):
+    (tmp_path / "broken.py").write_text("import exudyn\n1/0\n")
+    result = run("run", str(tmp_path / "broken.py"))
+    assert result.returncode == 1 and "ZeroDivisionError" in result.stderr and "broken.py" in result.stderr
+
+
+def test_info(capsys):
+    assert cli.main(["info"]) == 0
+    out = capsys.readouterr().out
+    assert "interface" in out and "1.11.0" in out and "node types" in out
+
+
+def test_all_items_are_listed(capsys):
+    assert cli.main(["items"]) == 0
+    lines = [line.strip() for line in capsys.readouterr().out.splitlines()]
+    assert {"NodePoint", "ObjectRigidBody", "MarkerBodyRigid", "LoadForceVector", "SensorBody"} <= set(lines)
+    assert "VNodePoint" not in lines and "MassPoint" not in lines
+
+
+def test_parameters_of_an_item(capsys):
+    assert cli.main(["items", "MassPoint"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0].startswith("ObjectMassPoint")
+    assert any(line.split()[:2] == ["physicsMass", "float"] for line in lines)
+
+
+def test_misspelled_items(capsys):
+    assert cli.main(["items", "NodePoit"]) == 2
+    assert "did you mean NodePoint" in capsys.readouterr().err
+
+
+def test_demo_writes_a_plot(tmp_path, capsys):
+    pytest.importorskip("matplotlib")
+    target = tmp_path / "demo.png"
+    assert cli.main(["demo", "--output", str(target)]) == 0
+    assert str(target) in capsys.readouterr().out
+    assert target.read_bytes().startswith(b"\x89PNG")
+
+
+def test_a_command_is_needed(capsys):
+    with pytest.raises(SystemExit):
+        cli.main([])
+    assert "usage: dalembert" in capsys.readouterr().err

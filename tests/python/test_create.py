@@ -1,0 +1,180 @@
+"""Create functions: which items they add, with which parameters, and how they refuse wrong arguments."""
+
+import inspect
+import json
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+exu = pytest.importorskip("dalembert", exc_type=ImportError)
+import create_cases  # noqa: E402
+
+from dalembert import create  # noqa: E402
+from dalembert import itemInterface as items  # noqa: E402
+
+EXPECTED = json.loads((Path(__file__).parent / "data" / "create_items.json").read_text())
+
+
+@pytest.fixture
+def mbs():
+    container = exu.SystemContainer()
+    yield container.AddSystem()
+
+
+def call(mbs, function, arguments):
+    return getattr(mbs, function)(**arguments)
+
+
+def close(value, expected):
+    """Compare numbers with a tolerance of round-off, all else exactly."""
+    if isinstance(expected, list):
+        return isinstance(value, list) and len(value) == len(expected) and all(map(close, value, expected))
+    if isinstance(expected, float) and isinstance(value, (int, float)):
+        return abs(value - expected) <= 1e-11 * max(1.0, abs(expected))
+    return value == expected
+
+
+@pytest.mark.parametrize("name", create_cases.CASES)
+def test_items_are_those_of_the_interface(mbs, name):
+    function, arguments = create_cases.CASES[name]
+    numbers = create_cases.base_model(mbs, exu, items, lambda f, a: call(mbs, f, a))
+    before = create_cases.counts(mbs)
+    call(mbs, function, create_cases.resolved(arguments, numbers))
+    added = create_cases.added_items(mbs, before)
+    assert [(kind, item[f"{kind.lower()}Type"]) for kind, item in added] == [
+        (kind, item[f"{kind.lower()}Type"]) for kind, item in EXPECTED[name]
+    ]
+    for (_, item), (_, expected) in zip(added, EXPECTED[name], strict=True):
+        wrong = {key: (item.get(key), value) for key, value in expected.items() if not close(item.get(key), value)}
+        assert not wrong
+
+
+def test_every_implemented_function_has_a_case():
+    functions = {function for function, _ in create_cases.CASES.values()}
+    assert functions == set(create.functions) - set(create.planned.functions)
+
+
+@pytest.mark.parametrize("name", create.functions)
+def test_methods_are_attached(name):
+    assert getattr(exu.MainSystem, name) is create.functions[name]
+    assert next(iter(inspect.signature(create.functions[name]).parameters)) == "mbs"
+
+
+@pytest.mark.parametrize("name", create.planned.functions)
+def test_planned_functions_say_so(mbs, name):
+    with pytest.raises(NotImplementedError, match=rf"{name}.*planned"):
+        getattr(mbs, name)()
+
+
+def test_lists_given_by_the_caller_stay_as_they_are(mbs):
+    ground = mbs.CreateGround()
+    body = mbs.CreateRigidBody(inertia=create_cases.BAR)
+    pair, position = [ground, body], [0.0, 0.0, 0.0]
+    mbs.CreateRevoluteJoint(bodyNumbers=pair, position=position, axis=[0, 0, 1])
+    mbs.CreateSpringDamper(bodyNumbers=pair, localPosition0=position, localPosition1=[1, 0, 0])
+    assert pair == [ground, body] and position == [0.0, 0.0, 0.0]
+    assert create._arguments.ZERO3 == [0.0, 0.0, 0.0] and create._arguments.NO_PAIR == [None, None]
+
+
+def test_numbers_of_all_parts_are_returned_on_request(mbs):
+    numbers = mbs.CreateMassPoint(physicsMass=1, gravity=[0, 0, -9.81], returnDict=True)
+    assert set(numbers) == {"nodeNumber", "bodyNumber", "markerBodyMass", "loadNumber"}
+    assert set(mbs.CreateRigidBody(inertia=create_cases.BAR, returnDict=True)) == {"nodeNumber", "bodyNumber"}
+
+
+def test_coordinates_count_over_all_nodes_of_a_body(mbs):
+    nodes = [mbs.AddNode(items.NodePoint2DSlope1(referenceCoordinates=[x, 0, 1, 0])) for x in (0, 1)]
+    cable = items.ObjectANCFCable2D(
+        physicsLength=1,
+        physicsMassPerLength=1,
+        physicsBendingStiffness=1,
+        physicsAxialStiffness=1,
+        nodeNumbers=nodes,
+    )
+    body = mbs.AddObject(cable)
+    constraint = mbs.CreateCoordinateConstraint(bodyNumbers=[None, body], coordinates=[None, 5])
+    marker = mbs.GetMarker(mbs.GetObject(constraint)["markerNumbers"][1])
+    assert int(marker["nodeNumber"]) == int(nodes[1]) and marker["coordinate"] == 1
+
+
+def test_the_joint_position_is_the_same_point_of_both_bodies(mbs):
+    numbers = create_cases.base_model(mbs, exu, items, lambda f, a: call(mbs, f, a))
+    joint = mbs.CreateGenericJoint(bodyNumbers=[numbers["body"], numbers["other"]], position=[0.3, -0.2, 0.7])
+    reference = exu.ConfigurationType.Reference
+    positions = [
+        mbs.GetMarkerOutput(marker, exu.OutputVariableType.Position, reference)
+        for marker in mbs.GetObject(joint)["markerNumbers"]
+    ]
+    assert np.allclose(positions, [[0.3, -0.2, 0.7]] * 2, atol=1e-14)
+
+
+BODY = {"inertia": create_cases.BAR}
+
+WRONG = {
+    "vector size": (
+        "CreateGround",
+        {"referencePosition": [1, 2]},
+        ValueError,
+        "referencePosition.*3 finite components",
+    ),
+    "not a number": ("CreateMassPoint", {"gravity": [0, np.nan, 0]}, ValueError, "gravity.*finite"),
+    "matrix size": ("CreateGround", {"referenceRotationMatrix": np.eye(2)}, ValueError, "referenceRotationMatrix.*3x3"),
+    "name": ("CreateGround", {"name": 3}, ValueError, "name.*a string"),
+    "unknown argument": ("CreateRigidBody", BODY | {"intertia": 3}, TypeError, "intertia.*did you mean 'inertia'"),
+    "no inertia": ("CreateRigidBody", {}, ValueError, "inertia.*RigidBodyInertia"),
+    "node type": ("CreateRigidBody", BODY | {"nodeType": 17}, ValueError, "nodeType.*RotationEulerParameters"),
+    "out of plane": (
+        "CreateRigidBody",
+        BODY | {"create2D": True, "initialVelocity": [0, 0, 1]},
+        ValueError,
+        "initialVelocity.*without z",
+    ),
+    "tilted plane": (
+        "CreateRigidBody",
+        BODY | {"create2D": True, "referenceRotationMatrix": create_cases.TILTED},
+        ValueError,
+        "referenceRotationMatrix.*rotation about z",
+    ),
+    "no bodies": ("CreateSpringDamper", {"stiffness": 1}, ValueError, r"bodyNumbers\[0\].*ObjectIndex"),
+    "one body": ("CreateSphericalJoint", {"bodyNumbers": [0]}, ValueError, "bodyNumbers.*list of 2"),
+    "node with local position": (
+        "CreateSpringDamper",
+        {"bodyNumbers": [exu.NodeIndex(0), exu.NodeIndex(0)], "localPosition1": [1, 0, 0]},
+        ValueError,
+        r"localPosition1.*\[0,0,0\]",
+    ),
+    "marker with position": (
+        "CreateSphericalJoint",
+        {"bodyNumbers": [exu.MarkerIndex(0), exu.ObjectIndex(0)], "position": [1, 0, 0]},
+        ValueError,
+        r"position.*\[\], because a marker",
+    ),
+    "node in a joint": (
+        "CreateRevoluteJoint",
+        {"bodyNumbers": [exu.NodeIndex(0), exu.ObjectIndex(0)], "position": [0, 0, 0], "axis": [1, 0, 0]},
+        ValueError,
+        r"bodyNumbers\[0\].*ObjectIndex or a MarkerIndex",
+    ),
+    "no axis": ("CreatePrismaticJoint", {"bodyNumbers": [0, 0], "position": [0, 0, 0]}, ValueError, "axis.*not zero"),
+    "flags": ("CreateGenericJoint", {"constrainedAxes": [1, 1, 1, 2, 0, 0]}, ValueError, "constrainedAxes.*0 or 1"),
+    "negative distance": ("CreateDistanceConstraint", {"distance": -1}, ValueError, "distance.*not negative"),
+    "only ground": ("CreateCoordinateConstraint", {"coordinates": [0, 0]}, ValueError, "bodyNumbers.*not ground"),
+    "load without body": ("CreateForce", {"loadVector": [1, 0, 0]}, ValueError, "bodyNumber.*ObjectIndex"),
+}
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_wrong_arguments_are_named_and_leave_the_system_alone(mbs, name):
+    function, arguments, error, text = WRONG[name]
+    with pytest.raises(error, match=rf"(?s)MainSystem\.{function}\(.*{text}"):
+        getattr(mbs, function)(**arguments)
+    assert sum(create_cases.counts(mbs).values()) == 0
+
+
+def test_a_coordinate_that_a_body_does_not_have_is_refused(mbs):
+    body = mbs.CreateMassPoint(physicsMass=1)
+    with pytest.raises(ValueError, match=r"coordinates\[1\].*less than 3"):
+        mbs.CreateCoordinateConstraint(bodyNumbers=[None, body], coordinates=[None, 3])
