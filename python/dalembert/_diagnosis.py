@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from typing import Any
 
@@ -11,6 +12,10 @@ from dalembert import _core
 
 _ALLOCATION_THRESHOLD = 10000  # fewer allocations than this are of no concern
 _COUNTED = (0, 2, 4)  # entries of InfoStat: new arrays, vectors, matrices
+
+# Parts of the text that the compiled solver gives: the start of the advice, and the items behind an equation.
+_ADVICE = "  what to try:"
+_ITEMS = re.compile(r"^(\s*(?:no pivot for unknown \d+|equation \d+: \S+))(?:: |  \().*$")
 
 
 class SolverError(ValueError):
@@ -32,73 +37,6 @@ class SolverError(ValueError):
         return f"{self.message}: {'; '.join(self.diagnosis.splitlines()[1:4])}"
 
 
-def _row_kind(solver: Any, row: int) -> tuple[str, int, str] | None:
-    """Return what a system equation belongs to: words, its number among its kind, and the reader of LTG lists."""
-    sizes = (
-        ("ODE2 coordinate", solver.GetODE2size(), "GetObjectLTGODE2"),
-        ("ODE1 coordinate", solver.GetODE1size(), "GetObjectLTGODE1"),
-        ("algebraic variable (Lagrange multiplier)", solver.GetAEsize(), "GetObjectLTGAE"),
-    )
-    first = 0
-    for words, size, reader in sizes:
-        if first <= row < first + size:
-            return words, row - first, reader
-        first += size
-    return None
-
-
-def _causing_items(solver: Any, mbs: Any, show: bool) -> list[str]:
-    """Return lines on the equation at which the linear solver failed, and on the objects that take part in it."""
-    row = solver.conv.linearSolverCausingRow
-    kind = _row_kind(solver, row) if solver.conv.linearSolverFailed else None
-    if kind is None:
-        return []
-    words, number, reader = kind
-    lines = [f"the linear solver failed at system equation {row}: {words} {number}"]
-    if not show:
-        return lines
-    ltg = getattr(mbs.systemData, reader)
-    objects = [i for i in range(mbs.systemData.NumberOfObjects()) if number in ltg(i)]
-    for i in objects:
-        data = mbs.GetObject(i)
-        lines.append(f"  object {i} '{data['name']}' ({data['objectType']}) takes part in it")
-    if not objects:
-        lines.append("  no object takes part in it: a node without a body, or a body without a node's mass?")
-    return lines
-
-
-def _hints(solver: Any, isStatic: bool) -> list[str]:
-    """Return what may be wrong and what to try, by the way in which the solver failed."""
-    conv = solver.conv
-    newton_failed = conv.stepReductionFailed or conv.newtonSolutionDiverged
-    settings = "staticSolver" if isStatic else "timeIntegration"
-    hints = []
-    if conv.linearSolverFailed:
-        hints += [
-            "look for nodes that no body uses",
-            "look for constraints that repeat each other: mbs.ComputeSystemDegreeOfFreedom(verbose=True) counts them",
-            "if they are wanted: linearSolverSettings.ignoreSingularJacobian = True and the solver EigenDense",
-            "hold every coordinate by a constraint or a spring"
-            if isStatic
-            else "give every coordinate mass or inertia",
-        ]
-    if newton_failed:
-        hints += [
-            "take smaller load steps" if isStatic else "take a smaller step size",
-            f"allow smaller steps where needed: {settings}.adaptiveStep = True",
-            "start closer to the solution: initial values, loads that grow slowly, softer penalty stiffness",
-        ]
-        if not conv.newtonSolutionDiverged and conv.residual < 1e-3:
-            hints.append(
-                f"the residual {conv.residual:.3g} is small: {settings}.newton.relativeTolerance and "
-                "absoluteTolerance may ask for more than round-off permits"
-            )
-    hints.append("check that the initial values satisfy the constraints and that joint axes fit together")
-    if not isStatic:
-        hints.append("compare index 2 and index 3 constraints: generalizedAlpha.useIndex2Constraints")
-    return hints
-
-
 def SolverErrorMessage(
     solver: Any,
     mbs: Any,
@@ -107,22 +45,21 @@ def SolverErrorMessage(
     showCausingNodes: bool = True,
     showHints: bool = True,
 ) -> str:
-    """Return the diagnosis of a failed solver: where it stopped, which items are involved and what to try."""
-    conv, it = solver.conv, solver.it
+    """Return the diagnosis of a failed solver: where it stopped, which items are involved and, on request, what to try.
+
+    Without showCausingObjects and showCausingNodes, the equations are named by their numbers alone.
+    """
     lines = [f"{'static' if isStatic else 'dynamic'} solver failed"]
-    if text := solver.GetErrorString().strip():
-        lines.append(text)
-    lines.append(
-        f"step {it.currentStepIndex} at time {it.currentTime:.6g} with step size {it.currentStepSize:.3g}: "
-        f"{it.newtonSteps} Newton iterations, residual {conv.residual:.6g}"
-    )
-    if conv.massMatrixNotInvertible:
-        lines.append("the mass matrix cannot be inverted: some coordinate has no mass or inertia")
-    lines += _causing_items(solver, mbs, showCausingObjects or showCausingNodes)
-    if showHints:
-        lines += ["what to try:", *(f"  - {hint}" for hint in _hints(solver, isStatic))]
-    else:
-        lines.append("showHints=True tells what to try")
+    text, _, advice = solver.GetDiagnosis().partition(_ADVICE)
+    if text:
+        lines += text.strip().splitlines()
+    else:  # stopped by an exception
+        it = solver.it
+        lines.append(f"in step {it.currentStepIndex} at time {it.currentTime:.6g} (step size {it.currentStepSize:.3g})")
+    if not (showCausingObjects or showCausingNodes):
+        lines = [_ITEMS.sub(r"\1", line) for line in lines]
+    if advice.strip():
+        lines.append(_ADVICE + advice.rstrip() if showHints else "  showHints=True tells what to try")
     return "\n".join(lines)
 
 

@@ -49,19 +49,15 @@ def _run(function: str, solver: Any, mbs: Any, settings: Any, slot: str | None, 
         mbs.sys[slot] = solver
         mbs.sys["simulationSettings"] = settings
     is_static = function == "SolveStatic"
-
-    def diagnosis() -> str:
-        return SolverErrorMessage(solver, mbs, isStatic=is_static, showCausingObjects=show, showHints=hints)
-
     try:
         success = solver.SolveSystem(mbs, settings)
     except Exception as error:
-        error.add_note(f"raised during mbs.{function}(...)\n{diagnosis()}")
+        error.add_note(f"raised during mbs.{function}(...): {SolverErrorMessage(solver, mbs, is_static)}")
         raise
     if not success:
-        message = diagnosis()
-        Print(message)
-        raise SolverError(f"{function} terminated due to errors", message, solver)
+        Print(SolverErrorMessage(solver, mbs, is_static, show, show, hints))
+        message = f"{function} terminated due to errors"
+        raise SolverError(message, SolverErrorMessage(solver, mbs, is_static), solver)
 
 
 def _keep_as_initial_values(mbs: Any, accelerations: bool) -> None:

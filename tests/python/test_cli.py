@@ -7,7 +7,7 @@ import pytest
 
 pytest.importorskip("dalembert", exc_type=ImportError)
 
-from dalembert import cli  # noqa: E402
+from dalembert import cli
 
 MODEL = """
 import sys

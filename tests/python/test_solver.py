@@ -135,9 +135,10 @@ def test_failure_carries_the_diagnosis(oscillator):
     error = caught.value
     assert isinstance(error, solver.SolverError)
     assert error.solver is mbs.sys["staticSolver"]
-    assert "static solver failed" in error.diagnosis and "showHints" in error.diagnosis
-    text = solver.SolverErrorMessage(error.solver, mbs, isStatic=True)
-    assert "what to try" in text
+    assert "static solver failed" in error.diagnosis and "singular" in error.diagnosis
+    assert "node 1" in error.diagnosis and "what to try" in error.diagnosis
+    brief = solver.SolverErrorMessage(error.solver, mbs, True, False, False, showHints=False)
+    assert "node 1" not in brief and "showHints=True" in brief
 
 
 def test_errors_of_user_functions_surface_as_themselves(oscillator):

@@ -118,7 +118,7 @@ def test_binary_files_that_end_early(model, tmp_path, capfd):
 
 
 def test_rows_become_states(model, tmp_path):
-    mbs, bar, settings = model
+    mbs, bar, _settings = model
     solution = utilities.LoadSolutionFile(tmp_path / "solution.txt", verbose=False)
     end = mbs.GetObjectOutputBody(bar, exu.OutputVariableType.Position, [0.5, 0, 0])
     utilities.SetSolutionState(mbs, solution, 0)
@@ -160,7 +160,7 @@ def test_windows_are_not_needed(model, tmp_path, capfd):
 
 
 def test_recorded_sensors(model):
-    mbs, bar, settings = model
+    mbs, _bar, settings = model
     utilities.AddSensorRecorder(mbs, 0, 0.1, 0.01)
     mbs.Assemble()
     settings.solutionSettings.sensorsStoreAndWriteFiles = True
