@@ -13,7 +13,6 @@ void CoordinateMarkerBatch::add(const void*, const Placement& placement, const P
 }
 void CoordinateMarkerBatch::evaluate(const Evaluation& evaluation, Ports& ports) const {
   const double* q = totals_ ? evaluation.q : evaluation.u;
-  const double* coordinates = totals_ ? evaluation.q : evaluation.u;
   for (const Entry& e : entries_) {
     double* values = ports.frame(e.marker);
     const std::size_t n = e.dofs.size();

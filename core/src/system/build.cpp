@@ -144,15 +144,16 @@ class Builder {
     FrameShape shape{};
     Vec3<double> local;
     const void* record = item.record.get();
+    p.owner = place.object >= 0 ? parts_.objects[place.object].record.get() : parts_.nodes[place.node].record.get();
+    p.owner_type = place.object >= 0 ? parts_.objects[place.object].type : parts_.nodes[place.node].type;
     physics.check(record, p, parts_.ports, parts_.names[2][number]);
     if (physics.passes_frame(shape, local, record)) {
       record = &local;
-      place.member.batch = &frame_batch(number, place, shape, types, p);
+      place.member.batch = &frame_batch(number, place, shape, types);
     } else {
       p.dofs = selected(p.dofs, physics.coordinates(record, p), number);
-      const ItemType* owner = place.object >= 0 ? parts_.objects[place.object].type : parts_.nodes[place.node].type;
-      place.member.batch = &marker_batch({item.type, owner, types}, [&] { return physics.make_batch(*owner, types); }, number);
-      p.owner = place.object >= 0 ? parts_.objects[place.object].record.get() : parts_.nodes[place.node].record.get();
+      place.member.batch =
+          &marker_batch({item.type, p.owner_type, types}, [&] { return physics.make_batch(*p.owner_type, types); }, number);
     }
     MarkerBatch& batch = *place.member.batch;
     place.member.entry = entries_[&batch]++;
@@ -161,15 +162,13 @@ class Builder {
     parts_.markers.push_back(std::move(place));
   }
 
-  MarkerBatch& frame_batch(int number, const MarkerPlace& place, FrameShape shape, const TypeList& types, Placement& p) {
+  MarkerBatch& frame_batch(int number, const MarkerPlace& place, FrameShape shape, const TypeList& types) {
     if (place.object >= 0) {
       const ObjectPlace& object = parts_.objects[place.object];
-      p.owner = object.record.get();
       const auto* owner = dynamic_cast<const ObjectPhysics*>(object.type->physics);
       return marker_batch({tag(shape), object.type, types}, [&] { return owner->make_marker(shape, types); }, number);
     }
     const NodePlace& node = parts_.nodes[place.node];
-    p.owner = node.record.get();
     return marker_batch({tag(shape), node.type, types}, [&] { return node.physics->make_marker(shape); }, number);
   }
 

@@ -9,6 +9,9 @@
 
 namespace dalembert {
 
+// By hand: it has as many coordinates as its nodes
+const Physics& object_generic_ode1_physics();
+
 namespace {
 
 using Record = ObjectGenericODE1Record;
@@ -38,6 +41,8 @@ constexpr std::array<OutputVariableType, 3> outputs{
     OutputVariableType::Coordinates_t,
 };
 
+const auto& physics = object_generic_ode1_physics();
+
 }  // namespace
 
 extern const ItemType object_generic_ode1_type;
@@ -53,7 +58,7 @@ const ItemType object_generic_ode1_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::none,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/bodies/generic_ode1.toml",
 };
 

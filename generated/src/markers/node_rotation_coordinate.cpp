@@ -9,6 +9,9 @@
 
 namespace dalembert {
 
+// By hand: it reads the rotation of nodes of any type
+const Physics& marker_node_rotation_coordinate_physics();
+
 namespace {
 
 using Record = MarkerNodeRotationCoordinateRecord;
@@ -25,6 +28,8 @@ constexpr std::array<std::string_view, 2> provides{"Node", "Coordinate"};
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
+const auto& physics = marker_node_rotation_coordinate_physics();
+
 }  // namespace
 
 extern const ItemType marker_node_rotation_coordinate_type;
@@ -40,7 +45,7 @@ const ItemType marker_node_rotation_coordinate_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::none,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/markers/node_rotation_coordinate.toml",
 };
 

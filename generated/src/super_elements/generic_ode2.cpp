@@ -9,6 +9,9 @@
 
 namespace dalembert {
 
+// By hand: it has as many coordinates as its nodes
+const Physics& object_generic_ode2_physics();
+
 namespace {
 
 using Record = ObjectGenericODE2Record;
@@ -64,6 +67,8 @@ constexpr std::array<OutputVariableType, 5> outputs{
     OutputVariableType::Force,
 };
 
+const auto& physics = object_generic_ode2_physics();
+
 }  // namespace
 
 extern const ItemType object_generic_ode2_type;
@@ -79,7 +84,7 @@ const ItemType object_generic_ode2_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::none,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/super_elements/generic_ode2.toml",
 };
 

@@ -20,6 +20,12 @@ struct Physics {
   virtual void check(const void* /*record*/, const Placement&, const Ports&, const std::string& /*item*/) const {}
 };
 
+inline std::vector<int> all_positions(const std::vector<int>& of) {
+  std::vector<int> all(of.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
 // Which frame a marker passes on.
 enum class FrameShape { point, rigid, mass };
 
@@ -52,7 +58,12 @@ struct NodePhysics : Physics {
 struct ObjectPhysics : Physics {
   virtual std::unique_ptr<Term> make_batch(std::span<const ItemType* const> nodes) const = 0;
   virtual std::unique_ptr<MarkerBatch> make_marker(FrameShape, std::span<const ItemType* const> /*nodes*/) const { return nullptr; }
-  // Super elements: markers that rest on several mesh nodes.
+  // Super elements: how many mesh nodes there are, which coordinates (positions in Placement::dofs) move some of them, and
+  // markers that rest on several of them.
+  virtual int mesh_nodes(const void* /*record*/, const Placement&) const { return 0; }
+  virtual std::vector<int> mesh_coordinates(const void* /*record*/, const Placement& on, std::span<const int> /*mesh_nodes*/) const {
+    return all_positions(on.dofs);
+  }
   virtual std::unique_ptr<MarkerBatch> make_mesh_marker(FrameShape, std::span<const ItemType* const> /*nodes*/) const { return nullptr; }
   virtual int algebraic_equations(const void* /*record*/, std::span<const int> /*marker coordinates*/) const { return 0; }
 };
@@ -70,11 +81,7 @@ struct MarkerPhysics : Physics {
   // Markers that only pass on a body's or a node's frame name its shape; others make their own batch.
   virtual bool passes_frame(FrameShape&, Vec3<double>& /*local*/, const void* /*record*/) const { return false; }
   // Which coordinates of its node or object move it, as positions in Placement::dofs; these then make up the dofs.
-  virtual std::vector<int> coordinates(const void* /*record*/, const Placement& on) const {
-    std::vector<int> all(on.dofs.size());
-    std::iota(all.begin(), all.end(), 0);
-    return all;
-  }
+  virtual std::vector<int> coordinates(const void* /*record*/, const Placement& on) const { return all_positions(on.dofs); }
   // `item`: type of the node or object that the marker sits on, `nodes`: types of its nodes.
   virtual std::unique_ptr<MarkerBatch> make_batch(const ItemType& item, std::span<const ItemType* const> nodes) const = 0;
 };

@@ -13,6 +13,8 @@
 
 namespace dalembert {
 
+struct ItemType;
+
 // Told the entries of the tangent that a batch writes, always in the same order: once to collect the pattern, once to
 // look up the slots. Rows and columns are numbers in the system vector [ODE2, ODE1, AE].
 class BlockVisitor {
@@ -51,7 +53,8 @@ struct PostNewton {
 // Things that batches need to know of the system when an item enters.
 struct Placement {
   int item = -1;                     // number of the object, load, ...
-  const void* owner = nullptr;       // markers: record of the body or node that they sit on
+  const void* owner = nullptr;       // markers: record of the body or node that they sit on,
+  const ItemType* owner_type = nullptr;  // and its type
   std::vector<int> dofs;             // its nodes' ODE2 coordinates, one node after the other
   std::vector<double> reference;     // their reference values
   std::vector<int> ode1;             // ODE1 coordinates

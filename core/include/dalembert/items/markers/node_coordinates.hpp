@@ -11,7 +11,6 @@ namespace dalembert {
 struct MarkerNodeCoordinates {
   using Parameters = MarkerNodeCoordinatesParameters;
   static constexpr bool totals = true;  // reference coordinates are included
-  static constexpr bool totals = true;
 
   static std::vector<int> coordinates(const Parameters&, int available) {
     std::vector<int> all(static_cast<std::size_t>(available));

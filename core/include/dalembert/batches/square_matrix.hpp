@@ -1,0 +1,37 @@
+// A constant matrix of an item of run-time size, as the user gave it: dense, or sparse with its own entries only.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "dalembert/reflection/storage.hpp"
+#include "dalembert/system/term.hpp"
+
+namespace dalembert {
+
+class SquareMatrix {
+ public:
+  SquareMatrix() = default;
+  explicit SquareMatrix(const MatrixContainer& from);
+
+  bool empty() const { return rows_ == 0; }
+  bool sparse() const { return !empty() && dense_.empty(); }
+  // The entries of a sparse matrix, each place once, row by row.
+  const std::vector<MatrixContainer::Triplet>& entries() const { return entries_; }
+  bool same_places(const SquareMatrix& other) const;
+
+  // y += A x, with x and y in the system's vectors.
+  void add_product(const double* x, std::span<const int> dofs, double* y) const;
+  // Places of a sparse matrix, and its entries times `factor` in their order.
+  void visit(BlockVisitor& visitor, std::span<const int> dofs) const;
+  void add(double factor, SlotCursor& slot) const;
+  // A dense matrix: values += factor A, row by row.
+  void add(double factor, std::span<double> values) const;
+
+ private:
+  int rows_ = 0;
+  std::vector<double> dense_;
+  std::vector<MatrixContainer::Triplet> entries_;
+};
+
+}  // namespace dalembert
