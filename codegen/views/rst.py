@@ -97,7 +97,7 @@ def described(row: Parameter) -> str:
 def sentence(text: str) -> str:
     """The phrase of a spec as a sentence; a name or a symbol at its start is left as it is."""
     text = text.strip()
-    if re.match(r"[a-z]{2,}[ ,-]|[a-z]{3,}$|a ", text):
+    if re.match(r"[a-z]{2,}[ ,;:-]|[a-z]{3,}$|a ", text):
         text = text[0].upper() + text[1:]
     return text if not text or text.endswith((".", "!", "?", ":")) else text + "."
 
@@ -111,7 +111,9 @@ def item_link(name: str) -> str:
 
 
 def partners(item: Item, items: tuple[Item, ...], kind: str) -> list[Item]:
-    """Nodes or markers that provide what the item requests."""
+    """Nodes or markers that the item can stand on: those that its kernel is compiled for, or that provide what it requests."""
+    if kind == "node" and item.nodes:
+        return [other for other in items if other.name in item.nodes]
     wanted = set(item.requested_nodes if kind == "node" else item.requested_markers)
     return [other for other in items if wanted and other.kind == kind and wanted <= set(other.provides)]
 

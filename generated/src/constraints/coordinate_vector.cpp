@@ -9,6 +9,9 @@
 
 namespace dalembert {
 
+// By hand: it has as many equations as its matrices have rows
+const Physics& object_connector_coordinate_vector_physics();
+
 namespace {
 
 using Record = ObjectConnectorCoordinateVectorRecord;
@@ -52,6 +55,8 @@ constexpr std::array<OutputVariableType, 4> outputs{
     OutputVariableType::Force,
 };
 
+const auto& physics = object_connector_coordinate_vector_physics();
+
 }  // namespace
 
 extern const ItemType object_connector_coordinate_vector_type;
@@ -67,7 +72,7 @@ const ItemType object_connector_coordinate_vector_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::coordinate,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/constraints/coordinate_vector.toml",
 };
 
