@@ -25,7 +25,7 @@ struct ObjectConnectorCartesianSpringDamper {
     const auto vector = [&](const Vec3<double>& v) { values.assign(v.x.begin(), v.x.end()); };
     switch (variable) {
       case OutputVariableType::Displacement: vector(span); return true;
-      case OutputVariableType::Distance: values = {norm(m1.position - m0.position)}; return true;
+      case OutputVariableType::Distance: values = {norm(span)}; return true;
       case OutputVariableType::Velocity: vector(rate); return true;
       case OutputVariableType::Force: vector(p.activeConnector ? tension<double>(p, c, span, rate) : Vec3<double>{}); return true;
       default: return false;
