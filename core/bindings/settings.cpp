@@ -79,7 +79,8 @@ void set_child(const SettingsView& view, const SettingsChild& child, PyObject* v
   }
   const SettingsClass* given = class_of(value);
   if (given == nullptr || given->group != child.group)
-    refuse(ErrorKind::type, {.item = std::string(view.tree->group->name), .parameter = target.path, .received = show(value),
+    refuse(ErrorKind::type, {.item = std::string(view.tree->group->name), .parameter = target.path,
+                             .received = given != nullptr ? "a " + given->name : show(value),
                              .expected = "a " + class_of(child.group)->name + " or a dictionary"});
   assign_settings(*child.group, target.data, view_of(value).data);
 }
@@ -87,12 +88,15 @@ void set_child(const SettingsView& view, const SettingsChild& child, PyObject* v
 PyObject* get_field(const SettingsField& field) {
   if (field.row != nullptr) return read_setting(field.view, *field.row).release().ptr();
   if (field.child != nullptr) return make_object(field.view.child(*field.child));
+  if (field.only_names) return make_object(field.view);
   Py_RETURN_NONE;
 }
 
 void set_field(const SettingsField& field, PyObject* value) {
   if (field.row != nullptr) write_setting(field.view, *field.row, value);
   if (field.child != nullptr) set_child(field.view, *field.child, value);
+  if (field.only_names)
+    refuse(ErrorKind::type, {.item = std::string(field.view.tree->group->name), .parameter = field.view.path, .problem = "is not a structure", .advice = "Set its parameters."});
 }
 
 // ---- slots -----------------------------------------------------------------------------------------------------------
@@ -233,7 +237,7 @@ void collect_classes(const SettingsTree& tree, const SettingsGroup& group, const
 }
 
 const SettingsTree& simulation_tree() {
-  static const SettingsTree tree{&simulation_settings_group(), record_operations<SimulationSettings>(), {}};
+  static const SettingsTree tree{&simulation_settings_group(), record_operations<SimulationSettings>(), simulation_aliases()};
   return tree;
 }
 const SettingsTree& visualization_tree() {
@@ -276,6 +280,9 @@ std::shared_ptr<VisualizationSettings> visualization_settings_of(py::handle obje
 
 void register_settings(py::module_& module) {
   for (const SettingsTree* tree : {&simulation_tree(), &visualization_tree()}) collect_classes(*tree, *tree->group, "", 0);
+  SettingsClass& names = classes().emplace_back();
+  names.tree = &simulation_tree();
+  names.group = &names_group();
   for (SettingsClass& settings_class : classes()) {
     make_class(settings_class, module);
     module.attr(settings_class.name.c_str()) = py::handle(reinterpret_cast<PyObject*>(settings_class.type));

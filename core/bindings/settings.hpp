@@ -25,6 +25,7 @@ std::shared_ptr<VisualizationSettings> visualization_settings_of(py::handle obje
 struct SettingsAlias {
   std::string_view path, target;
 };
+std::span<const SettingsAlias> simulation_aliases();
 std::span<const SettingsAlias> visualization_aliases();
 
 // What users get from one class: SimulationSettings() or VisualizationSettings().
@@ -48,14 +49,17 @@ struct SettingsView {
   SettingsView child(const SettingsChild& child) const;
 };
 
-// What a name below a structure stands for; all empty: nothing. Earlier names are followed.
+// What a name below a structure stands for; all empty: nothing. Other names are followed.
 struct SettingsField {
   SettingsView view;  // that has the field
   const Row* row = nullptr;
   const SettingsChild* child = nullptr;
   bool without_effect = false;
-  explicit operator bool() const { return row != nullptr || child != nullptr || without_effect; }
+  bool only_names = false;  // `view` has no members of its own, but is the beginning of other names
+  explicit operator bool() const { return row != nullptr || child != nullptr || without_effect || only_names; }
 };
+// The structure without members.
+const SettingsGroup& names_group();
 SettingsField find_field(const SettingsView& view, std::string_view name);
 [[noreturn]] void refuse_unknown(const SettingsView& view, std::string_view name);
 

@@ -1,11 +1,72 @@
-// Names that parameters of VisualizationSettings had in earlier interfaces.
+// Names that settings have in earlier and in later interfaces.
 #include "settings.hpp"
 
 namespace dalembert {
 namespace {
 
-// Sorted by the earlier name. No new name: the parameter has no effect any more.
-constexpr SettingsAlias drawing_aliases[] = {
+// Both tables are sorted by the other name.
+
+// Later names of the parameters of SimulationSettings.
+constexpr SettingsAlias simulation_names[] = {
+    {"consolePrecision", "outputPrecision"},
+    {"linearSolver.ignoreSingularJacobian", "linearSolverSettings.ignoreSingularJacobian"},
+    {"linearSolver.pivotThreshold", "linearSolverSettings.pivotThreshold"},
+    {"linearSolver.reuseAnalyzedPattern", "linearSolverSettings.reuseAnalyzedPattern"},
+    {"linearSolver.showCausingItems", "linearSolverSettings.showCausingItems"},
+    {"linearSolver.solverType", "linearSolverType"},
+    {"parallel.multithreadedLowerLimitJacobians", "parallel.multithreadedLLimitJacobians"},
+    {"parallel.multithreadedLowerLimitLoads", "parallel.multithreadedLLimitLoads"},
+    {"parallel.multithreadedLowerLimitMassMatrices", "parallel.multithreadedLLimitMassMatrices"},
+    {"parallel.multithreadedLowerLimitResiduals", "parallel.multithreadedLLimitResiduals"},
+    {"show.computationTime", "displayComputationTime"},
+    {"show.globalTimers", "displayGlobalTimers"},
+    {"show.statistics", "displayStatistics"},
+    {"solution.file.append", "solutionSettings.appendToFile"},
+    {"solution.file.binary", "solutionSettings.binarySolutionFile"},
+    {"solution.file.export.ODE1Velocities", "solutionSettings.exportODE1Velocities"},
+    {"solution.file.export.accelerations", "solutionSettings.exportAccelerations"},
+    {"solution.file.export.algebraicCoordinates", "solutionSettings.exportAlgebraicCoordinates"},
+    {"solution.file.export.dataCoordinates", "solutionSettings.exportDataCoordinates"},
+    {"solution.file.export.velocities", "solutionSettings.exportVelocities"},
+    {"solution.file.flushAboveCoordinates", "solutionSettings.flushFilesDOF"},
+    {"solution.file.information", "solutionSettings.solutionInformation"},
+    {"solution.file.name", "solutionSettings.coordinatesSolutionFileName"},
+    {"solution.file.write", "solutionSettings.writeSolutionToFile"},
+    {"solution.file.writeFooter", "solutionSettings.writeFileFooter"},
+    {"solution.file.writeHeader", "solutionSettings.writeFileHeader"},
+    {"solution.file.writeInitialValues", "solutionSettings.writeInitialValues"},
+    {"solution.file.writePeriod", "solutionSettings.solutionWritePeriod"},
+    {"solution.flushFilesImmediately", "solutionSettings.flushFilesImmediately"},
+    {"solution.precision", "solutionSettings.outputPrecision"},
+    {"solution.recordImagesInterval", "solutionSettings.recordImagesInterval"},
+    {"solution.restart.name", "solutionSettings.restartFileName"},
+    {"solution.restart.write", "solutionSettings.writeRestartFile"},
+    {"solution.restart.writePeriod", "solutionSettings.restartWritePeriod"},
+    {"solution.sensors.active", "solutionSettings.sensorsStoreAndWriteFiles"},
+    {"solution.sensors.append", "solutionSettings.sensorsAppendToFile"},
+    {"solution.sensors.writeFooter", "solutionSettings.sensorsWriteFileFooter"},
+    {"solution.sensors.writeHeader", "solutionSettings.sensorsWriteFileHeader"},
+    {"solution.sensors.writePeriod", "solutionSettings.sensorsWritePeriod"},
+    {"solution.solverInformationFileName", "solutionSettings.solverInformationFileName"},
+    {"staticSolver.constrainODE1Coordinates", "staticSolver.constrainODE1coordinates"},
+    {"staticSolver.newton.active", "staticSolver.newton.useNewtonSolver"},
+    {"staticSolver.newton.numericalDifferentiation.forODE2Connectors", "staticSolver.newton.numericalDifferentiation.forODE2connectors"},
+    {"staticSolver.newton.residualMode", "staticSolver.newton.newtonResidualMode"},
+    {"timeIntegration.explicit.computeEndOfStepAccelerations", "timeIntegration.explicitIntegration.computeEndOfStepAccelerations"},
+    {"timeIntegration.explicit.computeMassMatrixInversePerBody", "timeIntegration.explicitIntegration.computeMassMatrixInversePerBody"},
+    {"timeIntegration.explicit.eliminateConstraints", "timeIntegration.explicitIntegration.eliminateConstraints"},
+    {"timeIntegration.explicit.useLieGroupIntegration", "timeIntegration.explicitIntegration.useLieGroupIntegration"},
+    {"timeIntegration.newton.active", "timeIntegration.newton.useNewtonSolver"},
+    {"timeIntegration.newton.numericalDifferentiation.forODE2Connectors", "timeIntegration.newton.numericalDifferentiation.forODE2connectors"},
+    {"timeIntegration.newton.residualMode", "timeIntegration.newton.newtonResidualMode"},
+    {"timeIntegration.realtime.active", "timeIntegration.simulateInRealtime"},
+    {"timeIntegration.realtime.factor", "timeIntegration.realtimeFactor"},
+    {"timeIntegration.realtime.waitMicroseconds", "timeIntegration.realtimeWaitMicroseconds"},
+    {"timeIntegration.solverType", "timeIntegration.explicitIntegration.dynamicSolverType"},
+};
+
+// Earlier names of the parameters of VisualizationSettings. No target: the parameter has no effect any more.
+constexpr SettingsAlias drawing_names[] = {
     {"contour.colorBarPrecision", "contour.advanced.colorBarPrecision"},
     {"contour.colorBarTiling", "contour.advanced.colorBarTiling"},
     {"contour.showColorBar", "contour.advanced.showColorBar"},
@@ -98,6 +159,7 @@ constexpr SettingsAlias drawing_aliases[] = {
 
 }  // namespace
 
-std::span<const SettingsAlias> visualization_aliases() { return drawing_aliases; }
+std::span<const SettingsAlias> simulation_aliases() { return simulation_names; }
+std::span<const SettingsAlias> visualization_aliases() { return drawing_names; }
 
 }  // namespace dalembert

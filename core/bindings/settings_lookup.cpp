@@ -10,11 +10,11 @@ namespace {
 
 SettingsField field_in(const SettingsView& view, std::string_view name) {
   const auto row = std::ranges::find(view.group->rows, name, &Row::name);
-  if (row != view.group->rows.end()) return {view, &*row, nullptr, false};
+  if (row != view.group->rows.end()) return {view, &*row, nullptr};
   const auto child = std::ranges::find(view.group->children, name, &SettingsChild::name);
-  if (child != view.group->children.end()) return {view, nullptr, &*child, false};
+  if (child != view.group->children.end()) return {view, nullptr, &*child};
   for (const Row& each : view.group->rows)
-    if (std::ranges::find(each.aliases, name) != each.aliases.end()) return {view, &each, nullptr, false};
+    if (std::ranges::find(each.aliases, name) != each.aliases.end()) return {view, &each, nullptr};
   return {};
 }
 
@@ -51,13 +51,23 @@ SettingsView SettingsView::child(const SettingsChild& child) const {
   return {tree, child.group, root, static_cast<char*>(data) + child.offset, path_to(child.name)};
 }
 
+const SettingsGroup& names_group() {
+  static constexpr SettingsGroup group{"SettingsNames", {}, {}};
+  return group;
+}
+
 SettingsField find_field(const SettingsView& view, std::string_view name) {
   if (SettingsField field = field_in(view, name)) return field;
   const std::string path = view.path_to(name);
-  const auto alias = std::ranges::find(view.tree->aliases, path, &SettingsAlias::path);
-  if (alias == view.tree->aliases.end()) return {};
-  if (alias->target.empty()) return {view, nullptr, nullptr, true};
-  return follow(root_of(view), alias->target);
+  for (const SettingsAlias& alias : view.tree->aliases) {
+    if (!alias.path.starts_with(path)) continue;
+    if (alias.path.size() == path.size()) {
+      if (!alias.target.empty()) return follow(root_of(view), alias.target);
+      return {.view = view, .without_effect = true};
+    }
+    if (alias.path[path.size()] == '.') return {.view = {view.tree, &names_group(), view.root, view.root.get(), path}, .only_names = true};
+  }
+  return {};
 }
 
 void refuse_unknown(const SettingsView& view, std::string_view name) {
@@ -65,6 +75,10 @@ void refuse_unknown(const SettingsView& view, std::string_view name) {
   std::vector<std::string_view> known;
   for (const SettingsChild& child : view.group->children) known.push_back(child.name);
   for (const Row& row : view.group->rows) known.push_back(row.name);
+  const std::string begin = view.path.empty() ? "" : view.path + ".";
+  if (known.empty())
+    for (const SettingsAlias& alias : view.tree->aliases)
+      if (alias.path.starts_with(begin)) known.push_back(alias.path.substr(begin.size()));
   std::vector<std::string> elsewhere;
   paths_of(*view.tree->group, "", name, elsewhere);
   const bool near = !nearest(name, known).empty();

@@ -90,10 +90,10 @@ void merge(const SettingsView& view, const py::dict& values) {
     if (!field) refuse_unknown(view, name);
     if (field.row != nullptr) {
       write_setting(field.view, *field.row, value.ptr());
-    } else if (field.child != nullptr) {
+    } else if (field.child != nullptr || field.only_names) {
       if (!py::isinstance<py::dict>(value))
         refuse(ErrorKind::type, {.item = view.title(), .parameter = name, .received = show(value.ptr()), .expected = "a dictionary"});
-      merge(field.view.child(*field.child), py::reinterpret_borrow<py::dict>(value));
+      merge(field.only_names ? field.view : field.view.child(*field.child), py::reinterpret_borrow<py::dict>(value));
     }
   }
 }

@@ -1,0 +1,182 @@
+"""Settings: defaults of the interface, attributes, dictionaries, copies, and errors that name path and nearest name."""
+
+from __future__ import annotations
+
+import copy
+import pickle
+from typing import Any
+
+import dalembert as exu
+import pytest
+
+ROOTS = [exu.SimulationSettings, exu.VisualizationSettings]
+
+
+def leaves(values: dict[str, Any], path: str = "") -> Any:
+    for name, value in values.items():
+        if isinstance(value, dict):
+            yield from leaves(value, f"{path}{name}.")
+        else:
+            yield f"{path}{name}", value
+
+
+def at(settings: Any, path: str) -> Any:
+    for name in path.split("."):
+        settings = getattr(settings, name)
+    return settings
+
+
+@pytest.mark.parametrize("root", ROOTS)
+def test_every_value_is_an_attribute_and_can_be_written(root: Any) -> None:
+    settings = root()
+    values = dict(leaves(settings.GetDictionary()))
+    assert len(values) > 100
+    for path, value in values.items():
+        owner, _, name = path.rpartition(".")
+        target = at(settings, owner) if owner else settings
+        assert getattr(target, name) == value
+        setattr(target, name, value)
+    assert dict(leaves(settings.GetDictionary())) == values
+
+
+def test_nested_structures_refer_to_their_parent() -> None:
+    settings = exu.SimulationSettings()
+    newton = settings.timeIntegration.newton
+    newton.maxIterations = 7
+    settings.timeIntegration.newton.relativeTolerance = 1e-3
+    assert settings.timeIntegration.newton.maxIterations == 7 and newton.relativeTolerance == 1e-3
+    assert settings.staticSolver.newton.maxIterations == 25
+    del settings
+    assert newton.maxIterations == 7
+
+
+def test_structures_are_assigned_by_value() -> None:
+    settings, newton = exu.SimulationSettings(), exu.NewtonSettings()
+    newton.numericalDifferentiation.forODE2 = True
+    settings.timeIntegration.newton = newton
+    newton.numericalDifferentiation.forODE2 = False
+    assert settings.timeIntegration.newton.numericalDifferentiation.forODE2
+    settings.timeIntegration = {"endTime": 3, "newton": {"maxIterations": 4}}
+    assert settings.timeIntegration.endTime == 3.0 and settings.timeIntegration.newton.maxIterations == 4
+    with pytest.raises(
+        TypeError, match="'timeIntegration.newton': received .* but expected a NewtonSettings or a dictionary"
+    ):
+        settings.timeIntegration.newton = exu.DiscontinuousSettings()
+
+
+def test_copies_are_independent() -> None:
+    settings = exu.SimulationSettings()
+    settings.timeIntegration.endTime = 5
+    for other in (copy.copy(settings), copy.deepcopy(settings), pickle.loads(pickle.dumps(settings))):
+        assert other.GetDictionary() == settings.GetDictionary()
+        other.timeIntegration.endTime = 6
+    part = copy.copy(settings.timeIntegration)
+    part.endTime = 7
+    assert settings.timeIntegration.endTime == 5
+    assert "endTime = 5.0" in repr(settings) and "endTime = 7.0" in repr(part)
+
+
+def test_dictionaries_may_be_partial_and_errors_change_nothing() -> None:
+    settings = exu.SimulationSettings()
+    settings.SetDictionary(
+        {"timeIntegration": {"numberOfSteps": 7}, "linearSolverType": exu.LinearSolverType.EigenSparse}
+    )
+    assert settings.timeIntegration.numberOfSteps == 7
+    before = settings.GetDictionary()
+    with pytest.raises(AttributeError, match=r"SimulationSettings.timeIntegration has no parameter 'endTimee'"):
+        settings.SetDictionary({"outputPrecision": 3, "timeIntegration": {"endTimee": 3}})
+    with pytest.raises(TypeError, match="expected a dictionary"):
+        settings.SetDictionary({"timeIntegration": 3})
+    assert settings.GetDictionary() == before
+    typed = settings.GetDictionaryWithTypeInfo()["timeIntegration"]["numberOfSteps"]
+    assert typed["value"] == 7 and typed["size"] == [1] and typed["type"] == "float"
+
+
+@pytest.mark.parametrize(
+    ("path", "value", "error", "text"),
+    [
+        (
+            "timeIntegration.endTime",
+            -1,
+            ValueError,
+            "'timeIntegration.endTime': received -1 .int., but expected a number that is not",
+        ),
+        ("timeIntegration.endTime", "a", TypeError, "received 'a' .str., but expected a number"),
+        ("timeIntegration.endTime", float("nan"), ValueError, "a finite number"),
+        ("timeIntegration.newton.maxIterations", 1.5, TypeError, "expected an integer"),
+        ("parallel.numberOfThreads", 0, ValueError, "an integer greater than zero"),
+        ("displayStatistics", "yes", TypeError, "True or False"),
+        ("linearSolverType", 2, TypeError, "a member of LinearSolverType"),
+        ("linearSolverType", "EigenSparse", TypeError, "Write LinearSolverType.EigenSparse without quotes"),
+        ("linearSolverType", exu.NodeType.Position, TypeError, "a member of LinearSolverType"),
+        ("solutionSettings.coordinatesSolutionFileName", 3, TypeError, "expected a string"),
+    ],
+)
+def test_wrong_values(path: str, value: Any, error: Any, text: str) -> None:
+    settings = exu.SimulationSettings()
+    owner, _, name = path.rpartition(".")
+    with pytest.raises(error, match=text):
+        setattr(at(settings, owner) if owner else settings, name, value)
+    assert settings.GetDictionary() == exu.SimulationSettings().GetDictionary()
+
+
+def test_unknown_names() -> None:
+    settings = exu.SimulationSettings()
+    with pytest.raises(AttributeError, match="has no parameter 'endtim'. Did you mean 'endTime'?"):
+        settings.timeIntegration.endtim = 3
+    with pytest.raises(AttributeError, match="Did you mean 'timeIntegration.endTime'?"):
+        settings.endTime = 3
+    with pytest.raises(AttributeError, match="Did you mean 'newton'?"):
+        settings.staticSolver.newtn.maxIterations  # noqa: B018
+    assert not hasattr(settings, "something")
+    with pytest.raises(TypeError, match="cannot be deleted"):
+        del settings.linearSolverType
+    assert "timeIntegration" in dir(settings)
+
+
+def test_drawing() -> None:
+    settings = exu.VisualizationSettings()
+    settings.nodes.defaultColor = (1, 0, 0, 1)
+    assert settings.nodes.defaultColor == [1.0, 0.0, 0.0, 1.0]
+    with pytest.raises(ValueError, match="4 finite numbers"):
+        settings.nodes.defaultColor = [1, 0, 0]
+    settings.contour.outputVariable = exu.OutputVariableType.Displacement
+    assert settings.contour.outputVariable == exu.OutputVariableType.Displacement
+    assert settings.raytracer.material1.name != settings.raytracer.material0.name
+
+
+def test_earlier_names() -> None:
+    settings = exu.VisualizationSettings()
+    settings.window.renderWindowSize = [100, 200]
+    assert settings.view0.window.renderWindowSize == [100, 200] == settings.window.renderWindowSize
+    settings.window.startupTimeout = 77
+    assert settings.general.rendererStartupTimeout == 77
+    settings.openGL.showFaces = False
+    assert settings.view0.scene.showFaces is False and settings.view1.scene.showFaces is True
+    settings.interactive.keyPressUserFunction = lambda key, action, mods: False
+    settings.openGL.light0ambient = 0.25
+    with pytest.raises(AttributeError):
+        settings.view1.window.startupTimeout = 3
+    settings.general.SetDictionary({"drawWorldBasis": True})
+    assert settings.view0.scene.drawWorldBasis is True
+
+
+def test_no_arguments() -> None:
+    with pytest.raises(TypeError, match="SimulationSettings: takes no arguments"):
+        exu.SimulationSettings(3)
+
+
+def test_later_names() -> None:
+    settings = exu.SimulationSettings()
+    settings.solution.file.write = False
+    settings.linearSolver.solverType = exu.LinearSolverType.EigenSparse
+    settings.timeIntegration.newton.active = False
+    assert settings.solutionSettings.writeSolutionToFile is False
+    assert settings.linearSolverType == exu.LinearSolverType.EigenSparse == settings.linearSolver.solverType
+    assert settings.timeIntegration.newton.useNewtonSolver is False
+    settings.SetDictionary({"solution": {"sensors": {"writePeriod": 3}}})
+    assert settings.solutionSettings.sensorsWritePeriod == 3
+    with pytest.raises(AttributeError, match="solution.file has no parameter 'writ'. Did you mean 'write'?"):
+        settings.solution.file.writ = 3
+    with pytest.raises(TypeError, match="'solution.file': is not a structure"):
+        settings.solution.file = 3
