@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 
 #include "dalembert/model/errors.hpp"
+#include "dalembert/output/restart_file.hpp"
 #include "dalembert/solvers/explicit.hpp"
 #include "dalembert/solvers/second_order.hpp"
 #include "dalembert/solvers/static.hpp"
@@ -257,6 +258,19 @@ void register_common(Class<W>& c) {
   c.def("__repr__", [](const W& w) { return "<solver: " + w.name() + ">"; });
 }
 
+// The state of the file becomes the initial state; returns the algorithmic accelerations.
+std::vector<double> read_restart(MainSystem& main, const std::string& name) {
+  RestartData data = read_restart_file(name);
+  State& initial = main.assembled("ContinueFromRestartFile").state(ConfigurationType::Initial);
+  const auto same = [](const std::vector<double>& x, const std::vector<double>& y) { return x.size() == y.size(); };
+  if (!same(data.state.q, initial.q) || !same(data.state.y, initial.y) || !same(data.state.lambda, initial.lambda) ||
+      !same(data.state.data, initial.data)) {
+    throw ModelError(ErrorKind::value, "restart file '" + name + "': the numbers of coordinates are not those of this system");
+  }
+  initial = std::move(data.state);
+  return std::move(data.algorithmic_accelerations);
+}
+
 void register_implicit(py::module_& module) {
   Class<ImplicitWrapper> c(module, "MainSolverImplicitSecondOrder", "Generalized alpha, Newmark and trapezoidal rule.");
   register_common(c);
@@ -266,6 +280,14 @@ void register_implicit(py::module_& module) {
   c.def("GetStartOfStepStateAAlgorithmic",
         [](ImplicitWrapper& w) { return vector_array(w.algorithmic_accelerations_at_start()); },
         "Algorithmic accelerations at the start of the step.");
+  c.def(
+      "ContinueFromRestartFile",
+      [](ImplicitWrapper& w, const MainPointer& main, const std::string& name) {
+        w.continue_with(read_restart(*main, name));
+      },
+      main_argument, py::arg("fileName"),
+      "Make the state of a restart file the initial state of the system, and continue bit for bit with the next "
+      "SolveSystem; timeIntegration.startTime has to be set to the time that systemData.GetTime(Initial) gives.");
   c.def_readwrite("newmarkBeta", &ImplicitWrapper::newmark_beta)
       .def_readwrite("newmarkGamma", &ImplicitWrapper::newmark_gamma)
       .def_readwrite("alphaM", &ImplicitWrapper::alpha_m)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "dalembert/model/errors.hpp"
 #include "dalembert/output/numbers.hpp"
@@ -64,6 +65,11 @@ void SecondOrderSolver::initial_conditions() {
   const auto& s = settings().timeIntegration.generalizedAlpha;
   State& now = current();
   std::fill(now.lambda.begin(), now.lambda.end(), 0.0);
+  if (continued_.size() == now.a.size() && !continued_.empty()) {
+    algorithmic_ = std::exchange(continued_, {});
+    start_of_step() = now;
+    return;
+  }
   if (s.computeInitialAccelerations) {
     const auto& l = settings().linearSolverSettings;
     const InitialAccelerations first =

@@ -124,6 +124,7 @@ void Solver::initial_conditions() {
   current() = first;
   start_of_step() = first;
   output.lastSolutionWritten = output.lastSensorsWritten = output.lastImageRecorded = it.startTime;
+  last_restart_ = it.startTime;
   write_solution_header();
 }
 

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "dalembert/output/numbers.hpp"
+#include "dalembert/output/restart_file.hpp"
 #include "dalembert/solvers/solver.hpp"
 
 namespace dalembert {
@@ -95,6 +96,7 @@ void Solver::finish_step(bool write) {
     if (last) output.lastSensorsWritten = it.endTime - it.currentStepSize;
     write_sensors();
   }
+  if (settings_->solutionSettings.writeRestartFile && it.currentStepIndex > 0) write_restart();
   const double interval = settings_->solutionSettings.recordImagesInterval;
   if (interval >= 0 && t >= output.lastImageRecorded + interval) {
     output.lastImageRecorded += interval;
@@ -166,6 +168,15 @@ void Solver::write_sensors() {
   const TimedPart time(timer, timer.writeSolution);
   output.lastSensorsWritten = std::max(output.lastSensorsWritten + settings_->solutionSettings.sensorsWritePeriod, t);
   sensors_.record(*system_, t);
+}
+
+void Solver::write_restart() {
+  const double t = current().time;
+  const bool last = std::abs(t - it.endTime) <= 1e-10;
+  if (!last && t - last_restart_ < settings_->solutionSettings.restartWritePeriod - 1e-10) return;
+  const TimedPart time(timer, timer.writeSolution);
+  last_restart_ = t;
+  write_restart_file(settings_->solutionSettings.restartFileName, current(), restart_values(), it.currentStepSize);
 }
 
 void Solver::finalize() {

@@ -31,7 +31,8 @@ class SecondOrderSolver : public NewtonSolver {
 
   const std::vector<double>& algorithmic_accelerations() const { return algorithmic_; }
   const std::vector<double>& algorithmic_accelerations_at_start() const { return algorithmic_at_start_; }
-  std::vector<double>& algorithmic_accelerations() { return algorithmic_; }
+  // Start the next integration from the initial accelerations of the system and from these, instead of computing them.
+  void continue_with(std::vector<double> algorithmic) { continued_ = std::move(algorithmic); }
 
   // Coefficients of the method.
   double newmark_beta = 0.25, newmark_gamma = 0.5, alpha_m = 0.5, alpha_f = 0.5, spectral_radius = 1;
@@ -39,6 +40,7 @@ class SecondOrderSolver : public NewtonSolver {
  protected:
   void reset_to_start_of_step() override;
   void save_start_of_step() override;
+  std::span<const double> restart_values() const override { return algorithmic_; }
 
  private:
   bool newmark() const;
@@ -53,7 +55,7 @@ class SecondOrderSolver : public NewtonSolver {
   void apply_tangent_operator();
   void scale_jacobian(double scale);
 
-  std::vector<double> algorithmic_, algorithmic_at_start_;
+  std::vector<double> algorithmic_, algorithmic_at_start_, continued_;
   std::vector<double> lie_increment_;        // sum of increments since the start of the step (simplified relations)
   std::vector<double> increment_of_q_, previous_q_, more_values_;
   bool lie_ = false, simplified_lie_ = false;

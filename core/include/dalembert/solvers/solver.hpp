@@ -76,6 +76,7 @@ class Solver {
   void write_solution_header();
   void write_coordinates();
   void write_sensors();
+  void write_restart();
 
   // Empty after success.
   std::string error_string() const;
@@ -101,6 +102,8 @@ class Solver {
   // Sets back what a discontinuous iteration has moved: everything except data.
   virtual void reset_to_start_of_step();
   virtual void save_start_of_step() {}
+  // What a restart needs besides the state.
+  virtual std::span<const double> restart_values() const { return {}; }
   virtual int recovery_steps() const { return settings_->timeIntegration.adaptiveStepRecoverySteps; }
   virtual int recovery_iterations() const { return settings_->timeIntegration.adaptiveStepRecoveryIterations; }
   void warn(std::string_view text);
@@ -137,6 +140,7 @@ class Solver {
   // The clock is read every (look_mask_ + 1)-th step only, as seldom as a few milliseconds allow.
   std::uint32_t steps_taken_ = 0, look_mask_ = 0;
   double last_look_ = 0;
+  double last_restart_ = 0;
 };
 
 }  // namespace dalembert

@@ -1,0 +1,24 @@
+// The whole state of a running integration in a file, from which it can be continued bit for bit.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "dalembert/system/state.hpp"
+
+namespace dalembert {
+
+struct RestartData {
+  State state;
+  std::vector<double> algorithmic_accelerations;  // of the generalized alpha method; empty for others
+  double step_size = 0;
+};
+
+// The file is complete or not there: it is written under another name first.
+void write_restart_file(const std::string& name, const State& state, std::span<const double> algorithmic,
+                        double step_size);
+// Throws std::runtime_error, naming file and line, if the file is not what write_restart_file writes.
+RestartData read_restart_file(const std::string& name);
+
+}  // namespace dalembert
