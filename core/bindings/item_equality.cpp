@@ -41,11 +41,14 @@ bool same(const UserFunction& a, const UserFunction& b) {
   return a.callback == b.callback || (a && b && function_of(a) == function_of(b));
 }
 
-// Numpy arrays in it make == ambiguous; then only the same object is equal.
+// Numpy arrays in it make == ambiguous; then only the same object is equal. Objects of this module (beam sections) do
+// not define ==; their texts show all that they hold.
 bool same_python(PyObject* a, PyObject* b) {
   const int equal = a == b ? 1 : PyObject_RichCompareBool(a, b, Py_EQ);
   if (equal < 0) PyErr_Clear();
-  return equal == 1;
+  if (equal == 1) return true;
+  const bool own = Py_TYPE(a) == Py_TYPE(b) && PyObject_HasAttrString(a, "GetDictionary") != 0;
+  return own && py::repr(a).equal(py::repr(b));
 }
 
 }  // namespace

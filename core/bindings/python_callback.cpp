@@ -86,9 +86,23 @@ class PythonCallback final : public Callback {
   std::string describe(int item) const {
     std::string text = "user function '" + std::string(row_.name) + "'";
     if (type_ == nullptr) return text;
-    if (const auto main = main_.lock(); main && main->model.find_item(type_->kind, item) != nullptr)
-      return text + " of " + main->model.describe(type_->kind, item);
+    if (const auto main = main_.lock()) {
+      if (!has_this(*main, item)) item = find_this(*main);
+      if (item >= 0) return text + " of " + main->model.describe(type_->kind, item);
+    }
     return text + " of a " + std::string(type_->name);
+  }
+
+  bool has_this(const MainSystem& main, int number) const {
+    const Item* item = main.model.find_item(type_->kind, number);
+    return item != nullptr && item->type == type_ &&
+           static_cast<const UserFunction*>(member(item->record.get(), row_))->callback.get() == this;
+  }
+  // Functions of loads are called without their number.
+  int find_this(const MainSystem& main) const {
+    for (int i = 0; i < main.model.count(type_->kind); ++i)
+      if (has_this(main, i)) return i;
+    return -1;
   }
 
   py::object invoke(double time, int item, std::span<const Argument> arguments) const {

@@ -114,10 +114,11 @@ void register_system_container(py::module_& module) {
 
   py::object main_system = module.attr("MainSystem");
   main_system.attr("GetSystemContainer") = py::cpp_function(
-      [](const MainSystem& main) {
+      [](MainSystem& main) {
         if (auto owner = main.container.lock()) return owner;
-        throw ModelError(ErrorKind::state, "mbs.GetSystemContainer(): the system does not belong to a SystemContainer. Make "
-                                           "systems by SC.AddSystem(), or add this one by SC.Append(mbs).");
+        auto made = new_container();  // the system was made without one, or its container is gone
+        made->append(main.shared_from_this());
+        return made;
       },
       py::is_method(main_system), py::name("GetSystemContainer"));
 }

@@ -40,7 +40,7 @@ def rows(condition: Any = lambda row: True) -> Iterator[tuple[Item, Parameter]]:
 
 
 def length(row: Parameter, free: int = 3) -> int:
-    return row.shape[0] or free
+    return (row.shape[0] if row.shape else None) or free
 
 
 def sample(row: Parameter) -> Any:
@@ -81,6 +81,10 @@ def plain(value: Any) -> Any:
         value = value.Convert2DenseMatrix()
     elif hasattr(value, "GetPythonObject"):
         value = value.GetPythonObject()
+    elif hasattr(value, "GetDictionary"):  # beam sections
+        value = value.GetDictionary()
+    if isinstance(value, dict):
+        return {key: plain(entry) for key, entry in value.items()}
     if isinstance(value, np.ndarray):
         return value.tolist()
     if isinstance(value, (list, tuple)):

@@ -76,14 +76,15 @@ def test_arguments_by_position(item: Item) -> None:
 
 @each_item
 def test_visualization_by_class_dictionary_and_attribute(item: Item) -> None:
-    by_class = CLASSES[item.name](visualization=getattr(exu, "V" + item.name)(show=False))
-    by_dictionary = CLASSES[item.name](visualization={"show": False})
+    show = not CLASSES[item.name]().visualization.show
+    by_class = CLASSES[item.name](visualization=getattr(exu, "V" + item.name)(show=show))
+    by_dictionary = CLASSES[item.name](visualization={"show": show})
     by_attribute = CLASSES[item.name]()
-    by_attribute.visualization.show = False
+    by_attribute.visualization.show = show
     by_key = CLASSES[item.name]()
-    by_key.visualization["show"] = False
+    by_key.visualization["show"] = show
     assert by_class == by_dictionary == by_attribute == by_key != CLASSES[item.name]()
-    assert dict(by_class)["Vshow"] is False
+    assert dict(by_class)["Vshow"] is show
 
 
 @each_item

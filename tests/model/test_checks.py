@@ -1,0 +1,88 @@
+"""What Assemble() refuses."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+import dalembert as exu
+
+
+def wrong_node_number(mbs: exu.MainSystem) -> None:
+    mbs.AddNode(exu.NodePoint())
+    mbs.AddObject(exu.MassPoint(nodeNumber=5, physicsMass=1))
+
+
+def no_node(mbs: exu.MainSystem) -> None:
+    mbs.AddObject(exu.MassPoint("ball", nodeNumber=0, physicsMass=1))
+
+
+def node_not_set(mbs: exu.MainSystem) -> None:
+    mbs.AddObject(exu.MassPoint(physicsMass=1))
+
+
+def wrong_node_type(mbs: exu.MainSystem) -> None:
+    node = mbs.AddNode(exu.NodePoint())
+    mbs.AddObject(exu.Mass1D(nodeNumber=node, physicsMass=1))
+
+
+def wrong_marker_type(mbs: exu.MainSystem) -> None:
+    node = mbs.AddNode(exu.NodePoint())
+    body = mbs.AddObject(exu.MassPoint(nodeNumber=node, physicsMass=1))
+    marker = mbs.AddMarker(exu.MarkerBodyPosition(bodyNumber=body))
+    mbs.AddLoad(exu.LoadTorqueVector(markerNumber=marker, loadVector=[0, 0, 1]))
+
+
+def marker_on_connector(mbs: exu.MainSystem) -> None:
+    ground = mbs.AddObject(exu.ObjectGround())
+    marker = mbs.AddMarker(exu.MarkerBodyPosition(bodyNumber=ground))
+    spring = mbs.AddObject(exu.SpringDamper(markerNumbers=[marker, marker]))
+    mbs.AddMarker(exu.MarkerBodyPosition(bodyNumber=spring))
+
+
+def wrong_number_of_coordinates(mbs: exu.MainSystem) -> None:
+    mbs.AddNode(exu.NodeGenericODE2(numberOfODE2Coordinates=2, referenceCoordinates=[0, 0, 0]))
+
+
+def deleted_marker(mbs: exu.MainSystem) -> None:
+    ground = mbs.AddObject(exu.ObjectGround())
+    marker = mbs.AddMarker(exu.MarkerBodyPosition(bodyNumber=ground))
+    mbs.AddObject(exu.SpringDamper(markerNumbers=[marker, marker]))
+    mbs.DeleteMarker(marker, suppressWarnings=True)
+
+
+@pytest.mark.parametrize(
+    ("build", "text"),
+    [
+        (wrong_node_number, "object 0 'object0' (ObjectMassPoint), parameter 'nodeNumber': received 5, but expected a number from 0 to 0. Add the node first and pass the index that AddNode(...) returned."),
+        (no_node, "object 0 'ball' (ObjectMassPoint), parameter 'nodeNumber': received 0, but expected an existing node, and there is none."),
+        (node_not_set, "object 0 'object0' (ObjectMassPoint), parameter 'nodeNumber': received the invalid index -1, but expected the number of a node."),
+        (wrong_node_type, "object 0 'object0' (ObjectMass1D), parameter 'nodeNumber': received node 0 'node0' (NodePoint), which provides Position, but expected a node that provides GenericODE2."),
+        (wrong_marker_type, "load 0 'load0' (LoadTorqueVector), parameter 'markerNumber': received marker 0 'marker0' (MarkerBodyPosition), which provides Object, Body, Position, but expected a marker that provides Orientation."),
+        (marker_on_connector, "marker 1 'marker1' (MarkerBodyPosition), parameter 'bodyNumber': received object 1 'object1' (ObjectConnectorSpringDamper), but expected a body (also ground, a finite element or a super element)."),
+        (wrong_number_of_coordinates, "node 0 'node0' (NodeGenericODE2), parameter 'referenceCoordinates': received 3 values, but expected 2 values as numberOfODE2Coordinates is 2."),
+        (deleted_marker, "object 1 'object1' (ObjectConnectorSpringDamper), parameter 'markerNumbers': received the invalid index -1, but expected the number of a marker."),
+    ],
+    ids=lambda value: getattr(value, "__name__", ""),
+)  # fmt: skip
+def test_assemble_refuses(mbs: exu.MainSystem, build: Any, text: str) -> None:
+    build(mbs)
+    with pytest.raises(ValueError, match="") as caught:
+        mbs.Assemble()
+    assert str(caught.value).startswith(text)
+    assert mbs.systemIsConsistent is False
+
+
+def test_consistency_follows_the_structure(mbs: exu.MainSystem) -> None:
+    node = mbs.AddNode(exu.NodePoint())
+    mbs.AddObject(exu.MassPoint(nodeNumber=node, physicsMass=1))
+    assert not mbs.systemIsConsistent
+    mbs.Assemble()
+    assert mbs.systemIsConsistent
+    mbs.SetObjectParameter(0, "physicsMass", 2)
+    assert mbs.systemIsConsistent
+    mbs.AddNode(exu.NodePoint())
+    assert not mbs.systemIsConsistent
+    with pytest.raises(RuntimeError, match="items were added, deleted or connected differently since mbs.Assemble"):
+        mbs.GetNodeOutput(0, exu.OutputVariableType.Position)
