@@ -18,9 +18,9 @@ struct EntryList {
   std::vector<Entry> entries;
 };
 
-void register_entry_lists(py::module_& module);     // entry_lists.cpp
+void register_entry_lists(py::module_& module);       // entry_lists.cpp
 void register_matrix_container(py::module_& module);  // matrix_container.cpp
-void register_beam_sections(py::module_& module);   // beam_sections.cpp
-void register_materials(py::module_& module);       // materials.cpp; needs settings
+void register_beam_sections(py::module_& module);     // beam_sections.cpp
+void register_materials(py::module_& module);         // materials.cpp; needs settings
 
 }  // namespace dalembert

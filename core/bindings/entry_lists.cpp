@@ -33,7 +33,10 @@ Entry read_entry(PyObject* value, const std::string& position) {
   try {
     from_python(value, row, &entry);
   } catch (const Refusal& refusal) {
-    refuse(refusal.kind, {.item = list_name<Entry>() + position, .received = show(value), .expected = refusal.expected, .advice = refusal.advice});
+    refuse(refusal.kind, {.item = list_name<Entry>() + position,
+                          .received = show(value),
+                          .expected = refusal.expected,
+                          .advice = refusal.advice});
   }
   return entry;
 }
@@ -46,7 +49,8 @@ template <class Entry>
 EntryList<Entry> make_list(const py::object& value) {
   if (value.is_none()) return {};
   if (py::isinstance<EntryList<Entry>>(value)) return value.cast<EntryList<Entry>>();
-  if (is_mat<Entry> && is_single_matrix(value.ptr()) && py::len(value) > 0) return {{read_entry<Entry>(value.ptr(), "")}};
+  if (is_mat<Entry> && is_single_matrix(value.ptr()) && py::len(value) > 0)
+    return {{read_entry<Entry>(value.ptr(), "")}};
   EntryList<Entry> list;
   try {
     const Items items(value.ptr(), std::string("a list of ") + (is_mat<Entry> ? "matrices" : "vectors"));
@@ -69,7 +73,8 @@ std::size_t position_in(const EntryList<Entry>& list, py::ssize_t index) {
   const auto n = static_cast<py::ssize_t>(list.entries.size());
   const py::ssize_t position = index < 0 ? index + n : index;
   if (position < 0 || position >= n)
-    refuse(ErrorKind::index, {.item = list_name<Entry>(), .problem = "there is no entry " + std::to_string(index),
+    refuse(ErrorKind::index, {.item = list_name<Entry>(),
+                              .problem = "there is no entry " + std::to_string(index),
                               .advice = "The list has " + std::to_string(n) + " entries."});
   return static_cast<std::size_t>(position);
 }
@@ -98,12 +103,16 @@ void register_entry_list(py::module_& module) {
   const std::string name = list_name<Entry>();
   py::class_<List> list(module, name.c_str(), "A list of vectors or matrices of one size. Entries come out as copies.");
   list.def(py::init<>());
-  list.def(py::init(&make_list<Entry>), py::arg("listOfArrays"), "From None, a list of lists, a list of arrays, or an array.");
-  list.def("Append", [](List& self, const py::object& value) { self.entries.push_back(read_entry<Entry>(value.ptr(), ".Append")); },
-           py::arg("pyArray"), "Append one entry: a list or an array.");
+  list.def(py::init(&make_list<Entry>), py::arg("listOfArrays"),
+           "From None, a list of lists, a list of arrays, or an array.");
+  list.def(
+      "Append",
+      [](List& self, const py::object& value) { self.entries.push_back(read_entry<Entry>(value.ptr(), ".Append")); },
+      py::arg("pyArray"), "Append one entry: a list or an array.");
   list.def("GetPythonObject", &entries_of<Entry>, "The entries as a list of arrays.");
   list.def("__len__", [](const List& self) { return self.entries.size(); });
-  list.def("__getitem__", [](const List& self, py::ssize_t index) { return entry_array(self.entries[position_in(self, index)]); });
+  list.def("__getitem__",
+           [](const List& self, py::ssize_t index) { return entry_array(self.entries[position_in(self, index)]); });
   list.def("__setitem__", [](List& self, py::ssize_t index, const py::object& value) {
     const std::size_t position = position_in(self, index);
     self.entries[position] = read_entry<Entry>(value.ptr(), ", entry " + std::to_string(index));
@@ -116,7 +125,8 @@ void register_entry_list(py::module_& module) {
   list.def("__repr__", [](const List& self) { return py::repr(entries_of(self)); });
   list.def("__copy__", [](const List& self) { return List(self); });
   list.def("__deepcopy__", [](const List& self, const py::dict&) { return List(self); });
-  list.def(py::pickle([](const List& self) { return entries_of(self); }, [](const py::list& state) { return make_list<Entry>(state); }));
+  list.def(py::pickle([](const List& self) { return entries_of(self); },
+                      [](const py::list& state) { return make_list<Entry>(state); }));
 }
 
 }  // namespace

@@ -15,7 +15,8 @@ namespace {
 
 // Values that may be joined with `|`: more than two single bits and nothing else, except for zero.
 bool is_flag(const EnumTable& table) {
-  const auto bits = std::ranges::count_if(table.entries, [](const EnumEntry& e) { return std::has_single_bit(e.value); });
+  const auto bits =
+      std::ranges::count_if(table.entries, [](const EnumEntry& e) { return std::has_single_bit(e.value); });
   const auto zeros = std::ranges::count_if(table.entries, [](const EnumEntry& e) { return e.value == 0; });
   return bits > 2 && bits + zeros == static_cast<std::ptrdiff_t>(table.entries.size());
 }

@@ -29,7 +29,9 @@ void reset(GraphicsMaterialList& list) {
 py::object as_material(const py::object& value) {
   if (py::isinstance(value, material_class())) return py::module_::import("copy").attr("copy")(value);
   if (!py::isinstance<py::dict>(value))
-    refuse(ErrorKind::type, {.item = "GraphicsMaterialList", .received = show(value.ptr()), .expected = "a VSettingsMaterial or a dictionary"});
+    refuse(ErrorKind::type, {.item = "GraphicsMaterialList",
+                             .received = show(value.ptr()),
+                             .expected = "a VSettingsMaterial or a dictionary"});
   py::object material = material_class()();
   material.attr("SetDictionary")(value);
   return material;
@@ -49,7 +51,8 @@ std::size_t position_of(const GraphicsMaterialList& list, const py::object& inde
   const py::ssize_t index = PyNumber_AsSsize_t(index_or_name.ptr(), PyExc_IndexError);
   if (index == -1 && PyErr_Occurred() != nullptr) throw py::error_already_set();
   if (index < -n || index >= n)
-    refuse(ErrorKind::index, {.problem = "there is no material " + std::to_string(index), .advice = "The list has " + std::to_string(n) + " materials."});
+    refuse(ErrorKind::index, {.problem = "there is no material " + std::to_string(index),
+                              .advice = "The list has " + std::to_string(n) + " materials."});
   return static_cast<std::size_t>(index < 0 ? index + n : index);
 }
 
@@ -65,16 +68,24 @@ void register_materials(py::module_& module) {
     return self;
   }));
   list.def("Reset", &reset, "Go back to the ten default materials.");
-  list.def("Append", [](List& self, const py::object& material) {
-    self.materials.push_back(as_material(material));
-    return self.materials.size() - 1;
-  }, py::arg("material"), "Append a material (VSettingsMaterial or dictionary); return its number.");
+  list.def(
+      "Append",
+      [](List& self, const py::object& material) {
+        self.materials.push_back(as_material(material));
+        return self.materials.size() - 1;
+      },
+      py::arg("material"), "Append a material (VSettingsMaterial or dictionary); return its number.");
   list.def("New", [](List&) { return material_class()(); }, "A new material with defaults; it is not in the list.");
-  list.def("Set", [](List& self, const py::object& key, const py::object& material) { self.materials[position_of(self, key)] = as_material(material); },
-           py::arg("indexOrName"), py::arg("material"), "Replace a material.");
+  list.def(
+      "Set",
+      [](List& self, const py::object& key, const py::object& material) {
+        self.materials[position_of(self, key)] = as_material(material);
+      },
+      py::arg("indexOrName"), py::arg("material"), "Replace a material.");
   list.def("Get", get, py::arg("indexOrName"), "The material itself: changes of it stay.");
-  list.def("GetDict", [get](const List& self, const py::object& key) { return get(self, key).attr("GetDictionary")(); }, py::arg("indexOrName"),
-           "The material as a dictionary.");
+  list.def(
+      "GetDict", [get](const List& self, const py::object& key) { return get(self, key).attr("GetDictionary")(); },
+      py::arg("indexOrName"), "The material as a dictionary.");
   list.def("__len__", [](const List& self) { return self.materials.size(); });
   list.def("__getitem__", get);
   list.def("__repr__", [](const List& self) { return py::str(py::cast(self.materials)); });

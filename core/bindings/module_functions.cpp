@@ -70,7 +70,8 @@ void print(const py::args& values, const py::kwargs& options) {
   for (const auto& [key, value] : options) {
     const auto name = key.cast<std::string>();
     if (name != "sep" && name != "end" && name != "flush" && name != "file")
-      refuse(ErrorKind::type, {.item = "exu.Print", .problem = "unknown argument '" + name + "'", .expected = "sep, end or flush"});
+      refuse(ErrorKind::type,
+             {.item = "exu.Print", .problem = "unknown argument '" + name + "'", .expected = "sep, end or flush"});
   }
   const auto option = [&](const char* name, const char* fallback) {
     if (!options.contains(name) || options[name].is_none()) return std::string(fallback);
@@ -85,7 +86,10 @@ void print(const py::args& values, const py::kwargs& options) {
 void set_write_to_file(const std::string& filename, bool write_file, bool append, bool flush_always) {
   Config& c = config();
   if (write_file && filename.empty())
-    refuse(ErrorKind::value, {.item = "exu.SetWriteToFile", .parameter = "filename", .problem = "is empty", .advice = "Pass flagWriteToFile=False to end writing."});
+    refuse(ErrorKind::value, {.item = "exu.SetWriteToFile",
+                              .parameter = "filename",
+                              .problem = "is empty",
+                              .advice = "Pass flagWriteToFile=False to end writing."});
   c.file.close();
   c.file.clear();
   c.printToFile = false;
@@ -97,7 +101,8 @@ void set_write_to_file(const std::string& filename, bool write_file, bool append
   std::error_code ignored;
   if (!folder.empty()) std::filesystem::create_directories(folder, ignored);
   c.file.open(filename, append ? std::ios::app : std::ios::trunc);
-  if (!c.file) refuse(ErrorKind::value, {.item = "exu.SetWriteToFile", .problem = "file '" + filename + "' cannot be written"});
+  if (!c.file)
+    refuse(ErrorKind::value, {.item = "exu.SetWriteToFile", .problem = "file '" + filename + "' cannot be written"});
   c.printToFile = true;
 }
 
@@ -105,7 +110,8 @@ std::string version(bool details) {
   std::string text = DALEMBERT_VERSION;
   if (!details) return text;
   const py::module_ platform = py::module_::import("platform");
-  return text + "; Python" + platform.attr("python_version")().cast<std::string>() + "; " + platform.attr("system")().cast<std::string>() + " FLOAT64";
+  return text + "; Python" + platform.attr("python_version")().cast<std::string>() + "; " +
+         platform.attr("system")().cast<std::string>() + " FLOAT64";
 }
 
 void help() {
@@ -126,52 +132,80 @@ template <class T>
 std::string attributes_text(const T& object, const std::vector<const char*>& names) {
   const py::object instance = py::cast(object, py::return_value_policy::reference);
   std::string text;
-  for (const char* name : names) text += std::string(text.empty() ? "" : "\n") + name + " = " + std::string(py::str(instance.attr(name)));
+  for (const char* name : names)
+    text += std::string(text.empty() ? "" : "\n") + name + " = " + std::string(py::str(instance.attr(name)));
   return text;
 }
 
 void register_config(py::module_& module) {
   py::class_<Config> c(module, "Config", "Switches for output and warnings, as exu.config.");
-  c.def("Version", [](const Config&, bool details) { return version(details); }, py::arg("addDetails") = false, "Version of this package.");
+  c.def(
+      "Version", [](const Config&, bool details) { return version(details); }, py::arg("addDetails") = false,
+      "Version of this package.");
   c.def_readwrite("suppressWarnings", &Config::suppressWarnings, "True: no warnings.");
-  c.def_property("outputPrecision", [](const Config& self) { return self.outputPrecision; }, [](Config& self, int digits) {
-    if (digits < 1 || digits > 17)
-      refuse(ErrorKind::value, {.item = "exu.config", .parameter = "outputPrecision", .received = std::to_string(digits), .expected = "1 to 17 digits"});
-    self.outputPrecision = digits;
-  }, "Significant digits of the core's output.");
-  c.def_readwrite("linalgOutputFormatPython", &Config::linalgOutputFormatPython, "Vectors and matrices as Python writes them.");
-  c.def_property("printDelayMilliSeconds", [](const Config& self) { return self.printDelayMilliSeconds; }, [](Config& self, int delay) {
-    if (delay < 0)
-      refuse(ErrorKind::value, {.item = "exu.config", .parameter = "printDelayMilliSeconds", .received = std::to_string(delay), .expected = "a number that is not negative"});
-    self.printDelayMilliSeconds = delay;
-  }, "Pause after each output, in ms.");
+  c.def_property(
+      "outputPrecision", [](const Config& self) { return self.outputPrecision; },
+      [](Config& self, int digits) {
+        if (digits < 1 || digits > 17)
+          refuse(ErrorKind::value, {.item = "exu.config",
+                                    .parameter = "outputPrecision",
+                                    .received = std::to_string(digits),
+                                    .expected = "1 to 17 digits"});
+        self.outputPrecision = digits;
+      },
+      "Significant digits of the core's output.");
+  c.def_readwrite("linalgOutputFormatPython", &Config::linalgOutputFormatPython,
+                  "Vectors and matrices as Python writes them.");
+  c.def_property(
+      "printDelayMilliSeconds", [](const Config& self) { return self.printDelayMilliSeconds; },
+      [](Config& self, int delay) {
+        if (delay < 0)
+          refuse(ErrorKind::value, {.item = "exu.config",
+                                    .parameter = "printDelayMilliSeconds",
+                                    .received = std::to_string(delay),
+                                    .expected = "a number that is not negative"});
+        self.printDelayMilliSeconds = delay;
+      },
+      "Pause after each output, in ms.");
   c.def_readwrite("printFlushAlways", &Config::printFlushAlways, "Flush after each output.");
   c.def_readwrite("printToConsole", &Config::printToConsole, "Whether Print and solvers write to the console.");
   c.def_readonly("printToFile", &Config::printToFile, "Whether output goes to a file, see SetWriteToFile.");
   c.def_readonly("printFileName", &Config::printFileName, "Name of that file.");
   c.def_readonly("printToFileAppend", &Config::printToFileAppend, "Whether that file is continued.");
   c.def("__repr__", [](const Config& self) {
-    return attributes_text(self, {"suppressWarnings", "outputPrecision", "linalgOutputFormatPython", "printDelayMilliSeconds", "printFlushAlways",
-                                  "printToConsole", "printToFile", "printFileName", "printToFileAppend"});
+    return attributes_text(self,
+                           {"suppressWarnings", "outputPrecision", "linalgOutputFormatPython", "printDelayMilliSeconds",
+                            "printFlushAlways", "printToConsole", "printToFile", "printFileName", "printToFileAppend"});
   });
   module.attr("config") = py::cast(config(), py::return_value_policy::reference);
 }
 
 void register_special(py::module_& module) {
   py::class_<SolverSwitches> solver(module, "SpecialSolver", "Switches for solvers, as exu.special.solver.");
-  solver.def_readwrite("timeout", &SolverSwitches::timeout, "A solver stops after this processor time, in s; negative: never.");
-  solver.def_readwrite("throwErrorWithCtrlC", &SolverSwitches::throwErrorWithCtrlC, "Whether Ctrl-C in a solver raises an exception.");
-  solver.def_readwrite("multiThreadingLoadBalancing", &SolverSwitches::multiThreadingLoadBalancing, "Share work among threads as it comes.");
-  solver.def("__repr__", [](const SolverSwitches& self) { return attributes_text(self, {"timeout", "throwErrorWithCtrlC", "multiThreadingLoadBalancing"}); });
-  py::class_<Exceptions> exceptions(module, "SpecialExceptions", "What is refused in dictionaries of systems, as exu.special.exceptions.");
-  exceptions.def_readwrite("dictionaryVersionMismatch", &Exceptions::dictionaryVersionMismatch, "Refuse other versions.");
-  exceptions.def_readwrite("dictionaryNonCopyable", &Exceptions::dictionaryNonCopyable, "Refuse what cannot be copied.");
-  exceptions.def("__repr__", [](const Exceptions& self) { return attributes_text(self, {"dictionaryVersionMismatch", "dictionaryNonCopyable"}); });
+  solver.def_readwrite("timeout", &SolverSwitches::timeout,
+                       "A solver stops after this processor time, in s; negative: never.");
+  solver.def_readwrite("throwErrorWithCtrlC", &SolverSwitches::throwErrorWithCtrlC,
+                       "Whether Ctrl-C in a solver raises an exception.");
+  solver.def_readwrite("multiThreadingLoadBalancing", &SolverSwitches::multiThreadingLoadBalancing,
+                       "Share work among threads as it comes.");
+  solver.def("__repr__", [](const SolverSwitches& self) {
+    return attributes_text(self, {"timeout", "throwErrorWithCtrlC", "multiThreadingLoadBalancing"});
+  });
+  py::class_<Exceptions> exceptions(module, "SpecialExceptions",
+                                    "What is refused in dictionaries of systems, as exu.special.exceptions.");
+  exceptions.def_readwrite("dictionaryVersionMismatch", &Exceptions::dictionaryVersionMismatch,
+                           "Refuse other versions.");
+  exceptions.def_readwrite("dictionaryNonCopyable", &Exceptions::dictionaryNonCopyable,
+                           "Refuse what cannot be copied.");
+  exceptions.def("__repr__", [](const Exceptions& self) {
+    return attributes_text(self, {"dictionaryVersionMismatch", "dictionaryNonCopyable"});
+  });
   py::class_<Special> s(module, "Special", "Rarely needed switches, as exu.special.");
   s.def_readonly("solver", &Special::solver, "Switches for solvers.");
   s.def_readonly("exceptions", &Special::exceptions, "What is refused in dictionaries of systems.");
-  s.def("InfoStat", [](const Special&, bool write_output) { return allocation_counts(write_output); }, py::arg("writeOutput") = true,
-        "Seven zeros: allocations are not counted.");
+  s.def(
+      "InfoStat", [](const Special&, bool write_output) { return allocation_counts(write_output); },
+      py::arg("writeOutput") = true, "Seven zeros: allocations are not counted.");
   module.attr("special") = py::cast(special(), py::return_value_policy::reference);
   py::class_<Experimental> experimental(module, "Experimental", "Accepted, without effect.");
   experimental.def_readwrite("eigenFullPivotLUsolverDebugLevel", &Experimental::eigenFullPivotLUsolverDebugLevel);
@@ -182,14 +216,22 @@ void register_special(py::module_& module) {
 // Functions of earlier interfaces; what replaces them is in their docstrings.
 void register_earlier_functions(py::module_& module) {
   module.def("GetVersionString", &version, py::arg("addDetails") = false, "Earlier name of config.Version.");
-  module.def("SetOutputPrecision", [](int digits) { core_module().attr("config").attr("outputPrecision") = digits; }, py::arg("numberOfDigits"),
-             "Earlier form of config.outputPrecision.");
-  module.def("SetLinalgOutputFormatPython", [](bool flag) { config().linalgOutputFormatPython = flag; }, py::arg("flagPythonFormat"),
-             "Earlier form of config.linalgOutputFormatPython.");
-  module.def("SetPrintDelayMilliSeconds", [](int delay) { core_module().attr("config").attr("printDelayMilliSeconds") = delay; },
-             py::arg("delayMilliSeconds"), "Earlier form of config.printDelayMilliSeconds.");
-  module.def("SetWriteToConsole", [](bool flag) { config().printToConsole = flag; }, py::arg("flag"), "Earlier form of config.printToConsole.");
-  module.def("SuppressWarnings", [](bool flag) { config().suppressWarnings = flag; }, py::arg("flag"), "Earlier form of config.suppressWarnings.");
+  module.def(
+      "SetOutputPrecision", [](int digits) { core_module().attr("config").attr("outputPrecision") = digits; },
+      py::arg("numberOfDigits"), "Earlier form of config.outputPrecision.");
+  module.def(
+      "SetLinalgOutputFormatPython", [](bool flag) { config().linalgOutputFormatPython = flag; },
+      py::arg("flagPythonFormat"), "Earlier form of config.linalgOutputFormatPython.");
+  module.def(
+      "SetPrintDelayMilliSeconds",
+      [](int delay) { core_module().attr("config").attr("printDelayMilliSeconds") = delay; },
+      py::arg("delayMilliSeconds"), "Earlier form of config.printDelayMilliSeconds.");
+  module.def(
+      "SetWriteToConsole", [](bool flag) { config().printToConsole = flag; }, py::arg("flag"),
+      "Earlier form of config.printToConsole.");
+  module.def(
+      "SuppressWarnings", [](bool flag) { config().suppressWarnings = flag; }, py::arg("flag"),
+      "Earlier form of config.suppressWarnings.");
   module.def("InfoStat", &allocation_counts, py::arg("writeOutput") = true, "Earlier name of special.InfoStat.");
   for (const char* name : {"StartRenderer", "IsRendererActive", "DoRendererIdleTasks"})
     module.def(name, [](const py::args&, const py::kwargs&) { return false; }, "Does nothing: there is no renderer.");
@@ -215,8 +257,9 @@ const SolverSwitches& solver_switches() { return special().solver; }
 void register_module_functions(py::module_& module) {
   module.def("Help", &help, "Show where to begin.");
   module.def("Print", &print, "Print as Python does, to where exu.config and SetWriteToFile say.");
-  module.def("SetWriteToFile", &set_write_to_file, py::arg("filename"), py::arg("flagWriteToFile") = true, py::arg("flagAppend") = false,
-             py::arg("flagFlushAlways") = false, "Write all output to a file as well, or end that (flagWriteToFile=False), which closes the file.");
+  module.def("SetWriteToFile", &set_write_to_file, py::arg("filename"), py::arg("flagWriteToFile") = true,
+             py::arg("flagAppend") = false, py::arg("flagFlushAlways") = false,
+             "Write all output to a file as well, or end that (flagWriteToFile=False), which closes the file.");
   register_config(module);
   register_special(module);
   register_earlier_functions(module);

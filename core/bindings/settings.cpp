@@ -1,5 +1,5 @@
-// The Python classes of settings, made at import from the tree of generated groups. Plain CPython types: an attribute is a
-// descriptor that knows its row, and what is not a row is refused with the nearest known name.
+// The Python classes of settings, made at import from the tree of generated groups. Plain CPython types: an attribute
+// is a descriptor that knows its row, and what is not a row is refused with the nearest known name.
 #include "settings.hpp"
 
 #include <algorithm>
@@ -15,18 +15,17 @@ namespace dalembert {
 namespace {
 
 struct SettingsObject {
-  PyObject_HEAD
-  SettingsView view;
+  PyObject_HEAD SettingsView view;
 };
 
 struct SettingsClass {
   const SettingsTree* tree = nullptr;
   const SettingsGroup* group = nullptr;
   PyTypeObject* type = nullptr;
-  std::string path, name;          // where the structure is found first; name of the class
-  std::size_t offset = 0;          // there
+  std::string path, name;  // where the structure is found first; name of the class
+  std::size_t offset = 0;  // there
   std::vector<PyGetSetDef> fields;
-  std::deque<std::string> texts;   // behind the pointers in `fields`
+  std::deque<std::string> texts;  // behind the pointers in `fields`
 };
 
 // Built once at import, never freed: types refer to it.
@@ -59,7 +58,8 @@ PyObject* make_object(SettingsView view) {
 
 // A structure of its own, with defaults.
 SettingsView fresh(const SettingsClass& settings_class) {
-  SettingsView view{settings_class.tree, settings_class.group, settings_class.tree->operations.create(), nullptr, settings_class.path};
+  SettingsView view{settings_class.tree, settings_class.group, settings_class.tree->operations.create(), nullptr,
+                    settings_class.path};
   view.data = static_cast<char*>(view.root.get()) + settings_class.offset;
   return view;
 }
@@ -67,7 +67,8 @@ SettingsView fresh(const SettingsClass& settings_class) {
 SettingsView copy_of(const SettingsView& view) {
   SettingsView copy = view;
   copy.root = view.tree->operations.copy(view.root.get());
-  copy.data = static_cast<char*>(copy.root.get()) + (static_cast<char*>(view.data) - static_cast<char*>(view.root.get()));
+  copy.data =
+      static_cast<char*>(copy.root.get()) + (static_cast<char*>(view.data) - static_cast<char*>(view.root.get()));
   return copy;
 }
 
@@ -79,7 +80,8 @@ void set_child(const SettingsView& view, const SettingsChild& child, PyObject* v
   }
   const SettingsClass* given = class_of(value);
   if (given == nullptr || given->group != child.group)
-    refuse(ErrorKind::type, {.item = std::string(view.tree->group->name), .parameter = target.path,
+    refuse(ErrorKind::type, {.item = std::string(view.tree->group->name),
+                             .parameter = target.path,
                              .received = given != nullptr ? "a " + given->name : show(value),
                              .expected = "a " + class_of(child.group)->name + " or a dictionary"});
   assign_settings(*child.group, target.data, view_of(value).data);
@@ -96,10 +98,14 @@ void set_field(const SettingsField& field, PyObject* value) {
   if (field.row != nullptr) write_setting(field.view, *field.row, value);
   if (field.child != nullptr) set_child(field.view, *field.child, value);
   if (field.only_names)
-    refuse(ErrorKind::type, {.item = std::string(field.view.tree->group->name), .parameter = field.view.path, .problem = "is not a structure", .advice = "Set its parameters."});
+    refuse(ErrorKind::type, {.item = std::string(field.view.tree->group->name),
+                             .parameter = field.view.path,
+                             .problem = "is not a structure",
+                             .advice = "Set its parameters."});
 }
 
-// ---- slots -----------------------------------------------------------------------------------------------------------
+// ---- slots
+// -----------------------------------------------------------------------------------------------------------
 
 PyObject* get_row(PyObject* self, void* row) {
   return guarded([&] { return read_setting(view_of(self), *static_cast<const Row*>(row)).release().ptr(); });
@@ -128,7 +134,8 @@ int set_attribute(PyObject* self, PyObject* name, PyObject* value) {
     const std::string text = to_string(name);
     const SettingsField field = find_field(view, text);
     if (!field) refuse_unknown(view, text);
-    if (value == nullptr) refuse(ErrorKind::type, {.item = view.title(), .parameter = text, .problem = "settings cannot be deleted"});
+    if (value == nullptr)
+      refuse(ErrorKind::type, {.item = view.title(), .parameter = text, .problem = "settings cannot be deleted"});
     set_field(field, value);
   });
 }
@@ -137,7 +144,8 @@ PyObject* make_new(PyTypeObject* type, PyObject* arguments, PyObject* keywords) 
   return guarded([&] {
     const auto found = std::ranges::find_if(classes(), [&](const SettingsClass& each) { return each.type == type; });
     if (PyTuple_GET_SIZE(arguments) != 0 || (keywords != nullptr && PyDict_Size(keywords) != 0))
-      refuse(ErrorKind::type, {.item = found->name, .problem = "takes no arguments", .advice = "Set its attributes instead."});
+      refuse(ErrorKind::type,
+             {.item = found->name, .problem = "takes no arguments", .advice = "Set its attributes instead."});
     return make_object(fresh(*found));
   });
 }
@@ -181,7 +189,8 @@ PyMethodDef methods[] = {
     {"GetDictionary", get_dictionary, METH_NOARGS, "All settings as nested dictionaries."},
     {"GetDictionaryWithTypeInfo", get_dictionary_with_types, METH_NOARGS,
      "As GetDictionary, but each value is a dictionary with 'value', 'type', 'size' and 'description'."},
-    {"SetDictionary", set_dictionary, METH_O, "Set the settings that a dictionary names; the others stay. An error changes nothing."},
+    {"SetDictionary", set_dictionary, METH_O,
+     "Set the settings that a dictionary names; the others stay. An error changes nothing."},
     {"__copy__", copy, METH_NOARGS, nullptr},
     {"__deepcopy__", copy, METH_O, nullptr},
     {"__reduce__", reduce, METH_NOARGS, nullptr},
@@ -189,20 +198,23 @@ PyMethodDef methods[] = {
     {nullptr, nullptr, 0, nullptr},
 };
 
-// ---- classes ---------------------------------------------------------------------------------------------------------
+// ---- classes
+// ---------------------------------------------------------------------------------------------------------
 
 void add_field(SettingsClass& settings_class, std::string_view name, std::string doc, getter get, const void* closure) {
   settings_class.texts.emplace_back(name);
   const char* stable_name = settings_class.texts.back().c_str();
   settings_class.texts.push_back(std::move(doc));
-  settings_class.fields.push_back({stable_name, get, nullptr, settings_class.texts.back().c_str(), const_cast<void*>(closure)});
+  settings_class.fields.push_back(
+      {stable_name, get, nullptr, settings_class.texts.back().c_str(), const_cast<void*>(closure)});
 }
 
 void make_class(SettingsClass& settings_class, const py::module_& module) {
   settings_class.name = std::string(settings_class.group->name);
   for (const SettingsChild& child : settings_class.group->children)
     add_field(settings_class, child.name, std::string(child.group->name), get_child, &child);
-  for (const Row& row : settings_class.group->rows) add_field(settings_class, row.name, setting_doc(row), get_row, &row);
+  for (const Row& row : settings_class.group->rows)
+    add_field(settings_class, row.name, setting_doc(row), get_row, &row);
   settings_class.fields.push_back({});
   settings_class.texts.push_back(module.attr("__name__").cast<std::string>() + "." + settings_class.name);
   const char* full_name = settings_class.texts.back().c_str();
@@ -225,7 +237,8 @@ void make_class(SettingsClass& settings_class, const py::module_& module) {
   settings_class.type = reinterpret_cast<PyTypeObject*>(type);
 }
 
-void collect_classes(const SettingsTree& tree, const SettingsGroup& group, const std::string& path, std::size_t offset) {
+void collect_classes(const SettingsTree& tree, const SettingsGroup& group, const std::string& path,
+                     std::size_t offset) {
   if (class_of(&group) != nullptr) return;
   SettingsClass& settings_class = classes().emplace_back();
   settings_class.tree = &tree;
@@ -233,15 +246,18 @@ void collect_classes(const SettingsTree& tree, const SettingsGroup& group, const
   settings_class.path = path;
   settings_class.offset = offset;
   for (const SettingsChild& child : group.children)
-    collect_classes(tree, *child.group, path.empty() ? std::string(child.name) : path + "." + std::string(child.name), offset + child.offset);
+    collect_classes(tree, *child.group, path.empty() ? std::string(child.name) : path + "." + std::string(child.name),
+                    offset + child.offset);
 }
 
 const SettingsTree& simulation_tree() {
-  static const SettingsTree tree{&simulation_settings_group(), record_operations<SimulationSettings>(), simulation_aliases()};
+  static const SettingsTree tree{&simulation_settings_group(), record_operations<SimulationSettings>(),
+                                 simulation_aliases()};
   return tree;
 }
 const SettingsTree& visualization_tree() {
-  static const SettingsTree tree{&visualization_settings_group(), record_operations<VisualizationSettings>(), visualization_aliases()};
+  static const SettingsTree tree{&visualization_settings_group(), record_operations<VisualizationSettings>(),
+                                 visualization_aliases()};
   return tree;
 }
 
@@ -279,7 +295,8 @@ std::shared_ptr<VisualizationSettings> visualization_settings_of(py::handle obje
 }
 
 void register_settings(py::module_& module) {
-  for (const SettingsTree* tree : {&simulation_tree(), &visualization_tree()}) collect_classes(*tree, *tree->group, "", 0);
+  for (const SettingsTree* tree : {&simulation_tree(), &visualization_tree()})
+    collect_classes(*tree, *tree->group, "", 0);
   SettingsClass& names = classes().emplace_back();
   names.tree = &simulation_tree();
   names.group = &names_group();

@@ -32,10 +32,12 @@ SettingsField follow(SettingsView view, std::string_view path) {
 }
 
 // Paths of all rows with that name.
-void paths_of(const SettingsGroup& group, const std::string& path, std::string_view name, std::vector<std::string>& found) {
+void paths_of(const SettingsGroup& group, const std::string& path, std::string_view name,
+              std::vector<std::string>& found) {
   for (const Row& row : group.rows)
     if (row.name == name) found.push_back(path + std::string(name));
-  for (const SettingsChild& child : group.children) paths_of(*child.group, path + std::string(child.name) + ".", name, found);
+  for (const SettingsChild& child : group.children)
+    paths_of(*child.group, path + std::string(child.name) + ".", name, found);
 }
 
 }  // namespace
@@ -45,7 +47,9 @@ std::string SettingsView::title() const {
   return path.empty() ? root : root + "." + path;
 }
 
-std::string SettingsView::path_to(std::string_view name) const { return path.empty() ? std::string(name) : path + "." + std::string(name); }
+std::string SettingsView::path_to(std::string_view name) const {
+  return path.empty() ? std::string(name) : path + "." + std::string(name);
+}
 
 SettingsView SettingsView::child(const SettingsChild& child) const {
   return {tree, child.group, root, static_cast<char*>(data) + child.offset, path_to(child.name)};
@@ -65,7 +69,8 @@ SettingsField find_field(const SettingsView& view, std::string_view name) {
       if (!alias.target.empty()) return follow(root_of(view), alias.target);
       return {.view = view, .without_effect = true};
     }
-    if (alias.path[path.size()] == '.') return {.view = {view.tree, &names_group(), view.root, view.root.get(), path}, .only_names = true};
+    if (alias.path[path.size()] == '.')
+      return {.view = {view.tree, &names_group(), view.root, view.root.get(), path}, .only_names = true};
   }
   return {};
 }
@@ -82,7 +87,8 @@ void refuse_unknown(const SettingsView& view, std::string_view name) {
   std::vector<std::string> elsewhere;
   paths_of(*view.tree->group, "", name, elsewhere);
   const bool near = !nearest(name, known).empty();
-  const std::string advice = !near && !elsewhere.empty() ? "Did you mean " + quoted(elsewhere.front()) + "?" : suggestion(name, known);
+  const std::string advice =
+      !near && !elsewhere.empty() ? "Did you mean " + quoted(elsewhere.front()) + "?" : suggestion(name, known);
   refuse(ErrorKind::name, {.problem = problem, .advice = advice});
 }
 

@@ -13,15 +13,23 @@ namespace {
 
 const char* type_word(const Row& row) {
   switch (row.storage) {
-    case Storage::boolean: return "bool";
-    case Storage::integer: return "int";
-    case Storage::real: return "float";
-    case Storage::text: return "str";
-    case Storage::output_variable: return "OutputVariableType";
-    case Storage::enumeration: return enum_tables()[row.enumeration].name.data();
+    case Storage::boolean:
+      return "bool";
+    case Storage::integer:
+      return "int";
+    case Storage::real:
+      return "float";
+    case Storage::text:
+      return "str";
+    case Storage::output_variable:
+      return "OutputVariableType";
+    case Storage::enumeration:
+      return enum_tables()[row.enumeration].name.data();
     case Storage::user_function:
-    case Storage::opaque: return "function";
-    default: return "list";
+    case Storage::opaque:
+      return "function";
+    default:
+      return "list";
   }
 }
 
@@ -59,7 +67,8 @@ void write_enumeration(const Row& row, PyObject* value, std::uint32_t& out) {
   const py::object type = core_module().attr(name.c_str());
   if (!py::isinstance(value, type)) {
     const bool text = PyUnicode_Check(value);
-    throw Refusal{ErrorKind::type, "a member of " + name, text ? "Write " + name + "." + to_string(value) + " without quotes." : ""};
+    throw Refusal{ErrorKind::type, "a member of " + name,
+                  text ? "Write " + name + "." + to_string(value) + " without quotes." : ""};
   }
   out = py::handle(value).cast<std::uint32_t>();
 }
@@ -84,7 +93,9 @@ void write_value(const SettingsView& view, const Row& row, PyObject* value) {
 void merge(const SettingsView& view, const py::dict& values) {
   for (const auto& [key, value] : values) {
     if (!py::isinstance<py::str>(key))
-      refuse(ErrorKind::type, {.item = view.title(), .problem = "keys of a dictionary of settings must be strings", .received = show(key.ptr())});
+      refuse(ErrorKind::type, {.item = view.title(),
+                               .problem = "keys of a dictionary of settings must be strings",
+                               .received = show(key.ptr())});
     const auto name = key.cast<std::string>();
     const SettingsField field = find_field(view, name);
     if (!field) refuse_unknown(view, name);
@@ -92,7 +103,8 @@ void merge(const SettingsView& view, const py::dict& values) {
       write_setting(field.view, *field.row, value.ptr());
     } else if (field.child != nullptr || field.only_names) {
       if (!py::isinstance<py::dict>(value))
-        refuse(ErrorKind::type, {.item = view.title(), .parameter = name, .received = show(value.ptr()), .expected = "a dictionary"});
+        refuse(ErrorKind::type,
+               {.item = view.title(), .parameter = name, .received = show(value.ptr()), .expected = "a dictionary"});
       merge(field.only_names ? field.view : field.view.child(*field.child), py::reinterpret_borrow<py::dict>(value));
     }
   }
@@ -130,7 +142,11 @@ void write_setting(const SettingsView& view, const Row& row, PyObject* value) {
     write_value(view, row, value);
   } catch (const Refusal& refusal) {
     const std::string root(view.tree->group->name);
-    refuse(refusal.kind, {.item = root, .parameter = view.path_to(row.name), .received = show(value), .expected = refusal.expected, .advice = refusal.advice});
+    refuse(refusal.kind, {.item = root,
+                          .parameter = view.path_to(row.name),
+                          .received = show(value),
+                          .expected = refusal.expected,
+                          .advice = refusal.advice});
   }
 }
 
@@ -140,12 +156,14 @@ void assign_settings(const SettingsGroup& group, void* target, const void* sourc
       *static_cast<T*>(member(target, row)) = *static_cast<const T*>(member(source, row));
     });
   for (const SettingsChild& child : group.children)
-    assign_settings(*child.group, static_cast<char*>(target) + child.offset, static_cast<const char*>(source) + child.offset);
+    assign_settings(*child.group, static_cast<char*>(target) + child.offset,
+                    static_cast<const char*>(source) + child.offset);
 }
 
 py::dict settings_dictionary(const SettingsView& view) {
   py::dict values;
-  for (const SettingsChild& child : view.group->children) values[py::str(child.name)] = settings_dictionary(view.child(child));
+  for (const SettingsChild& child : view.group->children)
+    values[py::str(child.name)] = settings_dictionary(view.child(child));
   for (const Row& row : view.group->rows) values[py::str(row.name)] = read_setting(view, row);
   return values;
 }
@@ -170,7 +188,8 @@ py::dict settings_dictionary_with_types(const SettingsView& view) {
 void set_settings_dictionary(const SettingsView& view, const py::dict& values) {
   SettingsView copy = view;
   copy.root = view.tree->operations.copy(view.root.get());
-  copy.data = static_cast<char*>(copy.root.get()) + (static_cast<char*>(view.data) - static_cast<char*>(view.root.get()));
+  copy.data =
+      static_cast<char*>(copy.root.get()) + (static_cast<char*>(view.data) - static_cast<char*>(view.root.get()));
   merge(copy, values);
   // Earlier names may reach beyond this structure.
   assign_settings(*view.tree->group, view.root.get(), copy.root.get());

@@ -24,11 +24,11 @@ using Member = std::vector<double> State::*;
 
 // The vectors of a state, by the words that method names are made of.
 struct Coordinates {
-  const char* name;     // "ODE2Coordinates_t"
-  const char* key;      // of GetSystemStateDict
+  const char* name;  // "ODE2Coordinates_t"
+  const char* key;   // of GetSystemStateDict
   Member member;
   int Sizes::* size;
-  bool reference;       // the reference configuration has them
+  bool reference;  // the reference configuration has them
 };
 constexpr Coordinates coordinates[] = {
     {"ODE1Coordinates", "ODE1Coords", &State::y, &Sizes::ode1, true},
@@ -60,11 +60,15 @@ Configuration read_configuration(const py::object& value, const std::string& met
     if (configuration != Configuration::_None && configuration != Configuration::EndOfEnumList) return configuration;
   }
   refuse(py::isinstance(value, core_module().attr("ConfigurationType")) ? ErrorKind::value : ErrorKind::type,
-         {.item = full_name(method), .parameter = "configuration", .received = show(value.ptr()),
+         {.item = full_name(method),
+          .parameter = "configuration",
+          .received = show(value.ptr()),
           .expected = "ConfigurationType.Current, Initial, Reference, StartOfStep or Visualization"});
 }
 
-bool has(const Coordinates& which, Configuration configuration) { return which.reference || configuration != Configuration::Reference; }
+bool has(const Coordinates& which, Configuration configuration) {
+  return which.reference || configuration != Configuration::Reference;
+}
 
 int size_of(const System& system, const Coordinates& which, Configuration configuration) {
   return has(which, configuration) ? system.sizes().*which.size : 0;
@@ -87,15 +91,17 @@ py::array_t<double> get(const py::object& self, const Coordinates& which, const 
 }
 
 // Numbers for one vector of a state, checked; nothing is written.
-std::vector<double> read_coordinates(const System& system, const Coordinates& which, Configuration configuration, const py::object& value,
-                                     const std::string& method) {
+std::vector<double> read_coordinates(const System& system, const Coordinates& which, Configuration configuration,
+                                     const py::object& value, const std::string& method) {
   const int size = size_of(system, which, configuration);
-  const std::string expected = std::to_string(size) + " finite numbers, the " + std::string(which.name) + " of the assembled system";
+  const std::string expected =
+      std::to_string(size) + " finite numbers, the " + std::string(which.name) + " of the assembled system";
   try {
     std::vector<double> numbers = read_reals(value.ptr());
     if (static_cast<int>(numbers.size()) == size) return numbers;
   } catch (const Refusal& refusal) {
-    refuse(refusal.kind, {.item = full_name(method), .received = show(value.ptr()), .expected = expected, .advice = refusal.advice});
+    refuse(refusal.kind,
+           {.item = full_name(method), .received = show(value.ptr()), .expected = expected, .advice = refusal.advice});
   }
   refuse(ErrorKind::value, {.item = full_name(method), .received = show(value.ptr()), .expected = expected});
 }
@@ -130,12 +136,15 @@ void set_system_state(const SystemData& self, const py::object& value, const py:
   const Configuration configuration = read_configuration(where, method);
   constexpr std::size_t n = std::size(state_members);
   if (!py::isinstance<py::sequence>(value) || py::len(value) != n)
-    refuse(ErrorKind::value, {.item = full_name(method), .received = show(value.ptr()),
-                              .expected = "a list of 5 vectors: ODE2 coordinates, their velocities, ODE1, AE and data coordinates"});
+    refuse(ErrorKind::value,
+           {.item = full_name(method),
+            .received = show(value.ptr()),
+            .expected = "a list of 5 vectors: ODE2 coordinates, their velocities, ODE1, AE and data coordinates"});
   std::array<std::vector<double>, n> numbers;
   for (std::size_t i = 0; i < n; ++i)
     numbers[i] = read_coordinates(system, coordinates_of(state_members[i]), configuration, value[py::int_(i)], method);
-  for (std::size_t i = 0; i < n; ++i) std::ranges::copy(numbers[i], (system.state(configuration).*state_members[i]).begin());
+  for (std::size_t i = 0; i < n; ++i)
+    std::ranges::copy(numbers[i], (system.state(configuration).*state_members[i]).begin());
 }
 
 py::dict state_dictionary(const py::object& self, const py::object& where, bool reference) {
@@ -144,13 +153,15 @@ py::dict state_dictionary(const py::object& self, const py::object& where, bool 
   return state;
 }
 
-// ---- index tables ------------------------------------------------------------------------------------------------------
+// ---- index tables
+// ------------------------------------------------------------------------------------------------------
 
 int item_number(const SystemData& self, ItemKind kind, const py::object& value, const std::string& method) {
   ItemKind given = kind;
   int number = -1;
   const std::string noun(kind_name(kind));
-  const std::string expected = "the number of " + std::string(kind == ItemKind::object ? "an " : "a ") + noun + ": " + std::string(index_name(kind)) + " or int";
+  const std::string expected = "the number of " + std::string(kind == ItemKind::object ? "an " : "a ") + noun + ": " +
+                               std::string(index_name(kind)) + " or int";
   if (!read_index(value.ptr(), given, number)) {
     try {
       number = read_integer(value.ptr());
@@ -158,10 +169,13 @@ int item_number(const SystemData& self, ItemKind kind, const py::object& value, 
       refuse(refusal.kind, {.item = full_name(method), .received = show(value.ptr()), .expected = expected});
     }
   }
-  if (given != kind) refuse(ErrorKind::type, {.item = full_name(method), .received = show(value.ptr()), .expected = expected});
+  if (given != kind)
+    refuse(ErrorKind::type, {.item = full_name(method), .received = show(value.ptr()), .expected = expected});
   if (self.main->model.find_item(kind, number) == nullptr)
-    refuse(ErrorKind::index, {.item = full_name(method), .problem = "there is no " + noun + " " + std::to_string(number),
-                              .advice = "The system has " + std::to_string(self.main->model.count(kind)) + " " + noun + "s."});
+    refuse(ErrorKind::index,
+           {.item = full_name(method),
+            .problem = "there is no " + noun + " " + std::to_string(number),
+            .advice = "The system has " + std::to_string(self.main->model.count(kind)) + " " + noun + "s."});
   return number;
 }
 
@@ -169,25 +183,35 @@ struct Table {
   const char* name;
   System::Coordinates kind;
 };
-constexpr Table tables[] = {{"ODE2", System::Coordinates::ode2}, {"ODE1", System::Coordinates::ode1},
-                            {"AE", System::Coordinates::ae}, {"Data", System::Coordinates::data}};
+constexpr Table tables[] = {{"ODE2", System::Coordinates::ode2},
+                            {"ODE1", System::Coordinates::ode1},
+                            {"AE", System::Coordinates::ae},
+                            {"Data", System::Coordinates::data}};
 
 void register_tables(Data& data) {
   for (const Table& table : tables) {
-    const std::string object_method = std::string("GetObjectLTG") + table.name, node_method = std::string("GetNodeLTG") + table.name;
-    data.def(object_method.c_str(), [object_method, kind = table.kind](const SystemData& self, const py::object& number) {
-      System& system = assembled(self, object_method);
-      const auto indices = system.object_ltg(item_number(self, ItemKind::object, number, object_method), kind);
-      return std::vector<int>(indices.begin(), indices.end());
-    }, py::arg("objectNumber"), "Global numbers of the object's coordinates.");
-    data.def(node_method.c_str(), [node_method, kind = table.kind](const SystemData& self, const py::object& number) {
-      System& system = assembled(self, node_method);
-      return system.node_ltg(item_number(self, ItemKind::node, number, node_method), kind);
-    }, py::arg("nodeNumber"), "Global numbers of the node's coordinates.");
+    const std::string object_method = std::string("GetObjectLTG") + table.name,
+                      node_method = std::string("GetNodeLTG") + table.name;
+    data.def(
+        object_method.c_str(),
+        [object_method, kind = table.kind](const SystemData& self, const py::object& number) {
+          System& system = assembled(self, object_method);
+          const auto indices = system.object_ltg(item_number(self, ItemKind::object, number, object_method), kind);
+          return std::vector<int>(indices.begin(), indices.end());
+        },
+        py::arg("objectNumber"), "Global numbers of the object's coordinates.");
+    data.def(
+        node_method.c_str(),
+        [node_method, kind = table.kind](const SystemData& self, const py::object& number) {
+          System& system = assembled(self, node_method);
+          return system.node_ltg(item_number(self, ItemKind::node, number, node_method), kind);
+        },
+        py::arg("nodeNumber"), "Global numbers of the node's coordinates.");
   }
 }
 
-// ---- loads that depend on coordinates ------------------------------------------------------------------------------------
+// ---- loads that depend on coordinates
+// ------------------------------------------------------------------------------------
 
 constexpr const char* dependencies_key = "ODE2LoadDependencies";
 
@@ -202,19 +226,25 @@ void add_load_dependencies(const SystemData& self, const py::object& load, const
     for (Py_ssize_t i = 0; i < items.size(); ++i) {
       const int index = read_integer(items[i]);
       if (index < 0 || index >= size)
-        refuse(ErrorKind::index, {.item = full_name(method), .parameter = "globalODE2coordinates", .received = std::to_string(index),
+        refuse(ErrorKind::index, {.item = full_name(method),
+                                  .parameter = "globalODE2coordinates",
+                                  .received = std::to_string(index),
                                   .expected = "numbers from 0 to " + std::to_string(size - 1)});
       indices.append(index);
     }
   } catch (const Refusal& refusal) {
-    refuse(refusal.kind, {.item = full_name(method), .parameter = "globalODE2coordinates", .received = show(value.ptr()), .expected = refusal.expected});
+    refuse(refusal.kind, {.item = full_name(method),
+                          .parameter = "globalODE2coordinates",
+                          .received = show(value.ptr()),
+                          .expected = refusal.expected});
   }
   py::dict& sys = self.main->sys;
   if (!sys.contains(dependencies_key)) sys[dependencies_key] = py::dict();
   sys[dependencies_key][py::int_(number)] = indices;
 }
 
-// ---- texts ---------------------------------------------------------------------------------------------------------------
+// ---- texts
+// ---------------------------------------------------------------------------------------------------------------
 
 void info(const SystemData& self) {
   const Model& model = self.main->model;
@@ -239,64 +269,97 @@ void info_ltg(const SystemData& self) {
   std::string text;
   for (const Table& table : tables)
     for (int i = 0; i < self.main->model.count(ItemKind::object); ++i)
-      text += "object " + std::to_string(i) + " " + table.name + " LTG=" + list_text(system.object_ltg(i, table.kind)) + "\n";
+      text += "object " + std::to_string(i) + " " + table.name + " LTG=" + list_text(system.object_ltg(i, table.kind)) +
+              "\n";
   if (self.main->sys.contains(dependencies_key))
     for (const auto& [load, indices] : self.main->sys[dependencies_key].cast<py::dict>())
-      text += "load " + std::string(py::str(load)) + " ODE2 dependencies=" + list_text(indices.cast<std::vector<int>>()) + "\n";
+      text += "load " + std::string(py::str(load)) +
+              " ODE2 dependencies=" + list_text(indices.cast<std::vector<int>>()) + "\n";
   write_console(text);
 }
 
-// ---- methods -------------------------------------------------------------------------------------------------------------
+// ---- methods
+// -------------------------------------------------------------------------------------------------------------
 
 void register_numbers(Data& data) {
   for (const ItemKind kind : {ItemKind::load, ItemKind::marker, ItemKind::node, ItemKind::object, ItemKind::sensor}) {
     const std::string name = "NumberOf" + std::string(kind_title(kind)) + "s";
-    data.def(name.c_str(), [kind](const SystemData& self) { return self.main->model.count(kind); }, "How many there are.");
+    data.def(
+        name.c_str(), [kind](const SystemData& self) { return self.main->model.count(kind); }, "How many there are.");
   }
 }
 
 void register_sizes(Data& data, const py::object& current) {
-  for (const auto& [name, member] : {std::pair{"ODE2Size", &State::q}, {"ODE1Size", &State::y}, {"AEsize", &State::lambda}, {"DataSize", &State::data}})
-    data.def(name, [name = std::string(name), member](const SystemData& self, const py::object& where) {
-      const System& system = assembled(self, name);
-      return size_of(system, coordinates_of(member), read_configuration(where, name));
-    }, py::arg("configurationType") = current, "Number of these coordinates.");
+  for (const auto& [name, member] : {std::pair{"ODE2Size", &State::q},
+                                     {"ODE1Size", &State::y},
+                                     {"AEsize", &State::lambda},
+                                     {"DataSize", &State::data}})
+    data.def(
+        name,
+        [name = std::string(name), member](const SystemData& self, const py::object& where) {
+          const System& system = assembled(self, name);
+          return size_of(system, coordinates_of(member), read_configuration(where, name));
+        },
+        py::arg("configurationType") = current, "Number of these coordinates.");
   // As in the interface: data coordinates do not count.
-  data.def("SystemSize", [](const SystemData& self, const py::object& where) {
-    const System& system = assembled(self, "SystemSize");
-    const Configuration configuration = read_configuration(where, "SystemSize");
-    int size = 0;
-    for (const Member member : {&State::q, &State::y, &State::lambda}) size += size_of(system, coordinates_of(member), configuration);
-    return size;
-  }, py::arg("configurationType") = current, "Number of ODE2, ODE1 and AE coordinates.");
+  data.def(
+      "SystemSize",
+      [](const SystemData& self, const py::object& where) {
+        const System& system = assembled(self, "SystemSize");
+        const Configuration configuration = read_configuration(where, "SystemSize");
+        int size = 0;
+        for (const Member member : {&State::q, &State::y, &State::lambda})
+          size += size_of(system, coordinates_of(member), configuration);
+        return size;
+      },
+      py::arg("configurationType") = current, "Number of ODE2, ODE1 and AE coordinates.");
 }
 
 void register_time(Data& data, const py::object& current) {
-  data.def("GetTime", [](const SystemData& self, const py::object& where) {
-    const Configuration configuration = read_configuration(where, "GetTime");
-    return self.main->system.assembled() ? self.main->system.state(configuration).time : 0.0;
-  }, py::arg("configurationType") = current, "Time of a configuration, in s.");
-  data.def("SetTime", [](const SystemData& self, const py::object& time, const py::object& where) {
-    System& system = assembled(self, "SetTime");
-    try {
-      system.state(read_configuration(where, "SetTime")).time = read_real(time.ptr());
-    } catch (const Refusal& refusal) {
-      refuse(refusal.kind, {.item = full_name("SetTime"), .parameter = "newTime", .received = show(time.ptr()), .expected = refusal.expected});
-    }
-  }, py::arg("newTime"), py::arg("configurationType") = current, "Set the time of a configuration, in s.");
+  data.def(
+      "GetTime",
+      [](const SystemData& self, const py::object& where) {
+        const Configuration configuration = read_configuration(where, "GetTime");
+        return self.main->system.assembled() ? self.main->system.state(configuration).time : 0.0;
+      },
+      py::arg("configurationType") = current, "Time of a configuration, in s.");
+  data.def(
+      "SetTime",
+      [](const SystemData& self, const py::object& time, const py::object& where) {
+        System& system = assembled(self, "SetTime");
+        try {
+          system.state(read_configuration(where, "SetTime")).time = read_real(time.ptr());
+        } catch (const Refusal& refusal) {
+          refuse(refusal.kind, {.item = full_name("SetTime"),
+                                .parameter = "newTime",
+                                .received = show(time.ptr()),
+                                .expected = refusal.expected});
+        }
+      },
+      py::arg("newTime"), py::arg("configurationType") = current, "Set the time of a configuration, in s.");
 }
 
 void register_coordinates(Data& data, const py::object& current) {
-  data.def("GetODE2CoordinatesTotal", &total, py::arg("configuration") = current, "ODE2 coordinates plus those of the reference configuration.");
+  data.def("GetODE2CoordinatesTotal", &total, py::arg("configuration") = current,
+           "ODE2 coordinates plus those of the reference configuration.");
   for (const Coordinates& which : coordinates) {
-    data.def((std::string("Get") + which.name).c_str(), [&which](const py::object& self, const py::object& where, bool copy) { return get(self, which, where, copy); },
-             py::arg("configuration") = current, py::arg("copy") = true,
-             "Coordinates as an array. copy=False: a view, which writes to the system and is valid until the next Assemble().");
-    data.def((std::string("Set") + which.name).c_str(), [&which](const SystemData& self, const py::object& value, const py::object& where) { set(self, which, value, where); },
-             py::arg("coordinates"), py::arg("configuration") = current, "Set coordinates: as many finite numbers as there are.");
+    data.def(
+        (std::string("Get") + which.name).c_str(),
+        [&which](const py::object& self, const py::object& where, bool copy) { return get(self, which, where, copy); },
+        py::arg("configuration") = current, py::arg("copy") = true,
+        "Coordinates as an array. copy=False: a view, which writes to the system and is valid until the next "
+        "Assemble().");
+    data.def((std::string("Set") + which.name).c_str(),
+             [&which](const SystemData& self, const py::object& value, const py::object& where) {
+               set(self, which, value, where);
+             },
+             py::arg("coordinates"), py::arg("configuration") = current,
+             "Set coordinates: as many finite numbers as there are.");
   }
-  data.def("GetSystemState", &system_state, py::arg("configuration") = current, "Copies of [ODE2, ODE2_t, ODE1, AE, data] coordinates.");
-  data.def("SetSystemState", &set_system_state, py::arg("systemStateList"), py::arg("configuration") = current, "Set what GetSystemState gave. An error changes nothing.");
+  data.def("GetSystemState", &system_state, py::arg("configuration") = current,
+           "Copies of [ODE2, ODE2_t, ODE1, AE, data] coordinates.");
+  data.def("SetSystemState", &set_system_state, py::arg("systemStateList"), py::arg("configuration") = current,
+           "Set what GetSystemState gave. An error changes nothing.");
   data.def("GetSystemStateDict", &state_dictionary, py::arg("configuration") = current, py::arg("reference") = false,
            "All coordinates by name; reference=True: views, see GetODE2Coordinates.");
 }
