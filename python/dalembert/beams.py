@@ -95,7 +95,7 @@ def GenerateStraightBeam(
     node_type, size = getattr(eii, _NODES[kind][0]), _NODES[kind][1]
     _check_number(function, numberOfElements)
     for end, flags in enumerate((fixedConstraintsNode0, fixedConstraintsNode1)):
-        if flags is not None and len(flags) != size:
+        if flags is not None and (len(flags) < size or np.any(np.asarray(flags[size:]) != 0)):
             raise shape_error(f"{function}: fixedConstraintsNode{end}", f"{size} flags for {kind}", flags)
     start, line = np.array(positionOfNode0, dtype=float), np.subtract(positionOfNode1, positionOfNode0)
     length = float(np.linalg.norm(line))

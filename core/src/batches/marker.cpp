@@ -1,12 +1,14 @@
 #include "dalembert/batches/marker.hpp"
 
+#include <algorithm>
+
 namespace dalembert {
 
-int CoordinateMarkerBatch::value_count(const void*, const Placement& placement) const {
-  return 2 * static_cast<int>(placement.dofs.size());
-}
-int CoordinateMarkerBatch::force_count(const void*, const Placement& placement) const {
-  return static_cast<int>(placement.dofs.size());
+int CoordinateMarkerBatch::value_count(const void*, const Placement& placement) const { return 2 * count(placement); }
+int CoordinateMarkerBatch::force_count(const void*, const Placement& placement) const { return count(placement); }
+int CoordinateMarkerBatch::count(const Placement& placement) const {
+  const int own = static_cast<int>(placement.dofs.size());
+  return totals_ ? own : std::max(own, 1);
 }
 void CoordinateMarkerBatch::add(const void*, const Placement& placement, const Ports&) {
   entries_.push_back({placement.item, placement.dofs});

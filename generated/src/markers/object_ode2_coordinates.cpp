@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/marker.hpp"
+#include "dalembert/items/markers/object_ode2_coordinates.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -24,6 +26,8 @@ constexpr std::array<std::string_view, 3> provides{"Object", "Body", "Coordinate
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
+const auto& physics = MarkerPhysicsOf<MarkerObjectODE2Coordinates, MarkerObjectODE2CoordinatesRecord>{};
+
 }  // namespace
 
 extern const ItemType marker_object_ode2_coordinates_type;
@@ -39,7 +43,7 @@ const ItemType marker_object_ode2_coordinates_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::none,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/markers/object_ode2_coordinates.toml",
 };
 

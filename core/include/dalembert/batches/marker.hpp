@@ -13,7 +13,8 @@ namespace dalembert {
 // Values: selected coordinates, then their rates. The force on each goes straight to its coordinate.
 class CoordinateMarkerBatch : public MarkerBatch {
  public:
-  // `totals`: coordinates include their reference values.
+  // `totals`: the whole coordinate vector of a node or object, with reference values; it is empty on ground. Otherwise a
+  // single coordinate, which is zero on ground.
   explicit CoordinateMarkerBatch(bool totals) : totals_(totals) {}
   int value_count(const void* record, const Placement& placement) const override;
   int force_count(const void* record, const Placement& placement) const override;
@@ -30,6 +31,8 @@ class CoordinateMarkerBatch : public MarkerBatch {
     int marker = -1;
     std::vector<int> dofs;
   };
+  int count(const Placement& placement) const;
+
   std::vector<Entry> entries_;
   bool totals_;
 };

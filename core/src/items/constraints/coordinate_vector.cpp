@@ -183,7 +183,7 @@ class CoordinateVectorBatch final : public Term {
       const auto both = sides(ports);
       std::vector<double> g(rows.size() * static_cast<std::size_t>(both[0].n + both[1].n), 0.0);
       if (parameters.jacobianUserFunction && parameters.constraintUserFunction) {
-        call(parameters.jacobianUserFunction, evaluation, ports, parameters.velocityLevel, g);
+        user_gradient(evaluation, ports, both, g);
         return g;
       }
       double* to = g.data();
@@ -191,6 +191,28 @@ class CoordinateVectorBatch final : public Term {
         for (const Side& s : both)
           for (int i = 0; i < s.n; ++i) *to++ = s.slope(k, i, s.q);
       return g;
+    }
+
+    // The user function has no columns for the single coordinate of a marker on ground.
+    void user_gradient(const Evaluation& evaluation, const Ports& ports, const std::array<Side, 2>& both, std::vector<double>& g) const {
+      std::array<bool, 2> moves{};
+      std::size_t columns = 0;
+      for (int i = 0; i < 2; ++i) {
+        moves[i] = ports.ports[markers[i]].n > 0;
+        columns += moves[i] ? static_cast<std::size_t>(both[i].n) : 0;
+      }
+      std::vector<double> given(rows.size() * columns);
+      call(parameters.jacobianUserFunction, evaluation, ports, parameters.velocityLevel, given);
+      auto from = given.begin();
+      auto to = g.begin();
+      for (std::size_t k = 0; k < rows.size(); ++k)
+        for (int i = 0; i < 2; ++i) {
+          if (moves[i]) {
+            std::copy_n(from, both[i].n, to);
+            from += both[i].n;
+          }
+          to += both[i].n;
+        }
     }
 
     // Derivatives of the gaps by the coordinates and by the velocity coordinates.

@@ -158,8 +158,8 @@ struct ObjectANCFCable2D {
       case OutputVariableType::Director1: values = {a.slope[0], a.slope[1], 0}; return true;
       case OutputVariableType::StrainLocal: values = {strain(a) - request.local[1] * curvature(a)}; return true;
       case OutputVariableType::CurvatureLocal: values = {curvature(a)}; return true;
-      case OutputVariableType::ForceLocal: values = {axial_force(p, c, at, free(), a)}; return true;
-      case OutputVariableType::TorqueLocal: values = {bending_moment(p, c, at, free(), a)}; return true;
+      case OutputVariableType::ForceLocal: values = {axial_force(p, c, at, free(), a, strain(a))}; return true;
+      case OutputVariableType::TorqueLocal: values = {bending_moment(p, c, at, free(), a, curvature(a))}; return true;
       default: return false;
     }
   }
@@ -217,35 +217,37 @@ struct ObjectANCFCable2D {
   }
 
   template <class S>
-  static S axial_force(const Parameters& p, const Context& c, const Sample& at, const StressFree& free, const Axis<S>& a) {
+  static S axial_force(const Parameters& p, const Context& c, const Sample& at, const StressFree& free, const Axis<S>& a,
+                       const S& strain) {
     if (p.axialForceUserFunction)
-      return call_scalar(p.axialForceUserFunction, c, S(at.position), strain(a), strain_rate(a), free.strain, p.physicsAxialStiffness,
+      return call_scalar(p.axialForceUserFunction, c, S(at.position), strain, strain_rate(a), free.strain, p.physicsAxialStiffness,
                          p.physicsAxialDamping, curvature(a), curvature_rate(a), free.curvature);
-    S force = p.physicsAxialStiffness * (strain(a) - free.strain);
-    if (p.physicsAxialDamping != 0) force += p.physicsAxialDamping * strain_rate(a);
-    return force;
+    const S force = p.physicsAxialStiffness * (strain - free.strain);
+    return p.physicsAxialDamping == 0 ? force : force + p.physicsAxialDamping * strain_rate(a);
   }
   template <class S>
-  static S bending_moment(const Parameters& p, const Context& c, const Sample& at, const StressFree& free, const Axis<S>& a) {
+  static S bending_moment(const Parameters& p, const Context& c, const Sample& at, const StressFree& free, const Axis<S>& a,
+                          const S& curvature) {
     if (p.bendingMomentUserFunction)
-      return call_scalar(p.bendingMomentUserFunction, c, S(at.position), curvature(a), curvature_rate(a), free.curvature,
+      return call_scalar(p.bendingMomentUserFunction, c, S(at.position), curvature, curvature_rate(a), free.curvature,
                          p.physicsBendingStiffness, p.physicsBendingDamping, strain(a), strain_rate(a), free.strain);
-    S moment = p.physicsBendingStiffness * (curvature(a) - free.curvature);
-    if (p.physicsBendingDamping != 0) moment += p.physicsBendingDamping * curvature_rate(a);
-    return moment;
+    const S moment = p.physicsBendingStiffness * (curvature - free.curvature);
+    return p.physicsBendingDamping == 0 ? moment : moment + p.physicsBendingDamping * curvature_rate(a);
   }
 
   // Axial force along the tangent.
   template <class S>
   static Vec<S, 2> stretching(const Parameters& p, const Context& c, const Sample& at, const StressFree& free, const Axis<S>& a) {
-    return (axial_force(p, c, at, free, a) / norm(a.slope)) * a.slope;
+    const S length = norm(a.slope);
+    return (axial_force(p, c, at, free, a, S(length - 1.0)) / length) * a.slope;
   }
   // Bending moment times the derivatives of the curvature by r' and r''.
   template <class S>
   static Conjugates<S> bending(const Parameters& p, const Context& c, const Sample& at, const StressFree& free, const Axis<S>& a) {
-    const S scaled = bending_moment(p, c, at, free, a) / dot(a.slope, a.slope), twice = 2.0 * curvature(a);
-    return {scaled * Vec<S, 2>{a.bend[1] - twice * a.slope[0], -a.bend[0] - twice * a.slope[1]},
-            scaled * Vec<S, 2>{-a.slope[1], a.slope[0]}};
+    const S scale = 1.0 / dot(a.slope, a.slope), curvature = scale * planar_cross(a.slope, a.bend);
+    const S moment = scale * bending_moment(p, c, at, free, a, curvature), twice = 2.0 * curvature;
+    return {{moment * (a.bend[1] - twice * a.slope[0]), -moment * (a.bend[0] + twice * a.slope[1])},
+            {-moment * a.slope[1], moment * a.slope[0]}};
   }
 
   // Directions r'_x, r'_y, r''_x, r''_y, the first D of them; rates move along with their coordinates.
@@ -260,11 +262,19 @@ struct ObjectANCFCable2D {
     }
     return s;
   }
-  // factor * d(force) along two directions of `first`.
+  // The change of a force with the vector that has the factors `by_slope` in r' and `by_bend` in r''.
   template <int D>
-  static void add_block(Mat<double, 2, 2>& block, double factor, const Vec<Dual<D>, 2>& force, int first) {
+  static Mat<double, 2, 2> along(const Vec<Dual<D>, 2>& force, double by_slope, double by_bend) {
+    Mat<double, 2, 2> m;
     for (int d = 0; d < 2; ++d)
-      for (int e = 0; e < 2; ++e) block(d, e) += factor * force[d].d[first + e];
+      for (int e = 0; e < 2; ++e) {
+        m(d, e) = by_slope * force[d].d[e];
+        if constexpr (D > 2) m(d, e) += by_bend * force[d].d[2 + e];
+      }
+    return m;
+  }
+  static void add(Mat<double, 2, 2>& block, double factor, const Mat<double, 2, 2>& change) {
+    for (int i = 0; i < 4; ++i) block.x[i] += factor * change.x[i];
   }
   template <int D>
   static void add_stretching(const Parameters& p, const Prepared& k, const Context& c, const Shape<double>& shape,
@@ -272,12 +282,10 @@ struct ObjectANCFCable2D {
     for (int s = 0; s < k.rule->stretching_points; ++s) {
       const Sample& at = k.rule->stretching[s];
       const auto n = stretching(p, c, at, k.stretching[s], directed<D>(axis(shape, rate, at, k.length), w));
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) {
-          const double factor = at.weight * at.slope[i];
-          add_block(blocks[i][j], factor * k.length * at.slope[j], n, 0);
-          if constexpr (D > 2) add_block(blocks[i][j], factor * at.bend[j], n, 2);
-        }
+      for (int j = 0; j < 3; ++j) {
+        const Mat<double, 2, 2> change = along(n, at.weight * k.length * at.slope[j], at.weight * at.bend[j]);
+        for (int i = 0; i < 3; ++i) add(blocks[i][j], at.slope[i], change);
+      }
     }
   }
   static void add_bending(const Parameters& p, const Prepared& k, const Context& c, const Shape<double>& shape,
@@ -285,14 +293,14 @@ struct ObjectANCFCable2D {
     for (int s = 0; s < k.rule->bending_points; ++s) {
       const Sample& at = k.rule->bending[s];
       const auto m = bending(p, c, at, k.bending[s], directed<4>(axis(shape, rate, at, k.length), w));
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) {
-          Mat<double, 2, 2>& block = blocks[i][j];
-          add_block(block, at.weight * k.length * at.slope[i] * at.slope[j], m.slope, 0);
-          add_block(block, at.weight * at.slope[i] * at.bend[j], m.slope, 2);
-          add_block(block, at.weight * at.bend[i] * at.slope[j], m.bend, 0);
-          add_block(block, at.weight / k.length * at.bend[i] * at.bend[j], m.bend, 2);
+      for (int j = 0; j < 3; ++j) {
+        const double by_slope = at.weight * at.slope[j], by_bend = at.weight / k.length * at.bend[j];
+        const Mat<double, 2, 2> slope = along(m.slope, k.length * by_slope, k.length * by_bend), bend = along(m.bend, by_slope, by_bend);
+        for (int i = 0; i < 3; ++i) {
+          add(blocks[i][j], at.slope[i], slope);
+          add(blocks[i][j], at.bend[i], bend);
         }
+      }
     }
   }
 
