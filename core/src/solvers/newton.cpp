@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "dalembert/output/numbers.hpp"
+#include "dalembert/solvers/numerical_tangent.hpp"
 
 namespace dalembert {
 
@@ -17,8 +19,10 @@ double square_sum(std::span<const double> x) {
 
 // A loop has stagnated when so many iterations in a row have not lowered the best residual by a tenth ...
 constexpr int idle_iterations = 3;
-// ... although they move the coordinates by less than this, relative to their size.
+// ... although they move the coordinates by less than this, relative to their size ...
 constexpr double negligible_increment = 1e-9;
+// ... and the residual is at most so many times the rounding errors of the terms that cancel in it.
+constexpr double rounding_errors = 1000;
 
 }  // namespace
 
@@ -152,7 +156,10 @@ bool NewtonSolver::check_convergence(Loop& loop) {
   }
   loop.idle = conv.residual < 0.9 * loop.best_residual ? 0 : loop.idle + 1;
   loop.best_residual = std::min(loop.best_residual, conv.residual);
-  if (!stagnated(loop) || !(relative_increment() < negligible_increment)) return false;
+  if (!stagnated(loop) || !(relative_increment() < negligible_increment) ||
+      !(conv.residual <= rounding_errors * round_off_level())) {
+    return false;
+  }
   conv.newtonStagnated = true;
   ++it.stagnatedNewtonSteps;
   if (verbose(2)) say(2, "    the residual does not fall any more: round-off is reached\n");
@@ -176,6 +183,32 @@ double NewtonSolver::relative_increment() {
   const std::span<const double> all(increment_);
   const double moved = square_sum(all.first(static_cast<std::size_t>(sizes_.first_ae())));
   return std::sqrt(moved) / std::max(std::sqrt(total), 1e-5);
+}
+
+// Rounding errors to be expected in the residual: eps |K| |q| + eps |D| |v| + eps |M| |a| + eps |G^T| |lambda|, after Oettli
+// and Prager (1964).
+double NewtonSolver::round_off_level() {
+  const State& now = current();
+  const State& reference = system().state(ConfigurationType::Reference);
+  const int n = sizes_.ode2, first_ae = sizes_.first_ae();
+  std::vector<double> values(jacobian_.size()), size(static_cast<std::size_t>(sizes_.total()), 0.0);
+  const auto magnitude = [&](int column) {
+    if (column < n) return std::abs(now.q[column]) + (reference.q.empty() ? 0.0 : std::abs(reference.q[column]));
+    return column < first_ae ? std::abs(now.y[column - n]) : std::abs(now.lambda[column - first_ae]);
+  };
+  system().tangent(now, conditions_, {.q = 1, .v = 0, .a = 0, .y = 1, .y_t = 0}, pattern(), values);
+  for_each_entry(pattern(), [&](int row, int column, std::size_t k) { size[row] += std::abs(values[k]) * magnitude(column); });
+  if (!is_static()) {
+    system().tangent(now, conditions_, {.q = 0, .v = 1, .a = 0, .y = 0, .y_t = 0}, pattern(), values);
+    for_each_entry(pattern(), [&](int row, int column, std::size_t k) {
+      if (column < n) size[row] += std::abs(values[k] * now.v[column]);
+    });
+    system().mass_matrix(now, pattern(), values);
+    for_each_entry(pattern(), [&](int row, int column, std::size_t k) {
+      if (row < n && column < n) size[row] += std::abs(values[k] * now.a[column]);
+    });
+  }
+  return std::numeric_limits<double>::epsilon() * std::sqrt(square_sum(size)) / conv.errorCoordinateFactor;
 }
 
 // Squares of norms are compared with maximumSolutionNorm, as users of this setting are used to.

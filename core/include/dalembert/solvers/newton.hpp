@@ -49,6 +49,7 @@ class NewtonSolver : public Solver {
   bool diverged();
   double evaluate_residual();
   double relative_increment();
+  double round_off_level();
   void report_failure(const Loop& loop);
 };
 
