@@ -4,6 +4,7 @@
 
 #include "conversion.hpp"
 #include "item_arguments.hpp"
+#include "dalembert/system/excerpt.hpp"
 #include "main_system.hpp"
 #include "python_errors.hpp"
 
@@ -40,6 +41,23 @@ py::object number_or_array(const std::vector<double>& values) {
   return values.size() == 1 ? py::object(py::float_(values[0])) : array(values);
 }
 
+// What can be asked for an output: the assembled system, or, in the reference configuration, already the item alone.
+struct Source {
+  Source(MainSystem& main, const char* method, ItemKind kind, int item, ConfigurationType configuration) {
+    if (configuration == ConfigurationType::Reference && !main.consistent()) {
+      part = excerpt(main.model, kind, item);
+      system = part.system.get();
+      number = part.number;
+    } else {
+      system = &main.assembled(method);
+      number = item;
+    }
+  }
+  Excerpt part;
+  System* system = nullptr;
+  int number = -1;
+};
+
 void register_assembly(Class& main_system) {
   main_system.def("Assemble", &MainSystem::assemble, "Check the model and build the system of equations from it.");
   // The interface has the parts of Assemble as methods of their own; they are one here.
@@ -57,8 +75,9 @@ void register_outputs(Class& main_system) {
       "GetNodeOutput",
       [](MainSystem& main, const py::object& node, const py::object& variable, const py::object& configuration) {
         const int number = item_number_argument(main, ItemKind::node, node.ptr(), "GetNodeOutput");
-        return number_or_array(main.assembled("GetNodeOutput").node_output(
-            number, variable_argument(variable, "GetNodeOutput"), configuration_argument(configuration, "GetNodeOutput")));
+        const ConfigurationType in = configuration_argument(configuration, "GetNodeOutput");
+        const Source source(main, "GetNodeOutput", ItemKind::node, number, in);
+        return number_or_array(source.system->node_output(source.number, variable_argument(variable, "GetNodeOutput"), in));
       },
       py::arg("nodeNumber"), py::arg("variableType"), py::arg("configuration") = py::none(), "An output variable of a node.");
   main_system.def(
@@ -84,8 +103,9 @@ void register_outputs(Class& main_system) {
         } catch (const Refusal& refusal) {
           refuse(refusal.kind, {"mbs." + method + "(...)", "localPosition", "", show(position.ptr()), "3 finite numbers (unit m)", ""});
         }
-        return number_or_array(main.assembled(method.c_str()).body_output(
-            number, variable_argument(variable, method), local, configuration_argument(configuration, method)));
+        const ConfigurationType in = configuration_argument(configuration, method);
+        const Source source(main, method.c_str(), ItemKind::object, number, in);
+        return number_or_array(source.system->body_output(source.number, variable_argument(variable, method), local, in));
       },
       py::arg("objectNumber"), py::arg("variableType"), py::arg("localPosition") = std::vector<double>{0, 0, 0},
       py::arg("configuration") = py::none(), "An output variable of a body at a local position.");
@@ -103,8 +123,9 @@ void register_outputs(Class& main_system) {
       "GetMarkerOutput",
       [](MainSystem& main, const py::object& marker, const py::object& variable, const py::object& configuration) {
         const int number = item_number_argument(main, ItemKind::marker, marker.ptr(), "GetMarkerOutput");
-        return array(main.assembled("GetMarkerOutput").marker_output(
-            number, variable_argument(variable, "GetMarkerOutput"), configuration_argument(configuration, "GetMarkerOutput")));
+        const ConfigurationType in = configuration_argument(configuration, "GetMarkerOutput");
+        const Source source(main, "GetMarkerOutput", ItemKind::marker, number, in);
+        return array(source.system->marker_output(source.number, variable_argument(variable, "GetMarkerOutput"), in));
       },
       py::arg("markerNumber"), py::arg("variableType"), py::arg("configuration") = py::none(), "An output variable of a marker.");
 }

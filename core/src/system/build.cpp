@@ -151,7 +151,9 @@ class Builder {
       record = &local;
       place.member.batch = &frame_batch(number, place, shape, types);
     } else {
-      p.dofs = selected(p.dofs, physics.coordinates(record, p), number);
+      const std::vector<int> chosen = physics.coordinates(record, p);
+      p.dofs = selected(p.dofs, chosen, number);
+      p.selected = static_cast<int>(chosen.size());
       place.member.batch =
           &marker_batch({item.type, p.owner_type, types}, [&] { return physics.make_batch(*p.owner_type, types); }, number);
     }

@@ -58,6 +58,7 @@ struct Placement {
   std::vector<int> dofs;             // its nodes' ODE2 coordinates, one node after the other
   std::vector<double> reference;     // their reference values
   std::vector<int> ode1;             // ODE1 coordinates
+  int selected = 0;                  // coordinate markers: how many coordinates they show; those of ground have no dofs
   std::vector<int> nodes;            // node numbers
   std::vector<const void*> node_records;
   std::vector<int> node_sizes;       // ODE2 coordinates per node
