@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
+import dalembert as exu
 import numpy as np
 import pytest
-
-import dalembert as exu
 from dalembert.itemInterface import (
     Cable2D,
     CoordinateConstraint,
@@ -94,7 +93,9 @@ def test_roll_up(reduced: int) -> None:
     beam.solve_static(20)
     assert beam.tip(Variable.Displacement) == pytest.approx([-length, 0, 0], abs=2e-3 * length)
     middle = [beam.element_length / 2, 0, 0]
-    assert float(beam.mbs.GetObjectOutputBody(beam.cables[4], Variable.TorqueLocal, middle)) == pytest.approx(moment, rel=8e-3)
+    assert float(beam.mbs.GetObjectOutputBody(beam.cables[4], Variable.TorqueLocal, middle)) == pytest.approx(
+        moment, rel=8e-3
+    )
     curvature = beam.mbs.GetObjectOutputBody(beam.cables[4], Variable.CurvatureLocal, middle)
     assert float(curvature) == pytest.approx(2 * np.pi / length, rel=8e-3)
 
@@ -144,7 +145,9 @@ def test_reference_strain_and_curvature() -> None:
     expected = [radius * np.sin(angle), radius * (1 - np.cos(angle)), 0]
     assert beam.tip(Variable.Position) == pytest.approx(expected, abs=1e-4)
     local = [beam.element_length / 2, 0, 0]
-    assert float(beam.mbs.GetObjectOutputBody(beam.cables[3], Variable.TorqueLocal, local)) == pytest.approx(0, abs=1e-3)
+    assert float(beam.mbs.GetObjectOutputBody(beam.cables[3], Variable.TorqueLocal, local)) == pytest.approx(
+        0, abs=1e-3
+    )
 
 
 def bent(relative: float) -> float:
@@ -216,7 +219,9 @@ def test_user_functions_replace_the_linear_laws() -> None:
         beam.mbs.SolveDynamic(settings)
         return beam.tip(Variable.Position)
 
-    def force(mbs: Any, t: float, item: int, x: float, e: float, e_t: float, e_0: float, k: float, d: float, *_: float) -> float:
+    def force(
+        mbs: Any, t: float, item: int, x: float, e: float, e_t: float, e_0: float, k: float, d: float, *_: float
+    ) -> float:
         return k * (e - e_0) + d * e_t
 
     plain = swing()
@@ -226,7 +231,8 @@ def test_user_functions_replace_the_linear_laws() -> None:
 
 
 @pytest.mark.parametrize(
-    ("parameter", "value", "expected"), [("physicsLength", 0, "positive"), ("useReducedOrderIntegration", 3, "0, 1 or 2")]
+    ("parameter", "value", "expected"),
+    [("physicsLength", 0, "positive"), ("useReducedOrderIntegration", 3, "0, 1 or 2")],
 )
 def test_refused(parameter: str, value: float, expected: str) -> None:
     mbs = exu.SystemContainer().AddSystem()

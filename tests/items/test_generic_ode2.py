@@ -4,16 +4,15 @@ from __future__ import annotations
 
 from typing import Any
 
+import dalembert as exu
 import numpy as np
 import pytest
-from scipy.linalg import expm
-
-import dalembert as exu
 from dalembert.itemInterface import (
     CoordinateVectorConstraint,
     LoadCoordinate,
     MarkerNodeCoordinate,
     MarkerNodeCoordinates,
+    MarkerNodePosition,
     MarkerSuperElementPosition,
     NodeGenericODE1,
     NodeGenericODE2,
@@ -23,8 +22,8 @@ from dalembert.itemInterface import (
     ObjectGenericODE1,
     ObjectGenericODE2,
     SphericalJoint,
-    MarkerNodePosition,
 )
+from scipy.linalg import expm
 
 Variable = exu.OutputVariableType
 
@@ -138,7 +137,11 @@ def test_wrong_sizes_are_refused(mbs: Any, parameter: str) -> None:
 
 
 def test_nodes_of_several_types(mbs: Any) -> None:
-    nodes = [mbs.AddNode(NodePoint()), mbs.AddNode(NodePoint2D()), mbs.AddNode(NodeGenericODE2(numberOfODE2Coordinates=2))]
+    nodes = [
+        mbs.AddNode(NodePoint()),
+        mbs.AddNode(NodePoint2D()),
+        mbs.AddNode(NodeGenericODE2(numberOfODE2Coordinates=2)),
+    ]
     body = mbs.AddObject(
         ObjectGenericODE2(nodeNumbers=nodes, stiffnessMatrix=np.diag(np.arange(1.0, 8)), forceVector=np.ones(7))
     )
@@ -150,7 +153,9 @@ def test_nodes_of_several_types(mbs: Any) -> None:
 
 def test_ode1_step_response(mbs: Any) -> None:
     matrix = np.array([[-1.0, 0.2], [1, -2]])
-    node = mbs.AddNode(NodeGenericODE1(numberOfODE1Coordinates=2, referenceCoordinates=[0, 0], initialCoordinates=[1, 0]))
+    node = mbs.AddNode(
+        NodeGenericODE1(numberOfODE1Coordinates=2, referenceCoordinates=[0, 0], initialCoordinates=[1, 0])
+    )
 
     def rest(mbs: Any, t: float, item: int, q: Any) -> list[float]:
         return [0.2 * q[1], -2 * q[1]]
@@ -175,7 +180,9 @@ def test_joint_on_mesh_nodes(mbs: Any) -> None:
     mean = mbs.AddMarker(
         MarkerSuperElementPosition(bodyNumber=body, meshNodeNumbers=[0, 1], weightingFactors=[0.25, 0.75])
     )
-    fixed = mbs.AddMarker(MarkerNodePosition(nodeNumber=mbs.AddNode(NodePointGround(referenceCoordinates=[0.75, 0, 0]))))
+    fixed = mbs.AddMarker(
+        MarkerNodePosition(nodeNumber=mbs.AddNode(NodePointGround(referenceCoordinates=[0.75, 0, 0])))
+    )
     joint = mbs.AddObject(SphericalJoint(markerNumbers=[fixed, mean]))
     mbs.Assemble()
     mbs.SolveStatic()
@@ -229,7 +236,5 @@ def test_constraint_user_functions(mbs: Any) -> None:
     def gradient(mbs: Any, t: float, item: int, q: Any, q_t: Any, velocity_level: bool) -> list[list[float]]:
         return [[0.5 * q[0], 2 * q[1]]]
 
-    position = ellipse(
-        mbs, scalingMarker0=np.zeros((1, 1)), constraintUserFunction=gap, jacobianUserFunction=gradient
-    )
+    position = ellipse(mbs, scalingMarker0=np.zeros((1, 1)), constraintUserFunction=gap, jacobianUserFunction=gradient)
     assert position == pytest.approx(BEAD, abs=1e-7)

@@ -51,7 +51,8 @@ class Counter final : public BlockVisitor {
 
 }  // namespace
 
-void NodeMarkers::geometric(const Evaluation& evaluation, const Weights& weights, const std::vector<int>& slots, double* values) {
+void NodeMarkers::geometric(const Evaluation& evaluation, const Weights& weights, const std::vector<int>& slots,
+                            double* values) {
   auto next = slots.begin();
   for (const Group& g : groups_) {
     Counter counter;
@@ -96,9 +97,11 @@ class MeshPositionBatch final : public MarkerBatch {
       const int size = placement.node_sizes[node];
       e.ports.push_back(nodes_.add(*types_[node], FrameShape::point, placement.node_records[node], {dof, dof + size}));
       if (e.ports.back() < 0)
-        refuse(ErrorKind::value, {"marker " + std::to_string(e.marker) + " (MarkerSuperElementPosition)", "meshNodeNumbers",
-                                  "mesh node " + std::to_string(node) + " is a " + std::string(types_[node]->name) +
-                                      ", which has no position", "", "mesh nodes with a position", ""});
+        refuse(ErrorKind::value,
+               {"marker " + std::to_string(e.marker) + " (MarkerSuperElementPosition)", "meshNodeNumbers",
+                "mesh node " + std::to_string(node) + " is a " + std::string(types_[node]->name) +
+                    ", which has no position",
+                "", "mesh nodes with a position", ""});
       dof += size;
     }
     entries_.push_back(std::move(e));
@@ -138,7 +141,8 @@ class MeshPositionBatch final : public MarkerBatch {
     share_forces(ports);
     nodes_.pull_back(evaluation, r);
   }
-  void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const override {
+  void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports,
+                 double* values) const override {
     share_forces(ports);
     nodes_.geometric(evaluation, weights, slots, values);
   }
@@ -171,7 +175,8 @@ class MeshPositionBatch final : public MarkerBatch {
     nodes_.clear_forces();
     for (const Entry& e : entries_)
       for (std::size_t k = 0; k < e.ports.size(); ++k)
-        for (int i = 0; i < PointPort::forces; ++i) nodes_.ports.force(e.ports[k])[i] += e.weights[k] * ports.force(e.marker)[i];
+        for (int i = 0; i < PointPort::forces; ++i)
+          nodes_.ports.force(e.ports[k])[i] += e.weights[k] * ports.force(e.marker)[i];
   }
 
   std::vector<const ItemType*> types_;

@@ -25,7 +25,8 @@ SquareMatrix::SquareMatrix(const MatrixContainer& from) {
 
 bool SquareMatrix::same_places(const SquareMatrix& other) const {
   return rows_ == other.rows_ && sparse() == other.sparse() &&
-         std::ranges::equal(entries_, other.entries_, [](const auto& a, const auto& b) { return a.row == b.row && a.column == b.column; });
+         std::ranges::equal(entries_, other.entries_,
+                            [](const auto& a, const auto& b) { return a.row == b.row && a.column == b.column; });
 }
 
 void SquareMatrix::add_product(const double* x, std::span<const int> dofs, double* y) const {

@@ -1,4 +1,4 @@
-// User functions of whole coordinate vectors, for items of run-time size: calls, and derivatives by central differences.
+// User functions of whole coordinate vectors, for items of run-time size: derivatives by central differences.
 #pragma once
 
 #include <algorithm>

@@ -65,8 +65,8 @@ typename PreparedOf<E>::Type prepared(const typename E::Parameters& p, const Vec
   }
 }
 template <class E, class S>
-Vec<S, E::size> element_residual(const typename E::Parameters& p, const typename PreparedOf<E>::Type& constants, const Context& c,
-                                 const Coordinates<S, E::size>& x) {
+Vec<S, E::size> element_residual(const typename E::Parameters& p, const typename PreparedOf<E>::Type& constants,
+                                 const Context& c, const Coordinates<S, E::size>& x) {
   if constexpr (PreparedKernel<E>) {
     return E::template residual<S>(p, constants, c, x);
   } else {
@@ -76,14 +76,15 @@ Vec<S, E::size> element_residual(const typename E::Parameters& p, const typename
 
 // The derivative of the residual along the weights, in closed form; tests compare it with the automatic one.
 template <class E>
-concept TangentKernel = PreparedKernel<E> && requires(const typename E::Parameters& p, const typename E::Prepared& constants,
-                                                      const Context& c, const Coordinates<double, E::size>& x, const Weights& w) {
-  { E::tangent(p, constants, c, x, w) } -> std::same_as<Mat<double, E::size, E::size>>;
-};
+concept TangentKernel =
+    PreparedKernel<E> && requires(const typename E::Parameters& p, const typename E::Prepared& constants, const Context& c,
+                                  const Coordinates<double, E::size>& x, const Weights& w) {
+      { E::tangent(p, constants, c, x, w) } -> std::same_as<Mat<double, E::size, E::size>>;
+    };
 
 template <class E>
-concept ElementKernel = requires(const typename E::Parameters& p, const typename PreparedOf<E>::Type& constants, const Context& c,
-                                 const Coordinates<double, E::size>& x, const Vec3<double>& local) {
+concept ElementKernel = requires(const typename E::Parameters& p, const typename PreparedOf<E>::Type& constants,
+                                 const Context& c, const Coordinates<double, E::size>& x, const Vec3<double>& local) {
   { element_residual<E, double>(p, constants, c, x) } -> std::same_as<Vec<double, E::size>>;
   { E::template motion<double>(p, x, local) } -> std::same_as<Motion<double>>;
   { E::template pull_back<double>(p, x, local, local, local) } -> std::same_as<Vec<double, E::size>>;

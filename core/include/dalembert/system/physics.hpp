@@ -58,13 +58,16 @@ struct NodePhysics : Physics {
 struct ObjectPhysics : Physics {
   virtual std::unique_ptr<Term> make_batch(std::span<const ItemType* const> nodes) const = 0;
   virtual std::unique_ptr<MarkerBatch> make_marker(FrameShape, std::span<const ItemType* const> /*nodes*/) const { return nullptr; }
-  // Super elements: how many mesh nodes there are, which coordinates (positions in Placement::dofs) move some of them, and
-  // markers that rest on several of them.
+  // Super elements: how many mesh nodes there are, which coordinates (positions in Placement::dofs) move some of them,
+  // and markers that rest on several of them.
   virtual int mesh_nodes(const void* /*record*/, const Placement&) const { return 0; }
-  virtual std::vector<int> mesh_coordinates(const void* /*record*/, const Placement& on, std::span<const int> /*mesh_nodes*/) const {
+  virtual std::vector<int> mesh_coordinates(const void* /*record*/, const Placement& on,
+                                            std::span<const int> /*mesh_nodes*/) const {
     return all_positions(on.dofs);
   }
-  virtual std::unique_ptr<MarkerBatch> make_mesh_marker(FrameShape, std::span<const ItemType* const> /*nodes*/) const { return nullptr; }
+  virtual std::unique_ptr<MarkerBatch> make_mesh_marker(FrameShape, std::span<const ItemType* const> /*nodes*/) const {
+    return nullptr;
+  }
   virtual int algebraic_equations(const void* /*record*/, std::span<const int> /*marker coordinates*/) const { return 0; }
 };
 

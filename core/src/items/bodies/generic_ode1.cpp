@@ -11,7 +11,9 @@ namespace {
 
 using Parameters = ObjectGenericODE1Parameters;
 
-const Parameters& parameters(const void* record) { return static_cast<const ObjectGenericODE1Record*>(record)->parameters; }
+const Parameters& parameters(const void* record) {
+  return static_cast<const ObjectGenericODE1Record*>(record)->parameters;
+}
 
 class GenericODE1Batch final : public Term {
  public:
@@ -77,14 +79,17 @@ class GenericODE1Batch final : public Term {
 };
 
 struct GenericODE1Physics final : ObjectPhysics {
-  std::unique_ptr<Term> make_batch(std::span<const ItemType* const>) const override { return std::make_unique<GenericODE1Batch>(); }
+  std::unique_ptr<Term> make_batch(std::span<const ItemType* const>) const override {
+    return std::make_unique<GenericODE1Batch>();
+  }
   void check(const void* record, const Placement& placement, const Ports&, const std::string& item) const override {
     const Parameters& p = parameters(record);
     const int n = static_cast<int>(placement.ode1.size()), rows = p.systemMatrix.rows, columns = p.systemMatrix.columns;
     const std::string nodes = ", for the " + std::to_string(n) + " coordinates of the object's nodes, or none";
     if (rows * columns != 0 && (rows != n || columns != n))
-      refuse(ErrorKind::value, {item, "systemMatrix", "", "a matrix of " + std::to_string(rows) + " x " + std::to_string(columns),
-                                "a matrix of " + std::to_string(n) + " x " + std::to_string(n) + nodes, ""});
+      refuse(ErrorKind::value,
+             {item, "systemMatrix", "", "a matrix of " + std::to_string(rows) + " x " + std::to_string(columns),
+              "a matrix of " + std::to_string(n) + " x " + std::to_string(n) + nodes, ""});
     if (!p.rhsVector.empty() && p.rhsVector.size() != placement.ode1.size())
       refuse(ErrorKind::value, {item, "rhsVector", "", "a vector of length " + std::to_string(p.rhsVector.size()),
                                 "a vector of length " + std::to_string(n) + nodes, ""});

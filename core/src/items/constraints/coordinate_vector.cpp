@@ -1,4 +1,4 @@
-// ObjectConnectorCoordinateVector, specs/constraints/coordinate_vector.toml: as many equations as its matrices have rows.
+// ObjectConnectorCoordinateVector, specs/constraints/coordinate_vector.toml: one equation per row of its matrices.
 #include <algorithm>
 #include <array>
 
@@ -18,7 +18,8 @@ const Parameters& parameters(const void* record) {
   return static_cast<const ObjectConnectorCoordinateVectorRecord*>(record)->parameters;
 }
 int equations(const Parameters& p) {
-  return std::max({p.scalingMarker0.rows, p.scalingMarker1.rows, p.quadraticTermMarker0.rows, p.quadraticTermMarker1.rows});
+  return std::max(
+      {p.scalingMarker0.rows, p.scalingMarker1.rows, p.quadraticTermMarker0.rows, p.quadraticTermMarker1.rows});
 }
 
 // The part of one marker: sign * (X q + Y q^2), q and its rates v.
@@ -59,8 +60,9 @@ class CoordinateVectorBatch final : public Term {
     Entry& e = entries_[entry];
     const Parameters& p = parameters(record);
     if (equations(p) != static_cast<int>(e.rows.size()) || quadratic(p) != quadratic(e.parameters))
-      refuse(ErrorKind::state, {"object " + std::to_string(e.item) + " (ObjectConnectorCoordinateVector)", "",
-                                "its matrices have changed their sizes since the system was assembled", "", "", "Call Assemble() again"});
+      refuse(ErrorKind::state,
+             {"object " + std::to_string(e.item) + " (ObjectConnectorCoordinateVector)", "",
+              "its matrices have changed their sizes since the system was assembled", "", "", "Call Assemble() again"});
     e.parameters = p;
   }
   void visit(BlockVisitor& visitor, const Ports& ports) const override {
@@ -112,8 +114,8 @@ class CoordinateVectorBatch final : public Term {
     }
   }
 
-  bool output(int entry, OutputVariableType variable, const Vec3<double>&, const Evaluation& evaluation, const Ports& ports,
-              std::vector<double>& values) const override {
+  bool output(int entry, OutputVariableType variable, const Vec3<double>&, const Evaluation& evaluation,
+              const Ports& ports, std::vector<double>& values) const override {
     const Entry& e = entries_[entry];
     const Side m0(e.parameters, ports, e.markers[0], true), m1(e.parameters, ports, e.markers[1], false);
     const double* lambda = evaluation.lambda + e.first_ae;
@@ -127,7 +129,8 @@ class CoordinateVectorBatch final : public Term {
       case OutputVariableType::Velocity: difference(m0.v, m0.n, m1.v, m1.n); return true;
       case OutputVariableType::Force: values.assign(lambda, lambda + e.rows.size()); return true;
       case OutputVariableType::ConstraintEquation:
-        values = e.parameters.activeConnector ? e.gaps(evaluation, ports) : std::vector<double>(lambda, lambda + e.rows.size());
+        values = e.parameters.activeConnector ? e.gaps(evaluation, ports)
+                                              : std::vector<double>(lambda, lambda + e.rows.size());
         return true;
       default: return false;
     }
@@ -146,7 +149,8 @@ class CoordinateVectorBatch final : public Term {
     bool rate_level(const Evaluation& evaluation) const { return parameters.velocityLevel || evaluation.rate_level; }
 
     // q, v of both markers and the level, as arguments of a user function.
-    void call(const UserFunction& f, const Evaluation& evaluation, const Ports& ports, bool level, std::span<double> results) const {
+    void call(const UserFunction& f, const Evaluation& evaluation, const Ports& ports, bool level,
+              std::span<double> results) const {
       std::vector<double> q, v;
       for (const Side& s : sides(ports)) {
         q.insert(q.end(), s.q, s.q + s.n);
@@ -194,7 +198,8 @@ class CoordinateVectorBatch final : public Term {
     }
 
     // The user function has no columns for the single coordinate of a marker on ground.
-    void user_gradient(const Evaluation& evaluation, const Ports& ports, const std::array<Side, 2>& both, std::vector<double>& g) const {
+    void user_gradient(const Evaluation& evaluation, const Ports& ports, const std::array<Side, 2>& both,
+                       std::vector<double>& g) const {
       std::array<bool, 2> moves{};
       std::size_t columns = 0;
       for (int i = 0; i < 2; ++i) {
@@ -237,11 +242,12 @@ class CoordinateVectorBatch final : public Term {
   };
 
   static bool quadratic(const Parameters& p) {
-    return !p.constraintUserFunction && (!p.quadraticTermMarker0.values.empty() || !p.quadraticTermMarker1.values.empty());
+    return !p.constraintUserFunction &&
+           (!p.quadraticTermMarker0.values.empty() || !p.quadraticTermMarker1.values.empty());
   }
 
-  static void add_gap_rows(const Entry& e, const std::vector<double>& by_q, const std::vector<double>& by_v, double scale,
-                           const Ports& ports, SlotCursor& slot) {
+  static void add_gap_rows(const Entry& e, const std::vector<double>& by_q, const std::vector<double>& by_v,
+                           double scale, const Ports& ports, SlotCursor& slot) {
     std::size_t at = 0;
     for (std::size_t k = 0; k < e.rows.size(); ++k)
       for (const int marker : e.markers) {
@@ -256,7 +262,8 @@ class CoordinateVectorBatch final : public Term {
         at += values;
       }
   }
-  static void add_multiplier_columns(const Entry& e, const std::vector<double>& gradient, const Ports& ports, SlotCursor& slot) {
+  static void add_multiplier_columns(const Entry& e, const std::vector<double>& gradient, const Ports& ports,
+                                     SlotCursor& slot) {
     std::size_t at = 0;
     for (std::size_t k = 0; k < e.rows.size(); ++k)
       for (const int marker : e.markers) {
@@ -296,14 +303,20 @@ class CoordinateVectorBatch final : public Term {
 };
 
 struct CoordinateVectorPhysics final : ObjectPhysics {
-  std::unique_ptr<Term> make_batch(std::span<const ItemType* const>) const override { return std::make_unique<CoordinateVectorBatch>(); }
-  int algebraic_equations(const void* record, std::span<const int>) const override { return equations(parameters(record)); }
+  std::unique_ptr<Term> make_batch(std::span<const ItemType* const>) const override {
+    return std::make_unique<CoordinateVectorBatch>();
+  }
+  int algebraic_equations(const void* record, std::span<const int>) const override {
+    return equations(parameters(record));
+  }
 
-  void check(const void* record, const Placement& placement, const Ports& ports, const std::string& item) const override {
+  void check(const void* record, const Placement& placement, const Ports& ports,
+             const std::string& item) const override {
     const Parameters& p = parameters(record);
     const int m = equations(p);
     if (m == 0)
-      refuse(ErrorKind::value, {item, "scalingMarker0", "all matrices are empty", "", "a matrix with one row per equation", ""});
+      refuse(ErrorKind::value,
+             {item, "scalingMarker0", "all matrices are empty", "", "a matrix with one row per equation", ""});
     if (p.constraintUserFunction) {
       if (!p.jacobianUserFunction)
         refuse(ErrorKind::value, {item, "jacobianUserFunction", "it is missing", "",
@@ -326,9 +339,11 @@ struct CoordinateVectorPhysics final : ObjectPhysics {
   // The matrix of a marker without coordinates is not used.
   static void check_matrix(const Matrix& matrix, const char* name, int m, int n, const std::string& item) {
     if (matrix.values.empty() || n == 0 || (matrix.rows == m && matrix.columns == n)) return;
-    refuse(ErrorKind::value, {item, name, "", "a matrix of " + std::to_string(matrix.rows) + " x " + std::to_string(matrix.columns),
-                              "a matrix of " + std::to_string(m) + " x " + std::to_string(n) +
-                                  ", one row per equation and one column per coordinate of the marker, or none", ""});
+    refuse(ErrorKind::value,
+           {item, name, "", "a matrix of " + std::to_string(matrix.rows) + " x " + std::to_string(matrix.columns),
+            "a matrix of " + std::to_string(m) + " x " + std::to_string(n) +
+                ", one row per equation and one column per coordinate of the marker, or none",
+            ""});
   }
 };
 

@@ -58,7 +58,8 @@ class RotationCoordinateBatch final : public MarkerBatch {
     set_moments(ports);
     nodes_.pull_back(evaluation, r);
   }
-  void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const override {
+  void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports,
+                 double* values) const override {
     set_moments(ports);
     nodes_.geometric(evaluation, weights, slots, values);
   }
@@ -82,11 +83,13 @@ struct NodeRotationCoordinate final : MarkerPhysics {
   void check(const void* record, const Placement& on, const Ports&, const std::string& item) const override {
     const int axis = axis_of(record);
     if (axis < 0 || axis > 2)
-      refuse(ErrorKind::value, {item, "rotationCoordinate", "", std::to_string(axis), "0, 1 or 2, for the axes x, y and z", ""});
+      refuse(ErrorKind::value,
+             {item, "rotationCoordinate", "", std::to_string(axis), "0, 1 or 2, for the axes x, y and z", ""});
     const bool planar = provides(*on.owner_type, "Orientation2D"), turns = provides(*on.owner_type, "Orientation");
     if (planar || !turns)
-      refuse(ErrorKind::value, {item, "nodeNumber", "", "a " + std::string(on.owner_type->name), "a node with an orientation in space",
-                                planar ? "Use MarkerNodeCoordinate with the rotation coordinate of the node" : ""});
+      refuse(ErrorKind::value,
+             {item, "nodeNumber", "", "a " + std::string(on.owner_type->name), "a node with an orientation in space",
+              planar ? "Use MarkerNodeCoordinate with the rotation coordinate of the node" : ""});
   }
   std::unique_ptr<MarkerBatch> make_batch(const ItemType&, std::span<const ItemType* const>) const override {
     return std::make_unique<RotationCoordinateBatch>();

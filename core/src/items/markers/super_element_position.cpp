@@ -6,7 +6,9 @@
 namespace dalembert {
 namespace {
 
-const auto& parameters(const void* record) { return static_cast<const MarkerSuperElementPositionRecord*>(record)->parameters; }
+const auto& parameters(const void* record) {
+  return static_cast<const MarkerSuperElementPositionRecord*>(record)->parameters;
+}
 const ObjectPhysics& object_physics(const ItemType& type) { return dynamic_cast<const ObjectPhysics&>(*type.physics); }
 
 struct SuperElementPosition final : MarkerPhysics {
@@ -15,11 +17,13 @@ struct SuperElementPosition final : MarkerPhysics {
     const int count = object_physics(*on.owner_type).mesh_nodes(on.owner, on);
     for (const int node : p.meshNodeNumbers)
       if (node < 0 || node >= count)
-        refuse(ErrorKind::value, {item, "meshNodeNumbers", "", std::to_string(node),
-                                  "mesh nodes from 0 to " + std::to_string(count - 1) + ", numbered within the super element", ""});
+        refuse(ErrorKind::value,
+               {item, "meshNodeNumbers", "", std::to_string(node),
+                "mesh nodes from 0 to " + std::to_string(count - 1) + ", numbered within the super element", ""});
     if (p.weightingFactors.size() != p.meshNodeNumbers.size())
-      refuse(ErrorKind::value, {item, "weightingFactors", "", std::to_string(p.weightingFactors.size()) + " numbers",
-                                std::to_string(p.meshNodeNumbers.size()) + " numbers, one for each of meshNodeNumbers", ""});
+      refuse(ErrorKind::value,
+             {item, "weightingFactors", "", std::to_string(p.weightingFactors.size()) + " numbers",
+              std::to_string(p.meshNodeNumbers.size()) + " numbers, one for each of meshNodeNumbers", ""});
   }
   std::vector<int> coordinates(const void* record, const Placement& on) const override {
     return object_physics(*on.owner_type).mesh_coordinates(on.owner, on, parameters(record).meshNodeNumbers);

@@ -14,7 +14,9 @@ namespace {
 
 using Parameters = ObjectGenericODE2Parameters;
 
-const Parameters& parameters(const void* record) { return static_cast<const ObjectGenericODE2Record*>(record)->parameters; }
+const Parameters& parameters(const void* record) {
+  return static_cast<const ObjectGenericODE2Record*>(record)->parameters;
+}
 
 class GenericODE2Batch final : public Term {
  public:
@@ -74,7 +76,8 @@ class GenericODE2Batch final : public Term {
   }
   bool has_mass() const override { return true; }
   bool constant_mass() const override {
-    return std::ranges::none_of(entries_, [](const Entry& e) { return static_cast<bool>(e.parameters.massMatrixUserFunction); });
+    return std::ranges::none_of(entries_,
+                                [](const Entry& e) { return static_cast<bool>(e.parameters.massMatrixUserFunction); });
   }
 
   bool output(int entry, OutputVariableType variable, const Vec3<double>&, const Evaluation& evaluation, const Ports&,
@@ -174,12 +177,15 @@ class GenericODE2Batch final : public Term {
 };
 
 struct GenericODE2Physics final : ObjectPhysics {
-  std::unique_ptr<Term> make_batch(std::span<const ItemType* const>) const override { return std::make_unique<GenericODE2Batch>(); }
+  std::unique_ptr<Term> make_batch(std::span<const ItemType* const>) const override {
+    return std::make_unique<GenericODE2Batch>();
+  }
   int mesh_nodes(const void*, const Placement& on) const override { return static_cast<int>(on.nodes.size()); }
   std::vector<int> mesh_coordinates(const void*, const Placement& on, std::span<const int> nodes) const override {
     return node_coordinates(on, nodes);
   }
-  std::unique_ptr<MarkerBatch> make_mesh_marker(FrameShape shape, std::span<const ItemType* const> nodes) const override {
+  std::unique_ptr<MarkerBatch> make_mesh_marker(FrameShape shape,
+                                                std::span<const ItemType* const> nodes) const override {
     return shape == FrameShape::point ? make_mesh_position_marker(nodes) : nullptr;
   }
   void check(const void* record, const Placement& placement, const Ports&, const std::string& item) const override {
@@ -193,8 +199,9 @@ struct GenericODE2Physics final : ObjectPhysics {
         {"massMatrix", &p.massMatrix}, {"stiffnessMatrix", &p.stiffnessMatrix}, {"dampingMatrix", &p.dampingMatrix}};
     for (const auto& [name, m] : matrices)
       if (!m->empty() && (m->rows != n || m->columns != n))
-        refuse(ErrorKind::value, {item, name, "", "a matrix of " + std::to_string(m->rows) + " x " + std::to_string(m->columns),
-                                  expected("a matrix of " + size), ""});
+        refuse(ErrorKind::value,
+               {item, name, "", "a matrix of " + std::to_string(m->rows) + " x " + std::to_string(m->columns),
+                expected("a matrix of " + size), ""});
     if (!p.forceVector.empty() && p.forceVector.size() != placement.dofs.size())
       refuse(ErrorKind::value, {item, "forceVector", "", "a vector of length " + std::to_string(p.forceVector.size()),
                                 expected("a vector of length " + std::to_string(n)), ""});

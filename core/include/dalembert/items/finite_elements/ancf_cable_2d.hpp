@@ -35,7 +35,8 @@ struct ObjectANCFCable2D {
     if (!(p.physicsLength > 0))
       refuse(ErrorKind::value, {item, "physicsLength", "", std::to_string(p.physicsLength), "a positive length", ""});
     if (p.useReducedOrderIntegration < 0 || p.useReducedOrderIntegration > 2)
-      refuse(ErrorKind::value, {item, "useReducedOrderIntegration", "", std::to_string(p.useReducedOrderIntegration), "0, 1 or 2", ""});
+      refuse(ErrorKind::value,
+             {item, "useReducedOrderIntegration", "", std::to_string(p.useReducedOrderIntegration), "0, 1 or 2", ""});
   }
 
   static Prepared prepare(const Parameters& p, const Vec<double, size>& reference) {
@@ -43,14 +44,16 @@ struct ObjectANCFCable2D {
     k.rule = &ancf_cable_2d_rules[static_cast<std::size_t>(p.useReducedOrderIntegration)];
     k.length = p.physicsLength;
     k.mass = mass_matrix(p.physicsMassPerLength * p.physicsLength, p.physicsLength);
-    for (int i = 0; i < k.rule->stretching_points; ++i) k.stretching[i] = stress_free(p, k.rule->stretching[i], reference);
+    for (int i = 0; i < k.rule->stretching_points; ++i)
+      k.stretching[i] = stress_free(p, k.rule->stretching[i], reference);
     for (int i = 0; i < k.rule->bending_points; ++i) k.bending[i] = stress_free(p, k.rule->bending[i], reference);
     return k;
   }
 
   // M a and the virtual work of axial force and bending moment.
   template <class S>
-  static Vec<S, size> residual(const Parameters& p, const Prepared& k, const Context& c, const Coordinates<S, size>& x) {
+  static Vec<S, size> residual(const Parameters& p, const Prepared& k, const Context& c,
+                               const Coordinates<S, size>& x) {
     const Shape<S> shape(x.q, k.length), rate(x.v, k.length);
     std::array<Vec<S, 2>, 3> work{};
     for (int i = 0; i < k.rule->stretching_points; ++i) {
@@ -147,8 +150,8 @@ struct ObjectANCFCable2D {
     return r;
   }
 
-  static bool output(const Parameters& p, const Context& c, const Coordinates<double, size>& x, const OutputRequest& request,
-                     std::vector<double>& values) {
+  static bool output(const Parameters& p, const Context& c, const Coordinates<double, size>& x,
+                     const OutputRequest& request, std::vector<double>& values) {
     const double length = p.physicsLength;
     const Sample at = Rule::sample(request.local[0] / length, 0);
     const Axis<double> a = axis(Shape<double>(x.q, length), Shape<double>(x.v, length), at, length);
@@ -217,17 +220,18 @@ struct ObjectANCFCable2D {
   }
 
   template <class S>
-  static S axial_force(const Parameters& p, const Context& c, const Sample& at, const StressFree& free, const Axis<S>& a,
-                       const S& strain) {
+  static S axial_force(const Parameters& p, const Context& c, const Sample& at, const StressFree& free,
+                       const Axis<S>& a, const S& strain) {
     if (p.axialForceUserFunction)
-      return call_scalar(p.axialForceUserFunction, c, S(at.position), strain, strain_rate(a), free.strain, p.physicsAxialStiffness,
-                         p.physicsAxialDamping, curvature(a), curvature_rate(a), free.curvature);
+      return call_scalar(p.axialForceUserFunction, c, S(at.position), strain, strain_rate(a), free.strain,
+                         p.physicsAxialStiffness, p.physicsAxialDamping, curvature(a), curvature_rate(a),
+                         free.curvature);
     const S force = p.physicsAxialStiffness * (strain - free.strain);
     return p.physicsAxialDamping == 0 ? force : force + p.physicsAxialDamping * strain_rate(a);
   }
   template <class S>
-  static S bending_moment(const Parameters& p, const Context& c, const Sample& at, const StressFree& free, const Axis<S>& a,
-                          const S& curvature) {
+  static S bending_moment(const Parameters& p, const Context& c, const Sample& at, const StressFree& free,
+                          const Axis<S>& a, const S& curvature) {
     if (p.bendingMomentUserFunction)
       return call_scalar(p.bendingMomentUserFunction, c, S(at.position), curvature, curvature_rate(a), free.curvature,
                          p.physicsBendingStiffness, p.physicsBendingDamping, strain(a), strain_rate(a), free.strain);
@@ -237,13 +241,15 @@ struct ObjectANCFCable2D {
 
   // Axial force along the tangent.
   template <class S>
-  static Vec<S, 2> stretching(const Parameters& p, const Context& c, const Sample& at, const StressFree& free, const Axis<S>& a) {
+  static Vec<S, 2> stretching(const Parameters& p, const Context& c, const Sample& at, const StressFree& free,
+                              const Axis<S>& a) {
     const S length = norm(a.slope);
     return (axial_force(p, c, at, free, a, S(length - 1.0)) / length) * a.slope;
   }
   // Bending moment times the derivatives of the curvature by r' and r''.
   template <class S>
-  static Conjugates<S> bending(const Parameters& p, const Context& c, const Sample& at, const StressFree& free, const Axis<S>& a) {
+  static Conjugates<S> bending(const Parameters& p, const Context& c, const Sample& at, const StressFree& free,
+                               const Axis<S>& a) {
     const S scale = 1.0 / dot(a.slope, a.slope), curvature = scale * planar_cross(a.slope, a.bend);
     const S moment = scale * bending_moment(p, c, at, free, a, curvature), twice = 2.0 * curvature;
     return {{moment * (a.bend[1] - twice * a.slope[0]), -moment * (a.bend[0] + twice * a.slope[1])},
@@ -295,7 +301,8 @@ struct ObjectANCFCable2D {
       const auto m = bending(p, c, at, k.bending[s], directed<4>(axis(shape, rate, at, k.length), w));
       for (int j = 0; j < 3; ++j) {
         const double by_slope = at.weight * at.slope[j], by_bend = at.weight / k.length * at.bend[j];
-        const Mat<double, 2, 2> slope = along(m.slope, k.length * by_slope, k.length * by_bend), bend = along(m.bend, by_slope, by_bend);
+        const Mat<double, 2, 2> slope = along(m.slope, k.length * by_slope, k.length * by_bend),
+                                bend = along(m.bend, by_slope, by_bend);
         for (int i = 0; i < 3; ++i) {
           add(blocks[i][j], at.slope[i], slope);
           add(blocks[i][j], at.bend[i], bend);
@@ -307,7 +314,8 @@ struct ObjectANCFCable2D {
   static StressFree stress_free(const Parameters& p, const Sample& at, const Vec<double, size>& reference) {
     StressFree free{p.physicsReferenceAxialStrain, p.physicsReferenceCurvature};
     if (p.strainIsRelativeToReference == 0) return free;
-    const Axis<double> a = axis(Shape<double>(reference, p.physicsLength), Shape<double>({}, p.physicsLength), at, p.physicsLength);
+    const Axis<double> a =
+        axis(Shape<double>(reference, p.physicsLength), Shape<double>({}, p.physicsLength), at, p.physicsLength);
     free.strain += p.strainIsRelativeToReference * strain(a);
     free.curvature += p.strainIsRelativeToReference * curvature(a);
     return free;
@@ -316,8 +324,8 @@ struct ObjectANCFCable2D {
   // Integrals of products of shape functions.
   static Mat<double, 4, 4> mass_matrix(double mass, double length) {
     const double l = length, l2 = length * length;
-    Mat<double, 4, 4> m{156,    22 * l, 54,  -13 * l, 22 * l,  4 * l2,  13 * l,  -3 * l2,
-                        54, 13 * l, 156, -22 * l, -13 * l, -3 * l2, -22 * l, 4 * l2};
+    Mat<double, 4, 4> m{156, 22 * l, 54,  -13 * l, 22 * l,  4 * l2,  13 * l,  -3 * l2,
+                        54,  13 * l, 156, -22 * l, -13 * l, -3 * l2, -22 * l, 4 * l2};
     for (double& entry : m.x) entry *= mass / 420;
     return m;
   }

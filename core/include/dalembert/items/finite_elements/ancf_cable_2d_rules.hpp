@@ -16,19 +16,21 @@ struct ANCFCable2DRule {
   std::array<Sample, 3> bending;
 
   static constexpr Sample sample(double xi, double weight) {
-    return {xi, weight, {6 * xi * (1 - xi), (1 - xi) * (1 - 3 * xi), xi * (3 * xi - 2)}, {6 - 12 * xi, 6 * xi - 4, 6 * xi - 2}};
+    return {xi,
+            weight,
+            {6 * xi * (1 - xi), (1 - xi) * (1 - 3 * xi), xi * (3 * xi - 2)},
+            {6 - 12 * xi, 6 * xi - 4, 6 * xi - 2}};
   }
 
-  // Points and weights on [-1, 1], symmetric: those from the middle outwards are given.
+  // Points and weights on [-1, 1], symmetric; those from the middle outwards are given.
   template <std::size_t Capacity>
   static constexpr int fill(std::array<Sample, Capacity>& samples, int points, const std::array<double, 3>& position,
                             const std::array<double, 3>& weight) {
-    const int given = (points + 1) / 2;
+    const int lower = points / 2, odd = points % 2;
     for (int i = 0; i < points; ++i) {
-      const int from_middle = points % 2 == 1 ? i - points / 2 : (i < points / 2 ? i - points / 2 : i - points / 2 + 1);
-      const int at = (from_middle < 0 ? -from_middle : from_middle) - (points % 2 == 1 ? 0 : 1);
-      const double side = from_middle < 0 ? -1 : 1;
-      if (at < given) samples[static_cast<std::size_t>(i)] = sample(0.5 + 0.5 * side * position[at], 0.5 * weight[at]);
+      const int outwards = i < lower ? lower - 1 - i + odd : i - lower;
+      const double side = i < lower ? -0.5 : 0.5;
+      samples[i] = sample(0.5 + side * position[outwards], 0.5 * weight[outwards]);
     }
     return points;
   }
@@ -46,9 +48,10 @@ struct ANCFCable2DRule {
 
 inline constexpr ANCFCable2DRule::Table gauss_2{2, {0.57735026918962576}, {1}};
 inline constexpr ANCFCable2DRule::Table gauss_3{3, {0, 0.77459666924148338}, {8. / 9, 5. / 9}};
-inline constexpr ANCFCable2DRule::Table gauss_4{4, {0.33998104358485626, 0.86113631159405258}, {0.65214515486254614, 0.34785484513745386}};
-inline constexpr ANCFCable2DRule::Table gauss_5{5, {0, 0.53846931010568309, 0.90617984593866399},
-                                                {128. / 225, 0.47862867049936647, 0.23692688505618909}};
+inline constexpr ANCFCable2DRule::Table gauss_4{
+    4, {0.33998104358485626, 0.86113631159405258}, {0.65214515486254614, 0.34785484513745386}};
+inline constexpr ANCFCable2DRule::Table gauss_5{
+    5, {0, 0.53846931010568309, 0.90617984593866399}, {128. / 225, 0.47862867049936647, 0.23692688505618909}};
 inline constexpr ANCFCable2DRule::Table lobatto_3{3, {0, 1}, {4. / 3, 1. / 3}};
 
 // By the parameter useReducedOrderIntegration.
