@@ -25,4 +25,5 @@ PYBIND11_MODULE(_core, module) {
   register_system_data(module);
   register_system_container(module);
   register_solvers(module);
+  register_evaluation(module);
 }
