@@ -1,4 +1,4 @@
-"""Sphinx configuration. `python -m sphinx -W --keep-going docs build/docs` builds the pages; see developer/dependencies.rst."""
+"""Sphinx configuration: `python -m sphinx -W --keep-going docs build/docs` builds the pages."""
 
 import sys
 from importlib.util import find_spec

@@ -1,6 +1,6 @@
-"""Docstrings of the package are plain text, not RST: lines `name: what it is`, perhaps indented below a title, are a list.
+"""Docstrings of the package are plain text, not RST: lines `name: what it is` are a list.
 
-autodoc hands each docstring to `as_rst`, which marks up these lists and escapes everything that RST would read as markup.
+autodoc hands each docstring to `as_rst`, which marks up these lists and escapes what RST would read as markup.
 """
 
 from __future__ import annotations

@@ -1,0 +1,73 @@
+"""A slider-crank in space: three rigid bodies, driven by a torque on the crank, with a spring against the slider."""
+
+import numpy as np
+
+import dalembert as exu
+from dalembert.utilities import *
+
+crankLength, rodLength, width = 0.1, 0.3, 0.02  # m
+gravity = [0, -9.81, 0]
+
+
+def bar(length):
+    """A steel bar along x with square section."""
+    return InertiaCuboid(density=7800, sideLengths=[length, width, width])
+
+
+mbs = exu.SystemContainer().AddSystem()
+ground = mbs.CreateGround()
+
+# bodies: the mechanism is stretched in the reference configuration, the crank along x
+crank = mbs.CreateRigidBody(referencePosition=[crankLength / 2, 0, 0], inertia=bar(crankLength), gravity=gravity)
+rod = mbs.CreateRigidBody(
+    referencePosition=[crankLength + rodLength / 2, 0, 0], inertia=bar(rodLength), gravity=gravity
+)
+slider = mbs.CreateRigidBody(referencePosition=[crankLength + rodLength, 0, 0], inertia=bar(0.05), gravity=gravity)
+
+# joints: 5 + 5 + 2 + 5 equations for 18 degrees of freedom
+mbs.CreateRevoluteJoint(bodyNumbers=[ground, crank], position=[0, 0, 0], axis=[0, 0, 1])
+mbs.CreateRevoluteJoint(bodyNumbers=[crank, rod], position=[crankLength, 0, 0], axis=[0, 0, 1])
+pin = mbs.CreateGenericJoint(
+    bodyNumbers=[rod, slider], position=[crankLength + rodLength, 0, 0], constrainedAxes=[1, 1, 0, 0, 0, 0]
+)
+mbs.CreateGenericJoint(
+    bodyNumbers=[ground, slider], position=[crankLength + rodLength, 0, 0], constrainedAxes=[0, 1, 1, 1, 1, 1]
+)
+
+# what drives and what resists
+mbs.CreateTorque(bodyNumber=crank, loadVector=[0, 0, 0.5])
+mbs.CreateSpringDamper(
+    bodyNumbers=[ground, slider],
+    localPosition0=[0.6, 0, 0],
+    localPosition1=[0, 0, 0],
+    referenceLength=0.3,
+    stiffness=100,
+    damping=2,
+)
+
+# what is measured
+position = mbs.AddSensor(
+    SensorBody(bodyNumber=slider, outputVariableType=exu.OutputVariableType.Position, storeInternal=True)
+)
+spin = mbs.AddSensor(
+    SensorBody(bodyNumber=crank, outputVariableType=exu.OutputVariableType.AngularVelocity, storeInternal=True)
+)
+force = mbs.AddSensor(
+    SensorObject(objectNumber=pin, outputVariableType=exu.OutputVariableType.ForceLocal, storeInternal=True)
+)
+
+mbs.Assemble()
+settings = exu.SimulationSettings()
+settings.timeIntegration.endTime = 2
+settings.timeIntegration.numberOfSteps = 2000
+settings.timeIntegration.generalizedAlpha.spectralRadius = 0.8
+settings.solutionSettings.sensorsWritePeriod = 5e-3
+settings.solutionSettings.writeSolutionToFile = False
+mbs.SolveDynamic(settings)
+
+mbs.PlotSensor(position, components=0, yLabel="slider position (m)", fileName="slider_position.png", closeAll=True)
+mbs.PlotSensor(spin, components=2, yLabel="crank speed (rad/s)", fileName="crank_speed.png")
+mbs.PlotSensor(force, components=[0, 1], yLabel="pin force (N)", fileName="pin_force.png")
+
+result = mbs.GetSensorStoredData(position)
+print("stroke", np.ptp(result[:, 1]))
