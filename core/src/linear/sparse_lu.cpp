@@ -12,7 +12,6 @@ SparseLu::SparseLu(const Pattern& pattern, const LinearSolverOptions& options)
   matrix_.resizeNonZeros(static_cast<Eigen::Index>(rows.size()));
   std::copy(starts.begin(), starts.end(), matrix_.outerIndexPtr());
   std::copy(rows.begin(), rows.end(), matrix_.innerIndexPtr());
-  lu_.isSymmetric(true);
   if (options.pivot_threshold > 0) lu_.setPivotThreshold(options.pivot_threshold);
 }
 

@@ -24,7 +24,7 @@ class SparseLu final : public LinearSolver {
   const Pattern& pattern_;
   LinearSolverOptions options_;
   Matrix matrix_;
-  Eigen::SparseLU<Matrix, Eigen::AMDOrdering<int>> lu_;
+  Eigen::SparseLU<Matrix, Eigen::COLAMDOrdering<int>> lu_;
   Eigen::VectorXd solution_;
   bool analyzed_ = false;
 };
