@@ -20,7 +20,7 @@ extensions = [
 ]
 exclude_patterns = ["_extensions"]
 nitpicky = False
-autodoc_typehints = "signature"
+autodoc_typehints = "none"
 autodoc_member_order = "bysource"
 add_module_names = False
 python_maximum_signature_line_length = 100

@@ -8,7 +8,9 @@ from __future__ import annotations
 import ast
 import importlib
 import pkgutil
+from inspect import isroutine
 from pathlib import Path
+from types import FunctionType, ModuleType
 
 from sphinx.application import Sphinx
 
@@ -38,6 +40,8 @@ CORE = {
     "MainSolverImplicitSecondOrder": "solvers",
     "MainSolverExplicit": "solvers",
 }
+# Modules with pages of another kind; Create... and the like are methods of MainSystem.
+ELSEWHERE = ("cli", "create", "itemInterface", "mainSystemExtensions")
 CORE_TITLES = {"system": "Systems", "data": "Matrices and lists", "solvers": "Solver objects"}
 
 
@@ -72,25 +76,58 @@ def example_pages() -> dict[str, str]:
     return pages
 
 
+def documented(module: ModuleType, seen: set[int]) -> list[str]:
+    """Names of the functions and classes of a module, also of private ones behind it; each is shown once."""
+    names = []
+    for name in getattr(module, "__all__", vars(module)):
+        thing = getattr(module, name)
+        if name.startswith("_") or id(thing) in seen or not isinstance(thing, type | FunctionType):
+            continue
+        owner = thing.__module__
+        private = owner.startswith("dalembert._") and not owner.startswith("dalembert._core")
+        if private or f"{owner}.".startswith(f"{module.__name__}."):
+            seen.add(id(thing))
+            names.append(name)
+    return names
+
+
+def member(module: str, name: str, thing: object) -> str:
+    kind = "autoclass" if isinstance(thing, type) else "autofunction"
+    members = "   :members:\n" if kind == "autoclass" else ""
+    return f".. {kind}:: {module}.{name}\n{members}"
+
+
+def core_pages(core: ModuleType) -> dict[str, str]:
+    """The classes of the compiled core, in groups, and its functions."""
+    pages = {}
+    for stem, title in CORE_TITLES.items():
+        names = [name for name, page in CORE.items() if page == stem and hasattr(core, name)]
+        classes = (f"{heading(name, '-')}\n{member('dalembert', name, getattr(core, name))}" for name in names)
+        pages[f"api/{stem}.rst"] = f"{heading(title)}\n" + "\n".join(classes)
+    functions = [name for name, thing in vars(core).items() if isroutine(thing) and not name.startswith("_")]
+    texts = (member("dalembert", name, getattr(core, name)) for name in functions)
+    pages["api/functions.rst"] = f"{heading('Functions of the package')}\n" + "\n".join(texts)
+    return pages
+
+
 def module_pages() -> dict[str, str]:
-    """A page per public Python module, and the classes of the compiled core."""
+    """A page per public Python module, and those of the compiled core."""
     head = f".. _api:\n\n{heading('Python interface')}\n"
     try:
         package = importlib.import_module("dalembert")
     except ImportError:
         return {"api/index.rst": head + NOT_BUILT}
-    core = importlib.import_module("dalembert._core")
-    pages = {}
-    for stem, title in CORE_TITLES.items():
-        names = [name for name, page in CORE.items() if page == stem and hasattr(core, name)]
-        classes = (f"{heading(name, '-')}\n.. autoclass:: dalembert.{name}\n   :members:\n" for name in names)
-        pages[f"api/{stem}.rst"] = f"{heading(title)}\n" + "\n".join(classes)
-    modules = [m.name for m in pkgutil.iter_modules(package.__path__) if not m.name.startswith("_")]
-    modules = [name for name in modules if name not in ("itemInterface", "cli")]
-    for name in modules:
-        text = f".. automodule:: dalembert.{name}\n   :members:\n"
-        pages[f"api/{name}.rst"] = f"{heading('dalembert.' + name)}\n{text}"
-    pages["api/index.rst"] = f"{head}{toctree(list(CORE_TITLES))}\n{toctree(modules)}"
+    pages = core_pages(importlib.import_module("dalembert._core"))
+    modules, seen = [], set[int]()
+    for info in pkgutil.iter_modules(package.__path__):
+        if info.name.startswith("_") or info.name in ELSEWHERE:
+            continue
+        full = f"dalembert.{info.name}"
+        module = importlib.import_module(full)
+        members = (member(full, name, getattr(module, name)) for name in documented(module, seen))
+        pages[f"api/{info.name}.rst"] = f"{heading(full)}\n.. automodule:: {full}\n\n" + "\n".join(members)
+        modules.append(info.name)
+    pages["api/index.rst"] = f"{head}{toctree([*CORE_TITLES, 'functions'])}\n{toctree(modules)}"
     return pages
 
 
