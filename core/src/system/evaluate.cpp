@@ -176,7 +176,7 @@ Discontinuity System::post_newton(State& state, const Conditions& conditions) {
     if (!term->has_history()) continue;
     const PostNewton one = term->post_newton(e, parts.ports, start, state.data.data());
     verdict.error = std::max(verdict.error, one.error);
-    if (one.recommended_step_size > 0 &&
+    if (one.recommended_step_size >= 0 &&
         (verdict.recommended_step_size < 0 || one.recommended_step_size < verdict.recommended_step_size))
       verdict.recommended_step_size = one.recommended_step_size;
   }

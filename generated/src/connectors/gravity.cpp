@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/connector.hpp"
+#include "dalembert/items/connectors/gravity.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -34,6 +36,8 @@ constexpr std::array<OutputVariableType, 3> outputs{
     OutputVariableType::Force,
 };
 
+const auto& physics = PairPhysics<ObjectConnectorGravity, ObjectConnectorGravityRecord>{};
+
 }  // namespace
 
 extern const ItemType object_connector_gravity_type;
@@ -49,7 +53,7 @@ const ItemType object_connector_gravity_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::position,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/connectors/gravity.toml",
 };
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/connector.hpp"
+#include "dalembert/items/connectors/linear_spring_damper.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -47,6 +49,8 @@ constexpr std::array<OutputVariableType, 3> outputs{
     OutputVariableType::ForceLocal,
 };
 
+const auto& physics = PairPhysics<ObjectConnectorLinearSpringDamper, ObjectConnectorLinearSpringDamperRecord>{};
+
 }  // namespace
 
 extern const ItemType object_connector_linear_spring_damper_type;
@@ -62,7 +66,7 @@ const ItemType object_connector_linear_spring_damper_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::position | Port::orientation,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/connectors/linear_spring_damper.toml",
 };
 

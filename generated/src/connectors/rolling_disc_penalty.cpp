@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/connector.hpp"
+#include "dalembert/items/connectors/rolling_disc_penalty.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -44,6 +46,8 @@ constexpr std::array<OutputVariableType, 5> outputs{
     OutputVariableType::RotationMatrix,
 };
 
+const auto& physics = PairPhysics<ObjectConnectorRollingDiscPenalty, ObjectConnectorRollingDiscPenaltyRecord>{};
+
 }  // namespace
 
 extern const ItemType object_connector_rolling_disc_penalty_type;
@@ -59,7 +63,7 @@ const ItemType object_connector_rolling_disc_penalty_type{
     .record = record_operations<Record>(),
     .requested_node = Port::generic_data,
     .requested_marker = Port::position | Port::orientation,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/connectors/rolling_disc_penalty.toml",
 };
 

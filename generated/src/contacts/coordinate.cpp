@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/connector.hpp"
+#include "dalembert/items/contacts/coordinate.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -31,6 +33,8 @@ constexpr std::array<std::string_view, 1> provides{"Connector"};
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
+const auto& physics = PairPhysics<ObjectContactCoordinate, ObjectContactCoordinateRecord>{};
+
 }  // namespace
 
 extern const ItemType object_contact_coordinate_type;
@@ -46,7 +50,7 @@ const ItemType object_contact_coordinate_type{
     .record = record_operations<Record>(),
     .requested_node = Port::generic_data,
     .requested_marker = Port::coordinate,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/contacts/coordinate.toml",
 };
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/constraint.hpp"
+#include "dalembert/items/joints/prismatic_2d.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -30,6 +32,8 @@ constexpr std::array<std::string_view, 2> provides{"Connector", "Constraint"};
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
+const auto& physics = ConstraintPhysics<ObjectJointPrismatic2D, ObjectJointPrismatic2DRecord>{};
+
 }  // namespace
 
 extern const ItemType object_joint_prismatic_2d_type;
@@ -45,7 +49,7 @@ const ItemType object_joint_prismatic_2d_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::position | Port::orientation,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/joints/prismatic_2d.toml",
 };
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/constraint.hpp"
+#include "dalembert/items/joints/prismatic_x.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -38,6 +40,8 @@ constexpr std::array<OutputVariableType, 8> outputs{
     OutputVariableType::TorqueLocal,
 };
 
+const auto& physics = ConstraintPhysics<ObjectJointPrismaticX, ObjectJointPrismaticXRecord>{};
+
 }  // namespace
 
 extern const ItemType object_joint_prismatic_x_type;
@@ -53,7 +57,7 @@ const ItemType object_joint_prismatic_x_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::position | Port::orientation,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/joints/prismatic_x.toml",
 };
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/constraint.hpp"
+#include "dalembert/items/joints/rolling_disc.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -35,6 +37,8 @@ constexpr std::array<OutputVariableType, 4> outputs{
     OutputVariableType::RotationMatrix,
 };
 
+const auto& physics = ConstraintPhysics<ObjectJointRollingDisc, ObjectJointRollingDiscRecord>{};
+
 }  // namespace
 
 extern const ItemType object_joint_rolling_disc_type;
@@ -50,7 +54,7 @@ const ItemType object_joint_rolling_disc_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::position | Port::orientation,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/joints/rolling_disc.toml",
 };
 

@@ -7,6 +7,7 @@
 
 #include "dalembert/batches/port_sweep.hpp"
 #include "dalembert/contracts/context.hpp"
+#include "dalembert/model/errors.hpp"
 #include "dalembert/system/physics.hpp"
 
 namespace dalembert {
@@ -78,7 +79,7 @@ class PortBatch final : public Term {
         const PostNewton one = K::update(e.parameters, context(evaluation, e), frames[0], frames[1], start + e.first_data,
                                          data + e.first_data);
         result.error = std::max(result.error, one.error);
-        if (one.recommended_step_size > 0 &&
+        if (one.recommended_step_size >= 0 &&
             (result.recommended_step_size < 0 || one.recommended_step_size < result.recommended_step_size))
           result.recommended_step_size = one.recommended_step_size;
       }
@@ -120,10 +121,17 @@ class PortBatch final : public Term {
   std::vector<Entry> entries_;
 };
 
+// A kernel with history says how many `data_coordinates` its node has to have.
 template <class K, class Record>
 struct PairPhysics final : ObjectPhysics {
   std::unique_ptr<Term> make_batch(std::span<const ItemType* const>) const override {
     return std::make_unique<PortBatch<K, Record, 2>>();
+  }
+  void check(const void*, const Placement& placement, const Ports&, const std::string& item) const override {
+    if constexpr (requires { K::data_coordinates; })
+      if (!placement.nodes.empty() && placement.data_count != K::data_coordinates)
+        refuse(ErrorKind::value, {item, "nodeNumber", "", "a node with " + std::to_string(placement.data_count) + " data coordinates",
+                                  "a NodeGenericData with numberOfDataCoordinates = " + std::to_string(K::data_coordinates), ""});
   }
 };
 

@@ -2,6 +2,7 @@
 //
 // A kernel says `equations` and `gap`. Its rate is the gap's derivative along the motion of the frames, its reaction the
 // gap's derivative by virtual motions of the frames; a kernel may state either in closed form where that is cheaper.
+// A nonholonomic kernel has no gap: it says `nonholonomic`, `gap_rate` and `reaction`.
 #pragma once
 
 #include <concepts>
@@ -131,9 +132,13 @@ class ConstraintBatch final : public Term {
 
   template <class S>
   static Vec<S, m> equations(const Parameters& p, const Context& c, const Frames<S>& f, bool rate_level) {
-    bool rate = rate_level;
-    if constexpr (requires { p.velocityLevel; }) rate = rate || p.velocityLevel;
-    return rate ? gap_rate<K, S>(p, c, f[0], f[1]) : gap<K, S>(p, c, f[0], f[1]);
+    if constexpr (requires { K::nonholonomic; }) {
+      return K::template gap_rate<S>(p, c, f[0], f[1]);
+    } else {
+      bool rate = rate_level;
+      if constexpr (requires { p.velocityLevel; }) rate = rate || p.velocityLevel;
+      return rate ? gap_rate<K, S>(p, c, f[0], f[1]) : gap<K, S>(p, c, f[0], f[1]);
+    }
   }
   template <class S>
   static std::array<typename Port::template Force<S>, 2> reaction(const Parameters& p, const Context& c, const Frames<S>& f,

@@ -1,0 +1,120 @@
+// ObjectConnectorRollingDiscPenalty, specs/connectors/rolling_disc_penalty.toml
+#pragma once
+
+#include <cmath>
+
+#include "dalembert/connectors/rolling_disc_penalty_parameters.hpp"
+#include "dalembert/contracts/context.hpp"
+#include "dalembert/contracts/rolling_disc.hpp"
+#include "dalembert/system/term.hpp"
+
+namespace dalembert {
+
+struct ObjectConnectorRollingDiscPenalty {
+  using Parameters = ObjectConnectorRollingDiscPenaltyParameters;
+  using Port = RigidPort;
+  static constexpr int data_coordinates = 3;
+
+  // Data coordinates, of the last update: slip velocity in lateral and in forward direction, gap.
+  enum Data { lateral = 0, forward = 1, gap = 2 };
+
+  template <class S>
+  static std::array<Wrench<S>, 2> forces(const Parameters& p, const Context& c, const RigidFrame<S>& m0, const RigidFrame<S>& m1) {
+    const RollingContact<S> contact(p, m0, m1);
+    const Vec3<S> f = contact_force(p, c, contact);
+    auto forces = contact.forces(f);
+    if (p.rollingFrictionViscous != 0) {
+      const Vec3<S> resistance = rolling_resistance(p, f[2], contact, m0, m1);
+      forces[0].force -= resistance;
+      forces[1].force += resistance;
+    }
+    return forces;
+  }
+
+  // The state of contact and the direction of slip are held fixed in Newton's method: the error is the change of forces.
+  static PostNewton update(const Parameters& p, const Context&, const RigidFrame<double>& m0, const RigidFrame<double>& m1,
+                           const double*, double* data) {
+    const RollingContact<double> contact(p, m0, m1);
+    const double now = dot(contact.arm, contact.normal), before = data[gap];
+    const Slip<double> slip{dot(contact.slip, contact.lateral), dot(contact.slip, contact.forward)};
+    const Slip<double> assumed{data[lateral], data[forward]};
+    const double pressure = now < 0 ? normal_force(p, contact) : 0.0;
+    const Slip<double> friction = friction_force(p, slip, slip, pressure);
+    PostNewton verdict;
+    if ((now > 0) != (before > 0)) {
+      verdict.error = std::abs(now * p.contactStiffness) + norm(friction);
+    } else if (now < 0) {
+      verdict.error = norm(friction - friction_force(p, slip, assumed, pressure));
+    }
+    data[lateral] = slip[0];
+    data[forward] = slip[1];
+    data[gap] = now;
+    return verdict;
+  }
+
+  static bool output(const Parameters& p, const Context& c, const RigidFrame<double>& m0, const RigidFrame<double>& m1,
+                     OutputVariableType variable, std::vector<double>& values) {
+    const RollingContact<double> contact(p, m0, m1);
+    const auto vector = [&](const Vec3<double>& v) { values.assign(v.x.begin(), v.x.end()); };
+    switch (variable) {
+      case OutputVariableType::Position: vector(contact.arm); return true;
+      case OutputVariableType::Velocity: vector(trail_velocity(p, m0, m1, contact, contact.arm)); return true;
+      case OutputVariableType::VelocityLocal: vector(contact.local(contact.slip)); return true;
+      case OutputVariableType::ForceLocal: vector(contact_force(p, c, contact)); return true;
+      case OutputVariableType::RotationMatrix: assign_contact_axes(contact, values); return true;
+      default: return false;
+    }
+  }
+
+ private:
+  template <class S>
+  using Slip = Vec<S, 2>;  // in the plane: lateral, forward
+
+  template <class S>
+  static S normal_force(const Parameters& p, const RollingContact<S>& contact) {
+    return -(p.contactStiffness * dot(contact.arm, contact.normal) + p.contactDamping * dot(contact.slip, contact.normal));
+  }
+
+  // Force on the disc in the contact frame.
+  template <class S>
+  static Vec3<S> contact_force(const Parameters& p, const Context& c, const RollingContact<S>& contact) {
+    if (!(c.data[gap] < 0)) return {};
+    const S pressure = normal_force(p, contact);
+    const Slip<S> slip{dot(contact.slip, contact.lateral), dot(contact.slip, contact.forward)};
+    const Slip<S> friction = friction_force(p, slip, {c.data[lateral], c.data[forward]}, pressure);
+    return {friction[0], friction[1], pressure};
+  }
+
+  // Against the slip; beyond the proportional zone, its direction is the assumed one.
+  template <class S>
+  static Slip<S> friction_force(const Parameters& p, const Slip<S>& slip, const Slip<double>& assumed, const S& pressure) {
+    using std::abs;
+    const double assumed_speed = norm(assumed), zone = p.dryFrictionProportionalZone;
+    const bool sticking = zone != 0 && assumed_speed <= zone;
+    const S speed = value_of(slip[0]) == 0 && value_of(slip[1]) == 0 ? S(0) : norm(slip);
+    if (assumed_speed == 0 || (value_of(speed) == 0 && !sticking)) return {};
+    Slip<S> direction;
+    if (sticking) {
+      direction = (1 / zone) * slip;
+      if (!p.useLinearProportionalZone) direction = (2.0 - (1 / zone) * speed) * direction;
+    } else {
+      for (int i = 0; i < 2; ++i) direction[i] = S(assumed[i] / assumed_speed);
+    }
+    const double co = std::cos(p.dryFrictionAngle), si = std::sin(p.dryFrictionAngle);
+    const Slip<S> turned{co * direction[0] - si * direction[1], si * direction[0] + co * direction[1]};
+    Slip<S> f;
+    for (int i = 0; i < 2; ++i) f[i] = -abs(pressure) * (p.dryFriction[i] + p.viscousFriction[i] * speed) * turned[i];
+    return {co * f[0] + si * f[1], co * f[1] - si * f[0]};
+  }
+
+  // Against the velocity of the centre along the plane, for a disc that stands upright.
+  template <class S>
+  static Vec3<S> rolling_resistance(const Parameters& p, const S& pressure, const RollingContact<S>& contact, const RigidFrame<S>& m0,
+                                    const RigidFrame<S>& m1) {
+    using std::abs;
+    const Vec3<S> velocity = m1.velocity - m0.velocity - cross(m0.angular_velocity, contact.arm);
+    return (-p.rollingFrictionViscous * abs(pressure)) * (velocity - dot(velocity, contact.normal) * contact.normal);
+  }
+};
+
+}  // namespace dalembert
