@@ -5,6 +5,7 @@
 #include "dalembert/model/errors.hpp"
 #include "dalembert/model/member.hpp"
 #include "dalembert/model/model.hpp"
+#include "dalembert/system/physics.hpp"
 
 namespace dalembert {
 namespace {
@@ -62,6 +63,10 @@ class Checker {
 
  private:
   const Item& item() const { return model_.item(kind_, number_); }
+  bool works_without_data() const {
+    const Physics* physics = item().type->physics;
+    return physics != nullptr && physics->works_without_data(item().record.get());
+  }
 
   [[noreturn]] void complain(const Row& row, std::string received, std::string expected, std::string advice) const {
     refuse(ErrorKind::value, {model_.describe(kind_, number_), std::string(row.name), "", std::move(received),
@@ -72,7 +77,7 @@ class Checker {
     const ItemKind target = index_storage(row.storage).kind;
     const std::string noun(kind_name(target));
     for (const int value : index_values(row, item().record.get())) {
-      if (value == -1 && row.optional) continue;
+      if (value == -1 && (row.optional || (row.storage == Storage::node && works_without_data()))) continue;
       if (value == -1) {
         complain(row, "the invalid index -1", "the number of " + with_article(noun),
                  "Pass the index that Add" + std::string(kind_title(target)) +

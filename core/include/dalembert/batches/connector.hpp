@@ -121,11 +121,17 @@ class PortBatch final : public Term {
   std::vector<Entry> entries_;
 };
 
-// A kernel with history says how many `data_coordinates` its node has to have.
+// A kernel with history says how many `data_coordinates` its node has to have, and may say by needs_data(p) when it does
+// without the node.
 template <class K, class Record>
 struct PairPhysics final : ObjectPhysics {
   std::unique_ptr<Term> make_batch(std::span<const ItemType* const>) const override {
     return std::make_unique<PortBatch<K, Record, 2>>();
+  }
+  bool works_without_data(const void* record) const override {
+    if constexpr (requires(const typename K::Parameters& p) { K::needs_data(p); })
+      return !K::needs_data(static_cast<const Record*>(record)->parameters);
+    return false;
   }
   void check(const void*, const Placement& placement, const Ports&, const std::string& item) const override {
     if constexpr (requires { K::data_coordinates; })

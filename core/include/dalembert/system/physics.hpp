@@ -18,6 +18,8 @@ struct Physics {
   virtual ~Physics() = default;
   // Refuses parameters that do not fit the nodes and markers of the item; `item` is how errors name it.
   virtual void check(const void* /*record*/, const Placement&, const Ports&, const std::string& /*item*/) const {}
+  // With these parameters the item does not need the data node that its type asks for.
+  virtual bool works_without_data(const void* /*record*/) const { return false; }
 };
 
 inline std::vector<int> all_positions(const std::vector<int>& of) {

@@ -13,9 +13,12 @@ namespace dalembert {
 struct ObjectConnectorCoordinateSpringDamperExt {
   using Parameters = ObjectConnectorCoordinateSpringDamperExtParameters;
   using Port = ScalarPort;
+  static constexpr int data_coordinates = 3;
 
   // Data coordinates: friction force while slipping (0: sticking), last sticking position, penetration of the stops.
   enum Data { friction = 0, stick = 1, stop = 2 };
+
+  static bool needs_data(const Parameters& p) { return has_bristles(p) || p.useLimitStops; }
 
   template <class S>
   static std::array<ScalarForce<S>, 2> forces(const Parameters& p, const Context& c, const ScalarFrame<S>& m0,

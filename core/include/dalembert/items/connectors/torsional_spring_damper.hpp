@@ -13,6 +13,7 @@ namespace dalembert {
 struct ObjectConnectorTorsionalSpringDamper {
   using Parameters = ObjectConnectorTorsionalSpringDamperParameters;
   using Port = RigidPort;
+  static constexpr int data_coordinates = 1;
 
   // A torque about the z-axis of the first joint frame.
   template <class S>
