@@ -223,7 +223,9 @@ void SecondOrderSolver::compute_jacobian() {
   } else if (simplified_lie_ && settings().timeIntegration.generalizedAlpha.lieGroupAddTangentOperator) {
     simplified_lie_jacobian(weights);
   } else {
-    system().tangent(current(), conditions_, weights, pattern(), jacobian_);
+    Conditions conditions = conditions_;
+    conditions.follows_residual = true;
+    system().tangent(current(), conditions, weights, pattern(), jacobian_);
   }
   scale_jacobian(scale);
   add_user_jacobian(-scale, -gamma_prime() * scale, -scale);

@@ -30,11 +30,14 @@ void each(const Batches& batches, F&& f) {
 
 }  // namespace
 
-Evaluation SystemParts::evaluation(const State& state, const Conditions& conditions) {
-  const std::vector<double>& reference = this->state(ConfigurationType::Reference).q;
+namespace {
+
+// `total` takes the coordinates with their reference values.
+Evaluation view_of(SystemParts& parts, const State& state, const Conditions& conditions, std::vector<double>& total) {
+  const State& rest = parts.state(ConfigurationType::Reference);
   const double* displacement = state.q.data();
-  if (&state == &this->state(ConfigurationType::Reference)) displacement = work.data() + sizes.total();  // zeros
-  for (int i = 0; i < sizes.ode2; ++i) total[i] = reference[i] + displacement[i];
+  if (&state == &rest) displacement = parts.work.data() + parts.sizes.total();  // zeros
+  for (int i = 0; i < parts.sizes.ode2; ++i) total[i] = rest.q[i] + displacement[i];
   Evaluation e;
   e.q = total.data();
   e.u = displacement;
@@ -52,6 +55,13 @@ Evaluation SystemParts::evaluation(const State& state, const Conditions& conditi
   return e;
 }
 
+}  // namespace
+
+Evaluation SystemParts::evaluation(const State& state, const Conditions& conditions) {
+  return view_of(*this, state, conditions, total);
+}
+Evaluation SystemParts::output_evaluation(const State& state) { return view_of(*this, state, {}, output_total); }
+
 void SystemParts::update_ports(const Evaluation& e) {
   each(marker_batches, [&](const MarkerBatch& batch) { batch.evaluate(e, ports); });
 }
@@ -65,16 +75,32 @@ void SystemParts::bind(const Pattern& pattern) {
   };
   each(terms, collect);
   each(marker_batches, collect);
+  rate_slots.clear();
+  for (int i = sizes.ode2; i < sizes.first_ae(); ++i) rate_slots.push_back(pattern.slot(i, i));
   bound = &pattern;
 }
 
 namespace {
 
+// True for as long as it lives, also when a user function throws.
+class Flagged {
+ public:
+  explicit Flagged(bool& flag) : flag_(flag) { flag_ = true; }
+  ~Flagged() { flag_ = false; }
+  Flagged(const Flagged&) = delete;
+  Flagged& operator=(const Flagged&) = delete;
+
+ private:
+  bool& flag_;
+};
+
 void add_residual(SystemParts& parts, const Evaluation& e, double* r) {
+  const Flagged evaluating(parts.evaluating);
   parts.update_ports(e);
   std::fill(parts.ports.forces.begin(), parts.ports.forces.end(), 0.0);
   each(parts.terms, [&](const Term& term) { term.residual(e, parts.ports, r); });
   each(parts.marker_batches, [&](const MarkerBatch& batch) { batch.pull_back(e, parts.ports, r); });
+  for (int i = 0; i < parts.sizes.ode1; ++i) r[parts.sizes.ode2 + i] -= e.y_t[i];
 }
 
 }  // namespace
@@ -82,7 +108,9 @@ void add_residual(SystemParts& parts, const Evaluation& e, double* r) {
 void System::residual(const State& state, const Conditions& conditions, std::span<double> r) {
   ++evaluations_;
   std::fill(r.begin(), r.end(), 0.0);
+  evaluated_ = nullptr;
   add_residual(*parts_, parts_->evaluation(state, conditions), r.data());
+  evaluated_ = &state;
 }
 
 void System::tangent(const State& state, const Conditions& conditions, const Weights& weights, const Pattern& pattern,
@@ -91,10 +119,13 @@ void System::tangent(const State& state, const Conditions& conditions, const Wei
   parts.bind(pattern);
   std::fill(values.begin(), values.end(), 0.0);
   const Evaluation e = parts.evaluation(state, conditions);
-  add_residual(parts, e, parts.work.data());  // the forces on markers, for the geometric part
+  if (!conditions.follows_residual || evaluated_ != &state)
+    add_residual(parts, e, parts.work.data());  // the forces on markers, for the geometric part
+  const Flagged evaluating(parts.evaluating);
   each(parts.marker_batches, [&](const MarkerBatch& batch) { batch.evaluate_tangent(e, weights, parts.ports); });
   each(parts.terms, [&](const Term& term) { term.tangent(e, weights, parts.ports, values.data()); });
   each(parts.marker_batches, [&](const MarkerBatch& batch) { batch.geometric(e, weights, parts.ports, values.data()); });
+  for (const int slot : parts.rate_slots) values[slot] -= weights.y_t;
 }
 
 const Pattern& System::pattern(bool dense) {
@@ -124,6 +155,7 @@ void System::mass_matrix(const State& state, const Pattern& pattern, std::span<d
 }
 
 void System::forces(const State& state, const Conditions& conditions, std::span<double> rhs) {
+  evaluated_ = nullptr;
   ++evaluations_;
   SystemParts& parts = *parts_;
   Conditions resting = conditions;
@@ -137,6 +169,7 @@ void System::forces(const State& state, const Conditions& conditions, std::span<
 }
 
 void System::rates(const State& state, const Conditions& conditions, std::span<double> y_t) {
+  evaluated_ = nullptr;
   SystemParts& parts = *parts_;
   std::fill(parts.work.begin(), parts.work.begin() + sizes_.total(), 0.0);
   add_residual(parts, parts.evaluation(state, conditions), parts.work.data());
@@ -144,6 +177,7 @@ void System::rates(const State& state, const Conditions& conditions, std::span<d
 }
 
 void System::gaps(const State& state, const Conditions& conditions, std::span<double> g) {
+  evaluated_ = nullptr;
   SystemParts& parts = *parts_;
   std::fill(parts.work.begin(), parts.work.begin() + sizes_.total(), 0.0);
   add_residual(parts, parts.evaluation(state, conditions), parts.work.data());
@@ -166,6 +200,7 @@ void System::compose(std::span<const double> q0, std::span<const double> increme
 }
 
 Discontinuity System::post_newton(State& state, const Conditions& conditions) {
+  evaluated_ = nullptr;
   SystemParts& parts = *parts_;
   Discontinuity verdict;
   if (!parts.has_history) return verdict;
@@ -180,6 +215,7 @@ Discontinuity System::post_newton(State& state, const Conditions& conditions) {
         (verdict.recommended_step_size < 0 || one.recommended_step_size < verdict.recommended_step_size))
       verdict.recommended_step_size = one.recommended_step_size;
   }
+  each(parts.marker_batches, [&](const MarkerBatch& batch) { batch.post_newton(e, parts.ports, state.data.data()); });
   return verdict;
 }
 

@@ -79,6 +79,26 @@ bool coordinate_output(Variable variable, const Evaluation& e, std::span<const i
   }
 }
 
+// Frames of the markers for an output. A user function may ask in the middle of an evaluation, which then goes on with its
+// own frames.
+class PortsFor {
+ public:
+  PortsFor(SystemParts& parts, const Evaluation& e, ConfigurationType configuration, bool needed) : parts_(parts) {
+    if (!needed || (parts.evaluating && configuration == ConfigurationType::Current)) return;
+    if (parts.evaluating) kept_ = parts.ports.values;
+    parts.update_ports(e);
+  }
+  ~PortsFor() {
+    if (!kept_.empty()) parts_.ports.values = kept_;
+  }
+  PortsFor(const PortsFor&) = delete;
+  PortsFor& operator=(const PortsFor&) = delete;
+
+ private:
+  SystemParts& parts_;
+  Values kept_;
+};
+
 NodeView view(const SystemParts& parts, const NodePlace& node, const State& state, const Evaluation& e, Values& y_total) {
   const auto part = [](const double* from, int first, int count) {
     return first < 0 ? std::span<const double>{} : std::span(from + first, static_cast<std::size_t>(count));
@@ -100,7 +120,7 @@ std::vector<double> System::node_output(int node, Variable variable, Configurati
   const State& state = parts.state(configuration);
   Values values, y_total;
   if (variable == Variable::Coordinates && place.sizes.data > 0) return slice(state.data, place.data, place.sizes.data);
-  const Evaluation e = parts.evaluation(state, {});
+  const Evaluation e = parts.output_evaluation(state);
   const NodeView now = view(parts, place, state, e, y_total);
   if (place.physics->output(place.record.get(), variable, now, values)) return values;
   const auto ode2 = node_ltg(node, Coordinates::ode2), ode1 = node_ltg(node, Coordinates::ode1);
@@ -108,7 +128,7 @@ std::vector<double> System::node_output(int node, Variable variable, Configurati
   Motion<double> m, reference;
   if (place.physics->motion(place.record.get(), now, m)) {
     const State& rest = parts.state(ConfigurationType::Reference);
-    place.physics->motion(place.record.get(), view(parts, place, rest, parts.evaluation(rest, {}), y_total), reference);
+    place.physics->motion(place.record.get(), view(parts, place, rest, parts.output_evaluation(rest), y_total), reference);
     if (frame_output(variable, m, reference, values)) return values;
   }
   no_output(parts.names[0][static_cast<std::size_t>(node)], variable, place.type->outputs);
@@ -120,18 +140,18 @@ std::vector<double> System::body_output(int object, Variable variable, std::arra
   const ObjectPlace& place = parts.objects.at(static_cast<std::size_t>(object));
   const Vec3<double> at{local[0], local[1], local[2]};
   const State& state = parts.state(configuration);
-  const Evaluation e = parts.evaluation(state, {});
+  const Evaluation e = parts.output_evaluation(state);
   Values values;
   const auto& [batch, entry] = place.member;
-  const bool from_ports = !place.markers.empty();
-  if (from_ports) parts.update_ports(e);
+  const PortsFor ports(parts, e, configuration, !place.markers.empty());
+  evaluated_ = parts.evaluating ? evaluated_ : nullptr;
   if (batch->output(entry, variable, at, e, parts.ports, values)) return values;
   if (coordinate_output(variable, e, object_ltg(object, Coordinates::ode2), object_ltg(object, Coordinates::ode1),
                         parts.state(ConfigurationType::Reference), values))
     return values;
   Motion<double> m, reference;
   if (batch->motion(entry, e, at, m)) {
-    batch->motion(entry, parts.evaluation(parts.state(ConfigurationType::Reference), {}), at, reference);
+    batch->motion(entry, parts.output_evaluation(parts.state(ConfigurationType::Reference)), at, reference);
     if (frame_output(variable, m, reference, values)) return values;
   }
   no_output(parts.names[1][static_cast<std::size_t>(object)], variable, place.type->outputs);
@@ -152,18 +172,19 @@ std::vector<double> System::super_element_output(int object, Variable variable, 
 std::vector<double> System::marker_output(int marker, Variable variable, ConfigurationType configuration) {
   SystemParts& parts = *parts_;
   const MarkerPlace& place = parts.markers.at(static_cast<std::size_t>(marker));
-  const Evaluation e = parts.evaluation(parts.state(configuration), {});
+  const Evaluation e = parts.output_evaluation(parts.state(configuration));
+  const bool values_of_coordinates = variable == Variable::Coordinates, rates = variable == Variable::Coordinates_t;
+  if (provides(*place.type, "Coordinate") && (values_of_coordinates || rates)) {
+    parts.update_ports(e);
+    const PortLayout& port = parts.ports.ports[static_cast<std::size_t>(marker)];
+    const double* frame = parts.ports.frame(marker);
+    return rates ? Values(frame + port.values / 2, frame + port.values) : Values(frame, frame + port.values / 2);
+  }
   Motion<double> m, reference;
   Values values;
   if (place.member.batch->motion(place.member.entry, e, m)) {
     place.member.batch->motion(place.member.entry, parts.evaluation(parts.state(ConfigurationType::Reference), {}), reference);
     if (frame_output(variable, m, reference, values)) return values;
-  } else {
-    parts.update_ports(e);
-    const PortLayout& port = parts.ports.ports[static_cast<std::size_t>(marker)];
-    const double* frame = parts.ports.frame(marker);
-    if (variable == Variable::Coordinates) return Values(frame, frame + port.values / 2);
-    if (variable == Variable::Coordinates_t) return Values(frame + port.values / 2, frame + port.values);
   }
   no_output(parts.names[2][static_cast<std::size_t>(marker)], variable, {});
 }

@@ -14,6 +14,8 @@ void System::assemble(const Model& model) {
   build(*parts, model);
   sizes_ = parts->sizes;
   parts->total.assign(sizes_.ode2, 0);
+  parts->output_total = parts->total;
+  evaluated_ = nullptr;
   // Behind the residual: zeros, for multipliers or displacements that are left out of an evaluation.
   parts->work.assign(sizes_.total() + std::max({sizes_.ode2, sizes_.ae, 1}), 0);
   parts_ = std::move(parts);
@@ -25,6 +27,7 @@ bool System::assembled() const { return assembled_; }
 void System::refresh(const Model& model) {
   SystemParts& parts = *parts_;
   if (!assembled_ || parts.structure != model.structure_changes() || parts.values == model.value_changes()) return;
+  evaluated_ = nullptr;
   const auto [changed, all_known] = model.changed_since(parts.values);
   parts.values = model.value_changes();
   const auto renew = [&](ItemKind kind, int number) {
@@ -36,7 +39,9 @@ void System::refresh(const Model& model) {
         parts.objects[i].record = record;
         parts.objects[i].member.batch->refresh(parts.objects[i].member.entry, record.get());
         for (MarkerPlace& marker : parts.markers)
-          if (marker.object == number) marker.member.batch->refresh_owner(marker.member.entry, record.get());
+          for (std::size_t k = 0; k < marker.objects.size(); ++k)
+            if (marker.objects[k] == number)
+              marker.member.batch->refresh_owners(marker.member.entry, static_cast<int>(k), record.get());
         break;
       case ItemKind::marker: {
         MarkerPlace& marker = parts.markers[i];

@@ -41,6 +41,7 @@ class PortBatch final : public Term {
     entries_[entry].parameters = static_cast<const Record*>(record)->parameters;
   }
   void visit(BlockVisitor& visitor, const Ports& ports) const override {
+    if constexpr (is_constant) return;
     for (const Entry& e : entries_) {
       const auto dofs = all_dofs<M>(ports, e.markers);
       visitor.block(dofs, dofs);
@@ -54,6 +55,7 @@ class PortBatch final : public Term {
     }
   }
   void tangent(const Evaluation& evaluation, const Weights&, Ports& ports, double* values) const override {
+    if constexpr (is_constant) return;
     const int* slot = slots.data();
     for (const Entry& e : entries_) {
       const Columns<M> columns(ports, e.markers);
@@ -99,6 +101,9 @@ class PortBatch final : public Term {
  private:
   static constexpr bool has_update = requires { &K::update; };
 
+  // A load that does not read its marker has no tangent of its own.
+  static constexpr bool is_constant = requires { requires K::is_constant; };
+
   struct Entry {
     typename K::Parameters parameters;
     std::array<int, M> markers{};
@@ -133,7 +138,8 @@ struct PairPhysics final : ObjectPhysics {
       return !K::needs_data(static_cast<const Record*>(record)->parameters);
     return false;
   }
-  void check(const void*, const Placement& placement, const Ports&, const std::string& item) const override {
+  void check(const void*, const Placement& placement, const Ports& ports, const std::string& item) const override {
+    check_markers<typename K::Port>(placement, ports, item);
     if constexpr (requires { K::data_coordinates; })
       if (!placement.nodes.empty() && placement.data_count != K::data_coordinates)
         refuse(ErrorKind::value, {item, "nodeNumber", "", "a node with " + std::to_string(placement.data_count) + " data coordinates",

@@ -1,5 +1,5 @@
-// A user function takes and gives doubles; inside a kernel its derivatives come from central differences, argument by
-// argument, and only for those arguments that move.
+// A user function takes and gives doubles; inside a kernel its derivatives come from differences, argument by argument, and
+// only for those arguments that move.
 #pragma once
 
 #include <algorithm>
@@ -77,21 +77,20 @@ Vec<Dual<N, T>, Results> evaluate(const UserFunction& f, const Context& c,
                                   const CallArguments<Dual<N, T>, Capacity>& arguments) {
   std::array<double, Capacity> numbers{};
   for (int i = 0; i < arguments.size(); ++i) numbers[i] = value_of(arguments[i]);
-  Vec<double, Results> at, up, down;
+  Vec<double, Results> at, ahead;
   arguments.call(f, c, numbers.data(), at.x);
   Vec<Dual<N, T>, Results> r;
   for (int k = 0; k < Results; ++k) r[k] = Dual<N, T>(at[k]);
   for (int i = 0; i < arguments.size(); ++i) {
     const auto& d = arguments[i].d;
     if (std::all_of(d.begin(), d.end(), [](const T& x) { return value_of(x) == 0; })) continue;
-    const double x = numbers[i], h = 1e-6 * std::max(1e-2, std::abs(x));
-    numbers[i] = x + h;
-    arguments.call(f, c, numbers.data(), up.x);
-    numbers[i] = x - h;
-    arguments.call(f, c, numbers.data(), down.x);
+    const double x = numbers[i];
+    numbers[i] = x + 1e-8 * std::max(1e-2, std::abs(x));
+    arguments.call(f, c, numbers.data(), ahead.x);
+    const double step = numbers[i] - x;  // as rounded
     numbers[i] = x;
     for (int k = 0; k < Results; ++k) {
-      const double slope = (up[k] - down[k]) / (2 * h);
+      const double slope = (ahead[k] - at[k]) / step;
       for (int j = 0; j < N; ++j) r[k].d[j] += slope * d[j];
     }
   }

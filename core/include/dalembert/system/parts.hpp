@@ -43,7 +43,8 @@ struct MarkerPlace {
   const ItemType* type = nullptr;
   std::shared_ptr<const void> record;
   Membership<MarkerBatch> member;
-  int node = -1, object = -1;  // what it sits on
+  int node = -1, object = -1;  // what it sits on, the first one if there are several
+  std::vector<int> objects;
 };
 
 struct LoadPlace {
@@ -80,12 +81,16 @@ struct SystemParts {
   Pattern dense_pattern, sparse_pattern;
   bool has_dense = false, has_sparse = false;
   const Pattern* bound = nullptr;  // the pattern whose slots the batches hold
+  std::vector<int> rate_slots;     // diagonal places of the ODE1 coordinates
 
   std::vector<double> total;     // reference + displacement, of the state being evaluated
+  std::vector<double> output_total;  // the same for outputs, which user functions ask for in the middle of an evaluation
   std::vector<double> work;
+  bool evaluating = false;
 
   State& state(ConfigurationType c) { return states[static_cast<std::size_t>(c)]; }
   Evaluation evaluation(const State& state, const Conditions& conditions);
+  Evaluation output_evaluation(const State& state);
   void update_ports(const Evaluation& e);
   void bind(const Pattern& pattern);
 };

@@ -29,6 +29,7 @@ struct Conditions {
   double step_size = 0;
   bool rate_level = false;
   bool inertia = true;
+  bool follows_residual = false;  // tangent: the last call was `residual`, of this state: forces on markers are in place
 };
 
 // The verdict of one discontinuous iteration.
@@ -117,6 +118,7 @@ class System {
   std::unique_ptr<SystemParts> parts_;
   Sizes sizes_;
   bool assembled_ = false;
+  const State* evaluated_ = nullptr;  // whose marker frames and forces the ports hold
   int evaluations_ = 0;
 };
 

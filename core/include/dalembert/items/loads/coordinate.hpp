@@ -10,6 +10,7 @@ namespace dalembert {
 struct LoadCoordinate {
   using Parameters = LoadCoordinateParameters;
   using Port = ScalarPort;
+  static constexpr bool is_constant = true;
 
   template <class S>
   static ScalarForce<S> force(const Parameters& p, const Context& c, const ScalarFrame<S>&) {

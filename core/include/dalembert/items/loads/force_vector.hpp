@@ -10,6 +10,7 @@ namespace dalembert {
 struct LoadForceVector {
   using Parameters = LoadForceVectorParameters;
   using Port = PointPort;
+  static constexpr bool is_constant = true;
 
   template <class S>
   static Force<S> force(const Parameters& p, const Context& c, const PointFrame<S>&) {

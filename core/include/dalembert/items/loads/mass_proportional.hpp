@@ -10,6 +10,7 @@ namespace dalembert {
 struct LoadMassProportional {
   using Parameters = LoadMassProportionalParameters;
   using Port = MassPort;
+  static constexpr bool is_constant = true;
 
   template <class S>
   static Force<S> force(const Parameters& p, const Context& c, const MassFrame<S>&) {
