@@ -86,7 +86,7 @@ def _cpp_files(specs: Specs) -> dict[str, str]:
 def _python_files(specs: Specs) -> dict[str, str]:
     parts = [settings.structs(each) for each in specs.settings]
     return {
-        "python/dalembert/itemInterface.pyi": fill("itemInterface.pyi.j2", items=specs.items),
+        "python/dalembert/_core_items.pyi": fill("core_items.pyi.j2", items=specs.items),
         "python/dalembert/_core_enums.pyi": fill("core_enums.pyi.j2", enums=specs.enums),
         "python/dalembert/_core_settings.pyi": fill("core_settings.pyi.j2", files=parts),
     }

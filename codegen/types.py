@@ -10,7 +10,7 @@ Shape = tuple[int | None, ...]
 
 @dataclass(frozen=True)
 class ParameterType:
-    """One row of the table below; `storage` is an entry of `Storage` in core/include/dalembert/reflection/storage.hpp."""
+    """One row of the table below; `storage` is an entry of `Storage` in reflection/storage.hpp."""
 
     name: str
     cpp: str
@@ -84,7 +84,7 @@ def _arrays() -> list[ParameterType]:
         many("ArrayFloat", "double", "vector", "ArrayLike", single=True),
         ParameterType("NumpyMatrix", "DynamicMatrix<double>", "matrix", "ArrayLike", (None, None)),
         ParameterType("NumpyMatrixI", "DynamicMatrix<int>", "integer_matrix", "ArrayLike", (None, None)),
-        ParameterType("PyMatrixContainer", "MatrixContainer", "matrix_container", "MatrixLike", (None, None)),
+        ParameterType("PyMatrixContainer", "MatrixContainer", "matrix_container", "MatrixLike | None", (None, None)),
         many("Vector3DList", "Vec<double, 3>", "vector3s", "Sequence[ArrayLike]", 3),
         many("Vector6DList", "Vec<double, 6>", "vector6s", "Sequence[ArrayLike]", 6),
         many("Matrix3DList", "Mat<double, 3, 3>", "matrix3s", "Sequence[ArrayLike]", 3, 3),
@@ -152,7 +152,10 @@ TYPES: dict[str, ParameterType] = {row.name: row for row in _scalars() + _arrays
 
 @dataclass(frozen=True)
 class ValueType:
-    """An argument or the result of a user function; `kind` is an entry of `Signature::Kind` in reflection/row.hpp."""
+    """An argument or the result of a user function; `kind` is an entry of `Signature::Kind` in reflection/row.hpp.
+
+    `python` is what a function receives; it may return all that converts to it.
+    """
 
     name: str
     kind: str
@@ -166,15 +169,15 @@ VALUE_TYPES: dict[str, ValueType] = {
         ValueType("Real", "scalar", "float"),
         ValueType("Index", "integer", "int"),
         ValueType("Bool", "boolean", "bool"),
-        ValueType("Vector", "vector", "NDArray", (None,)),
-        ValueType("Vector3D", "vector", "NDArray", (3,)),
-        ValueType("Vector6D", "vector", "NDArray", (6,)),
-        ValueType("Matrix3D", "matrix", "NDArray", (3, 3)),
-        ValueType("Matrix6D", "matrix", "NDArray", (6, 6)),
-        ValueType("Matrix", "matrix", "NDArray", (None, None)),
-        ValueType("MatrixContainer", "matrix", "MatrixLike", (None, None)),
+        ValueType("Vector", "vector", "Array", (None,)),
+        ValueType("Vector3D", "vector", "Array", (3,)),
+        ValueType("Vector6D", "vector", "Array", (6,)),
+        ValueType("Matrix3D", "matrix", "Array", (3, 3)),
+        ValueType("Matrix6D", "matrix", "Array", (6, 6)),
+        ValueType("Matrix", "matrix", "Array", (None, None)),
+        ValueType("MatrixContainer", "matrix", "MatrixContainer", (None, None)),
         ValueType("ArrayIndex", "index_list", "list[int]", (None,)),
         ValueType("ConfigurationType", "configuration", "ConfigurationType"),
-        ValueType("GraphicsDataList", "none", "Sequence[dict[str, Any]]", (None,)),
+        ValueType("GraphicsDataList", "none", "list[dict[str, Any]]", (None,)),
     )
 }

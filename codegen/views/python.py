@@ -4,11 +4,66 @@ from __future__ import annotations
 
 from typing import Any
 
-from codegen.model import Argument, Item, Parameter
+from codegen.model import Argument, Item, Parameter, UserFunction
+from codegen.model_settings import Enum
+
+# What an attribute gives, by storage, where it is less than what may be assigned to it.
+_VALUES = {
+    **{f"vector{n}": "Array" for n in ("", 2, 3, 4, 6, 7, 9)},
+    "matrix": "Array",
+    "matrix3": "Array",
+    "matrix6": "Array",
+    "integer_matrix": "NDArray[np.int32]",
+    "matrix_container": "MatrixContainer",
+    "vector3s": "Vector3DList",
+    "vector6s": "Vector6DList",
+    "matrix3s": "Matrix3DList",
+    "integers": "list[int]",
+    "joint_types": "list[JointType]",
+    **{kind: f"{kind.capitalize()}Index" for kind in ("node", "object", "marker", "load", "sensor")},
+    **{f"{kind}s": f"list[{kind.capitalize()}Index]" for kind in ("node", "object", "marker", "load", "sensor")},
+}
 
 
 def python_type(row: Parameter) -> str:
     return row.type.python
+
+
+def argument_type(row: Parameter, item: Item) -> str:
+    """What the parameter of an item may be set to."""
+    function = next((f for f in item.user_functions if f.name == row.name), None)
+    return f"{_callable(function)} | Literal[0]" if function else row.type.python
+
+
+def value_type(row: Parameter, item: Item) -> str:
+    """What the parameter of an item gives."""
+    return _VALUES.get(row.type.storage) or argument_type(row, item).replace("Sequence[", "list[")
+
+
+def setting_type(row: Parameter) -> str:
+    """What a setting gives: lists instead of arrays."""
+    if row.type.real and row.type.shape:
+        return "list[float]" if len(row.type.shape) == 1 else "list[list[float]]"
+    return _VALUES.get(row.type.storage, row.type.python)
+
+
+def _callable(function: UserFunction) -> str:
+    standard = {"mbs": "MainSystem", "t": "float", "itemNumber": "int"}
+    arguments = [standard[name] for name in function.standard] + [a.type.python for a in function.arguments]
+    return f"Callable[[{', '.join(arguments)}], {_accepted(function.returns)}]"
+
+
+def _accepted(result: Argument) -> str:
+    """What a user function may return."""
+    if result.type.name == "MatrixContainer":
+        return "MatrixLike"
+    return "ArrayLike" if result.type.python == "Array" else result.type.python
+
+
+def is_flag(enum: Enum) -> bool:
+    """Whether values may be joined by `|`: more than two single bits and nothing else, except for zero."""
+    bits = [value for value in enum.values if value.value.bit_count() == 1]
+    return len(bits) > 2 and all(value.value.bit_count() <= 1 for value in enum.values)
 
 
 def python_default(row: Parameter) -> str:
@@ -24,6 +79,11 @@ def python_default(row: Parameter) -> str:
     if default is None:
         return "..." if not type_.shape else "[]"
     return repr(_python_value(default))
+
+
+def stub_default(row: Parameter) -> str:
+    """The default as the signature at run time gives it: None stands for an empty matrix."""
+    return "None" if row.type.storage == "matrix_container" else python_default(row)
 
 
 def _python_value(value: Any) -> Any:

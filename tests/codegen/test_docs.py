@@ -66,13 +66,14 @@ def test_pages_build_without_warnings(root: Path, tmp_path: Path) -> None:
 
 def test_stubs_are_valid_python(root: Path, specs: Specs) -> None:
     stubs = {path.stem: ast.parse(path.read_text()) for path in (root / "generated/python").rglob("*.pyi")}
-    classes = {node.name for node in stubs["itemInterface"].body if isinstance(node, ast.ClassDef)}
+    classes = {node.name for node in stubs["_core_items"].body if isinstance(node, ast.ClassDef)}
     names = {item.name for item in specs.items}
-    assert classes == names | {f"V{name}" for name in names} | {"_Item", "_SparseMatrix"}
+    bases = {"_Item", "_Visualization", *(f"_{item.kind.capitalize()}" for item in specs.items)}
+    assert classes == names | {f"V{name}" for name in names} | bases
     shorts = {
         node.targets[0].id
-        for node in stubs["itemInterface"].body
+        for node in stubs["_core_items"].body
         if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name)
     }
     wanted = {name for item in specs.items for name in item.short_names if name != item.name}
-    assert shorts == wanted | {f"V{name}" for name in wanted} | {"MatrixLike"}
+    assert shorts == wanted | {f"V{name}" for name in wanted}

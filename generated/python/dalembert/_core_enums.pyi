@@ -1,9 +1,9 @@
 # Generated from specs/enums/ by codegen/templates/core_enums.pyi.j2. Do not edit; run `python -m codegen`.
 # tests/codegen/test_freshness.py compares this file with its sources.
 
-from enum import IntEnum
+from enum import IntEnum, IntFlag
 
-class AccessFunctionType(IntEnum):
+class AccessFunctionType(IntFlag):
     """derivatives and integrals of kinematic quantities that an object offers to markers"""
 
     _None = 0
@@ -163,7 +163,7 @@ class KeyCode(IntEnum):
     F10 = 300
     """function key F10"""
 
-class LinearSolverType(IntEnum):
+class LinearSolverType(IntFlag):
     """direct solvers for linear systems of equations"""
 
     _None = 0
@@ -177,7 +177,7 @@ class LinearSolverType(IntEnum):
     EigenDense = 8
     """dense factorization with full pivoting, which tolerates redundant constraints; slower than the other dense one"""
 
-class NodeGroup(IntEnum):
+class NodeGroup(IntFlag):
     """kinds of coordinates that a node has; values can be joined"""
 
     _None = 0
@@ -191,7 +191,7 @@ class NodeGroup(IntEnum):
     DataVariables = 8
     """data variables"""
 
-class NodeType(IntEnum):
+class NodeType(IntFlag):
     """what a node provides; values can be joined"""
 
     _None = 0
@@ -233,7 +233,7 @@ class NodeType(IntEnum):
     PointSlope23 = 262144
     """position and the slope vectors in y and z"""
 
-class ObjectType(IntEnum):
+class ObjectType(IntFlag):
     """what an object is; values can be joined"""
 
     _None = 0
@@ -257,7 +257,7 @@ class ObjectType(IntEnum):
     EndOfEnumList = 1024
     """upper bound of the values; not a kind of object"""
 
-class OutputVariableType(IntEnum):
+class OutputVariableType(IntFlag):
     """quantities that items offer to outputs and sensors; the page of an item lists those that it has, with size and frame"""
 
     _None = 0

@@ -2,13 +2,24 @@
 # tests/codegen/test_freshness.py compares this file with its sources.
 
 from collections.abc import Callable, Sequence
-from typing import Any, Literal
+from typing import Any, Literal, Self, final
 
 from numpy.typing import ArrayLike
 
 from dalembert._core_enums import DynamicSolverType, ItemType, LinearSolverType, OutputVariableType
 
-class NewtonNumericalDifferentiationSettings:
+class _Settings:
+    """What all structures have in common."""
+
+    def GetDictionary(self) -> dict[str, Any]: ...
+    def GetDictionaryWithTypeInfo(self) -> dict[str, Any]: ...
+    def SetDictionary(self, dictionary: dict[str, Any], /) -> None: ...
+    def __copy__(self) -> Self: ...
+    def __deepcopy__(self, memo: Any, /) -> Self: ...
+    def __setstate__(self, state: dict[str, Any], /) -> None: ...
+
+@final
+class NewtonNumericalDifferentiationSettings(_Settings):
     """Jacobians by numerical differentiation"""
 
     addReferenceCoordinatesToEpsilon: bool
@@ -28,10 +39,9 @@ class NewtonNumericalDifferentiationSettings:
     relativeEpsilon: float
     """increment of a coordinate relative to its size [1]; default: 1e-07"""
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class NewtonSettings:
+@final
+class NewtonSettings(_Settings):
     """Newton's method for the nonlinear equations of a step"""
 
     absoluteTolerance: float
@@ -60,12 +70,14 @@ class NewtonSettings:
     """true: nonlinear equations; false: one linear step; default: True"""
     weightTolerancePerCoordinate: bool
     """true: the norm of the error is divided by the root of the number of coordinates, so that tolerances do not depend on the size of the model; false: plain norm; default: False"""
-    numericalDifferentiation: NewtonNumericalDifferentiationSettings
+    @property
+    def numericalDifferentiation(self) -> NewtonNumericalDifferentiationSettings: ...
+    @numericalDifferentiation.setter
+    def numericalDifferentiation(self, value: NewtonNumericalDifferentiationSettings | dict[str, Any]) -> None: ...
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class DiscontinuousSettings:
+@final
+class DiscontinuousSettings(_Settings):
     """iterations for contact, friction and other discontinuous states, after Newton's method has converged"""
 
     ignoreMaxIterations: bool
@@ -77,10 +89,9 @@ class DiscontinuousSettings:
     useRecommendedStepSize: bool
     """true: the step size follows recommendations of items, for example at the start of a contact; false: they are ignored; default: True"""
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class LinearSolverSettings:
+@final
+class LinearSolverSettings(_Settings):
     """settings of the linear solver"""
 
     ignoreSingularJacobian: bool
@@ -92,10 +103,9 @@ class LinearSolverSettings:
     showCausingItems: bool
     """name the items whose equations make the system matrix singular when the solver fails; default: True"""
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class ParallelSettings:
+@final
+class ParallelSettings(_Settings):
     """computation with several threads"""
 
     multithreadedLLimitJacobians: int
@@ -115,10 +125,9 @@ class ParallelSettings:
     useLoadBalancing: bool
     """true: threads that are ready take over work of others; false: fixed share per thread; default: True"""
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class SolutionSettings:
+@final
+class SolutionSettings(_Settings):
     """what is written to files, and how often"""
 
     appendToFile: bool
@@ -176,10 +185,9 @@ class SolutionSettings:
     writeSolutionToFile: bool
     """write the solution file; default: True"""
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class StaticSolverSettings:
+@final
+class StaticSolverSettings(_Settings):
     """static solver: equilibrium under loads that are increased in steps"""
 
     adaptiveStep: bool
@@ -218,13 +226,18 @@ class StaticSolverSettings:
     """amount of output: 0 none, 1 now and then a line, 2 a line per step, 3 with the solution, 4 with mass matrix and Jacobian, 5 with the inverse of the Jacobian; on the console; default: 1"""
     verboseModeFile: int
     """amount of output: 0 none, 1 now and then a line, 2 a line per step, 3 with the solution, 4 with mass matrix and Jacobian, 5 with the inverse of the Jacobian; in the solver information file; default: 0"""
-    discontinuous: DiscontinuousSettings
-    newton: NewtonSettings
+    @property
+    def discontinuous(self) -> DiscontinuousSettings: ...
+    @discontinuous.setter
+    def discontinuous(self, value: DiscontinuousSettings | dict[str, Any]) -> None: ...
+    @property
+    def newton(self) -> NewtonSettings: ...
+    @newton.setter
+    def newton(self, value: NewtonSettings | dict[str, Any]) -> None: ...
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class TimeIntegrationExplicitIntegrationSettings:
+@final
+class TimeIntegrationExplicitIntegrationSettings(_Settings):
     """explicit integrators"""
 
     computeEndOfStepAccelerations: bool
@@ -238,10 +251,9 @@ class TimeIntegrationExplicitIntegrationSettings:
     useLieGroupIntegration: bool
     """true: rotation vectors of Lie group nodes are updated by composition; needed for such nodes; default: True"""
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class TimeIntegrationGeneralizedAlphaSettings:
+@final
+class TimeIntegrationGeneralizedAlphaSettings(_Settings):
     """generalized-alpha, Newmark and implicit trapezoidal integrators"""
 
     computeInitialAccelerations: bool
@@ -265,10 +277,9 @@ class TimeIntegrationGeneralizedAlphaSettings:
     useNewmark: bool
     """true: Newmark method with the parameters given here; false: generalized-alpha; default: False"""
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class TimeIntegrationSettings:
+@final
+class TimeIntegrationSettings(_Settings):
     """time integration"""
 
     absoluteTolerance: float
@@ -317,15 +328,26 @@ class TimeIntegrationSettings:
     """amount of output: 0 none, 1 now and then a line, 2 a line per step, 3 with the solution, 4 with mass matrix and Jacobian, 5 with the inverse of the Jacobian; on the console; default: 0"""
     verboseModeFile: int
     """amount of output: 0 none, 1 now and then a line, 2 a line per step, 3 with the solution, 4 with mass matrix and Jacobian, 5 with the inverse of the Jacobian; in the solver information file; default: 0"""
-    discontinuous: DiscontinuousSettings
-    explicitIntegration: TimeIntegrationExplicitIntegrationSettings
-    generalizedAlpha: TimeIntegrationGeneralizedAlphaSettings
-    newton: NewtonSettings
+    @property
+    def discontinuous(self) -> DiscontinuousSettings: ...
+    @discontinuous.setter
+    def discontinuous(self, value: DiscontinuousSettings | dict[str, Any]) -> None: ...
+    @property
+    def explicitIntegration(self) -> TimeIntegrationExplicitIntegrationSettings: ...
+    @explicitIntegration.setter
+    def explicitIntegration(self, value: TimeIntegrationExplicitIntegrationSettings | dict[str, Any]) -> None: ...
+    @property
+    def generalizedAlpha(self) -> TimeIntegrationGeneralizedAlphaSettings: ...
+    @generalizedAlpha.setter
+    def generalizedAlpha(self, value: TimeIntegrationGeneralizedAlphaSettings | dict[str, Any]) -> None: ...
+    @property
+    def newton(self) -> NewtonSettings: ...
+    @newton.setter
+    def newton(self, value: NewtonSettings | dict[str, Any]) -> None: ...
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class SimulationSettings:
+@final
+class SimulationSettings(_Settings):
     """settings of the solvers: time integration, static solver, linear algebra, output and threads"""
 
     cleanUpMemory: bool
@@ -342,45 +364,73 @@ class SimulationSettings:
     """number of significant digits in texts on the console; default: 6"""
     pauseAfterEachStep: bool
     """wait for the space bar in the renderer after each step; default: False"""
-    linearSolverSettings: LinearSolverSettings
-    parallel: ParallelSettings
-    solutionSettings: SolutionSettings
-    staticSolver: StaticSolverSettings
-    timeIntegration: TimeIntegrationSettings
+    @property
+    def linearSolverSettings(self) -> LinearSolverSettings: ...
+    @linearSolverSettings.setter
+    def linearSolverSettings(self, value: LinearSolverSettings | dict[str, Any]) -> None: ...
+    @property
+    def parallel(self) -> ParallelSettings: ...
+    @parallel.setter
+    def parallel(self, value: ParallelSettings | dict[str, Any]) -> None: ...
+    @property
+    def solutionSettings(self) -> SolutionSettings: ...
+    @solutionSettings.setter
+    def solutionSettings(self, value: SolutionSettings | dict[str, Any]) -> None: ...
+    @property
+    def staticSolver(self) -> StaticSolverSettings: ...
+    @staticSolver.setter
+    def staticSolver(self, value: StaticSolverSettings | dict[str, Any]) -> None: ...
+    @property
+    def timeIntegration(self) -> TimeIntegrationSettings: ...
+    @timeIntegration.setter
+    def timeIntegration(self, value: TimeIntegrationSettings | dict[str, Any]) -> None: ...
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class VSettingsViewCamera:
+@final
+class VSettingsViewCamera(_Settings):
     """camera of a view"""
 
-    cameraPosition: ArrayLike
-    """shift of the camera, in the frame of the view; relative to the tracked marker if there is one [3; m]; default: [0.0, 0.0, 0.0]"""
+    @property
+    def cameraPosition(self) -> list[float]:
+        """shift of the camera, in the frame of the view; relative to the tracked marker if there is one [3; m]; default: [0.0, 0.0, 0.0]"""
+    @cameraPosition.setter
+    def cameraPosition(self, value: ArrayLike) -> None: ...
     clippingPlaneDistance: float
     """distance of the clipping plane from the origin, along its normal [m]; default: 0.0"""
-    clippingPlaneNormal: ArrayLike
-    """normal of a plane behind which faces are not drawn, the half-space in direction of the normal being cut off; zeros: no clipping [3; 1]; default: [0.0, 0.0, 0.0]"""
+    @property
+    def clippingPlaneNormal(self) -> list[float]:
+        """normal of a plane behind which faces are not drawn, the half-space in direction of the normal being cut off; zeros: no clipping [3; 1]; default: [0.0, 0.0, 0.0]"""
+    @clippingPlaneNormal.setter
+    def clippingPlaneNormal(self, value: ArrayLike) -> None: ...
     modelCentricView: bool
     """true: zooming and rotating move the model and the camera sees all of it; false: the camera moves through the model; default: True"""
-    nearFarPlaneOffset: ArrayLike
-    """nearest and farthest visible distance (m), and a number that is 1 to use them and 0 to compute them from the size of the scene [3; various]; default: [0.0, 0.0, 0.0]"""
+    @property
+    def nearFarPlaneOffset(self) -> list[float]:
+        """nearest and farthest visible distance (m), and a number that is 1 to use them and 0 to compute them from the size of the scene [3; various]; default: [0.0, 0.0, 0.0]"""
+    @nearFarPlaneOffset.setter
+    def nearFarPlaneOffset(self, value: ArrayLike) -> None: ...
     perspective: float
     """amount of perspective, the tangent of half the field of view; 0: parallel projection [1]; default: 0.0"""
     trackMarker: int
     """number of the marker that the view follows; -1: none; default: -1"""
     trackMarkerMbsNumber: int
     """number of the system in the container that the tracked marker belongs to; 0 for the first; default: 0"""
-    trackMarkerOrientation: ArrayLike
-    """1 in all three components to follow the rotation of the marker, zeros to keep the direction of view [3; 1]; default: [0.0, 0.0, 0.0]"""
-    trackMarkerPosition: ArrayLike
-    """for x, y and z: 1 to follow the marker in this direction, 0 not to [3; 1]; default: [1.0, 1.0, 1.0]"""
+    @property
+    def trackMarkerOrientation(self) -> list[float]:
+        """1 in all three components to follow the rotation of the marker, zeros to keep the direction of view [3; 1]; default: [0.0, 0.0, 0.0]"""
+    @trackMarkerOrientation.setter
+    def trackMarkerOrientation(self, value: ArrayLike) -> None: ...
+    @property
+    def trackMarkerPosition(self) -> list[float]:
+        """for x, y and z: 1 to follow the marker in this direction, 0 not to [3; 1]; default: [1.0, 1.0, 1.0]"""
+    @trackMarkerPosition.setter
+    def trackMarkerPosition(self, value: ArrayLike) -> None: ...
     useRaytracer: bool
     """true: software ray tracer; false: OpenGL; default: False"""
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class VSettingsViewScene:
+@final
+class VSettingsViewScene(_Settings):
     """what a view shows"""
 
     drawCoordinateSystem: int
@@ -402,10 +452,9 @@ class VSettingsViewScene:
     worldBasisSize: float
     """length of the axes of the global frame [m]; default: 1.0"""
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class VSettingsViewWindow:
+@final
+class VSettingsViewWindow(_Settings):
     """window of a view"""
 
     alwaysOnTop: bool
@@ -416,8 +465,11 @@ class VSettingsViewWindow:
     """mouse and keys do not change the view; default: False"""
     maximize: bool
     """open the window in full size; default: False"""
-    renderWindowSize: Sequence[int]
-    """width and height of the window at the start, in pixels [2]; default: [1024, 768]"""
+    @property
+    def renderWindowSize(self) -> list[int]:
+        """width and height of the window at the start, in pixels [2]; default: [1024, 768]"""
+    @renderWindowSize.setter
+    def renderWindowSize(self, value: Sequence[int]) -> None: ...
     showComputationInfo: bool
     """show version, solver and other information in the window; default: True"""
     showMouseCoordinates: bool
@@ -427,20 +479,27 @@ class VSettingsViewWindow:
     showWindow: bool
     """true: the window is shown at the start; false: it starts as an icon; default: True"""
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class VSettingsView:
+@final
+class VSettingsView(_Settings):
     """one view of the model"""
 
-    camera: VSettingsViewCamera
-    scene: VSettingsViewScene
-    window: VSettingsViewWindow
+    @property
+    def camera(self) -> VSettingsViewCamera: ...
+    @camera.setter
+    def camera(self, value: VSettingsViewCamera | dict[str, Any]) -> None: ...
+    @property
+    def scene(self) -> VSettingsViewScene: ...
+    @scene.setter
+    def scene(self, value: VSettingsViewScene | dict[str, Any]) -> None: ...
+    @property
+    def window(self) -> VSettingsViewWindow: ...
+    @window.setter
+    def window(self, value: VSettingsViewWindow | dict[str, Any]) -> None: ...
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class VSettingsLight:
+@final
+class VSettingsLight(_Settings):
     """one light"""
 
     constantAttenuation: float
@@ -453,8 +512,11 @@ class VSettingsLight:
     """radius of the light for soft shadows, of the ray tracer only [m]; default: 0.1"""
     linearAttenuation: float
     """term of the attenuation that grows with the distance; of lights with a position only [1/m]; default: 0.0"""
-    position: ArrayLike
-    """position of the light if the fourth number is 1; direction towards a light at infinity if it is 0 [4; m]; default: [2.0, 2.0, 10.0, 0.0]"""
+    @property
+    def position(self) -> list[float]:
+        """position of the light if the fourth number is 1; direction towards a light at infinity if it is 0 [4; m]; default: [2.0, 2.0, 10.0, 0.0]"""
+    @position.setter
+    def position(self, value: ArrayLike) -> None: ...
     quadraticAttenuation: float
     """term of the attenuation that grows with the square of the distance; of lights with a position only [1/m^2]; default: 0.0"""
     shadow: float
@@ -464,18 +526,23 @@ class VSettingsLight:
     useCameraFrame: bool
     """true: position and direction are fixed to the camera; false: to the model; default: False"""
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class VSettingsMaterial:
+@final
+class VSettingsMaterial(_Settings):
     """one material of the ray tracer"""
 
     alpha: float
     """opacity, from 0 to 1 [1]; default: 1.0"""
-    baseColor: ArrayLike
-    """red, green and blue of faces without a color of their own [3; 1]; default: [0.4, 0.4, 0.9]"""
-    emission: ArrayLike
-    """red, green and blue of light that the material emits [3; 1]; default: [0.0, 0.0, 0.0]"""
+    @property
+    def baseColor(self) -> list[float]:
+        """red, green and blue of faces without a color of their own [3; 1]; default: [0.4, 0.4, 0.9]"""
+    @baseColor.setter
+    def baseColor(self, value: ArrayLike) -> None: ...
+    @property
+    def emission(self) -> list[float]:
+        """red, green and blue of light that the material emits [3; 1]; default: [0.0, 0.0, 0.0]"""
+    @emission.setter
+    def emission(self, value: ArrayLike) -> None: ...
     ior: float
     """index of refraction of transparent materials; 1: none [1]; default: 1.0"""
     name: str
@@ -484,19 +551,24 @@ class VSettingsMaterial:
     """share of light that is reflected, from 0 (rough) to 1 (mirror); costs rendering time [1]; default: 0.0"""
     shininess: float
     """sharpness of highlights; below 5 dull, above 50 glossy [1]; default: 32.0"""
-    specular: ArrayLike
-    """red, green and blue of highlights [3; 1]; default: [0.6, 0.6, 0.6]"""
+    @property
+    def specular(self) -> list[float]:
+        """red, green and blue of highlights [3; 1]; default: [0.6, 0.6, 0.6]"""
+    @specular.setter
+    def specular(self, value: ArrayLike) -> None: ...
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class VSettingsNodes:
+@final
+class VSettingsNodes(_Settings):
     """drawing of nodes"""
 
     basisSize: float
     """length of the axes of node frames [m]; default: 0.2"""
-    defaultColor: ArrayLike
-    """red, green, blue and opacity of nodes without a color of their own, each from 0 to 1 [4; 1]; default: [0.2, 0.2, 1.0, 1.0]"""
+    @property
+    def defaultColor(self) -> list[float]:
+        """red, green, blue and opacity of nodes without a color of their own, each from 0 to 1 [4; 1]; default: [0.2, 0.2, 1.0, 1.0]"""
+    @defaultColor.setter
+    def defaultColor(self, value: ArrayLike) -> None: ...
     defaultSize: float
     """size of nodes without a size of their own; negative: chosen from the size of the scene [m]; default: -1.0"""
     drawNodesAsPoint: bool
@@ -512,10 +584,9 @@ class VSettingsNodes:
     tiling: int
     """number of segments of a node that is drawn as a sphere; circles have four times as many; default: 4"""
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class VSettingsBodiesBeams:
+@final
+class VSettingsBodiesBeams(_Settings):
     """drawing of beams and cables"""
 
     axialTiling: int
@@ -526,8 +597,11 @@ class VSettingsBodiesBeams:
     """number of faces over the height of a beam that is drawn flat; default: 4"""
     drawVertical: bool
     """draw the contour variable as a diagram normal to the beam axis; default: False"""
-    drawVerticalColor: ArrayLike
-    """red, green, blue and opacity of the diagram along the beam axis, each from 0 to 1 [4; 1]; default: [0.2, 0.2, 0.2, 1.0]"""
+    @property
+    def drawVerticalColor(self) -> list[float]:
+        """red, green, blue and opacity of the diagram along the beam axis, each from 0 to 1 [4; 1]; default: [0.2, 0.2, 0.2, 1.0]"""
+    @drawVerticalColor.setter
+    def drawVerticalColor(self, value: ArrayLike) -> None: ...
     drawVerticalFactor: float
     """length in the drawing (m) per unit of the contour variable [various]; default: 1.0"""
     drawVerticalLines: bool
@@ -539,10 +613,9 @@ class VSettingsBodiesBeams:
     reducedAxialInterploation: bool
     """true: contour variables are interpolated along the axis with a lower order, which hides oscillations; false: as the element does; default: True"""
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class VSettingsBodiesKinematicTree:
+@final
+class VSettingsBodiesKinematicTree(_Settings):
     """drawing of kinematic trees"""
 
     frameSize: float
@@ -554,10 +627,9 @@ class VSettingsBodiesKinematicTree:
     showJointFrames: bool
     """draw a frame at each joint; default: True"""
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class VSettingsBodiesShells:
+@final
+class VSettingsBodiesShells(_Settings):
     """drawing of plates and shells"""
 
     drawSolid: bool
@@ -565,36 +637,52 @@ class VSettingsBodiesShells:
     thicknessFactor: float
     """factor of the thickness in the drawing [1]; default: 1.0"""
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class VSettingsBodies:
+@final
+class VSettingsBodies(_Settings):
     """drawing of bodies"""
 
-    defaultColor: ArrayLike
-    """red, green, blue and opacity of bodies without a color of their own, each from 0 to 1 [4; 1]; default: [0.3, 0.3, 1.0, 1.0]"""
-    defaultSize: ArrayLike
-    """edge lengths in x, y and z of the block that stands for a body without shapes [3; m]; default: [1.0, 1.0, 1.0]"""
+    @property
+    def defaultColor(self) -> list[float]:
+        """red, green, blue and opacity of bodies without a color of their own, each from 0 to 1 [4; 1]; default: [0.3, 0.3, 1.0, 1.0]"""
+    @defaultColor.setter
+    def defaultColor(self, value: ArrayLike) -> None: ...
+    @property
+    def defaultSize(self) -> list[float]:
+        """edge lengths in x, y and z of the block that stands for a body without shapes [3; m]; default: [1.0, 1.0, 1.0]"""
+    @defaultSize.setter
+    def defaultSize(self, value: ArrayLike) -> None: ...
     deformationScaleFactor: float
     """factor of the deformation of finite element meshes in floating frame bodies [1]; default: 1.0"""
     show: bool
     """draw bodies; default: True"""
     showNumbers: bool
     """draw the numbers of bodies; default: False"""
-    beams: VSettingsBodiesBeams
-    kinematicTree: VSettingsBodiesKinematicTree
-    shells: VSettingsBodiesShells
+    @property
+    def beams(self) -> VSettingsBodiesBeams: ...
+    @beams.setter
+    def beams(self, value: VSettingsBodiesBeams | dict[str, Any]) -> None: ...
+    @property
+    def kinematicTree(self) -> VSettingsBodiesKinematicTree: ...
+    @kinematicTree.setter
+    def kinematicTree(self, value: VSettingsBodiesKinematicTree | dict[str, Any]) -> None: ...
+    @property
+    def shells(self) -> VSettingsBodiesShells: ...
+    @shells.setter
+    def shells(self, value: VSettingsBodiesShells | dict[str, Any]) -> None: ...
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class VSettingsConnectors:
+@final
+class VSettingsConnectors(_Settings):
     """drawing of connectors, joints and constraints"""
 
     contactPointsDefaultSize: float
     """size of contact points; without effect, see ``contact.contactPointsDefaultSize`` [m]; default: 0.02"""
-    defaultColor: ArrayLike
-    """red, green, blue and opacity of connectors without a color of their own, each from 0 to 1 [4; 1]; default: [0.2, 0.2, 1.0, 1.0]"""
+    @property
+    def defaultColor(self) -> list[float]:
+        """red, green, blue and opacity of connectors without a color of their own, each from 0 to 1 [4; 1]; default: [0.2, 0.2, 1.0, 1.0]"""
+    @defaultColor.setter
+    def defaultColor(self, value: ArrayLike) -> None: ...
     defaultSize: float
     """size of connectors without a size of their own; negative: chosen from the size of the scene [m]; default: 0.1"""
     jointAxesLength: float
@@ -612,14 +700,16 @@ class VSettingsConnectors:
     springNumberOfWindings: int
     """number of windings of springs; default: 8"""
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class VSettingsMarkers:
+@final
+class VSettingsMarkers(_Settings):
     """drawing of markers"""
 
-    defaultColor: ArrayLike
-    """red, green, blue and opacity of markers without a color of their own, each from 0 to 1 [4; 1]; default: [0.1, 0.5, 0.1, 1.0]"""
+    @property
+    def defaultColor(self) -> list[float]:
+        """red, green, blue and opacity of markers without a color of their own, each from 0 to 1 [4; 1]; default: [0.1, 0.5, 0.1, 1.0]"""
+    @defaultColor.setter
+    def defaultColor(self, value: ArrayLike) -> None: ...
     defaultSize: float
     """size of markers without a size of their own; negative: chosen from the size of the scene [m]; default: -1.0"""
     drawSimplified: bool
@@ -629,14 +719,16 @@ class VSettingsMarkers:
     showNumbers: bool
     """draw the numbers of markers; default: False"""
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class VSettingsLoads:
+@final
+class VSettingsLoads(_Settings):
     """drawing of loads"""
 
-    defaultColor: ArrayLike
-    """red, green, blue and opacity of loads without a color of their own, each from 0 to 1 [4; 1]; default: [0.7, 0.1, 0.1, 1.0]"""
+    @property
+    def defaultColor(self) -> list[float]:
+        """red, green, blue and opacity of loads without a color of their own, each from 0 to 1 [4; 1]; default: [0.7, 0.1, 0.1, 1.0]"""
+    @defaultColor.setter
+    def defaultColor(self, value: ArrayLike) -> None: ...
     defaultRadius: float
     """radius of load arrows [m]; default: 0.005"""
     defaultSize: float
@@ -654,20 +746,28 @@ class VSettingsLoads:
     showNumbers: bool
     """draw the numbers of loads; default: False"""
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class VSettingsSensorsTraces:
+@final
+class VSettingsSensorsTraces(_Settings):
     """traces of sensors in the render window"""
 
     lineWidth: float
     """width of trace lines in pixels [1]; default: 2.0"""
-    listOfPositionSensors: Sequence[int]
-    """numbers of the position sensors whose traces are drawn; they have to store their values; empty: all position sensors [n]; default: []"""
-    listOfTriadSensors: Sequence[int]
-    """numbers of sensors of rotation matrices whose axes are drawn along the traces; one for each position sensor in the list [n]; default: []"""
-    listOfVectorSensors: Sequence[int]
-    """numbers of sensors of vectors that are drawn along the traces; one for each position sensor in the list [n]; default: []"""
+    @property
+    def listOfPositionSensors(self) -> list[int]:
+        """numbers of the position sensors whose traces are drawn; they have to store their values; empty: all position sensors [n]; default: []"""
+    @listOfPositionSensors.setter
+    def listOfPositionSensors(self, value: Sequence[int]) -> None: ...
+    @property
+    def listOfTriadSensors(self) -> list[int]:
+        """numbers of sensors of rotation matrices whose axes are drawn along the traces; one for each position sensor in the list [n]; default: []"""
+    @listOfTriadSensors.setter
+    def listOfTriadSensors(self, value: Sequence[int]) -> None: ...
+    @property
+    def listOfVectorSensors(self) -> list[int]:
+        """numbers of sensors of vectors that are drawn along the traces; one for each position sensor in the list [n]; default: []"""
+    @listOfVectorSensors.setter
+    def listOfVectorSensors(self, value: Sequence[int]) -> None: ...
     positionsShowEvery: int
     """only every position of this number is part of the trace; default: 1"""
     sensorsMbsNumber: int
@@ -686,8 +786,11 @@ class VSettingsSensorsTraces:
     """draw vectors along the traces; default: False"""
     timeSpan: float
     """length of the trace in simulated time, into past and future; 0: not limited [s]; default: 0.0"""
-    traceColors: ArrayLike
-    """red, green, blue and opacity of the traces one after the other, four numbers per trace; used again from the start if there are more traces [n; 1]; default: [0.2, 0.2, 0.2, 1.0, 0.8, 0.2, 0.2, 1.0, 0.2, 0.8, 0.2, 1.0, 0.2, 0.2, 0.8, 1.0, 0.2, 0.8, 0.8, 1.0, 0.8, 0.2, 0.8, 1.0, 0.8, 0.4, 0.1, 1.0]"""
+    @property
+    def traceColors(self) -> list[float]:
+        """red, green, blue and opacity of the traces one after the other, four numbers per trace; used again from the start if there are more traces [n; 1]; default: [0.2, 0.2, 0.2, 1.0, 0.8, 0.2, 0.2, 1.0, 0.2, 0.8, 0.2, 1.0, 0.2, 0.2, 0.8, 1.0, 0.2, 0.8, 0.8, 1.0, 0.8, 0.2, 0.8, 1.0, 0.8, 0.4, 0.1, 1.0]"""
+    @traceColors.setter
+    def traceColors(self, value: ArrayLike) -> None: ...
     triadSize: float
     """length of the axes along the traces [m]; default: 0.1"""
     triadsShowEvery: int
@@ -697,14 +800,16 @@ class VSettingsSensorsTraces:
     vectorsShowEvery: int
     """only vectors of every position of this number are drawn; default: 1"""
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class VSettingsSensors:
+@final
+class VSettingsSensors(_Settings):
     """drawing of sensors"""
 
-    defaultColor: ArrayLike
-    """red, green, blue and opacity of sensors without a color of their own, each from 0 to 1 [4; 1]; default: [0.6, 0.6, 0.1, 1.0]"""
+    @property
+    def defaultColor(self) -> list[float]:
+        """red, green, blue and opacity of sensors without a color of their own, each from 0 to 1 [4; 1]; default: [0.6, 0.6, 0.1, 1.0]"""
+    @defaultColor.setter
+    def defaultColor(self, value: ArrayLike) -> None: ...
     defaultSize: float
     """size of sensors without a size of their own; negative: chosen from the size of the scene [m]; default: -1.0"""
     drawSimplified: bool
@@ -713,39 +818,61 @@ class VSettingsSensors:
     """draw sensors; default: True"""
     showNumbers: bool
     """draw the numbers of sensors; default: False"""
-    traces: VSettingsSensorsTraces
+    @property
+    def traces(self) -> VSettingsSensorsTraces: ...
+    @traces.setter
+    def traces(self, value: VSettingsSensorsTraces | dict[str, Any]) -> None: ...
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class VSettingsContourAdvanced:
+@final
+class VSettingsContourAdvanced(_Settings):
     """color scale of contours"""
 
     colorBarPrecision: int
     """number of significant digits in the color bar, 16 at most; default: 4"""
     colorBarTiling: int
     """number of steps of the color bar; default: 12"""
-    contourColor0: ArrayLike
-    """color at the start of the range: red, green and blue from 0 to 1; the fourth number is not used [4; 1]; default: [0.1, 0.1, 0.9, 1.0]"""
-    contourColor1: ArrayLike
-    """color at one quarter of the range: red, green and blue from 0 to 1; the fourth number is not used [4; 1]; default: [0.1, 0.9, 0.9, 1.0]"""
-    contourColor2: ArrayLike
-    """color at the middle of the range: red, green and blue from 0 to 1; the fourth number is not used [4; 1]; default: [0.1, 0.9, 0.1, 1.0]"""
-    contourColor3: ArrayLike
-    """color at three quarters of the range: red, green and blue from 0 to 1; the fourth number is not used [4; 1]; default: [0.9, 0.9, 0.1, 1.0]"""
-    contourColor4: ArrayLike
-    """color at the end of the range: red, green and blue from 0 to 1; the fourth number is not used [4; 1]; default: [0.9, 0.1, 0.1, 1.0]"""
-    contourColorMax: ArrayLike
-    """color of values above the range: red, green and blue from 0 to 1; the fourth number is not used [4; 1]; default: [0.9, 0.9, 0.9, 1.0]"""
-    contourColorMin: ArrayLike
-    """color of values below the range: red, green and blue from 0 to 1; the fourth number is not used [4; 1]; default: [0.1, 0.1, 0.1, 1.0]"""
+    @property
+    def contourColor0(self) -> list[float]:
+        """color at the start of the range: red, green and blue from 0 to 1; the fourth number is not used [4; 1]; default: [0.1, 0.1, 0.9, 1.0]"""
+    @contourColor0.setter
+    def contourColor0(self, value: ArrayLike) -> None: ...
+    @property
+    def contourColor1(self) -> list[float]:
+        """color at one quarter of the range: red, green and blue from 0 to 1; the fourth number is not used [4; 1]; default: [0.1, 0.9, 0.9, 1.0]"""
+    @contourColor1.setter
+    def contourColor1(self, value: ArrayLike) -> None: ...
+    @property
+    def contourColor2(self) -> list[float]:
+        """color at the middle of the range: red, green and blue from 0 to 1; the fourth number is not used [4; 1]; default: [0.1, 0.9, 0.1, 1.0]"""
+    @contourColor2.setter
+    def contourColor2(self, value: ArrayLike) -> None: ...
+    @property
+    def contourColor3(self) -> list[float]:
+        """color at three quarters of the range: red, green and blue from 0 to 1; the fourth number is not used [4; 1]; default: [0.9, 0.9, 0.1, 1.0]"""
+    @contourColor3.setter
+    def contourColor3(self, value: ArrayLike) -> None: ...
+    @property
+    def contourColor4(self) -> list[float]:
+        """color at the end of the range: red, green and blue from 0 to 1; the fourth number is not used [4; 1]; default: [0.9, 0.1, 0.1, 1.0]"""
+    @contourColor4.setter
+    def contourColor4(self, value: ArrayLike) -> None: ...
+    @property
+    def contourColorMax(self) -> list[float]:
+        """color of values above the range: red, green and blue from 0 to 1; the fourth number is not used [4; 1]; default: [0.9, 0.9, 0.9, 1.0]"""
+    @contourColorMax.setter
+    def contourColorMax(self, value: ArrayLike) -> None: ...
+    @property
+    def contourColorMin(self) -> list[float]:
+        """color of values below the range: red, green and blue from 0 to 1; the fourth number is not used [4; 1]; default: [0.1, 0.1, 0.1, 1.0]"""
+    @contourColorMin.setter
+    def contourColorMin(self, value: ArrayLike) -> None: ...
     showColorBar: bool
     """show the color bar; default: True"""
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class VSettingsContour:
+@final
+class VSettingsContour(_Settings):
     """coloring by an output variable"""
 
     alphaTransparency: float
@@ -766,24 +893,41 @@ class VSettingsContour:
     """true: an automatic range shrinks with the values, which suits static computations; false: it only grows; default: True"""
     rigidBodiesColored: bool
     """color rigid bodies and mass points as well; default: True"""
-    advanced: VSettingsContourAdvanced
+    @property
+    def advanced(self) -> VSettingsContourAdvanced: ...
+    @advanced.setter
+    def advanced(self, value: VSettingsContourAdvanced | dict[str, Any]) -> None: ...
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class VSettingsContact:
+@final
+class VSettingsContact(_Settings):
     """drawing of general contact"""
 
-    colorBoundingBoxes: ArrayLike
-    """red, green, blue and opacity of bounding boxes, each from 0 to 1 [4; 1]; default: [0.9, 0.1, 0.1, 1.0]"""
-    colorSearchTree: ArrayLike
-    """red, green, blue and opacity of the search tree, each from 0 to 1 [4; 1]; default: [0.1, 0.1, 0.9, 1.0]"""
-    colorSpheres: ArrayLike
-    """red, green, blue and opacity of contact spheres, each from 0 to 1 [4; 1]; default: [0.8, 0.5, 0.2, 1.0]"""
-    colorTori: ArrayLike
-    """red, green, blue and opacity of contact tori, each from 0 to 1 [4; 1]; default: [0.8, 0.2, 0.8, 1.0]"""
-    colorTriangles: ArrayLike
-    """red, green, blue and opacity of contact triangles, each from 0 to 1 [4; 1]; default: [0.5, 0.5, 0.5, 1.0]"""
+    @property
+    def colorBoundingBoxes(self) -> list[float]:
+        """red, green, blue and opacity of bounding boxes, each from 0 to 1 [4; 1]; default: [0.9, 0.1, 0.1, 1.0]"""
+    @colorBoundingBoxes.setter
+    def colorBoundingBoxes(self, value: ArrayLike) -> None: ...
+    @property
+    def colorSearchTree(self) -> list[float]:
+        """red, green, blue and opacity of the search tree, each from 0 to 1 [4; 1]; default: [0.1, 0.1, 0.9, 1.0]"""
+    @colorSearchTree.setter
+    def colorSearchTree(self, value: ArrayLike) -> None: ...
+    @property
+    def colorSpheres(self) -> list[float]:
+        """red, green, blue and opacity of contact spheres, each from 0 to 1 [4; 1]; default: [0.8, 0.5, 0.2, 1.0]"""
+    @colorSpheres.setter
+    def colorSpheres(self, value: ArrayLike) -> None: ...
+    @property
+    def colorTori(self) -> list[float]:
+        """red, green, blue and opacity of contact tori, each from 0 to 1 [4; 1]; default: [0.8, 0.2, 0.8, 1.0]"""
+    @colorTori.setter
+    def colorTori(self, value: ArrayLike) -> None: ...
+    @property
+    def colorTriangles(self) -> list[float]:
+        """red, green, blue and opacity of contact triangles, each from 0 to 1 [4; 1]; default: [0.5, 0.5, 0.5, 1.0]"""
+    @colorTriangles.setter
+    def colorTriangles(self, value: ArrayLike) -> None: ...
     contactForcesFactor: float
     """length of a contact force in the drawing per newton [m/N]; default: 0.001"""
     contactPointsDefaultSize: float
@@ -809,26 +953,37 @@ class VSettingsContact:
     tilingSpheres: int
     """number of segments of contact spheres; default: 4"""
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class VSettingsOpenGLAdvanced:
+@final
+class VSettingsOpenGLAdvanced(_Settings):
     """OpenGL renderer: initial view, lighting and text"""
 
-    clippingPlaneColor: ArrayLike
-    """red, green and blue of cut faces at a clipping plane; the fourth number chooses the color: 0 nothing is drawn, 1 this color, 2 the color of the body [4; 1]; default: [0.7, 0.5, 0.5, 0.0]"""
+    @property
+    def clippingPlaneColor(self) -> list[float]:
+        """red, green and blue of cut faces at a clipping plane; the fourth number chooses the color: 0 nothing is drawn, 1 this color, 2 the color of the body [4; 1]; default: [0.7, 0.5, 0.5, 0.0]"""
+    @clippingPlaneColor.setter
+    def clippingPlaneColor(self, value: ArrayLike) -> None: ...
     depthSorting: bool
     """true: faces are sorted by depth, so that transparent ones are drawn correctly, at more cost; default: False"""
     enableLighting: bool
     """true: faces are lit; false: plain colors; default: True"""
-    faceNormalsColor: ArrayLike
-    """red, green, blue and opacity of normals of faces, each from 0 to 1 [4; 1]; default: [0.8, 0.2, 0.2, 1.0]"""
-    initialCenterPoint: ArrayLike
-    """point of the model in the middle of the window at the start; only without ``general.autoFitScene`` and with a model centric view [3; m]; default: [0.0, 0.0, 0.0]"""
+    @property
+    def faceNormalsColor(self) -> list[float]:
+        """red, green, blue and opacity of normals of faces, each from 0 to 1 [4; 1]; default: [0.8, 0.2, 0.2, 1.0]"""
+    @faceNormalsColor.setter
+    def faceNormalsColor(self, value: ArrayLike) -> None: ...
+    @property
+    def initialCenterPoint(self) -> list[float]:
+        """point of the model in the middle of the window at the start; only without ``general.autoFitScene`` and with a model centric view [3; m]; default: [0.0, 0.0, 0.0]"""
+    @initialCenterPoint.setter
+    def initialCenterPoint(self, value: ArrayLike) -> None: ...
     initialMaxSceneSize: float
     """size of the scene at the start; only without ``general.autoFitScene`` [m]; default: 1.0"""
-    initialModelRotation: ArrayLike
-    """rotation matrix of the view at the start; only with a model centric view [3 x 3; 1]; default: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]"""
+    @property
+    def initialModelRotation(self) -> list[list[float]]:
+        """rotation matrix of the view at the start; only with a model centric view [3 x 3; 1]; default: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]"""
+    @initialModelRotation.setter
+    def initialModelRotation(self, value: ArrayLike) -> None: ...
     initialZoom: float
     """zoom at the start; only without ``general.autoFitScene`` [1]; default: 1.0"""
     lightModelLocalViewer: bool
@@ -849,13 +1004,15 @@ class VSettingsOpenGLAdvanced:
     """smooth the lines of text; default: False"""
     textLineWidth: float
     """width of the lines of text in pixels [1]; default: 1.0"""
-    vertexNormalsColor: ArrayLike
-    """red, green, blue and opacity of normals at the corners of faces, each from 0 to 1 [4; 1]; default: [0.8, 0.2, 0.2, 1.0]"""
+    @property
+    def vertexNormalsColor(self) -> list[float]:
+        """red, green, blue and opacity of normals at the corners of faces, each from 0 to 1 [4; 1]; default: [0.8, 0.2, 0.2, 1.0]"""
+    @vertexNormalsColor.setter
+    def vertexNormalsColor(self, value: ArrayLike) -> None: ...
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class VSettingsOpenGL:
+@final
+class VSettingsOpenGL(_Settings):
     """OpenGL renderer: faces, lines and material"""
 
     drawFaceNormals: bool
@@ -864,36 +1021,62 @@ class VSettingsOpenGL:
     """length of normals [m]; default: 0.1"""
     drawVertexNormals: bool
     """draw the normals at the corners of faces, to find errors in meshes; default: False"""
-    faceEdgesColor: ArrayLike
-    """red, green, blue and opacity of the edges of faces, each from 0 to 1 [4; 1]; default: [0.2, 0.2, 0.2, 1.0]"""
+    @property
+    def faceEdgesColor(self) -> list[float]:
+        """red, green, blue and opacity of the edges of faces, each from 0 to 1 [4; 1]; default: [0.2, 0.2, 0.2, 1.0]"""
+    @faceEdgesColor.setter
+    def faceEdgesColor(self, value: ArrayLike) -> None: ...
     faceTransparencyGlobal: float
     """largest opacity of faces when ``scene.facesTransparent`` is set [1]; default: 0.4"""
-    lightModelAmbient: ArrayLike
-    """red, green, blue and opacity of light that comes from everywhere, for faces that no light reaches; used by the ray tracer as well [4; 1]; default: [0.4, 0.4, 0.4, 1.0]"""
+    @property
+    def lightModelAmbient(self) -> list[float]:
+        """red, green, blue and opacity of light that comes from everywhere, for faces that no light reaches; used by the ray tracer as well [4; 1]; default: [0.4, 0.4, 0.4, 1.0]"""
+    @lightModelAmbient.setter
+    def lightModelAmbient(self, value: ArrayLike) -> None: ...
     lineWidth: float
     """width of lines in pixels [1]; default: 1.0"""
     materialShininess: float
     """sharpness of highlights; larger is sharper [1]; default: 32.0"""
-    materialSpecular: ArrayLike
-    """red, green, blue and opacity of highlights [4; 1]; default: [0.6, 0.6, 0.6, 1.0]"""
+    @property
+    def materialSpecular(self) -> list[float]:
+        """red, green, blue and opacity of highlights [4; 1]; default: [0.6, 0.6, 0.6, 1.0]"""
+    @materialSpecular.setter
+    def materialSpecular(self, value: ArrayLike) -> None: ...
     multiSampling: int
     """number of samples per pixel against jagged edges: 1 for none, 2, 4, 8 or 16; set it before the renderer starts; default: 1"""
     zMaxSceneFactor: float
     """depth of the visible space relative to the size of the scene; too small cuts near and far parts off, too large makes faces flicker [1]; default: 2.0"""
-    advanced: VSettingsOpenGLAdvanced
-    light0: VSettingsLight
-    light1: VSettingsLight
-    light2: VSettingsLight
-    light3: VSettingsLight
+    @property
+    def advanced(self) -> VSettingsOpenGLAdvanced: ...
+    @advanced.setter
+    def advanced(self, value: VSettingsOpenGLAdvanced | dict[str, Any]) -> None: ...
+    @property
+    def light0(self) -> VSettingsLight: ...
+    @light0.setter
+    def light0(self, value: VSettingsLight | dict[str, Any]) -> None: ...
+    @property
+    def light1(self) -> VSettingsLight: ...
+    @light1.setter
+    def light1(self, value: VSettingsLight | dict[str, Any]) -> None: ...
+    @property
+    def light2(self) -> VSettingsLight: ...
+    @light2.setter
+    def light2(self, value: VSettingsLight | dict[str, Any]) -> None: ...
+    @property
+    def light3(self) -> VSettingsLight: ...
+    @light3.setter
+    def light3(self, value: VSettingsLight | dict[str, Any]) -> None: ...
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class VSettingsRaytracerAdvanced:
+@final
+class VSettingsRaytracerAdvanced(_Settings):
     """software ray tracer: quality and speed"""
 
-    backgroundColorReflections: ArrayLike
-    """red, green, blue and opacity that reflected rays see where they leave the scene [4; 1]; default: [0.4, 0.4, 0.4, 1.0]"""
+    @property
+    def backgroundColorReflections(self) -> list[float]:
+        """red, green, blue and opacity that reflected rays see where they leave the scene [4; 1]; default: [0.4, 0.4, 0.4, 1.0]"""
+    @backgroundColorReflections.setter
+    def backgroundColorReflections(self, value: ArrayLike) -> None: ...
     searchTreeFactor: int
     """factor of the number of cells of the search tree, from 1 to 128, for scenes with unevenly distributed faces; default: 1"""
     shadowScalingFactor: int
@@ -907,14 +1090,16 @@ class VSettingsRaytracerAdvanced:
     zBiasLines: float
     """shift of lines towards the viewer relative to the size of the scene, so that lines on faces are visible [1]; default: 0.001"""
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class VSettingsRaytracer:
+@final
+class VSettingsRaytracer(_Settings):
     """software ray tracer"""
 
-    globalFogColor: ArrayLike
-    """red, green, blue and opacity of fog, each from 0 to 1 [4; 1]; default: [0.5, 0.5, 0.5, 1.0]"""
+    @property
+    def globalFogColor(self) -> list[float]:
+        """red, green, blue and opacity of fog, each from 0 to 1 [4; 1]; default: [0.5, 0.5, 0.5, 1.0]"""
+    @globalFogColor.setter
+    def globalFogColor(self, value: ArrayLike) -> None: ...
     globalFogDensity: float
     """density of fog relative to the size of the scene; 0: no fog [1]; default: 0.0"""
     imageSizeFactor: int
@@ -933,32 +1118,70 @@ class VSettingsRaytracer:
     """number of threads, 256 at most; default: 8"""
     verbose: int
     """amount of output on rendering: 0 none, 1 times and counters, 2 or more details; default: 0"""
-    advanced: VSettingsRaytracerAdvanced
-    material0: VSettingsMaterial
-    material1: VSettingsMaterial
-    material2: VSettingsMaterial
-    material3: VSettingsMaterial
-    material4: VSettingsMaterial
-    material5: VSettingsMaterial
-    material6: VSettingsMaterial
-    material7: VSettingsMaterial
-    material8: VSettingsMaterial
-    material9: VSettingsMaterial
+    @property
+    def advanced(self) -> VSettingsRaytracerAdvanced: ...
+    @advanced.setter
+    def advanced(self, value: VSettingsRaytracerAdvanced | dict[str, Any]) -> None: ...
+    @property
+    def material0(self) -> VSettingsMaterial: ...
+    @material0.setter
+    def material0(self, value: VSettingsMaterial | dict[str, Any]) -> None: ...
+    @property
+    def material1(self) -> VSettingsMaterial: ...
+    @material1.setter
+    def material1(self, value: VSettingsMaterial | dict[str, Any]) -> None: ...
+    @property
+    def material2(self) -> VSettingsMaterial: ...
+    @material2.setter
+    def material2(self, value: VSettingsMaterial | dict[str, Any]) -> None: ...
+    @property
+    def material3(self) -> VSettingsMaterial: ...
+    @material3.setter
+    def material3(self, value: VSettingsMaterial | dict[str, Any]) -> None: ...
+    @property
+    def material4(self) -> VSettingsMaterial: ...
+    @material4.setter
+    def material4(self, value: VSettingsMaterial | dict[str, Any]) -> None: ...
+    @property
+    def material5(self) -> VSettingsMaterial: ...
+    @material5.setter
+    def material5(self, value: VSettingsMaterial | dict[str, Any]) -> None: ...
+    @property
+    def material6(self) -> VSettingsMaterial: ...
+    @material6.setter
+    def material6(self, value: VSettingsMaterial | dict[str, Any]) -> None: ...
+    @property
+    def material7(self) -> VSettingsMaterial: ...
+    @material7.setter
+    def material7(self, value: VSettingsMaterial | dict[str, Any]) -> None: ...
+    @property
+    def material8(self) -> VSettingsMaterial: ...
+    @material8.setter
+    def material8(self, value: VSettingsMaterial | dict[str, Any]) -> None: ...
+    @property
+    def material9(self) -> VSettingsMaterial: ...
+    @material9.setter
+    def material9(self, value: VSettingsMaterial | dict[str, Any]) -> None: ...
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class VSettingsGeneral:
+@final
+class VSettingsGeneral(_Settings):
     """general settings of drawing and window"""
 
     autoFitScene: bool
     """fit the scene into the window when the renderer starts; default: True"""
     axesTiling: int
     """number of segments of axes and arrows; default: 12"""
-    backgroundColor: ArrayLike
-    """red, green, blue and opacity of the background, at the top if it has a gradient, each from 0 to 1 [4; 1]; default: [1.0, 1.0, 1.0, 1.0]"""
-    backgroundColorBottom: ArrayLike
-    """red, green, blue and opacity of the background at the bottom if it has a gradient, each from 0 to 1 [4; 1]; default: [0.8, 0.8, 1.0, 1.0]"""
+    @property
+    def backgroundColor(self) -> list[float]:
+        """red, green, blue and opacity of the background, at the top if it has a gradient, each from 0 to 1 [4; 1]; default: [1.0, 1.0, 1.0, 1.0]"""
+    @backgroundColor.setter
+    def backgroundColor(self, value: ArrayLike) -> None: ...
+    @property
+    def backgroundColorBottom(self) -> list[float]:
+        """red, green, blue and opacity of the background at the bottom if it has a gradient, each from 0 to 1 [4; 1]; default: [0.8, 0.8, 1.0, 1.0]"""
+    @backgroundColorBottom.setter
+    def backgroundColorBottom(self, value: ArrayLike) -> None: ...
     boundingBoxZoomAllFactor: float
     """space around the bounding box after zooming to all, as a factor of its size [1]; default: 1.2"""
     boundingBoxZoomAllOffset: float
@@ -999,8 +1222,11 @@ class VSettingsGeneral:
     """number of segments of spheres; at least 2 are drawn; default: 6"""
     textAlwaysInFront: bool
     """true: texts of items are drawn in front of everything; false: faces can hide them; default: True"""
-    textColor: ArrayLike
-    """red, green, blue and opacity of texts of the window, each from 0 to 1 [4; 1]; default: [0.0, 0.0, 0.0, 1.0]"""
+    @property
+    def textColor(self) -> list[float]:
+        """red, green, blue and opacity of texts of the window, each from 0 to 1 [4; 1]; default: [0.0, 0.0, 0.0, 1.0]"""
+    @textColor.setter
+    def textColor(self, value: ArrayLike) -> None: ...
     textHasBackground: bool
     """draw a background behind texts of items; default: False"""
     textOffsetFactor: float
@@ -1018,16 +1244,21 @@ class VSettingsGeneral:
     zoomAllUseBoundingBox: bool
     """true: zooming to all uses the exact bounding box of the scene, without perspective; false: an estimate; default: True"""
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class VSettingsInteractiveAdvanced:
+@final
+class VSettingsInteractiveAdvanced(_Settings):
     """highlighting, selection, and speed of keys and mouse"""
 
-    highlightColor: ArrayLike
-    """red, green, blue and opacity of the highlighted item, each from 0 to 1 [4; 1]; default: [0.8, 0.05, 0.05, 0.75]"""
-    highlightOtherColor: ArrayLike
-    """red, green, blue and opacity of all other items while one is highlighted, each from 0 to 1 [4; 1]; default: [0.5, 0.5, 0.5, 0.4]"""
+    @property
+    def highlightColor(self) -> list[float]:
+        """red, green, blue and opacity of the highlighted item, each from 0 to 1 [4; 1]; default: [0.8, 0.05, 0.05, 0.75]"""
+    @highlightColor.setter
+    def highlightColor(self, value: ArrayLike) -> None: ...
+    @property
+    def highlightOtherColor(self) -> list[float]:
+        """red, green, blue and opacity of all other items while one is highlighted, each from 0 to 1 [4; 1]; default: [0.5, 0.5, 0.5, 0.4]"""
+    @highlightOtherColor.setter
+    def highlightOtherColor(self, value: ArrayLike) -> None: ...
     joystickScaleRotation: float
     """factor of joystick rotations [1]; default: 200.0"""
     joystickScaleTranslation: float
@@ -1053,10 +1284,9 @@ class VSettingsInteractiveAdvanced:
     zoomStepFactor: float
     """factor of the zoom per key press or step of the mouse wheel [1]; default: 1.15"""
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class VSettingsInteractiveOpenVR:
+@final
+class VSettingsInteractiveOpenVR(_Settings):
     """virtual reality by OpenVR"""
 
     actionManifestFileName: str
@@ -1068,16 +1298,18 @@ class VSettingsInteractiveOpenVR:
     showCompanionWindow: bool
     """show the views of both eyes in a window; default: True"""
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class VSettingsInteractive:
+@final
+class VSettingsInteractive(_Settings):
     """interaction with the render window"""
 
     autoRotateModelView: bool
     """rotate the view by itself; default: False"""
-    autoRotationVelocity: ArrayLike
-    """angular velocity of the rotating view [3; rad/s]; default: [0.0, 0.0, 1.047198]"""
+    @property
+    def autoRotationVelocity(self) -> list[float]:
+        """angular velocity of the rotating view [3; rad/s]; default: [0.0, 0.0, 1.047198]"""
+    @autoRotationVelocity.setter
+    def autoRotationVelocity(self, value: ArrayLike) -> None: ...
     highlightItemIndex: int
     """number of the item that is highlighted; -1: none; default: -1"""
     highlightItemType: ItemType
@@ -1090,13 +1322,18 @@ class VSettingsInteractive:
     """write mouse coordinates to the console as well, if they are shown; default: True"""
     useJoystickInput: bool
     """move and rotate the view with a six-axis joystick, if there is one; default: True"""
-    advanced: VSettingsInteractiveAdvanced
-    openVR: VSettingsInteractiveOpenVR
+    @property
+    def advanced(self) -> VSettingsInteractiveAdvanced: ...
+    @advanced.setter
+    def advanced(self, value: VSettingsInteractiveAdvanced | dict[str, Any]) -> None: ...
+    @property
+    def openVR(self) -> VSettingsInteractiveOpenVR: ...
+    @openVR.setter
+    def openVR(self, value: VSettingsInteractiveOpenVR | dict[str, Any]) -> None: ...
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class VSettingsDialogs:
+@final
+class VSettingsDialogs(_Settings):
     """dialogs"""
 
     alphaTransparency: float
@@ -1110,10 +1347,9 @@ class VSettingsDialogs:
     openTreeView: bool
     """open all branches of the dialog of visualization settings; default: False"""
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class VSettingsExportImages:
+@final
+class VSettingsExportImages(_Settings):
     """export of images"""
 
     heightAlignment: int
@@ -1139,30 +1375,81 @@ class VSettingsExportImages:
     widthAlignment: int
     """the width of an image is a multiple of this number of pixels; 4 suits video encoders; default: 4"""
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...
 
-class VisualizationSettings:
+@final
+class VisualizationSettings(_Settings):
     """settings of the renderer: what is drawn, and how"""
 
-    nodes: VSettingsNodes
-    bodies: VSettingsBodies
-    connectors: VSettingsConnectors
-    markers: VSettingsMarkers
-    loads: VSettingsLoads
-    sensors: VSettingsSensors
-    contour: VSettingsContour
-    contact: VSettingsContact
-    view0: VSettingsView
-    view1: VSettingsView
-    view2: VSettingsView
-    view3: VSettingsView
-    openGL: VSettingsOpenGL
-    raytracer: VSettingsRaytracer
-    general: VSettingsGeneral
-    interactive: VSettingsInteractive
-    dialogs: VSettingsDialogs
-    exportImages: VSettingsExportImages
+    @property
+    def nodes(self) -> VSettingsNodes: ...
+    @nodes.setter
+    def nodes(self, value: VSettingsNodes | dict[str, Any]) -> None: ...
+    @property
+    def bodies(self) -> VSettingsBodies: ...
+    @bodies.setter
+    def bodies(self, value: VSettingsBodies | dict[str, Any]) -> None: ...
+    @property
+    def connectors(self) -> VSettingsConnectors: ...
+    @connectors.setter
+    def connectors(self, value: VSettingsConnectors | dict[str, Any]) -> None: ...
+    @property
+    def markers(self) -> VSettingsMarkers: ...
+    @markers.setter
+    def markers(self, value: VSettingsMarkers | dict[str, Any]) -> None: ...
+    @property
+    def loads(self) -> VSettingsLoads: ...
+    @loads.setter
+    def loads(self, value: VSettingsLoads | dict[str, Any]) -> None: ...
+    @property
+    def sensors(self) -> VSettingsSensors: ...
+    @sensors.setter
+    def sensors(self, value: VSettingsSensors | dict[str, Any]) -> None: ...
+    @property
+    def contour(self) -> VSettingsContour: ...
+    @contour.setter
+    def contour(self, value: VSettingsContour | dict[str, Any]) -> None: ...
+    @property
+    def contact(self) -> VSettingsContact: ...
+    @contact.setter
+    def contact(self, value: VSettingsContact | dict[str, Any]) -> None: ...
+    @property
+    def view0(self) -> VSettingsView: ...
+    @view0.setter
+    def view0(self, value: VSettingsView | dict[str, Any]) -> None: ...
+    @property
+    def view1(self) -> VSettingsView: ...
+    @view1.setter
+    def view1(self, value: VSettingsView | dict[str, Any]) -> None: ...
+    @property
+    def view2(self) -> VSettingsView: ...
+    @view2.setter
+    def view2(self, value: VSettingsView | dict[str, Any]) -> None: ...
+    @property
+    def view3(self) -> VSettingsView: ...
+    @view3.setter
+    def view3(self, value: VSettingsView | dict[str, Any]) -> None: ...
+    @property
+    def openGL(self) -> VSettingsOpenGL: ...
+    @openGL.setter
+    def openGL(self, value: VSettingsOpenGL | dict[str, Any]) -> None: ...
+    @property
+    def raytracer(self) -> VSettingsRaytracer: ...
+    @raytracer.setter
+    def raytracer(self, value: VSettingsRaytracer | dict[str, Any]) -> None: ...
+    @property
+    def general(self) -> VSettingsGeneral: ...
+    @general.setter
+    def general(self, value: VSettingsGeneral | dict[str, Any]) -> None: ...
+    @property
+    def interactive(self) -> VSettingsInteractive: ...
+    @interactive.setter
+    def interactive(self, value: VSettingsInteractive | dict[str, Any]) -> None: ...
+    @property
+    def dialogs(self) -> VSettingsDialogs: ...
+    @dialogs.setter
+    def dialogs(self, value: VSettingsDialogs | dict[str, Any]) -> None: ...
+    @property
+    def exportImages(self) -> VSettingsExportImages: ...
+    @exportImages.setter
+    def exportImages(self, value: VSettingsExportImages | dict[str, Any]) -> None: ...
     def __init__(self) -> None: ...
-    def GetDictionary(self) -> dict[str, Any]: ...
-    def SetDictionary(self, dictionary: dict[str, Any]) -> None: ...

@@ -1,38 +1,63 @@
-# Generated from specs/ by codegen/templates/itemInterface.pyi.j2. Do not edit; run `python -m codegen`.
+# Generated from specs/ by codegen/templates/core_items.pyi.j2. Do not edit; run `python -m codegen`.
 # tests/codegen/test_freshness.py compares this file with its sources.
 
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any, Literal, Protocol
+from typing import Any, ClassVar, Literal
 
-from numpy.typing import ArrayLike
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from dalembert._core import (
     BeamSection,
     BeamSectionGeometry,
-    JointType,
+    Item,
     LoadIndex,
+    MainSystem,
     MarkerIndex,
+    Matrix3DList,
     MatrixContainer,
     NodeIndex,
     ObjectIndex,
-    OutputVariableType,
     SensorIndex,
+    Vector3DList,
+    Vector6DList,
+    Visualization,
 )
+from dalembert._core_enums import ConfigurationType, JointType, OutputVariableType
+from dalembert._core_types import Array, MatrixLike
 
-class _SparseMatrix(Protocol):
-    """A sparse matrix of scipy."""
+class _Item(Item):
+    """Items convert to dictionaries, and to equal items when pickled or copied."""
 
-    def tocoo(self) -> Any: ...
-
-# A matrix given densely, as triplets in a container, or as a sparse matrix.
-MatrixLike = ArrayLike | MatrixContainer | _SparseMatrix
-
-class _Item:
-    """A set of parameters: item classes convert to dictionaries, and are what AddNode, AddObject, ... take."""
-
+    __hash__: ClassVar[None]  # type: ignore[assignment]
     def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+    def __lt__(self, other: object, /) -> bool: ...
+    def __le__(self, other: object, /) -> bool: ...
+    def __gt__(self, other: object, /) -> bool: ...
+    def __ge__(self, other: object, /) -> bool: ...
 
-class VNodeGenericAE:
+# One class per kind, so that AddNode(...) refuses an object already in the editor. They do not exist at run time.
+class _Node(_Item): ...
+class _Object(_Item): ...
+class _Marker(_Item): ...
+class _Load(_Item): ...
+class _Sensor(_Item): ...
+
+class _Visualization(Visualization):
+    """Visualization parameters are attributes and, as in a dictionary, entries."""
+
+    __hash__: ClassVar[None]  # type: ignore[assignment]
+    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
+    def __getitem__(self, key: str, /) -> Any: ...
+    def __setitem__(self, key: str, value: Any, /) -> None: ...
+    def __delitem__(self, key: str, /) -> None: ...
+    def __lt__(self, other: object, /) -> bool: ...
+    def __le__(self, other: object, /) -> bool: ...
+    def __gt__(self, other: object, /) -> bool: ...
+    def __ge__(self, other: object, /) -> bool: ...
+    def keys(self) -> list[str]: ...
+
+class VNodeGenericAE(_Visualization):
     """Visualization of NodeGenericAE."""
 
     show: bool
@@ -41,21 +66,29 @@ class VNodeGenericAE:
         self,
         show: bool = False,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class NodeGenericAE(_Item):
+class NodeGenericAE(_Node):
     """node with a chosen number of algebraic variables, for equations that hold without time derivatives"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    referenceCoordinates: ArrayLike
-    """reference values; as many as ``numberOfAECoordinates``, any other length is refused; units as in the equations that use the node [n; various]"""
-    initialCoordinates: ArrayLike
-    """start values of the solver, relative to the reference values; as many as ``numberOfAECoordinates`` [n; various]"""
+    @property
+    def referenceCoordinates(self) -> Array:
+        """reference values; as many as ``numberOfAECoordinates``, any other length is refused; units as in the equations that use the node [n; various]"""
+    @referenceCoordinates.setter
+    def referenceCoordinates(self, value: ArrayLike) -> None: ...
+    @property
+    def initialCoordinates(self) -> Array:
+        """start values of the solver, relative to the reference values; as many as ``numberOfAECoordinates`` [n; various]"""
+    @initialCoordinates.setter
+    def initialCoordinates(self, value: ArrayLike) -> None: ...
     numberOfAECoordinates: int
     """number of algebraic variables; at least 1"""
-    visualization: VNodeGenericAE | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VNodeGenericAE:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VNodeGenericAE | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -65,7 +98,7 @@ class NodeGenericAE(_Item):
         visualization: VNodeGenericAE | dict[str, Any] = ...,
     ) -> None: ...
 
-class VNodeGenericData:
+class VNodeGenericData(_Visualization):
     """Visualization of NodeGenericData."""
 
     show: bool
@@ -74,19 +107,24 @@ class VNodeGenericData:
         self,
         show: bool = False,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class NodeGenericData(_Item):
+class NodeGenericData(_Node):
     """node with a chosen number of data variables: states that are kept from step to step and are not unknowns of the solver"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    initialCoordinates: ArrayLike
-    """values at the start of a computation; as many as ``numberOfDataCoordinates``, any other length is refused; their meaning and units are those of the object that uses the node [n; various]"""
+    @property
+    def initialCoordinates(self) -> Array:
+        """values at the start of a computation; as many as ``numberOfDataCoordinates``, any other length is refused; their meaning and units are those of the object that uses the node [n; various]"""
+    @initialCoordinates.setter
+    def initialCoordinates(self, value: ArrayLike) -> None: ...
     numberOfDataCoordinates: int
     """number of data variables; objects that need a data node say how many they expect"""
-    visualization: VNodeGenericData | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VNodeGenericData:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VNodeGenericData | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -95,7 +133,7 @@ class NodeGenericData(_Item):
         visualization: VNodeGenericData | dict[str, Any] = ...,
     ) -> None: ...
 
-class VNodeGenericODE1:
+class VNodeGenericODE1(_Visualization):
     """Visualization of NodeGenericODE1."""
 
     show: bool
@@ -104,21 +142,29 @@ class VNodeGenericODE1:
         self,
         show: bool = False,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class NodeGenericODE1(_Item):
+class NodeGenericODE1(_Node):
     """node with a chosen number of coordinates of first order differential equations, for controllers, hydraulics and state-space models"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    referenceCoordinates: ArrayLike
-    """constant values to which the coordinates are added; as many as ``numberOfODE1Coordinates``, any other length is refused; units as in the equations that use the node [n; various]"""
-    initialCoordinates: ArrayLike
-    """values at the start, relative to the reference values; as many as ``numberOfODE1Coordinates`` [n; various]"""
+    @property
+    def referenceCoordinates(self) -> Array:
+        """constant values to which the coordinates are added; as many as ``numberOfODE1Coordinates``, any other length is refused; units as in the equations that use the node [n; various]"""
+    @referenceCoordinates.setter
+    def referenceCoordinates(self, value: ArrayLike) -> None: ...
+    @property
+    def initialCoordinates(self) -> Array:
+        """values at the start, relative to the reference values; as many as ``numberOfODE1Coordinates`` [n; various]"""
+    @initialCoordinates.setter
+    def initialCoordinates(self, value: ArrayLike) -> None: ...
     numberOfODE1Coordinates: int
     """number of coordinates, each with a first order differential equation; at least 1"""
-    visualization: VNodeGenericODE1 | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VNodeGenericODE1:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VNodeGenericODE1 | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -128,7 +174,7 @@ class NodeGenericODE1(_Item):
         visualization: VNodeGenericODE1 | dict[str, Any] = ...,
     ) -> None: ...
 
-class VNodeGenericODE2:
+class VNodeGenericODE2(_Visualization):
     """Visualization of NodeGenericODE2."""
 
     show: bool
@@ -137,23 +183,34 @@ class VNodeGenericODE2:
         self,
         show: bool = False,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class NodeGenericODE2(_Item):
+class NodeGenericODE2(_Node):
     """node with a chosen number of coordinates of second order differential equations, without a meaning in space"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    referenceCoordinates: ArrayLike
-    """constant values to which the coordinates are added; as many as ``numberOfODE2Coordinates``, any other length is refused; units as in the equations that use the node [n; various]"""
-    initialCoordinates: ArrayLike
-    """values at the start, relative to the reference values; as many as ``numberOfODE2Coordinates`` [n; various]"""
-    initialCoordinates_t: ArrayLike
-    """time derivatives of the coordinates at the start; as many as ``numberOfODE2Coordinates`` [n; various]"""
+    @property
+    def referenceCoordinates(self) -> Array:
+        """constant values to which the coordinates are added; as many as ``numberOfODE2Coordinates``, any other length is refused; units as in the equations that use the node [n; various]"""
+    @referenceCoordinates.setter
+    def referenceCoordinates(self, value: ArrayLike) -> None: ...
+    @property
+    def initialCoordinates(self) -> Array:
+        """values at the start, relative to the reference values; as many as ``numberOfODE2Coordinates`` [n; various]"""
+    @initialCoordinates.setter
+    def initialCoordinates(self, value: ArrayLike) -> None: ...
+    @property
+    def initialCoordinates_t(self) -> Array:
+        """time derivatives of the coordinates at the start; as many as ``numberOfODE2Coordinates`` [n; various]"""
+    @initialCoordinates_t.setter
+    def initialCoordinates_t(self, value: ArrayLike) -> None: ...
     numberOfODE2Coordinates: int
     """number of coordinates, each with a second order differential equation; at least 1"""
-    visualization: VNodeGenericODE2 | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VNodeGenericODE2:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VNodeGenericODE2 | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -164,7 +221,7 @@ class NodeGenericODE2(_Item):
         visualization: VNodeGenericODE2 | dict[str, Any] = ...,
     ) -> None: ...
 
-class VNode1D:
+class VNode1D(_Visualization):
     """Visualization of Node1D."""
 
     show: bool
@@ -173,21 +230,32 @@ class VNode1D:
         self,
         show: bool = False,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class Node1D(_Item):
+class Node1D(_Node):
     """node with one coordinate of a second order differential equation, for motion along a line or about a fixed axis"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    referenceCoordinates: ArrayLike
-    """reference value of the coordinate, a list of length 1; m for a translation, rad for a rotation, as the body on the node says [n; various]"""
-    initialCoordinates: ArrayLike
-    """coordinate at the start, relative to the reference value, a list of length 1 [n; various]"""
-    initialVelocities: ArrayLike
-    """time derivative of the coordinate at the start, a list of length 1 [n; various]"""
-    visualization: VNode1D | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def referenceCoordinates(self) -> Array:
+        """reference value of the coordinate, a list of length 1; m for a translation, rad for a rotation, as the body on the node says [n; various]"""
+    @referenceCoordinates.setter
+    def referenceCoordinates(self, value: ArrayLike) -> None: ...
+    @property
+    def initialCoordinates(self) -> Array:
+        """coordinate at the start, relative to the reference value, a list of length 1 [n; various]"""
+    @initialCoordinates.setter
+    def initialCoordinates(self, value: ArrayLike) -> None: ...
+    @property
+    def initialVelocities(self) -> Array:
+        """time derivative of the coordinate at the start, a list of length 1 [n; various]"""
+    @initialVelocities.setter
+    def initialVelocities(self, value: ArrayLike) -> None: ...
+    @property
+    def visualization(self) -> VNode1D:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VNode1D | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -197,36 +265,50 @@ class Node1D(_Item):
         visualization: VNode1D | dict[str, Any] = ...,
     ) -> None: ...
 
-class VNodePoint:
+class VNodePoint(_Visualization):
     """Visualization of NodePoint."""
 
     show: bool
     """False: the item is not drawn"""
     drawSize: float
     """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         drawSize: float = -1.0,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class NodePoint(_Item):
+class NodePoint(_Node):
     """node with the three displacements of a point in space"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    referenceCoordinates: ArrayLike
-    """global position of the node without displacement [3; m]"""
-    initialCoordinates: ArrayLike
-    """displacement from the reference position at the start [3; m]"""
-    initialVelocities: ArrayLike
-    """global velocity at the start [3; m/s]"""
-    visualization: VNodePoint | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def referenceCoordinates(self) -> Array:
+        """global position of the node without displacement [3; m]"""
+    @referenceCoordinates.setter
+    def referenceCoordinates(self, value: ArrayLike) -> None: ...
+    @property
+    def initialCoordinates(self) -> Array:
+        """displacement from the reference position at the start [3; m]"""
+    @initialCoordinates.setter
+    def initialCoordinates(self, value: ArrayLike) -> None: ...
+    @property
+    def initialVelocities(self) -> Array:
+        """global velocity at the start [3; m/s]"""
+    @initialVelocities.setter
+    def initialVelocities(self, value: ArrayLike) -> None: ...
+    @property
+    def visualization(self) -> VNodePoint:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VNodePoint | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -239,36 +321,50 @@ class NodePoint(_Item):
 Point = NodePoint
 VPoint = VNodePoint
 
-class VNodePoint2D:
+class VNodePoint2D(_Visualization):
     """Visualization of NodePoint2D."""
 
     show: bool
     """False: the item is not drawn"""
     drawSize: float
     """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         drawSize: float = -1.0,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class NodePoint2D(_Item):
+class NodePoint2D(_Node):
     """node with the two displacements of a point in the global x-y plane"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    referenceCoordinates: ArrayLike
-    """global x and y position of the node without displacement; z is zero [2; m]"""
-    initialCoordinates: ArrayLike
-    """displacement in x and y from the reference position at the start [2; m]"""
-    initialVelocities: ArrayLike
-    """global velocity in x and y at the start [2; m/s]"""
-    visualization: VNodePoint2D | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def referenceCoordinates(self) -> Array:
+        """global x and y position of the node without displacement; z is zero [2; m]"""
+    @referenceCoordinates.setter
+    def referenceCoordinates(self, value: ArrayLike) -> None: ...
+    @property
+    def initialCoordinates(self) -> Array:
+        """displacement in x and y from the reference position at the start [2; m]"""
+    @initialCoordinates.setter
+    def initialCoordinates(self, value: ArrayLike) -> None: ...
+    @property
+    def initialVelocities(self) -> Array:
+        """global velocity in x and y at the start [2; m/s]"""
+    @initialVelocities.setter
+    def initialVelocities(self, value: ArrayLike) -> None: ...
+    @property
+    def visualization(self) -> VNodePoint2D:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VNodePoint2D | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -281,36 +377,50 @@ class NodePoint2D(_Item):
 Point2D = NodePoint2D
 VPoint2D = VNodePoint2D
 
-class VNodePoint2DSlope1:
+class VNodePoint2DSlope1(_Visualization):
     """Visualization of NodePoint2DSlope1."""
 
     show: bool
     """False: the item is not drawn"""
     drawSize: float
     """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         drawSize: float = -1.0,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class NodePoint2DSlope1(_Item):
+class NodePoint2DSlope1(_Node):
     """node of planar cable elements: position and axial slope vector in the global x-y plane"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    referenceCoordinates: ArrayLike
-    """x and y position (m), then x and y component of the slope vector (1); a unit vector along the axis for an element that is not stretched in the reference configuration [4; various]"""
-    initialCoordinates: ArrayLike
-    """displacement (m) and change of the slope vector (1) at the start, relative to the reference coordinates [4; various]"""
-    initialVelocities: ArrayLike
-    """velocity (m/s) and rate of the slope vector (1/s) at the start [4; various]"""
-    visualization: VNodePoint2DSlope1 | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def referenceCoordinates(self) -> Array:
+        """x and y position (m), then x and y component of the slope vector (1); a unit vector along the axis for an element that is not stretched in the reference configuration [4; various]"""
+    @referenceCoordinates.setter
+    def referenceCoordinates(self, value: ArrayLike) -> None: ...
+    @property
+    def initialCoordinates(self) -> Array:
+        """displacement (m) and change of the slope vector (1) at the start, relative to the reference coordinates [4; various]"""
+    @initialCoordinates.setter
+    def initialCoordinates(self, value: ArrayLike) -> None: ...
+    @property
+    def initialVelocities(self) -> Array:
+        """velocity (m/s) and rate of the slope vector (1/s) at the start [4; various]"""
+    @initialVelocities.setter
+    def initialVelocities(self, value: ArrayLike) -> None: ...
+    @property
+    def visualization(self) -> VNodePoint2DSlope1:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VNodePoint2DSlope1 | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -323,32 +433,40 @@ class NodePoint2DSlope1(_Item):
 Point2DS1 = NodePoint2DSlope1
 VPoint2DS1 = VNodePoint2DSlope1
 
-class VNodePointGround:
+class VNodePointGround(_Visualization):
     """Visualization of NodePointGround."""
 
     show: bool
     """False: the item is not drawn"""
     drawSize: float
     """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         drawSize: float = -1.0,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class NodePointGround(_Item):
+class NodePointGround(_Node):
     """fixed point without coordinates, as the other end of springs and constraints on coordinates or points"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    referenceCoordinates: ArrayLike
-    """global position of the node [3; m]"""
-    visualization: VNodePointGround | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def referenceCoordinates(self) -> Array:
+        """global position of the node [3; m]"""
+    @referenceCoordinates.setter
+    def referenceCoordinates(self, value: ArrayLike) -> None: ...
+    @property
+    def visualization(self) -> VNodePointGround:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VNodePointGround | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -359,36 +477,50 @@ class NodePointGround(_Item):
 PointGround = NodePointGround
 VPointGround = VNodePointGround
 
-class VNodePointSlope1:
+class VNodePointSlope1(_Visualization):
     """Visualization of NodePointSlope1."""
 
     show: bool
     """False: the item is not drawn"""
     drawSize: float
     """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         drawSize: float = -1.0,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class NodePointSlope1(_Item):
+class NodePointSlope1(_Node):
     """node of spatial cable elements: position and axial slope vector"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    referenceCoordinates: ArrayLike
-    """global position (m), then the slope vector (1); a unit vector along the axis for an element that is not stretched in the reference configuration [6; various]"""
-    initialCoordinates: ArrayLike
-    """displacement (m) and change of the slope vector (1) at the start, relative to the reference coordinates [6; various]"""
-    initialVelocities: ArrayLike
-    """velocity (m/s) and rate of the slope vector (1/s) at the start [6; various]"""
-    visualization: VNodePointSlope1 | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def referenceCoordinates(self) -> Array:
+        """global position (m), then the slope vector (1); a unit vector along the axis for an element that is not stretched in the reference configuration [6; various]"""
+    @referenceCoordinates.setter
+    def referenceCoordinates(self, value: ArrayLike) -> None: ...
+    @property
+    def initialCoordinates(self) -> Array:
+        """displacement (m) and change of the slope vector (1) at the start, relative to the reference coordinates [6; various]"""
+    @initialCoordinates.setter
+    def initialCoordinates(self, value: ArrayLike) -> None: ...
+    @property
+    def initialVelocities(self) -> Array:
+        """velocity (m/s) and rate of the slope vector (1/s) at the start [6; various]"""
+    @initialVelocities.setter
+    def initialVelocities(self, value: ArrayLike) -> None: ...
+    @property
+    def visualization(self) -> VNodePointSlope1:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VNodePointSlope1 | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -398,36 +530,50 @@ class NodePointSlope1(_Item):
         visualization: VNodePointSlope1 | dict[str, Any] = ...,
     ) -> None: ...
 
-class VNodePointSlope12:
+class VNodePointSlope12(_Visualization):
     """Visualization of NodePointSlope12."""
 
     show: bool
     """False: the item is not drawn"""
     drawSize: float
     """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         drawSize: float = -1.0,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class NodePointSlope12(_Item):
+class NodePointSlope12(_Node):
     """node of thin plate elements: position and the two slope vectors in the plane of the plate"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    referenceCoordinates: ArrayLike
-    """global position (m), then the slope vectors in x and y (1); the two default slopes are parallel and so span no frame: give independent ones [9; various]"""
-    initialCoordinates: ArrayLike
-    """displacement (m) and change of the slope vectors (1) at the start, relative to the reference coordinates [9; various]"""
-    initialVelocities: ArrayLike
-    """velocity (m/s) and rates of the slope vectors (1/s) at the start [9; various]"""
-    visualization: VNodePointSlope12 | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def referenceCoordinates(self) -> Array:
+        """global position (m), then the slope vectors in x and y (1); the two default slopes are parallel and so span no frame: give independent ones [9; various]"""
+    @referenceCoordinates.setter
+    def referenceCoordinates(self, value: ArrayLike) -> None: ...
+    @property
+    def initialCoordinates(self) -> Array:
+        """displacement (m) and change of the slope vectors (1) at the start, relative to the reference coordinates [9; various]"""
+    @initialCoordinates.setter
+    def initialCoordinates(self, value: ArrayLike) -> None: ...
+    @property
+    def initialVelocities(self) -> Array:
+        """velocity (m/s) and rates of the slope vectors (1/s) at the start [9; various]"""
+    @initialVelocities.setter
+    def initialVelocities(self, value: ArrayLike) -> None: ...
+    @property
+    def visualization(self) -> VNodePointSlope12:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VNodePointSlope12 | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -437,36 +583,50 @@ class NodePointSlope12(_Item):
         visualization: VNodePointSlope12 | dict[str, Any] = ...,
     ) -> None: ...
 
-class VNodePointSlope23:
+class VNodePointSlope23(_Visualization):
     """Visualization of NodePointSlope23."""
 
     show: bool
     """False: the item is not drawn"""
     drawSize: float
     """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         drawSize: float = -1.0,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class NodePointSlope23(_Item):
+class NodePointSlope23(_Node):
     """node of shear and cross-section deformable beam elements: position and the two slope vectors in the cross section"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    referenceCoordinates: ArrayLike
-    """global position (m), then the slope vectors in y and z (1); the two default slopes are parallel and so span no frame: give independent ones [9; various]"""
-    initialCoordinates: ArrayLike
-    """displacement (m) and change of the slope vectors (1) at the start, relative to the reference coordinates [9; various]"""
-    initialVelocities: ArrayLike
-    """velocity (m/s) and rates of the slope vectors (1/s) at the start [9; various]"""
-    visualization: VNodePointSlope23 | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def referenceCoordinates(self) -> Array:
+        """global position (m), then the slope vectors in y and z (1); the two default slopes are parallel and so span no frame: give independent ones [9; various]"""
+    @referenceCoordinates.setter
+    def referenceCoordinates(self, value: ArrayLike) -> None: ...
+    @property
+    def initialCoordinates(self) -> Array:
+        """displacement (m) and change of the slope vectors (1) at the start, relative to the reference coordinates [9; various]"""
+    @initialCoordinates.setter
+    def initialCoordinates(self, value: ArrayLike) -> None: ...
+    @property
+    def initialVelocities(self) -> Array:
+        """velocity (m/s) and rates of the slope vectors (1/s) at the start [9; various]"""
+    @initialVelocities.setter
+    def initialVelocities(self, value: ArrayLike) -> None: ...
+    @property
+    def visualization(self) -> VNodePointSlope23:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VNodePointSlope23 | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -476,36 +636,50 @@ class NodePointSlope23(_Item):
         visualization: VNodePointSlope23 | dict[str, Any] = ...,
     ) -> None: ...
 
-class VNodeRigidBody2D:
+class VNodeRigidBody2D(_Visualization):
     """Visualization of NodeRigidBody2D."""
 
     show: bool
     """False: the item is not drawn"""
     drawSize: float
     """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         drawSize: float = -1.0,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class NodeRigidBody2D(_Item):
+class NodeRigidBody2D(_Node):
     """node of a rigid body that moves in the global x-y plane: two displacements and the angle about z"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    referenceCoordinates: ArrayLike
-    """x and y position of the reference point (m) and the angle about z (rad) without displacement and rotation [3; various]"""
-    initialCoordinates: ArrayLike
-    """displacement in x and y (m) and rotation about z (rad) at the start, relative to the reference coordinates [3; various]"""
-    initialVelocities: ArrayLike
-    """velocity in x and y (m/s) and angular velocity about z (rad/s) at the start [3; various]"""
-    visualization: VNodeRigidBody2D | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def referenceCoordinates(self) -> Array:
+        """x and y position of the reference point (m) and the angle about z (rad) without displacement and rotation [3; various]"""
+    @referenceCoordinates.setter
+    def referenceCoordinates(self, value: ArrayLike) -> None: ...
+    @property
+    def initialCoordinates(self) -> Array:
+        """displacement in x and y (m) and rotation about z (rad) at the start, relative to the reference coordinates [3; various]"""
+    @initialCoordinates.setter
+    def initialCoordinates(self, value: ArrayLike) -> None: ...
+    @property
+    def initialVelocities(self) -> Array:
+        """velocity in x and y (m/s) and angular velocity about z (rad/s) at the start [3; various]"""
+    @initialVelocities.setter
+    def initialVelocities(self, value: ArrayLike) -> None: ...
+    @property
+    def visualization(self) -> VNodeRigidBody2D:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VNodeRigidBody2D | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -518,38 +692,52 @@ class NodeRigidBody2D(_Item):
 Rigid2D = NodeRigidBody2D
 VRigid2D = VNodeRigidBody2D
 
-class VNodeRigidBodyEP:
+class VNodeRigidBodyEP(_Visualization):
     """Visualization of NodeRigidBodyEP."""
 
     show: bool
     """False: the item is not drawn"""
     drawSize: float
     """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         drawSize: float = -1.0,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class NodeRigidBodyEP(_Item):
+class NodeRigidBodyEP(_Node):
     """node of a rigid body in space: three displacements and four Euler parameters (unit quaternion)"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    referenceCoordinates: ArrayLike
-    """position of the reference point (m) and four Euler parameters (1), the scalar one first; their norm must be 1, so that the default of zeros is refused; [1, 0, 0, 0] is no rotation [7; various]"""
-    initialCoordinates: ArrayLike
-    """displacement (m) and change of the Euler parameters (1) at the start; the sum of reference and initial Euler parameters must have norm 1 [7; various]"""
-    initialVelocities: ArrayLike
-    """velocity (m/s) and time derivatives of the Euler parameters (1/s) at the start; for a given angular velocity they are :math:`\\tfrac{1}{4}\\, {}^{b}\\mathbf{G}^{\\mathsf{T}}\\, {}^{b}\\boldsymbol{\\omega}` [7; various]"""
+    @property
+    def referenceCoordinates(self) -> Array:
+        """position of the reference point (m) and four Euler parameters (1), the scalar one first; their norm must be 1, so that the default of zeros is refused; [1, 0, 0, 0] is no rotation [7; various]"""
+    @referenceCoordinates.setter
+    def referenceCoordinates(self, value: ArrayLike) -> None: ...
+    @property
+    def initialCoordinates(self) -> Array:
+        """displacement (m) and change of the Euler parameters (1) at the start; the sum of reference and initial Euler parameters must have norm 1 [7; various]"""
+    @initialCoordinates.setter
+    def initialCoordinates(self, value: ArrayLike) -> None: ...
+    @property
+    def initialVelocities(self) -> Array:
+        """velocity (m/s) and time derivatives of the Euler parameters (1/s) at the start; for a given angular velocity they are :math:`\\tfrac{1}{4}\\, {}^{b}\\mathbf{G}^{\\mathsf{T}}\\, {}^{b}\\boldsymbol{\\omega}` [7; various]"""
+    @initialVelocities.setter
+    def initialVelocities(self, value: ArrayLike) -> None: ...
     addConstraintEquation: bool
     """true: the node adds the equation that keeps the norm of the Euler parameters, with one algebraic variable; false: the norm has to be kept by a constraint of the model"""
-    visualization: VNodeRigidBodyEP | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VNodeRigidBodyEP:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VNodeRigidBodyEP | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -563,36 +751,50 @@ class NodeRigidBodyEP(_Item):
 RigidEP = NodeRigidBodyEP
 VRigidEP = VNodeRigidBodyEP
 
-class VNodeRigidBodyRotVecLG:
+class VNodeRigidBodyRotVecLG(_Visualization):
     """Visualization of NodeRigidBodyRotVecLG."""
 
     show: bool
     """False: the item is not drawn"""
     drawSize: float
     """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         drawSize: float = -1.0,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class NodeRigidBodyRotVecLG(_Item):
+class NodeRigidBodyRotVecLG(_Node):
     """node of a rigid body in space: three displacements and a rotation vector that is integrated by Lie group methods"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    referenceCoordinates: ArrayLike
-    """position of the reference point (m) and rotation vector (rad) without displacement and rotation [6; various]"""
-    initialCoordinates: ArrayLike
-    """displacement (m) and change of the rotation vector (rad) at the start; reference and initial rotation vector are added as vectors [6; various]"""
-    initialVelocities: ArrayLike
-    """velocity (m/s) and angular velocity in body coordinates (rad/s) at the start [6; various]"""
-    visualization: VNodeRigidBodyRotVecLG | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def referenceCoordinates(self) -> Array:
+        """position of the reference point (m) and rotation vector (rad) without displacement and rotation [6; various]"""
+    @referenceCoordinates.setter
+    def referenceCoordinates(self, value: ArrayLike) -> None: ...
+    @property
+    def initialCoordinates(self) -> Array:
+        """displacement (m) and change of the rotation vector (rad) at the start; reference and initial rotation vector are added as vectors [6; various]"""
+    @initialCoordinates.setter
+    def initialCoordinates(self, value: ArrayLike) -> None: ...
+    @property
+    def initialVelocities(self) -> Array:
+        """velocity (m/s) and angular velocity in body coordinates (rad/s) at the start [6; various]"""
+    @initialVelocities.setter
+    def initialVelocities(self, value: ArrayLike) -> None: ...
+    @property
+    def visualization(self) -> VNodeRigidBodyRotVecLG:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VNodeRigidBodyRotVecLG | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -605,36 +807,50 @@ class NodeRigidBodyRotVecLG(_Item):
 RigidRotVecLG = NodeRigidBodyRotVecLG
 VRigidRotVecLG = VNodeRigidBodyRotVecLG
 
-class VNodeRigidBodyRxyz:
+class VNodeRigidBodyRxyz(_Visualization):
     """Visualization of NodeRigidBodyRxyz."""
 
     show: bool
     """False: the item is not drawn"""
     drawSize: float
     """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         drawSize: float = -1.0,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class NodeRigidBodyRxyz(_Item):
+class NodeRigidBodyRxyz(_Node):
     """node of a rigid body in space: three displacements and three Tait-Bryan angles about x, y and z in turn"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    referenceCoordinates: ArrayLike
-    """position of the reference point (m) and the angles (rad) without displacement and rotation [6; various]"""
-    initialCoordinates: ArrayLike
-    """displacement (m) and change of the angles (rad) at the start, relative to the reference coordinates [6; various]"""
-    initialVelocities: ArrayLike
-    """velocity (m/s) and time derivatives of the angles (rad/s) at the start; the latter are not the components of the angular velocity, except at zero angles [6; various]"""
-    visualization: VNodeRigidBodyRxyz | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def referenceCoordinates(self) -> Array:
+        """position of the reference point (m) and the angles (rad) without displacement and rotation [6; various]"""
+    @referenceCoordinates.setter
+    def referenceCoordinates(self, value: ArrayLike) -> None: ...
+    @property
+    def initialCoordinates(self) -> Array:
+        """displacement (m) and change of the angles (rad) at the start, relative to the reference coordinates [6; various]"""
+    @initialCoordinates.setter
+    def initialCoordinates(self, value: ArrayLike) -> None: ...
+    @property
+    def initialVelocities(self) -> Array:
+        """velocity (m/s) and time derivatives of the angles (rad/s) at the start; the latter are not the components of the angular velocity, except at zero angles [6; various]"""
+    @initialVelocities.setter
+    def initialVelocities(self, value: ArrayLike) -> None: ...
+    @property
+    def visualization(self) -> VNodeRigidBodyRxyz:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VNodeRigidBodyRxyz | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -647,7 +863,7 @@ class NodeRigidBodyRxyz(_Item):
 RigidRxyz = NodeRigidBodyRxyz
 VRigidRxyz = VNodeRigidBodyRxyz
 
-class VObjectGenericODE1:
+class VObjectGenericODE1(_Visualization):
     """Visualization of ObjectGenericODE1."""
 
     show: bool
@@ -656,61 +872,92 @@ class VObjectGenericODE1:
         self,
         show: bool = True,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectGenericODE1(_Item):
+class ObjectGenericODE1(_Object):
     """system of first order differential equations with a constant matrix, a constant vector and a user function"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    nodeNumbers: Sequence[NodeIndex | int]
-    """nodes with first order coordinates; their coordinates in this order form the vector of the object [n]"""
-    systemMatrix: ArrayLike
-    """constant system matrix; n rows and n columns for n coordinates, or empty for zero; other sizes are refused [n x m; various]"""
-    rhsVector: ArrayLike
-    """constant right hand side; length n, or empty for zero [n; various]"""
-    rhsUserFunction: Callable[..., Any] | Literal[0]
+    @property
+    def nodeNumbers(self) -> list[NodeIndex]:
+        """nodes with first order coordinates; their coordinates in this order form the vector of the object [n]"""
+    @nodeNumbers.setter
+    def nodeNumbers(self, value: Sequence[NodeIndex | int]) -> None: ...
+    @property
+    def systemMatrix(self) -> Array:
+        """constant system matrix; n rows and n columns for n coordinates, or empty for zero; other sizes are refused [n x m; various]"""
+    @systemMatrix.setter
+    def systemMatrix(self, value: ArrayLike) -> None: ...
+    @property
+    def rhsVector(self) -> Array:
+        """constant right hand side; length n, or empty for zero [n; various]"""
+    @rhsVector.setter
+    def rhsVector(self, value: ArrayLike) -> None: ...
+    rhsUserFunction: Callable[[MainSystem, float, int, Array], ArrayLike] | Literal[0]
     """function that gives a further right hand side, of time and coordinates"""
-    visualization: VObjectGenericODE1 | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def coordinateIndexPerNode(self) -> list[int]:
+        """index of the first coordinate of each node in the vector of the object [n]; computed"""
+    @property
+    def tempCoordinates(self) -> Array:
+        """coordinates, a work space of the object [n; various]; computed"""
+    @property
+    def tempCoordinates_t(self) -> Array:
+        """time derivatives of the coordinates, a work space of the object [n; various]; computed"""
+    @property
+    def visualization(self) -> VObjectGenericODE1:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectGenericODE1 | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
         nodeNumbers: Sequence[NodeIndex | int] = [],
         systemMatrix: ArrayLike = [],
         rhsVector: ArrayLike = [],
-        rhsUserFunction: Callable[..., Any] | Literal[0] = 0,
+        rhsUserFunction: Callable[[MainSystem, float, int, Array], ArrayLike] | Literal[0] = 0,
         visualization: VObjectGenericODE1 | dict[str, Any] = ...,
     ) -> None: ...
 
-class VObjectGround:
+class VObjectGround(_Visualization):
     """Visualization of ObjectGround."""
 
     show: bool
     """False: the item is not drawn"""
-    graphicsDataUserFunction: Callable[..., Any] | Literal[0]
+    graphicsDataUserFunction: Callable[[MainSystem, int], list[dict[str, Any]]] | Literal[0]
     """function that returns the shapes to be drawn, called at every redraw; shapes are given in the frame of the body"""
-    graphicsData: Sequence[dict[str, Any]]
-    """shapes attached to the body frame, as made by the functions of the graphics module [n]"""
+    @property
+    def graphicsData(self) -> list[dict[str, Any]]:
+        """shapes attached to the body frame, as made by the functions of the graphics module [n]"""
+    @graphicsData.setter
+    def graphicsData(self, value: Sequence[dict[str, Any]]) -> None: ...
     def __init__(
         self,
         show: bool = True,
-        graphicsDataUserFunction: Callable[..., Any] | Literal[0] = 0,
+        graphicsDataUserFunction: Callable[[MainSystem, int], list[dict[str, Any]]] | Literal[0] = 0,
         graphicsData: Sequence[dict[str, Any]] = [],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectGround(_Item):
+class ObjectGround(_Object):
     """body that does not move: the fixed end of joints, connectors and markers"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    referencePosition: ArrayLike
-    """global position of the origin of the ground frame; local positions of markers count from here [3; m]"""
-    referenceRotation: ArrayLike
-    """rotation matrix from the ground frame to the global frame; has to be orthonormal [3 x 3; 1]"""
-    visualization: VObjectGround | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def referencePosition(self) -> Array:
+        """global position of the origin of the ground frame; local positions of markers count from here [3; m]"""
+    @referencePosition.setter
+    def referencePosition(self, value: ArrayLike) -> None: ...
+    @property
+    def referenceRotation(self) -> Array:
+        """rotation matrix from the ground frame to the global frame; has to be orthonormal [3 x 3; 1]"""
+    @referenceRotation.setter
+    def referenceRotation(self, value: ArrayLike) -> None: ...
+    @property
+    def visualization(self) -> VObjectGround:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectGround | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -719,35 +966,49 @@ class ObjectGround(_Item):
         visualization: VObjectGround | dict[str, Any] = ...,
     ) -> None: ...
 
-class VObjectMass1D:
+class VObjectMass1D(_Visualization):
     """Visualization of ObjectMass1D."""
 
     show: bool
     """False: the item is not drawn"""
-    graphicsData: Sequence[dict[str, Any]]
-    """shapes attached to the body frame, as made by the functions of the graphics module [n]"""
+    @property
+    def graphicsData(self) -> list[dict[str, Any]]:
+        """shapes attached to the body frame, as made by the functions of the graphics module [n]"""
+    @graphicsData.setter
+    def graphicsData(self, value: Sequence[dict[str, Any]]) -> None: ...
     def __init__(
         self,
         show: bool = True,
         graphicsData: Sequence[dict[str, Any]] = [],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectMass1D(_Item):
+class ObjectMass1D(_Object):
     """mass that is guided along a line: one translation along the local x-axis"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     physicsMass: float
     """mass; zero is allowed if something else makes the equation of the node regular [kg]"""
-    nodeNumber: NodeIndex | int
-    """node with one coordinate of second order, which is the way (m) along the local x-axis"""
-    referencePosition: ArrayLike
-    """global position of the body at coordinate zero [3; m]"""
-    referenceRotation: ArrayLike
-    """constant rotation matrix from the body frame to the global frame; its first column is the direction of motion; has to be orthonormal [3 x 3; 1]"""
-    visualization: VObjectMass1D | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def nodeNumber(self) -> NodeIndex:
+        """node with one coordinate of second order, which is the way (m) along the local x-axis"""
+    @nodeNumber.setter
+    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    @property
+    def referencePosition(self) -> Array:
+        """global position of the body at coordinate zero [3; m]"""
+    @referencePosition.setter
+    def referencePosition(self, value: ArrayLike) -> None: ...
+    @property
+    def referenceRotation(self) -> Array:
+        """constant rotation matrix from the body frame to the global frame; its first column is the direction of motion; has to be orthonormal [3 x 3; 1]"""
+    @referenceRotation.setter
+    def referenceRotation(self, value: ArrayLike) -> None: ...
+    @property
+    def visualization(self) -> VObjectMass1D:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectMass1D | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -761,31 +1022,39 @@ class ObjectMass1D(_Item):
 Mass1D = ObjectMass1D
 VMass1D = VObjectMass1D
 
-class VObjectMassPoint:
+class VObjectMassPoint(_Visualization):
     """Visualization of ObjectMassPoint."""
 
     show: bool
     """False: the item is not drawn"""
-    graphicsData: Sequence[dict[str, Any]]
-    """shapes attached to the body frame, as made by the functions of the graphics module [n]"""
+    @property
+    def graphicsData(self) -> list[dict[str, Any]]:
+        """shapes attached to the body frame, as made by the functions of the graphics module [n]"""
+    @graphicsData.setter
+    def graphicsData(self, value: Sequence[dict[str, Any]]) -> None: ...
     def __init__(
         self,
         show: bool = True,
         graphicsData: Sequence[dict[str, Any]] = [],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectMassPoint(_Item):
+class ObjectMassPoint(_Object):
     """point mass in space on a node with position"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     physicsMass: float
     """mass; zero is allowed if something else makes the equations of the node regular [kg]"""
-    nodeNumber: NodeIndex | int
-    """node with a position in space and three displacement coordinates"""
-    visualization: VObjectMassPoint | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def nodeNumber(self) -> NodeIndex:
+        """node with a position in space and three displacement coordinates"""
+    @nodeNumber.setter
+    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    @property
+    def visualization(self) -> VObjectMassPoint:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectMassPoint | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -797,31 +1066,39 @@ class ObjectMassPoint(_Item):
 MassPoint = ObjectMassPoint
 VMassPoint = VObjectMassPoint
 
-class VObjectMassPoint2D:
+class VObjectMassPoint2D(_Visualization):
     """Visualization of ObjectMassPoint2D."""
 
     show: bool
     """False: the item is not drawn"""
-    graphicsData: Sequence[dict[str, Any]]
-    """shapes attached to the body frame, as made by the functions of the graphics module [n]"""
+    @property
+    def graphicsData(self) -> list[dict[str, Any]]:
+        """shapes attached to the body frame, as made by the functions of the graphics module [n]"""
+    @graphicsData.setter
+    def graphicsData(self, value: Sequence[dict[str, Any]]) -> None: ...
     def __init__(
         self,
         show: bool = True,
         graphicsData: Sequence[dict[str, Any]] = [],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectMassPoint2D(_Item):
+class ObjectMassPoint2D(_Object):
     """point mass in the global x-y plane on a planar node"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     physicsMass: float
     """mass; zero is allowed if something else makes the equations of the node regular [kg]"""
-    nodeNumber: NodeIndex | int
-    """node with a position in the plane and two displacement coordinates"""
-    visualization: VObjectMassPoint2D | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def nodeNumber(self) -> NodeIndex:
+        """node with a position in the plane and two displacement coordinates"""
+    @nodeNumber.setter
+    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    @property
+    def visualization(self) -> VObjectMassPoint2D:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectMassPoint2D | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -833,38 +1110,52 @@ class ObjectMassPoint2D(_Item):
 MassPoint2D = ObjectMassPoint2D
 VMassPoint2D = VObjectMassPoint2D
 
-class VObjectRigidBody:
+class VObjectRigidBody(_Visualization):
     """Visualization of ObjectRigidBody."""
 
     show: bool
     """False: the item is not drawn"""
-    graphicsDataUserFunction: Callable[..., Any] | Literal[0]
+    graphicsDataUserFunction: Callable[[MainSystem, int], list[dict[str, Any]]] | Literal[0]
     """function that returns the shapes to be drawn, called at every redraw; shapes are given in the frame of the body"""
-    graphicsData: Sequence[dict[str, Any]]
-    """shapes attached to the body frame, as made by the functions of the graphics module [n]"""
+    @property
+    def graphicsData(self) -> list[dict[str, Any]]:
+        """shapes attached to the body frame, as made by the functions of the graphics module [n]"""
+    @graphicsData.setter
+    def graphicsData(self, value: Sequence[dict[str, Any]]) -> None: ...
     def __init__(
         self,
         show: bool = True,
-        graphicsDataUserFunction: Callable[..., Any] | Literal[0] = 0,
+        graphicsDataUserFunction: Callable[[MainSystem, int], list[dict[str, Any]]] | Literal[0] = 0,
         graphicsData: Sequence[dict[str, Any]] = [],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectRigidBody(_Item):
+class ObjectRigidBody(_Object):
     """rigid body in space with any center of mass, on a node with position and orientation"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     physicsMass: float
     """mass [kg]"""
-    physicsInertia: ArrayLike
-    """components :math:`[J_{xx}, J_{yy}, J_{zz}, J_{yz}, J_{xz}, J_{xy}]` of the inertia tensor in the body frame about the reference point, which is the node, and not about the center of mass; off-diagonal components are those of the tensor, :math:`J_{xy} = -\\int x y \\,\\mathrm{d}m` [6; kg m^2]"""
-    physicsCenterOfMass: ArrayLike
-    """position of the center of mass in the body frame, counted from the node [3; m]"""
-    nodeNumber: NodeIndex | int
-    """node of a rigid body in space"""
-    visualization: VObjectRigidBody | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def physicsInertia(self) -> Array:
+        """components :math:`[J_{xx}, J_{yy}, J_{zz}, J_{yz}, J_{xz}, J_{xy}]` of the inertia tensor in the body frame about the reference point, which is the node, and not about the center of mass; off-diagonal components are those of the tensor, :math:`J_{xy} = -\\int x y \\,\\mathrm{d}m` [6; kg m^2]"""
+    @physicsInertia.setter
+    def physicsInertia(self, value: ArrayLike) -> None: ...
+    @property
+    def physicsCenterOfMass(self) -> Array:
+        """position of the center of mass in the body frame, counted from the node [3; m]"""
+    @physicsCenterOfMass.setter
+    def physicsCenterOfMass(self, value: ArrayLike) -> None: ...
+    @property
+    def nodeNumber(self) -> NodeIndex:
+        """node of a rigid body in space"""
+    @nodeNumber.setter
+    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    @property
+    def visualization(self) -> VObjectRigidBody:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectRigidBody | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -878,24 +1169,26 @@ class ObjectRigidBody(_Item):
 RigidBody = ObjectRigidBody
 VRigidBody = VObjectRigidBody
 
-class VObjectRigidBody2D:
+class VObjectRigidBody2D(_Visualization):
     """Visualization of ObjectRigidBody2D."""
 
     show: bool
     """False: the item is not drawn"""
-    graphicsDataUserFunction: Callable[..., Any] | Literal[0]
+    graphicsDataUserFunction: Callable[[MainSystem, int], list[dict[str, Any]]] | Literal[0]
     """function that returns the shapes to be drawn, called at every redraw; shapes are given in the frame of the body"""
-    graphicsData: Sequence[dict[str, Any]]
-    """shapes attached to the body frame, as made by the functions of the graphics module [n]"""
+    @property
+    def graphicsData(self) -> list[dict[str, Any]]:
+        """shapes attached to the body frame, as made by the functions of the graphics module [n]"""
+    @graphicsData.setter
+    def graphicsData(self, value: Sequence[dict[str, Any]]) -> None: ...
     def __init__(
         self,
         show: bool = True,
-        graphicsDataUserFunction: Callable[..., Any] | Literal[0] = 0,
+        graphicsDataUserFunction: Callable[[MainSystem, int], list[dict[str, Any]]] | Literal[0] = 0,
         graphicsData: Sequence[dict[str, Any]] = [],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectRigidBody2D(_Item):
+class ObjectRigidBody2D(_Object):
     """rigid body that moves in the global x-y plane, with any center of mass"""
 
     name: str
@@ -904,12 +1197,21 @@ class ObjectRigidBody2D(_Item):
     """mass [kg]"""
     physicsInertia: float
     """moment of inertia about the z-axis through the reference point, which is the node, and not through the center of mass [kg m^2]"""
-    physicsCenterOfMass: ArrayLike
-    """x and y position of the center of mass in the body frame, counted from the node [2; m]"""
-    nodeNumber: NodeIndex | int
-    """node of a rigid body in the plane"""
-    visualization: VObjectRigidBody2D | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def physicsCenterOfMass(self) -> Array:
+        """x and y position of the center of mass in the body frame, counted from the node [2; m]"""
+    @physicsCenterOfMass.setter
+    def physicsCenterOfMass(self, value: ArrayLike) -> None: ...
+    @property
+    def nodeNumber(self) -> NodeIndex:
+        """node of a rigid body in the plane"""
+    @nodeNumber.setter
+    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    @property
+    def visualization(self) -> VObjectRigidBody2D:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectRigidBody2D | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -923,35 +1225,49 @@ class ObjectRigidBody2D(_Item):
 RigidBody2D = ObjectRigidBody2D
 VRigidBody2D = VObjectRigidBody2D
 
-class VObjectRotationalMass1D:
+class VObjectRotationalMass1D(_Visualization):
     """Visualization of ObjectRotationalMass1D."""
 
     show: bool
     """False: the item is not drawn"""
-    graphicsData: Sequence[dict[str, Any]]
-    """shapes attached to the body frame, as made by the functions of the graphics module [n]"""
+    @property
+    def graphicsData(self) -> list[dict[str, Any]]:
+        """shapes attached to the body frame, as made by the functions of the graphics module [n]"""
+    @graphicsData.setter
+    def graphicsData(self, value: Sequence[dict[str, Any]]) -> None: ...
     def __init__(
         self,
         show: bool = True,
         graphicsData: Sequence[dict[str, Any]] = [],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectRotationalMass1D(_Item):
+class ObjectRotationalMass1D(_Object):
     """rotor about a fixed axis: one rotation about the local z-axis"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     physicsInertia: float
     """moment of inertia about the axis of rotation [kg m^2]"""
-    nodeNumber: NodeIndex | int
-    """node with one coordinate of second order, which is the angle (rad) about the local z-axis"""
-    referencePosition: ArrayLike
-    """global position of the body frame, a fixed point of the axis [3; m]"""
-    referenceRotation: ArrayLike
-    """constant rotation matrix from the frame at angle zero to the global frame; its third column is the axis of rotation; has to be orthonormal [3 x 3; 1]"""
-    visualization: VObjectRotationalMass1D | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def nodeNumber(self) -> NodeIndex:
+        """node with one coordinate of second order, which is the angle (rad) about the local z-axis"""
+    @nodeNumber.setter
+    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    @property
+    def referencePosition(self) -> Array:
+        """global position of the body frame, a fixed point of the axis [3; m]"""
+    @referencePosition.setter
+    def referencePosition(self, value: ArrayLike) -> None: ...
+    @property
+    def referenceRotation(self) -> Array:
+        """constant rotation matrix from the frame at angle zero to the global frame; its third column is the axis of rotation; has to be orthonormal [3 x 3; 1]"""
+    @referenceRotation.setter
+    def referenceRotation(self, value: ArrayLike) -> None: ...
+    @property
+    def visualization(self) -> VObjectRotationalMass1D:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectRotationalMass1D | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -965,15 +1281,21 @@ class ObjectRotationalMass1D(_Item):
 Rotor1D = ObjectRotationalMass1D
 VRotor1D = VObjectRotationalMass1D
 
-class VObjectFFRF:
+class VObjectFFRF(_Visualization):
     """Visualization of ObjectFFRF."""
 
     show: bool
     """False: the item is not drawn"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
-    triangleMesh: ArrayLike
-    """surface triangles, one row with three positions in ``nodeNumbers`` each (counted from 0); empty: no surface is drawn [n x m]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
+    @property
+    def triangleMesh(self) -> NDArray[np.int32]:
+        """surface triangles, one row with three positions in ``nodeNumbers`` each (counted from 0); empty: no surface is drawn [n x m]"""
+    @triangleMesh.setter
+    def triangleMesh(self, value: ArrayLike) -> None: ...
     showNodes: bool
     """draw the nodes of the object at their deformed positions, whether or not the nodes themselves are shown"""
     def __init__(
@@ -983,57 +1305,113 @@ class VObjectFFRF:
         triangleMesh: ArrayLike = [],
         showNodes: bool = False,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectFFRF(_Item):
+class ObjectFFRF(_Object):
     """flexible body with the nodal coordinates of a finite element mesh in a floating frame of reference"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    nodeNumbers: Sequence[NodeIndex | int]
-    """first the node of the body frame (Euler parameters), then the points of the mesh; the displacements of the latter are components in the body frame [n]"""
-    massMatrixFF: MatrixLike
-    """mass matrix of the free mesh, without the coordinates of the body frame; three rows and columns per mesh node [n x m; various]"""
-    stiffnessMatrixFF: MatrixLike
-    """stiffness matrix of the free mesh in the body frame; three rows and columns per mesh node [n x m; various]"""
-    dampingMatrixFF: MatrixLike
-    """damping matrix of the free mesh in the body frame; three rows and columns per mesh node, or empty for zero [n x m; various]"""
-    forceVector: ArrayLike
-    """constant generalized forces on the right hand side, for body frame and mesh, in global components; those of the mesh are turned into the body frame; empty for zero [n; various]"""
-    forceUserFunction: Callable[..., Any] | Literal[0]
+    @property
+    def nodeNumbers(self) -> list[NodeIndex]:
+        """first the node of the body frame (Euler parameters), then the points of the mesh; the displacements of the latter are components in the body frame [n]"""
+    @nodeNumbers.setter
+    def nodeNumbers(self, value: Sequence[NodeIndex | int]) -> None: ...
+    @property
+    def massMatrixFF(self) -> MatrixContainer:
+        """mass matrix of the free mesh, without the coordinates of the body frame; three rows and columns per mesh node [n x m; various]"""
+    @massMatrixFF.setter
+    def massMatrixFF(self, value: MatrixLike | None) -> None: ...
+    @property
+    def stiffnessMatrixFF(self) -> MatrixContainer:
+        """stiffness matrix of the free mesh in the body frame; three rows and columns per mesh node [n x m; various]"""
+    @stiffnessMatrixFF.setter
+    def stiffnessMatrixFF(self, value: MatrixLike | None) -> None: ...
+    @property
+    def dampingMatrixFF(self) -> MatrixContainer:
+        """damping matrix of the free mesh in the body frame; three rows and columns per mesh node, or empty for zero [n x m; various]"""
+    @dampingMatrixFF.setter
+    def dampingMatrixFF(self, value: MatrixLike | None) -> None: ...
+    @property
+    def forceVector(self) -> Array:
+        """constant generalized forces on the right hand side, for body frame and mesh, in global components; those of the mesh are turned into the body frame; empty for zero [n; various]"""
+    @forceVector.setter
+    def forceVector(self, value: ArrayLike) -> None: ...
+    forceUserFunction: Callable[[MainSystem, float, int, Array, Array], ArrayLike] | Literal[0]
     """function that gives further generalized forces on the right hand side"""
-    massMatrixUserFunction: Callable[..., Any] | Literal[0]
+    massMatrixUserFunction: Callable[[MainSystem, float, int, Array, Array], ArrayLike] | Literal[0]
     """function that gives an additional mass matrix for all coordinates"""
     computeFFRFterms: bool
     """true: the inertia coupling of rigid body motion and deformation is computed by the object; false: only the given matrices act, and the user functions supply mass matrix and velocity terms"""
+    @property
+    def coordinateIndexPerNode(self) -> list[int]:
+        """index of the first coordinate of each node in the vector of the object [n]; computed"""
     objectIsInitialized: bool
     """leave it at false; the object sets it when its constant matrices are computed in ``Assemble()``, and setting it back to false has them computed anew"""
-    visualization: VObjectFFRF | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def physicsMass(self) -> float:
+        """total mass, from the mass matrix [kg]; computed"""
+    @property
+    def physicsInertia(self) -> Array:
+        """inertia tensor of the undeformed body about the origin of the body frame, from the mass matrix [3 x 3; kg m^2]; computed"""
+    @property
+    def physicsCenterOfMass(self) -> Array:
+        """center of mass of the undeformed body in the body frame, from the mass matrix [3; m]; computed"""
+    @property
+    def PHItTM(self) -> Array:
+        """product of the transposed translation modes and the mass matrix, a work space of the object [n x m; various]; computed"""
+    @property
+    def referencePositions(self) -> Array:
+        """reference positions of the mesh nodes in the body frame, three per node [n; m]; computed"""
+    @property
+    def tempVector(self) -> Array:
+        """work space of the object [n; various]; computed"""
+    @property
+    def tempCoordinates(self) -> Array:
+        """flexible coordinates, a work space of the object [n; m]; computed"""
+    @property
+    def tempCoordinates_t(self) -> Array:
+        """rates of the flexible coordinates, a work space of the object [n; m/s]; computed"""
+    @property
+    def tempRefPosSkew(self) -> Array:
+        """skew symmetric matrices of the deformed local positions, a work space of the object [n x m; m]; computed"""
+    @property
+    def tempVelSkew(self) -> Array:
+        """skew symmetric matrices of the local velocities, a work space of the object [n x m; m/s]; computed"""
+    @property
+    def visualization(self) -> VObjectFFRF:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectFFRF | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
         nodeNumbers: Sequence[NodeIndex | int] = [],
-        massMatrixFF: MatrixLike = [],
-        stiffnessMatrixFF: MatrixLike = [],
-        dampingMatrixFF: MatrixLike = [],
+        massMatrixFF: MatrixLike | None = None,
+        stiffnessMatrixFF: MatrixLike | None = None,
+        dampingMatrixFF: MatrixLike | None = None,
         forceVector: ArrayLike = [],
-        forceUserFunction: Callable[..., Any] | Literal[0] = 0,
-        massMatrixUserFunction: Callable[..., Any] | Literal[0] = 0,
+        forceUserFunction: Callable[[MainSystem, float, int, Array, Array], ArrayLike] | Literal[0] = 0,
+        massMatrixUserFunction: Callable[[MainSystem, float, int, Array, Array], ArrayLike] | Literal[0] = 0,
         computeFFRFterms: bool = True,
         objectIsInitialized: bool = False,
         visualization: VObjectFFRF | dict[str, Any] = ...,
     ) -> None: ...
 
-class VObjectFFRFreducedOrder:
+class VObjectFFRFreducedOrder(_Visualization):
     """Visualization of ObjectFFRFreducedOrder."""
 
     show: bool
     """False: the item is not drawn"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
-    triangleMesh: ArrayLike
-    """surface triangles, one row with three positions in ``nodeNumbers`` each (counted from 0); empty: no surface is drawn [n x m]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
+    @property
+    def triangleMesh(self) -> NDArray[np.int32]:
+        """surface triangles, one row with three positions in ``nodeNumbers`` each (counted from 0); empty: no surface is drawn [n x m]"""
+    @triangleMesh.setter
+    def triangleMesh(self, value: ArrayLike) -> None: ...
     showNodes: bool
     """draw the nodes of the object at their deformed positions, whether or not the nodes themselves are shown"""
     def __init__(
@@ -1043,68 +1421,121 @@ class VObjectFFRFreducedOrder:
         triangleMesh: ArrayLike = [],
         showNodes: bool = False,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectFFRFreducedOrder(_Item):
+class ObjectFFRFreducedOrder(_Object):
     """flexible body with modal coordinates in a floating frame of reference"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    nodeNumbers: Sequence[NodeIndex | int]
-    """two nodes: the node of the body frame, and a generic node of second order with the modal coordinates [n]"""
-    massMatrixReduced: MatrixLike
-    """modal mass matrix, one row and column per mode [n x m; various]"""
-    stiffnessMatrixReduced: MatrixLike
-    """modal stiffness matrix, one row and column per mode [n x m; various]"""
-    dampingMatrixReduced: MatrixLike
-    """modal damping matrix, one row and column per mode; empty for zero [n x m; various]"""
-    forceUserFunction: Callable[..., Any] | Literal[0]
+    @property
+    def nodeNumbers(self) -> list[NodeIndex]:
+        """two nodes: the node of the body frame, and a generic node of second order with the modal coordinates [n]"""
+    @nodeNumbers.setter
+    def nodeNumbers(self, value: Sequence[NodeIndex | int]) -> None: ...
+    @property
+    def massMatrixReduced(self) -> MatrixContainer:
+        """modal mass matrix, one row and column per mode [n x m; various]"""
+    @massMatrixReduced.setter
+    def massMatrixReduced(self, value: MatrixLike | None) -> None: ...
+    @property
+    def stiffnessMatrixReduced(self) -> MatrixContainer:
+        """modal stiffness matrix, one row and column per mode [n x m; various]"""
+    @stiffnessMatrixReduced.setter
+    def stiffnessMatrixReduced(self, value: MatrixLike | None) -> None: ...
+    @property
+    def dampingMatrixReduced(self) -> MatrixContainer:
+        """modal damping matrix, one row and column per mode; empty for zero [n x m; various]"""
+    @dampingMatrixReduced.setter
+    def dampingMatrixReduced(self, value: MatrixLike | None) -> None: ...
+    forceUserFunction: Callable[[MainSystem, float, int, Array, Array], ArrayLike] | Literal[0]
     """function that gives generalized forces on the right hand side"""
-    massMatrixUserFunction: Callable[..., Any] | Literal[0]
+    massMatrixUserFunction: Callable[[MainSystem, float, int, Array, Array], ArrayLike] | Literal[0]
     """function that gives an additional mass matrix for all coordinates"""
     computeFFRFterms: bool
     """true: the inertia coupling of rigid body motion and deformation is computed by the object; false: only the given matrices act, and the user functions supply mass matrix and velocity terms"""
-    modeBasis: ArrayLike
-    """one column per mode, three rows per mesh node: displacements of the mesh in the body frame for a unit modal coordinate [n x m; various]"""
-    outputVariableModeBasis: ArrayLike
-    """values of an output variable per unit modal coordinate, one row per mesh node; for each mode as many columns as the variable has components; empty: none [n x m; various]"""
+    @property
+    def modeBasis(self) -> Array:
+        """one column per mode, three rows per mesh node: displacements of the mesh in the body frame for a unit modal coordinate [n x m; various]"""
+    @modeBasis.setter
+    def modeBasis(self, value: ArrayLike) -> None: ...
+    @property
+    def outputVariableModeBasis(self) -> Array:
+        """values of an output variable per unit modal coordinate, one row per mesh node; for each mode as many columns as the variable has components; empty: none [n x m; various]"""
+    @outputVariableModeBasis.setter
+    def outputVariableModeBasis(self, value: ArrayLike) -> None: ...
     outputVariableTypeModeBasis: OutputVariableType
     """output variable that ``outputVariableModeBasis`` holds, such as stress or strain"""
-    referencePositions: ArrayLike
-    """reference positions of the mesh nodes in the body frame, three per node [n; m]"""
+    @property
+    def referencePositions(self) -> Array:
+        """reference positions of the mesh nodes in the body frame, three per node [n; m]"""
+    @referencePositions.setter
+    def referencePositions(self, value: ArrayLike) -> None: ...
     objectIsInitialized: bool
     """leave it at false; the object sets it when its constant matrices are computed in ``Assemble()``, and setting it back to false has them computed anew"""
     physicsMass: float
     """total mass [kg]"""
-    physicsInertia: ArrayLike
-    """inertia tensor of the undeformed body about the origin of the body frame [3 x 3; kg m^2]"""
-    physicsCenterOfMass: ArrayLike
-    """center of mass of the undeformed body in the body frame [3; m]"""
-    mPsiTildePsi: ArrayLike
-    """constant matrix of the inertia coupling, computed from mesh and modes by the class ``ObjectFFRFreducedOrderInterface``; empty as long as that class is not used [n x m; various]"""
-    mPsiTildePsiTilde: ArrayLike
-    """constant matrix of the inertia coupling, computed from mesh and modes by the class ``ObjectFFRFreducedOrderInterface``; empty as long as that class is not used [n x m; various]"""
-    mPhitTPsi: ArrayLike
-    """constant matrix of the inertia coupling, computed from mesh and modes by the class ``ObjectFFRFreducedOrderInterface``; empty as long as that class is not used [n x m; various]"""
-    mPhitTPsiTilde: ArrayLike
-    """constant matrix of the inertia coupling, computed from mesh and modes by the class ``ObjectFFRFreducedOrderInterface``; empty as long as that class is not used [n x m; various]"""
-    mXRefTildePsi: ArrayLike
-    """constant matrix of the inertia coupling, computed from mesh and modes by the class ``ObjectFFRFreducedOrderInterface``; empty as long as that class is not used [n x m; various]"""
-    mXRefTildePsiTilde: ArrayLike
-    """constant matrix of the inertia coupling, computed from mesh and modes by the class ``ObjectFFRFreducedOrderInterface``; empty as long as that class is not used [n x m; various]"""
-    physicsCenterOfMassTilde: ArrayLike
-    """skew symmetric matrix of the center of mass, computed by the object [3 x 3; m]"""
-    visualization: VObjectFFRFreducedOrder | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def physicsInertia(self) -> Array:
+        """inertia tensor of the undeformed body about the origin of the body frame [3 x 3; kg m^2]"""
+    @physicsInertia.setter
+    def physicsInertia(self, value: ArrayLike) -> None: ...
+    @property
+    def physicsCenterOfMass(self) -> Array:
+        """center of mass of the undeformed body in the body frame [3; m]"""
+    @physicsCenterOfMass.setter
+    def physicsCenterOfMass(self, value: ArrayLike) -> None: ...
+    @property
+    def mPsiTildePsi(self) -> Array:
+        """constant matrix of the inertia coupling, computed from mesh and modes by the class ``ObjectFFRFreducedOrderInterface``; empty as long as that class is not used [n x m; various]"""
+    @mPsiTildePsi.setter
+    def mPsiTildePsi(self, value: ArrayLike) -> None: ...
+    @property
+    def mPsiTildePsiTilde(self) -> Array:
+        """constant matrix of the inertia coupling, computed from mesh and modes by the class ``ObjectFFRFreducedOrderInterface``; empty as long as that class is not used [n x m; various]"""
+    @mPsiTildePsiTilde.setter
+    def mPsiTildePsiTilde(self, value: ArrayLike) -> None: ...
+    @property
+    def mPhitTPsi(self) -> Array:
+        """constant matrix of the inertia coupling, computed from mesh and modes by the class ``ObjectFFRFreducedOrderInterface``; empty as long as that class is not used [n x m; various]"""
+    @mPhitTPsi.setter
+    def mPhitTPsi(self, value: ArrayLike) -> None: ...
+    @property
+    def mPhitTPsiTilde(self) -> Array:
+        """constant matrix of the inertia coupling, computed from mesh and modes by the class ``ObjectFFRFreducedOrderInterface``; empty as long as that class is not used [n x m; various]"""
+    @mPhitTPsiTilde.setter
+    def mPhitTPsiTilde(self, value: ArrayLike) -> None: ...
+    @property
+    def mXRefTildePsi(self) -> Array:
+        """constant matrix of the inertia coupling, computed from mesh and modes by the class ``ObjectFFRFreducedOrderInterface``; empty as long as that class is not used [n x m; various]"""
+    @mXRefTildePsi.setter
+    def mXRefTildePsi(self, value: ArrayLike) -> None: ...
+    @property
+    def mXRefTildePsiTilde(self) -> Array:
+        """constant matrix of the inertia coupling, computed from mesh and modes by the class ``ObjectFFRFreducedOrderInterface``; empty as long as that class is not used [n x m; various]"""
+    @mXRefTildePsiTilde.setter
+    def mXRefTildePsiTilde(self, value: ArrayLike) -> None: ...
+    @property
+    def physicsCenterOfMassTilde(self) -> Array:
+        """skew symmetric matrix of the center of mass, computed by the object [3 x 3; m]"""
+    @physicsCenterOfMassTilde.setter
+    def physicsCenterOfMassTilde(self, value: ArrayLike) -> None: ...
+    @property
+    def tempUserFunctionForce(self) -> Array:
+        """user forces, a work space of the object [n; various]; computed"""
+    @property
+    def visualization(self) -> VObjectFFRFreducedOrder:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectFFRFreducedOrder | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
         nodeNumbers: Sequence[NodeIndex | int] = [],
-        massMatrixReduced: MatrixLike = [],
-        stiffnessMatrixReduced: MatrixLike = [],
-        dampingMatrixReduced: MatrixLike = [],
-        forceUserFunction: Callable[..., Any] | Literal[0] = 0,
-        massMatrixUserFunction: Callable[..., Any] | Literal[0] = 0,
+        massMatrixReduced: MatrixLike | None = None,
+        stiffnessMatrixReduced: MatrixLike | None = None,
+        dampingMatrixReduced: MatrixLike | None = None,
+        forceUserFunction: Callable[[MainSystem, float, int, Array, Array], ArrayLike] | Literal[0] = 0,
+        massMatrixUserFunction: Callable[[MainSystem, float, int, Array, Array], ArrayLike] | Literal[0] = 0,
         computeFFRFterms: bool = True,
         modeBasis: ArrayLike = [],
         outputVariableModeBasis: ArrayLike = [],
@@ -1127,18 +1558,24 @@ class ObjectFFRFreducedOrder(_Item):
 CMSobject = ObjectFFRFreducedOrder
 VCMSobject = VObjectFFRFreducedOrder
 
-class VObjectGenericODE2:
+class VObjectGenericODE2(_Visualization):
     """Visualization of ObjectGenericODE2."""
 
     show: bool
     """False: the item is not drawn"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
-    triangleMesh: ArrayLike
-    """surface triangles, one row with three positions in ``nodeNumbers`` each (counted from 0); empty: no surface is drawn [n x m]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
+    @property
+    def triangleMesh(self) -> NDArray[np.int32]:
+        """surface triangles, one row with three positions in ``nodeNumbers`` each (counted from 0); empty: no surface is drawn [n x m]"""
+    @triangleMesh.setter
+    def triangleMesh(self, value: ArrayLike) -> None: ...
     showNodes: bool
     """draw the nodes of the object at their deformed positions, whether or not the nodes themselves are shown"""
-    graphicsDataUserFunction: Callable[..., Any] | Literal[0]
+    graphicsDataUserFunction: Callable[[MainSystem, int], list[dict[str, Any]]] | Literal[0]
     """function that returns the shapes to be drawn, called at every redraw; shapes are given in the global frame"""
     def __init__(
         self,
@@ -1146,48 +1583,77 @@ class VObjectGenericODE2:
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
         triangleMesh: ArrayLike = [],
         showNodes: bool = False,
-        graphicsDataUserFunction: Callable[..., Any] | Literal[0] = 0,
+        graphicsDataUserFunction: Callable[[MainSystem, int], list[dict[str, Any]]] | Literal[0] = 0,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectGenericODE2(_Item):
+class ObjectGenericODE2(_Object):
     """system of second order differential equations with constant matrices and user functions, on any nodes"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    nodeNumbers: Sequence[NodeIndex | int]
-    """nodes with second order coordinates; their coordinates in this order form the vector of the object [n]"""
-    massMatrix: MatrixLike
-    """constant mass matrix; n rows and n columns for n coordinates, dense or sparse, or empty for zero; other sizes are refused [n x m; various]"""
-    stiffnessMatrix: MatrixLike
-    """constant stiffness matrix; n rows and n columns, or empty for zero; dense or sparse, in the same form as the damping matrix [n x m; various]"""
-    dampingMatrix: MatrixLike
-    """constant damping matrix; n rows and n columns, or empty for zero; dense or sparse, in the same form as the stiffness matrix [n x m; various]"""
-    forceVector: ArrayLike
-    """constant generalized forces on the right hand side; length n, or empty for zero [n; various]"""
-    forceUserFunction: Callable[..., Any] | Literal[0]
+    @property
+    def nodeNumbers(self) -> list[NodeIndex]:
+        """nodes with second order coordinates; their coordinates in this order form the vector of the object [n]"""
+    @nodeNumbers.setter
+    def nodeNumbers(self, value: Sequence[NodeIndex | int]) -> None: ...
+    @property
+    def massMatrix(self) -> MatrixContainer:
+        """constant mass matrix; n rows and n columns for n coordinates, dense or sparse, or empty for zero; other sizes are refused [n x m; various]"""
+    @massMatrix.setter
+    def massMatrix(self, value: MatrixLike | None) -> None: ...
+    @property
+    def stiffnessMatrix(self) -> MatrixContainer:
+        """constant stiffness matrix; n rows and n columns, or empty for zero; dense or sparse, in the same form as the damping matrix [n x m; various]"""
+    @stiffnessMatrix.setter
+    def stiffnessMatrix(self, value: MatrixLike | None) -> None: ...
+    @property
+    def dampingMatrix(self) -> MatrixContainer:
+        """constant damping matrix; n rows and n columns, or empty for zero; dense or sparse, in the same form as the stiffness matrix [n x m; various]"""
+    @dampingMatrix.setter
+    def dampingMatrix(self, value: MatrixLike | None) -> None: ...
+    @property
+    def forceVector(self) -> Array:
+        """constant generalized forces on the right hand side; length n, or empty for zero [n; various]"""
+    @forceVector.setter
+    def forceVector(self, value: ArrayLike) -> None: ...
+    forceUserFunction: Callable[[MainSystem, float, int, Array, Array], ArrayLike] | Literal[0]
     """function that gives further generalized forces on the right hand side"""
-    massMatrixUserFunction: Callable[..., Any] | Literal[0]
+    massMatrixUserFunction: Callable[[MainSystem, float, int, Array, Array], MatrixLike] | Literal[0]
     """function that gives the mass matrix; it replaces ``massMatrix``"""
-    jacobianUserFunction: Callable[..., Any] | Literal[0]
+    jacobianUserFunction: Callable[[MainSystem, float, int, Array, Array, float, float], MatrixLike] | Literal[0]
     """function that gives the derivatives of the user forces; without it they are found by numerical differentiation"""
-    visualization: VObjectGenericODE2 | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def coordinateIndexPerNode(self) -> list[int]:
+        """index of the first coordinate of each node in the vector of the object [n]; computed"""
+    @property
+    def tempCoordinates(self) -> Array:
+        """coordinates, a work space of the object [n; various]; computed"""
+    @property
+    def tempCoordinates_t(self) -> Array:
+        """velocities, a work space of the object [n; various]; computed"""
+    @property
+    def tempCoordinates_tt(self) -> Array:
+        """accelerations, a work space of the object [n; various]; computed"""
+    @property
+    def visualization(self) -> VObjectGenericODE2:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectGenericODE2 | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
         nodeNumbers: Sequence[NodeIndex | int] = [],
-        massMatrix: MatrixLike = [],
-        stiffnessMatrix: MatrixLike = [],
-        dampingMatrix: MatrixLike = [],
+        massMatrix: MatrixLike | None = None,
+        stiffnessMatrix: MatrixLike | None = None,
+        dampingMatrix: MatrixLike | None = None,
         forceVector: ArrayLike = [],
-        forceUserFunction: Callable[..., Any] | Literal[0] = 0,
-        massMatrixUserFunction: Callable[..., Any] | Literal[0] = 0,
-        jacobianUserFunction: Callable[..., Any] | Literal[0] = 0,
+        forceUserFunction: Callable[[MainSystem, float, int, Array, Array], ArrayLike] | Literal[0] = 0,
+        massMatrixUserFunction: Callable[[MainSystem, float, int, Array, Array], MatrixLike] | Literal[0] = 0,
+        jacobianUserFunction: Callable[[MainSystem, float, int, Array, Array, float, float], MatrixLike] | Literal[0] = 0,
         visualization: VObjectGenericODE2 | dict[str, Any] = ...,
     ) -> None: ...
 
-class VObjectKinematicTree:
+class VObjectKinematicTree(_Visualization):
     """Visualization of ObjectKinematicTree."""
 
     show: bool
@@ -1196,10 +1662,16 @@ class VObjectKinematicTree:
     """draw the links, as given by ``graphicsDataList`` or, if that is empty, as cylinders between the joints"""
     showJoints: bool
     """draw the joints in a standard form; only if ``graphicsDataList`` is empty"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
-    graphicsDataList: Sequence[Sequence[dict[str, Any]]]
-    """for each link a list of shapes in the frame of the link; empty, or as long as there are links [n x m]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
+    @property
+    def graphicsDataList(self) -> list[list[dict[str, Any]]]:
+        """for each link a list of shapes in the frame of the link; empty, or as long as there are links [n x m]"""
+    @graphicsDataList.setter
+    def graphicsDataList(self, value: Sequence[Sequence[dict[str, Any]]]) -> None: ...
     def __init__(
         self,
         show: bool = True,
@@ -1208,51 +1680,104 @@ class VObjectKinematicTree:
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
         graphicsDataList: Sequence[Sequence[dict[str, Any]]] = [],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectKinematicTree(_Item):
+class ObjectKinematicTree(_Object):
     """open tree of rigid bodies in minimal coordinates, one joint coordinate per link"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    nodeNumber: NodeIndex | int
-    """generic node of second order with one coordinate per joint: rad for revolute, m for prismatic joints"""
-    gravity: ArrayLike
-    """gravity in global components; mass proportional loads do not act on this object [3; m/s^2]"""
-    baseOffset: ArrayLike
-    """global position of the base frame [3; m]"""
-    jointTypes: Sequence[JointType]
-    """type of each joint, one per link; required [n]"""
-    linkParents: Sequence[int]
-    """number of the parent link of each link, -1 for the base; a parent has a smaller number than its links; required [n]"""
-    jointTransformations: Sequence[ArrayLike]
-    """for each link the rotation matrix from its joint frame, at coordinate zero, to the frame of the parent; required [n x 3 x 3; 1]"""
-    jointOffsets: Sequence[ArrayLike]
-    """for each link the origin of its joint frame in the frame of the parent, for the base in the base frame; required [n x 3; m]"""
-    linkInertiasCOM: Sequence[ArrayLike]
-    """for each link the inertia tensor about its center of mass, in the frame of the link; required [n x 3 x 3; kg m^2]"""
-    linkCOMs: Sequence[ArrayLike]
-    """for each link the center of mass in the frame of the link; required [n x 3; m]"""
-    linkMasses: ArrayLike
-    """mass of each link; required [n; kg]"""
-    linkForces: Sequence[ArrayLike]
-    """for each link a force in global components at the origin of its joint frame; empty for zero [n x 3; N]"""
-    linkTorques: Sequence[ArrayLike]
-    """for each link a torque in global components; empty for zero [n x 3; Nm]"""
-    jointForceVector: ArrayLike
-    """for each joint a torque (Nm) or force (N) about or along its axis, positive on the link and negative on its parent; empty for zero [n; various]"""
-    jointPositionOffsetVector: ArrayLike
-    """desired joint coordinates of the position control (rad or m); empty for zero [n; various]"""
-    jointVelocityOffsetVector: ArrayLike
-    """desired joint velocities of the velocity control (rad/s or m/s); empty for zero [n; various]"""
-    jointPControlVector: ArrayLike
-    """proportional gain of each joint (Nm/rad or N/m); empty for zero [n; various]"""
-    jointDControlVector: ArrayLike
-    """derivative gain of each joint (Nm s/rad or Ns/m); empty for zero [n; various]"""
-    forceUserFunction: Callable[..., Any] | Literal[0]
+    @property
+    def nodeNumber(self) -> NodeIndex:
+        """generic node of second order with one coordinate per joint: rad for revolute, m for prismatic joints"""
+    @nodeNumber.setter
+    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    @property
+    def gravity(self) -> Array:
+        """gravity in global components; mass proportional loads do not act on this object [3; m/s^2]"""
+    @gravity.setter
+    def gravity(self, value: ArrayLike) -> None: ...
+    @property
+    def baseOffset(self) -> Array:
+        """global position of the base frame [3; m]"""
+    @baseOffset.setter
+    def baseOffset(self, value: ArrayLike) -> None: ...
+    @property
+    def jointTypes(self) -> list[JointType]:
+        """type of each joint, one per link; required [n]"""
+    @jointTypes.setter
+    def jointTypes(self, value: Sequence[JointType]) -> None: ...
+    @property
+    def linkParents(self) -> list[int]:
+        """number of the parent link of each link, -1 for the base; a parent has a smaller number than its links; required [n]"""
+    @linkParents.setter
+    def linkParents(self, value: Sequence[int]) -> None: ...
+    @property
+    def jointTransformations(self) -> Matrix3DList:
+        """for each link the rotation matrix from its joint frame, at coordinate zero, to the frame of the parent; required [n x 3 x 3; 1]"""
+    @jointTransformations.setter
+    def jointTransformations(self, value: Sequence[ArrayLike]) -> None: ...
+    @property
+    def jointOffsets(self) -> Vector3DList:
+        """for each link the origin of its joint frame in the frame of the parent, for the base in the base frame; required [n x 3; m]"""
+    @jointOffsets.setter
+    def jointOffsets(self, value: Sequence[ArrayLike]) -> None: ...
+    @property
+    def linkInertiasCOM(self) -> Matrix3DList:
+        """for each link the inertia tensor about its center of mass, in the frame of the link; required [n x 3 x 3; kg m^2]"""
+    @linkInertiasCOM.setter
+    def linkInertiasCOM(self, value: Sequence[ArrayLike]) -> None: ...
+    @property
+    def linkCOMs(self) -> Vector3DList:
+        """for each link the center of mass in the frame of the link; required [n x 3; m]"""
+    @linkCOMs.setter
+    def linkCOMs(self, value: Sequence[ArrayLike]) -> None: ...
+    @property
+    def linkMasses(self) -> Array:
+        """mass of each link; required [n; kg]"""
+    @linkMasses.setter
+    def linkMasses(self, value: ArrayLike) -> None: ...
+    @property
+    def linkForces(self) -> Vector3DList:
+        """for each link a force in global components at the origin of its joint frame; empty for zero [n x 3; N]"""
+    @linkForces.setter
+    def linkForces(self, value: Sequence[ArrayLike]) -> None: ...
+    @property
+    def linkTorques(self) -> Vector3DList:
+        """for each link a torque in global components; empty for zero [n x 3; Nm]"""
+    @linkTorques.setter
+    def linkTorques(self, value: Sequence[ArrayLike]) -> None: ...
+    @property
+    def jointForceVector(self) -> Array:
+        """for each joint a torque (Nm) or force (N) about or along its axis, positive on the link and negative on its parent; empty for zero [n; various]"""
+    @jointForceVector.setter
+    def jointForceVector(self, value: ArrayLike) -> None: ...
+    @property
+    def jointPositionOffsetVector(self) -> Array:
+        """desired joint coordinates of the position control (rad or m); empty for zero [n; various]"""
+    @jointPositionOffsetVector.setter
+    def jointPositionOffsetVector(self, value: ArrayLike) -> None: ...
+    @property
+    def jointVelocityOffsetVector(self) -> Array:
+        """desired joint velocities of the velocity control (rad/s or m/s); empty for zero [n; various]"""
+    @jointVelocityOffsetVector.setter
+    def jointVelocityOffsetVector(self, value: ArrayLike) -> None: ...
+    @property
+    def jointPControlVector(self) -> Array:
+        """proportional gain of each joint (Nm/rad or N/m); empty for zero [n; various]"""
+    @jointPControlVector.setter
+    def jointPControlVector(self, value: ArrayLike) -> None: ...
+    @property
+    def jointDControlVector(self) -> Array:
+        """derivative gain of each joint (Nm s/rad or Ns/m); empty for zero [n; various]"""
+    @jointDControlVector.setter
+    def jointDControlVector(self, value: ArrayLike) -> None: ...
+    forceUserFunction: Callable[[MainSystem, float, int, Array, Array], ArrayLike] | Literal[0]
     """function that gives further joint forces, which act as those of ``jointForceVector``"""
-    visualization: VObjectKinematicTree | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectKinematicTree:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectKinematicTree | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -1273,31 +1798,33 @@ class ObjectKinematicTree(_Item):
         jointVelocityOffsetVector: ArrayLike = [],
         jointPControlVector: ArrayLike = [],
         jointDControlVector: ArrayLike = [],
-        forceUserFunction: Callable[..., Any] | Literal[0] = 0,
+        forceUserFunction: Callable[[MainSystem, float, int, Array, Array], ArrayLike] | Literal[0] = 0,
         visualization: VObjectKinematicTree | dict[str, Any] = ...,
     ) -> None: ...
 
 KinematicTree = ObjectKinematicTree
 VKinematicTree = VObjectKinematicTree
 
-class VObjectALEANCFCable2D:
+class VObjectALEANCFCable2D(_Visualization):
     """Visualization of ObjectALEANCFCable2D."""
 
     show: bool
     """False: the item is not drawn"""
     drawHeight: float
     """height of the rectangle that is drawn; 0 draws the axis only [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         drawHeight: float = 0.0,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectALEANCFCable2D(_Item):
+class ObjectALEANCFCable2D(_Object):
     """planar cable through which material moves along the axis, on two nodes with slope and one node with the axial coordinate"""
 
     name: str
@@ -1324,14 +1851,20 @@ class ObjectALEANCFCable2D(_Item):
     """true: all inertia terms of the axial motion act; false: the axial coordinate has its own mass only, and the element behaves like ObjectANCFCable2D"""
     physicsAddALEvariation: bool
     """true: the axial coordinate feels the change of strain and curvature energy that its motion brings about; false: this term is left out"""
-    nodeNumbers: Sequence[NodeIndex | int]
-    """node at axial position 0, node at axial position L (both with position and slope in the plane), and a generic node of second order whose coordinate is the axial displacement of the material [3]"""
+    @property
+    def nodeNumbers(self) -> list[NodeIndex]:
+        """node at axial position 0, node at axial position L (both with position and slope in the plane), and a generic node of second order whose coordinate is the axial displacement of the material [3]"""
+    @nodeNumbers.setter
+    def nodeNumbers(self, value: Sequence[NodeIndex | int]) -> None: ...
     useReducedOrderIntegration: int
     """integration of the elastic forces along the axis: 0 with 5 Gauss points for stretching and 3 for bending, 1 with 4 and 2"""
     strainIsRelativeToReference: float
     """share of the strains of the reference configuration that are free of stress: 0 for an element that is straight and of length L without stress, 1 for a reference configuration without stress; values between serve for a transition [1]"""
-    visualization: VObjectALEANCFCable2D | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectALEANCFCable2D:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectALEANCFCable2D | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -1355,40 +1888,54 @@ class ObjectALEANCFCable2D(_Item):
 ALECable2D = ObjectALEANCFCable2D
 VALECable2D = VObjectALEANCFCable2D
 
-class VObjectANCFBeam:
+class VObjectANCFBeam(_Visualization):
     """Visualization of ObjectANCFBeam."""
 
     show: bool
     """False: the item is not drawn"""
     sectionGeometry: BeamSectionGeometry
     """outline of the cross section for drawing and contact, as a ``BeamSectionGeometry``"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         sectionGeometry: BeamSectionGeometry = ...,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectANCFBeam(_Item):
+class ObjectANCFBeam(_Object):
     """spatial beam with shear and cross section deformation, on two nodes with position and two slopes"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    nodeNumbers: Sequence[NodeIndex | int]
-    """node at the negative and node at the positive end of the axis, each with position and the slopes of the cross section [2]"""
+    @property
+    def nodeNumbers(self) -> list[NodeIndex]:
+        """node at the negative and node at the positive end of the axis, each with position and the slopes of the cross section [2]"""
+    @nodeNumbers.setter
+    def nodeNumbers(self, value: Sequence[NodeIndex | int]) -> None: ...
     physicsLength: float
     """length of the element in its undeformed state; must be positive [m]"""
     sectionData: BeamSection
     """cross section with inertia, stiffness and damping matrices, as a ``BeamSection``"""
-    crossSectionPenaltyFactor: ArrayLike
-    """factors of the stiffness against stretching of the cross section in y and z (times the axial stiffness) and against its distortion (times the sum of the shear stiffnesses) [3; 1]"""
-    crossSectionDamping: ArrayLike
-    """damping of the same deformations, as factors of the stiffness; 0 for none [3; s]"""
-    visualization: VObjectANCFBeam | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def crossSectionPenaltyFactor(self) -> Array:
+        """factors of the stiffness against stretching of the cross section in y and z (times the axial stiffness) and against its distortion (times the sum of the shear stiffnesses) [3; 1]"""
+    @crossSectionPenaltyFactor.setter
+    def crossSectionPenaltyFactor(self, value: ArrayLike) -> None: ...
+    @property
+    def crossSectionDamping(self) -> Array:
+        """damping of the same deformations, as factors of the stiffness; 0 for none [3; s]"""
+    @crossSectionDamping.setter
+    def crossSectionDamping(self, value: ArrayLike) -> None: ...
+    @property
+    def visualization(self) -> VObjectANCFBeam:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectANCFBeam | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -1403,24 +1950,26 @@ class ObjectANCFBeam(_Item):
 ANCFBeam = ObjectANCFBeam
 VANCFBeam = VObjectANCFBeam
 
-class VObjectANCFCable:
+class VObjectANCFCable(_Visualization):
     """Visualization of ObjectANCFCable."""
 
     show: bool
     """False: the item is not drawn"""
     radius: float
     """radius of the cylinder that is drawn; 0 draws the axis only [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         radius: float = 0.0,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectANCFCable(_Item):
+class ObjectANCFCable(_Object):
     """spatial cable or thin beam without torsion and shear deformation, on two nodes with position and slope"""
 
     name: str
@@ -1441,12 +1990,18 @@ class ObjectANCFCable(_Item):
     """axial strain at which the axial force is zero [1]"""
     strainIsRelativeToReference: float
     """share of the strains of the reference configuration that are free of stress: 0 for an element that is straight and of length L without stress, 1 for a reference configuration without stress; values between serve for a transition [1]"""
-    nodeNumbers: Sequence[NodeIndex | int]
-    """node at axial position 0 and node at axial position L, both with position and one slope [2]"""
+    @property
+    def nodeNumbers(self) -> list[NodeIndex]:
+        """node at axial position 0 and node at axial position L, both with position and one slope [2]"""
+    @nodeNumbers.setter
+    def nodeNumbers(self, value: Sequence[NodeIndex | int]) -> None: ...
     useReducedOrderIntegration: int
     """integration of the elastic forces along the axis: 0 with 5 Gauss points for stretching and 3 for bending, 1 with 4 and 2"""
-    visualization: VObjectANCFCable | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectANCFCable:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectANCFCable | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -1466,24 +2021,26 @@ class ObjectANCFCable(_Item):
 Cable = ObjectANCFCable
 VCable = VObjectANCFCable
 
-class VObjectANCFCable2D:
+class VObjectANCFCable2D(_Visualization):
     """Visualization of ObjectANCFCable2D."""
 
     show: bool
     """False: the item is not drawn"""
     drawHeight: float
     """height of the rectangle that is drawn; 0 draws the axis only [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         drawHeight: float = 0.0,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectANCFCable2D(_Item):
+class ObjectANCFCable2D(_Object):
     """planar cable or thin beam without shear deformation for large deformation, on two nodes with position and slope"""
 
     name: str
@@ -1506,16 +2063,22 @@ class ObjectANCFCable2D(_Item):
     """curvature at which the bending moment is zero; positive for a left turn along the axis [1/m]"""
     strainIsRelativeToReference: float
     """share of the strains of the reference configuration that are free of stress: 0 for an element that is straight and of length L without stress, 1 for a reference configuration without stress; values between serve for a transition [1]"""
-    nodeNumbers: Sequence[NodeIndex | int]
-    """node at axial position 0 and node at axial position L, both with position and slope in the plane [2]"""
+    @property
+    def nodeNumbers(self) -> list[NodeIndex]:
+        """node at axial position 0 and node at axial position L, both with position and slope in the plane [2]"""
+    @nodeNumbers.setter
+    def nodeNumbers(self, value: Sequence[NodeIndex | int]) -> None: ...
     useReducedOrderIntegration: int
     """integration of the elastic forces along the axis: 0 with 5 Gauss points for stretching and 3 for bending; 1 with 4 and 2; 2 with 3 Lobatto points for stretching and 2 Gauss points for bending, with smoother axial forces but possibly modes without stiffness"""
-    axialForceUserFunction: Callable[..., Any] | Literal[0]
+    axialForceUserFunction: Callable[[MainSystem, float, int, float, float, float, float, float, float, float, float, float], float] | Literal[0]
     """function that gives the axial force in place of the linear law"""
-    bendingMomentUserFunction: Callable[..., Any] | Literal[0]
+    bendingMomentUserFunction: Callable[[MainSystem, float, int, float, float, float, float, float, float, float, float, float], float] | Literal[0]
     """function that gives the bending moment in place of the linear law"""
-    visualization: VObjectANCFCable2D | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectANCFCable2D:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectANCFCable2D | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -1530,55 +2093,78 @@ class ObjectANCFCable2D(_Item):
         strainIsRelativeToReference: float = 0.0,
         nodeNumbers: Sequence[NodeIndex | int] = [-1, -1],
         useReducedOrderIntegration: int = 0,
-        axialForceUserFunction: Callable[..., Any] | Literal[0] = 0,
-        bendingMomentUserFunction: Callable[..., Any] | Literal[0] = 0,
+        axialForceUserFunction: Callable[[MainSystem, float, int, float, float, float, float, float, float, float, float, float], float] | Literal[0] = 0,
+        bendingMomentUserFunction: Callable[[MainSystem, float, int, float, float, float, float, float, float, float, float, float], float] | Literal[0] = 0,
         visualization: VObjectANCFCable2D | dict[str, Any] = ...,
     ) -> None: ...
 
 Cable2D = ObjectANCFCable2D
 VCable2D = VObjectANCFCable2D
 
-class VObjectANCFThinPlate:
+class VObjectANCFThinPlate(_Visualization):
     """Visualization of ObjectANCFThinPlate."""
 
     show: bool
     """False: the item is not drawn"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectANCFThinPlate(_Item):
+class ObjectANCFThinPlate(_Object):
     """thin plate without shear deformation, on four nodes with position and two slopes"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    physicsThickness: ArrayLike
-    """thickness of the plate: one value, or one value per node that is interpolated; as many as there are strain and curvature matrices [n; m]"""
+    @property
+    def physicsThickness(self) -> Array:
+        """thickness of the plate: one value, or one value per node that is interpolated; as many as there are strain and curvature matrices [n; m]"""
+    @physicsThickness.setter
+    def physicsThickness(self, value: ArrayLike) -> None: ...
     physicsDensity: float
     """mass per volume [kg/m^3]"""
     physicsMassProportionalDamping: float
     """damping forces are this factor times mass matrix times velocity [1/s]"""
-    physicsStrainCoefficients: Sequence[ArrayLike]
-    """stiffness against the strains in the plane, integrated over the thickness; one matrix, or one per node [n x 3 x 3; N/m]"""
-    physicsCurvatureCoefficients: Sequence[ArrayLike]
-    """stiffness against curvatures and twist, integrated over the thickness; one matrix, or one per node [n x 3 x 3; Nm]"""
+    @property
+    def physicsStrainCoefficients(self) -> Matrix3DList:
+        """stiffness against the strains in the plane, integrated over the thickness; one matrix, or one per node [n x 3 x 3; N/m]"""
+    @physicsStrainCoefficients.setter
+    def physicsStrainCoefficients(self, value: Sequence[ArrayLike]) -> None: ...
+    @property
+    def physicsCurvatureCoefficients(self) -> Matrix3DList:
+        """stiffness against curvatures and twist, integrated over the thickness; one matrix, or one per node [n x 3 x 3; Nm]"""
+    @physicsCurvatureCoefficients.setter
+    def physicsCurvatureCoefficients(self, value: Sequence[ArrayLike]) -> None: ...
     strainIsRelativeToReference: float
     """share of the strains of the reference configuration that are free of stress: 0 for a plate that is flat without stress, 1 for a reference configuration without stress [1]"""
-    slopesScalingX: ArrayLike
-    """for each node the length that belongs to a unit slope in x, half the side length for a flat rectangle; negative: from the distances of the nodes [4; m]"""
-    slopesScalingY: ArrayLike
-    """for each node the length that belongs to a unit slope in y; negative: from the distances of the nodes [4; m]"""
-    nodeNumbers: Sequence[NodeIndex | int]
-    """four nodes with position and two slopes, at the local corners (-1, -1), (1, -1), (1, 1), (-1, 1) [4]"""
+    @property
+    def slopesScalingX(self) -> Array:
+        """for each node the length that belongs to a unit slope in x, half the side length for a flat rectangle; negative: from the distances of the nodes [4; m]"""
+    @slopesScalingX.setter
+    def slopesScalingX(self, value: ArrayLike) -> None: ...
+    @property
+    def slopesScalingY(self) -> Array:
+        """for each node the length that belongs to a unit slope in y; negative: from the distances of the nodes [4; m]"""
+    @slopesScalingY.setter
+    def slopesScalingY(self, value: ArrayLike) -> None: ...
+    @property
+    def nodeNumbers(self) -> list[NodeIndex]:
+        """four nodes with position and two slopes, at the local corners (-1, -1), (1, -1), (1, 1), (-1, 1) [4]"""
+    @nodeNumbers.setter
+    def nodeNumbers(self, value: Sequence[NodeIndex | int]) -> None: ...
     useReducedOrderIntegration: int
     """0: highest number of integration points; larger values use fewer"""
-    visualization: VObjectANCFThinPlate | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectANCFThinPlate:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectANCFThinPlate | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -1595,36 +2181,44 @@ class ObjectANCFThinPlate(_Item):
         visualization: VObjectANCFThinPlate | dict[str, Any] = ...,
     ) -> None: ...
 
-class VObjectBeamGeometricallyExact:
+class VObjectBeamGeometricallyExact(_Visualization):
     """Visualization of ObjectBeamGeometricallyExact."""
 
     show: bool
     """False: the item is not drawn"""
     sectionGeometry: BeamSectionGeometry
     """outline of the cross section for drawing and contact, as a ``BeamSectionGeometry``"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         sectionGeometry: BeamSectionGeometry = ...,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectBeamGeometricallyExact(_Item):
+class ObjectBeamGeometricallyExact(_Object):
     """spatial geometrically exact beam with shear deformation, on two rigid body nodes"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    nodeNumbers: Sequence[NodeIndex | int]
-    """node at the negative and node at the positive end of the axis, both with position and orientation [2]"""
+    @property
+    def nodeNumbers(self) -> list[NodeIndex]:
+        """node at the negative and node at the positive end of the axis, both with position and orientation [2]"""
+    @nodeNumbers.setter
+    def nodeNumbers(self, value: Sequence[NodeIndex | int]) -> None: ...
     physicsLength: float
     """length of the element in its undeformed state; must be positive [m]"""
     sectionData: BeamSection
     """cross section with inertia, stiffness and damping matrices, as a ``BeamSection``"""
-    visualization: VObjectBeamGeometricallyExact | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectBeamGeometricallyExact:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectBeamGeometricallyExact | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -1637,30 +2231,35 @@ class ObjectBeamGeometricallyExact(_Item):
 Beam3D = ObjectBeamGeometricallyExact
 VBeam3D = VObjectBeamGeometricallyExact
 
-class VObjectBeamGeometricallyExact2D:
+class VObjectBeamGeometricallyExact2D(_Visualization):
     """Visualization of ObjectBeamGeometricallyExact2D."""
 
     show: bool
     """False: the item is not drawn"""
     drawHeight: float
     """height of the rectangle that is drawn; 0 draws the axis only [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         drawHeight: float = 0.0,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectBeamGeometricallyExact2D(_Item):
+class ObjectBeamGeometricallyExact2D(_Object):
     """planar geometrically exact beam with shear deformation, on two or three rigid body nodes"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    nodeNumbers: Sequence[NodeIndex | int]
-    """two or three nodes of rigid bodies in the plane, in the order in which they follow along the axis [n]"""
+    @property
+    def nodeNumbers(self) -> list[NodeIndex]:
+        """two or three nodes of rigid bodies in the plane, in the order in which they follow along the axis [n]"""
+    @nodeNumbers.setter
+    def nodeNumbers(self, value: Sequence[NodeIndex | int]) -> None: ...
     physicsLength: float
     """length of the element in its undeformed state; must be positive [m]"""
     physicsMassPerLength: float
@@ -1683,8 +2282,11 @@ class ObjectBeamGeometricallyExact2D(_Item):
     """curvature at which the bending moment is zero [1/m]"""
     includeReferenceRotations: bool
     """true: the reference angles of the nodes are the angles of the cross sections, so that a curved reference configuration is free of stress; false: only rotations relative to the reference configuration count, and the cross sections are normal to the reference axis"""
-    visualization: VObjectBeamGeometricallyExact2D | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectBeamGeometricallyExact2D:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectBeamGeometricallyExact2D | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -1706,42 +2308,59 @@ class ObjectBeamGeometricallyExact2D(_Item):
 Beam2D = ObjectBeamGeometricallyExact2D
 VBeam2D = VObjectBeamGeometricallyExact2D
 
-class VObjectConnectorCartesianSpringDamper:
+class VObjectConnectorCartesianSpringDamper(_Visualization):
     """Visualization of ObjectConnectorCartesianSpringDamper."""
 
     show: bool
     """False: the item is not drawn"""
     drawSize: float
     """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         drawSize: float = -1.0,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectConnectorCartesianSpringDamper(_Item):
+class ObjectConnectorCartesianSpringDamper(_Object):
     """Three springs and dampers that act between two points in the directions of the global axes"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
-    stiffness: ArrayLike
-    """stiffness in global x, y and z direction [3; N/m]"""
-    damping: ArrayLike
-    """damping coefficient in global x, y and z direction [3; Ns/m]"""
-    offset: ArrayLike
-    """global position of marker m1 relative to marker m0 at which the springs carry no force [3; m]"""
-    springForceUserFunction: Callable[..., Any] | Literal[0]
+    @property
+    def markerNumbers(self) -> list[MarkerIndex]:
+        """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    @markerNumbers.setter
+    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    @property
+    def stiffness(self) -> Array:
+        """stiffness in global x, y and z direction [3; N/m]"""
+    @stiffness.setter
+    def stiffness(self, value: ArrayLike) -> None: ...
+    @property
+    def damping(self) -> Array:
+        """damping coefficient in global x, y and z direction [3; Ns/m]"""
+    @damping.setter
+    def damping(self, value: ArrayLike) -> None: ...
+    @property
+    def offset(self) -> Array:
+        """global position of marker m1 relative to marker m0 at which the springs carry no force [3; m]"""
+    @offset.setter
+    def offset(self, value: ArrayLike) -> None: ...
+    springForceUserFunction: Callable[[MainSystem, float, int, Array, Array, Array, Array, Array], ArrayLike] | Literal[0]
     """Python function that replaces the linear law of springs and dampers; called only while the connector is active"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
-    visualization: VObjectConnectorCartesianSpringDamper | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectConnectorCartesianSpringDamper:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectConnectorCartesianSpringDamper | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -1749,7 +2368,7 @@ class ObjectConnectorCartesianSpringDamper(_Item):
         stiffness: ArrayLike = [0.0, 0.0, 0.0],
         damping: ArrayLike = [0.0, 0.0, 0.0],
         offset: ArrayLike = [0.0, 0.0, 0.0],
-        springForceUserFunction: Callable[..., Any] | Literal[0] = 0,
+        springForceUserFunction: Callable[[MainSystem, float, int, Array, Array, Array, Array, Array], ArrayLike] | Literal[0] = 0,
         activeConnector: bool = True,
         visualization: VObjectConnectorCartesianSpringDamper | dict[str, Any] = ...,
     ) -> None: ...
@@ -1757,30 +2376,35 @@ class ObjectConnectorCartesianSpringDamper(_Item):
 CartesianSpringDamper = ObjectConnectorCartesianSpringDamper
 VCartesianSpringDamper = VObjectConnectorCartesianSpringDamper
 
-class VObjectConnectorCoordinateSpringDamper:
+class VObjectConnectorCoordinateSpringDamper(_Visualization):
     """Visualization of ObjectConnectorCoordinateSpringDamper."""
 
     show: bool
     """False: the item is not drawn"""
     drawSize: float
     """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         drawSize: float = -1.0,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectConnectorCoordinateSpringDamper(_Item):
+class ObjectConnectorCoordinateSpringDamper(_Object):
     """A scalar spring and damper between two coordinates"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    @property
+    def markerNumbers(self) -> list[MarkerIndex]:
+        """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    @markerNumbers.setter
+    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
     stiffness: float
     """stiffness; N/m for coordinates that are lengths, Nm/rad for angles [various]"""
     damping: float
@@ -1789,10 +2413,13 @@ class ObjectConnectorCoordinateSpringDamper(_Item):
     """difference of the coordinates at which the spring carries no force; unit of the coordinates [various]"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
-    springForceUserFunction: Callable[..., Any] | Literal[0]
+    springForceUserFunction: Callable[[MainSystem, float, int, float, float, float, float, float], float] | Literal[0]
     """Python function that replaces the law of spring and damper; called only while the connector is active"""
-    visualization: VObjectConnectorCoordinateSpringDamper | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectConnectorCoordinateSpringDamper:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectConnectorCoordinateSpringDamper | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -1801,39 +2428,47 @@ class ObjectConnectorCoordinateSpringDamper(_Item):
         damping: float = 0.0,
         offset: float = 0.0,
         activeConnector: bool = True,
-        springForceUserFunction: Callable[..., Any] | Literal[0] = 0,
+        springForceUserFunction: Callable[[MainSystem, float, int, float, float, float, float, float], float] | Literal[0] = 0,
         visualization: VObjectConnectorCoordinateSpringDamper | dict[str, Any] = ...,
     ) -> None: ...
 
 CoordinateSpringDamper = ObjectConnectorCoordinateSpringDamper
 VCoordinateSpringDamper = VObjectConnectorCoordinateSpringDamper
 
-class VObjectConnectorCoordinateSpringDamperExt:
+class VObjectConnectorCoordinateSpringDamperExt(_Visualization):
     """Visualization of ObjectConnectorCoordinateSpringDamperExt."""
 
     show: bool
     """False: the item is not drawn"""
     drawSize: float
     """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         drawSize: float = -1.0,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectConnectorCoordinateSpringDamperExt(_Item):
+class ObjectConnectorCoordinateSpringDamperExt(_Object):
     """A scalar spring and damper between two coordinates, with gear factors, friction and limit stops"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
-    nodeNumber: NodeIndex | int
-    """NodeGenericData with three data coordinates: friction state, last sticking position, limit stop state; needed for friction with ``frictionProportionalZone`` = 0 and for limit stops, else it may stay unset"""
+    @property
+    def markerNumbers(self) -> list[MarkerIndex]:
+        """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    @markerNumbers.setter
+    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    @property
+    def nodeNumber(self) -> NodeIndex:
+        """NodeGenericData with three data coordinates: friction state, last sticking position, limit stop state; needed for friction with ``frictionProportionalZone`` = 0 and for limit stops, else it may stay unset"""
+    @nodeNumber.setter
+    def nodeNumber(self, value: NodeIndex | int) -> None: ...
     stiffness: float
     """stiffness; N/m if the weighted coordinates are lengths, Nm/rad if they are angles; other units of this item follow in the same way [various]"""
     damping: float
@@ -1872,10 +2507,13 @@ class ObjectConnectorCoordinateSpringDamperExt(_Item):
     """True: limit stops are active, and the data node is needed"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
-    springForceUserFunction: Callable[..., Any] | Literal[0]
+    springForceUserFunction: Callable[[MainSystem, float, int, float, float, float, float, float, float, float, float, float, float, float], float] | Literal[0]
     """Python function that replaces spring, damper, friction and limit stops altogether; called only while the connector is active"""
-    visualization: VObjectConnectorCoordinateSpringDamperExt | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectConnectorCoordinateSpringDamperExt:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectConnectorCoordinateSpringDamperExt | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -1900,37 +2538,42 @@ class ObjectConnectorCoordinateSpringDamperExt(_Item):
         limitStopsDamping: float = 0.0,
         useLimitStops: bool = False,
         activeConnector: bool = True,
-        springForceUserFunction: Callable[..., Any] | Literal[0] = 0,
+        springForceUserFunction: Callable[[MainSystem, float, int, float, float, float, float, float, float, float, float, float, float, float], float] | Literal[0] = 0,
         visualization: VObjectConnectorCoordinateSpringDamperExt | dict[str, Any] = ...,
     ) -> None: ...
 
 CoordinateSpringDamperExt = ObjectConnectorCoordinateSpringDamperExt
 VCoordinateSpringDamperExt = VObjectConnectorCoordinateSpringDamperExt
 
-class VObjectConnectorGravity:
+class VObjectConnectorGravity(_Visualization):
     """Visualization of ObjectConnectorGravity."""
 
     show: bool
     """True: the item is drawn"""
     drawSize: float
     """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = False,
         drawSize: float = -1.0,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectConnectorGravity(_Item):
+class ObjectConnectorGravity(_Object):
     """Newtonian gravitation between two masses, for celestial bodies and satellites; the weight on earth is LoadMassProportional"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    @property
+    def markerNumbers(self) -> list[MarkerIndex]:
+        """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    @markerNumbers.setter
+    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
     gravitationalConstant: float
     """constant of gravitation; a negative value means repulsion [m^3/(kg s^2)]"""
     mass0: float
@@ -1941,8 +2584,11 @@ class ObjectConnectorGravity(_Item):
     """distance below which the force is regularized; 0: no regularization, and coinciding markers are an error [m]"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
-    visualization: VObjectConnectorGravity | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectConnectorGravity:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectConnectorGravity | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -1958,7 +2604,7 @@ class ObjectConnectorGravity(_Item):
 ConnectorGravity = ObjectConnectorGravity
 VConnectorGravity = VObjectConnectorGravity
 
-class VObjectConnectorHydraulicActuatorSimple:
+class VObjectConnectorHydraulicActuatorSimple(_Visualization):
     """Visualization of ObjectConnectorHydraulicActuatorSimple."""
 
     show: bool
@@ -1977,10 +2623,16 @@ class VObjectConnectorHydraulicActuatorSimple:
     """radius of the sphere drawn at the mount of the cylinder; 0: none [m]"""
     baseMountLength: float
     """length of the part drawn between the mount and the cylinder [m]"""
-    colorCylinder: ArrayLike
-    """red, green, blue and opacity of the cylinder; a negative red selects the default color of connectors [4; 1]"""
-    colorPiston: ArrayLike
-    """red, green, blue and opacity of piston and rod [4; 1]"""
+    @property
+    def colorCylinder(self) -> Array:
+        """red, green, blue and opacity of the cylinder; a negative red selects the default color of connectors [4; 1]"""
+    @colorCylinder.setter
+    def colorCylinder(self, value: ArrayLike) -> None: ...
+    @property
+    def colorPiston(self) -> Array:
+        """red, green, blue and opacity of piston and rod [4; 1]"""
+    @colorPiston.setter
+    def colorPiston(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
@@ -1994,17 +2646,22 @@ class VObjectConnectorHydraulicActuatorSimple:
         colorCylinder: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
         colorPiston: ArrayLike = [0.8, 0.8, 0.8, 1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectConnectorHydraulicActuatorSimple(_Item):
+class ObjectConnectorHydraulicActuatorSimple(_Object):
     """A double-acting hydraulic cylinder between two points, with the build-up of pressure in both chambers"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
-    nodeNumbers: Sequence[NodeIndex | int]
-    """list with one NodeGenericODE1 whose two coordinates are the chamber pressures (Pa); its reference coordinates must be zero [n]"""
+    @property
+    def markerNumbers(self) -> list[MarkerIndex]:
+        """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    @markerNumbers.setter
+    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    @property
+    def nodeNumbers(self) -> list[NodeIndex]:
+        """list with one NodeGenericODE1 whose two coordinates are the chamber pressures (Pa); its reference coordinates must be zero [n]"""
+    @nodeNumbers.setter
+    def nodeNumbers(self, value: Sequence[NodeIndex | int]) -> None: ...
     offsetLength: float
     """distance of the markers at stroke zero, the shortest length of the actuator [m]"""
     strokeLength: float
@@ -2039,8 +2696,11 @@ class ObjectConnectorHydraulicActuatorSimple(_Item):
     """True: volumes and stiffness of the oil change with the stroke; False: hose volumes and ``oilBulkModulus`` alone"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
-    visualization: VObjectConnectorHydraulicActuatorSimple | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectConnectorHydraulicActuatorSimple:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectConnectorHydraulicActuatorSimple | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -2069,7 +2729,7 @@ class ObjectConnectorHydraulicActuatorSimple(_Item):
 HydraulicActuatorSimple = ObjectConnectorHydraulicActuatorSimple
 VHydraulicActuatorSimple = VObjectConnectorHydraulicActuatorSimple
 
-class VObjectConnectorLinearSpringDamper:
+class VObjectConnectorLinearSpringDamper(_Visualization):
     """Visualization of ObjectConnectorLinearSpringDamper."""
 
     show: bool
@@ -2078,8 +2738,11 @@ class VObjectConnectorLinearSpringDamper:
     """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
     drawAsCylinder: bool
     """True: drawn as a cylinder, which suits an actuator; False: drawn as a spring"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
@@ -2087,21 +2750,26 @@ class VObjectConnectorLinearSpringDamper:
         drawAsCylinder: bool = False,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectConnectorLinearSpringDamper(_Item):
+class ObjectConnectorLinearSpringDamper(_Object):
     """A spring and damper along an axis that is fixed to the first marker, as in a prismatic joint"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumbers: Sequence[MarkerIndex | int]
-    """marker m0, to which the axis is fixed, and marker m1 [2]"""
+    @property
+    def markerNumbers(self) -> list[MarkerIndex]:
+        """marker m0, to which the axis is fixed, and marker m1 [2]"""
+    @markerNumbers.setter
+    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
     stiffness: float
     """stiffness along the axis [N/m]"""
     damping: float
     """damping coefficient along the axis [Ns/m]"""
-    axisMarker0: ArrayLike
-    """axis in the frame of marker m0, a unit vector; it turns with that marker [3; 1]"""
+    @property
+    def axisMarker0(self) -> Array:
+        """axis in the frame of marker m0, a unit vector; it turns with that marker [3; 1]"""
+    @axisMarker0.setter
+    def axisMarker0(self, value: ArrayLike) -> None: ...
     offset: float
     """relative position along the axis at which the spring carries no force; may be changed during a simulation as the set value of a drive [m]"""
     velocityOffset: float
@@ -2110,10 +2778,13 @@ class ObjectConnectorLinearSpringDamper(_Item):
     """constant force added to that of spring and damper; positive: pulls marker m1 against the direction of the axis [N]"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
-    springForceUserFunction: Callable[..., Any] | Literal[0]
+    springForceUserFunction: Callable[[MainSystem, float, int, float, float, float, float, float], float] | Literal[0]
     """Python function that replaces the law of spring, damper and constant force; called only while the connector is active"""
-    visualization: VObjectConnectorLinearSpringDamper | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectConnectorLinearSpringDamper:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectConnectorLinearSpringDamper | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -2125,41 +2796,49 @@ class ObjectConnectorLinearSpringDamper(_Item):
         velocityOffset: float = 0.0,
         force: float = 0.0,
         activeConnector: bool = True,
-        springForceUserFunction: Callable[..., Any] | Literal[0] = 0,
+        springForceUserFunction: Callable[[MainSystem, float, int, float, float, float, float, float], float] | Literal[0] = 0,
         visualization: VObjectConnectorLinearSpringDamper | dict[str, Any] = ...,
     ) -> None: ...
 
 LinearSpringDamper = ObjectConnectorLinearSpringDamper
 VLinearSpringDamper = VObjectConnectorLinearSpringDamper
 
-class VObjectConnectorReevingSystemSprings:
+class VObjectConnectorReevingSystemSprings(_Visualization):
     """Visualization of ObjectConnectorReevingSystemSprings."""
 
     show: bool
     """False: the item is not drawn"""
     ropeRadius: float
     """radius of the drawn rope [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         ropeRadius: float = 0.001,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectConnectorReevingSystemSprings(_Item):
+class ObjectConnectorReevingSystemSprings(_Object):
     """A massless elastic rope that runs without friction over sheaves and joins two end points"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumbers: Sequence[MarkerIndex | int]
-    """rigid body or position markers along the rope: the first and the last are its ends, those between carry sheaves or deflection points; with ``hasCoordinateMarkers``, two coordinate markers follow [n]"""
+    @property
+    def markerNumbers(self) -> list[MarkerIndex]:
+        """rigid body or position markers along the rope: the first and the last are its ends, those between carry sheaves or deflection points; with ``hasCoordinateMarkers``, two coordinate markers follow [n]"""
+    @markerNumbers.setter
+    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
     hasCoordinateMarkers: bool
     """True: the last two markers are coordinate markers that add rope at the start and at the end"""
-    coordinateFactors: ArrayLike
-    """factors of the two coordinate markers: 1 for lengths, a radius (m) for the angle of a winch [2; various]"""
+    @property
+    def coordinateFactors(self) -> Array:
+        """factors of the two coordinate markers: 1 for lengths, a radius (m) for the angle of a winch [2; various]"""
+    @coordinateFactors.setter
+    def coordinateFactors(self, value: ArrayLike) -> None: ...
     stiffnessPerLength: float
     """axial stiffness of the rope, modulus times cross section; divided by the length it is the stiffness of the rope [N]"""
     dampingPerLength: float
@@ -2172,14 +2851,23 @@ class ObjectConnectorReevingSystemSprings(_Item):
     """positive: largest compressive force, approached smoothly; negative: the rope carries compression like a spring [N]"""
     referenceLength: float
     """length of the rope without force [m]"""
-    sheavesAxes: Sequence[ArrayLike]
-    """axis of every sheave in the frame of its marker; the sign chooses the side at which the rope runs; first and last are ignored [n x 3; 1]"""
-    sheavesRadii: ArrayLike
-    """radius of every sheave; first and last must be zero, 0 between means a deflection point [n; m]"""
+    @property
+    def sheavesAxes(self) -> Vector3DList:
+        """axis of every sheave in the frame of its marker; the sign chooses the side at which the rope runs; first and last are ignored [n x 3; 1]"""
+    @sheavesAxes.setter
+    def sheavesAxes(self, value: Sequence[ArrayLike]) -> None: ...
+    @property
+    def sheavesRadii(self) -> Array:
+        """radius of every sheave; first and last must be zero, 0 between means a deflection point [n; m]"""
+    @sheavesRadii.setter
+    def sheavesRadii(self, value: ArrayLike) -> None: ...
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
-    visualization: VObjectConnectorReevingSystemSprings | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectConnectorReevingSystemSprings:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectConnectorReevingSystemSprings | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -2201,52 +2889,78 @@ class ObjectConnectorReevingSystemSprings(_Item):
 ReevingSystemSprings = ObjectConnectorReevingSystemSprings
 VReevingSystemSprings = VObjectConnectorReevingSystemSprings
 
-class VObjectConnectorRigidBodySpringDamper:
+class VObjectConnectorRigidBodySpringDamper(_Visualization):
     """Visualization of ObjectConnectorRigidBodySpringDamper."""
 
     show: bool
     """False: the item is not drawn"""
     drawSize: float
     """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         drawSize: float = -1.0,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectConnectorRigidBodySpringDamper(_Item):
+class ObjectConnectorRigidBodySpringDamper(_Object):
     """A spring and damper with six components, against relative translation and rotation of two rigid body markers"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
-    nodeNumber: NodeIndex | int
-    """NodeGenericData whose data coordinates the user functions may use, for instance for friction or contact states; not set: no data coordinates"""
-    stiffness: ArrayLike
-    """stiffness matrix in frame J0 for three translations (N/m) and three rotations (Nm/rad), coupling terms included; need not be symmetric [6 x 6; various]"""
-    damping: ArrayLike
-    """damping matrix in frame J0 for the three components of velocity (Ns/m) and of angular velocity (Nms/rad) [6 x 6; various]"""
-    rotationMarker0: ArrayLike
-    """rotation matrix from joint frame J0 to the frame of marker m0; turns the axes in which stiffness, damping and offset are given [3 x 3; 1]"""
-    rotationMarker1: ArrayLike
-    """rotation matrix from joint frame J1 to the frame of marker m1; without rotation offset, the springs carry no torque if J0 and J1 are parallel [3 x 3; 1]"""
-    offset: ArrayLike
-    """relative position (m) and Tait-Bryan angles (rad) in frame J0 at which the springs carry no force [6; various]"""
+    @property
+    def markerNumbers(self) -> list[MarkerIndex]:
+        """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    @markerNumbers.setter
+    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    @property
+    def nodeNumber(self) -> NodeIndex:
+        """NodeGenericData whose data coordinates the user functions may use, for instance for friction or contact states; not set: no data coordinates"""
+    @nodeNumber.setter
+    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    @property
+    def stiffness(self) -> Array:
+        """stiffness matrix in frame J0 for three translations (N/m) and three rotations (Nm/rad), coupling terms included; need not be symmetric [6 x 6; various]"""
+    @stiffness.setter
+    def stiffness(self, value: ArrayLike) -> None: ...
+    @property
+    def damping(self) -> Array:
+        """damping matrix in frame J0 for the three components of velocity (Ns/m) and of angular velocity (Nms/rad) [6 x 6; various]"""
+    @damping.setter
+    def damping(self, value: ArrayLike) -> None: ...
+    @property
+    def rotationMarker0(self) -> Array:
+        """rotation matrix from joint frame J0 to the frame of marker m0; turns the axes in which stiffness, damping and offset are given [3 x 3; 1]"""
+    @rotationMarker0.setter
+    def rotationMarker0(self, value: ArrayLike) -> None: ...
+    @property
+    def rotationMarker1(self) -> Array:
+        """rotation matrix from joint frame J1 to the frame of marker m1; without rotation offset, the springs carry no torque if J0 and J1 are parallel [3 x 3; 1]"""
+    @rotationMarker1.setter
+    def rotationMarker1(self, value: ArrayLike) -> None: ...
+    @property
+    def offset(self) -> Array:
+        """relative position (m) and Tait-Bryan angles (rad) in frame J0 at which the springs carry no force [6; various]"""
+    @offset.setter
+    def offset(self, value: ArrayLike) -> None: ...
     intrinsicFormulation: bool
     """True: relative motion is measured by the logarithm on SE(3), and forces act in the frame half-way between the markers, such that exchanging the markers changes nothing; False: all is measured in frame J0"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
-    springForceTorqueUserFunction: Callable[..., Any] | Literal[0]
+    springForceTorqueUserFunction: Callable[[MainSystem, float, int, Array, Array, Array, Array, Array, Array, Array, Array, Array], ArrayLike] | Literal[0]
     """Python function that replaces the linear law of force and torque; called only while the connector is active"""
-    postNewtonStepUserFunction: Callable[..., Any] | Literal[0]
+    postNewtonStepUserFunction: Callable[[MainSystem, float, int, Array, Array, Array, Array, Array, Array, Array, Array, Array, Array], ArrayLike] | Literal[0]
     """Python function that updates the data coordinates of ``nodeNumber`` after each Newton iteration has converged; called only with a data node and while the connector is active"""
-    visualization: VObjectConnectorRigidBodySpringDamper | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectConnectorRigidBodySpringDamper:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectConnectorRigidBodySpringDamper | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -2259,66 +2973,89 @@ class ObjectConnectorRigidBodySpringDamper(_Item):
         offset: ArrayLike = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
         intrinsicFormulation: bool = False,
         activeConnector: bool = True,
-        springForceTorqueUserFunction: Callable[..., Any] | Literal[0] = 0,
-        postNewtonStepUserFunction: Callable[..., Any] | Literal[0] = 0,
+        springForceTorqueUserFunction: Callable[[MainSystem, float, int, Array, Array, Array, Array, Array, Array, Array, Array, Array], ArrayLike] | Literal[0] = 0,
+        postNewtonStepUserFunction: Callable[[MainSystem, float, int, Array, Array, Array, Array, Array, Array, Array, Array, Array, Array], ArrayLike] | Literal[0] = 0,
         visualization: VObjectConnectorRigidBodySpringDamper | dict[str, Any] = ...,
     ) -> None: ...
 
 RigidBodySpringDamper = ObjectConnectorRigidBodySpringDamper
 VRigidBodySpringDamper = VObjectConnectorRigidBodySpringDamper
 
-class VObjectConnectorRollingDiscPenalty:
+class VObjectConnectorRollingDiscPenalty(_Visualization):
     """Visualization of ObjectConnectorRollingDiscPenalty."""
 
     show: bool
     """False: the item is not drawn"""
     discWidth: float
     """width of the drawn disc [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         discWidth: float = 0.1,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectConnectorRollingDiscPenalty(_Item):
+class ObjectConnectorRollingDiscPenalty(_Object):
     """A disc that rolls or slides with friction on a plane, with elastic contact instead of constraints"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumbers: Sequence[MarkerIndex | int]
-    """marker m0 on the plane and marker m1 at the center of the disc [2]"""
-    nodeNumber: NodeIndex | int
-    """NodeGenericData with three data coordinates: slip velocity in lateral and in forward direction, and gap, of the last update"""
+    @property
+    def markerNumbers(self) -> list[MarkerIndex]:
+        """marker m0 on the plane and marker m1 at the center of the disc [2]"""
+    @markerNumbers.setter
+    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    @property
+    def nodeNumber(self) -> NodeIndex:
+        """NodeGenericData with three data coordinates: slip velocity in lateral and in forward direction, and gap, of the last update"""
+    @nodeNumber.setter
+    def nodeNumber(self, value: NodeIndex | int) -> None: ...
     discRadius: float
     """radius of the disc [m]"""
-    discAxis: ArrayLike
-    """axis of the disc in the frame of marker m1, a unit vector; must not become parallel to the normal of the plane [3; 1]"""
-    planeNormal: ArrayLike
-    """normal of the plane in the frame of marker m0, a unit vector; the plane contains the position of marker m0 [3; 1]"""
+    @property
+    def discAxis(self) -> Array:
+        """axis of the disc in the frame of marker m1, a unit vector; must not become parallel to the normal of the plane [3; 1]"""
+    @discAxis.setter
+    def discAxis(self, value: ArrayLike) -> None: ...
+    @property
+    def planeNormal(self) -> Array:
+        """normal of the plane in the frame of marker m0, a unit vector; the plane contains the position of marker m0 [3; 1]"""
+    @planeNormal.setter
+    def planeNormal(self, value: ArrayLike) -> None: ...
     dryFrictionAngle: float
     """rotation of the directions of ``dryFriction`` in the plane, such as the angle of the rollers of a Mecanum wheel [rad]"""
     contactStiffness: float
     """stiffness normal to the plane [N/m]"""
     contactDamping: float
     """damping coefficient normal to the plane [Ns/m]"""
-    dryFriction: ArrayLike
-    """friction coefficients in lateral and in forward direction [2; 1]"""
+    @property
+    def dryFriction(self) -> Array:
+        """friction coefficients in lateral and in forward direction [2; 1]"""
+    @dryFriction.setter
+    def dryFriction(self, value: ArrayLike) -> None: ...
     dryFrictionProportionalZone: float
     """slip speed up to which friction is regularized; 0: none [m/s]"""
-    viscousFriction: ArrayLike
-    """growth of the friction coefficients with the slip speed, in lateral and in forward direction [2; s/m]"""
+    @property
+    def viscousFriction(self) -> Array:
+        """growth of the friction coefficients with the slip speed, in lateral and in forward direction [2; s/m]"""
+    @viscousFriction.setter
+    def viscousFriction(self, value: ArrayLike) -> None: ...
     rollingFrictionViscous: float
     """rolling resistance per normal force and per speed of the disc center along the plane; only for a disc with its axis parallel to the plane [s/m]"""
     useLinearProportionalZone: bool
     """True: friction grows linearly in the proportional zone, with a constant tangent in sticking; False: quadratically, with a smooth end of the zone"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
-    visualization: VObjectConnectorRollingDiscPenalty | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectConnectorRollingDiscPenalty:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectConnectorRollingDiscPenalty | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -2342,30 +3079,35 @@ class ObjectConnectorRollingDiscPenalty(_Item):
 RollingDiscPenalty = ObjectConnectorRollingDiscPenalty
 VRollingDiscPenalty = VObjectConnectorRollingDiscPenalty
 
-class VObjectConnectorSpringDamper:
+class VObjectConnectorSpringDamper(_Visualization):
     """Visualization of ObjectConnectorSpringDamper."""
 
     show: bool
     """False: the item is not drawn"""
     drawSize: float
     """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         drawSize: float = -1.0,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectConnectorSpringDamper(_Item):
+class ObjectConnectorSpringDamper(_Object):
     """A spring and a damper that act along the line between two points"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    @property
+    def markerNumbers(self) -> list[MarkerIndex]:
+        """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    @markerNumbers.setter
+    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
     referenceLength: float
     """length at which the spring itself carries no force [m]"""
     stiffness: float
@@ -2378,10 +3120,13 @@ class ObjectConnectorSpringDamper(_Item):
     """rate of length at which the damper carries no force, for instance the rate at which ``referenceLength`` is changed [m/s]"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
-    springForceUserFunction: Callable[..., Any] | Literal[0]
+    springForceUserFunction: Callable[[MainSystem, float, int, float, float, float, float, float], float] | Literal[0]
     """Python function that replaces the law of spring, damper and constant force; called only while the connector is active"""
-    visualization: VObjectConnectorSpringDamper | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectConnectorSpringDamper:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectConnectorSpringDamper | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -2392,47 +3137,61 @@ class ObjectConnectorSpringDamper(_Item):
         force: float = 0.0,
         velocityOffset: float = 0.0,
         activeConnector: bool = True,
-        springForceUserFunction: Callable[..., Any] | Literal[0] = 0,
+        springForceUserFunction: Callable[[MainSystem, float, int, float, float, float, float, float], float] | Literal[0] = 0,
         visualization: VObjectConnectorSpringDamper | dict[str, Any] = ...,
     ) -> None: ...
 
 SpringDamper = ObjectConnectorSpringDamper
 VSpringDamper = VObjectConnectorSpringDamper
 
-class VObjectConnectorTorsionalSpringDamper:
+class VObjectConnectorTorsionalSpringDamper(_Visualization):
     """Visualization of ObjectConnectorTorsionalSpringDamper."""
 
     show: bool
     """False: the item is not drawn"""
     drawSize: float
     """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         drawSize: float = -1.0,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectConnectorTorsionalSpringDamper(_Item):
+class ObjectConnectorTorsionalSpringDamper(_Object):
     """A torsional spring and damper about the z axis of a joint frame"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
-    nodeNumber: NodeIndex | int
-    """NodeGenericData with one data coordinate that holds the angle of the last step and makes the measured angle continuous beyond half a turn; not set: the angle jumps"""
+    @property
+    def markerNumbers(self) -> list[MarkerIndex]:
+        """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    @markerNumbers.setter
+    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    @property
+    def nodeNumber(self) -> NodeIndex:
+        """NodeGenericData with one data coordinate that holds the angle of the last step and makes the measured angle continuous beyond half a turn; not set: the angle jumps"""
+    @nodeNumber.setter
+    def nodeNumber(self, value: NodeIndex | int) -> None: ...
     stiffness: float
     """torsional stiffness [Nm/rad]"""
     damping: float
     """torsional damping coefficient [Nms/rad]"""
-    rotationMarker0: ArrayLike
-    """rotation matrix from joint frame J0 to the frame of marker m0; its third column is the axis of rotation [3 x 3; 1]"""
-    rotationMarker1: ArrayLike
-    """rotation matrix from joint frame J1 to the frame of marker m1; the angle is zero if J0 and J1 are parallel [3 x 3; 1]"""
+    @property
+    def rotationMarker0(self) -> Array:
+        """rotation matrix from joint frame J0 to the frame of marker m0; its third column is the axis of rotation [3 x 3; 1]"""
+    @rotationMarker0.setter
+    def rotationMarker0(self, value: ArrayLike) -> None: ...
+    @property
+    def rotationMarker1(self) -> Array:
+        """rotation matrix from joint frame J1 to the frame of marker m1; the angle is zero if J0 and J1 are parallel [3 x 3; 1]"""
+    @rotationMarker1.setter
+    def rotationMarker1(self, value: ArrayLike) -> None: ...
     offset: float
     """angle at which the spring carries no torque; may be changed during a simulation as the set value of a drive [rad]"""
     velocityOffset: float
@@ -2441,10 +3200,13 @@ class ObjectConnectorTorsionalSpringDamper(_Item):
     """constant torque added to that of spring and damper; positive: acts against the rotation of marker m1 about the axis [Nm]"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
-    springTorqueUserFunction: Callable[..., Any] | Literal[0]
+    springTorqueUserFunction: Callable[[MainSystem, float, int, float, float, float, float, float], float] | Literal[0]
     """Python function that replaces the law of spring, damper and constant torque; called only while the connector is active"""
-    visualization: VObjectConnectorTorsionalSpringDamper | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectConnectorTorsionalSpringDamper:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectConnectorTorsionalSpringDamper | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -2458,51 +3220,59 @@ class ObjectConnectorTorsionalSpringDamper(_Item):
         velocityOffset: float = 0.0,
         torque: float = 0.0,
         activeConnector: bool = True,
-        springTorqueUserFunction: Callable[..., Any] | Literal[0] = 0,
+        springTorqueUserFunction: Callable[[MainSystem, float, int, float, float, float, float, float], float] | Literal[0] = 0,
         visualization: VObjectConnectorTorsionalSpringDamper | dict[str, Any] = ...,
     ) -> None: ...
 
 TorsionalSpringDamper = ObjectConnectorTorsionalSpringDamper
 VTorsionalSpringDamper = VObjectConnectorTorsionalSpringDamper
 
-class VObjectConnectorCoordinate:
+class VObjectConnectorCoordinate(_Visualization):
     """Visualization of ObjectConnectorCoordinate."""
 
     show: bool
     """False: the item is not drawn"""
     drawSize: float
     """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         drawSize: float = -1.0,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectConnectorCoordinate(_Item):
+class ObjectConnectorCoordinate(_Object):
     """Couples two coordinates, or fixes one of them to a value or to a function of time"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    @property
+    def markerNumbers(self) -> list[MarkerIndex]:
+        """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    @markerNumbers.setter
+    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
     offset: float
     """prescribed value of ``factorValue1`` times the second coordinate minus the first one; with ``velocityLevel`` the same for the velocity coordinates [various]"""
     factorValue1: float
     """factor of the coordinate of marker m1, such as a gear ratio [1]"""
     velocityLevel: bool
     """True: the constraint is set for the velocity coordinates, and ``offset`` is a velocity; ``offsetUserFunction`` is then ignored; only for coordinates of second order equations"""
-    offsetUserFunction: Callable[..., Any] | Literal[0]
+    offsetUserFunction: Callable[[MainSystem, float, int, float], float] | Literal[0]
     """Python function that replaces ``offset`` by a function of time, on position level"""
-    offsetUserFunction_t: Callable[..., Any] | Literal[0]
+    offsetUserFunction_t: Callable[[MainSystem, float, int, float], float] | Literal[0]
     """Python function, the time derivative of ``offsetUserFunction``; used wherever the constraint is evaluated on velocity level"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
-    visualization: VObjectConnectorCoordinate | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectConnectorCoordinate:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectConnectorCoordinate | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -2510,8 +3280,8 @@ class ObjectConnectorCoordinate(_Item):
         offset: float = 0.0,
         factorValue1: float = 1.0,
         velocityLevel: bool = False,
-        offsetUserFunction: Callable[..., Any] | Literal[0] = 0,
-        offsetUserFunction_t: Callable[..., Any] | Literal[0] = 0,
+        offsetUserFunction: Callable[[MainSystem, float, int, float], float] | Literal[0] = 0,
+        offsetUserFunction_t: Callable[[MainSystem, float, int, float], float] | Literal[0] = 0,
         activeConnector: bool = True,
         visualization: VObjectConnectorCoordinate | dict[str, Any] = ...,
     ) -> None: ...
@@ -2519,47 +3289,70 @@ class ObjectConnectorCoordinate(_Item):
 CoordinateConstraint = ObjectConnectorCoordinate
 VCoordinateConstraint = VObjectConnectorCoordinate
 
-class VObjectConnectorCoordinateVector:
+class VObjectConnectorCoordinateVector(_Visualization):
     """Visualization of ObjectConnectorCoordinateVector."""
 
     show: bool
     """False: the item is not drawn"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectConnectorCoordinateVector(_Item):
+class ObjectConnectorCoordinateVector(_Object):
     """Couples the coordinate vectors of two markers by linear and quadratic equations, or by a user function"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumbers: Sequence[MarkerIndex | int]
-    """two markers on coordinate vectors; the equations are those of m1 minus those of m0 [2]"""
-    scalingMarker0: ArrayLike
-    """matrix of linear factors of the coordinates of marker m0, one row per equation and one column per coordinate; empty: no such term [n x m; various]"""
-    scalingMarker1: ArrayLike
-    """matrix of linear factors of the coordinates of marker m1; empty: no such term [n x m; various]"""
-    quadraticTermMarker0: ArrayLike
-    """matrix of factors of the squared coordinates of marker m0; empty: no such term [n x m; various]"""
-    quadraticTermMarker1: ArrayLike
-    """matrix of factors of the squared coordinates of marker m1; empty: no such term [n x m; various]"""
-    offset: ArrayLike
-    """vector that is subtracted from the equations, one component per equation; empty: zero; not used with a user function [n; various]"""
+    @property
+    def markerNumbers(self) -> list[MarkerIndex]:
+        """two markers on coordinate vectors; the equations are those of m1 minus those of m0 [2]"""
+    @markerNumbers.setter
+    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    @property
+    def scalingMarker0(self) -> Array:
+        """matrix of linear factors of the coordinates of marker m0, one row per equation and one column per coordinate; empty: no such term [n x m; various]"""
+    @scalingMarker0.setter
+    def scalingMarker0(self, value: ArrayLike) -> None: ...
+    @property
+    def scalingMarker1(self) -> Array:
+        """matrix of linear factors of the coordinates of marker m1; empty: no such term [n x m; various]"""
+    @scalingMarker1.setter
+    def scalingMarker1(self, value: ArrayLike) -> None: ...
+    @property
+    def quadraticTermMarker0(self) -> Array:
+        """matrix of factors of the squared coordinates of marker m0; empty: no such term [n x m; various]"""
+    @quadraticTermMarker0.setter
+    def quadraticTermMarker0(self, value: ArrayLike) -> None: ...
+    @property
+    def quadraticTermMarker1(self) -> Array:
+        """matrix of factors of the squared coordinates of marker m1; empty: no such term [n x m; various]"""
+    @quadraticTermMarker1.setter
+    def quadraticTermMarker1(self, value: ArrayLike) -> None: ...
+    @property
+    def offset(self) -> Array:
+        """vector that is subtracted from the equations, one component per equation; empty: zero; not used with a user function [n; various]"""
+    @offset.setter
+    def offset(self, value: ArrayLike) -> None: ...
     velocityLevel: bool
     """True: the equations are set for the velocity coordinates, and ``offset`` is a velocity; only for coordinates of second order equations"""
-    constraintUserFunction: Callable[..., Any] | Literal[0]
+    constraintUserFunction: Callable[[MainSystem, float, int, Array, Array, bool], ArrayLike] | Literal[0]
     """Python function that replaces all equations; ``jacobianUserFunction`` is needed as well, and ``scalingMarker0`` tells the number of equations by its number of rows, as in ``np.zeros((2, 1))``"""
-    jacobianUserFunction: Callable[..., Any] | Literal[0]
+    jacobianUserFunction: Callable[[MainSystem, float, int, Array, Array, bool], MatrixLike] | Literal[0]
     """Python function, the derivative of ``constraintUserFunction`` with respect to the coordinates (or velocity coordinates with ``velocityLevel``)"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
-    visualization: VObjectConnectorCoordinateVector | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectConnectorCoordinateVector:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectConnectorCoordinateVector | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -2570,8 +3363,8 @@ class ObjectConnectorCoordinateVector(_Item):
         quadraticTermMarker1: ArrayLike = [],
         offset: ArrayLike = [],
         velocityLevel: bool = False,
-        constraintUserFunction: Callable[..., Any] | Literal[0] = 0,
-        jacobianUserFunction: Callable[..., Any] | Literal[0] = 0,
+        constraintUserFunction: Callable[[MainSystem, float, int, Array, Array, bool], ArrayLike] | Literal[0] = 0,
+        jacobianUserFunction: Callable[[MainSystem, float, int, Array, Array, bool], MatrixLike] | Literal[0] = 0,
         activeConnector: bool = True,
         visualization: VObjectConnectorCoordinateVector | dict[str, Any] = ...,
     ) -> None: ...
@@ -2579,36 +3372,44 @@ class ObjectConnectorCoordinateVector(_Item):
 CoordinateVectorConstraint = ObjectConnectorCoordinateVector
 VCoordinateVectorConstraint = VObjectConnectorCoordinateVector
 
-class VObjectConnectorDistance:
+class VObjectConnectorDistance(_Visualization):
     """Visualization of ObjectConnectorDistance."""
 
     show: bool
     """False: the item is not drawn"""
     drawSize: float
     """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         drawSize: float = -1.0,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectConnectorDistance(_Item):
+class ObjectConnectorDistance(_Object):
     """Keeps the distance of two points constant, like a massless rigid rod between two ball joints"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    @property
+    def markerNumbers(self) -> list[MarkerIndex]:
+        """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    @markerNumbers.setter
+    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
     distance: float
     """prescribed distance of the two markers; must be positive, and should fit the initial positions [m]"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
-    visualization: VObjectConnectorDistance | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectConnectorDistance:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectConnectorDistance | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -2621,7 +3422,7 @@ class ObjectConnectorDistance(_Item):
 DistanceConstraint = ObjectConnectorDistance
 VDistanceConstraint = VObjectConnectorDistance
 
-class VObjectContactCircleCable2D:
+class VObjectContactCircleCable2D(_Visualization):
     """Visualization of ObjectContactCircleCable2D."""
 
     show: bool
@@ -2630,8 +3431,11 @@ class VObjectContactCircleCable2D:
     """True: the circle is drawn"""
     drawSize: float
     """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
@@ -2639,17 +3443,22 @@ class VObjectContactCircleCable2D:
         drawSize: float = -1.0,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectContactCircleCable2D(_Item):
+class ObjectContactCircleCable2D(_Object):
     """Contact without friction of a planar cable element with a circle"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumbers: Sequence[MarkerIndex | int]
-    """marker m0 at the center of the circle and marker m1, the shape of the cable [2]"""
-    nodeNumber: NodeIndex | int
-    """NodeGenericData with one data coordinate per segment, the gap of the last update"""
+    @property
+    def markerNumbers(self) -> list[MarkerIndex]:
+        """marker m0 at the center of the circle and marker m1, the shape of the cable [2]"""
+    @markerNumbers.setter
+    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    @property
+    def nodeNumber(self) -> NodeIndex:
+        """NodeGenericData with one data coordinate per segment, the gap of the last update"""
+    @nodeNumber.setter
+    def nodeNumber(self, value: NodeIndex | int) -> None: ...
     numberOfContactSegments: int
     """number of segments; must be that of the shape marker"""
     contactStiffness: float
@@ -2662,8 +3471,11 @@ class ObjectContactCircleCable2D(_Item):
     """distance that is added to the radius of the circle, such as half the thickness of the cable [m]"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
-    visualization: VObjectContactCircleCable2D | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectContactCircleCable2D:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectContactCircleCable2D | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -2678,29 +3490,37 @@ class ObjectContactCircleCable2D(_Item):
         visualization: VObjectContactCircleCable2D | dict[str, Any] = ...,
     ) -> None: ...
 
-class VObjectContactConvexRoll:
+class VObjectContactConvexRoll(_Visualization):
     """Visualization of ObjectContactConvexRoll."""
 
     show: bool
     """False: the item is not drawn"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectContactConvexRoll(_Item):
+class ObjectContactConvexRoll(_Object):
     """Contact of a convex roll, a body of revolution with a polynomial profile, with the ground plane"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumbers: Sequence[MarkerIndex | int]
-    """marker m0 on the ground, which may translate but not rotate, and marker m1 at the center of the roll [2]"""
-    nodeNumber: NodeIndex | int
-    """NodeGenericData with three data coordinates: slip velocity in two directions, and gap, of the last update"""
+    @property
+    def markerNumbers(self) -> list[MarkerIndex]:
+        """marker m0 on the ground, which may translate but not rotate, and marker m1 at the center of the roll [2]"""
+    @markerNumbers.setter
+    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    @property
+    def nodeNumber(self) -> NodeIndex:
+        """NodeGenericData with three data coordinates: slip velocity in two directions, and gap, of the last update"""
+    @nodeNumber.setter
+    def nodeNumber(self, value: NodeIndex | int) -> None: ...
     contactStiffness: float
     """stiffness normal to the plane [N/m]"""
     contactDamping: float
@@ -2717,14 +3537,29 @@ class ObjectContactConvexRoll(_Item):
     """slip speed up to which friction is proportional to it [m/s]"""
     rollLength: float
     """length of the roll, symmetric about its center [m]"""
-    coefficientsHull: ArrayLike
-    """coefficients of the polynomial radius over the position x on the axis, highest power first; the profile must be convex [n; various]"""
+    @property
+    def coefficientsHull(self) -> Array:
+        """coefficients of the polynomial radius over the position x on the axis, highest power first; the profile must be convex [n; various]"""
+    @coefficientsHull.setter
+    def coefficientsHull(self, value: ArrayLike) -> None: ...
+    @property
+    def coefficientsHullDerivative(self) -> Array:
+        """coefficients of the first derivative of the profile [n; various]; computed"""
+    @property
+    def coefficientsHullDDerivative(self) -> Array:
+        """coefficients of the second derivative of the profile [n; various]; computed"""
     rBoundingSphere: float
     """radius of spheres at both ends that exclude contact by a cheap test; follows from the profile [m]"""
+    @property
+    def pContact(self) -> Array:
+        """current point of possible contact; contact if its third component is negative [3; m]; computed"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
-    visualization: VObjectContactConvexRoll | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectContactConvexRoll:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectContactConvexRoll | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -2744,32 +3579,40 @@ class ObjectContactConvexRoll(_Item):
         visualization: VObjectContactConvexRoll | dict[str, Any] = ...,
     ) -> None: ...
 
-class VObjectContactCoordinate:
+class VObjectContactCoordinate(_Visualization):
     """Visualization of ObjectContactCoordinate."""
 
     show: bool
     """False: the item is not drawn"""
     drawSize: float
     """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         drawSize: float = -1.0,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectContactCoordinate(_Item):
+class ObjectContactCoordinate(_Object):
     """Contact of two coordinates, a one-sided spring and damper"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
-    nodeNumber: NodeIndex | int
-    """NodeGenericData with one data coordinate, the gap of the last update; must not be positive if the simulation begins in contact"""
+    @property
+    def markerNumbers(self) -> list[MarkerIndex]:
+        """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    @markerNumbers.setter
+    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    @property
+    def nodeNumber(self) -> NodeIndex:
+        """NodeGenericData with one data coordinate, the gap of the last update; must not be positive if the simulation begins in contact"""
+    @nodeNumber.setter
+    def nodeNumber(self, value: NodeIndex | int) -> None: ...
     contactStiffness: float
     """contact stiffness; N/m for coordinates that are lengths [various]"""
     contactDamping: float
@@ -2778,8 +3621,11 @@ class ObjectContactCoordinate(_Item):
     """difference of the coordinates at which contact begins; m for lengths [various]"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
-    visualization: VObjectContactCoordinate | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectContactCoordinate:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectContactCoordinate | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -2792,37 +3638,57 @@ class ObjectContactCoordinate(_Item):
         visualization: VObjectContactCoordinate | dict[str, Any] = ...,
     ) -> None: ...
 
-class VObjectContactCurveCircles:
+class VObjectContactCurveCircles(_Visualization):
     """Visualization of ObjectContactCurveCircles."""
 
     show: bool
     """False: the item is not drawn"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectContactCurveCircles(_Item):
+class ObjectContactCurveCircles(_Object):
     """Contact of a planar curve with circles, as of a cam with its followers"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumbers: Sequence[MarkerIndex | int]
-    """rigid body marker that carries the curve, followed by one marker per circle [2]"""
-    nodeNumber: NodeIndex | int
-    """NodeGenericData with three data coordinates per segment: number of the circle in contact, gap, tangential velocity, of the last update"""
-    circlesRadii: ArrayLike
-    """radius of every circle, as many as circle markers [n; m]"""
-    segmentsData: MatrixLike
-    """one row per segment with the planar coordinates of its begin and end, [x0, y0, x1, y1], in the frame of the curve; the outer side lies to the right when going from begin to end [n x m; m]"""
-    polynomialData: MatrixLike
-    """one row per segment with slopes at its begin and end (1) and curvatures at its begin and end (1/m), in the frame of the segment; empty: straight segments [n x m; various]"""
-    rotationMarker0: ArrayLike
-    """rotation matrix from the frame of the curve, in whose x-y plane it lies, to the frame of the first marker [3 x 3; 1]"""
+    @property
+    def markerNumbers(self) -> list[MarkerIndex]:
+        """rigid body marker that carries the curve, followed by one marker per circle [2]"""
+    @markerNumbers.setter
+    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    @property
+    def nodeNumber(self) -> NodeIndex:
+        """NodeGenericData with three data coordinates per segment: number of the circle in contact, gap, tangential velocity, of the last update"""
+    @nodeNumber.setter
+    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    @property
+    def circlesRadii(self) -> Array:
+        """radius of every circle, as many as circle markers [n; m]"""
+    @circlesRadii.setter
+    def circlesRadii(self, value: ArrayLike) -> None: ...
+    @property
+    def segmentsData(self) -> MatrixContainer:
+        """one row per segment with the planar coordinates of its begin and end, [x0, y0, x1, y1], in the frame of the curve; the outer side lies to the right when going from begin to end [n x m; m]"""
+    @segmentsData.setter
+    def segmentsData(self, value: MatrixLike | None) -> None: ...
+    @property
+    def polynomialData(self) -> MatrixContainer:
+        """one row per segment with slopes at its begin and end (1) and curvatures at its begin and end (1/m), in the frame of the segment; empty: straight segments [n x m; various]"""
+    @polynomialData.setter
+    def polynomialData(self, value: MatrixLike | None) -> None: ...
+    @property
+    def rotationMarker0(self) -> Array:
+        """rotation matrix from the frame of the curve, in whose x-y plane it lies, to the frame of the first marker [3 x 3; 1]"""
+    @rotationMarker0.setter
+    def rotationMarker0(self, value: ArrayLike) -> None: ...
     dynamicFriction: float
     """coefficient of friction in sliding [1]"""
     frictionProportionalZone: float
@@ -2835,16 +3701,31 @@ class ObjectContactCurveCircles(_Item):
     """0: force by penetration of the segment, robust but with jumps between segments; 1: force by the area of penetration, smooth in sliding"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
-    visualization: VObjectContactCurveCircles | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def gapPerSegment(self) -> Array:
+        """gap of every segment at the last evaluation [n; m]; computed"""
+    @property
+    def gapPerSegment_t(self) -> Array:
+        """rate of gap of every segment at the last evaluation [n; m/s]; computed"""
+    @property
+    def segmentsForceLocalX(self) -> Array:
+        """contact force of every segment in x direction of its frame, at the last evaluation [n; N]; computed"""
+    @property
+    def segmentsForceLocalY(self) -> Array:
+        """contact force of every segment in y direction of its frame, at the last evaluation [n; N]; computed"""
+    @property
+    def visualization(self) -> VObjectContactCurveCircles:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectContactCurveCircles | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
         markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
         nodeNumber: NodeIndex | int = -1,
         circlesRadii: ArrayLike = [],
-        segmentsData: MatrixLike = [],
-        polynomialData: MatrixLike = [],
+        segmentsData: MatrixLike | None = None,
+        polynomialData: MatrixLike | None = None,
         rotationMarker0: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         dynamicFriction: float = 0.0,
         frictionProportionalZone: float = 0.001,
@@ -2858,7 +3739,7 @@ class ObjectContactCurveCircles(_Item):
 CamFollowerContactPlanar = ObjectContactCurveCircles
 VCamFollowerContactPlanar = VObjectContactCurveCircles
 
-class VObjectContactFrictionCircleCable2D:
+class VObjectContactFrictionCircleCable2D(_Visualization):
     """Visualization of ObjectContactFrictionCircleCable2D."""
 
     show: bool
@@ -2867,8 +3748,11 @@ class VObjectContactFrictionCircleCable2D:
     """True: the circle is drawn"""
     drawSize: float
     """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
@@ -2876,17 +3760,22 @@ class VObjectContactFrictionCircleCable2D:
         drawSize: float = -1.0,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectContactFrictionCircleCable2D(_Item):
+class ObjectContactFrictionCircleCable2D(_Object):
     """Contact with friction of a planar cable element with a circle, such as of a belt on a pulley"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumbers: Sequence[MarkerIndex | int]
-    """marker m0 at the center of the circle and marker m1, the shape of the cable [2]"""
-    nodeNumber: NodeIndex | int
-    """NodeGenericData with three data coordinates per segment: all gaps, then all friction states (-1 and 1 slip, 0 stick, -2 undefined), then all last sticking positions; begin for instance with 0.1, -2, 0 for no contact"""
+    @property
+    def markerNumbers(self) -> list[MarkerIndex]:
+        """marker m0 at the center of the circle and marker m1, the shape of the cable [2]"""
+    @markerNumbers.setter
+    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    @property
+    def nodeNumber(self) -> NodeIndex:
+        """NodeGenericData with three data coordinates per segment: all gaps, then all friction states (-1 and 1 slip, 0 stick, -2 undefined), then all last sticking positions; begin for instance with 0.1, -2, 0 for no contact"""
+    @nodeNumber.setter
+    def nodeNumber(self, value: NodeIndex | int) -> None: ...
     numberOfContactSegments: int
     """number of segments; must be that of the shape marker"""
     contactStiffness: float
@@ -2905,8 +3794,11 @@ class ObjectContactFrictionCircleCable2D(_Item):
     """True: normal and tangent are those of the segment, for segments that are long against the circle; False: those of the circle at the points of the segment, for short segments"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
-    visualization: VObjectContactFrictionCircleCable2D | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectContactFrictionCircleCable2D:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectContactFrictionCircleCable2D | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -2924,31 +3816,42 @@ class ObjectContactFrictionCircleCable2D(_Item):
         visualization: VObjectContactFrictionCircleCable2D | dict[str, Any] = ...,
     ) -> None: ...
 
-class VObjectContactSphereSphere:
+class VObjectContactSphereSphere(_Visualization):
     """Visualization of ObjectContactSphereSphere."""
 
     show: bool
     """True: the item is drawn"""
-    color: ArrayLike
-    """red, green, blue and opacity of the drawn shapes [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity of the drawn shapes [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = False,
         color: ArrayLike = [0.7, 0.7, 0.7, 1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectContactSphereSphere(_Item):
+class ObjectContactSphereSphere(_Object):
     """Contact of two spheres, or of a sphere inside a hollow sphere, with friction, restitution and adhesion"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumbers: Sequence[MarkerIndex | int]
-    """markers at the centers of the two spheres [2]"""
-    nodeNumber: NodeIndex | int
-    """NodeGenericData with four data coordinates of the last update: gap, tangential speed, impact velocity, plastic overlap; initial gap positive: no contact"""
-    spheresRadii: ArrayLike
-    """radii of the spheres at marker m0 and marker m1; must be positive [2; m]"""
+    @property
+    def markerNumbers(self) -> list[MarkerIndex]:
+        """markers at the centers of the two spheres [2]"""
+    @markerNumbers.setter
+    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    @property
+    def nodeNumber(self) -> NodeIndex:
+        """NodeGenericData with four data coordinates of the last update: gap, tangential speed, impact velocity, plastic overlap; initial gap positive: no contact"""
+    @nodeNumber.setter
+    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    @property
+    def spheresRadii(self) -> Array:
+        """radii of the spheres at marker m0 and marker m1; must be positive [2; m]"""
+    @spheresRadii.setter
+    def spheresRadii(self, value: ArrayLike) -> None: ...
     isHollowSphere1: bool
     """True: the sphere of marker m1 is hollow, and the other one touches it from inside"""
     dynamicFriction: float
@@ -2977,8 +3880,11 @@ class ObjectContactSphereSphere(_Item):
     """0: elastic contact with linear damping; 1: Hunt-Crossley, for restitution near 1; 2: Carvalho-Martins and Gonthier, for all restitution coefficients"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
-    visualization: VObjectContactSphereSphere | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectContactSphereSphere:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectContactSphereSphere | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -3002,37 +3908,48 @@ class ObjectContactSphereSphere(_Item):
         visualization: VObjectContactSphereSphere | dict[str, Any] = ...,
     ) -> None: ...
 
-class VObjectContactSphereTorus:
+class VObjectContactSphereTorus(_Visualization):
     """Visualization of ObjectContactSphereTorus."""
 
     show: bool
     """True: the item is drawn"""
-    color: ArrayLike
-    """red, green, blue and opacity of the drawn shapes [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity of the drawn shapes [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = False,
         color: ArrayLike = [0.7, 0.7, 0.7, 1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectContactSphereTorus(_Item):
+class ObjectContactSphereTorus(_Object):
     """Contact of a sphere inside the tube of a torus, as of a ball in the groove of a bearing"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumbers: Sequence[MarkerIndex | int]
-    """marker m0 at the center of the sphere and marker m1 at the center of the torus [2]"""
-    nodeNumber: NodeIndex | int
-    """NodeGenericData with four data coordinates of the last update: gap, tangential speed, impact velocity, and one that is not used"""
+    @property
+    def markerNumbers(self) -> list[MarkerIndex]:
+        """marker m0 at the center of the sphere and marker m1 at the center of the torus [2]"""
+    @markerNumbers.setter
+    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    @property
+    def nodeNumber(self) -> NodeIndex:
+        """NodeGenericData with four data coordinates of the last update: gap, tangential speed, impact velocity, and one that is not used"""
+    @nodeNumber.setter
+    def nodeNumber(self, value: NodeIndex | int) -> None: ...
     radiusSphere: float
     """radius of the sphere at marker m0 [m]"""
     torusMajorRadius: float
     """radius of the center line of the torus [m]"""
     torusMinorRadius: float
     """radius of the tube, larger than that of the sphere [m]"""
-    torusAxis: ArrayLike
-    """axis of the torus in the frame of marker m1, a unit vector [3; 1]"""
+    @property
+    def torusAxis(self) -> Array:
+        """axis of the torus in the frame of marker m1, a unit vector [3; 1]"""
+    @torusAxis.setter
+    def torusAxis(self, value: ArrayLike) -> None: ...
     dynamicFriction: float
     """coefficient of dry friction; 0: no friction, and no torques [1]"""
     frictionProportionalZone: float
@@ -3051,8 +3968,11 @@ class ObjectContactSphereTorus(_Item):
     """0: elastic contact with linear damping; 1: Hunt-Crossley, for restitution near 1; 2: Carvalho-Martins and Gonthier, for all restitution coefficients"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
-    visualization: VObjectContactSphereTorus | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectContactSphereTorus:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectContactSphereTorus | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -3074,33 +3994,44 @@ class ObjectContactSphereTorus(_Item):
         visualization: VObjectContactSphereTorus | dict[str, Any] = ...,
     ) -> None: ...
 
-class VObjectContactSphereTriangle:
+class VObjectContactSphereTriangle(_Visualization):
     """Visualization of ObjectContactSphereTriangle."""
 
     show: bool
     """True: the item is drawn"""
-    color: ArrayLike
-    """red, green, blue and opacity of the drawn shapes [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity of the drawn shapes [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = False,
         color: ArrayLike = [0.7, 0.7, 0.7, 1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectContactSphereTriangle(_Item):
+class ObjectContactSphereTriangle(_Object):
     """Contact of a sphere with a triangle, its face and chosen edges"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumbers: Sequence[MarkerIndex | int]
-    """marker m0 at the center of the sphere and marker m1 on the body that carries the triangle [2]"""
-    nodeNumber: NodeIndex | int
-    """NodeGenericData with four data coordinates of the last update: gap, tangential speed, impact velocity, and one that is not used"""
+    @property
+    def markerNumbers(self) -> list[MarkerIndex]:
+        """marker m0 at the center of the sphere and marker m1 on the body that carries the triangle [2]"""
+    @markerNumbers.setter
+    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    @property
+    def nodeNumber(self) -> NodeIndex:
+        """NodeGenericData with four data coordinates of the last update: gap, tangential speed, impact velocity, and one that is not used"""
+    @nodeNumber.setter
+    def nodeNumber(self, value: NodeIndex | int) -> None: ...
     radiusSphere: float
     """radius of the sphere at marker m0 [m]"""
-    trianglePoints: Sequence[ArrayLike]
-    """three points in the frame of marker m1 [n x 3; m]"""
+    @property
+    def trianglePoints(self) -> Vector3DList:
+        """three points in the frame of marker m1 [n x 3; m]"""
+    @trianglePoints.setter
+    def trianglePoints(self, value: Sequence[ArrayLike]) -> None: ...
     includeEdges: int
     """sum of 1, 2 and 4 for contact with edge 0 (points 0 and 1), edge 1 (points 1 and 2) and edge 2 (points 2 and 0); 7: all edges; edges between triangles of a smooth surface are left out"""
     dynamicFriction: float
@@ -3121,8 +4052,11 @@ class ObjectContactSphereTriangle(_Item):
     """0: elastic contact with linear damping; 1: Hunt-Crossley, for restitution near 1; 2: Carvalho-Martins and Gonthier, for all restitution coefficients"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
-    visualization: VObjectContactSphereTriangle | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectContactSphereTriangle:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectContactSphereTriangle | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -3143,46 +4077,63 @@ class ObjectContactSphereTriangle(_Item):
         visualization: VObjectContactSphereTriangle | dict[str, Any] = ...,
     ) -> None: ...
 
-class VObjectJointALEMoving2D:
+class VObjectJointALEMoving2D(_Visualization):
     """Visualization of ObjectJointALEMoving2D."""
 
     show: bool
     """False: the item is not drawn"""
     drawSize: float
     """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         drawSize: float = -1.0,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectJointALEMoving2D(_Item):
+class ObjectJointALEMoving2D(_Object):
     """A body attached to an axially moving ANCF cable, whose sliding coordinate is shared by all elements of the cable"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumbers: Sequence[MarkerIndex | int]
-    """marker m0 of the sliding body, and marker m1 of the cable element on which it begins; m1 is updated when the body passes to a neighbouring element [2]"""
-    slidingMarkerNumbers: Sequence[MarkerIndex | int]
-    """shape or coordinate markers of all cable elements in the order in which they follow each other: the end of one element is the begin of the next [n]"""
-    slidingMarkerOffsets: ArrayLike
-    """for each of these elements, the sum of the reference lengths of all elements before it; 0 for the first [n; m]"""
+    @property
+    def markerNumbers(self) -> list[MarkerIndex]:
+        """marker m0 of the sliding body, and marker m1 of the cable element on which it begins; m1 is updated when the body passes to a neighbouring element [2]"""
+    @markerNumbers.setter
+    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    @property
+    def slidingMarkerNumbers(self) -> list[MarkerIndex]:
+        """shape or coordinate markers of all cable elements in the order in which they follow each other: the end of one element is the begin of the next [n]"""
+    @slidingMarkerNumbers.setter
+    def slidingMarkerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    @property
+    def slidingMarkerOffsets(self) -> Array:
+        """for each of these elements, the sum of the reference lengths of all elements before it; 0 for the first [n; m]"""
+    @slidingMarkerOffsets.setter
+    def slidingMarkerOffsets(self, value: ArrayLike) -> None: ...
     slidingOffset: float
     """reference arc length that is added to the sliding coordinate [m]"""
-    nodeNumbers: Sequence[NodeIndex | int]
-    """NodeGenericData with one data coordinate (index of the current element), and the NodeGenericODE2 with the sliding coordinate of the cable [2]"""
+    @property
+    def nodeNumbers(self) -> list[NodeIndex]:
+        """NodeGenericData with one data coordinate (index of the current element), and the NodeGenericODE2 with the sliding coordinate of the cable [2]"""
+    @nodeNumbers.setter
+    def nodeNumbers(self, value: Sequence[NodeIndex | int]) -> None: ...
     usePenaltyFormulation: bool
     """True: the constraint is softened by ``penaltyStiffness``, still with multipliers as unknowns"""
     penaltyStiffness: float
     """stiffness of the softened constraint [N/m]"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
-    visualization: VObjectJointALEMoving2D | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectJointALEMoving2D:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectJointALEMoving2D | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -3200,7 +4151,7 @@ class ObjectJointALEMoving2D(_Item):
 ALEMovingJoint2D = ObjectJointALEMoving2D
 VALEMovingJoint2D = VObjectJointALEMoving2D
 
-class VObjectJointGeneric:
+class VObjectJointGeneric(_Visualization):
     """Visualization of ObjectJointGeneric."""
 
     show: bool
@@ -3209,8 +4160,11 @@ class VObjectJointGeneric:
     """radius of the drawn axes [m]"""
     axesLength: float
     """length of the drawn axes [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
@@ -3218,33 +4172,50 @@ class VObjectJointGeneric:
         axesLength: float = 0.4,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectJointGeneric(_Item):
+class ObjectJointGeneric(_Object):
     """A joint between two rigid body markers that constrains any choice of three translations and three rotations"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
-    constrainedAxes: Sequence[int]
-    """six flags, 1 constrained and 0 free: translation along the x, y, z axis of frame J0, rotation about them; other values are refused [6]"""
-    rotationMarker0: ArrayLike
-    """rotation matrix from joint frame J0 to the frame of marker m0; turns the axes of the joint [3 x 3; 1]"""
-    rotationMarker1: ArrayLike
-    """rotation matrix from joint frame J1 to the frame of marker m1; the joint is in its zero position if J0 and J1 are parallel [3 x 3; 1]"""
+    @property
+    def markerNumbers(self) -> list[MarkerIndex]:
+        """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    @markerNumbers.setter
+    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    @property
+    def constrainedAxes(self) -> list[int]:
+        """six flags, 1 constrained and 0 free: translation along the x, y, z axis of frame J0, rotation about them; other values are refused [6]"""
+    @constrainedAxes.setter
+    def constrainedAxes(self, value: Sequence[int]) -> None: ...
+    @property
+    def rotationMarker0(self) -> Array:
+        """rotation matrix from joint frame J0 to the frame of marker m0; turns the axes of the joint [3 x 3; 1]"""
+    @rotationMarker0.setter
+    def rotationMarker0(self, value: ArrayLike) -> None: ...
+    @property
+    def rotationMarker1(self) -> Array:
+        """rotation matrix from joint frame J1 to the frame of marker m1; the joint is in its zero position if J0 and J1 are parallel [3 x 3; 1]"""
+    @rotationMarker1.setter
+    def rotationMarker1(self, value: ArrayLike) -> None: ...
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
-    offsetUserFunctionParameters: ArrayLike
-    """six values that are passed to the user functions, of free meaning [6; various]"""
-    offsetUserFunction: Callable[..., Any] | Literal[0]
+    @property
+    def offsetUserFunctionParameters(self) -> Array:
+        """six values that are passed to the user functions, of free meaning [6; various]"""
+    @offsetUserFunctionParameters.setter
+    def offsetUserFunctionParameters(self, value: ArrayLike) -> None: ...
+    offsetUserFunction: Callable[[MainSystem, float, int, Array], ArrayLike] | Literal[0]
     """Python function that prescribes relative translation and rotation in the constrained directions, on position level"""
-    offsetUserFunction_t: Callable[..., Any] | Literal[0]
+    offsetUserFunction_t: Callable[[MainSystem, float, int, Array], ArrayLike] | Literal[0]
     """Python function, the time derivative of ``offsetUserFunction``; a joint with this function is refused on velocity level, that is by index 2 integrators"""
     alternativeConstraints: bool
     """True: other equations for three constrained rotations, which keep static solutions from flipping by half a turn; changes the meaning of the multipliers; experimental"""
-    visualization: VObjectJointGeneric | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectJointGeneric:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectJointGeneric | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -3254,8 +4225,8 @@ class ObjectJointGeneric(_Item):
         rotationMarker1: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         activeConnector: bool = True,
         offsetUserFunctionParameters: ArrayLike = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
-        offsetUserFunction: Callable[..., Any] | Literal[0] = 0,
-        offsetUserFunction_t: Callable[..., Any] | Literal[0] = 0,
+        offsetUserFunction: Callable[[MainSystem, float, int, Array], ArrayLike] | Literal[0] = 0,
+        offsetUserFunction_t: Callable[[MainSystem, float, int, Array], ArrayLike] | Literal[0] = 0,
         alternativeConstraints: bool = False,
         visualization: VObjectJointGeneric | dict[str, Any] = ...,
     ) -> None: ...
@@ -3263,40 +4234,54 @@ class ObjectJointGeneric(_Item):
 GenericJoint = ObjectJointGeneric
 VGenericJoint = VObjectJointGeneric
 
-class VObjectJointPrismatic2D:
+class VObjectJointPrismatic2D(_Visualization):
     """Visualization of ObjectJointPrismatic2D."""
 
     show: bool
     """False: the item is not drawn"""
     drawSize: float
     """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         drawSize: float = -1.0,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectJointPrismatic2D(_Item):
+class ObjectJointPrismatic2D(_Object):
     """A prismatic joint of planar bodies: one point moves on a line that is fixed to the other body"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
-    axisMarker0: ArrayLike
-    """direction of the axis in the frame of marker m0, a unit vector in the x-y plane [3; 1]"""
-    normalMarker1: ArrayLike
-    """normal of the axis in the frame of marker m1, a unit vector in the x-y plane; perpendicular to the axis in the initial position [3; 1]"""
+    @property
+    def markerNumbers(self) -> list[MarkerIndex]:
+        """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    @markerNumbers.setter
+    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    @property
+    def axisMarker0(self) -> Array:
+        """direction of the axis in the frame of marker m0, a unit vector in the x-y plane [3; 1]"""
+    @axisMarker0.setter
+    def axisMarker0(self, value: ArrayLike) -> None: ...
+    @property
+    def normalMarker1(self) -> Array:
+        """normal of the axis in the frame of marker m1, a unit vector in the x-y plane; perpendicular to the axis in the initial position [3; 1]"""
+    @normalMarker1.setter
+    def normalMarker1(self, value: ArrayLike) -> None: ...
     constrainRotation: bool
     """True: the bodies do not rotate relative to each other; False: relative rotation is free"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
-    visualization: VObjectJointPrismatic2D | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectJointPrismatic2D:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectJointPrismatic2D | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -3311,7 +4296,7 @@ class ObjectJointPrismatic2D(_Item):
 PrismaticJoint2D = ObjectJointPrismatic2D
 VPrismaticJoint2D = VObjectJointPrismatic2D
 
-class VObjectJointPrismaticX:
+class VObjectJointPrismaticX(_Visualization):
     """Visualization of ObjectJointPrismaticX."""
 
     show: bool
@@ -3320,8 +4305,11 @@ class VObjectJointPrismaticX:
     """radius of the drawn axis [m]"""
     axisLength: float
     """length of the drawn axis [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
@@ -3329,23 +4317,34 @@ class VObjectJointPrismaticX:
         axisLength: float = 0.4,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectJointPrismaticX(_Item):
+class ObjectJointPrismaticX(_Object):
     """A prismatic joint between two rigid body markers, free to translate along the x axis of the joint frame"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
-    rotationMarker0: ArrayLike
-    """rotation matrix from joint frame J0 to the frame of marker m0; turns the axes of the joint [3 x 3; 1]"""
-    rotationMarker1: ArrayLike
-    """rotation matrix from joint frame J1 to the frame of marker m1; the joint is in its zero position if J0 and J1 are parallel [3 x 3; 1]"""
+    @property
+    def markerNumbers(self) -> list[MarkerIndex]:
+        """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    @markerNumbers.setter
+    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    @property
+    def rotationMarker0(self) -> Array:
+        """rotation matrix from joint frame J0 to the frame of marker m0; turns the axes of the joint [3 x 3; 1]"""
+    @rotationMarker0.setter
+    def rotationMarker0(self, value: ArrayLike) -> None: ...
+    @property
+    def rotationMarker1(self) -> Array:
+        """rotation matrix from joint frame J1 to the frame of marker m1; the joint is in its zero position if J0 and J1 are parallel [3 x 3; 1]"""
+    @rotationMarker1.setter
+    def rotationMarker1(self, value: ArrayLike) -> None: ...
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
-    visualization: VObjectJointPrismaticX | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectJointPrismaticX:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectJointPrismaticX | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -3359,34 +4358,42 @@ class ObjectJointPrismaticX(_Item):
 PrismaticJointX = ObjectJointPrismaticX
 VPrismaticJointX = VObjectJointPrismaticX
 
-class VObjectJointRevolute2D:
+class VObjectJointRevolute2D(_Visualization):
     """Visualization of ObjectJointRevolute2D."""
 
     show: bool
     """False: the item is not drawn"""
     drawSize: float
     """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         drawSize: float = -1.0,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectJointRevolute2D(_Item):
+class ObjectJointRevolute2D(_Object):
     """A revolute joint of planar bodies: keeps two points together in the x-y plane"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    @property
+    def markerNumbers(self) -> list[MarkerIndex]:
+        """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    @markerNumbers.setter
+    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
-    visualization: VObjectJointRevolute2D | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectJointRevolute2D:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectJointRevolute2D | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -3398,7 +4405,7 @@ class ObjectJointRevolute2D(_Item):
 RevoluteJoint2D = ObjectJointRevolute2D
 VRevoluteJoint2D = VObjectJointRevolute2D
 
-class VObjectJointRevoluteZ:
+class VObjectJointRevoluteZ(_Visualization):
     """Visualization of ObjectJointRevoluteZ."""
 
     show: bool
@@ -3407,8 +4414,11 @@ class VObjectJointRevoluteZ:
     """radius of the drawn axis [m]"""
     axisLength: float
     """length of the drawn axis [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
@@ -3416,23 +4426,34 @@ class VObjectJointRevoluteZ:
         axisLength: float = 0.4,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectJointRevoluteZ(_Item):
+class ObjectJointRevoluteZ(_Object):
     """A revolute joint between two rigid body markers, free to rotate about the z axis of the joint frame"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
-    rotationMarker0: ArrayLike
-    """rotation matrix from joint frame J0 to the frame of marker m0; turns the axes of the joint [3 x 3; 1]"""
-    rotationMarker1: ArrayLike
-    """rotation matrix from joint frame J1 to the frame of marker m1; the joint is in its zero position if J0 and J1 are parallel [3 x 3; 1]"""
+    @property
+    def markerNumbers(self) -> list[MarkerIndex]:
+        """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    @markerNumbers.setter
+    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    @property
+    def rotationMarker0(self) -> Array:
+        """rotation matrix from joint frame J0 to the frame of marker m0; turns the axes of the joint [3 x 3; 1]"""
+    @rotationMarker0.setter
+    def rotationMarker0(self, value: ArrayLike) -> None: ...
+    @property
+    def rotationMarker1(self) -> Array:
+        """rotation matrix from joint frame J1 to the frame of marker m1; the joint is in its zero position if J0 and J1 are parallel [3 x 3; 1]"""
+    @rotationMarker1.setter
+    def rotationMarker1(self, value: ArrayLike) -> None: ...
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
-    visualization: VObjectJointRevoluteZ | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectJointRevoluteZ:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectJointRevoluteZ | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -3446,42 +4467,59 @@ class ObjectJointRevoluteZ(_Item):
 RevoluteJointZ = ObjectJointRevoluteZ
 VRevoluteJointZ = VObjectJointRevoluteZ
 
-class VObjectJointRollingDisc:
+class VObjectJointRollingDisc(_Visualization):
     """Visualization of ObjectJointRollingDisc."""
 
     show: bool
     """False: the item is not drawn"""
     discWidth: float
     """width of the drawn disc [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         discWidth: float = 0.1,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectJointRollingDisc(_Item):
+class ObjectJointRollingDisc(_Object):
     """A rigid disc that rolls on a plane without slip, by constraints on the velocity of the contact point"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumbers: Sequence[MarkerIndex | int]
-    """marker m0 on the plane and marker m1 at the center of the disc [2]"""
-    constrainedAxes: Sequence[int]
-    """three flags, 1 constrained and 0 free: lateral, forward and normal velocity of the contact point; other values are refused [3]"""
+    @property
+    def markerNumbers(self) -> list[MarkerIndex]:
+        """marker m0 on the plane and marker m1 at the center of the disc [2]"""
+    @markerNumbers.setter
+    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    @property
+    def constrainedAxes(self) -> list[int]:
+        """three flags, 1 constrained and 0 free: lateral, forward and normal velocity of the contact point; other values are refused [3]"""
+    @constrainedAxes.setter
+    def constrainedAxes(self, value: Sequence[int]) -> None: ...
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     discRadius: float
     """radius of the disc [m]"""
-    discAxis: ArrayLike
-    """axis of the disc in the frame of marker m1, a unit vector; must not become parallel to the normal of the plane [3; 1]"""
-    planeNormal: ArrayLike
-    """normal of the plane in the frame of marker m0, a unit vector [3; 1]"""
-    visualization: VObjectJointRollingDisc | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def discAxis(self) -> Array:
+        """axis of the disc in the frame of marker m1, a unit vector; must not become parallel to the normal of the plane [3; 1]"""
+    @discAxis.setter
+    def discAxis(self, value: ArrayLike) -> None: ...
+    @property
+    def planeNormal(self) -> Array:
+        """normal of the plane in the frame of marker m0, a unit vector [3; 1]"""
+    @planeNormal.setter
+    def planeNormal(self, value: ArrayLike) -> None: ...
+    @property
+    def visualization(self) -> VObjectJointRollingDisc:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectJointRollingDisc | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -3497,46 +4535,69 @@ class ObjectJointRollingDisc(_Item):
 RollingDiscJoint = ObjectJointRollingDisc
 VRollingDiscJoint = VObjectJointRollingDisc
 
-class VObjectJointSliding:
+class VObjectJointSliding(_Visualization):
     """Visualization of ObjectJointSliding."""
 
     show: bool
     """False: the item is not drawn"""
     drawSize: float
     """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         drawSize: float = -1.0,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectJointSliding(_Item):
+class ObjectJointSliding(_Object):
     """A body that slides along a chain of ANCF cable elements in space"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumbers: Sequence[MarkerIndex | int]
-    """marker m0 of the sliding body, and marker m1 of the cable element on which it begins; m1 is updated when the body passes to a neighbouring element [2]"""
-    slidingMarkerNumbers: Sequence[MarkerIndex | int]
-    """shape or coordinate markers of all cable elements in the order in which they follow each other: the end of one element is the begin of the next [n]"""
-    slidingMarkerOffsets: ArrayLike
-    """for each of these elements, the sum of the reference lengths of all elements before it; 0 for the first [n; m]"""
-    nodeNumber: NodeIndex | int
-    """NodeGenericData with two data coordinates: index of the current element in ``slidingMarkerNumbers``, and sliding coordinate at the begin of the step"""
-    constrainRotations: Sequence[int]
-    """three flags, 1 constrained and 0 free: rotation of marker m0 relative to the cable about its x, y and z axis; rotation about x is not available for cables [3]"""
-    constrainTranslations: Sequence[int]
-    """three flags, 1 constrained and 0 free: translation of marker m0 relative to the cable along its axes [3]"""
+    @property
+    def markerNumbers(self) -> list[MarkerIndex]:
+        """marker m0 of the sliding body, and marker m1 of the cable element on which it begins; m1 is updated when the body passes to a neighbouring element [2]"""
+    @markerNumbers.setter
+    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    @property
+    def slidingMarkerNumbers(self) -> list[MarkerIndex]:
+        """shape or coordinate markers of all cable elements in the order in which they follow each other: the end of one element is the begin of the next [n]"""
+    @slidingMarkerNumbers.setter
+    def slidingMarkerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    @property
+    def slidingMarkerOffsets(self) -> Array:
+        """for each of these elements, the sum of the reference lengths of all elements before it; 0 for the first [n; m]"""
+    @slidingMarkerOffsets.setter
+    def slidingMarkerOffsets(self, value: ArrayLike) -> None: ...
+    @property
+    def nodeNumber(self) -> NodeIndex:
+        """NodeGenericData with two data coordinates: index of the current element in ``slidingMarkerNumbers``, and sliding coordinate at the begin of the step"""
+    @nodeNumber.setter
+    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    @property
+    def constrainRotations(self) -> list[int]:
+        """three flags, 1 constrained and 0 free: rotation of marker m0 relative to the cable about its x, y and z axis; rotation about x is not available for cables [3]"""
+    @constrainRotations.setter
+    def constrainRotations(self, value: Sequence[int]) -> None: ...
+    @property
+    def constrainTranslations(self) -> list[int]:
+        """three flags, 1 constrained and 0 free: translation of marker m0 relative to the cable along its axes [3]"""
+    @constrainTranslations.setter
+    def constrainTranslations(self, value: Sequence[int]) -> None: ...
     axialForce: float
     """force along the cable that drives the body; changed during a simulation to move it [N]"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
-    visualization: VObjectJointSliding | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectJointSliding:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectJointSliding | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -3554,36 +4615,50 @@ class ObjectJointSliding(_Item):
 SlidingJoint = ObjectJointSliding
 VSlidingJoint = VObjectJointSliding
 
-class VObjectJointSliding2D:
+class VObjectJointSliding2D(_Visualization):
     """Visualization of ObjectJointSliding2D."""
 
     show: bool
     """False: the item is not drawn"""
     drawSize: float
     """size of the drawn symbol, such as the diameter of a spring or joint; a negative value selects the default size of the kind from the visualization settings [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         drawSize: float = -1.0,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectJointSliding2D(_Item):
+class ObjectJointSliding2D(_Object):
     """A body that slides along a chain of planar ANCF cable elements"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumbers: Sequence[MarkerIndex | int]
-    """marker m0 of the sliding body, and marker m1 of the cable element on which it begins; m1 is updated when the body passes to a neighbouring element [2]"""
-    slidingMarkerNumbers: Sequence[MarkerIndex | int]
-    """shape or coordinate markers of all cable elements in the order in which they follow each other: the end of one element is the begin of the next [n]"""
-    slidingMarkerOffsets: ArrayLike
-    """for each of these elements, the sum of the reference lengths of all elements before it; 0 for the first [n; m]"""
-    nodeNumber: NodeIndex | int
-    """NodeGenericData with two data coordinates: index of the current element in ``slidingMarkerNumbers``, and sliding coordinate at the begin of the step"""
+    @property
+    def markerNumbers(self) -> list[MarkerIndex]:
+        """marker m0 of the sliding body, and marker m1 of the cable element on which it begins; m1 is updated when the body passes to a neighbouring element [2]"""
+    @markerNumbers.setter
+    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    @property
+    def slidingMarkerNumbers(self) -> list[MarkerIndex]:
+        """shape or coordinate markers of all cable elements in the order in which they follow each other: the end of one element is the begin of the next [n]"""
+    @slidingMarkerNumbers.setter
+    def slidingMarkerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    @property
+    def slidingMarkerOffsets(self) -> Array:
+        """for each of these elements, the sum of the reference lengths of all elements before it; 0 for the first [n; m]"""
+    @slidingMarkerOffsets.setter
+    def slidingMarkerOffsets(self, value: ArrayLike) -> None: ...
+    @property
+    def nodeNumber(self) -> NodeIndex:
+        """NodeGenericData with two data coordinates: index of the current element in ``slidingMarkerNumbers``, and sliding coordinate at the begin of the step"""
+    @nodeNumber.setter
+    def nodeNumber(self, value: NodeIndex | int) -> None: ...
     classicalFormulation: bool
     """True: the force along the cable is prescribed, and both components of position are constrained; index 3 only; False: only the normal direction is constrained, which index 2 integrators can solve as well"""
     constrainRotation: bool
@@ -3592,8 +4667,11 @@ class ObjectJointSliding2D(_Item):
     """force along the cable that drives the body; only for ``classicalFormulation``; changed during a simulation to move the body [N]"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
-    visualization: VObjectJointSliding2D | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectJointSliding2D:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectJointSliding2D | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -3611,36 +4689,47 @@ class ObjectJointSliding2D(_Item):
 SlidingJoint2D = ObjectJointSliding2D
 VSlidingJoint2D = VObjectJointSliding2D
 
-class VObjectJointSpherical:
+class VObjectJointSpherical(_Visualization):
     """Visualization of ObjectJointSpherical."""
 
     show: bool
     """False: the item is not drawn"""
     jointRadius: float
     """radius of the drawn joint [m]"""
-    color: ArrayLike
-    """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @property
+    def color(self) -> Array:
+        """red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings [4; 1]"""
+    @color.setter
+    def color(self, value: ArrayLike) -> None: ...
     def __init__(
         self,
         show: bool = True,
         jointRadius: float = 0.1,
         color: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class ObjectJointSpherical(_Item):
+class ObjectJointSpherical(_Object):
     """A ball joint: keeps two points together, or their chosen global components"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumbers: Sequence[MarkerIndex | int]
-    """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
-    constrainedAxes: Sequence[int]
-    """three flags, 1 constrained and 0 free: relative translation along the global x, y and z axis; other values are refused [3]"""
+    @property
+    def markerNumbers(self) -> list[MarkerIndex]:
+        """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
+    @markerNumbers.setter
+    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    @property
+    def constrainedAxes(self) -> list[int]:
+        """three flags, 1 constrained and 0 free: relative translation along the global x, y and z axis; other values are refused [3]"""
+    @constrainedAxes.setter
+    def constrainedAxes(self, value: Sequence[int]) -> None: ...
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
-    visualization: VObjectJointSpherical | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VObjectJointSpherical:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VObjectJointSpherical | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -3653,7 +4742,7 @@ class ObjectJointSpherical(_Item):
 SphericalJoint = ObjectJointSpherical
 VSphericalJoint = VObjectJointSpherical
 
-class VMarkerBodiesRelativeRotationCoordinate:
+class VMarkerBodiesRelativeRotationCoordinate(_Visualization):
     """Visualization of MarkerBodiesRelativeRotationCoordinate."""
 
     show: bool
@@ -3662,27 +4751,44 @@ class VMarkerBodiesRelativeRotationCoordinate:
         self,
         show: bool = True,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class MarkerBodiesRelativeRotationCoordinate(_Item):
+class MarkerBodiesRelativeRotationCoordinate(_Marker):
     """A coordinate marker on the relative rotation of two bodies about an axis"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    bodyNumbers: Sequence[ObjectIndex | int]
-    """the two bodies whose relative motion is the coordinate [2]"""
-    nodeNumber: NodeIndex | int
-    """NodeGenericData with one data coordinate that holds the last angle and makes the coordinate continuous beyond half a turn; not set: the angle jumps"""
-    localPosition0: ArrayLike
-    """point in the frame of the first body [3; m]"""
-    localPosition1: ArrayLike
-    """point in the frame of the second body [3; m]"""
-    axis0: ArrayLike
-    """axis of rotation in the frame of the first body, a unit vector [3; 1]"""
+    @property
+    def bodyNumbers(self) -> list[ObjectIndex]:
+        """the two bodies whose relative motion is the coordinate [2]"""
+    @bodyNumbers.setter
+    def bodyNumbers(self, value: Sequence[ObjectIndex | int]) -> None: ...
+    @property
+    def nodeNumber(self) -> NodeIndex:
+        """NodeGenericData with one data coordinate that holds the last angle and makes the coordinate continuous beyond half a turn; not set: the angle jumps"""
+    @nodeNumber.setter
+    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    @property
+    def localPosition0(self) -> Array:
+        """point in the frame of the first body [3; m]"""
+    @localPosition0.setter
+    def localPosition0(self, value: ArrayLike) -> None: ...
+    @property
+    def localPosition1(self) -> Array:
+        """point in the frame of the second body [3; m]"""
+    @localPosition1.setter
+    def localPosition1(self, value: ArrayLike) -> None: ...
+    @property
+    def axis0(self) -> Array:
+        """axis of rotation in the frame of the first body, a unit vector [3; 1]"""
+    @axis0.setter
+    def axis0(self, value: ArrayLike) -> None: ...
     offset: float
     """angle that is subtracted from the measured one [rad]"""
-    visualization: VMarkerBodiesRelativeRotationCoordinate | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VMarkerBodiesRelativeRotationCoordinate:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VMarkerBodiesRelativeRotationCoordinate | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -3695,7 +4801,7 @@ class MarkerBodiesRelativeRotationCoordinate(_Item):
         visualization: VMarkerBodiesRelativeRotationCoordinate | dict[str, Any] = ...,
     ) -> None: ...
 
-class VMarkerBodiesRelativeTranslationCoordinate:
+class VMarkerBodiesRelativeTranslationCoordinate(_Visualization):
     """Visualization of MarkerBodiesRelativeTranslationCoordinate."""
 
     show: bool
@@ -3704,25 +4810,39 @@ class VMarkerBodiesRelativeTranslationCoordinate:
         self,
         show: bool = True,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class MarkerBodiesRelativeTranslationCoordinate(_Item):
+class MarkerBodiesRelativeTranslationCoordinate(_Marker):
     """A coordinate marker on the relative translation of two bodies along an axis"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    bodyNumbers: Sequence[ObjectIndex | int]
-    """the two bodies whose relative motion is the coordinate [2]"""
-    localPosition0: ArrayLike
-    """point in the frame of the first body [3; m]"""
-    localPosition1: ArrayLike
-    """point in the frame of the second body [3; m]"""
-    axis0: ArrayLike
-    """axis of translation in the frame of the first body, a unit vector [3; 1]"""
+    @property
+    def bodyNumbers(self) -> list[ObjectIndex]:
+        """the two bodies whose relative motion is the coordinate [2]"""
+    @bodyNumbers.setter
+    def bodyNumbers(self, value: Sequence[ObjectIndex | int]) -> None: ...
+    @property
+    def localPosition0(self) -> Array:
+        """point in the frame of the first body [3; m]"""
+    @localPosition0.setter
+    def localPosition0(self, value: ArrayLike) -> None: ...
+    @property
+    def localPosition1(self) -> Array:
+        """point in the frame of the second body [3; m]"""
+    @localPosition1.setter
+    def localPosition1(self, value: ArrayLike) -> None: ...
+    @property
+    def axis0(self) -> Array:
+        """axis of translation in the frame of the first body, a unit vector [3; 1]"""
+    @axis0.setter
+    def axis0(self, value: ArrayLike) -> None: ...
     offset: float
     """length that is subtracted from the measured one [m]"""
-    visualization: VMarkerBodiesRelativeTranslationCoordinate | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VMarkerBodiesRelativeTranslationCoordinate:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VMarkerBodiesRelativeTranslationCoordinate | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -3734,7 +4854,7 @@ class MarkerBodiesRelativeTranslationCoordinate(_Item):
         visualization: VMarkerBodiesRelativeTranslationCoordinate | dict[str, Any] = ...,
     ) -> None: ...
 
-class VMarkerBodyBeamShape:
+class VMarkerBodyBeamShape(_Visualization):
     """Visualization of MarkerBodyBeamShape."""
 
     show: bool
@@ -3743,17 +4863,22 @@ class VMarkerBodyBeamShape:
         self,
         show: bool = True,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class MarkerBodyBeamShape(_Item):
+class MarkerBodyBeamShape(_Marker):
     """A marker that gives joints and contacts access to the shape of a beam element"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    bodyNumber: ObjectIndex | int
-    """beam element to which the marker is attached"""
-    visualization: VMarkerBodyBeamShape | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def bodyNumber(self) -> ObjectIndex:
+        """beam element to which the marker is attached"""
+    @bodyNumber.setter
+    def bodyNumber(self, value: ObjectIndex | int) -> None: ...
+    @property
+    def visualization(self) -> VMarkerBodyBeamShape:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VMarkerBodyBeamShape | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -3761,7 +4886,7 @@ class MarkerBodyBeamShape(_Item):
         visualization: VMarkerBodyBeamShape | dict[str, Any] = ...,
     ) -> None: ...
 
-class VMarkerBodyCable2DCoordinates:
+class VMarkerBodyCable2DCoordinates(_Visualization):
     """Visualization of MarkerBodyCable2DCoordinates."""
 
     show: bool
@@ -3770,17 +4895,22 @@ class VMarkerBodyCable2DCoordinates:
         self,
         show: bool = True,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class MarkerBodyCable2DCoordinates(_Item):
+class MarkerBodyCable2DCoordinates(_Marker):
     """A marker on all coordinates of a planar ANCF cable element, for sliding joints"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    bodyNumber: ObjectIndex | int
-    """planar cable element to which the marker is attached"""
-    visualization: VMarkerBodyCable2DCoordinates | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def bodyNumber(self) -> ObjectIndex:
+        """planar cable element to which the marker is attached"""
+    @bodyNumber.setter
+    def bodyNumber(self, value: ObjectIndex | int) -> None: ...
+    @property
+    def visualization(self) -> VMarkerBodyCable2DCoordinates:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VMarkerBodyCable2DCoordinates | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -3788,7 +4918,7 @@ class MarkerBodyCable2DCoordinates(_Item):
         visualization: VMarkerBodyCable2DCoordinates | dict[str, Any] = ...,
     ) -> None: ...
 
-class VMarkerBodyCable2DShape:
+class VMarkerBodyCable2DShape(_Visualization):
     """Visualization of MarkerBodyCable2DShape."""
 
     show: bool
@@ -3797,21 +4927,26 @@ class VMarkerBodyCable2DShape:
         self,
         show: bool = True,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class MarkerBodyCable2DShape(_Item):
+class MarkerBodyCable2DShape(_Marker):
     """A marker that divides a planar ANCF cable element into straight segments, for contact with circles"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    bodyNumber: ObjectIndex | int
-    """planar cable element to which the marker is attached"""
+    @property
+    def bodyNumber(self) -> ObjectIndex:
+        """planar cable element to which the marker is attached"""
+    @bodyNumber.setter
+    def bodyNumber(self, value: ObjectIndex | int) -> None: ...
     numberOfSegments: int
     """number of segments; must be that of the contact that uses the marker"""
     verticalOffset: float
     """distance of the segments from the axis of the cable in direction of its local y axis, such as half the thickness of a belt [m]"""
-    visualization: VMarkerBodyCable2DShape | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VMarkerBodyCable2DShape:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VMarkerBodyCable2DShape | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -3821,7 +4956,7 @@ class MarkerBodyCable2DShape(_Item):
         visualization: VMarkerBodyCable2DShape | dict[str, Any] = ...,
     ) -> None: ...
 
-class VMarkerBodyMass:
+class VMarkerBodyMass(_Visualization):
     """Visualization of MarkerBodyMass."""
 
     show: bool
@@ -3830,17 +4965,22 @@ class VMarkerBodyMass:
         self,
         show: bool = True,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class MarkerBodyMass(_Item):
+class MarkerBodyMass(_Marker):
     """A marker on the mass of a body, for loads that are proportional to mass such as gravity"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    bodyNumber: ObjectIndex | int
-    """body with a mass to which the marker is attached"""
-    visualization: VMarkerBodyMass | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def bodyNumber(self) -> ObjectIndex:
+        """body with a mass to which the marker is attached"""
+    @bodyNumber.setter
+    def bodyNumber(self, value: ObjectIndex | int) -> None: ...
+    @property
+    def visualization(self) -> VMarkerBodyMass:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VMarkerBodyMass | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -3848,7 +4988,7 @@ class MarkerBodyMass(_Item):
         visualization: VMarkerBodyMass | dict[str, Any] = ...,
     ) -> None: ...
 
-class VMarkerBodyPosition:
+class VMarkerBodyPosition(_Visualization):
     """Visualization of MarkerBodyPosition."""
 
     show: bool
@@ -3857,19 +4997,27 @@ class VMarkerBodyPosition:
         self,
         show: bool = True,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class MarkerBodyPosition(_Item):
+class MarkerBodyPosition(_Marker):
     """A marker at a point that is fixed to a body, with its position but without orientation"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    bodyNumber: ObjectIndex | int
-    """body to which the marker is attached"""
-    localPosition: ArrayLike
-    """position of the marker in the body frame, relative to the reference point of the body [3; m]"""
-    visualization: VMarkerBodyPosition | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def bodyNumber(self) -> ObjectIndex:
+        """body to which the marker is attached"""
+    @bodyNumber.setter
+    def bodyNumber(self, value: ObjectIndex | int) -> None: ...
+    @property
+    def localPosition(self) -> Array:
+        """position of the marker in the body frame, relative to the reference point of the body [3; m]"""
+    @localPosition.setter
+    def localPosition(self, value: ArrayLike) -> None: ...
+    @property
+    def visualization(self) -> VMarkerBodyPosition:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VMarkerBodyPosition | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -3878,7 +5026,7 @@ class MarkerBodyPosition(_Item):
         visualization: VMarkerBodyPosition | dict[str, Any] = ...,
     ) -> None: ...
 
-class VMarkerBodyRigid:
+class VMarkerBodyRigid(_Visualization):
     """Visualization of MarkerBodyRigid."""
 
     show: bool
@@ -3887,19 +5035,27 @@ class VMarkerBodyRigid:
         self,
         show: bool = True,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class MarkerBodyRigid(_Item):
+class MarkerBodyRigid(_Marker):
     """A marker at a point that is fixed to a body, with its position and orientation"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    bodyNumber: ObjectIndex | int
-    """body to which the marker is attached"""
-    localPosition: ArrayLike
-    """position of the marker in the body frame, relative to the reference point of the body [3; m]"""
-    visualization: VMarkerBodyRigid | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def bodyNumber(self) -> ObjectIndex:
+        """body to which the marker is attached"""
+    @bodyNumber.setter
+    def bodyNumber(self, value: ObjectIndex | int) -> None: ...
+    @property
+    def localPosition(self) -> Array:
+        """position of the marker in the body frame, relative to the reference point of the body [3; m]"""
+    @localPosition.setter
+    def localPosition(self, value: ArrayLike) -> None: ...
+    @property
+    def visualization(self) -> VMarkerBodyRigid:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VMarkerBodyRigid | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -3908,7 +5064,7 @@ class MarkerBodyRigid(_Item):
         visualization: VMarkerBodyRigid | dict[str, Any] = ...,
     ) -> None: ...
 
-class VMarkerKinematicTreeRigid:
+class VMarkerKinematicTreeRigid(_Visualization):
     """Visualization of MarkerKinematicTreeRigid."""
 
     show: bool
@@ -3917,21 +5073,29 @@ class VMarkerKinematicTreeRigid:
         self,
         show: bool = True,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class MarkerKinematicTreeRigid(_Item):
+class MarkerKinematicTreeRigid(_Marker):
     """A marker at a point that is fixed to a link of a kinematic tree, with position and orientation"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    objectNumber: ObjectIndex | int
-    """kinematic tree to which the marker is attached"""
+    @property
+    def objectNumber(self) -> ObjectIndex:
+        """kinematic tree to which the marker is attached"""
+    @objectNumber.setter
+    def objectNumber(self, value: ObjectIndex | int) -> None: ...
     linkNumber: int
     """number of the link within the tree, from 0; -1 means not set and is refused"""
-    localPosition: ArrayLike
-    """position of the marker in the frame of the link [3; m]"""
-    visualization: VMarkerKinematicTreeRigid | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def localPosition(self) -> Array:
+        """position of the marker in the frame of the link [3; m]"""
+    @localPosition.setter
+    def localPosition(self, value: ArrayLike) -> None: ...
+    @property
+    def visualization(self) -> VMarkerKinematicTreeRigid:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VMarkerKinematicTreeRigid | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -3941,7 +5105,7 @@ class MarkerKinematicTreeRigid(_Item):
         visualization: VMarkerKinematicTreeRigid | dict[str, Any] = ...,
     ) -> None: ...
 
-class VMarkerNodeCoordinate:
+class VMarkerNodeCoordinate(_Visualization):
     """Visualization of MarkerNodeCoordinate."""
 
     show: bool
@@ -3950,19 +5114,24 @@ class VMarkerNodeCoordinate:
         self,
         show: bool = True,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class MarkerNodeCoordinate(_Item):
+class MarkerNodeCoordinate(_Marker):
     """A marker on a single coordinate of a node"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    nodeNumber: NodeIndex | int
-    """node to which the marker is attached"""
+    @property
+    def nodeNumber(self) -> NodeIndex:
+        """node to which the marker is attached"""
+    @nodeNumber.setter
+    def nodeNumber(self, value: NodeIndex | int) -> None: ...
     coordinate: int
     """number of the coordinate within the node, from 0; -1 means not set and is refused; for a ground node only 0 has a meaning"""
-    visualization: VMarkerNodeCoordinate | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VMarkerNodeCoordinate:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VMarkerNodeCoordinate | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -3971,7 +5140,7 @@ class MarkerNodeCoordinate(_Item):
         visualization: VMarkerNodeCoordinate | dict[str, Any] = ...,
     ) -> None: ...
 
-class VMarkerNodeCoordinates:
+class VMarkerNodeCoordinates(_Visualization):
     """Visualization of MarkerNodeCoordinates."""
 
     show: bool
@@ -3980,17 +5149,22 @@ class VMarkerNodeCoordinates:
         self,
         show: bool = True,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class MarkerNodeCoordinates(_Item):
+class MarkerNodeCoordinates(_Marker):
     """A marker on all coordinates of a node, as a vector"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    nodeNumber: NodeIndex | int
-    """node to which the marker is attached"""
-    visualization: VMarkerNodeCoordinates | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def nodeNumber(self) -> NodeIndex:
+        """node to which the marker is attached"""
+    @nodeNumber.setter
+    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    @property
+    def visualization(self) -> VMarkerNodeCoordinates:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VMarkerNodeCoordinates | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -3998,7 +5172,7 @@ class MarkerNodeCoordinates(_Item):
         visualization: VMarkerNodeCoordinates | dict[str, Any] = ...,
     ) -> None: ...
 
-class VMarkerNodeODE1Coordinate:
+class VMarkerNodeODE1Coordinate(_Visualization):
     """Visualization of MarkerNodeODE1Coordinate."""
 
     show: bool
@@ -4007,19 +5181,24 @@ class VMarkerNodeODE1Coordinate:
         self,
         show: bool = False,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class MarkerNodeODE1Coordinate(_Item):
+class MarkerNodeODE1Coordinate(_Marker):
     """A marker on a single coordinate of a node with first order equations"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    nodeNumber: NodeIndex | int
-    """NodeGenericODE1 to which the marker is attached"""
+    @property
+    def nodeNumber(self) -> NodeIndex:
+        """NodeGenericODE1 to which the marker is attached"""
+    @nodeNumber.setter
+    def nodeNumber(self, value: NodeIndex | int) -> None: ...
     coordinate: int
     """number of the coordinate within the node, from 0; -1 means not set and is refused"""
-    visualization: VMarkerNodeODE1Coordinate | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VMarkerNodeODE1Coordinate:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VMarkerNodeODE1Coordinate | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -4028,7 +5207,7 @@ class MarkerNodeODE1Coordinate(_Item):
         visualization: VMarkerNodeODE1Coordinate | dict[str, Any] = ...,
     ) -> None: ...
 
-class VMarkerNodePosition:
+class VMarkerNodePosition(_Visualization):
     """Visualization of MarkerNodePosition."""
 
     show: bool
@@ -4037,17 +5216,22 @@ class VMarkerNodePosition:
         self,
         show: bool = True,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class MarkerNodePosition(_Item):
+class MarkerNodePosition(_Marker):
     """A marker at the position of a node"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    nodeNumber: NodeIndex | int
-    """node with a position to which the marker is attached"""
-    visualization: VMarkerNodePosition | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def nodeNumber(self) -> NodeIndex:
+        """node with a position to which the marker is attached"""
+    @nodeNumber.setter
+    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    @property
+    def visualization(self) -> VMarkerNodePosition:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VMarkerNodePosition | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -4055,7 +5239,7 @@ class MarkerNodePosition(_Item):
         visualization: VMarkerNodePosition | dict[str, Any] = ...,
     ) -> None: ...
 
-class VMarkerNodeRigid:
+class VMarkerNodeRigid(_Visualization):
     """Visualization of MarkerNodeRigid."""
 
     show: bool
@@ -4064,17 +5248,22 @@ class VMarkerNodeRigid:
         self,
         show: bool = True,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class MarkerNodeRigid(_Item):
+class MarkerNodeRigid(_Marker):
     """A marker at a node with position and orientation"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    nodeNumber: NodeIndex | int
-    """node with position and orientation, such as a rigid body node, to which the marker is attached"""
-    visualization: VMarkerNodeRigid | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def nodeNumber(self) -> NodeIndex:
+        """node with position and orientation, such as a rigid body node, to which the marker is attached"""
+    @nodeNumber.setter
+    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    @property
+    def visualization(self) -> VMarkerNodeRigid:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VMarkerNodeRigid | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -4082,7 +5271,7 @@ class MarkerNodeRigid(_Item):
         visualization: VMarkerNodeRigid | dict[str, Any] = ...,
     ) -> None: ...
 
-class VMarkerNodeRotationCoordinate:
+class VMarkerNodeRotationCoordinate(_Visualization):
     """Visualization of MarkerNodeRotationCoordinate."""
 
     show: bool
@@ -4091,19 +5280,24 @@ class VMarkerNodeRotationCoordinate:
         self,
         show: bool = True,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class MarkerNodeRotationCoordinate(_Item):
+class MarkerNodeRotationCoordinate(_Marker):
     """A marker on the rotation of a node about one global axis"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    nodeNumber: NodeIndex | int
-    """node with an orientation in space to which the marker is attached; planar nodes are refused, use MarkerNodeCoordinate for them"""
+    @property
+    def nodeNumber(self) -> NodeIndex:
+        """node with an orientation in space to which the marker is attached; planar nodes are refused, use MarkerNodeCoordinate for them"""
+    @nodeNumber.setter
+    def nodeNumber(self, value: NodeIndex | int) -> None: ...
     rotationCoordinate: int
     """axis of rotation: 0 for x, 1 for y, 2 for z; -1 means not set and is refused"""
-    visualization: VMarkerNodeRotationCoordinate | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VMarkerNodeRotationCoordinate:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VMarkerNodeRotationCoordinate | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -4112,7 +5306,7 @@ class MarkerNodeRotationCoordinate(_Item):
         visualization: VMarkerNodeRotationCoordinate | dict[str, Any] = ...,
     ) -> None: ...
 
-class VMarkerObjectODE2Coordinates:
+class VMarkerObjectODE2Coordinates(_Visualization):
     """Visualization of MarkerObjectODE2Coordinates."""
 
     show: bool
@@ -4121,17 +5315,22 @@ class VMarkerObjectODE2Coordinates:
         self,
         show: bool = True,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class MarkerObjectODE2Coordinates(_Item):
+class MarkerObjectODE2Coordinates(_Marker):
     """A marker on all second order coordinates of an object, as a vector"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    objectNumber: ObjectIndex | int
-    """body to which the marker is attached"""
-    visualization: VMarkerObjectODE2Coordinates | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def objectNumber(self) -> ObjectIndex:
+        """body to which the marker is attached"""
+    @objectNumber.setter
+    def objectNumber(self, value: ObjectIndex | int) -> None: ...
+    @property
+    def visualization(self) -> VMarkerObjectODE2Coordinates:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VMarkerObjectODE2Coordinates | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -4139,7 +5338,7 @@ class MarkerObjectODE2Coordinates(_Item):
         visualization: VMarkerObjectODE2Coordinates | dict[str, Any] = ...,
     ) -> None: ...
 
-class VMarkerSuperElementPosition:
+class VMarkerSuperElementPosition(_Visualization):
     """Visualization of MarkerSuperElementPosition."""
 
     show: bool
@@ -4151,21 +5350,32 @@ class VMarkerSuperElementPosition:
         show: bool = True,
         showMarkerNodes: bool = True,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class MarkerSuperElementPosition(_Item):
+class MarkerSuperElementPosition(_Marker):
     """A marker at the weighted mean position of mesh nodes of a super element"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    bodyNumber: ObjectIndex | int
-    """super element to which the marker is attached"""
-    meshNodeNumbers: Sequence[int]
-    """mesh nodes of the super element, numbered within it from 0; each must have a position [n]"""
-    weightingFactors: ArrayLike
-    """weight of every mesh node, as many as mesh nodes; should sum up to 1, such that the marker moves with a rigid translation of the nodes [n; 1]"""
-    visualization: VMarkerSuperElementPosition | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def bodyNumber(self) -> ObjectIndex:
+        """super element to which the marker is attached"""
+    @bodyNumber.setter
+    def bodyNumber(self, value: ObjectIndex | int) -> None: ...
+    @property
+    def meshNodeNumbers(self) -> list[int]:
+        """mesh nodes of the super element, numbered within it from 0; each must have a position [n]"""
+    @meshNodeNumbers.setter
+    def meshNodeNumbers(self, value: Sequence[int]) -> None: ...
+    @property
+    def weightingFactors(self) -> Array:
+        """weight of every mesh node, as many as mesh nodes; should sum up to 1, such that the marker moves with a rigid translation of the nodes [n; 1]"""
+    @weightingFactors.setter
+    def weightingFactors(self, value: ArrayLike) -> None: ...
+    @property
+    def visualization(self) -> VMarkerSuperElementPosition:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VMarkerSuperElementPosition | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -4175,7 +5385,7 @@ class MarkerSuperElementPosition(_Item):
         visualization: VMarkerSuperElementPosition | dict[str, Any] = ...,
     ) -> None: ...
 
-class VMarkerSuperElementRigid:
+class VMarkerSuperElementRigid(_Visualization):
     """Visualization of MarkerSuperElementRigid."""
 
     show: bool
@@ -4187,27 +5397,41 @@ class VMarkerSuperElementRigid:
         show: bool = True,
         showMarkerNodes: bool = True,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class MarkerSuperElementRigid(_Item):
+class MarkerSuperElementRigid(_Marker):
     """A marker with the weighted mean position and rotation of mesh nodes of a super element"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    bodyNumber: ObjectIndex | int
-    """super element to which the marker is attached"""
-    offset: ArrayLike
-    """correction of the marker position in the reference frame of the super element, if the mean of the mesh nodes is not the wanted point; should be small [3; m]"""
-    meshNodeNumbers: Sequence[int]
-    """mesh nodes of the super element, numbered within it from 0; each must have a position [n]"""
-    weightingFactors: ArrayLike
-    """weight of every mesh node, as many as mesh nodes; should sum up to 1, for instance parts of the area of an interface [n; 1]"""
+    @property
+    def bodyNumber(self) -> ObjectIndex:
+        """super element to which the marker is attached"""
+    @bodyNumber.setter
+    def bodyNumber(self, value: ObjectIndex | int) -> None: ...
+    @property
+    def offset(self) -> Array:
+        """correction of the marker position in the reference frame of the super element, if the mean of the mesh nodes is not the wanted point; should be small [3; m]"""
+    @offset.setter
+    def offset(self, value: ArrayLike) -> None: ...
+    @property
+    def meshNodeNumbers(self) -> list[int]:
+        """mesh nodes of the super element, numbered within it from 0; each must have a position [n]"""
+    @meshNodeNumbers.setter
+    def meshNodeNumbers(self, value: Sequence[int]) -> None: ...
+    @property
+    def weightingFactors(self) -> Array:
+        """weight of every mesh node, as many as mesh nodes; should sum up to 1, for instance parts of the area of an interface [n; 1]"""
+    @weightingFactors.setter
+    def weightingFactors(self, value: ArrayLike) -> None: ...
     useAlternativeApproach: bool
     """True: the mean rotation follows from the angular momentum of the weighted nodes; False: it is a mean weighted by squared distances"""
     rotationsExponentialMap: int
     """0: rotation and angular velocity are linearized; 1: rotation by the exponential map; 2: rotation by the exponential map and angular velocity by its tangent map, the consistent choice"""
-    visualization: VMarkerSuperElementRigid | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VMarkerSuperElementRigid:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VMarkerSuperElementRigid | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -4220,7 +5444,7 @@ class MarkerSuperElementRigid(_Item):
         visualization: VMarkerSuperElementRigid | dict[str, Any] = ...,
     ) -> None: ...
 
-class VLoadCoordinate:
+class VLoadCoordinate(_Visualization):
     """Visualization of LoadCoordinate."""
 
     show: bool
@@ -4229,31 +5453,36 @@ class VLoadCoordinate:
         self,
         show: bool = True,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class LoadCoordinate(_Item):
+class LoadCoordinate(_Load):
     """A generalized force on a single coordinate"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumber: MarkerIndex | int
-    """coordinate marker to which the load is applied"""
+    @property
+    def markerNumber(self) -> MarkerIndex:
+        """coordinate marker to which the load is applied"""
+    @markerNumber.setter
+    def markerNumber(self, value: MarkerIndex | int) -> None: ...
     load: float
     """generalized force: N on a coordinate that is a length, Nm on an angle; without effect if there is a user function, which gets it as an argument [various]"""
-    loadUserFunction: Callable[..., Any] | Literal[0]
+    loadUserFunction: Callable[[MainSystem, float, float], float] | Literal[0]
     """Python function that computes the load as a function of time"""
-    visualization: VLoadCoordinate | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VLoadCoordinate:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VLoadCoordinate | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
         markerNumber: MarkerIndex | int = -1,
         load: float = 0.0,
-        loadUserFunction: Callable[..., Any] | Literal[0] = 0,
+        loadUserFunction: Callable[[MainSystem, float, float], float] | Literal[0] = 0,
         visualization: VLoadCoordinate | dict[str, Any] = ...,
     ) -> None: ...
 
-class VLoadForceVector:
+class VLoadForceVector(_Visualization):
     """Visualization of LoadForceVector."""
 
     show: bool
@@ -4262,37 +5491,45 @@ class VLoadForceVector:
         self,
         show: bool = True,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class LoadForceVector(_Item):
+class LoadForceVector(_Load):
     """A force vector at a point of a body or at a node"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumber: MarkerIndex | int
-    """marker with a position to which the force is applied; with ``bodyFixed`` it must have an orientation as well"""
-    loadVector: ArrayLike
-    """force vector in global coordinates, or in the marker frame with ``bodyFixed``; without effect if there is a user function, which gets it as an argument [3; N]"""
+    @property
+    def markerNumber(self) -> MarkerIndex:
+        """marker with a position to which the force is applied; with ``bodyFixed`` it must have an orientation as well"""
+    @markerNumber.setter
+    def markerNumber(self, value: MarkerIndex | int) -> None: ...
+    @property
+    def loadVector(self) -> Array:
+        """force vector in global coordinates, or in the marker frame with ``bodyFixed``; without effect if there is a user function, which gets it as an argument [3; N]"""
+    @loadVector.setter
+    def loadVector(self, value: ArrayLike) -> None: ...
     bodyFixed: bool
     """True: the vector is given in the frame of the marker and turns with the body, a follower force; False: in global coordinates"""
-    loadVectorUserFunction: Callable[..., Any] | Literal[0]
+    loadVectorUserFunction: Callable[[MainSystem, float, Array], ArrayLike] | Literal[0]
     """Python function that computes the force vector as a function of time"""
-    visualization: VLoadForceVector | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VLoadForceVector:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VLoadForceVector | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
         markerNumber: MarkerIndex | int = -1,
         loadVector: ArrayLike = [0.0, 0.0, 0.0],
         bodyFixed: bool = False,
-        loadVectorUserFunction: Callable[..., Any] | Literal[0] = 0,
+        loadVectorUserFunction: Callable[[MainSystem, float, Array], ArrayLike] | Literal[0] = 0,
         visualization: VLoadForceVector | dict[str, Any] = ...,
     ) -> None: ...
 
 Force = LoadForceVector
 VForce = VLoadForceVector
 
-class VLoadMassProportional:
+class VLoadMassProportional(_Visualization):
     """Visualization of LoadMassProportional."""
 
     show: bool
@@ -4301,34 +5538,42 @@ class VLoadMassProportional:
         self,
         show: bool = True,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class LoadMassProportional(_Item):
+class LoadMassProportional(_Load):
     """A distributed load proportional to mass, such as gravity"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumber: MarkerIndex | int
-    """marker of type BodyMass on the body to which the load is applied"""
-    loadVector: ArrayLike
-    """force per mass in global coordinates, such as the gravitational acceleration ``[0, 0, -9.81]``; without effect if there is a user function, which gets it as an argument [3; m/s^2]"""
-    loadVectorUserFunction: Callable[..., Any] | Literal[0]
+    @property
+    def markerNumber(self) -> MarkerIndex:
+        """marker of type BodyMass on the body to which the load is applied"""
+    @markerNumber.setter
+    def markerNumber(self, value: MarkerIndex | int) -> None: ...
+    @property
+    def loadVector(self) -> Array:
+        """force per mass in global coordinates, such as the gravitational acceleration ``[0, 0, -9.81]``; without effect if there is a user function, which gets it as an argument [3; m/s^2]"""
+    @loadVector.setter
+    def loadVector(self, value: ArrayLike) -> None: ...
+    loadVectorUserFunction: Callable[[MainSystem, float, Array], ArrayLike] | Literal[0]
     """Python function that computes the vector as a function of time"""
-    visualization: VLoadMassProportional | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VLoadMassProportional:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VLoadMassProportional | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
         markerNumber: MarkerIndex | int = -1,
         loadVector: ArrayLike = [0.0, 0.0, 0.0],
-        loadVectorUserFunction: Callable[..., Any] | Literal[0] = 0,
+        loadVectorUserFunction: Callable[[MainSystem, float, Array], ArrayLike] | Literal[0] = 0,
         visualization: VLoadMassProportional | dict[str, Any] = ...,
     ) -> None: ...
 
 Gravity = LoadMassProportional
 VGravity = VLoadMassProportional
 
-class VLoadTorqueVector:
+class VLoadTorqueVector(_Visualization):
     """Visualization of LoadTorqueVector."""
 
     show: bool
@@ -4337,37 +5582,45 @@ class VLoadTorqueVector:
         self,
         show: bool = True,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class LoadTorqueVector(_Item):
+class LoadTorqueVector(_Load):
     """A torque vector on a body or node with orientation"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumber: MarkerIndex | int
-    """marker with an orientation to which the torque is applied"""
-    loadVector: ArrayLike
-    """torque vector in global coordinates, or in the marker frame with ``bodyFixed``; without effect if there is a user function, which gets it as an argument [3; Nm]"""
+    @property
+    def markerNumber(self) -> MarkerIndex:
+        """marker with an orientation to which the torque is applied"""
+    @markerNumber.setter
+    def markerNumber(self, value: MarkerIndex | int) -> None: ...
+    @property
+    def loadVector(self) -> Array:
+        """torque vector in global coordinates, or in the marker frame with ``bodyFixed``; without effect if there is a user function, which gets it as an argument [3; Nm]"""
+    @loadVector.setter
+    def loadVector(self, value: ArrayLike) -> None: ...
     bodyFixed: bool
     """True: the vector is given in the frame of the marker and turns with the body; False: in global coordinates"""
-    loadVectorUserFunction: Callable[..., Any] | Literal[0]
+    loadVectorUserFunction: Callable[[MainSystem, float, Array], ArrayLike] | Literal[0]
     """Python function that computes the torque vector as a function of time"""
-    visualization: VLoadTorqueVector | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VLoadTorqueVector:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VLoadTorqueVector | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
         markerNumber: MarkerIndex | int = -1,
         loadVector: ArrayLike = [0.0, 0.0, 0.0],
         bodyFixed: bool = False,
-        loadVectorUserFunction: Callable[..., Any] | Literal[0] = 0,
+        loadVectorUserFunction: Callable[[MainSystem, float, Array], ArrayLike] | Literal[0] = 0,
         visualization: VLoadTorqueVector | dict[str, Any] = ...,
     ) -> None: ...
 
 Torque = LoadTorqueVector
 VTorque = VLoadTorqueVector
 
-class VSensorBody:
+class VSensorBody(_Visualization):
     """Visualization of SensorBody."""
 
     show: bool
@@ -4376,17 +5629,22 @@ class VSensorBody:
         self,
         show: bool = True,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class SensorBody(_Item):
+class SensorBody(_Sensor):
     """Measures an output variable of a body at a local position"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    bodyNumber: ObjectIndex | int
-    """body that is measured"""
-    localPosition: ArrayLike
-    """point in the body frame, relative to the reference point; for beams and cables the x component is the position along the axis [3; m]"""
+    @property
+    def bodyNumber(self) -> ObjectIndex:
+        """body that is measured"""
+    @bodyNumber.setter
+    def bodyNumber(self, value: ObjectIndex | int) -> None: ...
+    @property
+    def localPosition(self) -> Array:
+        """point in the body frame, relative to the reference point; for beams and cables the x component is the position along the axis [3; m]"""
+    @localPosition.setter
+    def localPosition(self, value: ArrayLike) -> None: ...
     writeToFile: bool
     """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
     fileName: str
@@ -4395,8 +5653,11 @@ class SensorBody(_Item):
     """output variable that is measured; one that the measured item does not provide is refused in Assemble"""
     storeInternal: bool
     """keep time and values in memory, to be read with ``mbs.GetSensorStoredData`` during or after the solution"""
-    visualization: VSensorBody | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VSensorBody:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VSensorBody | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -4409,7 +5670,7 @@ class SensorBody(_Item):
         visualization: VSensorBody | dict[str, Any] = ...,
     ) -> None: ...
 
-class VSensorKinematicTree:
+class VSensorKinematicTree(_Visualization):
     """Visualization of SensorKinematicTree."""
 
     show: bool
@@ -4418,19 +5679,24 @@ class VSensorKinematicTree:
         self,
         show: bool = True,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class SensorKinematicTree(_Item):
+class SensorKinematicTree(_Sensor):
     """Measures an output variable of a link of a kinematic tree at a local position"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    objectNumber: ObjectIndex | int
-    """kinematic tree that is measured"""
+    @property
+    def objectNumber(self) -> ObjectIndex:
+        """kinematic tree that is measured"""
+    @objectNumber.setter
+    def objectNumber(self, value: ObjectIndex | int) -> None: ...
     linkNumber: int
     """link, numbered within the tree from 0; -1 means not set and is refused"""
-    localPosition: ArrayLike
-    """point in the frame of the link [3; m]"""
+    @property
+    def localPosition(self) -> Array:
+        """point in the frame of the link [3; m]"""
+    @localPosition.setter
+    def localPosition(self, value: ArrayLike) -> None: ...
     writeToFile: bool
     """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
     fileName: str
@@ -4439,8 +5705,11 @@ class SensorKinematicTree(_Item):
     """output variable that is measured; one that the measured item does not provide is refused in Assemble"""
     storeInternal: bool
     """keep time and values in memory, to be read with ``mbs.GetSensorStoredData`` during or after the solution"""
-    visualization: VSensorKinematicTree | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VSensorKinematicTree:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VSensorKinematicTree | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -4454,7 +5723,7 @@ class SensorKinematicTree(_Item):
         visualization: VSensorKinematicTree | dict[str, Any] = ...,
     ) -> None: ...
 
-class VSensorLoad:
+class VSensorLoad(_Visualization):
     """Visualization of SensorLoad."""
 
     show: bool
@@ -4463,23 +5732,28 @@ class VSensorLoad:
         self,
         show: bool = True,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class SensorLoad(_Item):
+class SensorLoad(_Sensor):
     """Measures the value of a load"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    loadNumber: LoadIndex | int
-    """load that is measured"""
+    @property
+    def loadNumber(self) -> LoadIndex:
+        """load that is measured"""
+    @loadNumber.setter
+    def loadNumber(self, value: LoadIndex | int) -> None: ...
     writeToFile: bool
     """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
     fileName: str
     """file with the time in the first and the values in the further columns; the path is relative to the working directory, missing directories are created"""
     storeInternal: bool
     """keep time and values in memory, to be read with ``mbs.GetSensorStoredData`` during or after the solution"""
-    visualization: VSensorLoad | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VSensorLoad:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VSensorLoad | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -4490,7 +5764,7 @@ class SensorLoad(_Item):
         visualization: VSensorLoad | dict[str, Any] = ...,
     ) -> None: ...
 
-class VSensorMarker:
+class VSensorMarker(_Visualization):
     """Visualization of SensorMarker."""
 
     show: bool
@@ -4499,15 +5773,17 @@ class VSensorMarker:
         self,
         show: bool = True,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class SensorMarker(_Item):
+class SensorMarker(_Sensor):
     """Measures an output variable of a marker"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    markerNumber: MarkerIndex | int
-    """marker that is measured"""
+    @property
+    def markerNumber(self) -> MarkerIndex:
+        """marker that is measured"""
+    @markerNumber.setter
+    def markerNumber(self, value: MarkerIndex | int) -> None: ...
     writeToFile: bool
     """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
     fileName: str
@@ -4516,8 +5792,11 @@ class SensorMarker(_Item):
     """output variable that is measured; one that the measured item does not provide is refused in Assemble"""
     storeInternal: bool
     """keep time and values in memory, to be read with ``mbs.GetSensorStoredData`` during or after the solution"""
-    visualization: VSensorMarker | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VSensorMarker:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VSensorMarker | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -4529,7 +5808,7 @@ class SensorMarker(_Item):
         visualization: VSensorMarker | dict[str, Any] = ...,
     ) -> None: ...
 
-class VSensorNode:
+class VSensorNode(_Visualization):
     """Visualization of SensorNode."""
 
     show: bool
@@ -4538,15 +5817,17 @@ class VSensorNode:
         self,
         show: bool = True,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class SensorNode(_Item):
+class SensorNode(_Sensor):
     """Measures an output variable of a node"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    nodeNumber: NodeIndex | int
-    """node that is measured"""
+    @property
+    def nodeNumber(self) -> NodeIndex:
+        """node that is measured"""
+    @nodeNumber.setter
+    def nodeNumber(self, value: NodeIndex | int) -> None: ...
     writeToFile: bool
     """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
     fileName: str
@@ -4555,8 +5836,11 @@ class SensorNode(_Item):
     """output variable that is measured; one that the measured item does not provide is refused in Assemble"""
     storeInternal: bool
     """keep time and values in memory, to be read with ``mbs.GetSensorStoredData`` during or after the solution"""
-    visualization: VSensorNode | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VSensorNode:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VSensorNode | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -4568,7 +5852,7 @@ class SensorNode(_Item):
         visualization: VSensorNode | dict[str, Any] = ...,
     ) -> None: ...
 
-class VSensorObject:
+class VSensorObject(_Visualization):
     """Visualization of SensorObject."""
 
     show: bool
@@ -4577,15 +5861,17 @@ class VSensorObject:
         self,
         show: bool = True,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class SensorObject(_Item):
+class SensorObject(_Sensor):
     """Measures an output variable of a connector, constraint, joint or contact"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    objectNumber: ObjectIndex | int
-    """object that is measured; a body is refused for variables that need a local position, use SensorBody for it"""
+    @property
+    def objectNumber(self) -> ObjectIndex:
+        """object that is measured; a body is refused for variables that need a local position, use SensorBody for it"""
+    @objectNumber.setter
+    def objectNumber(self, value: ObjectIndex | int) -> None: ...
     writeToFile: bool
     """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
     fileName: str
@@ -4594,8 +5880,11 @@ class SensorObject(_Item):
     """output variable that is measured; one that the measured item does not provide is refused in Assemble"""
     storeInternal: bool
     """keep time and values in memory, to be read with ``mbs.GetSensorStoredData`` during or after the solution"""
-    visualization: VSensorObject | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VSensorObject:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VSensorObject | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -4607,7 +5896,7 @@ class SensorObject(_Item):
         visualization: VSensorObject | dict[str, Any] = ...,
     ) -> None: ...
 
-class VSensorSuperElement:
+class VSensorSuperElement(_Visualization):
     """Visualization of SensorSuperElement."""
 
     show: bool
@@ -4616,15 +5905,17 @@ class VSensorSuperElement:
         self,
         show: bool = True,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class SensorSuperElement(_Item):
+class SensorSuperElement(_Sensor):
     """Measures an output variable at a mesh node of a super element"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    bodyNumber: ObjectIndex | int
-    """super element that is measured"""
+    @property
+    def bodyNumber(self) -> ObjectIndex:
+        """super element that is measured"""
+    @bodyNumber.setter
+    def bodyNumber(self, value: ObjectIndex | int) -> None: ...
     meshNodeNumber: int
     """mesh node, numbered within the super element from 0; -1 means not set and is refused"""
     writeToFile: bool
@@ -4635,8 +5926,11 @@ class SensorSuperElement(_Item):
     """output variable that is measured; one that the measured item does not provide is refused in Assemble"""
     storeInternal: bool
     """keep time and values in memory, to be read with ``mbs.GetSensorStoredData`` during or after the solution"""
-    visualization: VSensorSuperElement | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VSensorSuperElement:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VSensorSuperElement | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -4649,7 +5943,7 @@ class SensorSuperElement(_Item):
         visualization: VSensorSuperElement | dict[str, Any] = ...,
     ) -> None: ...
 
-class VSensorUserFunction:
+class VSensorUserFunction(_Visualization):
     """Visualization of SensorUserFunction."""
 
     show: bool
@@ -4658,27 +5952,35 @@ class VSensorUserFunction:
         self,
         show: bool = True,
     ) -> None: ...
-    def __iter__(self) -> Iterator[tuple[str, Any]]: ...
 
-class SensorUserFunction(_Item):
+class SensorUserFunction(_Sensor):
     """Computes its values by a Python function, for instance from other sensors"""
 
     name: str
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
-    sensorNumbers: Sequence[SensorIndex | int]
-    """sensors that the user function may evaluate; may be empty [n]"""
-    factors: ArrayLike
-    """values that are passed to the user function, of free meaning, such as weights or conversions of units [n; various]"""
+    @property
+    def sensorNumbers(self) -> list[SensorIndex]:
+        """sensors that the user function may evaluate; may be empty [n]"""
+    @sensorNumbers.setter
+    def sensorNumbers(self, value: Sequence[SensorIndex | int]) -> None: ...
+    @property
+    def factors(self) -> Array:
+        """values that are passed to the user function, of free meaning, such as weights or conversions of units [n; various]"""
+    @factors.setter
+    def factors(self, value: ArrayLike) -> None: ...
     writeToFile: bool
     """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
     fileName: str
     """file with the time in the first and the values in the further columns; the path is relative to the working directory, missing directories are created"""
-    sensorUserFunction: Callable[..., Any] | Literal[0]
+    sensorUserFunction: Callable[[MainSystem, float, list[int], Array, ConfigurationType], ArrayLike] | Literal[0]
     """Python function that returns the values of the sensor"""
     storeInternal: bool
     """keep time and values in memory, to be read with ``mbs.GetSensorStoredData`` during or after the solution"""
-    visualization: VSensorUserFunction | dict[str, Any]
-    """how the item is drawn"""
+    @property
+    def visualization(self) -> VSensorUserFunction:
+        """how the item is drawn"""
+    @visualization.setter
+    def visualization(self, value: VSensorUserFunction | dict[str, Any]) -> None: ...
     def __init__(
         self,
         name: str = '',
@@ -4686,7 +5988,7 @@ class SensorUserFunction(_Item):
         factors: ArrayLike = [],
         writeToFile: bool = True,
         fileName: str = '',
-        sensorUserFunction: Callable[..., Any] | Literal[0] = 0,
+        sensorUserFunction: Callable[[MainSystem, float, list[int], Array, ConfigurationType], ArrayLike] | Literal[0] = 0,
         storeInternal: bool = False,
         visualization: VSensorUserFunction | dict[str, Any] = ...,
     ) -> None: ...
