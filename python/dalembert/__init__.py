@@ -5,6 +5,8 @@ SC = exu.SystemContainer()
 mbs = SC.AddSystem()
 """
 
+# ruff: noqa: I001  `as` says to type checkers what users import from here
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
@@ -17,15 +19,19 @@ except ImportError as _error:
         "install the package, e.g. by 'pip install .' in the source folder"
     ) from _error
 from dalembert._core import *
-from dalembert._version import RequireVersion, __version__, interface_version
+from dalembert._version import (
+    RequireVersion as RequireVersion,
+    __version__ as __version__,
+    interface_version as interface_version,
+)
 from dalembert.mainSystemExtensions import methods as _methods  # noqa: F401  importing it extends MainSystem
 from dalembert.solver import (
-    ComputeLinearizedSystem,
-    ComputeODE2Eigenvalues,
-    ComputeSystemDegreeOfFreedom,
-    SolveDynamic,
-    SolverSuccess,
-    SolveStatic,
+    ComputeLinearizedSystem as ComputeLinearizedSystem,
+    ComputeODE2Eigenvalues as ComputeODE2Eigenvalues,
+    ComputeSystemDegreeOfFreedom as ComputeSystemDegreeOfFreedom,
+    SolveDynamic as SolveDynamic,
+    SolverSuccess as SolverSuccess,
+    SolveStatic as SolveStatic,
 )
 
 # Modules that are loaded when they are first used, as attribute or by import.
@@ -63,24 +69,45 @@ _submodules = frozenset(
 )
 _renamed = {"exudynCPP": _core}
 
-__all__ = [  # noqa: PLE0604
-    "ComputeLinearizedSystem",
-    "ComputeODE2Eigenvalues",
-    "ComputeSystemDegreeOfFreedom",
-    "RequireVersion",
-    "SolveDynamic",
-    "SolveStatic",
-    "SolverSuccess",
-    "__version__",
-    "interface_version",
-    *[name for name in vars(_core) if not name.startswith("_")],
-]
-
 if TYPE_CHECKING:
-
-    def __getattr__(name: str) -> Any: ...
-
+    from dalembert import (
+        _core as exudynCPP,  # noqa: F401
+        advancedUtilities as advancedUtilities,
+        alias as alias,
+        basicUtilities as basicUtilities,
+        beams as beams,
+        demos as demos,
+        graphics as graphics,
+        graphicsDataUtilities as graphicsDataUtilities,
+        interactive as interactive,
+        itemInterface as itemInterface,
+        kinematicTree as kinematicTree,
+        lieGroupBasics as lieGroupBasics,
+        lieGroupIntegration as lieGroupIntegration,
+        machines as machines,
+        mainSystemExtensions as mainSystemExtensions,
+        particles as particles,
+        physics as physics,
+        plot as plot,
+        processing as processing,
+        rigidBodyUtilities as rigidBodyUtilities,
+        signalProcessing as signalProcessing,
+        solver as solver,
+        utilities as utilities,
+    )
 else:
+    __all__ = [  # noqa: PLE0604
+        "ComputeLinearizedSystem",
+        "ComputeODE2Eigenvalues",
+        "ComputeSystemDegreeOfFreedom",
+        "RequireVersion",
+        "SolveDynamic",
+        "SolveStatic",
+        "SolverSuccess",
+        "__version__",
+        "interface_version",
+        *[name for name in vars(_core) if not name.startswith("_")],
+    ]
 
     def __getattr__(name: str) -> Any:
         """Load a submodule on first use."""

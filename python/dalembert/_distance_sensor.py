@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from dalembert import itemInterface as items
+from dalembert._checks import FloatArray
 from dalembert._core import ConfigurationType, ContactTypeIndex, MarkerIndex, OutputVariableType
 
 RED = [1.0, 0.0, 0.0, 1.0]
@@ -39,7 +40,7 @@ def CreateDistanceSensorGeometry(
     return int(mbs.NumberOfGeneralContacts()) - 1
 
 
-def _measure(mbs: Any, t: float, sensorNumbers: list[Any], factors: list[float], configuration: Any) -> list[float]:
+def _measure(mbs: Any, t: float, sensorNumbers: list[Any], factors: FloatArray, configuration: Any) -> list[float]:
     """Sensor user function: return [distance] or [distance, velocity along the line]; factors as packed below."""
     contactNumber, marker = int(factors[0]), int(factors[1])
     start, direction = np.array(factors[2:5]), np.array(factors[5:8])

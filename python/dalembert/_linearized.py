@@ -8,6 +8,7 @@ import numpy as np
 
 from dalembert import _core
 from dalembert._checks import FloatArray
+from dalembert._core import SimulationSettings
 from dalembert._quiet import quiet_static_solver
 
 
@@ -55,7 +56,7 @@ def _nullspace(C: FloatArray, tolerance: float) -> FloatArray:
 
 def ComputeLinearizedSystem(
     mbs: Any,
-    simulationSettings: Any = None,
+    simulationSettings: SimulationSettings | None = None,
     projectIntoConstraintNullspace: bool = False,
     singularValuesTolerance: float = 1e-12,
     returnConstraintJacobian: bool = False,
@@ -97,7 +98,7 @@ def _undamped_modes(K: FloatArray, M: FloatArray) -> Any:
 
 
 def _damped_modes(K: FloatArray, D: FloatArray, M: FloatArray) -> Any:
-    """Return eigenvalues lambda (1/s) and eigenvectors [x, lambda x], in columns, of (lambda^2 M + lambda D + K) x = 0."""
+    """Return eigenvalues lambda (1/s) and eigenvectors [x, lambda x] (columns) of (lambda^2 M + lambda D + K) x = 0."""
     from scipy.linalg import eig
 
     n = len(M)
@@ -106,7 +107,7 @@ def _damped_modes(K: FloatArray, D: FloatArray, M: FloatArray) -> Any:
 
 
 def _sparse_modes(K: FloatArray, M: FloatArray, number: int) -> Any:
-    """Return the `number` eigenvalues omega^2 nearest to zero and their eigenvectors, by a shift-inverted Lanczos method."""
+    """Return the `number` eigenvalues omega^2 nearest to zero and their eigenvectors, by shift-inverted Lanczos."""
     from scipy.sparse import csc_matrix
     from scipy.sparse.linalg import eigsh
 
@@ -115,7 +116,7 @@ def _sparse_modes(K: FloatArray, M: FloatArray, number: int) -> Any:
 
 def ComputeODE2Eigenvalues(
     mbs: Any,
-    simulationSettings: Any = None,
+    simulationSettings: SimulationSettings | None = None,
     useSparseSolver: bool = False,
     numberOfEigenvalues: int = 0,
     constrainedCoordinates: list[int] = [],
@@ -176,7 +177,7 @@ def ComputeODE2Eigenvalues(
 
 def ComputeSystemDegreeOfFreedom(
     mbs: Any,
-    simulationSettings: Any = None,
+    simulationSettings: SimulationSettings | None = None,
     threshold: float = 1e-12,
     verbose: bool | int = False,
     useSVD: bool = False,

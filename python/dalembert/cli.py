@@ -61,7 +61,7 @@ def _item_names() -> dict[str, list[str]]:
     from dalembert import itemInterface
 
     kinds = ("Node", "Object", "Marker", "Load", "Sensor")
-    names = [n for n in itemInterface.__all__ if getattr(getattr(itemInterface, n), "__name__", "") == n]
+    names = [name for name, value in vars(itemInterface).items() if getattr(value, "__name__", "") == name]
     return {kind: [n for n in names if n.startswith(kind)] for kind in kinds}
 
 
@@ -81,7 +81,7 @@ def _items(arguments: argparse.Namespace) -> int:
             for name in names:
                 print(f"  {name}")
         return 0
-    known = [name for name in itemInterface.__all__ if isinstance(getattr(itemInterface, name), type)]
+    known = [name for name, value in vars(itemInterface).items() if isinstance(value, type)]
     if arguments.name not in known:
         near = difflib.get_close_matches(arguments.name, known, 3)
         hint = f"; did you mean {', '.join(near)}?" if near else "; 'dalembert items' lists all"

@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from typing import Any
 
 from dalembert import _core
-from dalembert._core import ConfigurationType, DynamicSolverType, Print
+from dalembert._core import ConfigurationType, DynamicSolverType, Print, SimulationSettings
 from dalembert._diagnosis import CheckSolverInfoStatistics, SolverError, SolverErrorMessage
 from dalembert._linearized import ComputeLinearizedSystem, ComputeODE2Eigenvalues, ComputeSystemDegreeOfFreedom
 from dalembert._quiet import DeactivateWritingOfSolvers, RestoreSimulationSettings, assemble_if_needed
@@ -70,7 +70,7 @@ def _keep_as_initial_values(mbs: Any, accelerations: bool) -> None:
 
 def SolveStatic(
     mbs: Any,
-    simulationSettings: Any = None,
+    simulationSettings: SimulationSettings | None = None,
     updateInitialValues: bool = False,
     storeSolver: bool = True,
     showHints: bool = False,
@@ -106,8 +106,8 @@ def _trapezoidal_rule(settings: Any, active: bool) -> Iterator[None]:
 
 def SolveDynamic(
     mbs: Any,
-    simulationSettings: Any = None,
-    solverType: Any = DynamicSolverType.GeneralizedAlpha,
+    simulationSettings: SimulationSettings | None = None,
+    solverType: DynamicSolverType = DynamicSolverType.GeneralizedAlpha,
     updateInitialValues: bool = False,
     storeSolver: bool = True,
     showHints: bool = False,

@@ -1,85 +1,84 @@
 """What models usually need, for `from dalembert.utilities import *`: items, rotations, graphics helpers, and the
 functions of this module around joints, sensors, solution files and connections to other programs."""
 
-# ruff: noqa: F401  what is imported here is what users import from here
+# ruff: noqa: F401, I001  what is imported here is what users import from here: `as` says so to type checkers
 
 from __future__ import annotations
 
-import copy
-import math
-from enum import Enum
-from math import cos, sin, sqrt
-from typing import Any
+from enum import Enum as Enum
+from math import cos as cos, sin as sin, sqrt as sqrt
+from typing import TYPE_CHECKING, Any
 
-import numpy as np
 import numpy.typing as npt
 
-import dalembert
-from dalembert import graphics
-from dalembert import itemInterface as eii
+from dalembert import graphics as graphics
 from dalembert._checks import FloatArray
 from dalembert._core import ItemType, Print
-from dalembert._distance_sensor import CreateDistanceSensor, CreateDistanceSensorGeometry
-from dalembert._solution_files import (
-    AnimateSolution,
-    BinaryReadArrayIndex,
-    BinaryReadIndex,
-    BinaryReadReal,
-    BinaryReadRealVector,
-    BinaryReadString,
-    InitializeFromRestartFile,
-    LoadBinarySolutionFile,
-    LoadSolutionFile,
-    NumpyInt8ArrayToString,
-    RecoverSolutionFile,
-    SetSolutionState,
+from dalembert._distance_sensor import (
+    CreateDistanceSensor as CreateDistanceSensor,
+    CreateDistanceSensorGeometry as CreateDistanceSensorGeometry,
 )
-from dalembert._system_graph import DrawSystemGraph
-from dalembert._tcpip import CloseTCPIPconnection, CreateTCPIPconnection, TCPIPdata, TCPIPsendReceive
+from dalembert._solution_files import (
+    AnimateSolution as AnimateSolution,
+    BinaryReadArrayIndex as BinaryReadArrayIndex,
+    BinaryReadIndex as BinaryReadIndex,
+    BinaryReadReal as BinaryReadReal,
+    BinaryReadRealVector as BinaryReadRealVector,
+    BinaryReadString as BinaryReadString,
+    InitializeFromRestartFile as InitializeFromRestartFile,
+    LoadBinarySolutionFile as LoadBinarySolutionFile,
+    LoadSolutionFile as LoadSolutionFile,
+    NumpyInt8ArrayToString as NumpyInt8ArrayToString,
+    RecoverSolutionFile as RecoverSolutionFile,
+    SetSolutionState as SetSolutionState,
+)
+from dalembert._system_graph import DrawSystemGraph as DrawSystemGraph
+from dalembert._tcpip import (
+    CloseTCPIPconnection as CloseTCPIPconnection,
+    CreateTCPIPconnection as CreateTCPIPconnection,
+    TCPIPdata as TCPIPdata,
+    TCPIPsendReceive as TCPIPsendReceive,
+)
+from dalembert._names import copy as copy, eii as eii, exu as exu, exudyn as exudyn, math as math, np as np
 from dalembert.advancedUtilities import *
 from dalembert.basicUtilities import *
 from dalembert.beams import (
-    GenerateAleSlidingJoint,
-    GenerateSlidingJoint,
-    GenerateStraightBeam,
-    GenerateStraightLineANCFCable2D,
+    GenerateAleSlidingJoint as GenerateAleSlidingJoint,
+    GenerateSlidingJoint as GenerateSlidingJoint,
+    GenerateStraightBeam as GenerateStraightBeam,
+    GenerateStraightLineANCFCable2D as GenerateStraightLineANCFCable2D,
 )
 from dalembert.create._frames import reference_position, reference_rotation
 from dalembert.graphicsDataUtilities import *
 from dalembert.itemInterface import *
 from dalembert.rigidBodyUtilities import *
 
-exudyn = exu = dalembert
 AddEdgesAndSmoothenNormals = graphics.AddEdgesAndSmoothenNormals
 
 # Earlier names of functions in dalembert.graphics.
-_GRAPHICS = {
-    "GraphicsDataOrthoCubePoint": "Brick",
-    "GraphicsDataCube": "Cuboid",
-    "GraphicsDataOrthoCube": "BrickXYZ",
-    "GraphicsDataSphere": "Sphere",
-    "GraphicsDataCylinder": "Cylinder",
-    "GraphicsDataLine": "Lines",
-    "GraphicsDataQuad": "Quad",
-    "GraphicsDataCircle": "Circle",
-    "GraphicsDataText": "Text",
-    "GraphicsDataRigidLink": "RigidLink",
-    "GraphicsDataSolidOfRevolution": "SolidOfRevolution",
-    "GraphicsDataSolidExtrusion": "SolidExtrusion",
-    "GraphicsDataArrow": "Arrow",
-    "GraphicsDataBasis": "Basis",
-    "GraphicsDataFrame": "Frame",
-    "GraphicsDataCheckerBoard": "CheckerBoard",
-    "GraphicsDataFromSTLfile": "FromSTLfile",
-    "GraphicsDataFromSTLfileTxt": "FromSTLfileASCII",
-    "GraphicsDataFromPointsAndTrigs": "FromPointsAndTrigs",
-    "GraphicsData2PointsAndTrigs": "ToPointsAndTrigs",
-    "ExportGraphicsData2STL": "ExportSTL",
-    "MoveGraphicsData": "Move",
-    "MergeGraphicsDataTriangleList": "MergeTriangleLists",
-}
-globals().update({old: getattr(graphics, new) for old, new in _GRAPHICS.items()})
-
+GraphicsDataOrthoCubePoint = graphics.Brick
+GraphicsDataCube = graphics.Cuboid
+GraphicsDataOrthoCube = graphics.BrickXYZ
+GraphicsDataSphere = graphics.Sphere
+GraphicsDataCylinder = graphics.Cylinder
+GraphicsDataLine = graphics.Lines
+GraphicsDataQuad = graphics.Quad
+GraphicsDataCircle = graphics.Circle
+GraphicsDataText = graphics.Text
+GraphicsDataRigidLink = graphics.RigidLink
+GraphicsDataSolidOfRevolution = graphics.SolidOfRevolution
+GraphicsDataSolidExtrusion = graphics.SolidExtrusion
+GraphicsDataArrow = graphics.Arrow
+GraphicsDataBasis = graphics.Basis
+GraphicsDataFrame = graphics.Frame
+GraphicsDataCheckerBoard = graphics.CheckerBoard
+GraphicsDataFromSTLfile = graphics.FromSTLfile
+GraphicsDataFromSTLfileTxt = graphics.FromSTLfileASCII
+GraphicsDataFromPointsAndTrigs = graphics.FromPointsAndTrigs
+GraphicsData2PointsAndTrigs = graphics.ToPointsAndTrigs
+ExportGraphicsData2STL = graphics.ExportSTL
+MoveGraphicsData = graphics.Move
+MergeGraphicsDataTriangleList = graphics.MergeTriangleLists
 
 # ---- joints ---------------------------------------------------------------------------------------------------------
 
@@ -95,7 +94,7 @@ def _marker_at(mbs: Any, bodyNumber: Any, existingMarker: Any, **options: Any) -
 
 
 def GetOtherMarker(mbs: Any, bodyNumber: Any, existingMarker: Any, show: bool = True) -> Any:
-    """Add a rigid marker on a body, at the place of an existing marker in the reference configuration; return its index."""
+    """Add a rigid marker on a body, at the place of an existing marker in the reference state; return its index."""
     return _marker_at(mbs, bodyNumber, existingMarker, visualization=eii.VMarkerBodyRigid(show=show))[0]
 
 
@@ -168,9 +167,7 @@ def HighlightItem(
 # ---- recorded sensors -----------------------------------------------------------------------------------------------
 
 
-def UFsensorRecord(
-    mbs: Any, t: float, sensorNumbers: list[Any], factors: list[float], configuration: Any
-) -> FloatArray:
+def UFsensorRecord(mbs: Any, t: float, sensorNumbers: list[Any], factors: FloatArray, configuration: Any) -> FloatArray:
     """Sensor user function of AddSensorRecorder: store time and values, one row per factors[0] seconds."""
     number = sensorNumbers[0]
     values = np.atleast_1d(mbs.GetSensorValues(number, configuration=configuration))
@@ -203,8 +200,9 @@ def AddSensorRecorder(
 
 # Names of other modules' insides that are no part of what users get.
 _HIDDEN = {
-    *("Any", "FloatArray", "GraphicsData", "IntArray", "ItemType", "Print", "Sequence", "annotations", "dalembert"),
+    *("Any", "FloatArray", "GraphicsData", "IntArray", "ItemType", "Print", "Sequence", "TYPE_CHECKING", "annotations"),
     *("Lines", "as_matrix", "as_points", "as_vector", "color", "colorList", "npt", "reference_position"),
     *("reference_rotation", "triangle_normals", "unit_rows", "warnings"),
 }
-__all__ = [name for name in list(globals()) if not name.startswith("_") and name not in _HIDDEN]
+if not TYPE_CHECKING:  # type checkers follow the imports; they would take a computed list for an empty one
+    __all__ = [name for name in list(globals()) if not name.startswith("_") and name not in _HIDDEN]
