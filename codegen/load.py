@@ -23,7 +23,8 @@ from codegen.rows import at, check_keys, known_key, parameter, parse, text
 
 TABLES = ("parameters", "visualization", "outputs")
 TOP_LEVEL = (
-    "name", "type_name", "object_type", "short_names", "summary", "provides", "requested_nodes", "requested_markers", "physics",
+    "name", "type_name", "object_type", "short_names", "summary", "provides", "requested_nodes", "requested_markers",
+    "physics",
     "nodes", "irregular", *TABLES, "user_functions", "docs", "example",
 )  # fmt: skip
 WORD_LISTS = ("short_names", "provides", "requested_nodes", "requested_markers", "nodes")

@@ -20,13 +20,15 @@ SOURCES = ("frame", "coordinates", "kernel")
 PHYSICS = ("ready", "planned")
 BODY_FOLDERS = ("bodies", "super_elements", "finite_elements")
 OBJECT_TYPES = ("Body", "Object", "SuperElement", "FiniteElement", "Connector", "Constraint", "Joint")
-# What a node or marker can be asked for; an entry of `Port` in reflection/item_type.hpp, or nothing that the core checks.
+# What a node or marker can be asked for; an entry of `Port` in reflection/item_type.hpp, or nothing that is checked.
 NODE_PORTS = {
-    "Position": "position", "Orientation": "orientation", "Position2D": "position_2d", "Orientation2D": "orientation_2d",
+    "Position": "position", "Orientation": "orientation",
+    "Position2D": "position_2d", "Orientation2D": "orientation_2d",
     "GenericODE2": "generic_ode2", "GenericData": "generic_data", "RigidBody": None, "Point2DSlope1": None,
 }  # fmt: skip
 MARKER_PORTS = {
-    "Position": "position", "Orientation": "orientation", "Coordinate": "coordinate", "BodyMass": "body_mass", "Body": None,
+    "Position": "position", "Orientation": "orientation",
+    "Coordinate": "coordinate", "BodyMass": "body_mass", "Body": None,
 }  # fmt: skip
 PROVIDED = {
     *NODE_PORTS, *MARKER_PORTS, "Node", "Object", "Ground", "Connector", "Constraint", "SingleNoded", "MultiNoded",

@@ -111,7 +111,7 @@ def item_link(name: str) -> str:
 
 
 def partners(item: Item, items: tuple[Item, ...], kind: str) -> list[Item]:
-    """Nodes or markers that the item can stand on: those that its kernel is compiled for, or that provide what it requests."""
+    """Nodes or markers that the item can stand on: those of its kernel, or those that provide what it requests."""
     if kind == "node" and item.nodes:
         return [other for other in items if other.name in item.nodes]
     wanted = set(item.requested_nodes if kind == "node" else item.requested_markers)

@@ -37,7 +37,7 @@ _COLUMNS = (
 
 
 def _columns_of_header(fileName: Path, lines: list[str]) -> list[int]:
-    """Return the numbers of written coordinates [ODE2, ODE2_t, ODE2_tt, ODE1, ODE1_t, AE, Data] from a file's header."""
+    """Return the numbers of written coordinates [ODE2, ODE2_t, ODE2_tt, ODE1, ODE1_t, AE, Data] from the header."""
     line = lines[_HEADER_LINES - 1] if len(lines) >= _HEADER_LINES else ""
     match = re.search(r"=\s*\[([\d,\s]*)\]", line) if line.startswith(_HEADER_TITLE) else None
     if match is None:

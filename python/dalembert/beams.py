@@ -182,7 +182,7 @@ def GenerateBeamElementsAlongLine(
     EA: Any = None,
     GA: Any = None,
 ) -> dict[str, list[Any]]:
-    """Add elements as GenerateStraightBeam does; return a dict with nodes, elements, nodePositions, constraintObjects, loads."""
+    """Add elements as GenerateStraightBeam does; return nodes, elements, nodePositions, constraintObjects and loads."""
     constraints = (groundConstraintsStart, groundConstraintsEnd, nodeNumberStart, nodeNumberEnd)
     ends = (positionStart, positionEnd)
     chain = GenerateStraightBeam(mbs, *ends, numberOfElements, beamTemplate, gravity, *constraints)

@@ -166,9 +166,9 @@ def AnimateModes(
     checkRenderEngineStopFlag: bool = True,
     systemEigenVectors: Any = None,
 ) -> None:
-    """Show the modes of a node with modal coordinates, or eigenvectors (in columns) of the system if nodeNumber is None.
+    """Show the modes of a node with modal coordinates, or eigenvectors (columns) of the system if nodeNumber is None.
 
-    Without a window, the first mode with a small amplitude becomes the visualized state. ValueError if there is no mode.
+    Without a window, the first mode, with a small amplitude, becomes the visualized state. ValueError without modes.
     """
     data = mainSystem.systemData
     size = data.ODE2Size()

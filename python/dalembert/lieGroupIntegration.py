@@ -32,7 +32,7 @@ def ComputeStepWithRK1FromAcceleration(v0_t: npt.ArrayLike, v0: npt.ArrayLike, w
 
 
 def ComputeStepWithRK4(ODE2RHS: Acceleration, v0: npt.ArrayLike, w0: npt.ArrayLike, h: float) -> State:
-    """Return rotation vector (rad) and local angular velocity (rad/s) after a step of the classical fourth order method."""
+    """Return rotation vector (rad) and local angular velocity (rad/s) after a step of the classical RK4 method."""
     w = np.asarray(w0, dtype=float)
     dw, turn = np.zeros(3), np.zeros(3)
     sum_w, sum_turn = np.zeros(3), np.zeros(3)
@@ -47,7 +47,7 @@ def ComputeStepWithRK4(ODE2RHS: Acceleration, v0: npt.ArrayLike, w0: npt.ArrayLi
 def RK_SolveEulersEOMWithProposedApproach(
     ODE2RHS: Acceleration, v0: npt.ArrayLike, w0: npt.ArrayLike, tEnd: float, numberOfSteps: int, solver: str
 ) -> dict[str, FloatArray]:
-    """Integrate the rotation of a body up to tEnd (s) with 'RK1' or 'RK4'; return time, rotationVector, angularVelocity.
+    """Integrate the rotation of a body to tEnd (s) with 'RK1' or 'RK4'; return time, rotationVector, angularVelocity.
 
     The arrays have one row per step and one for the start.
     """

@@ -7,10 +7,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from codegen.load import load
-from codegen.model import Item, Parameter
 
 import dalembert as exu
+from codegen.load import load
+from codegen.model import Item, Parameter
 
 ITEMS: tuple[Item, ...] = load(Path(__file__).parents[2]).items
 CLASSES = {item.name: getattr(exu, item.name) for item in ITEMS}

@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from codegen.model import Item, Parameter
 from sample_values import CLASSES, ITEMS, parameters, plain, rows, sample
 
 import dalembert as exu
+from codegen.model import Item, Parameter
 
 each_item = pytest.mark.parametrize("item", ITEMS, ids=lambda item: item.name)
 

@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from codegen.model import Item, Parameter
 from sample_values import CLASSES, FIXED, INDEX, SQUARE, rows, sample, wrong_type
 
 import dalembert as exu
+from codegen.model import Item, Parameter
 
 
 def each_row(condition: Any) -> Any:

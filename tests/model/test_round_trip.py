@@ -7,10 +7,10 @@ import pickle
 from typing import Any
 
 import pytest
-from codegen.model import Item
 from sample_values import CLASSES, ITEMS, parameters, plain, sample
 
 import dalembert as exu
+from codegen.model import Item
 
 each_item = pytest.mark.parametrize("item", ITEMS, ids=lambda item: item.name)
 

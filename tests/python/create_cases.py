@@ -3,6 +3,7 @@
 from typing import Any
 
 import numpy as np
+
 from dalembert.rigidBodyUtilities import InertiaCuboid, RotationMatrixX, RotationMatrixZ
 
 TILTED = RotationMatrixX(0.4) @ RotationMatrixZ(0.2)

@@ -6,9 +6,10 @@ import copy
 import pickle
 from typing import Any
 
-import dalembert as exu
 import numpy as np
 import pytest
+
+import dalembert as exu
 
 LISTS = [(f"Vector{n}DList", (n,)) for n in (2, 3, 6)] + [(f"Matrix{n}DList", (n, n)) for n in (3, 6)]
 

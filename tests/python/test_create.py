@@ -11,6 +11,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 exu = pytest.importorskip("dalembert", exc_type=ImportError)
 import create_cases  # noqa: E402
+
 from dalembert import create  # noqa: E402
 from dalembert import itemInterface as items  # noqa: E402
 

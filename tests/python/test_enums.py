@@ -7,8 +7,9 @@ import pickle
 from enum import IntFlag
 from typing import Any
 
-import dalembert as exu
 import pytest
+
+import dalembert as exu
 
 
 def test_members_behave_as_numbers_with_names() -> None:

@@ -5,9 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-import dalembert as exu
 import numpy as np
 import pytest
+
+import dalembert as exu
 
 
 @pytest.fixture(autouse=True)

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+
 from dalembert import processing
 from dalembert._result_files import ParseOutputFileHeader
 

@@ -6,8 +6,9 @@ import copy
 import pickle
 from typing import Any
 
-import dalembert as exu
 import pytest
+
+import dalembert as exu
 
 ROOTS = [exu.SimulationSettings, exu.VisualizationSettings]
 

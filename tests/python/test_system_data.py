@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-import dalembert as exu
 import numpy as np
 import pytest
+
+import dalembert as exu
 
 CURRENT, INITIAL, REFERENCE = (getattr(exu.ConfigurationType, name) for name in ("Current", "Initial", "Reference"))
 
