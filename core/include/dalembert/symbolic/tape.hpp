@@ -1,0 +1,57 @@
+// An expression as a flat list of instructions over one array of numbers.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "dalembert/symbolic/expression.hpp"
+
+namespace dalembert::symbolic {
+
+// Operands and result are places in the array.
+struct Instruction {
+  Op op;
+  int result, a, b, c;
+  int n;        // components, or rows of the left operand
+  int m, k;     // of products with matrices: the common dimension, and columns of the right operand
+};
+
+class Tape {
+ public:
+  // `inputs` are variables whose values come with each evaluation. Other variables give the value they have at that time.
+  explicit Tape(const Node& root, std::span<const Node> inputs = {});
+
+  // One pointer per input, to as many numbers as its shape says. May be called from several threads.
+  void evaluate(std::span<const double* const> inputs, std::span<double> results) const;
+  std::vector<double> evaluate() const;  // of a tape without inputs
+  // The derivative of a scalar result with respect to a scalar variable that is no input.
+  double derivative(const Expression& variable) const;
+
+  Shape shape() const { return shape_; }
+  std::span<const Shape> input_shapes() const { return input_shapes_; }
+  std::size_t length() const { return instructions_.size(); }
+
+ private:
+  struct Live {
+    Node variable;
+    int place;
+  };
+  struct Constant {
+    int place;
+    double value;
+  };
+  class Recorder;
+
+  std::vector<Instruction> instructions_;
+  std::vector<Constant> constants_;
+  std::vector<Live> live_;
+  std::vector<Shape> input_shapes_;
+  std::vector<int> input_places_;
+  Shape shape_;
+  int size_ = 0, result_ = 0;
+};
+
+std::vector<double> evaluate(const Node& node);
+
+}  // namespace dalembert::symbolic
