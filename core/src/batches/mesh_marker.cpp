@@ -7,19 +7,24 @@
 
 namespace dalembert {
 
-int NodeMarkers::add(const ItemType& node, FrameShape shape, const void* record, std::span<const int> dofs) {
-  auto group = std::ranges::find_if(groups_, [&](const Group& g) { return g.node == &node && g.shape == shape; });
+int InnerMarkers::add(const ItemType& node, FrameShape shape, const void* record, std::span<const int> dofs) {
+  return add(node, {}, shape, record, dofs, {});
+}
+
+int InnerMarkers::add(const ItemType& owner, const std::vector<const ItemType*>& nodes, FrameShape shape, const void* record,
+                      std::span<const int> dofs, const Vec3<double>& local) {
+  auto group = std::ranges::find_if(groups_, [&](const Group& g) { return g.owner == &owner && g.nodes == nodes && g.shape == shape; });
   if (group == groups_.end()) {
-    auto batch = dynamic_cast<const NodePhysics&>(*node.physics).make_marker(shape);
+    const auto* node = dynamic_cast<const NodePhysics*>(owner.physics);
+    auto batch = node != nullptr ? node->make_marker(shape) : dynamic_cast<const ObjectPhysics&>(*owner.physics).make_marker(shape, nodes);
     if (batch == nullptr) return -1;
-    groups_.push_back({&node, shape, std::move(batch)});
+    groups_.push_back({&owner, nodes, shape, std::move(batch)});
     group = groups_.end() - 1;
   }
-  const Vec3<double> local{};
   Placement p;
   p.item = static_cast<int>(members_.size());
   p.owner = record;
-  p.owner_type = &node;
+  p.owner_type = &owner;
   p.dofs.assign(dofs.begin(), dofs.end());
   ports.append(group->batch->value_count(&local, p), group->batch->force_count(&local, p), p.dofs);
   group->batch->add(&local, p, ports);
@@ -27,17 +32,26 @@ int NodeMarkers::add(const ItemType& node, FrameShape shape, const void* record,
   return p.item;
 }
 
-void NodeMarkers::visit(BlockVisitor& visitor) const {
+void InnerMarkers::refresh(int port, const Vec3<double>& local) {
+  const Member& member = members_[static_cast<std::size_t>(port)];
+  groups_[static_cast<std::size_t>(member.group)].batch->refresh(member.entry, &local);
+}
+void InnerMarkers::refresh_owner(int port, const void* record) {
+  const Member& member = members_[static_cast<std::size_t>(port)];
+  groups_[static_cast<std::size_t>(member.group)].batch->refresh_owner(member.entry, record);
+}
+
+void InnerMarkers::visit(BlockVisitor& visitor) const {
   for (const Group& g : groups_) g.batch->visit(visitor, ports);
 }
-void NodeMarkers::evaluate(const Evaluation& evaluation) {
+void InnerMarkers::evaluate(const Evaluation& evaluation) {
   for (const Group& g : groups_) g.batch->evaluate(evaluation, ports);
 }
-void NodeMarkers::evaluate_tangent(const Evaluation& evaluation, const Weights& weights) {
+void InnerMarkers::evaluate_tangent(const Evaluation& evaluation, const Weights& weights) {
   for (const Group& g : groups_) g.batch->evaluate_tangent(evaluation, weights, ports);
 }
-void NodeMarkers::clear_forces() { std::ranges::fill(ports.forces, 0.0); }
-void NodeMarkers::pull_back(const Evaluation& evaluation, double* r) const {
+void InnerMarkers::clear_forces() { std::ranges::fill(ports.forces, 0.0); }
+void InnerMarkers::pull_back(const Evaluation& evaluation, double* r) const {
   for (const Group& g : groups_) g.batch->pull_back(evaluation, ports, r);
 }
 
@@ -51,8 +65,7 @@ class Counter final : public BlockVisitor {
 
 }  // namespace
 
-void NodeMarkers::geometric(const Evaluation& evaluation, const Weights& weights, const std::vector<int>& slots,
-                            double* values) {
+void InnerMarkers::geometric(const Evaluation& evaluation, const Weights& weights, std::span<const int> slots, double* values) {
   auto next = slots.begin();
   for (const Group& g : groups_) {
     Counter counter;
@@ -62,7 +75,7 @@ void NodeMarkers::geometric(const Evaluation& evaluation, const Weights& weights
     g.batch->geometric(evaluation, weights, ports, values);
   }
 }
-bool NodeMarkers::motion(int port, const Evaluation& evaluation, Motion<double>& m) const {
+bool InnerMarkers::motion(int port, const Evaluation& evaluation, Motion<double>& m) const {
   const Member& member = members_[static_cast<std::size_t>(port)];
   return groups_[static_cast<std::size_t>(member.group)].batch->motion(member.entry, evaluation, m);
 }
@@ -181,7 +194,7 @@ class MeshPositionBatch final : public MarkerBatch {
 
   std::vector<const ItemType*> types_;
   std::vector<Entry> entries_;
-  mutable NodeMarkers nodes_;  // its ports are work space
+  mutable InnerMarkers nodes_;  // its ports are work space
 };
 
 }  // namespace

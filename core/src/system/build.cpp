@@ -48,6 +48,7 @@ class Builder {
       if (term->has_mass()) parts_.constant_mass = parts_.constant_mass && term->constant_mass();
       parts_.has_history = parts_.has_history || term->has_history();
     }
+    for (const auto& batch : parts_.marker_batches) parts_.has_history = parts_.has_history || batch->has_history();
     parts_.structure = model_.structure_changes();
     parts_.values = model_.value_changes();
   }
@@ -133,11 +134,11 @@ class Builder {
   void place_marker(int number) {
     const Item& item = model_.item(ItemKind::marker, number);
     const auto& physics = dynamic_cast<const MarkerPhysics&>(this->physics(ItemKind::marker, number));
-    MarkerPlace place{item.type, item.record, {}};
     const std::vector<int> nodes = referenced(item, ItemKind::node), objects = referenced(item, ItemKind::object);
+    MarkerPlace place{item.type, item.record, {}, -1, -1, objects};
     if (!objects.empty()) place.object = objects.front();
     if (!nodes.empty()) place.node = nodes.front();
-    Placement p = placement_on(place.object >= 0 ? parts_.objects[place.object].nodes : nodes);
+    Placement p = placement_under(objects, nodes);
     p.item = number;
     p.markers = {number};
     const TypeList types = node_types(p.nodes);
@@ -162,6 +163,20 @@ class Builder {
     parts_.ports.append(batch.value_count(record, p), batch.force_count(record, p), p.dofs);
     batch.add(record, p, parts_.ports);
     parts_.markers.push_back(std::move(place));
+  }
+
+  // What a marker's objects and nodes stand on, one after the other.
+  Placement placement_under(const std::vector<int>& objects, const std::vector<int>& nodes) const {
+    std::vector<int> all;
+    for (const int o : objects) all.insert(all.end(), parts_.objects[o].nodes.begin(), parts_.objects[o].nodes.end());
+    all.insert(all.end(), nodes.begin(), nodes.end());
+    Placement p = placement_on(all);
+    for (const int o : objects) {
+      const ObjectPlace& object = parts_.objects[o];
+      p.owners.push_back({object.type, object.record.get(), node_types(object.nodes), 0});
+      for (const int n : object.nodes) p.owners.back().dofs += parts_.nodes[n].sizes.ode2;
+    }
+    return p;
   }
 
   MarkerBatch& frame_batch(int number, const MarkerPlace& place, FrameShape shape, const TypeList& types) {
@@ -248,6 +263,10 @@ class Builder {
     p.item = number;
     p.markers = place.markers;
     p.first_ae = first_ae_[number];
+    for (const int marker : place.markers)
+      if (!dynamic_cast<const MarkerPhysics&>(*parts_.markers[marker].type->physics).has_rate())
+        refuse(ErrorKind::value, {parts_.names[1][number], "markerNumbers", parts_.names[2][marker] + " gives no velocity", "",
+                                  "markers on coordinates of second order", "Markers on coordinates of first order take loads only"});
     physics.check(place.record.get(), p, parts_.ports, parts_.names[1][number]);
     const TypeList types = node_types(place.nodes);
     place.member.batch = &term({place.type, place.type, types}, [&] { return physics.make_batch(types); }, ItemKind::object, number);

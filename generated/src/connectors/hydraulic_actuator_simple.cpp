@@ -9,6 +9,9 @@
 
 namespace dalembert {
 
+// By hand: it adds to first order equations as well
+const Physics& object_connector_hydraulic_actuator_simple_physics();
+
 namespace {
 
 using Record = ObjectConnectorHydraulicActuatorSimpleRecord;
@@ -56,6 +59,8 @@ constexpr std::array<OutputVariableType, 5> outputs{
     OutputVariableType::Force,
 };
 
+const auto& physics = object_connector_hydraulic_actuator_simple_physics();
+
 }  // namespace
 
 extern const ItemType object_connector_hydraulic_actuator_simple_type;
@@ -71,7 +76,7 @@ const ItemType object_connector_hydraulic_actuator_simple_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::position,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/connectors/hydraulic_actuator_simple.toml",
 };
 

@@ -9,6 +9,9 @@
 
 namespace dalembert {
 
+// By hand: it acts on any number of markers
+const Physics& object_connector_reeving_system_springs_physics();
+
 namespace {
 
 using Record = ObjectConnectorReevingSystemSpringsRecord;
@@ -40,6 +43,8 @@ constexpr std::array<OutputVariableType, 3> outputs{
     OutputVariableType::ForceLocal,
 };
 
+const auto& physics = object_connector_reeving_system_springs_physics();
+
 }  // namespace
 
 extern const ItemType object_connector_reeving_system_springs_type;
@@ -55,7 +60,7 @@ const ItemType object_connector_reeving_system_springs_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::none,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/connectors/reeving_system_springs.toml",
 };
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/marker.hpp"
+#include "dalembert/items/markers/bodies_relative_rotation_coordinate.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -16,7 +18,7 @@ using Record = MarkerBodiesRelativeRotationCoordinateRecord;
 constexpr std::array<Row, 8> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "bodyNumbers", .storage = Storage::objects, .offset = offsetof(Record, parameters.bodyNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
-    {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
+    {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .optional = true, .needs_assemble = true},
     {.name = "localPosition0", .storage = Storage::vector3, .offset = offsetof(Record, parameters.localPosition0), .role = Role::parameter, .unit = "m"},
     {.name = "localPosition1", .storage = Storage::vector3, .offset = offsetof(Record, parameters.localPosition1), .role = Role::parameter, .unit = "m"},
     {.name = "axis0", .storage = Storage::vector3, .offset = offsetof(Record, parameters.axis0), .role = Role::parameter, .unit = "1"},
@@ -28,6 +30,8 @@ constexpr std::array<std::string_view, 0> short_names{};
 constexpr std::array<std::string_view, 6> provides{"Node", "Object", "Body", "Position", "Orientation", "Coordinate"};
 constexpr std::array<OutputVariableType, 0> outputs{
 };
+
+const auto& physics = MarkerPhysicsOf<MarkerBodiesRelativeRotationCoordinate, MarkerBodiesRelativeRotationCoordinateRecord>{};
 
 }  // namespace
 
@@ -44,7 +48,7 @@ const ItemType marker_bodies_relative_rotation_coordinate_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::none,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/markers/bodies_relative_rotation_coordinate.toml",
 };
 

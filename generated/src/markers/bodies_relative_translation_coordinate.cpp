@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/marker.hpp"
+#include "dalembert/items/markers/bodies_relative_translation_coordinate.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -28,6 +30,8 @@ constexpr std::array<std::string_view, 5> provides{"Object", "Body", "Position",
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
+const auto& physics = MarkerPhysicsOf<MarkerBodiesRelativeTranslationCoordinate, MarkerBodiesRelativeTranslationCoordinateRecord>{};
+
 }  // namespace
 
 extern const ItemType marker_bodies_relative_translation_coordinate_type;
@@ -43,7 +47,7 @@ const ItemType marker_bodies_relative_translation_coordinate_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::none,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/markers/bodies_relative_translation_coordinate.toml",
 };
 

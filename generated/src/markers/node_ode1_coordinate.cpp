@@ -9,6 +9,9 @@
 
 namespace dalembert {
 
+// By hand: it sits on a coordinate of first order
+const Physics& marker_node_ode1_coordinate_physics();
+
 namespace {
 
 using Record = MarkerNodeODE1CoordinateRecord;
@@ -25,6 +28,8 @@ constexpr std::array<std::string_view, 2> provides{"Node", "Coordinate"};
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
+const auto& physics = marker_node_ode1_coordinate_physics();
+
 }  // namespace
 
 extern const ItemType marker_node_ode1_coordinate_type;
@@ -40,7 +45,7 @@ const ItemType marker_node_ode1_coordinate_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::none,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/markers/node_ode1_coordinate.toml",
 };
 

@@ -9,6 +9,9 @@
 
 namespace dalembert {
 
+// By hand: it rests on any number of mesh nodes of any types
+const Physics& marker_super_element_rigid_physics();
+
 namespace {
 
 using Record = MarkerSuperElementRigidRecord;
@@ -30,6 +33,8 @@ constexpr std::array<std::string_view, 4> provides{"Object", "Body", "Position",
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
+const auto& physics = marker_super_element_rigid_physics();
+
 }  // namespace
 
 extern const ItemType marker_super_element_rigid_type;
@@ -45,7 +50,7 @@ const ItemType marker_super_element_rigid_type{
     .record = record_operations<Record>(),
     .requested_node = Port::none,
     .requested_marker = Port::none,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/markers/super_element_rigid.toml",
 };
 

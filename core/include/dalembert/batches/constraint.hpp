@@ -184,6 +184,9 @@ struct ConstraintPhysics final : ObjectPhysics {
     return std::make_unique<ConstraintBatch<K, Record>>();
   }
   int algebraic_equations(const void*, std::span<const int>) const override { return K::equations; }
+  void check(const void*, const Placement& placement, const Ports& ports, const std::string& item) const override {
+    check_markers<typename K::Port>(placement, ports, item);
+  }
 };
 
 }  // namespace dalembert

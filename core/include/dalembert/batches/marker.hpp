@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "dalembert/batches/relative_marker.hpp"
 #include "dalembert/system/physics.hpp"
 
 namespace dalembert {
@@ -39,7 +40,8 @@ class CoordinateMarkerBatch : public MarkerBatch {
 
 // A marker kernel says either
 //   shape, local(p): the frame of its body or node at a local position, or
-//   coordinates(p, n): which of the n coordinates of its node it selects, and `totals` = true if with reference values.
+//   coordinates(p, n): which of the n coordinates of its node it selects, and `totals` = true if with reference values, or
+//   measure(p, m0, m1), forces(p, m0, m1, f): a coordinate between two bodies (batches/relative_marker.hpp).
 template <class K>
 concept FrameMarkerKernel = requires(const typename K::Parameters& p) {
   { K::shape } -> std::convertible_to<FrameShape>;
@@ -52,7 +54,12 @@ concept CoordinateMarkerKernel = requires(const typename K::Parameters& p) {
 
 template <class K, class Record>
 struct MarkerPhysicsOf final : MarkerPhysics {
-  static_assert(FrameMarkerKernel<K> || CoordinateMarkerKernel<K>, "see core/include/dalembert/batches/marker.hpp");
+  static_assert(FrameMarkerKernel<K> || CoordinateMarkerKernel<K> || RelativeMarkerKernel<K>,
+                "see core/include/dalembert/batches/marker.hpp");
+
+  void check(const void* record, const Placement& on, const Ports&, const std::string& item) const override {
+    if constexpr (RelativeMarkerKernel<K>) check_relative_marker(static_cast<const Record*>(record)->parameters, on, item);
+  }
 
   bool passes_frame(FrameShape& shape, Vec3<double>& local, const void* record) const override {
     if constexpr (FrameMarkerKernel<K>) {
@@ -65,10 +72,12 @@ struct MarkerPhysicsOf final : MarkerPhysics {
   std::vector<int> coordinates(const void* record, const Placement& on) const override {
     if constexpr (CoordinateMarkerKernel<K>)
       return K::coordinates(static_cast<const Record*>(record)->parameters, static_cast<int>(on.dofs.size()));
-    return {};
+    return all_positions(on.dofs);
   }
   std::unique_ptr<MarkerBatch> make_batch(const ItemType&, std::span<const ItemType* const>) const override {
-    if constexpr (requires { K::totals; }) {
+    if constexpr (RelativeMarkerKernel<K>) {
+      return std::make_unique<RelativeMarkerBatch<K, Record>>();
+    } else if constexpr (requires { K::totals; }) {
       return std::make_unique<CoordinateMarkerBatch>(K::totals);
     } else if constexpr (CoordinateMarkerKernel<K>) {
       return std::make_unique<CoordinateMarkerBatch>(false);

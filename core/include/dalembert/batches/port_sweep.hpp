@@ -4,15 +4,31 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <vector>
 
 #include "dalembert/math/dual.hpp"
+#include "dalembert/model/errors.hpp"
 #include "dalembert/system/term.hpp"
 
 namespace dalembert {
 
 inline constexpr int sweep_width = 8;
 using SweepDual = Dual<sweep_width>;
+
+// Refuses markers that give less than the frame of `Port`, or several coordinates instead of one. The frame of a rigid body
+// begins with that of a point.
+template <class Port>
+void check_markers(const Placement& placement, const Ports& ports, const std::string& item) {
+  for (const int marker : placement.markers) {
+    const PortLayout& port = ports.ports[marker];
+    const bool one_coordinate = Port::forces == ScalarPort::forces;
+    if (one_coordinate ? port.forces == 1 : port.values >= Port::values && port.forces >= Port::forces) continue;
+    refuse(ErrorKind::value,
+           {item, "markerNumbers", "marker " + std::to_string(marker) + " gives " + std::to_string(port.forces) + " coordinates", "",
+            one_coordinate ? "markers of a single coordinate" : "markers of a point or a rigid body", ""});
+  }
+}
 
 template <class Port>
 typename Port::template Frame<double> read_frame(const Ports& ports, int marker) {

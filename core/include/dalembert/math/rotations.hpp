@@ -18,12 +18,13 @@ Mat3<S> skew(const Vec3<S>& v) {
 }
 
 // ---- Euler parameters ----------------------------------------------------------------------------------------------
+// Of unit length; where they drift away from it, as with velocity level constraints, the form of the diagonal shows.
 template <class S>
 Mat3<S> euler_parameters_rotation(const Vec<S, 4>& e) {
   const S &a = e[0], &b = e[1], &c = e[2], &d = e[3];
-  return {a * a + b * b - c * c - d * d, 2.0 * (b * c - a * d),         2.0 * (b * d + a * c),
-          2.0 * (b * c + a * d),         a * a - b * b + c * c - d * d, 2.0 * (c * d - a * b),
-          2.0 * (b * d - a * c),         2.0 * (c * d + a * b),         a * a - b * b - c * c + d * d};
+  return {1.0 - 2.0 * (c * c + d * d), 2.0 * (b * c - a * d),       2.0 * (b * d + a * c),
+          2.0 * (b * c + a * d),       1.0 - 2.0 * (b * b + d * d), 2.0 * (c * d - a * b),
+          2.0 * (b * d - a * c),       2.0 * (c * d + a * b),       1.0 - 2.0 * (b * b + c * c)};
 }
 // Angular velocity = G(e) de/dt.
 template <class S>

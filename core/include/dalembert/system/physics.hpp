@@ -85,6 +85,8 @@ struct LoadPhysics : Physics {
 struct MarkerPhysics : Physics {
   // Markers that only pass on a body's or a node's frame name its shape; others make their own batch.
   virtual bool passes_frame(FrameShape&, Vec3<double>& /*local*/, const void* /*record*/) const { return false; }
+  // Coordinates of first order have no rate of their own: connectors cannot use their markers.
+  virtual bool has_rate() const { return true; }
   // Which coordinates of its node or object move it, as positions in Placement::dofs; these then make up the dofs.
   virtual std::vector<int> coordinates(const void* /*record*/, const Placement& on) const { return all_positions(on.dofs); }
   // `item`: type of the node or object that the marker sits on, `nodes`: types of its nodes.

@@ -50,11 +50,20 @@ struct PostNewton {
   double recommended_step_size = -1;
 };
 
+// A body or node that a marker sits on.
+struct MarkerOwner {
+  const ItemType* type = nullptr;
+  const void* record = nullptr;
+  std::vector<const ItemType*> nodes;  // types of a body's nodes
+  int dofs = 0;                        // how many of Placement::dofs are its own
+};
+
 // Things that batches need to know of the system when an item enters.
 struct Placement {
   int item = -1;                     // number of the object, load, ...
   const void* owner = nullptr;       // markers: record of the body or node that they sit on,
   const ItemType* owner_type = nullptr;  // and its type
+  std::vector<MarkerOwner> owners;   // markers between bodies: all of them
   std::vector<int> dofs;             // its nodes' ODE2 coordinates, one node after the other
   std::vector<double> reference;     // their reference values
   std::vector<int> ode1;             // ODE1 coordinates
@@ -109,6 +118,10 @@ class MarkerBatch : public Batch {
  public:
   // The body or node under a marker has new parameters.
   virtual void refresh_owner(int /*entry*/, const void* /*record*/) {}
+  // The same for markers between bodies; `which` counts Placement::owners.
+  virtual void refresh_owners(int entry, int which, const void* record) {
+    if (which == 0) refresh_owner(entry, record);
+  }
   // Layout of one marker's port, before it is appended.
   virtual int value_count(const void* record, const Placement& placement) const = 0;
   virtual int force_count(const void* record, const Placement& placement) const = 0;
@@ -120,6 +133,9 @@ class MarkerBatch : public Batch {
   virtual void pull_back(const Evaluation& evaluation, const Ports& ports, double* r) const = 0;
   // values -= d(J^T force) with the force held fixed.
   virtual void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const = 0;
+  // History: new data coordinates after Newton, from the ports.
+  virtual void post_newton(const Evaluation&, const Ports&, double* /*data*/) const {}
+  virtual bool has_history() const { return false; }
   // Everything a marker can tell, for outputs.
   virtual bool motion(int /*entry*/, const Evaluation&, Motion<double>&) const { return false; }
 };

@@ -27,7 +27,7 @@ class GenericODE1Batch final : public Term {
     for (const Entry& e : entries_) visitor.block(e.rows, e.rows);
   }
 
-  // A y + f + f_user(t, y) - y_t
+  // The right-hand side A y + f + f_user(t, y)
   void residual(const Evaluation& evaluation, Ports&, double* r) const override {
     for (const Entry& e : entries_) {
       const std::size_t n = e.rows.size();
@@ -36,7 +36,7 @@ class GenericODE1Batch final : public Term {
       if (e.parameters.rhsUserFunction) e.user(evaluation.time, y, rate);
       const DynamicMatrix<double>& a = e.parameters.systemMatrix;
       for (std::size_t i = 0; i < n; ++i) {
-        double sum = rate[i] - evaluation.y_t[e.places[i]];
+        double sum = rate[i];
         if (!e.parameters.rhsVector.empty()) sum += e.parameters.rhsVector[i];
         for (int j = 0; j < a.columns; ++j) sum += a(static_cast<int>(i), j) * y[j];
         r[e.rows[i]] += sum;
@@ -54,7 +54,6 @@ class GenericODE1Batch final : public Term {
         std::vector<double> y = e.coordinates(evaluation);
         add_differences(y, w.y, block, [&](std::span<double> rate) { e.user(evaluation.time, y, rate); });
       }
-      for (std::size_t i = 0; i < n; ++i) block[i * n + i] -= w.y_t;
       for (const double entry : block) slot.add(entry);
     }
   }

@@ -76,7 +76,7 @@ class RotationCoordinateBatch final : public MarkerBatch {
   }
 
   std::vector<Entry> entries_;
-  mutable NodeMarkers nodes_;  // its ports are work space
+  mutable InnerMarkers nodes_;  // its ports are work space
 };
 
 struct NodeRotationCoordinate final : MarkerPhysics {

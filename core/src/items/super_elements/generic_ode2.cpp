@@ -186,7 +186,11 @@ struct GenericODE2Physics final : ObjectPhysics {
   }
   std::unique_ptr<MarkerBatch> make_mesh_marker(FrameShape shape,
                                                 std::span<const ItemType* const> nodes) const override {
-    return shape == FrameShape::point ? make_mesh_position_marker(nodes) : nullptr;
+    switch (shape) {
+      case FrameShape::point: return make_mesh_position_marker(nodes);
+      case FrameShape::rigid: return make_mesh_rigid_marker(nodes);
+      default: return nullptr;
+    }
   }
   void check(const void* record, const Placement& placement, const Ports&, const std::string& item) const override {
     const Parameters& p = parameters(record);
