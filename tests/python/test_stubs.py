@@ -46,8 +46,9 @@ module(
     "dalembert._core_settings",
     *(e for e in entries if hasattr(e[1], "GetDictionaryWithTypeInfo") and e[1].__name__ == e[0] != "SettingsNames"),
 )
-sys.modules["dalembert._core_testing"] = _core.testing
-names = ("_core", "itemInterface", "_core_enums", "_core_items", "_core_settings", "_core_testing")
+submodules = {f"_core_{name}": value for name, value in entries if isinstance(value, types.ModuleType)}
+sys.modules.update({f"dalembert.{name}": value for name, value in submodules.items()})
+names = ("_core", "itemInterface", "_core_enums", "_core_items", "_core_settings", *submodules)
 sys.exit(stubtest.test_stubs(stubtest.parse_options([*(f"dalembert.{name}" for name in names), *sys.argv[1:]])))
 """
 
