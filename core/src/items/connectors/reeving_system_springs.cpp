@@ -17,6 +17,8 @@ const Parameters& parameters(const void* record) {
   return static_cast<const ObjectConnectorReevingSystemSpringsRecord*>(record)->parameters;
 }
 
+Vec3<double> value_of(const Vec3<auto>& v) { return {dalembert::value_of(v[0]), dalembert::value_of(v[1]), dalembert::value_of(v[2])}; }
+
 // A circle about its axis; a point if its radius is zero.
 template <class S>
 struct Circle {
@@ -29,13 +31,10 @@ template <class S>
 struct Contact {
   Vec3<S> cosine{}, sine{};  // contact vector: cosine * cos(angle) - sine * sin(angle)
 
-  Contact(const Vec3<S>& at_zero, const Vec3<S>& normal) : cosine(at_zero), sine(normal) {}
-  Contact(const Circle<S>& circle, const Vec3<S>& centres) {
-    if (circle.radius == 0) return;
-    const Vec3<S> normal = cross(circle.axis, centres);
-    sine = (circle.radius / norm(normal)) * normal;
-    cosine = cross(sine, circle.axis);
-  }
+  Contact(const Contact<auto>& other)
+    requires std::is_same_v<S, double>
+      : cosine(value_of(other.cosine)), sine(value_of(other.sine)) {}
+  Contact(const Circle<S>& circle, const Vec3<S>& normal) : sine(circle.radius * normal) { cosine = cross(sine, circle.axis); }
   Vec3<S> at(const S& angle) const {
     using std::cos;
     using std::sin;
@@ -43,9 +42,8 @@ struct Contact {
   }
 };
 
-Vec3<double> value_of(const Vec3<auto>& v) { return {dalembert::value_of(v[0]), dalembert::value_of(v[1]), dalembert::value_of(v[2])}; }
-
-// The common tangent of two circles: where it touches them, from their centres.
+// The common tangent of two circles: where it touches them, from their centres. Both contact vectors are measured by the
+// sine between the first axis and the line of centres: the second radius is exact for axes at the same angle to that line.
 template <class S>
 struct Tangent {
   Vec3<S> first{}, second{};
@@ -54,13 +52,13 @@ struct Tangent {
   Tangent(const Circle<S>& a, const Circle<S>& b) {
     if (a.radius == 0 && b.radius == 0) return;
     const Vec3<S> centres = b.centre - a.centre;
-    const Contact<S> on_a(a, centres), on_b(b, centres);
-    found = solve({value_of(on_a.cosine), value_of(on_a.sine)}, {value_of(on_b.cosine), value_of(on_b.sine)}, value_of(centres),
-                  a.radius + b.radius);
+    const Vec3<S> normal = cross(a.axis, centres);
+    const S scale = 1.0 / norm(normal);
+    const Contact<S> on_a(a, scale * normal), on_b(b, scale * cross(b.axis, centres));
+    found = solve(Contact<double>(on_a), Contact<double>(on_b), value_of(centres), {a.radius, b.radius});
     // One more step of Newton's method, with the derivatives of the residual: those of the angles follow.
     const Vec3<S> r0 = on_a.at(S(angle_[0])), r1 = on_b.at(S(angle_[1]));
-    const Vec3<S> line = centres + r1 - r0;
-    const S f0 = dot(line, r0), f1 = dot(line, r1);
+    const S f0 = dot(centres + r1, r0) - a.radius * a.radius, f1 = dot(centres - r0, r1) + b.radius * b.radius;
     first = on_a.at(angle_[0] - (inverse_[0] * f0 + inverse_[1] * f1));
     second = on_b.at(angle_[1] - (inverse_[2] * f0 + inverse_[3] * f1));
   }
@@ -69,14 +67,13 @@ struct Tangent {
   static constexpr int iterations = 8;
 
   // Newton's method for the angles at which both contact vectors are normal to the tangent.
-  bool solve(const Contact<double>& on_a, const Contact<double>& on_b, const Vec3<double>& centres, double radii) {
-    const double tolerance = 1e-12 * radii * (norm(centres) + radii);
+  bool solve(const Contact<double>& on_a, const Contact<double>& on_b, const Vec3<double>& centres, std::array<double, 2> radii) {
+    const double sum = radii[0] + radii[1], tolerance = 1e-12 * sum * (norm(centres) + sum);
     for (int i = 0; i < iterations; ++i) {
       const Vec3<double> r0 = on_a.at(angle_[0]), r1 = on_b.at(angle_[1]);
       const Vec3<double> d0 = on_a.at(angle_[0] + right), d1 = on_b.at(angle_[1] + right);
-      const Vec3<double> line = centres + r1 - r0;
-      const double f0 = dot(line, r0), f1 = dot(line, r1);
-      double j00 = dot(line, d0) - dot(d0, r0), j01 = dot(d1, r0), j10 = -dot(d0, r1), j11 = dot(line, d1) + dot(d1, r1);
+      const double f0 = dot(centres + r1, r0) - radii[0] * radii[0], f1 = dot(centres - r0, r1) + radii[1] * radii[1];
+      double j00 = dot(centres + r1, d0), j01 = dot(d1, r0), j10 = -dot(d0, r1), j11 = dot(centres - r0, d1);
       if (dot(d0, d0) == 0) j00 = 1;
       if (dot(d1, d1) == 0) j11 = 1;
       const double determinant = j00 * j11 - j01 * j10;
