@@ -12,6 +12,9 @@ namespace {
 constexpr double diagonal_preference = 1e-3;
 // A repeated factorization is given up if a pivot is smaller than this part of the largest entry below it.
 constexpr double smallest_ratio = 1e-6;
+// From so many entries per column on, dense blocks pay; small systems are worth a second order instead.
+constexpr std::size_t crowded_column = 60;
+constexpr int large_system = 5000;
 
 }  // namespace
 
@@ -20,14 +23,14 @@ SparseLu::SparseLu(const Pattern& pattern, const LinearSolverOptions& options)
       work_(size_, 0.0), reached_(size_), stack_(size_), position_(size_), marked_(size_, 0) {}
 
 int SparseLu::factorize(std::span<const double> values) {
+  if (supernodal_ != nullptr) {
+    if (supernodal_->factorize(values)) return success;
+    supernodal_.reset();  // a pivot is missing: the search below names it
+  }
   if (factorized_ && repeat(values)) return success;
   if (order_.empty()) {
-    // The order with fewer entries in the factors is kept.
-    const EliminationOrder first = paired_minimum_degree_order(pattern_, values), second = column_order(pattern_);
-    const int failed = factorize_with_pivots(values, first);
-    const std::size_t size = entries();
-    const bool other_works = factorize_with_pivots(values, second) == success;
-    order_ = other_works && (failed != success || entries() < size) ? second : first;
+    if (size_ > large_system && try_supernodes(values)) return success;
+    choose_order(values);
   }
   const int failed = factorize_with_pivots(values, order_);
   factorized_ = failed == success;
@@ -36,6 +39,25 @@ int SparseLu::factorize(std::span<const double> values) {
     plan_repetition();
   }
   return failed;
+}
+
+// The order with fewer entries in the factors is kept.
+void SparseLu::choose_order(std::span<const double> values) {
+  order_ = paired_minimum_degree_order(pattern_, values);
+  if (size_ > large_system) return;
+  const int failed = factorize_with_pivots(values, order_);
+  const std::size_t size = entries();
+  EliminationOrder other = column_order(pattern_);
+  const bool other_works = factorize_with_pivots(values, other) == success;
+  if (other_works && (failed != success || entries() < size)) order_ = std::move(other);
+}
+
+// True if the factors are crowded, so that dense blocks pay.
+bool SparseLu::try_supernodes(std::span<const double> values) {
+  auto candidate = std::make_unique<SupernodalLu>(pattern_);
+  if (!candidate->factorize(values) || candidate->entries() < crowded_column * static_cast<std::size_t>(size_)) return false;
+  supernodal_ = std::move(candidate);
+  return true;
 }
 
 // Left-looking: each column is solved with the columns of L found so far, then its pivot is chosen.
@@ -223,6 +245,7 @@ bool SparseLu::repeat(std::span<const double> values) {
 }
 
 void SparseLu::solve(std::span<double> b) {
+  if (supernodal_ != nullptr) return supernodal_->solve(b);
   double* const x = work_.data();
   for (int i = 0; i < size_; ++i) x[step_of_row_[i]] = b[i];
   for (int j = 0; j < size_; ++j) {

@@ -6,10 +6,12 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "dalembert/linear/linear_solver.hpp"
 #include "elimination_order.hpp"
+#include "supernodal_lu.hpp"
 
 namespace dalembert {
 
@@ -33,6 +35,8 @@ class SparseLu final : public LinearSolver {
     }
   };
 
+  void choose_order(std::span<const double> values);
+  bool try_supernodes(std::span<const double> values);
   int factorize_with_pivots(std::span<const double> values, const EliminationOrder& order);
   void reach(int column);
   void visit(int row);
@@ -46,6 +50,7 @@ class SparseLu final : public LinearSolver {
   LinearSolverOptions options_;
   int size_;
   bool factorized_ = false;
+  std::unique_ptr<SupernodalLu> supernodal_;  // takes over where the factors fill up
   EliminationOrder order_;            // column of each step
   std::vector<int> step_of_row_;      // in which step a row is the pivot; -1: not yet
   Columns lower_, upper_;             // without pivots; rows counted by steps once all pivots are known

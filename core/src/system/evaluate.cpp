@@ -1,5 +1,6 @@
 // Residuals and tangents of the whole system: markers move frames out, terms add, markers pull forces back.
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "dalembert/system/parts.hpp"
@@ -32,15 +33,11 @@ void each(const Batches& batches, F&& f) {
 
 namespace {
 
-// `total` takes the coordinates with their reference values.
-Evaluation view_of(SystemParts& parts, const State& state, const Conditions& conditions, std::vector<double>& total) {
-  const State& rest = parts.state(ConfigurationType::Reference);
-  const double* displacement = state.q.data();
-  if (&state == &rest) displacement = parts.work.data() + parts.sizes.total();  // zeros
-  for (int i = 0; i < parts.sizes.ode2; ++i) total[i] = rest.q[i] + displacement[i];
+// The pointers and conditions of an evaluation; q, the totals, is left to the caller.
+Evaluation view_of(const SystemParts& parts, const State& state, const Conditions& conditions) {
+  const bool rests = &state == &parts.states[static_cast<std::size_t>(ConfigurationType::Reference)];
   Evaluation e;
-  e.q = total.data();
-  e.u = displacement;
+  e.u = rests ? parts.work.data() + parts.sizes.total() : state.q.data();  // zeros, or displacements
   e.v = state.v.data();
   e.a = state.a.data();
   e.y = state.y.data();
@@ -58,9 +55,28 @@ Evaluation view_of(SystemParts& parts, const State& state, const Conditions& con
 }  // namespace
 
 Evaluation SystemParts::evaluation(const State& state, const Conditions& conditions) {
-  return view_of(*this, state, conditions, total);
+  Evaluation e = view_of(*this, state, conditions);
+  const std::vector<double>& reference = this->state(ConfigurationType::Reference).q;
+  for (int i = 0; i < sizes.ode2; ++i) total[i] = reference[i] + e.u[i];
+  e.q = total.data();
+  return e;
 }
-Evaluation SystemParts::output_evaluation(const State& state) { return view_of(*this, state, {}, output_total); }
+
+Evaluation SystemParts::output_evaluation(const State& state, std::span<const int> dofs) {
+  Evaluation e = view_of(*this, state, {});
+  const std::vector<double>& reference = this->state(ConfigurationType::Reference).q;
+  for (const int i : dofs) output_total[i] = reference[i] + e.u[i];
+  e.q = output_total.data();
+  return e;
+}
+
+Evaluation SystemParts::output_evaluation(const State& state) {
+  Evaluation e = view_of(*this, state, {});
+  const std::vector<double>& reference = this->state(ConfigurationType::Reference).q;
+  for (int i = 0; i < sizes.ode2; ++i) output_total[i] = reference[i] + e.u[i];
+  e.q = output_total.data();
+  return e;
+}
 
 void SystemParts::update_ports(const Evaluation& e) {
   each(marker_batches, [&](const MarkerBatch& batch) { batch.evaluate(e, ports); });
@@ -94,11 +110,17 @@ class Flagged {
   bool& flag_;
 };
 
-void add_residual(SystemParts& parts, const Evaluation& e, double* r) {
+bool is_load(const SystemParts& parts, const Term& term) {
+  return std::ranges::any_of(parts.loads, [&](const LoadPlace& load) { return load.member.batch == &term; });
+}
+
+void add_residual(SystemParts& parts, const Evaluation& e, double* r, bool loads = true) {
   const Flagged evaluating(parts.evaluating);
   parts.update_ports(e);
   std::fill(parts.ports.forces.begin(), parts.ports.forces.end(), 0.0);
-  each(parts.terms, [&](const Term& term) { term.residual(e, parts.ports, r); });
+  each(parts.terms, [&](const Term& term) {
+    if (loads || !is_load(parts, term)) term.residual(e, parts.ports, r);
+  });
   each(parts.marker_batches, [&](const MarkerBatch& batch) { batch.pull_back(e, parts.ports, r); });
   for (int i = 0; i < parts.sizes.ode1; ++i) r[parts.sizes.ode2 + i] -= e.y_t[i];
 }
@@ -109,7 +131,7 @@ void System::residual(const State& state, const Conditions& conditions, std::spa
   ++evaluations_;
   std::fill(r.begin(), r.end(), 0.0);
   evaluated_ = nullptr;
-  add_residual(*parts_, parts_->evaluation(state, conditions), r.data());
+  add_residual(*parts_, parts_->evaluation(state, conditions), r.data(), conditions.loads);
   evaluated_ = &state;
 }
 
@@ -120,10 +142,12 @@ void System::tangent(const State& state, const Conditions& conditions, const Wei
   std::fill(values.begin(), values.end(), 0.0);
   const Evaluation e = parts.evaluation(state, conditions);
   if (!conditions.follows_residual || evaluated_ != &state)
-    add_residual(parts, e, parts.work.data());  // the forces on markers, for the geometric part
+    add_residual(parts, e, parts.work.data(), conditions.loads);  // the forces on markers, for the geometric part
   const Flagged evaluating(parts.evaluating);
   each(parts.marker_batches, [&](const MarkerBatch& batch) { batch.evaluate_tangent(e, weights, parts.ports); });
-  each(parts.terms, [&](const Term& term) { term.tangent(e, weights, parts.ports, values.data()); });
+  each(parts.terms, [&](const Term& term) {
+    if (conditions.loads || !is_load(parts, term)) term.tangent(e, weights, parts.ports, values.data());
+  });
   each(parts.marker_batches, [&](const MarkerBatch& batch) { batch.geometric(e, weights, parts.ports, values.data()); });
   for (const int slot : parts.rate_slots) values[slot] -= weights.y_t;
 }
@@ -184,6 +208,28 @@ void System::gaps(const State& state, const Conditions& conditions, std::span<do
   for (int i = 0; i < sizes_.ae; ++i) g[i] = parts.work[sizes_.first_ae() + i];
 }
 
+namespace {
+
+// The rotation vector of exp(v) exp(increment), by Euler parameters; its length is in [0, 2 pi], so that it goes on
+// steadily when a rotation passes pi.
+Vec3<double> composed_rotation_vector(const Vec3<double>& v, const Vec3<double>& increment) {
+  const auto half = [](const Vec3<double>& x, double& cosine, Vec3<double>& sine_axis) {
+    const double angle = 0.5 * std::sqrt(dot(x, x));
+    cosine = std::cos(angle);
+    sine_axis = (angle < 1e-8 ? 0.5 : 0.5 * std::sin(angle) / angle) * x;
+  };
+  double c0 = 0, c1 = 0;
+  Vec3<double> s0, s1;
+  half(v, c0, s0);
+  half(increment, c1, s1);
+  const double cosine = c0 * c1 - dot(s0, s1);
+  const Vec3<double> sine_axis = c1 * s0 + c0 * s1 + cross(s0, s1);
+  const double sine = std::sqrt(dot(sine_axis, sine_axis));
+  return (sine < 1e-300 ? 2.0 : 2 * std::atan2(sine, cosine) / sine) * sine_axis;
+}
+
+}  // namespace
+
 void System::compose(std::span<const double> q0, std::span<const double> increment, std::span<double> q) const {
   const std::vector<double>& reference = parts_->state(ConfigurationType::Reference).q;
   for (const LieBlock& block : parts_->lie_blocks) {
@@ -194,7 +240,7 @@ void System::compose(std::span<const double> q0, std::span<const double> increme
       start[i] = reference[r + i] + q0[r + i];
       turn[i] = increment[r + i];
     }
-    const Vec3<double> composed = rotation_vector_composed(start, turn);
+    const Vec3<double> composed = composed_rotation_vector(start, turn);
     for (int i = 0; i < 3; ++i) q[r + i] = composed[i] - reference[r + i];
   }
 }

@@ -120,15 +120,15 @@ std::vector<double> System::node_output(int node, Variable variable, Configurati
   const State& state = parts.state(configuration);
   Values values, y_total;
   if (variable == Variable::Coordinates && place.sizes.data > 0) return slice(state.data, place.data, place.sizes.data);
-  const Evaluation e = parts.output_evaluation(state);
+  const auto ode2 = node_ltg(node, Coordinates::ode2), ode1 = node_ltg(node, Coordinates::ode1);
+  const Evaluation e = parts.output_evaluation(state, ode2);
   const NodeView now = view(parts, place, state, e, y_total);
   if (place.physics->output(place.record.get(), variable, now, values)) return values;
-  const auto ode2 = node_ltg(node, Coordinates::ode2), ode1 = node_ltg(node, Coordinates::ode1);
   if (coordinate_output(variable, e, ode2, ode1, parts.state(ConfigurationType::Reference), values)) return values;
   Motion<double> m, reference;
   if (place.physics->motion(place.record.get(), now, m)) {
     const State& rest = parts.state(ConfigurationType::Reference);
-    place.physics->motion(place.record.get(), view(parts, place, rest, parts.output_evaluation(rest), y_total), reference);
+    place.physics->motion(place.record.get(), view(parts, place, rest, parts.output_evaluation(rest, ode2), y_total), reference);
     if (frame_output(variable, m, reference, values)) return values;
   }
   no_output(parts.names[0][static_cast<std::size_t>(node)], variable, place.type->outputs);
@@ -140,18 +140,19 @@ std::vector<double> System::body_output(int object, Variable variable, std::arra
   const ObjectPlace& place = parts.objects.at(static_cast<std::size_t>(object));
   const Vec3<double> at{local[0], local[1], local[2]};
   const State& state = parts.state(configuration);
-  const Evaluation e = parts.output_evaluation(state);
+  const bool from_markers = !place.markers.empty();
+  const auto dofs = object_ltg(object, Coordinates::ode2);
+  const Evaluation e = from_markers ? parts.output_evaluation(state) : parts.output_evaluation(state, dofs);
   Values values;
   const auto& [batch, entry] = place.member;
-  const PortsFor ports(parts, e, configuration, !place.markers.empty());
+  const PortsFor ports(parts, e, configuration, from_markers);
   evaluated_ = parts.evaluating ? evaluated_ : nullptr;
   if (batch->output(entry, variable, at, e, parts.ports, values)) return values;
-  if (coordinate_output(variable, e, object_ltg(object, Coordinates::ode2), object_ltg(object, Coordinates::ode1),
-                        parts.state(ConfigurationType::Reference), values))
-    return values;
+  const State& rest = parts.state(ConfigurationType::Reference);
+  if (coordinate_output(variable, e, dofs, object_ltg(object, Coordinates::ode1), rest, values)) return values;
   Motion<double> m, reference;
   if (batch->motion(entry, e, at, m)) {
-    batch->motion(entry, parts.output_evaluation(parts.state(ConfigurationType::Reference)), at, reference);
+    batch->motion(entry, parts.output_evaluation(rest, dofs), at, reference);
     if (frame_output(variable, m, reference, values)) return values;
   }
   no_output(parts.names[1][static_cast<std::size_t>(object)], variable, place.type->outputs);
@@ -175,7 +176,8 @@ std::vector<double> System::marker_output(int marker, Variable variable, Configu
   const Evaluation e = parts.output_evaluation(parts.state(configuration));
   const bool values_of_coordinates = variable == Variable::Coordinates, rates = variable == Variable::Coordinates_t;
   if (provides(*place.type, "Coordinate") && (values_of_coordinates || rates)) {
-    parts.update_ports(e);
+    const PortsFor ports(parts, e, configuration, true);
+    evaluated_ = parts.evaluating ? evaluated_ : nullptr;
     const PortLayout& port = parts.ports.ports[static_cast<std::size_t>(marker)];
     const double* frame = parts.ports.frame(marker);
     return rates ? Values(frame + port.values / 2, frame + port.values) : Values(frame, frame + port.values / 2);
@@ -183,7 +185,7 @@ std::vector<double> System::marker_output(int marker, Variable variable, Configu
   Motion<double> m, reference;
   Values values;
   if (place.member.batch->motion(place.member.entry, e, m)) {
-    place.member.batch->motion(place.member.entry, parts.evaluation(parts.state(ConfigurationType::Reference), {}), reference);
+    place.member.batch->motion(place.member.entry, parts.output_evaluation(parts.state(ConfigurationType::Reference)), reference);
     if (frame_output(variable, m, reference, values)) return values;
   }
   no_output(parts.names[2][static_cast<std::size_t>(marker)], variable, {});

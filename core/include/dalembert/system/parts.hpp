@@ -72,6 +72,7 @@ struct SystemParts {
   std::vector<std::unique_ptr<MarkerBatch>> marker_batches;
   std::vector<System::LieBlock> lie_blocks;
   Ports ports;
+  std::vector<double> static_signs;  // of the algebraic variables
   bool constant_mass = true;
   bool has_history = false;
 
@@ -91,6 +92,7 @@ struct SystemParts {
   State& state(ConfigurationType c) { return states[static_cast<std::size_t>(c)]; }
   Evaluation evaluation(const State& state, const Conditions& conditions);
   Evaluation output_evaluation(const State& state);
+  Evaluation output_evaluation(const State& state, std::span<const int> dofs);  // q at these coordinates only
   void update_ports(const Evaluation& e);
   void bind(const Pattern& pattern);
 };
