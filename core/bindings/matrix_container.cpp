@@ -76,8 +76,8 @@ bool is_sparse(const py::object& value) {
   return py::hasattr(value, "tocoo") || py::isinstance<MatrixContainer>(value);
 }
 
-// Lines of [row, column, value]; negative sizes: as large as the triplets need.
-MatrixContainer read_triplets(const char* method, const py::object& value, int rows, int columns) {
+// Lines of [row, column, value]; negative sizes: as large as the triplets need. With `grows`, sizes are the least ones.
+MatrixContainer read_triplets(const char* method, const py::object& value, int rows, int columns, bool grows = false) {
   const MatrixContainer table = read_any(method, value);
   if (!table.empty() && table.columns != 3)
     refuse_value(method, show(value.ptr()), "a scipy sparse matrix, or triplets [row, column, value]");
@@ -85,8 +85,8 @@ MatrixContainer read_triplets(const char* method, const py::object& value, int r
   m.dense = false;
   for (int k = 0; k < table.rows; ++k) {
     const double i = table.values[position(table, k, 0)], j = table.values[position(table, k, 1)];
-    const auto fits = [](double index, int size) {
-      return index >= 0 && index == static_cast<int>(index) && (size < 0 || index < size);
+    const auto fits = [grows](double index, int size) {
+      return index >= 0 && index == static_cast<int>(index) && (grows || size < 0 || index < size);
     };
     if (!fits(i, rows) || !fits(j, columns))
       refuse_value(
@@ -97,14 +97,14 @@ MatrixContainer read_triplets(const char* method, const py::object& value, int r
     m.rows = std::max(m.rows, m.triplets.back().row + 1);
     m.columns = std::max(m.columns, m.triplets.back().column + 1);
   }
-  if (rows >= 0) m.rows = rows;
-  if (columns >= 0) m.columns = columns;
+  m.rows = grows ? std::max(m.rows, rows) : rows >= 0 ? rows : m.rows;
+  m.columns = grows ? std::max(m.columns, columns) : columns >= 0 ? columns : m.columns;
   return m;
 }
 
 void set_sparse(MatrixContainer& m, const py::object& value, int rows, int columns, bool dense, double factor) {
   const MatrixContainer source = is_sparse(value) ? read_any("SetWithSparseMatrix", value)
-                                                  : read_triplets("SetWithSparseMatrix", value, rows, columns);
+                                                  : read_triplets("SetWithSparseMatrix", value, rows, columns, !dense);
   m = converted(source, dense, factor);
 }
 

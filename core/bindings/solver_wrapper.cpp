@@ -174,12 +174,12 @@ State SolverWrapper::quiet_state() {
 }
 
 template <class Wanted>
-void SolverWrapper::add_part(const Weights& weights, bool rate_level, double factor, Wanted&& wanted) {
+void SolverWrapper::add_part(const Weights& weights, const Conditions& conditions, double factor, Wanted&& wanted) {
   if (factor == 0) return;
   NewtonSolver& newton = *newton_solver();
   part_.resize(newton.jacobian_values().size());
   const State state = quiet_state();
-  main->system.tangent(state, {.rate_level = rate_level, .inertia = true}, weights, newton.pattern(), part_);
+  main->system.tangent(state, conditions, weights, newton.pattern(), part_);
   const std::span<double> values = newton.jacobian_values();
   for_each_entry(newton.pattern(), [&](int row, int column, std::size_t slot) {
     if (wanted(row, column)) values[slot] += factor * part_[slot];
@@ -187,30 +187,30 @@ void SolverWrapper::add_part(const Weights& weights, bool rate_level, double fac
 }
 
 // Right-hand sides stand on the other side of the equations: the sign changes.
-void SolverWrapper::compute_ode2_jacobian(double q, double v, double y) {
+void SolverWrapper::compute_ode2_jacobian(double q, double v, double y, bool loads) {
   std::ranges::fill(newton_solver()->jacobian_values(), 0.0);
   const Sizes s = solver().sizes();
-  add_part({.q = q, .v = v, .a = 0, .y = y, .y_t = 0}, false, -1,
+  add_part({.q = q, .v = v, .a = 0, .y = y, .y_t = 0}, {.loads = loads}, -1,
            [s](int row, int column) { return row < s.ode2 && column < s.first_ae(); });
 }
 
 void SolverWrapper::add_ode1_jacobian(double q, double v, double y) {
   const Sizes s = solver().sizes();
   if (s.ode1 == 0) return;
-  add_part({.q = q, .v = v, .a = 0, .y = y, .y_t = 0}, false, 1,
+  add_part({.q = q, .v = v, .a = 0, .y = y, .y_t = 0}, {}, 1,
            [s](int row, int column) { return row >= s.ode2 && row < s.first_ae() && column < s.first_ae(); });
 }
 
 void SolverWrapper::add_ae_jacobian(double q, double v, double y, bool rate_level) {
   const Sizes s = solver().sizes();
   if (s.ae == 0) return;
-  add_part({.q = 1, .v = 0, .a = 0, .y = 0, .y_t = 0}, rate_level, q,
+  add_part({.q = 1, .v = 0, .a = 0, .y = 0, .y_t = 0}, {.rate_level = rate_level}, q,
            [s](int row, int column) { return row >= s.first_ae() && column < s.ode2; });
-  add_part({.q = 0, .v = 1, .a = 0, .y = 0, .y_t = 0}, rate_level, v,
+  add_part({.q = 0, .v = 1, .a = 0, .y = 0, .y_t = 0}, {.rate_level = rate_level}, v,
            [s](int row, int column) { return row >= s.first_ae() && column < s.ode2; });
-  add_part({.q = 1, .v = 0, .a = 0, .y = 1, .y_t = 0}, rate_level, y,
+  add_part({.q = 1, .v = 0, .a = 0, .y = 1, .y_t = 0}, {.rate_level = rate_level}, y,
            [s](int row, int column) { return row >= s.first_ae() && column >= s.ode2 && column < s.first_ae(); });
-  add_part({.q = 1, .v = 0, .a = 0, .y = 1, .y_t = 0}, rate_level, 1,
+  add_part({.q = 1, .v = 0, .a = 0, .y = 1, .y_t = 0}, {.rate_level = rate_level}, 1,
            [s](int, int column) { return column >= s.first_ae(); });
 }
 

@@ -48,7 +48,7 @@ class SolverWrapper {
 
   // ---- matrices ----------------------------------------------------------------------------------------------------
   void store_mass_matrix(double factor);
-  void compute_ode2_jacobian(double q, double v, double y);
+  void compute_ode2_jacobian(double q, double v, double y, bool loads);
   void add_ode1_jacobian(double q, double v, double y);
   void add_ae_jacobian(double q, double v, double y, bool rate_level);
   void compute_forces();
@@ -68,7 +68,7 @@ class SolverWrapper {
  private:
   // The part of a tangent that `wanted(row, column)` selects is added to the Jacobian, times `factor`.
   template <class Wanted>
-  void add_part(const Weights& weights, bool rate_level, double factor, Wanted&& wanted);
+  void add_part(const Weights& weights, const Conditions& conditions, double factor, Wanted&& wanted);
   State quiet_state();
 
   SolverEnvironment environment_;

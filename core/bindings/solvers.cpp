@@ -215,12 +215,12 @@ void register_newton(Class<W>& c) {
   const auto q = py::arg("scalarFactor_ODE2") = 1., v = py::arg("scalarFactor_ODE2_t") = 0.,
              y = py::arg("scalarFactor_ODE1") = 1.;
   c.def("ComputeJacobianODE2RHS",
-        [](W& w, const MainPointer& m, double dq, double dv, double dy, int) {
+        [](W& w, const MainPointer& m, double dq, double dv, double dy, int loads) {
           w.require(m, "ComputeJacobianODE2RHS");
-          w.compute_ode2_jacobian(dq, dv, dy);
+          w.compute_ode2_jacobian(dq, dv, dy, loads != 0);
         },
         main_argument, q, v, y, py::arg("computeLoadsJacobian") = 0,
-        "Set the system matrix to the derivative of the generalized forces.");
+        "Set the system matrix to the derivative of the generalized forces, those of loads only if asked for.");
   c.def("ComputeJacobianODE1RHS",
         [](W& w, const MainPointer& m, double dq, double dv, double dy) {
           w.require(m, "ComputeJacobianODE1RHS");

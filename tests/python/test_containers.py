@@ -114,13 +114,22 @@ def test_any_scipy_format() -> None:
         np.testing.assert_array_equal(exu.MatrixContainer(kind(dense)).Convert2DenseMatrix(), dense)
 
 
+def test_sparse_matrices_grow_to_hold_their_triplets() -> None:
+    """Triplets count in the system even if the size given is that of an item."""
+    matrix = exu.MatrixContainer()
+    matrix.SetWithSparseMatrix([[4, 5, 2.0]], numberOfRows=3, numberOfColumns=3)
+    expected = np.zeros((5, 6))
+    expected[4, 5] = 2
+    np.testing.assert_array_equal(matrix.Convert2DenseMatrix(), expected)
+
+
 @pytest.mark.parametrize(
     ("call", "text"),
     [
         (lambda m: exu.MatrixContainer([1, 2]), "MatrixContainer.__init__: received"),
         (lambda m: exu.MatrixContainer(3), "MatrixContainer.__init__: received 3"),
         (lambda m: m.SetWithDenseMatrix([[1, 2], [3]]), "Row 1 has another length than row 0"),
-        (lambda m: m.SetWithSparseMatrix([[0, 5, 1.0]], 2, 2), "column 5"),
+        (lambda m: m.SetWithSparseMatrix([[0, 5, 1.0]], 2, 2, useDenseMatrix=True), "column 5"),
         (lambda m: m.SetWithSparseMatrix([[0, 1.0]]), r"triplets \[row, column, value\]"),
         (lambda m: m.AddSparseMatrix(Coordinates([3], [3], [1.0], (4, 4))), "at most 2 x 2"),
         (lambda m: m.Initialize(-1, 2), "that is not negative"),

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "dalembert/model/errors.hpp"
 #include "dalembert/output/numbers.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
 
@@ -279,10 +280,20 @@ void NewtonSolver::report_failure(const Loop& loop) {
   }
 }
 
+void NewtonSolver::check_entry(const MatrixEntry& entry) const {
+  const bool inside = entry.row >= 0 && entry.column >= 0 && entry.row < pattern_->size() && entry.column < pattern_->size();
+  if (inside && pattern_->contains(entry.row, entry.column)) return;
+  const std::string place = "SystemJacobianUserFunction: received an entry in row " + std::to_string(entry.row) +
+                            ", column " + std::to_string(entry.column) + "; expected ";
+  if (!inside) throw ModelError(ErrorKind::index, place + "indices below " + std::to_string(pattern_->size()));
+  throw ModelError(ErrorKind::value, place + "coordinates that items of the model couple. Use linearSolverType=EigenDense.");
+}
+
 void NewtonSolver::add_user_jacobian(double q, double v, double y) {
   if (!hooks().system_jacobian) return;
   const TimedPart time(timer, timer.python);
   for (const MatrixEntry& entry : hooks().system_jacobian(it.currentTime, q, v, y)) {
+    check_entry(entry);
     jacobian_[static_cast<std::size_t>(pattern_->slot(entry.row, entry.column))] += entry.value;
   }
 }

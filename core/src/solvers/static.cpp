@@ -71,7 +71,9 @@ void StaticSolver::compute_mass_matrix() {
 
 // In statics, multipliers count with the opposite sign: applied forces + G^T lambda = 0.
 void StaticSolver::turn_multipliers() {
-  for (double& lambda : current().lambda) lambda = -lambda;
+  const std::span<const double> signs = system().static_signs();
+  std::vector<double>& lambda = current().lambda;
+  for (std::size_t i = 0; i < lambda.size(); ++i) lambda[i] *= signs[i];
 }
 
 double StaticSolver::compute_residual() {
@@ -112,8 +114,9 @@ void StaticSolver::compute_update(bool initial) {
     for (std::size_t i = 0; i < now.q.size(); ++i) now.q[i] -= increment_[i];
   }
   for (std::size_t i = 0; i < now.y.size(); ++i) now.y[i] -= increment_[static_cast<std::size_t>(sizes_.ode2) + i];
+  const std::span<const double> signs = system().static_signs();
   for (std::size_t i = 0; i < now.lambda.size(); ++i) {
-    now.lambda[i] += increment_[static_cast<std::size_t>(sizes_.first_ae()) + i];
+    now.lambda[i] -= signs[i] * increment_[static_cast<std::size_t>(sizes_.first_ae()) + i];
   }
 }
 

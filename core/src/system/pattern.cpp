@@ -40,6 +40,11 @@ Pattern Pattern::sparse(int size, std::span<const std::pair<int, int>> entries) 
   return p;
 }
 
+bool Pattern::contains(int row, int column) const {
+  if (is_dense()) return true;
+  return std::binary_search(row_index_.begin() + column_start_[column], row_index_.begin() + column_start_[column + 1], row);
+}
+
 int Pattern::slot(int row, int column) const {
   if (is_dense()) return column * size_ + row;
   const auto begin = row_index_.begin() + column_start_[column], end = row_index_.begin() + column_start_[column + 1];

@@ -1,6 +1,7 @@
 #include "dalembert/system/system.hpp"
 
 #include "dalembert/model/errors.hpp"
+#include "dalembert/system/algebraic_coordinates.hpp"
 #include "dalembert/system/parts.hpp"
 
 namespace dalembert {
@@ -15,6 +16,9 @@ void System::assemble(const Model& model) {
   sizes_ = parts->sizes;
   parts->total.assign(sizes_.ode2, 0);
   parts->output_total = parts->total;
+  parts->static_signs.assign(sizes_.ae, -1);
+  for (const auto& term : parts->terms)
+    if (const auto* coordinates = dynamic_cast<const AlgebraicCoordinates*>(term.get())) coordinates->mark(parts->static_signs);
   evaluated_ = nullptr;
   // Behind the residual: zeros, for multipliers or displacements that are left out of an evaluation.
   parts->work.assign(sizes_.total() + std::max({sizes_.ode2, sizes_.ae, 1}), 0);
@@ -73,6 +77,7 @@ const State& System::state(ConfigurationType configuration) const { return parts
 bool System::constant_mass_matrix() const { return parts_->constant_mass; }
 bool System::has_lie_nodes() const { return !parts_->lie_blocks.empty(); }
 std::span<const System::LieBlock> System::lie_blocks() const { return parts_->lie_blocks; }
+std::span<const double> System::static_signs() const { return parts_->static_signs; }
 bool System::has_discontinuities() const { return parts_->has_history; }
 
 void System::begin_step(State& state) { parts_->state(ConfigurationType::StartOfStep) = state; }

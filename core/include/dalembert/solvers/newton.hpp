@@ -51,6 +51,8 @@ class NewtonSolver : public Solver {
   double relative_increment();
   double round_off_level();
   void report_failure(const Loop& loop);
+  // Refuses entries of the user's Jacobian that the system matrix has no place for.
+  void check_entry(const MatrixEntry& entry) const;
 };
 
 }  // namespace dalembert

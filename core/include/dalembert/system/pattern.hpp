@@ -15,6 +15,7 @@ class Pattern {
   bool is_dense() const { return column_start_.empty(); }
   int size() const { return size_; }
   int values() const { return is_dense() ? size_ * size_ : column_start_.back(); }
+  bool contains(int row, int column) const;
   // Index into the values; the entry must be in the pattern. Dense storage is by columns.
   int slot(int row, int column) const;
 

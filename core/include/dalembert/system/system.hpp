@@ -29,6 +29,7 @@ struct Conditions {
   double step_size = 0;
   bool rate_level = false;
   bool inertia = true;
+  bool loads = true;
   bool follows_residual = false;  // tangent: the last call was `residual`, of this state: forces on markers are in place
 };
 
@@ -84,6 +85,10 @@ class System {
     int rotation;  // first of the three rotation coordinates in the ODE2 vector
   };
   std::span<const LieBlock> lie_blocks() const;
+
+  // One factor per algebraic variable: -1 for multipliers, which static solvers count with the opposite sign, 1 for
+  // coordinates among them.
+  std::span<const double> static_signs() const;
 
   // Update data coordinates after a converged Newton loop (friction, contact, post-Newton user functions of items).
   Discontinuity post_newton(State& state, const Conditions& conditions);
