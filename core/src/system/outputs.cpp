@@ -40,13 +40,14 @@ std::string variable_name(Variable variable) {
                             names.empty() ? "" : "one of " + names, ""});
 }
 
-// What a motion says; `reference` is the motion of the same point in the reference configuration.
-bool frame_output(Variable variable, const Motion<double>& m, const Motion<double>& reference, Values& values) {
+// What a motion says; `reference()` gives the motion of the same point in the reference configuration.
+template <class Reference>
+bool frame_output(Variable variable, const Motion<double>& m, Reference&& reference, Values& values) {
   const auto local = [&](const Vec3<double>& v) { return list(transposed_times(m.rotation, v)); };
   switch (variable) {
     case Variable::Position: values = list(m.position); return true;
-    case Variable::Displacement: values = list(m.position - reference.position); return true;
-    case Variable::DisplacementLocal: values = local(m.position - reference.position); return true;
+    case Variable::Displacement: values = list(m.position - reference().position); return true;
+    case Variable::DisplacementLocal: values = local(m.position - reference().position); return true;
     case Variable::Velocity: values = list(m.velocity); return true;
     case Variable::VelocityLocal: values = local(m.velocity); return true;
     case Variable::Acceleration: values = list(m.acceleration); return true;
@@ -99,6 +100,23 @@ class PortsFor {
   Values kept_;
 };
 
+// Consecutive coordinates; the few of most nodes need no heap.
+struct Range {
+  Range(int first, int count) {
+    const auto n = static_cast<std::size_t>(count);
+    if (n > few.size()) many.resize(n);
+    int* begin = n > few.size() ? many.data() : few.data();
+    for (int i = 0; i < count; ++i) begin[i] = first + i;
+    all = {begin, n};
+  }
+  Range(const Range&) = delete;
+  Range& operator=(const Range&) = delete;
+
+  std::array<int, 8> few{};
+  std::vector<int> many;
+  std::span<const int> all;
+};
+
 NodeView view(const SystemParts& parts, const NodePlace& node, const State& state, const Evaluation& e, Values& y_total) {
   const auto part = [](const double* from, int first, int count) {
     return first < 0 ? std::span<const double>{} : std::span(from + first, static_cast<std::size_t>(count));
@@ -120,17 +138,19 @@ std::vector<double> System::node_output(int node, Variable variable, Configurati
   const State& state = parts.state(configuration);
   Values values, y_total;
   if (variable == Variable::Coordinates && place.sizes.data > 0) return slice(state.data, place.data, place.sizes.data);
-  const auto ode2 = node_ltg(node, Coordinates::ode2), ode1 = node_ltg(node, Coordinates::ode1);
-  const Evaluation e = parts.output_evaluation(state, ode2);
+  const Range dofs(place.ode2, place.sizes.ode2), rates(place.ode1, place.sizes.ode1);
+  const Evaluation e = parts.output_evaluation(state, dofs.all);
   const NodeView now = view(parts, place, state, e, y_total);
   if (place.physics->output(place.record.get(), variable, now, values)) return values;
-  if (coordinate_output(variable, e, ode2, ode1, parts.state(ConfigurationType::Reference), values)) return values;
-  Motion<double> m, reference;
-  if (place.physics->motion(place.record.get(), now, m)) {
-    const State& rest = parts.state(ConfigurationType::Reference);
-    place.physics->motion(place.record.get(), view(parts, place, rest, parts.output_evaluation(rest, ode2), y_total), reference);
-    if (frame_output(variable, m, reference, values)) return values;
-  }
+  const State& rest = parts.state(ConfigurationType::Reference);
+  if (coordinate_output(variable, e, dofs.all, rates.all, rest, values)) return values;
+  Motion<double> m;
+  const auto reference = [&] {
+    Motion<double> r;
+    place.physics->motion(place.record.get(), view(parts, place, rest, parts.output_evaluation(rest, dofs.all), y_total), r);
+    return r;
+  };
+  if (place.physics->motion(place.record.get(), now, m) && frame_output(variable, m, reference, values)) return values;
   no_output(parts.names[0][static_cast<std::size_t>(node)], variable, place.type->outputs);
 }
 
@@ -150,11 +170,13 @@ std::vector<double> System::body_output(int object, Variable variable, std::arra
   if (batch->output(entry, variable, at, e, parts.ports, values)) return values;
   const State& rest = parts.state(ConfigurationType::Reference);
   if (coordinate_output(variable, e, dofs, object_ltg(object, Coordinates::ode1), rest, values)) return values;
-  Motion<double> m, reference;
-  if (batch->motion(entry, e, at, m)) {
-    batch->motion(entry, parts.output_evaluation(rest, dofs), at, reference);
-    if (frame_output(variable, m, reference, values)) return values;
-  }
+  Motion<double> m;
+  const auto reference = [&] {
+    Motion<double> r;
+    batch->motion(entry, parts.output_evaluation(rest, dofs), at, r);
+    return r;
+  };
+  if (batch->motion(entry, e, at, m) && frame_output(variable, m, reference, values)) return values;
   no_output(parts.names[1][static_cast<std::size_t>(object)], variable, place.type->outputs);
 }
 
@@ -182,12 +204,14 @@ std::vector<double> System::marker_output(int marker, Variable variable, Configu
     const double* frame = parts.ports.frame(marker);
     return rates ? Values(frame + port.values / 2, frame + port.values) : Values(frame, frame + port.values / 2);
   }
-  Motion<double> m, reference;
+  Motion<double> m;
   Values values;
-  if (place.member.batch->motion(place.member.entry, e, m)) {
-    place.member.batch->motion(place.member.entry, parts.output_evaluation(parts.state(ConfigurationType::Reference)), reference);
-    if (frame_output(variable, m, reference, values)) return values;
-  }
+  const auto reference = [&] {
+    Motion<double> r;
+    place.member.batch->motion(place.member.entry, parts.output_evaluation(parts.state(ConfigurationType::Reference)), r);
+    return r;
+  };
+  if (place.member.batch->motion(place.member.entry, e, m) && frame_output(variable, m, reference, values)) return values;
   no_output(parts.names[2][static_cast<std::size_t>(marker)], variable, {});
 }
 
