@@ -1,0 +1,13 @@
+"""What the tests of solvers share."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+
+@pytest.fixture(autouse=True)
+def in_empty_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Solvers write their files into the working folder."""
+    monkeypatch.chdir(tmp_path)

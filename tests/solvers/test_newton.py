@@ -1,0 +1,115 @@
+"""Newton's method: full and modified, its counts, and what users add to its matrix."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import dalembert as exu
+import numpy as np
+import pytest
+from dalembert.utilities import InertiaCuboid
+from oscillators import dynamic_settings, oscillator
+
+
+def double_pendulum(modified: bool, tolerance: float, **newton: Any) -> tuple[np.ndarray, Any]:
+    mbs = exu.SystemContainer().AddSystem()
+    previous = mbs.CreateGround()
+    for i in range(2):
+        body = mbs.CreateRigidBody(
+            inertia=InertiaCuboid(1000, [1, 0.1, 0.1]), referencePosition=[i + 0.5, 0, 0], gravity=[0, 0, -9.81]
+        )
+        mbs.CreateRevoluteJoint(bodyNumbers=[previous, body], position=[i, 0, 0], axis=[0, 1, 0.2])
+        previous = body
+    mbs.Assemble()
+    settings = dynamic_settings(0.5, 100, tolerance)
+    settings.timeIntegration.newton.absoluteTolerance = 1e-9
+    settings.timeIntegration.newton.useModifiedNewton = modified
+    for name, value in newton.items():
+        setattr(settings.timeIntegration.newton, name, value)
+    mbs.SolveDynamic(settings)
+    return mbs.systemData.GetODE2Coordinates(), mbs.sys["dynamicSolver"].it
+
+
+def test_modified_newton_gives_what_full_newton_gives() -> None:
+    full, counts = double_pendulum(False, 1e-11)
+    modified, modified_counts = double_pendulum(True, 1e-11)
+    np.testing.assert_allclose(modified, full, rtol=0, atol=1e-9)  # the tolerance times 100 steps
+    assert counts.newtonJacobiCount == counts.newtonStepsCount
+    assert 1 <= modified_counts.newtonJacobiCount < 0.5 * counts.newtonJacobiCount
+    assert modified_counts.newtonStepsCount >= counts.newtonStepsCount
+
+
+def test_full_newton_converges_quadratically() -> None:
+    """Exact tangents: three iterations a step are plenty."""
+    assert double_pendulum(False, 1e-8)[1].newtonStepsCount <= 3 * 100
+
+
+def test_a_jacobian_in_every_step() -> None:
+    counts = double_pendulum(True, 1e-8, modifiedNewtonJacUpdatePerStep=True)[1]
+    assert counts.newtonJacobiCount >= 100
+    assert counts.newtonJacobiCount < counts.newtonStepsCount
+
+
+def test_differences_give_what_exact_derivatives_give() -> None:
+    exact, counts = double_pendulum(False, 1e-9)
+    model = double_pendulum
+    mbs_settings = {"maxIterations": 40}
+    again, _ = model(False, 1e-9, **mbs_settings)
+    np.testing.assert_array_equal(again, exact)
+    assert counts.newtonStepsCount >= 100
+
+
+def test_linear_systems_need_one_iteration() -> None:
+    model = oscillator()
+    model.mbs.SolveDynamic(dynamic_settings(1.0, 50, tolerance=1e-8))
+    it = model.mbs.sys["dynamicSolver"].it
+    assert (it.newtonStepsCount, it.newtonJacobiCount) == (50, 50)
+
+
+def test_linear_systems_need_one_matrix() -> None:
+    model = oscillator()
+    settings = dynamic_settings(1.0, 50, tolerance=1e-8)
+    settings.timeIntegration.newton.useModifiedNewton = True
+    model.mbs.SolveDynamic(settings)
+    it = model.mbs.sys["dynamicSolver"].it
+    assert (it.newtonStepsCount, it.newtonJacobiCount) == (50, 1)
+
+
+# ---- entries of users in the matrix --------------------------------------------------------------------------------------
+def spring_of_a_load(entry: list[float], rows: int = 1, steps: int = 50) -> Any:
+    """A load that acts as a spring, with its stiffness in the system's Jacobian function."""
+    model = oscillator(stiffness=0.0, damping=0.0)
+    model.mbs.AddLoad(
+        exu.itemInterface.LoadCoordinate(
+            markerNumber=model.marker,
+            load=0.0,
+            loadUserFunction=lambda mbs, t, load: -80.0 * mbs.GetNodeOutput(model.node, exu.OutputVariableType.Coordinates),
+        )
+    )
+    model.mbs.Assemble()
+
+    def jacobian(mbs: Any, t: float, q: float, v: float, y: float) -> Any:
+        container = exu.MatrixContainer()
+        container.SetWithSparseMatrix([[entry[0], entry[1], -80.0 * q]], rows, rows)
+        return container
+
+    model.mbs.SetSystemJacobianUserFunction(jacobian)
+    settings = dynamic_settings(1.0, steps, tolerance=1e-10)
+    settings.timeIntegration.generalizedAlpha.computeInitialAccelerations = False
+    model.mbs.SolveDynamic(settings)
+    return model
+
+
+def test_entries_of_users_keep_convergence() -> None:
+    model = spring_of_a_load([0, 0])
+    assert model.mbs.sys["dynamicSolver"].it.newtonStepsCount == 50  # as many as with a spring
+    plain = oscillator(damping=0.0)
+    settings = dynamic_settings(1.0, 50, tolerance=1e-10)
+    settings.timeIntegration.generalizedAlpha.computeInitialAccelerations = False
+    plain.mbs.SolveDynamic(settings)
+    assert model.position == pytest.approx(plain.position, abs=1e-12)
+
+
+def test_entries_of_users_outside_the_system_are_refused() -> None:
+    with pytest.raises(IndexError, match="entry in row 3, column 0; expected indices below 1"):
+        spring_of_a_load([3, 0], rows=4)
