@@ -18,7 +18,7 @@ using Record = MarkerBodiesRelativeRotationCoordinateRecord;
 constexpr std::array<Row, 8> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "bodyNumbers", .storage = Storage::objects, .offset = offsetof(Record, parameters.bodyNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
-    {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .optional = true, .needs_assemble = true},
+    {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
     {.name = "localPosition0", .storage = Storage::vector3, .offset = offsetof(Record, parameters.localPosition0), .role = Role::parameter, .unit = "m"},
     {.name = "localPosition1", .storage = Storage::vector3, .offset = offsetof(Record, parameters.localPosition1), .role = Role::parameter, .unit = "m"},
     {.name = "axis0", .storage = Storage::vector3, .offset = offsetof(Record, parameters.axis0), .role = Role::parameter, .unit = "1"},

@@ -60,6 +60,7 @@ struct MarkerPhysicsOf final : MarkerPhysics {
   void check(const void* record, const Placement& on, const Ports&, const std::string& item) const override {
     if constexpr (RelativeMarkerKernel<K>) check_relative_marker(static_cast<const Record*>(record)->parameters, on, item);
   }
+  bool works_without_data(const void*) const override { return RelativeMarkerKernel<K>; }
 
   bool passes_frame(FrameShape& shape, Vec3<double>& local, const void* record) const override {
     if constexpr (FrameMarkerKernel<K>) {
