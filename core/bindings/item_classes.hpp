@@ -58,11 +58,13 @@ void set_visualization(const ItemClass& item_class, PyObject* value, void* recor
 
 // {'nodeType': 'Point', 'name': ..., ..., 'Vshow': ...}
 py::dict item_dictionary(const ItemType& type, const void* record, const std::string& name, bool graphics);
-// The reverse; refuses unknown keys. The item's kind must be `kind`.
+// The reverse. The item's kind must be `kind`.
 Item item_from_dictionary(ItemKind kind, const py::dict& dictionary, const std::string& where);
 
-// Write the given parameters over those in `record`.
-void update_from_dictionary(const ItemClass& item_class, const py::dict& dictionary, void* record, const std::string& where);
+// Write the given parameters over those in `record`. Models exist whose dictionaries have superfluous keys: `warn` goes on.
+enum class UnknownKeys { refuse, warn };
+void update_from_dictionary(const ItemClass& item_class, const py::dict& dictionary, void* record, const std::string& where,
+                            UnknownKeys unknown_keys);
 
 void register_items(py::module_& module);
 

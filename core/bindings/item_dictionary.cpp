@@ -44,6 +44,11 @@ bool is_default(const ItemClass& item_class, const Row& row, PyObject* value) {
   }
 }
 
+void warn_of_ignored(const Complaint& text) {
+  const std::string message = text.text() + " The entry is ignored.";
+  if (PyErr_WarnEx(PyExc_UserWarning, message.c_str(), 1) != 0) throw py::error_already_set();
+}
+
 void copy_default(const ItemClass& item_class, const Row& row, void* record) {
   with_type(row.storage, [&]<class T>(TypeTag<T>) {
     *static_cast<T*>(member(record, row)) = *static_cast<const T*>(member(item_class.defaults.get(), row));
@@ -129,7 +134,8 @@ py::dict item_dictionary(const ItemType& type, const void* record, const std::st
   return result;
 }
 
-void update_from_dictionary(const ItemClass& item_class, const py::dict& dictionary, void* record, const std::string& where) {
+void update_from_dictionary(const ItemClass& item_class, const py::dict& dictionary, void* record, const std::string& where,
+                            UnknownKeys unknown_keys) {
   const ItemType& type = *item_class.type;
   for (const auto& [key, value] : dictionary) {
     const std::string word = PyUnicode_Check(key.ptr()) ? to_string(key.ptr()) : show(key.ptr());
@@ -139,8 +145,12 @@ void update_from_dictionary(const ItemClass& item_class, const py::dict& diction
       continue;
     }
     const Row* row = find_row(type, word);
-    if (row == nullptr)
-      refuse(ErrorKind::value, {where, "", "there is no parameter " + quoted(word), "", "", suggest_parameter(type, word)});
+    if (row == nullptr) {
+      const Complaint text{where, "", "there is no parameter " + quoted(word), "", "", suggest_parameter(type, word)};
+      if (unknown_keys == UnknownKeys::refuse) refuse(ErrorKind::value, text);
+      warn_of_ignored(text);
+      continue;
+    }
     if (row->internal || stands_for_graphics(*row, value.ptr())) continue;
     set_member(item_class, *row, value.ptr(), record, where);
   }
@@ -160,7 +170,7 @@ Item item_from_dictionary(ItemKind kind, const py::dict& dictionary, const std::
   const ItemType& type = require_type(kind, name.cast<std::string>(), where);
   const ItemClass& item_class = class_of(type);
   std::shared_ptr<void> record = type.record.create();
-  update_from_dictionary(item_class, dictionary, record.get(), where + ": " + std::string(type.name));
+  update_from_dictionary(item_class, dictionary, record.get(), where + ": " + std::string(type.name), UnknownKeys::warn);
   Item item{&type, record, {}};
   for (const Row& row : type.rows)
     if (row.role == Role::name) item.name = *static_cast<const std::string*>(member(record.get(), row));

@@ -168,7 +168,7 @@ void modify_item(MainSystem& main, ItemKind kind, int number, const py::dict& ch
     }
   }
   std::shared_ptr<void> record = type.record.copy(old.record.get());
-  update_from_dictionary(class_of(type), changes, record.get(), where);
+  update_from_dictionary(class_of(type), changes, record.get(), where, UnknownKeys::refuse);
   Item item{&type, record, old.name};
   for (const Row& row : type.rows)
     if (row.role == Role::name && changes.contains(std::string(row.name).c_str()))

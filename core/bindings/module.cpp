@@ -6,6 +6,7 @@
 #include "item_classes.hpp"
 #include "main_system.hpp"
 #include "python_errors.hpp"
+#include "symbolic.hpp"
 
 PYBIND11_MODULE(_core, module) {
   using namespace dalembert;
@@ -26,4 +27,5 @@ PYBIND11_MODULE(_core, module) {
   register_system_container(module);
   register_solvers(module);
   register_evaluation(module);
+  register_symbolic(module);
 }

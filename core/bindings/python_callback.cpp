@@ -9,6 +9,7 @@
 #include "main_system.hpp"
 #include "python_errors.hpp"
 #include "sequence.hpp"
+#include "symbolic.hpp"
 
 namespace dalembert {
 namespace {
@@ -176,14 +177,17 @@ UserFunction read_user_function(PyObject* value, const Row& row) {
   if (PyDict_Check(value)) {
     if (PyObject* function = PyDict_GetItemString(value, "function"); function != nullptr) value = function;
   }
+  if (auto callback = symbolic_callback(value, row)) return {std::move(callback)};
   if (PyCallable_Check(value) == 0)
     throw Refusal{ErrorKind::type, "a function, or 0 for none", "Pass the function itself, without calling it."};
   return {std::make_shared<PythonCallback>(py::reinterpret_borrow<py::object>(value), row)};
 }
 
 PyObject* function_of(const UserFunction& function) {
-  const auto* callback = dynamic_cast<const PythonCallback*>(function.callback.get());
-  return callback == nullptr ? Py_None : callback->function();
+  if (!function) return Py_None;
+  if (const auto* callback = dynamic_cast<const PythonCallback*>(function.callback.get())) return callback->function();
+  PyObject* symbolic = symbolic_function(*function.callback);
+  return symbolic == nullptr ? Py_None : symbolic;
 }
 
 UserFunction bind_user_function(const ItemType& type, const UserFunction& function, MainSystem& main) {

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from typing_extensions import disjoint_base
 
-from dalembert import _core_testing, interactive, plot, solver
+from dalembert import _core_symbolic, _core_testing, interactive, plot, solver
 from dalembert import _distance_sensor as distance_sensor
 from dalembert import _linearized as linearized
 from dalembert import _system_graph as system_graph
@@ -18,6 +18,7 @@ from dalembert._core_settings import *
 from dalembert._core_types import Array, Matrix, MatrixLike, Vector
 from dalembert._inertia import RigidBodyInertia
 
+symbolic = _core_symbolic
 testing = _core_testing
 
 # Other names of settings structures.

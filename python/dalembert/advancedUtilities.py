@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import inspect
 import warnings
-from collections.abc import Mapping, MutableMapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from enum import Enum
 from math import cos, pi, sin
 from typing import Any, NoReturn
@@ -11,6 +12,7 @@ from typing import Any, NoReturn
 import numpy as np
 import numpy.typing as npt
 
+from dalembert import _core
 from dalembert._checks import FloatArray, as_vector, shape_error
 from dalembert._hdf5 import ConvertDictToScipySparse, ConvertScipySparseToDict, LoadDictFromHDF5, SaveDictToHDF5
 
@@ -313,29 +315,131 @@ def RoundMatrix(matrix: npt.NDArray[Any], treshold: float = 1e-14) -> None:
     matrix[np.abs(matrix) < treshold] = 0
 
 
-def _refuse_symbolic(name: str) -> NoReturn:
-    raise NotImplementedError(f"{name}: symbolic user functions are not available; pass the Python function itself")
+# Sizes of vectors and matrices that are passed to user functions; all other vectors have 3 components. None: as many as
+# the item's nodes have coordinates.
+_SYMBOLIC_SIZES: dict[tuple[str, str], list[int | None]] = {
+    ("ObjectConnectorRigidBodySpringDamper", "springForceTorqueUserFunction"): [3, 3, 3, 3, 6, 6, 3, 3, 6],
+    ("ObjectJointGeneric", "offsetUserFunction"): [6],
+    ("ObjectJointGeneric", "offsetUserFunction_t"): [6],
+    ("ObjectGenericODE1", "rhsUserFunction"): [None],
+    ("ObjectGenericODE2", "forceUserFunction"): [None, None],
+    ("ObjectGenericODE2", "massMatrixUserFunction"): [None, None],
+    ("ObjectGenericODE2", "jacobianUserFunction"): [None, None],
+    ("ObjectFFRF", "forceUserFunction"): [None, None],
+    ("ObjectFFRFreducedOrder", "forceUserFunction"): [None, None],
+    ("ObjectKinematicTree", "forceUserFunction"): [None, None],
+}
+# User functions whose vectors have sizes that are not known before the system is assembled.
+_NOT_SYMBOLIC = {
+    ("ObjectConnectorRigidBodySpringDamper", "postNewtonStepUserFunction"),
+    ("ObjectConnectorCoordinateVector", "constraintUserFunction"),
+    ("ObjectConnectorCoordinateVector", "jacobianUserFunction"),
+    ("SensorUserFunction", "sensorUserFunction"),
+}
+_SYMBOLIC_TYPES = {"scalar": "Real", "boolean": "Bool", "integer": "Index", "vector": "StdVector", "matrix": "NumpyMatrix"}
+_MAIN_SYSTEM_FUNCTIONS = {"preStepUserFunction": "Bool", "postNewtonFunction": "StdVector2D"}
+
+
+def _item_with_function(mbs: Any, itemIndex: Any) -> tuple[str, Any]:
+    """Type name and dictionary of an item, e.g. ObjectConnectorSpringDamper."""
+    kind = type(itemIndex).__name__.removesuffix("Index")
+    if kind not in ("Node", "Object", "Marker", "Load", "Sensor"):
+        raise TypeError(f"CreateSymbolicUserFunction: itemIndex must be an ObjectIndex, LoadIndex or the like, not {itemIndex!r}")
+    data = getattr(mbs, "Get" + kind)(itemIndex)
+    name: str = data[kind.lower() + "Type"]
+    return kind + name, data
+
+
+def _coordinates_of_nodes(mbs: Any, data: Any) -> int:
+    if data is None:
+        raise ValueError("ConvertFunctionToSymbolic: the number of coordinates is needed; pass itemIndex instead of itemTypeName")
+    numbers = data["nodeNumbers"] if "nodeNumbers" in data else [data["nodeNumber"]]
+    return sum(len(mbs.GetNode(n)["referenceCoordinates"]) for n in numbers)
 
 
 def ConvertFunctionToSymbolic(
     mbs: Any,
-    function: Any,
+    function: Callable[..., Any],
     userFunctionName: str,
     itemIndex: Any = None,
     itemTypeName: str | None = None,
     verbose: int = 0,
-) -> MutableMapping[str, Any]:
-    """Record a Python user function as symbolic expression; not available, raises NotImplementedError."""
-    _refuse_symbolic("ConvertFunctionToSymbolic")
+) -> dict[str, Any]:
+    """Call a Python user function once with symbolic arguments and record what it computes.
+
+    userFunctionName is the parameter of the item, e.g. 'springForceUserFunction'. Either itemIndex or itemTypeName (e.g.
+    'ObjectConnectorSpringDamper' or 'MainSystem') says which item. The result is a dictionary with functionName, argList,
+    argTypeList, returnValue and returnType, as UserFunction.SetUserFunctionFromDict(...) takes it. The function must be made
+    of operators and of functions of exudyn.symbolic; 'if' cannot be recorded, use exudyn.symbolic.IfThenElse.
+    """
+    symbolic = _core.symbolic
+    data = None
+    if itemTypeName is None:
+        if itemIndex is None:
+            raise ValueError("ConvertFunctionToSymbolic: either itemIndex or itemTypeName is needed")
+        itemTypeName, data = _item_with_function(mbs, itemIndex)
+    elif itemIndex is not None:
+        raise ValueError("ConvertFunctionToSymbolic: pass itemIndex or itemTypeName, but not both")
+    if itemTypeName == "MainSystem":
+        kinds = ["scalar"] if userFunctionName in _MAIN_SYSTEM_FUNCTIONS else None
+        result_type = _MAIN_SYSTEM_FUNCTIONS.get(userFunctionName, "")
+    else:
+        signature = symbolic._signature(itemTypeName, userFunctionName)
+        kinds, result_kind = signature if signature is not None else (None, "")
+        result_type = _SYMBOLIC_TYPES.get(result_kind, result_kind)
+    if kinds is None:
+        raise ValueError(f"ConvertFunctionToSymbolic: {itemTypeName} has no user function '{userFunctionName}'")
+    if (itemTypeName, userFunctionName) in _NOT_SYMBOLIC:
+        raise NotImplementedError(
+            f"ConvertFunctionToSymbolic: {itemTypeName}, '{userFunctionName}': the sizes of its vectors are known at "
+            "Assemble() only; pass the Python function itself"
+        )
+    names = list(inspect.signature(function).parameters)
+    if len(names) != len(kinds) + 1:
+        raise ValueError(
+            f"ConvertFunctionToSymbolic: {itemTypeName}, '{userFunctionName}' is called with mbs and {len(kinds)} further "
+            f"arguments, but the function has the parameters {', '.join(names)}"
+        )
+    sizes = iter(_SYMBOLIC_SIZES.get((itemTypeName, userFunctionName), []))
+    arguments: list[Any] = [mbs]
+    stored = symbolic.GetRecording()
+    symbolic.SetRecording(True)
+    try:
+        for name, kind in zip(names[1:], kinds, strict=True):
+            if kind not in ("vector", "matrix"):
+                arguments.append(symbolic.Real(name, 0.0))
+                continue
+            size = next(sizes, 3)
+            n = _coordinates_of_nodes(mbs, data) if size is None else size
+            zeros = np.zeros(n if kind == "vector" else (n, n))
+            arguments.append((symbolic.Vector if kind == "vector" else symbolic.Matrix)(name, zeros))
+        returned = function(*arguments)
+        if isinstance(returned, (list, tuple)):
+            nested = len(returned) > 0 and isinstance(returned[0], (list, tuple))
+            returned = symbolic.Matrix(returned) if nested else symbolic.Vector(returned)
+    finally:
+        symbolic.SetRecording(stored)
+    if verbose:
+        _core.Print("return value=", returned)
+    return {
+        "functionName": function.__name__,
+        "argList": arguments,
+        "argTypeList": ["MainSystem", *(_SYMBOLIC_TYPES.get(kind, kind) for kind in kinds)],
+        "returnValue": returned,
+        "returnType": result_type,
+    }
 
 
 def CreateSymbolicUserFunction(
     mbs: Any,
-    function: Any,
+    function: Callable[..., Any],
     userFunctionName: str,
     itemIndex: Any = None,
     itemTypeName: str | None = None,
     verbose: int = 0,
 ) -> Any:
-    """Convert a Python user function to a symbolic one; not available, raises NotImplementedError."""
-    _refuse_symbolic("CreateSymbolicUserFunction")
+    """Make a symbolic user function of a Python function, to be set as parameter of an item."""
+    data = ConvertFunctionToSymbolic(mbs, function, userFunctionName, itemIndex, itemTypeName, verbose)
+    symbolic_function = _core.symbolic.UserFunction()
+    symbolic_function.SetUserFunctionFromDict(mbs, data, userFunctionName, itemIndex, str(itemTypeName))
+    return symbolic_function

@@ -158,9 +158,3 @@ def test_hdf5_file_returns_the_dictionary(tmp_path):
         au.LoadDictFromHDF5(fileName)
     with pytest.raises(ValueError, match="SaveDictToHDF5: a/b: expected a number"):
         au.SaveDictToHDF5(fileName, {"a": {"b": object()}})
-
-
-@pytest.mark.parametrize("function", [au.ConvertFunctionToSymbolic, au.CreateSymbolicUserFunction])
-def test_symbolic_functions_are_refused_clearly(function):
-    with pytest.raises(NotImplementedError, match="symbolic user functions are not available"):
-        function(None, spring_force, "springForceUserFunction")
