@@ -106,8 +106,16 @@ struct OnNode {
 
   template <class S>
   static Vec<S, size> residual(const Parameters& p, const Context& c, const Coordinates<S, size>& x) {
-    const auto w = Body::template residual<S>(p, c, Node::template motion<S>(x));
+    const auto w = Body::template residual<S>(p, c, inertial_motion(x));
     return Node::template pull_back<S>(x, w.force, w.moment);
+  }
+  // The motion that inertia forces see; a node may state another one than for its points.
+  template <class S>
+  static Motion<S> inertial_motion(const Coordinates<S, size>& x) {
+    if constexpr (requires { Node::template inertial_motion<S>(x); })
+      return Node::template inertial_motion<S>(x);
+    else
+      return Node::template motion<S>(x);
   }
   template <class S>
   static Motion<S> motion(const Parameters& p, const Coordinates<S, size>& x, const Vec3<double>& local) {

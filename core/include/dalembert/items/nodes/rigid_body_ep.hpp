@@ -24,6 +24,19 @@ struct NodeRigidBodyEP {
             .angular_velocity = g * segment<4>(x.v, 3),
             .angular_acceleration = g * segment<4>(x.a, 3)};  // dG/dt de/dt = 0 for Euler parameters
   }
+  // With a proper rotation even if the parameters have drifted from unit length, so that the angular velocity in the body
+  // frame is bilinear in parameters and rates.
+  template <class S>
+  static Motion<S> inertial_motion(const Coordinates<S, size>& x) {
+    Motion<S> m = motion(x);
+    const Vec<S, 4> e = segment<4>(x.q, 3);
+    const S square = dot(e, e), inverse = 1.0 / square;
+    for (int i = 0; i < 3; ++i) {
+      m.rotation(i, i) = m.rotation(i, i) + (square - 1.0);
+      for (int j = 0; j < 3; ++j) m.rotation(i, j) = inverse * m.rotation(i, j);
+    }
+    return m;
+  }
   template <class S>
   static Vec<S, size> pull_back(const Coordinates<S, size>& x, const Vec3<S>& force, const Vec3<S>& moment) {
     const Vec<S, 4> m = transposed_times(euler_parameters_g(segment<4>(x.q, 3)), moment);
