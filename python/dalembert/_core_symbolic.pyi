@@ -6,11 +6,8 @@ from typing import Any, Self, SupportsFloat, SupportsIndex, overload
 from numpy.typing import ArrayLike
 
 from dalembert._core import LoadIndex, MainSystem, MarkerIndex, NodeIndex, ObjectIndex, SensorIndex, _Bound
-from dalembert._core_types import Array, Matrix as _NumpyMatrix
-
-_Number = Real | SupportsFloat | SupportsIndex
-_Entries = Vector | Sequence[Any] | ArrayLike
-_Rows = Matrix | Sequence[Any] | ArrayLike
+from dalembert._core_types import Array
+from dalembert._core_types import Matrix as _NumpyMatrix
 
 class _Symbol(_Bound): ...
 
@@ -121,6 +118,10 @@ class Matrix(_Symbol):
     def __neg__(self) -> Matrix: ...
     def __pos__(self) -> Matrix: ...
 
+_Number = Real | SupportsFloat | SupportsIndex
+_Entries = Vector | Sequence[Any] | ArrayLike
+_Rows = Matrix | Sequence[Any] | ArrayLike
+
 class VariableSet(_Bound):
     def __init__(self) -> None: ...
     @overload
@@ -139,7 +140,12 @@ class VariableSet(_Bound):
 class UserFunction(_Bound):
     def __init__(self) -> None: ...
     def SetUserFunctionFromDict(
-        self, mainSystem: Any, fcnDict: dict[str, Any], userFunctionName: str, itemIndex: Any = None, itemTypeName: str = "None"
+        self,
+        mainSystem: Any,
+        fcnDict: dict[str, Any],
+        userFunctionName: str,
+        itemIndex: Any = None,
+        itemTypeName: str = "None",
     ) -> None: ...
     def Evaluate(self, *args: Any) -> Any: ...
     def __call__(self, *args: Any) -> Any: ...

@@ -315,8 +315,8 @@ def RoundMatrix(matrix: npt.NDArray[Any], treshold: float = 1e-14) -> None:
     matrix[np.abs(matrix) < treshold] = 0
 
 
-# Sizes of vectors and matrices that are passed to user functions; all other vectors have 3 components. None: as many as
-# the item's nodes have coordinates.
+# Sizes of vectors and matrices that are passed to user functions; all other vectors have 3 components.
+# None: as many as the item's nodes have coordinates.
 _SYMBOLIC_SIZES: dict[tuple[str, str], list[int | None]] = {
     ("ObjectConnectorRigidBodySpringDamper", "springForceTorqueUserFunction"): [3, 3, 3, 3, 6, 6, 3, 3, 6],
     ("ObjectJointGeneric", "offsetUserFunction"): [6],
@@ -336,7 +336,13 @@ _NOT_SYMBOLIC = {
     ("ObjectConnectorCoordinateVector", "jacobianUserFunction"),
     ("SensorUserFunction", "sensorUserFunction"),
 }
-_SYMBOLIC_TYPES = {"scalar": "Real", "boolean": "Bool", "integer": "Index", "vector": "StdVector", "matrix": "NumpyMatrix"}
+_SYMBOLIC_TYPES = {
+    "scalar": "Real",
+    "boolean": "Bool",
+    "integer": "Index",
+    "vector": "StdVector",
+    "matrix": "NumpyMatrix",
+}
 _MAIN_SYSTEM_FUNCTIONS = {"preStepUserFunction": "Bool", "postNewtonFunction": "StdVector2D"}
 
 
@@ -344,7 +350,7 @@ def _item_with_function(mbs: Any, itemIndex: Any) -> tuple[str, Any]:
     """Type name and dictionary of an item, e.g. ObjectConnectorSpringDamper."""
     kind = type(itemIndex).__name__.removesuffix("Index")
     if kind not in ("Node", "Object", "Marker", "Load", "Sensor"):
-        raise TypeError(f"CreateSymbolicUserFunction: itemIndex must be an ObjectIndex, LoadIndex or the like, not {itemIndex!r}")
+        raise TypeError(f"CreateSymbolicUserFunction: itemIndex must be an ObjectIndex or the like, not {itemIndex!r}")
     data = getattr(mbs, "Get" + kind)(itemIndex)
     name: str = data[kind.lower() + "Type"]
     return kind + name, data
@@ -352,7 +358,9 @@ def _item_with_function(mbs: Any, itemIndex: Any) -> tuple[str, Any]:
 
 def _coordinates_of_nodes(mbs: Any, data: Any) -> int:
     if data is None:
-        raise ValueError("ConvertFunctionToSymbolic: the number of coordinates is needed; pass itemIndex instead of itemTypeName")
+        raise ValueError(
+            "ConvertFunctionToSymbolic: the number of coordinates is needed; pass itemIndex instead of itemTypeName"
+        )
     numbers = data["nodeNumbers"] if "nodeNumbers" in data else [data["nodeNumber"]]
     return sum(len(mbs.GetNode(n)["referenceCoordinates"]) for n in numbers)
 
@@ -367,10 +375,11 @@ def ConvertFunctionToSymbolic(
 ) -> dict[str, Any]:
     """Call a Python user function once with symbolic arguments and record what it computes.
 
-    userFunctionName is the parameter of the item, e.g. 'springForceUserFunction'. Either itemIndex or itemTypeName (e.g.
-    'ObjectConnectorSpringDamper' or 'MainSystem') says which item. The result is a dictionary with functionName, argList,
-    argTypeList, returnValue and returnType, as UserFunction.SetUserFunctionFromDict(...) takes it. The function must be made
-    of operators and of functions of exudyn.symbolic; 'if' cannot be recorded, use exudyn.symbolic.IfThenElse.
+    userFunctionName is the parameter of the item, e.g. 'springForceUserFunction'. Either itemIndex or itemTypeName
+    (e.g. 'ObjectConnectorSpringDamper' or 'MainSystem') says which item. The result is a dictionary with functionName,
+    argList, argTypeList, returnValue and returnType, as UserFunction.SetUserFunctionFromDict(...) takes it.
+    The function must be made of operators and of functions of exudyn.symbolic; 'if' cannot be recorded, use
+    exudyn.symbolic.IfThenElse.
     """
     symbolic = _core.symbolic
     data = None
@@ -397,8 +406,8 @@ def ConvertFunctionToSymbolic(
     names = list(inspect.signature(function).parameters)
     if len(names) != len(kinds) + 1:
         raise ValueError(
-            f"ConvertFunctionToSymbolic: {itemTypeName}, '{userFunctionName}' is called with mbs and {len(kinds)} further "
-            f"arguments, but the function has the parameters {', '.join(names)}"
+            f"ConvertFunctionToSymbolic: {itemTypeName}, '{userFunctionName}' is called with mbs and {len(kinds)} "
+            f"further arguments, but the function has the parameters {', '.join(names)}"
         )
     sizes = iter(_SYMBOLIC_SIZES.get((itemTypeName, userFunctionName), []))
     arguments: list[Any] = [mbs]

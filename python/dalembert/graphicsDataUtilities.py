@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from dalembert import graphics
 from dalembert._checks import FloatArray, IntArray, as_matrix, as_points, as_vector
-from dalembert.graphics._elements import Lines
 from dalembert.graphics._mesh import GraphicsData, triangle_normals, unit_rows
 from dalembert.graphics._styles import color, colorList
 
@@ -176,7 +176,7 @@ def GraphicsDataRectangle(
     xMin: float, yMin: float, xMax: float, yMax: float, color: npt.ArrayLike = [0.0, 0.0, 0.0, 1.0]
 ) -> GraphicsData:
     """Return the outline of a rectangle in the xy plane; deprecated, use graphics.Lines."""
-    return Lines([[xMin, yMin, 0], [xMax, yMin, 0], [xMax, yMax, 0], [xMin, yMax, 0], [xMin, yMin, 0]], color)
+    return graphics.Lines([[xMin, yMin, 0], [xMax, yMin, 0], [xMax, yMax, 0], [xMin, yMax, 0], [xMin, yMin, 0]], color)
 
 
 def GraphicsDataOrthoCubeLines(
@@ -191,4 +191,4 @@ def GraphicsDataOrthoCubeLines(
     """Return the edges of a block as one line; deprecated, use graphics.Brick with addEdges."""
     corners = [[x, y, z] for x in (xMin, xMax) for y in (yMin, yMax) for z in (zMin, zMax)]
     path = [0, 2, 0, 4, 6, 4, 5, 7, 5, 1, 3, 1, 0, 2, 6, 7, 3, 2]
-    return Lines([corners[k] for k in path], color)
+    return graphics.Lines([corners[k] for k in path], color)

@@ -100,7 +100,11 @@ def test_derivative(recording):
     if not recording:
         return
     x = sym.Real("x", 0.7)
-    e = sym.sin(x) ** 2 / (1 + sym.exp(-x)) + sym.IfThenElse(x > 0, sym.atan2(x, 2), 0) + sym.Vector([x, 2 * x]).NormL2()
+    e = (
+        sym.sin(x) ** 2 / (1 + sym.exp(-x))
+        + sym.IfThenElse(x > 0, sym.atan2(x, 2), 0)
+        + sym.Vector([x, 2 * x]).NormL2()
+    )
 
     def f(x):
         return math.sin(x) ** 2 / (1 + math.exp(-x)) + math.atan2(x, 2) + math.sqrt(5) * x
@@ -111,7 +115,11 @@ def test_derivative(recording):
 @pytest.mark.parametrize(
     ("wrong", "error", "text"),
     [
-        (lambda: sym.Vector([1, 2]) + sym.Vector([1, 2, 3]), ValueError, "a vector of length 2 and a vector of length 3"),
+        (
+            lambda: sym.Vector([1, 2]) + sym.Vector([1, 2, 3]),
+            ValueError,
+            "a vector of length 2 and a vector of length 3",
+        ),
         (lambda: sym.Matrix(np.eye(2)) * sym.Vector([1, 2, 3]), ValueError, r"\* is not defined for a matrix of 2 x 2"),
         (lambda: sym.Vector([]), ValueError, "at least one component"),
         (lambda: sym.Matrix([[1, 2], [3]]), ValueError, "same length"),

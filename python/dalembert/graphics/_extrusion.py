@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from dalembert import graphicsDataUtilities as outlines
 from dalembert._checks import as_matrix, as_points, as_vector, unit_vector
 from dalembert._rotations import GramSchmidt, RotationMatrix2D, RotationMatrixZ
 from dalembert.graphics._mesh import GraphicsData, triangle_list, unit_rows
 from dalembert.graphics._revolution import SolidOfRevolution
 from dalembert.graphics._solids import Cylinder
-from dalembert.graphicsDataUtilities import CirclePointsAndSegments, ComputeTriangularMesh, SegmentsFromPoints
 
 
 def SolidExtrusion(
@@ -53,7 +53,7 @@ def SolidExtrusion(
         flat = np.repeat([[0.0, 0.0, -1.0], relative[:, 2]], n, axis=0)
         normals = unit_rows(np.vstack([flat, side, side])) @ A.T
         points = np.vstack([points, points])
-    faces = np.asarray(ComputeTriangularMesh(outline, pairs).simplices)
+    faces = np.asarray(outlines.ComputeTriangularMesh(outline, pairs).simplices)
     a, b = pairs.T + mantle
     walls = np.column_stack([a, b, b + n, a, b + n, a + n]).reshape(-1, 3)
     triangles = np.vstack([faces[:, ::-1], faces + n, walls])
@@ -108,11 +108,11 @@ def LinkedCylinders(
     centers = [[0.0, 0.0], [L, 0.0]]
     outline = _arc(centers[1], radius1, -tangent, tangent, nTiles)
     outline += _arc(centers[0], radius0, tangent, -tangent, nTiles)
-    segments = SegmentsFromPoints(outline).tolist()
+    segments = outlines.SegmentsFromPoints(outline).tolist()
     for center, inner, outer in zip(centers, (radiusInner0, radiusInner1), (radius0, radius1), strict=True):
         if 0 < inner < outer:
             hole = _arc(center, inner, 0, 2 * pi, nTiles)[:-1]
-            segments += SegmentsFromPoints(hole, len(outline), invert=True).tolist()
+            segments += outlines.SegmentsFromPoints(hole, len(outline), invert=True).tolist()
             outline += hole
     return SolidExtrusion(
         outline,
@@ -150,9 +150,9 @@ def InvoluteGear(
     the angle of a tooth; helixAngleDeg (degrees) makes it helical.
     """
     outline = involuteGear.GenerateGear() @ RotationMatrix2D(relativeAngleOffset * involuteGear.angleToothAndGap)
-    segments = SegmentsFromPoints(outline)
+    segments = outlines.SegmentsFromPoints(outline)
     if radius != 0 or involuteGear.isInternalGear:
-        circle, circleSegments = CirclePointsAndSegments(radius=radius, nTiles=nTilesCylinder)
+        circle, circleSegments = outlines.CirclePointsAndSegments(radius=radius, nTiles=nTilesCylinder)
         segments = np.vstack([segments, np.array(circleSegments) + len(outline)])
         outline = np.vstack([outline, circle])
     if involuteGear.isInternalGear:
@@ -204,7 +204,7 @@ def ToothedRack(
     profile += [[nTeeth * pitch + start, low], [nTeeth * pitch, low]]
     return SolidExtrusion(
         profile,
-        SegmentsFromPoints(profile, invert=True),
+        outlines.SegmentsFromPoints(profile, invert=True),
         width,
         rot=rotationMatrix,
         pOff=as_vector("ToothedRack: centerPoint", centerPoint, 3) - [0.0, 0.0, 0.5 * width],

@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from dalembert import graphicsDataUtilities as meshes
 from dalembert._checks import FloatArray, as_matrix, as_vector
 from dalembert.graphics._mesh import GraphicsData, require_type, triangle_list, triangle_normals
 from dalembert.graphics._operations import FromPointsAndTrigs, _normalized
-from dalembert.graphicsDataUtilities import Compute6NodeTrigsNormals
 
 _BINARY_FACET = np.dtype([("normal", "<f4", 3), ("points", "<f4", (3, 3)), ("attribute", "<u2")])
 _FACET_LINES = ("facet normal", "outer loop", "vertex", "vertex", "vertex", "endloop", "endfacet")
@@ -196,7 +196,7 @@ def NGsolveMesh2PointsAndTrigs(
     if not addNormals:
         return [scale * points, triangles]
     if meshOrder == 2:
-        nodal = np.array([Compute6NodeTrigsNormals(points[element]) for element in nodes]).reshape(-1, 6, 3)
+        nodal = np.array([meshes.Compute6NodeTrigsNormals(points[element]) for element in nodes]).reshape(-1, 6, 3)
         normals = nodal[:, parts].reshape(-1, 3)
     else:
         normals = np.repeat(triangle_normals(points, triangles), 3, axis=0)

@@ -1,0 +1,63 @@
+"""Readers for files that finite element programs write."""
+
+from __future__ import annotations
+
+from typing import NoReturn
+
+import numpy as np
+import numpy.typing as npt
+
+from dalembert._checks import FloatArray
+
+
+def ReadMatrixFromAnsysMMF(fileName: str, verbose: bool = False) -> FloatArray:
+    """Array of [row, column, value] of a matrix that ANSYS exported in the Matrix Market format (MMF)."""
+    from scipy.io import mmread
+
+    matrix = mmread(fileName)
+    if verbose:
+        print(f"matrix of {matrix.shape[0]} x {matrix.shape[1]}, {matrix.nnz} entries")
+    return np.column_stack((matrix.row, matrix.col, matrix.data)).astype(float)
+
+
+def ReadMatrixDOFmappingVectorFromAnsysTxt(fileName: str) -> npt.NDArray[np.int_]:
+    """Order of the coordinates, 3 per node, that belongs to the matrices which ANSYS exports.
+
+    The file has comments that begin with '%', a line with the number of nodes and 1, and one node number per line,
+    counted from 1.
+    """
+    with open(fileName, encoding="utf-8") as file:
+        lines = [line.split() for line in file if line.strip() and not line.startswith("%")]
+    header, numbers = [int(word) for word in lines[0]], [int(line[0]) for line in lines[1:]]
+    if header[1:] != [1] or header[0] != len(numbers):
+        raise ValueError(
+            f"ReadMatrixDOFmappingVectorFromAnsysTxt: {fileName}: expected a line 'n 1' and n numbers, "
+            f"found {lines[0]} and {len(numbers)} numbers"
+        )
+    order: npt.NDArray[np.int_] = (3 * (np.asarray(numbers, dtype=int)[:, None] - 1) + np.arange(3)).ravel()
+    return order
+
+
+def ReadNodalCoordinatesFromAnsysTxt(fileName: str, verbose: bool = False) -> FloatArray:
+    """Positions of nodes, ordered by node number, of an exported list: a title, then number, x, y, z per line."""
+    with open(fileName, encoding="utf-8") as file:
+        lines = [line.replace(",", ".").split() for line in file.readlines()[1:] if line.strip()]
+    table = np.array([[float(word) for word in line[:4]] for line in lines])
+    if table.ndim != 2 or table.shape[1] != 4:
+        raise ValueError(f"ReadNodalCoordinatesFromAnsysTxt: {fileName}: expected lines with a node number, x, y and z")
+    if verbose:
+        print(f"{len(table)} nodes")
+    positions: FloatArray = table[np.argsort(table[:, 0], kind="stable"), 1:]
+    return positions
+
+
+def ReadElementsFromAnsysTxt(fileName: str, verbose: bool = False) -> NoReturn:
+    """Elements of an exported list; planned."""
+    raise NotImplementedError("ReadElementsFromAnsysTxt is planned and not available yet; it needs flexible-body items")
+
+
+def ReadNodesFromAbaqusInp(
+    fileName: str, typeName: str = "Part", name: str = "Part-1", exportElements: bool = False
+) -> NoReturn:
+    """Nodes of an ABAQUS input file; planned."""
+    raise NotImplementedError("ReadNodesFromAbaqusInp is planned and not available yet; it needs flexible-body items")

@@ -1,0 +1,100 @@
+"""Conversions, node selection and materials of dalembert.FEM."""
+
+import numpy as np
+import pytest
+import scipy.sparse
+
+from dalembert import FEM
+
+TRIPLETS = np.array([[0, 0, 1.0], [1, 2, 3], [2, 1, 4]])
+DENSE = np.array([[1.0, 0, 0], [0, 0, 3], [0, 4, 0]])
+
+
+@pytest.fixture
+def fem():
+    fem = FEM.FEMinterface()
+    fem.nodes = {"Position": np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1.0], [1, 1, 0]])}
+    return fem
+
+
+def test_sparse_matrices():
+    np.testing.assert_array_equal(FEM.CompressedRowSparseToDenseMatrix(TRIPLETS), DENSE)
+    np.testing.assert_array_equal(FEM.ScipySparseCSRtoCSR(scipy.sparse.csr_matrix(DENSE)), TRIPLETS)
+    np.testing.assert_array_equal(FEM.ConvertDenseToCompressedRowMatrix(DENSE), TRIPLETS)
+    assert FEM.CSRtoRowsAndColumns(TRIPLETS) == (2, 2)
+    added = FEM.AddEntryToCompressedRowSparseArray(TRIPLETS.copy(), 1, 1, 7)
+    assert FEM.CompressedRowSparseToDenseMatrix(added)[1, 1] == 7
+    with pytest.raises(ValueError, match="where: expected a scipy sparse matrix"):
+        FEM.CheckForSciPyMatrix(np.eye(4), "where")
+
+
+def test_orders_of_coordinates():
+    x = np.arange(6.0)
+    assert FEM.ResortIndicesOfNGvector(x).tolist() == [0, 2, 4, 1, 3, 5]
+    assert FEM.ResortIndicesExudyn2NGvector(FEM.ResortIndicesOfNGvector(x)).tolist() == x.tolist()
+    matrix = np.column_stack((x, x, x))
+    FEM.ResortIndicesOfCSRmatrix(matrix, 6)
+    by_entry = np.zeros(6)
+    by_entry[matrix[:, 0].astype(int)] = x
+    assert by_entry.tolist() == FEM.ResortIndicesOfNGvector(x).tolist()
+
+
+@pytest.mark.parametrize(("convert", "corners"), [(FEM.ConvertHexToTrigs, 8), (FEM.ConvertTetToTrigs, 4)])
+def test_faces_are_closed(convert, corners):
+    faces = convert(list(range(corners)))
+    edges = [(f[i], f[(i + 1) % 3]) for f in faces for i in range(3)]
+    assert len(set(edges)) == len(edges)
+    assert {(b, a) for a, b in edges} == set(edges)
+
+
+def test_material():
+    material = FEM.KirchhoffMaterial(1e9, 0.3, 1e3)
+    strain = np.array([[1, 0.5, 0.2], [0.5, 2, 0.1], [0.2, 0.1, 3]]) * 1e-3
+    stress = material.Strain2Stress(strain)
+    vector = [*np.diag(strain), 2 * strain[1, 2], 2 * strain[0, 2], 2 * strain[0, 1]]
+    expected = [*np.diag(stress), stress[1, 2], stress[0, 2], stress[0, 1]]
+    np.testing.assert_allclose(material.StrainVector2StressVector(vector), expected)
+    np.testing.assert_allclose(material.StrainVector2StressVector2D([1, 0.3, 0])[1] / 1e9, (0.3 + 0.3) / (1 - 0.09))
+
+
+def test_nodes_are_found(fem):
+    assert fem.GetNodeAtPoint([1, 0, 0]) == 1
+    assert fem.GetNodeAtPoint([3, 0, 0], raiseException=False) == -1
+    with pytest.raises(ValueError, match="the closest is node 1 at a distance of 2"):
+        fem.GetNodeAtPoint([3, 0, 0])
+    assert fem.GetNodesInPlane([0, 0, 0], [0, 0, 2]) == [0, 1, 2, 4]
+    assert fem.GetNodesInCube([0, 0, 0], [1, 1, 0.5]) == [0, 1, 2, 4]
+    assert fem.GetNodesOnLine([0, 0, 0], [0.5, 0, 0]) == [0]
+    assert fem.GetNodesOnCylinder([0, 0, 0], [0, 0, 1], 1) == [1, 2]
+    assert fem.GetNodesOnCircle([0, 0, 0], [0, 0, 1], 1) == [1, 2]
+    assert (fem.NumberOfNodes(), fem.NumberOfCoordinates()) == (5, 15)
+
+
+def test_eigenmodes_of_two_masses(fem):
+    fem.nodes = {"Position": np.array([[0, 0, 0], [1, 0, 0.0]])}
+    fem.massMatrix = scipy.sparse.csr_matrix(2 * np.eye(6))
+    spring = np.kron([[1, -1], [-1, 1]], np.diag([100.0, 0, 0]))
+    fem.stiffnessMatrix = FEM.ConvertDenseToCompressedRowMatrix(spring)
+    fem.ComputeEigenmodes(1, excludeRigidBodyModes=5, useSparseSolver=False)
+    np.testing.assert_allclose(fem.GetEigenFrequenciesHz(), [10 / (2 * np.pi)])
+
+
+def test_what_is_planned_says_so(fem):
+    with pytest.raises(NotImplementedError, match=r"FEMinterface\.ComputeHurtyCraigBamptonModes is planned"):
+        fem.ComputeHurtyCraigBamptonModes([[1]], 3)
+    with pytest.raises(NotImplementedError, match="ObjectFFRFreducedOrderInterface is planned"):
+        FEM.ObjectFFRFreducedOrderInterface(fem)
+    with pytest.raises(AttributeError, match="has no attribute 'ComputeEigenmode'"):
+        fem.ComputeEigenmode()
+
+
+def test_files(tmp_path):
+    order = tmp_path / "order.txt"
+    order.write_text("% comment\n2 1\n2\n1\n")
+    assert FEM.ReadMatrixDOFmappingVectorFromAnsysTxt(str(order)).tolist() == [3, 4, 5, 0, 1, 2]
+    nodes = tmp_path / "nodes.txt"
+    nodes.write_text("Node\tX\tY\tZ\n2\t1,5\t0\t0\n1\t0\t2.\t0\n")
+    assert FEM.ReadNodalCoordinatesFromAnsysTxt(str(nodes)).tolist() == [[0, 2, 0], [1.5, 0, 0]]
+    matrix = tmp_path / "matrix.mmf"
+    matrix.write_text("%%MatrixMarket matrix coordinate real symmetric\n2 2 2\n1 1 5\n2 1 7\n")
+    assert FEM.CompressedRowSparseToDenseMatrix(FEM.ReadMatrixFromAnsysMMF(str(matrix))).tolist() == [[5, 7], [7, 0]]
