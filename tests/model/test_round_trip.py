@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import json
 import pickle
 from typing import Any
 
@@ -34,6 +35,40 @@ def test_pickle_and_copies_are_equal(item: Item, make: Any) -> None:
     for other in (pickle.loads(pickle.dumps(original)), copy.copy(original), copy.deepcopy(original)):
         assert other == original
         assert type(other) is type(original)
+
+
+@each_item
+@pytest.mark.parametrize("make", [filled, lambda item: CLASSES[item.name]()], ids=["filled", "default"])
+def test_dictionaries_and_json_bring_the_item_back(item: Item, make: Any) -> None:
+    """JSON has no arrays, indices and enumerations: lists and numbers stand for them, and only members of enumerations have to
+    be made of their numbers again. User functions are not data."""
+    original = make(item)
+    for row in item.rows:
+        if row.type.function:
+            setattr(original if row in item.parameters else original.visualization, row.name, 0)
+    data = dict(original)
+    text = json.dumps({key: plain(value) for key, value in data.items()}, default=int)
+    read = json.loads(text)
+    for row in item.parameters:
+        if row.type.storage == "output_variable":
+            read[row.name] = exu.OutputVariableType(read[row.name])
+        elif row.type.storage == "joint_types":
+            read[row.name] = [exu.JointType(number) for number in read[row.name]]
+        elif row.type.opaque:
+            read[row.name] = data[row.name]  # sections of beams: objects of Python
+    kind = item.kind.title()
+    added = []
+    if item.ready or item.kind == "sensor":
+        for source in (data, read):
+            mbs = exu.SystemContainer().AddSystem()
+            number = getattr(mbs, f"Add{kind}")(source)
+            graphics = {"addGraphicsData": True} if item.kind == "object" else {}
+            added.append({key: plain(value) for key, value in getattr(mbs, f"Get{kind}")(number, **graphics).items()})
+        names = {"name": added[0]["name"]}
+        assert added[0] == added[1] == {key: plain(value) for key, value in data.items()} | names
+    rows = [row.name for row in parameters(item)]
+    again = CLASSES[item.name](data["name"], **{name: read[name] for name in rows}, visualization=dict(original.visualization))
+    assert again == original
 
 
 @each_item

@@ -1,0 +1,60 @@
+"""The mini example of every ready item gives the value that its spec states; each item has its page and its stub."""
+
+from __future__ import annotations
+
+import ast
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scenes import READY
+
+import dalembert as exu
+import dalembert.itemInterface as items
+from codegen.model import Item
+
+GENERATED = Path(__file__).parents[2] / "generated"
+each_item = pytest.mark.parametrize("item", READY, ids=lambda item: item.name)
+
+
+@each_item
+def test_mini_example(item: Item, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert item.example is not None
+    monkeypatch.chdir(tmp_path)
+    container = exu.SystemContainer()
+    names = {name: value for name, value in vars(items).items() if not name.startswith("_")}
+    names |= {"exu": exu, "np": np, "SC": container, "mbs": container.AddSystem()}
+    exec(compile(item.example.code, item.path, "exec"), names)
+    result = np.asarray(names["result"], dtype=float)
+    np.testing.assert_allclose(result, item.example.value, rtol=0, atol=item.example.tolerance)
+    uses = item.name in item.example.code or any(short in item.example.code for short in item.short_names)
+    assert uses, "the example does not use the item"
+
+
+@each_item
+def test_page(item: Item) -> None:
+    text = (GENERATED / "docs" / "items" / f"{item.stem}.rst").read_text(encoding="utf-8")
+    assert item.name in text
+    for row in (*item.parameters, *item.visualization, *item.outputs):
+        if not getattr(row, "internal", False):
+            assert row.name in text, row.name
+
+
+@cache
+def stubs() -> dict[str, ast.ClassDef]:
+    return {
+        node.name: node
+        for path in (GENERATED / "python" / "dalembert").glob("*.pyi")
+        for node in ast.parse(path.read_text(encoding="utf-8")).body
+        if isinstance(node, ast.ClassDef)
+    }
+
+
+@each_item
+def test_stub(item: Item) -> None:
+    """A class with the arguments of the spec, in the stubs."""
+    init = next(n for n in stubs()[item.name].body if isinstance(n, ast.FunctionDef) and n.name == "__init__")
+    arguments = [a.arg for a in (*init.args.args, *init.args.kwonlyargs)][1:]
+    rows = [row.name for row in item.parameters if not row.internal and row.name != "name"]
+    assert arguments == ["name", *rows, "visualization"]

@@ -1,0 +1,88 @@
+"""Mass matrices: symmetric, positive, the derivative of the residual, and what Newton and Euler say."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scenes import BODIES, CABLE, GENERIC, ITEMS, Variant, variants_about
+from test_tangent import random_state
+
+from dalembert._core import testing
+
+BODY_TYPES = ("Body", "SuperElement", "FiniteElement")
+VARIANTS = [v for item in ITEMS.values() if item.ready and item.object_type in BODY_TYPES for v in variants_about(item)]
+each_body = pytest.mark.parametrize("variant", VARIANTS, ids=lambda variant: variant.id)
+RIGID = [carrier for carrier in BODIES if carrier != CABLE and carrier[1] != "Node1D"]
+
+
+@each_body
+def test_mass_matrix_is_symmetric_and_positive(variant: Variant) -> None:
+    scene = variant.build(seed=31)
+    s = random_state(scene, seed=32)
+    mass = testing.mass_matrix(scene.mbs, s)
+    scale = np.abs(mass).max()
+    np.testing.assert_allclose(mass, mass.T, rtol=0, atol=1e-14 * scale)
+    # Euler parameters have one direction without inertia per node: their norm.
+    norms = sum(kind.frame == "ep" for _, kind, _ in scene.nodes)
+    values = np.linalg.eigvalsh(mass)
+    np.testing.assert_allclose(values[:norms], 0, atol=1e-13 * scale)
+    assert values[norms] > 1e-3 * scale
+
+
+@each_body
+def test_mass_matrix_is_the_derivative_by_accelerations(variant: Variant) -> None:
+    scene = variant.build(seed=33)
+    s = random_state(scene, seed=34)
+    n, mass = len(s.q), testing.mass_matrix(scene.mbs, s)
+    np.testing.assert_array_equal(mass, testing.mass_matrix(scene.mbs, s, dense=False))
+    tangent = testing.tangent(scene.mbs, s, cq=0, cv=1e-300, ca=1)[:n, :n]
+    np.testing.assert_allclose(tangent, mass, rtol=0, atol=1e-13 * np.abs(mass).max())
+    with_inertia = testing.residual(scene.mbs, s)[:n]
+    base = s.copy()
+    base.a = 0 * s.a
+    difference = with_inertia - testing.residual(scene.mbs, base)[:n]
+    np.testing.assert_allclose(difference, mass @ s.a, rtol=0, atol=1e-12 * np.abs(with_inertia).max())
+
+
+@each_body
+def test_constant_mass_matrices_are_constant(variant: Variant) -> None:
+    scene = variant.build(seed=35)
+    first, second = (testing.mass_matrix(scene.mbs, random_state(scene, seed)) for seed in (36, 37))
+    if testing.constant_mass_matrix(scene.mbs):
+        np.testing.assert_array_equal(first, second)
+    elif variant.item != "ObjectGenericODE2":  # its user function may give a constant one
+        assert np.abs(first - second).max() > 1e-3 * np.abs(first).max()
+
+
+def test_which_mass_matrices_are_constant() -> None:
+    constant = {v.pairs[0][1]: testing.constant_mass_matrix(v.build().mbs) for v in VARIANTS if not v.functions}
+    turning = {carrier for carrier in constant if carrier[0] in ("ObjectRigidBody", "ObjectRigidBody2D")}
+    assert all(constant[carrier] for carrier in (set(BODIES) | {GENERIC}) - turning)
+    assert not any(constant[carrier] for carrier in turning)
+
+
+@pytest.mark.parametrize("carrier", RIGID, ids="/".join)
+def test_newton_euler(carrier: tuple[str, str]) -> None:
+    """The inertia force about the node, from mass, centre of mass and inertia alone."""
+    scene = Variant(carrier[0], (("", carrier), ("", carrier))).build(seed=38)
+    wrenches = scene.wrenches(testing.residual(scene.mbs, scene.state()))
+    for body, (_, kind, m), wrench in zip(scene.bodies, scene.nodes, wrenches, strict=True):
+        data = scene.mbs.GetObject(body)
+        mass, turn = data["physicsMass"], m.rotation if kind.frame != "point" else np.eye(3)
+        j = data.get("physicsInertia", np.zeros(6))
+        j = (
+            np.diag([0, 0, j])
+            if np.ndim(j) == 0
+            else np.array([[j[0], j[5], j[4]], [j[5], j[1], j[3]], [j[4], j[3], j[2]]])
+        )
+        inertia = turn @ j @ turn.T
+        arm = turn @ np.resize([*data.get("physicsCenterOfMass", []), 0.0, 0.0, 0.0], 3)
+        omega, alpha = (
+            (m.angular_velocity, m.angular_acceleration) if kind.frame != "point" else (np.zeros(3), np.zeros(3))
+        )
+        acceleration = m.acceleration + np.cross(alpha, arm) + np.cross(omega, np.cross(omega, arm))
+        force = mass * acceleration
+        moment = inertia @ alpha + np.cross(omega, inertia @ omega) + mass * np.cross(arm, m.acceleration)
+        wanted = np.concatenate([force, moment])
+        rows = [0, 1, 5] if kind.planar and kind.frame != "point" else [0, 1] if kind.planar else range(6)
+        np.testing.assert_allclose(wrench[rows], wanted[rows], rtol=0, atol=1e-12 * np.abs(wanted).max())

@@ -1,0 +1,140 @@
+"""Every output variable of every item: there in all configurations, of the size that its spec states."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+from motions import tait_bryan
+from scenes import ALL_VARIANTS, EP, ITEMS, LIE, READY, RXYZ, Scene, Variant, on_markers, variants_with
+
+import dalembert as exu
+from codegen.model import Item, Output
+
+Configuration = exu.ConfigurationType
+CONFIGURATIONS = [Configuration.Current, Configuration.Initial, Configuration.Reference, Configuration.StartOfStep]
+WITH_OUTPUTS = [(item, output) for item in READY for output in item.outputs]
+
+
+def find(scene: Scene, item: Item) -> Any:
+    """Number of an item of this type in the model."""
+    data = scene.mbs.GetDictionary()[f"{item.kind}List"]
+    return next(i for i, entry in enumerate(data) if entry[f"{item.kind}Type"] == item.type_name)
+
+
+def scene_with(item: Item) -> Scene:
+    if item.name == "ObjectGround":
+        scene = Variant("ObjectMassPoint", (("", EP),)).build()
+        scene.mbs.AddObject(exu.ObjectGround(referencePosition=[1, 2, 3]))
+        scene.mbs.Assemble()
+        return scene
+    return variants_with(item)[0].build(seed=51)
+
+
+def reader(scene: Scene, item: Item) -> Callable[..., Any]:
+    number = find(scene, item)
+    if item.kind == "node":
+        return lambda variable, configuration: scene.mbs.GetNodeOutput(number, variable, configuration)
+    if item.object_type in ("Body", "FiniteElement"):
+        return lambda variable, configuration: scene.mbs.GetObjectOutputBody(
+            number, variable, [0.1, 0.2, 0], configuration
+        )
+    return lambda variable, configuration: scene.mbs.GetObjectOutput(number, variable, configuration)
+
+
+def coordinates(scene: Scene, item: Item) -> int:
+    """How many values `Coordinates` have."""
+    number, data = find(scene, item), scene.mbs.systemData
+    if item.kind == "object":
+        return len(data.GetObjectLTGODE2(number)) + len(data.GetObjectLTGODE1(number))
+    row = next((r for r in item.parameters if r.name.startswith("numberOf")), None)
+    if row:
+        return int(scene.mbs.GetNode(number)[row.name])
+    return 0 if item.name == "NodePointGround" else len(scene.mbs.GetNode(number)["referenceCoordinates"])
+
+
+@pytest.mark.parametrize(("item", "output"), WITH_OUTPUTS, ids=[f"{i.name}.{o.name}" for i, o in WITH_OUTPUTS])
+def test_size_in_every_configuration(item: Item, output: Output) -> None:
+    scene = scene_with(item)
+    read = reader(scene, item)
+    sizes = set()
+    for configuration in CONFIGURATIONS:
+        value = read(getattr(exu.OutputVariableType, output.name), configuration)
+        assert np.all(np.isfinite(value))
+        sizes.add(np.size(value))
+    assert len(sizes) == 1
+    if output.size != "n":
+        assert sizes == {output.size}
+        assert isinstance(value, float) == (output.size == 1)
+    elif output.name.startswith("Coordinates"):
+        assert sizes == {coordinates(scene, item)}
+    else:
+        assert min(sizes) > 0
+
+
+@pytest.mark.parametrize("item", [item for item in READY if item.outputs], ids=lambda item: item.name)
+def test_what_an_item_does_not_have_is_refused(item: Item) -> None:
+    scene = scene_with(item)
+    missing = next(v for v in ("StressLocal", "SlidingCoordinate") if v not in [o.name for o in item.outputs])
+    with pytest.raises(
+        ValueError, match=rf"{item.kind} {find(scene, item)} '.*' \({item.name}\).*no output variable {missing}"
+    ):
+        reader(scene, item)(getattr(exu.OutputVariableType, missing), Configuration.Current)
+
+
+@pytest.mark.parametrize("carrier", [EP, RXYZ, LIE], ids="/".join)
+def test_rigid_bodies_tell_their_motion(carrier: tuple[str, str]) -> None:
+    """At a local point, from the motion that the model was made of."""
+    scene = Variant("ObjectRigidBody", (("", carrier), ("", carrier))).build(seed=52)
+    scene.mbs.systemData.SetODE2Coordinates_tt(scene.state().a, Configuration.Current)
+    local = np.array([0.3, -0.2, 0.5])
+    for body, (_, _, m) in zip(scene.bodies, scene.nodes, strict=True):
+        arm, omega, alpha = m.rotation @ local, m.angular_velocity, m.angular_acceleration
+        wanted = {
+            "Position": m.point(local),
+            "Velocity": m.velocity + np.cross(omega, arm),
+            "Acceleration": m.acceleration + np.cross(alpha, arm) + np.cross(omega, np.cross(omega, arm)),
+            "RotationMatrix": m.rotation.ravel(),
+            "Rotation": tait_bryan(m.rotation),
+            "AngularVelocity": omega,
+            "AngularAcceleration": alpha,
+        }
+        for name in ("Velocity", "Acceleration", "AngularVelocity", "AngularAcceleration"):
+            wanted[f"{name}Local"] = m.rotation.T @ wanted[name]
+        for name, value in wanted.items():
+            told = scene.mbs.GetObjectOutputBody(body, getattr(exu.OutputVariableType, name), local)
+            np.testing.assert_allclose(told, value, rtol=0, atol=1e-12 * max(1, np.abs(value).max()), err_msg=name)
+
+
+@pytest.mark.parametrize("item", [item for item in READY if item.kind == "marker"], ids=lambda item: item.name)
+def test_markers_tell_what_they_pass_on(item: Item) -> None:
+    scene = next(v for v in ALL_VARIANTS if item.name in [m for m, _ in v.pairs]).build(seed=53)
+    number = find(scene, item)
+    names = [name for name in ("Position", "Orientation", "Coordinate") if name in item.provides]
+    variables = {"Position": {"Position": 3, "Velocity": 3}, "Orientation": {"RotationMatrix": 9, "AngularVelocity": 3}}
+    for name in names:
+        for variable, size in variables.get(name, {}).items():
+            assert np.size(scene.mbs.GetMarkerOutput(number, getattr(exu.OutputVariableType, variable))) == size
+        if name == "Coordinate":
+            values = [
+                scene.mbs.GetMarkerOutput(number, getattr(exu.OutputVariableType, f"Coordinates{t}"))
+                for t in ("", "_t")
+            ]
+            assert len(values[0]) == len(values[1]) > 0
+    if not names:
+        assert item.name == "MarkerBodyMass"
+
+
+def test_every_ready_item_is_in_a_model() -> None:
+    """So that nothing escapes the tests on models: items, and each of their user functions."""
+    sensors = {item.name for item in READY if item.kind == "sensor"}
+    assert {item.name for item in READY if not variants_with(item)} == sensors | (
+        {"ObjectGround"} - {n for v in ALL_VARIANTS for n in v.uses}
+    )
+    with_functions = {v.item for v in ALL_VARIANTS if v.functions}
+    called = {i.name for i in READY if any(r.type.function for r in i.parameters) and i.kind != "sensor"}
+    assert called <= with_functions
+    assert all(any(v.item == item.name for v in ALL_VARIANTS) for item in READY if on_markers(item))
+    assert set(ITEMS) >= {v.item for v in ALL_VARIANTS}

@@ -1,0 +1,92 @@
+"""The tangent is the derivative of the residual, along all weights, at random states of models around every item."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from scenes import ALL_VARIANTS, Scene, Variant
+
+from dalembert._core import testing
+
+each_variant = pytest.mark.parametrize("variant", ALL_VARIANTS, ids=lambda variant: variant.id)
+WEIGHTS = {
+    "positions": {"cq": 1.0},
+    "velocities": {"cq": 0.0, "cv": 1.0},
+    "together": {"cq": 0.7, "cv": -1.3, "ca": 0.4, "cy": 1.1, "cy_t": 0.6},
+}
+# The Jacobian that a user gives is held fixed: its own derivatives, times multipliers or velocities, are not in the tangent.
+HOLDS_JACOBIAN = "ObjectConnectorCoordinateVector"
+# Central differences of step h: an error of h^2 times third derivatives, and rounding of eps / h; user functions have
+# differences of their own inside. Residuals are of the order 1 to 100 here.
+STEP = 1e-5
+TOLERANCE = {False: 2e-7, True: 2e-6}
+
+
+def random_state(scene: Scene, seed: int) -> testing.State:
+    """Near the model's own, with everything moved: positions, multipliers, history."""
+    rng = np.random.default_rng(seed)
+    s = scene.state()
+    s.q = testing.compose(scene.mbs, s, 0.1 * rng.normal(size=len(s.q)))
+    s.v = s.v + rng.normal(size=len(s.v))
+    s.a = s.a + rng.normal(size=len(s.a))
+    s.y, s.y_t = s.y + rng.normal(size=len(s.y)), rng.normal(size=len(s.y))
+    s.lam = rng.normal(size=len(s.lam))
+    s.data = 0.3 * rng.normal(size=len(s.data))
+    s.t, s.load_factor = 0.37, 0.8
+    return s
+
+
+def moved(mbs: Any, s: testing.State, kind: str, i: int, h: float, w: dict[str, float]) -> testing.State:
+    other = s.copy()
+    unit = {"q": len(s.q), "y": len(s.y), "lam": len(s.lam)}[kind]
+    step = h * np.eye(unit)[i]
+    if kind == "q":
+        other.q = testing.compose(mbs, s, w.get("cq", 1.0) * step)
+        other.v = s.v + w.get("cv", 0.0) * step
+        other.a = s.a + w.get("ca", 0.0) * step
+    elif kind == "y":
+        other.y = s.y + w.get("cy", 1.0) * step
+        other.y_t = s.y_t + w.get("cy_t", 0.0) * step
+    else:
+        other.lam = s.lam + step
+    return other
+
+
+def differences(mbs: Any, s: testing.State, w: dict[str, float]) -> np.ndarray:
+    columns = (
+        [("q", i) for i in range(len(s.q))]
+        + [("y", i) for i in range(len(s.y))]
+        + [("lam", i) for i in range(len(s.lam))]
+    )
+    sides = [[testing.residual(mbs, moved(mbs, s, kind, i, h, w)) for h in (STEP, -STEP)] for kind, i in columns]
+    matrix = np.array([(up - down) / (2 * STEP) for up, down in sides]).T
+    first = len(s.q) + len(s.y)
+    matrix[first:, :first] /= w.get("cq", 1.0) or w["cv"]
+    return matrix
+
+
+@each_variant
+@pytest.mark.parametrize("level", ["gaps", "rates"])
+@pytest.mark.parametrize("weights", WEIGHTS.values(), ids=WEIGHTS)
+def test_tangent_is_the_derivative_of_the_residual(variant: Variant, weights: dict[str, float], level: str) -> None:
+    scene = variant.build(seed=3)
+    s = random_state(scene, seed=5)
+    s.rate_level = level == "rates"
+    if variant.item == HOLDS_JACOBIAN and variant.functions:
+        s.lam = 0 * s.lam
+        s.v = 0 * s.v
+    tangent = testing.tangent(scene.mbs, s, **weights)
+    wanted = differences(scene.mbs, s, weights)
+    scale = max(1.0, np.abs(wanted).max())
+    np.testing.assert_allclose(tangent, wanted, rtol=0, atol=TOLERANCE[variant.functions] * scale)
+
+
+@each_variant
+def test_sparse_tangent_is_the_dense_one(variant: Variant) -> None:
+    scene = variant.build(seed=4)
+    s = random_state(scene, seed=6)
+    dense, sparse = (testing.tangent(scene.mbs, s, **WEIGHTS["together"], dense=dense) for dense in (True, False))
+    np.testing.assert_array_equal(sparse, dense)
+    assert np.abs(dense).max() > 0

@@ -1,0 +1,119 @@
+"""Reactions are what the virtual work of the constraint equations says, and do no work on motions that meet them."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scenes import ALL_VARIANTS, ITEMS, ROTOR_1D, Scene, Variant
+from test_tangent import moved, random_state
+
+from dalembert._core import testing
+
+# Their reaction is not the gradient of a gap, but acts along the derivatives of its rate by the velocities.
+NONHOLONOMIC = {"ObjectJointRollingDisc"}
+# Markers whose forces follow their velocities (the first), or neither values nor velocities, but simpler directions.
+NOT_OF_VALUES = {
+    "MarkerNodeRotationCoordinate": "the value is an angle, the rate a component of the angular velocity",
+    "MarkerBodiesRelativeRotationCoordinate": "its angle is that of a rotation about the axis alone, whatever the others are",
+}
+NOT_OF_RATES = {
+    "MarkerBodiesRelativeTranslationCoordinate": "its forces act at both points along the axis, without lever arm",
+    "MarkerSuperElementRigid": "forces are distributed as for small rotations",
+}
+# With velocityLevel, the equations are for velocities, but the reaction acts along the slopes at the coordinates.
+VELOCITY_LEVEL_VECTOR = ("ObjectConnectorCoordinateVector", (("velocityLevel", True),))
+CONSTRAINTS = [
+    v
+    for v in ALL_VARIANTS
+    if ITEMS[v.item].object_type in ("Constraint", "Joint") and ROTOR_1D not in [carrier for _, carrier in v.pairs]
+]  # a rotor takes moments about its axis, but no forces
+each_constraint = pytest.mark.parametrize("variant", CONSTRAINTS, ids=lambda variant: variant.id)
+
+
+def holonomic(variant: Variant) -> bool:
+    return (
+        not variant.uses & {*NOT_OF_VALUES, *NOT_OF_RATES}
+        and variant.item not in NONHOLONOMIC
+        and not dict(variant.options).get("velocityLevel", False)
+    )
+
+
+def reactions(scene: Scene, s: testing.State) -> np.ndarray:
+    """The forces of unit multipliers as columns."""
+    columns = []
+    for unit in np.eye(len(s.lam)):
+        forces = []
+        for factor in (1.0, 0.0):
+            s.lam = factor * unit
+            forces.append(testing.residual(scene.mbs, s)[: len(s.q)])
+        columns.append(forces[0] - forces[1])
+    return np.array(columns).T
+
+
+def without_free_equations(gradient: np.ndarray, forces: np.ndarray) -> np.ndarray:
+    """Equations of free directions set their multipliers to zero, and have no force."""
+    return np.where(np.any(forces != 0, axis=0)[:, None], gradient, 0)
+
+
+@pytest.mark.parametrize(
+    "variant",
+    [v for v in CONSTRAINTS if (v.item, v.options) != VELOCITY_LEVEL_VECTOR and not v.uses & set(NOT_OF_RATES)],
+    ids=lambda variant: variant.id,
+)
+def test_reaction_is_the_virtual_work_of_the_rates(variant: Variant) -> None:
+    """Rates of gaps are linear in the velocities: differences of any step are exact but for rounding."""
+    scene = variant.build(seed=11)
+    s = random_state(scene, seed=12)
+    forces = reactions(scene, s)
+    s.rate_level, s.lam = True, 0 * s.lam
+    gradient = np.empty_like(forces.T)
+    v = s.v
+    for i, unit in enumerate(np.eye(len(v))):
+        sides = []
+        for sign in (1.0, -1.0):
+            s.v = v + sign * unit
+            sides.append(testing.gaps(scene.mbs, s))
+        gradient[:, i] = (sides[0] - sides[1]) / 2
+    scale = np.abs(forces).max()
+    assert scale > 0.01
+    np.testing.assert_allclose(forces.T, without_free_equations(gradient, forces), rtol=0, atol=1e-12 * scale)
+
+
+@pytest.mark.parametrize("variant", [v for v in CONSTRAINTS if holonomic(v)], ids=lambda variant: variant.id)
+def test_reaction_is_the_virtual_work_of_the_gaps(variant: Variant) -> None:
+    """By central differences of step 1e-5: errors of 1e-10 times third derivatives, and of rounding. Euler parameters keep
+    their norm: along it, virtual work is not defined."""
+    scene = variant.build(seed=13)
+    s = scene.state()
+    forces = reactions(scene, s)
+    s.lam = 0 * s.lam
+    gradient = np.empty_like(forces.T)
+    for i in range(len(s.q)):
+        up, down = (testing.gaps(scene.mbs, moved(scene.mbs, s, "q", i, h, {})) for h in (1e-5, -1e-5))
+        gradient[:, i] = (up - down) / 2e-5
+    rows = scene.mbs.systemData.GetObjectLTGAE(scene.target[1])
+    along = np.eye(len(s.q))
+    for number, kind, motion in scene.nodes:
+        if kind.frame == "ep":
+            first = scene.mbs.GetNodeODE2Index(number) + 3
+            p = kind.total(motion)[3:]
+            along[first : first + 4, first : first + 4] -= np.outer(p, p)
+    scale = np.abs(forces).max()
+    assert scale > 0.01
+    wanted = without_free_equations(gradient, forces)
+    np.testing.assert_allclose((forces.T @ along)[rows], (wanted @ along)[rows], rtol=0, atol=1e-8 * scale)
+
+
+@each_constraint
+def test_inactive_constraints_set_their_multipliers_to_zero(variant: Variant) -> None:
+    scene = variant.build(seed=13)
+    s = random_state(scene, seed=14)
+    rows = scene.mbs.systemData.GetObjectLTGAE(scene.target[1])
+    assert len(rows) > 0
+    scene.mbs.SetObjectParameter(scene.target[1], "activeConnector", False)
+    np.testing.assert_array_equal(testing.gaps(scene.mbs, s)[rows], s.lam[rows])
+    before = testing.residual(scene.mbs, s)[: len(s.q)]
+    lam = s.lam
+    lam[rows] += 1.0
+    s.lam = lam
+    np.testing.assert_array_equal(testing.residual(scene.mbs, s)[: len(s.q)], before)
