@@ -121,13 +121,23 @@ struct OnNode {
   static Motion<S> motion(const Parameters& p, const Coordinates<S, size>& x, const Vec3<double>& local) {
     const Motion<S> at_node = Node::template motion<S>(x);
     if constexpr (requires { Body::place(p, at_node, local); }) return Body::place(p, at_node, local);
-    return moved(at_node, at_node.rotation * local);
+    Motion<S> point = moved(at_node, at_node.rotation * local);
+    if constexpr (requires { Node::template inertial_motion<S>(x); }) {
+      const Vec3<S> spin = transposed_times(inertial_motion(x).rotation, at_node.angular_velocity);
+      point.velocity = at_node.velocity + at_node.rotation * cross(spin, local);
+    }
+    return point;
   }
+  // The same virtual power as that of `motion`.
   template <class S>
   static Vec<S, size> pull_back(const Parameters&, const Coordinates<S, size>& x, const Vec3<double>& local,
                                 const Vec3<S>& force, const Vec3<S>& moment) {
-    const Vec3<S> arm = Node::template motion<S>(x).rotation * local;
-    return Node::template pull_back<S>(x, force, moment + cross(arm, force));
+    const Mat3<S> rotation = Node::template motion<S>(x).rotation;
+    if constexpr (requires { Node::template inertial_motion<S>(x); }) {
+      const Vec3<S> turn = inertial_motion(x).rotation * cross(local, transposed_times(rotation, force));
+      return Node::template pull_back<S>(x, force, moment + turn);
+    }
+    return Node::template pull_back<S>(x, force, moment + cross(rotation * local, force));
   }
   template <class S>
   static Vec<S, size> mass_load(const Parameters& p, const Coordinates<S, size>& x, const Vec3<S>& g) {
