@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-import dalembert as exu
 import numpy as np
+
+import dalembert as exu
 from dalembert.itemInterface import (
     LoadCoordinate,
     MarkerNodeCoordinate,
@@ -49,7 +50,9 @@ class Oscillator(NamedTuple):
 def mass(position: float = START, speed: float = SPEED, physics_mass: float = MASS) -> Oscillator:
     """One mass with one coordinate, without forces; not yet assembled."""
     mbs = exu.SystemContainer().AddSystem()
-    node = mbs.AddNode(Node1D(name="foot", referenceCoordinates=[0], initialCoordinates=[position], initialVelocities=[speed]))
+    node = mbs.AddNode(
+        Node1D(name="foot", referenceCoordinates=[0], initialCoordinates=[position], initialVelocities=[speed])
+    )
     mbs.AddObject(Mass1D(nodeNumber=node, physicsMass=physics_mass))
     rest = mbs.AddNode(NodePointGround())
     ground = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=rest, coordinate=0))

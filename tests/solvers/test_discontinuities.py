@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import dalembert as exu
 import numpy as np
 import pytest
-from dalembert.solver import SolverError
 from oscillators import MASS, dynamic_settings, friction_or_stop, mass
+
+import dalembert as exu
+from dalembert.solver import SolverError
 
 Solver = exu.DynamicSolverType
 
@@ -46,7 +47,12 @@ def test_a_stop_throws_back(recommended: bool) -> None:
     """A stop without damping returns the speed; steps divide the contact time of pi sqrt(m / k) = 4.4 ms by 88."""
     model = mass(position=0.2, speed=-1.0)
     friction_or_stop(
-        model, useLimitStops=True, limitStopsLower=0.0, limitStopsUpper=10.0, limitStopsStiffness=1e6, limitStopsDamping=0.0
+        model,
+        useLimitStops=True,
+        limitStopsLower=0.0,
+        limitStopsUpper=10.0,
+        limitStopsStiffness=1e6,
+        limitStopsDamping=0.0,
     )
     model.mbs.Assemble()
     settings = dynamic_settings(0.4, 8000, tolerance=1e-10)

@@ -6,12 +6,13 @@ import os
 import signal
 from typing import Any
 
-import dalembert as exu
 import numpy as np
 import pytest
+from oscillators import dynamic_settings, exact_oscillation, mass, oscillator
+
+import dalembert as exu
 from dalembert.itemInterface import CoordinateConstraint, Mass1D, Node1D
 from dalembert.solver import SolverError
-from oscillators import dynamic_settings, exact_oscillation, mass, oscillator
 
 
 def settings_of(end: float, steps: int) -> Any:
@@ -22,7 +23,9 @@ def settings_of(end: float, steps: int) -> Any:
 
 def test_singular_matrix_names_the_coordinate() -> None:
     model = oscillator()
-    model.mbs.AddObject(Mass1D(nodeNumber=model.mbs.AddNode(Node1D(name="loose", referenceCoordinates=[0])), physicsMass=0))
+    model.mbs.AddObject(
+        Mass1D(nodeNumber=model.mbs.AddNode(Node1D(name="loose", referenceCoordinates=[0])), physicsMass=0)
+    )
     model.mbs.Assemble()
     with pytest.raises(SolverError) as caught:
         model.mbs.SolveStatic(settings_of(1.0, 10))

@@ -5,12 +5,13 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-import dalembert as exu
 import numpy as np
 import pytest
+from oscillators import Variable, dynamic_settings, friction_or_stop, oscillator
+
+import dalembert as exu
 from dalembert.itemInterface import SensorNode
 from dalembert.utilities import InertiaCuboid, LoadSolutionFile
-from oscillators import Variable, dynamic_settings, friction_or_stop, oscillator
 
 
 def settings_of(end: float, steps: int, **solution: Any) -> Any:
@@ -43,7 +44,12 @@ def test_solution_file(binary: bool) -> None:
     np.testing.assert_allclose(solution["data"][:, 0], np.linspace(0, 1, 11), rtol=digits, atol=1e-12)
     data = model.mbs.systemData
     last = np.concatenate(
-        [data.GetODE2Coordinates(), data.GetODE2Coordinates_t(), data.GetODE2Coordinates_tt(), data.GetDataCoordinates()]
+        [
+            data.GetODE2Coordinates(),
+            data.GetODE2Coordinates_t(),
+            data.GetODE2Coordinates_tt(),
+            data.GetDataCoordinates(),
+        ]
     )
     np.testing.assert_allclose(solution["data"][-1, 1:], last, rtol=digits, atol=0)
 
@@ -57,7 +63,10 @@ def test_layout_of_the_solution_file() -> None:
     rows = [line for line in lines if not line.startswith("#")]
     assert any("free text" in line for line in header)
     assert "#number of system coordinates [nODE2, nODE1, nAlgebraic, nData] = [1,0,0,0]" in header
-    assert "#number of written coordinates [nODE2, nVel2, nAcc2, nODE1, nVel1, nAlgebraic, nData] = [1,1,1,0,0,0,0]" in header
+    assert (
+        "#number of written coordinates [nODE2, nVel2, nAcc2, nODE1, nVel1, nAlgebraic, nData] = [1,1,1,0,0,0,0]"
+        in header
+    )
     assert [row.split(",")[0] for row in rows] == ["0", "0.25", "0.5", "0.75", "1"]
     assert {len(row.split(",")) for row in rows} == {4}
 
@@ -126,7 +135,11 @@ def test_restart_continues_bit_for_bit() -> None:
 
 @pytest.mark.parametrize(
     ("text", "message"),
-    [("something else\n", "line 1: expected"), ("#dalembert restart file 1\n", "line 2"), (None, "cannot open restart file")],
+    [
+        ("something else\n", "line 1: expected"),
+        ("#dalembert restart file 1\n", "line 2"),
+        (None, "cannot open restart file"),
+    ],
 )
 def test_damaged_restart_files_are_refused(text: str | None, message: str) -> None:
     if text is not None:

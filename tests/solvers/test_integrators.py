@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from typing import Any
 
-import dalembert as exu
 import numpy as np
 import pytest
+from oscillators import MASS, SPEED, START, STIFFNESS, Variable, dynamic_settings, exact_oscillation, oscillator
+from scipy.special import ellipk
+
+import dalembert as exu
 from dalembert.itemInterface import (
     Force,
     MarkerNodePosition,
@@ -18,8 +21,6 @@ from dalembert.itemInterface import (
     ObjectGenericODE1,
 )
 from dalembert.utilities import InertiaCuboid
-from oscillators import MASS, SPEED, START, STIFFNESS, Variable, dynamic_settings, exact_oscillation, oscillator
-from scipy.special import ellipk
 
 NodeType = exu.NodeType
 Solver = exu.DynamicSolverType
@@ -82,7 +83,9 @@ def test_first_order_equations(solver: Any) -> None:
     errors = []
     for steps in (100, 200):
         mbs = exu.SystemContainer().AddSystem()
-        node = mbs.AddNode(NodeGenericODE1(referenceCoordinates=[0, 0], initialCoordinates=[1, 0], numberOfODE1Coordinates=2))
+        node = mbs.AddNode(
+            NodeGenericODE1(referenceCoordinates=[0, 0], initialCoordinates=[1, 0], numberOfODE1Coordinates=2)
+        )
         mbs.AddObject(ObjectGenericODE1(nodeNumbers=[node], systemMatrix=[[-1, 4], [-4, -1]]))
         mbs.Assemble()
         settings = dynamic_settings(1.0, steps)
@@ -190,7 +193,9 @@ def test_rotation_vectors_pass_pi_steadily(solver: Any) -> None:
     mbs = exu.SystemContainer().AddSystem()
     spin = np.array([0.0, 0.0, 5.0])
     mbs.CreateRigidBody(
-        inertia=InertiaCuboid(1000, [1, 0.2, 0.1]), initialAngularVelocity=spin, nodeType=NodeType.RotationRotationVector
+        inertia=InertiaCuboid(1000, [1, 0.2, 0.1]),
+        initialAngularVelocity=spin,
+        nodeType=NodeType.RotationRotationVector,
     )
     mbs.Assemble()
     mbs.SolveDynamic(dynamic_settings(1.0, 100), solverType=solver)
@@ -230,3 +235,27 @@ def test_automatic_steps_follow_the_tolerance(solver: Any) -> None:
     assert max(errors) < 100  # the error of single steps adds up
     assert max(errors) > 1e-3  # no steps are wasted
     assert counts[0] < counts[1] < counts[2]
+
+
+def test_euler_parameters_with_velocity_level_constraints_converge() -> None:
+    """A body on a ball joint, whose Euler parameters drift off unit length, against Tait-Bryan angles."""
+    ends = {}
+    for node_type in ("RotationEulerParameters", "RotationRxyz"):
+        for steps in (200, 400):
+            mbs = exu.SystemContainer().AddSystem()
+            ground = mbs.CreateGround()
+            body = mbs.CreateRigidBody(
+                inertia=InertiaCuboid(1000, [1, 0.1, 0.2]),
+                referencePosition=[0.5, 0, 0],
+                initialVelocity=[0, 1.5, 0],
+                initialAngularVelocity=[0, 0, 3],
+                gravity=[0, 0, -9.81],
+                nodeType=getattr(NodeType, node_type),
+            )
+            mbs.CreateSphericalJoint(bodyNumbers=[ground, body], position=[0, 0, 0])
+            mbs.Assemble()
+            mbs.SolveDynamic(dynamic_settings(0.5, steps, tolerance=1e-11), solverType=Solver.TrapezoidalIndex2)
+            ends[node_type, steps] = mbs.GetObjectOutputBody(body, Variable.Position)
+    coarse, fine = (np.linalg.norm(ends["RotationEulerParameters", n] - ends["RotationRxyz", n]) for n in (200, 400))
+    assert coarse > 1e-9  # different unknowns, different errors
+    assert np.log2(coarse / fine) == pytest.approx(2, abs=0.3)  # which vanish with the order of the method

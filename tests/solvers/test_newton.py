@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from typing import Any
 
-import dalembert as exu
 import numpy as np
 import pytest
-from dalembert.utilities import InertiaCuboid
 from oscillators import dynamic_settings, oscillator
+
+import dalembert as exu
+from dalembert.utilities import InertiaCuboid
 
 
 def double_pendulum(modified: bool, tolerance: float, **newton: Any) -> tuple[np.ndarray, Any]:
@@ -83,7 +84,9 @@ def spring_of_a_load(entry: list[float], rows: int = 1, steps: int = 50) -> Any:
         exu.itemInterface.LoadCoordinate(
             markerNumber=model.marker,
             load=0.0,
-            loadUserFunction=lambda mbs, t, load: -80.0 * mbs.GetNodeOutput(model.node, exu.OutputVariableType.Coordinates),
+            loadUserFunction=lambda mbs, t, load: (
+                -80.0 * mbs.GetNodeOutput(model.node, exu.OutputVariableType.Coordinates)
+            ),
         )
     )
     model.mbs.Assemble()

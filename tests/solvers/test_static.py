@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from typing import Any
 
-import dalembert as exu
 import numpy as np
 import pytest
+from oscillators import Oscillator, Variable, mass, oscillator
+
+import dalembert as exu
 from dalembert.itemInterface import CoordinateConstraint
 from dalembert.solver import SolverError
-from oscillators import Oscillator, Variable, mass, oscillator
 
 
 def static_settings(steps: int = 1) -> Any:
