@@ -484,8 +484,8 @@ class FEMinterface(_PlannedMethods):
             return int(found[0])
         if raiseException:
             raise ValueError(
-                f"FEMinterface.GetNodeAtPoint: no node is within {tolerance} of {point}; the closest is node "
-                f"{int(distance.argmin())} at a distance of {distance.min():g}"
+                f"FEMinterface.GetNodeAtPoint: no node is within {tolerance} of {np.asarray(point).tolist()}; "
+                f"the closest is node {int(distance.argmin())} at a distance of {distance.min():g}"
             )
         return -1
 

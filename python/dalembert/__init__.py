@@ -19,6 +19,12 @@ except ImportError as _error:
         "install the package, e.g. by 'pip install .' in the source folder"
     ) from _error
 from dalembert._core import *
+from dalembert._planned import (
+    GeneralContact as GeneralContact,
+    SolverFileData as SolverFileData,
+    SolverLocalData as SolverLocalData,
+    VisuGeneralContact as VisuGeneralContact,
+)
 from dalembert._version import (
     RequireVersion as RequireVersion,
     __version__ as __version__,
@@ -71,6 +77,7 @@ _renamed = {"exudynCPP": _core}
 
 if TYPE_CHECKING:
     from dalembert import (
+        FEM as FEM,
         _core as exudynCPP,  # noqa: F401
         advancedUtilities as advancedUtilities,
         alias as alias,
@@ -91,6 +98,7 @@ if TYPE_CHECKING:
         plot as plot,
         processing as processing,
         rigidBodyUtilities as rigidBodyUtilities,
+        shells as shells,
         signalProcessing as signalProcessing,
         solver as solver,
         utilities as utilities,
@@ -100,10 +108,14 @@ else:
         "ComputeLinearizedSystem",
         "ComputeODE2Eigenvalues",
         "ComputeSystemDegreeOfFreedom",
+        "GeneralContact",
         "RequireVersion",
         "SolveDynamic",
         "SolveStatic",
+        "SolverFileData",
+        "SolverLocalData",
         "SolverSuccess",
+        "VisuGeneralContact",
         "__version__",
         "interface_version",
         *[name for name in vars(_core) if not name.startswith("_")],

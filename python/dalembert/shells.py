@@ -1,0 +1,14 @@
+"""Meshes of shells; planned."""
+
+from __future__ import annotations
+
+from typing import Any, NoReturn
+
+__all__ = ["ShellMesh"]
+
+
+class ShellMesh:
+    """Quadrilateral mesh of thin plate elements; planned."""
+
+    def __init__(self, *args: Any, **kwargs: Any) -> NoReturn:
+        raise NotImplementedError("ShellMesh is planned and not available yet; it needs ObjectANCFThinPlate")
