@@ -5,11 +5,11 @@ from typing import Any, Self, SupportsFloat, SupportsIndex, overload
 
 from numpy.typing import ArrayLike
 
-from dalembert._core import LoadIndex, MainSystem, MarkerIndex, NodeIndex, ObjectIndex, SensorIndex, _Bound
+from dalembert._core import LoadIndex, MainSystem, MarkerIndex, NodeIndex, ObjectIndex, SensorIndex, _Bound, _NotMade
 from dalembert._core_types import Array
 from dalembert._core_types import Matrix as _NumpyMatrix
 
-class _Symbol(_Bound): ...
+class _Symbol(_NotMade): ...
 
 class Real(_Symbol):
     @overload
