@@ -2829,7 +2829,7 @@ class ObjectConnectorReevingSystemSprings(_Object):
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     @property
     def markerNumbers(self) -> list[MarkerIndex]:
-        """rigid body or position markers along the rope: the first and the last are its ends, those between carry sheaves or deflection points; with ``hasCoordinateMarkers``, two coordinate markers follow [n]"""
+        """rigid body markers along the rope: the first and the last are its ends, those between carry sheaves or deflection points; with ``hasCoordinateMarkers``, two coordinate markers follow [n]"""
     @markerNumbers.setter
     def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
     hasCoordinateMarkers: bool
@@ -2853,7 +2853,7 @@ class ObjectConnectorReevingSystemSprings(_Object):
     """length of the rope without force [m]"""
     @property
     def sheavesAxes(self) -> Vector3DList:
-        """axis of every sheave in the frame of its marker; the sign chooses the side at which the rope runs; first and last are ignored [n x 3; 1]"""
+        """axis of every sheave in the frame of its marker; the sign chooses the side at which the rope runs; none may be parallel to the line to the next center [n x 3; 1]"""
     @sheavesAxes.setter
     def sheavesAxes(self, value: Sequence[ArrayLike]) -> None: ...
     @property
