@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import dalembert as exu
 import pytest
+
+import dalembert as exu
 
 
 @pytest.fixture(autouse=True)

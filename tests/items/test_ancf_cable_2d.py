@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-import dalembert as exu
 import numpy as np
 import pytest
+
+import dalembert as exu
 from dalembert.itemInterface import (
     Cable2D,
     CoordinateConstraint,

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-import dalembert as exu
 import numpy as np
 import pytest
+from scipy.linalg import expm
+
+import dalembert as exu
 from dalembert.itemInterface import (
     CoordinateVectorConstraint,
     LoadCoordinate,
@@ -23,7 +25,6 @@ from dalembert.itemInterface import (
     ObjectGenericODE2,
     SphericalJoint,
 )
-from scipy.linalg import expm
 
 Variable = exu.OutputVariableType
 

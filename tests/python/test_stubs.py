@@ -21,7 +21,7 @@ PACKAGE = Path(exu.__file__).parent
 CONFIG = """
 [mypy]
 strict = true
-mypy_path = {path}
+{path}
 cache_dir = {cache}
 
 [mypy-dalembert.*]
@@ -57,9 +57,11 @@ sys.exit(stubtest.test_stubs(stubtest.parse_options([*(f"dalembert.{name}" for n
 def config(tmp_path_factory) -> Path:
     """Settings of mypy for a user of the package that the tests run with, installed or in the source tree."""
     folder = tmp_path_factory.mktemp("mypy")
-    path = [PACKAGE.parent] if (PACKAGE / "_core_items.pyi").exists() else [PACKAGE.parent, ROOT / "generated/python"]
+    # Where the package is installed mypy finds it by itself, and refuses to be told.
+    installed = (PACKAGE / "_core_items.pyi").exists()
+    path = "" if installed else f"mypy_path = {PACKAGE.parent}:{ROOT / 'generated/python'}"
     file = folder / "mypy.ini"
-    file.write_text(CONFIG.format(path=":".join(map(str, path)), cache=folder / "cache"))
+    file.write_text(CONFIG.format(path=path, cache=folder / "cache"))
     return file
 
 
