@@ -50,18 +50,30 @@ InitialAccelerations initial_accelerations(System& system, const State& state, c
   position.rate_level = false;
   system.mass_matrix(still, pattern, mass);
   system.tangent(still, position, {.q = 1, .v = 0, .a = 0, .y = 1, .y_t = 0}, pattern, matrix);
-  if (s.ae > 0) system.tangent(still, position, {.q = 0, .v = 1, .a = 0, .y = 1, .y_t = 0}, pattern, velocity_part);
 
-  // Constraints of velocities are differentiated once, not twice; their own velocity terms are left out.
+  // Gradients are those of the rates by the velocities: Euler parameters turn a frame without their own lengthening, which
+  // the gradient of a gap contains. Constraints of velocities are differentiated once, not twice; their own velocity terms
+  // are left out.
   std::vector<char> of_velocities(static_cast<std::size_t>(s.ae), 0);
-  for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
-    if (row >= s.first_ae() && column < s.ode2 && velocity_part[slot] != 0) of_velocities[row - s.first_ae()] = 1;
-  });
+  if (s.ae > 0) {
+    const auto by_velocity = [&](const Conditions& level) {
+      system.tangent(still, level, {.q = 0, .v = 1, .a = 0, .y = 1, .y_t = 0}, pattern, velocity_part);
+    };
+    const auto each_gradient = [&](auto&& f) {
+      for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
+        if (row >= s.first_ae() && column < s.ode2) f(static_cast<std::size_t>(row - s.first_ae()), slot);
+      });
+    };
+    by_velocity(position);
+    each_gradient([&](std::size_t k, std::size_t slot) { of_velocities[k] |= velocity_part[slot] != 0; });
+    Conditions rates = position;
+    rates.rate_level = true;
+    by_velocity(rates);
+    each_gradient([&](std::size_t, std::size_t slot) { matrix[slot] = velocity_part[slot]; });
+  }
   for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
     if (row < s.first_ae() && column < s.first_ae()) {
       matrix[slot] = row < s.ode2 ? mass[slot] : (row == column ? 1.0 : 0.0);
-    } else if (row >= s.first_ae() && column < s.ode2 && of_velocities[row - s.first_ae()]) {
-      matrix[slot] = velocity_part[slot];
     } else if (row >= s.ode2 && row < s.first_ae()) {
       matrix[slot] = 0;
     }

@@ -1,0 +1,63 @@
+"""A time integration starts with the accelerations of the equations of motion, differentiated exactly."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scenes import ITEMS, SCALAR_BODIES, Variant
+from test_invariance import accelerations
+from test_virtual_work import CONSTRAINTS, NONHOLONOMIC, NOT_OF_RATES, NOT_OF_VALUES
+
+import dalembert as exu
+from dalembert._core import testing
+
+
+def has_motion(variant: Variant) -> bool:
+    """Equations that leave a motion, and that are independent at the start."""
+    item, options = ITEMS[variant.item], dict(variant.options)
+    flat = variant.planar and "Orientation" in item.requested_markers and not item.name.endswith("2D")
+    flat |= variant.planar and item.name == "ObjectJointSpherical"  # equations out of the plane
+    fixed = "NodePointGround" in variant.uses and "Coordinate" not in item.requested_markers
+    singular = options.get("alternativeConstraints", False)  # its gradients vanish where the frames agree
+    return not (flat or fixed or singular)
+
+
+# Functions of time and equations of velocities are outside the solver's equations for the start; the rate of a rotation
+# coordinate is not the rate of its value.
+START = [
+    v
+    for v in CONSTRAINTS
+    if has_motion(v)
+    and not (v.functions or dict(v.options).get("velocityLevel") or v.item in NONHOLONOMIC)
+    and not v.uses & {*NOT_OF_VALUES, *NOT_OF_RATES}
+]
+
+
+@pytest.mark.parametrize("variant", START, ids=lambda variant: variant.id)
+def test_accelerations_at_the_start(variant: Variant) -> None:
+    """The solver takes second derivatives of constraints by differences of rates: 1e-10 of their size is rounding."""
+    moving = variant.build(seed=81, closed=not any(body in SCALAR_BODIES for _, (body, _) in variant.pairs))
+    mbs = moving.mbs
+    nodes = [i for i in range(mbs.systemData.NumberOfNodes()) if len(mbs.systemData.GetNodeLTGODE2(i))]
+    sensors = [
+        mbs.AddSensor(
+            exu.SensorNode(
+                nodeNumber=i,
+                outputVariableType=exu.OutputVariableType.Coordinates_tt,
+                storeInternal=True,
+                writeToFile=False,
+            )
+        )
+        for i in nodes
+    ]
+    mbs.Assemble()
+    wanted = accelerations(moving, testing.State(mbs))
+    s = exu.SimulationSettings()
+    s.timeIntegration.endTime, s.timeIntegration.numberOfSteps, s.timeIntegration.verboseMode = 1e-9, 1, 0
+    s.timeIntegration.newton.absoluteTolerance = 1e6  # the first step itself does not matter
+    s.solutionSettings.writeSolutionToFile = False
+    mbs.SolveDynamic(s)
+    told = np.concatenate([np.atleast_2d(mbs.GetSensorStoredData(sensor))[0, 1:] for sensor in sensors])
+    scale = np.abs(wanted).max()
+    assert scale > 0.1
+    np.testing.assert_allclose(told, wanted[: len(told)], rtol=0, atol=1e-6 * scale)
