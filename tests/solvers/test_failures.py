@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import signal
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -121,6 +122,15 @@ def test_wrong_results_of_a_system_function(result: Any) -> None:
         model.mbs.SolveDynamic(settings_of(1.0, 10))
 
 
+@pytest.fixture
+def interruptible() -> Iterator[None]:
+    """Where tests run in the background, Python starts with interrupts ignored."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
+@pytest.mark.usefixtures("interruptible")
 def test_interrupt_stops_after_a_complete_step() -> None:
     def law(mbs: Any, t: float, item: int, u: float, v: float, k: float, d: float, offset: float) -> float:
         if t > 0.5 and not sent:

@@ -27,6 +27,9 @@ struct BodyPhysics final : ObjectPhysics {
   }
 
  private:
+  template <class Node>
+  using StandingOn = std::conditional_t<Node::size == 0, OnRestingNode<Body, Node>, OnNode<Body, Node>>;
+
   template <class F>
   static void choose(std::span<const ItemType* const> nodes, F&& f) {
     if constexpr (sizeof...(Nodes) == 0) {
@@ -39,7 +42,7 @@ struct BodyPhysics final : ObjectPhysics {
       ((all(Nodes::item) ? (f.template operator()<Body>(), true) : false) || ...);
     } else {
       static_assert(BodyKernel<Body>, "see core/include/dalembert/contracts/element.hpp");
-      ((nodes[0]->name == Nodes::item ? (f.template operator()<OnNode<Body, Nodes>>(), true) : false) || ...);
+      ((nodes[0]->name == Nodes::item ? (f.template operator()<StandingOn<Nodes>>(), true) : false) || ...);
     }
   }
 };

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "dalembert/contracts/element.hpp"
+#include "dalembert/batches/element_parameters.hpp"
 #include "dalembert/system/physics.hpp"
 
 namespace dalembert {
@@ -17,7 +17,7 @@ class ElementBatch final : public Term {
 
   void add(const void* record, const Placement& placement, const Ports&) override {
     Entry entry;
-    entry.parameters = static_cast<const Record*>(record)->parameters;
+    take_parameters<E, Record>(entry.parameters, record, placement);
     entry.item = placement.item;
     for (int i = 0; i < n; ++i) {
       entry.dofs[i] = placement.dofs[i];
@@ -28,7 +28,7 @@ class ElementBatch final : public Term {
   }
   void refresh(int entry, const void* record) override {
     Entry& e = entries_[entry];
-    e.parameters = static_cast<const Record*>(record)->parameters;
+    renew_parameters<E, Record>(e.parameters, record);
     e.constants = prepared<E>(e.parameters, e.reference);
   }
   void visit(BlockVisitor& visitor, const Ports&) const override {

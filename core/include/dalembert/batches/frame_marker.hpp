@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "dalembert/contracts/element.hpp"
+#include "dalembert/batches/element_parameters.hpp"
 #include "dalembert/system/physics.hpp"
 
 namespace dalembert {
@@ -68,7 +68,7 @@ class FrameMarkerBatch final : public MarkerBatch {
     Entry e;
     e.local = *static_cast<const Vec3<double>*>(local);
     if constexpr (!std::is_empty_v<typename E::Parameters>)
-      e.parameters = static_cast<const OwnerRecord*>(placement.owner)->parameters;
+      take_parameters<E, OwnerRecord>(e.parameters, placement.owner, placement);
     e.marker = placement.item;
     for (int i = 0; i < n; ++i) e.dofs[i] = placement.dofs[i];
     entries_.push_back(std::move(e));
@@ -76,7 +76,7 @@ class FrameMarkerBatch final : public MarkerBatch {
   void refresh(int entry, const void* local) override { entries_[entry].local = *static_cast<const Vec3<double>*>(local); }
   void refresh_owner(int entry, const void* record) override {
     if constexpr (!std::is_empty_v<typename E::Parameters>)
-      entries_[entry].parameters = static_cast<const OwnerRecord*>(record)->parameters;
+      renew_parameters<E, OwnerRecord>(entries_[entry].parameters, record);
   }
   void visit(BlockVisitor& visitor, const Ports&) const override {
     if constexpr (n > 0)

@@ -152,6 +152,36 @@ struct OnNode {
   }
 };
 
+// A body on a node without coordinates: it rests with the node.
+template <class Body, class Node>
+struct OnRestingNode {
+  using RestingNode = Node;
+  struct Parameters {
+    typename Body::Parameters body;
+    typename Node::Parameters node;
+  };
+  static constexpr int size = 0;
+  static constexpr bool constant_mass = true;
+
+  template <class S>
+  static Vec<S, 0> residual(const Parameters&, const Context&, const Coordinates<S, 0>&) {
+    return {};
+  }
+  template <class S>
+  static Motion<S> motion(const Parameters& p, const Coordinates<S, 0>& x, const Vec3<double>& local) {
+    const Motion<S> at_node = Node::template motion<S>(p.node, x, {});
+    return moved(at_node, at_node.rotation * local);
+  }
+  template <class S>
+  static Vec<S, 0> pull_back(const Parameters&, const Coordinates<S, 0>&, const Vec3<double>&, const Vec3<S>&, const Vec3<S>&) {
+    return {};
+  }
+  template <class S>
+  static Vec<S, 0> mass_load(const Parameters&, const Coordinates<S, 0>&, const Vec3<S>&) {
+    return {};
+  }
+};
+
 // A node alone, as an element: for markers on nodes.
 template <class Node>
 struct AtNode {

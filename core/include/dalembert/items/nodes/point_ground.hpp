@@ -8,6 +8,7 @@ namespace dalembert {
 
 struct NodePointGround {
   using Parameters = NodePointGroundParameters;
+  using Record = NodePointGroundRecord;
   static constexpr std::string_view item = "NodePointGround";
   static constexpr int size = 0;
 
