@@ -1,0 +1,79 @@
+"""IFToMM benchmark A02: N loops of parallelograms that pass their flat, singular position."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+from solving import Variable, new_system, settings
+
+import dalembert as exu
+
+GRAVITY = 9.81
+PUBLISHED = {  # N = 2: position of the first coupler's left end
+    1: (-0.1950203019, -0.9807992057),
+    5: (-0.8113104610, -0.5846155454),
+    10: (0.3284581115, 0.9445185382),
+}
+VELOCITY = (1.423051470, -0.494868845)  # after 10 s
+
+
+def parallelogram(loops: int, times: list[float]) -> np.ndarray:
+    """Position and velocity of B0 on the branch that stays a parallelogram."""
+    factor = ((loops + 1) / 2 + loops) / ((loops + 1) / 3 + loops)
+
+    def rates(t: float, x: np.ndarray) -> list[float]:
+        return [x[1], -GRAVITY * factor * np.cos(x[0])]
+
+    x = solve_ivp(rates, [0, 10], [np.pi / 2, -1], "DOP853", times, rtol=1e-13, atol=1e-13).y
+    return np.array([np.cos(x[0]), np.sin(x[0]), -np.sin(x[0]) * x[1], np.cos(x[0]) * x[1]]).T
+
+
+class Bars:
+    def __init__(self, loops: int) -> None:
+        self.mbs = new_system()
+        ground = self.mbs.AddObject(exu.ObjectGround())
+        links = [self.bar([i, 0.5, np.pi / 2], [0.5, 0, -1]) for i in range(loops + 1)]
+        couplers = [self.bar([i + 0.5, 1, 0], [1, 0, 0]) for i in range(loops)]
+        for i, link in enumerate(links):
+            self.join((ground, [i, 0, 0]), (link, [-0.5, 0, 0]))
+        for i, coupler in enumerate(couplers):
+            self.join((links[i], [0.5, 0, 0]), (coupler, [-0.5, 0, 0]))
+            self.join((links[i + 1], [0.5, 0, 0]), (coupler, [0.5, 0, 0]))
+        self.tip = links[0]
+        self.mbs.Assemble()
+
+    def bar(self, reference: list[float], velocities: list[float]) -> Any:
+        node = self.mbs.AddNode(exu.NodeRigidBody2D(referenceCoordinates=reference, initialVelocities=velocities))
+        body = self.mbs.AddObject(exu.RigidBody2D(physicsMass=1, physicsInertia=1 / 12, nodeNumber=node))
+        mass = self.mbs.AddMarker(exu.MarkerBodyMass(bodyNumber=body))
+        self.mbs.AddLoad(exu.Gravity(markerNumber=mass, loadVector=[0, -GRAVITY, 0]))
+        return body
+
+    def join(self, *ends: tuple[Any, list[float]]) -> None:
+        markers = [self.mbs.AddMarker(exu.MarkerBodyPosition(bodyNumber=b, localPosition=p)) for b, p in ends]
+        self.mbs.AddObject(exu.RevoluteJoint2D(markerNumbers=markers))
+
+    def tip_output(self, variable: Any) -> np.ndarray:
+        return self.mbs.GetObjectOutputBody(self.tip, variable, [0.5, 0, 0])[:2]
+
+
+def test_published_values() -> None:
+    states = parallelogram(2, list(PUBLISHED))
+    np.testing.assert_allclose(states[:, :2], list(PUBLISHED.values()), rtol=0, atol=1e-9)
+    np.testing.assert_allclose(states[-1, 2:], VELOCITY, rtol=0, atol=1e-8)
+
+
+@pytest.mark.parametrize("loops", [1, 2, 5])
+@pytest.mark.parametrize("end", [1, 5])
+def test_parallelogram(loops: int, end: int) -> None:
+    """Second order: h = 1 ms gives (omega h)^2 / 12 = 3e-6 per radian and some 4 rad per second, times up to four for numerical
+    damping; passing the singular position must not add to it."""
+    bars = Bars(loops)
+    bars.mbs.SolveDynamic(settings(end, 1000 * end))
+    wanted = parallelogram(loops, [end])[0]
+    error = np.linalg.norm(bars.tip_output(Variable.Position) - wanted[:2])
+    assert 1e-8 < error < 6e-5 * end
+    np.testing.assert_allclose(bars.tip_output(Variable.Velocity), wanted[2:], rtol=0, atol=6e-4 * end)
