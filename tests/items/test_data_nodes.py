@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-from scenes import ALL_VARIANTS, DATA_COORDINATES, READY, Scene
+from scenes import DATA_COORDINATES, READY, Scene
+from variants import ALL_VARIANTS
 
 import dalembert as exu
 from codegen.model import Item

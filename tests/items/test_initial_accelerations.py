@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from scenes import ITEMS, SCALAR_BODIES, Variant
+from scenes import ITEMS, SCALAR_BODIES
 from test_invariance import accelerations
 from test_virtual_work import CONSTRAINTS, NONHOLONOMIC, NOT_OF_RATES, NOT_OF_VALUES
+from variants import Variant
 
 import dalembert as exu
 from dalembert._core import testing

@@ -7,8 +7,9 @@ from typing import Any
 import numpy as np
 import pytest
 from motions import Place, random_rotation
-from scenes import ALL_VARIANTS, ITEMS, Scene, Variant
+from scenes import ITEMS, Scene
 from test_momentum import in_touch
+from variants import ALL_VARIANTS, Variant
 
 import dalembert as exu
 from dalembert._core import testing

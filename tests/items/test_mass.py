@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from scenes import BODIES, CABLE, GENERIC, ITEMS, Variant, variants_about
+from scenes import BODIES, CABLE, GENERIC, ITEMS
 from test_tangent import random_state
+from variants import Variant, variants_about
 
 from dalembert._core import testing
 

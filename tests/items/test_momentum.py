@@ -6,8 +6,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scenes import ALL_VARIANTS, ITEMS, LIE, SCALAR_BODIES, Scene, Variant
+from scenes import ITEMS, LIE, SCALAR_BODIES, Scene
 from test_tangent import random_state
+from variants import ALL_VARIANTS, Variant
 
 from dalembert._core import testing
 

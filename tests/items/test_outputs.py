@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 from motions import tait_bryan
-from scenes import ALL_VARIANTS, EP, ITEMS, LIE, READY, RXYZ, Scene, Variant, on_markers, variants_with
+from scenes import EP, ITEMS, LIE, READY, RXYZ, Scene, on_markers
+from variants import ALL_VARIANTS, Variant, variants_with
 
 import dalembert as exu
 from codegen.model import Item, Output

@@ -6,8 +6,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scenes import READY, Scene, variants_with
+from scenes import READY, Scene
 from test_outputs import find
+from variants import variants_with
 
 import dalembert as exu
 from codegen.model import Item, Parameter

@@ -6,7 +6,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scenes import ITEMS, READY, Scene, Variant, variants_with
+from scenes import ITEMS, READY, Scene
+from variants import Variant, variants_with
 
 import dalembert as exu
 from codegen.model import Item

@@ -6,7 +6,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scenes import ALL_VARIANTS, Scene, Variant
+from scenes import Scene
+from variants import ALL_VARIANTS, Variant
 
 from dalembert._core import testing
 

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from scenes import ALL_VARIANTS, ITEMS, ROTOR_1D, Scene, Variant
+from scenes import ITEMS, ROTOR_1D, Scene
 from test_tangent import moved, random_state
+from variants import ALL_VARIANTS, Variant
 
 from dalembert._core import testing
 

@@ -33,7 +33,7 @@ def exact(t: float) -> np.ndarray:
 def point_mass() -> tuple[Any, Any]:
     mbs = new_system()
     node = mbs.AddNode(exu.NodePoint2D(referenceCoordinates=[-1, 0]))
-    body = mbs.AddObject(exu.MassPoint2D(physicsMass=1, nodeNumber=node))
+    mbs.AddObject(exu.MassPoint2D(physicsMass=1, nodeNumber=node))
     pivot = mbs.AddMarker(exu.MarkerBodyPosition(bodyNumber=mbs.AddObject(exu.ObjectGround())))
     end = mbs.AddMarker(exu.MarkerNodePosition(nodeNumber=node))
     mbs.AddObject(exu.DistanceConstraint(markerNumbers=[pivot, end], distance=1))
