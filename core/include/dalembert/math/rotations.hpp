@@ -128,30 +128,9 @@ Vec3<S> rotation_vector_rate(const Vec3<S>& v, const Vec3<S>& w) {
   const Vec3<S> vw = cross(v, w);
   return w + 0.5 * vw + factor * cross(v, vw);
 }
-// Rotation vector of a rotation matrix, angle in [0, pi]; through the quaternion, stable for all angles.
-inline Vec3<double> rotation_vector_of(const Mat3<double>& r) {
-  const double trace = r(0, 0) + r(1, 1) + r(2, 2);
-  double q[4];
-  int largest = 0;
-  const double diagonal[4] = {trace, r(0, 0), r(1, 1), r(2, 2)};
-  for (int i = 1; i < 4; ++i)
-    if (diagonal[i] > diagonal[largest]) largest = i;
-  const double s = std::sqrt(largest == 0 ? 1 + trace : 1 + 2 * diagonal[largest] - trace);
-  if (largest == 0) {
-    q[0] = s, q[1] = (r(2, 1) - r(1, 2)) / s, q[2] = (r(0, 2) - r(2, 0)) / s, q[3] = (r(1, 0) - r(0, 1)) / s;
-  } else {
-    const int i = largest - 1, j = (i + 1) % 3, k = (i + 2) % 3;
-    q[1 + i] = s, q[1 + j] = (r(j, i) + r(i, j)) / s, q[1 + k] = (r(k, i) + r(i, k)) / s;
-    q[0] = (r(k, j) - r(j, k)) / s;
-  }
-  const double sign = q[0] < 0 ? -1 : 1;
-  const double length = std::sqrt(q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-  const double scale = length < 1e-300 ? 0 : sign * 2 * std::atan2(length, sign * q[0]) / length;
-  return {scale * q[1], scale * q[2], scale * q[3]};
-}
-// The same for duals, angle below pi: series near zero, where the angle itself has no derivative.
+// Rotation vector of a rotation matrix, angle below pi: series near zero, where the angle itself has no derivative.
 template <class S>
-Vec3<S> rotation_vector_of_moving(const Mat3<S>& r) {
+Vec3<S> rotation_vector_of(const Mat3<S>& r) {
   using std::atan2;
   using std::sqrt;
   const Vec3<S> sine_axis{0.5 * (r(2, 1) - r(1, 2)), 0.5 * (r(0, 2) - r(2, 0)), 0.5 * (r(1, 0) - r(0, 1))};
@@ -162,10 +141,6 @@ Vec3<S> rotation_vector_of_moving(const Mat3<S>& r) {
   }
   const S sine = sqrt(square);
   return (atan2(sine, cosine) / sine) * sine_axis;
-}
-// The rotation vector of exp(v) exp(increment).
-inline Vec3<double> rotation_vector_composed(const Vec3<double>& v, const Vec3<double>& increment) {
-  return rotation_vector_of(rotation_vector_rotation(v) * rotation_vector_rotation(increment));
 }
 
 // Rotation about z.

@@ -71,7 +71,7 @@ struct ObjectConnectorRigidBodySpringDamper {
       const Mat3<S> turn = transpose(frame) * axes.second;
       if (p.intrinsicFormulation) {
         // Logarithm of the relative rigid body motion; the joint frame is half way along it.
-        rotation = rotation_vector_of_moving(turn);
+        rotation = rotation_vector_of(turn);
         displacement = rotation_vector_rate(-rotation, displacement);
         frame = frame * rotation_vector_rotation(0.5 * rotation);
       } else {
