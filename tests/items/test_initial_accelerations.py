@@ -15,12 +15,11 @@ from dalembert._core import testing
 
 def has_motion(variant: Variant) -> bool:
     """Equations that leave a motion, and that are independent at the start."""
-    item, options = ITEMS[variant.item], dict(variant.options)
+    item = ITEMS[variant.item]
     flat = variant.planar and "Orientation" in item.requested_markers and not item.name.endswith("2D")
     flat |= variant.planar and item.name == "ObjectJointSpherical"  # equations out of the plane
     fixed = "NodePointGround" in variant.uses and "Coordinate" not in item.requested_markers
-    singular = options.get("alternativeConstraints", False)  # its gradients vanish where the frames agree
-    return not (flat or fixed or singular)
+    return not (flat or fixed)
 
 
 # Functions of time and equations of velocities are outside the solver's equations for the start; the rate of a rotation

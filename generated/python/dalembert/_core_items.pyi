@@ -4210,7 +4210,7 @@ class ObjectJointGeneric(_Object):
     offsetUserFunction_t: Callable[[MainSystem, float, int, Array], ArrayLike] | Literal[0]
     """Python function, the time derivative of ``offsetUserFunction``; a joint with this function is refused on velocity level, that is by index 2 integrators"""
     alternativeConstraints: bool
-    """True: other equations for three constrained rotations, which keep static solutions from flipping by half a turn; changes the meaning of the multipliers; experimental"""
+    """True: other equations for three constrained rotations, which keep static solutions from flipping by half a turn; experimental"""
     @property
     def visualization(self) -> VObjectJointGeneric:
         """how the item is drawn"""

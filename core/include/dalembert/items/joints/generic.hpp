@@ -3,6 +3,7 @@
 
 #include "dalembert/contracts/joint_frames.hpp"
 #include "dalembert/contracts/user_function.hpp"
+#include "dalembert/contracts/variation.hpp"
 #include "dalembert/joints/generic_parameters.hpp"
 
 namespace dalembert {
@@ -17,7 +18,8 @@ struct ObjectJointGeneric {
   static Vec<double, 6> offset(const Parameters& p, const Context& c) { return prescribed(p.offsetUserFunction, p, c); }
   static Vec<double, 6> offset_rate(const Parameters& p, const Context& c) { return prescribed(p.offsetUserFunction_t, p, c); }
 
-  // Displacements along the constrained axes, and products of axes that have to be normal to each other.
+  // Displacements along the constrained axes, and products of axes that have to be normal to each other; or, as alternative,
+  // the rotation vector between the frames, which vanishes only where they agree.
   template <class S>
   static Vec<S, 6> gap(const Parameters& p, const Context&, const RigidFrame<S>& m0, const RigidFrame<S>& m1,
                        const Vec<S, 6>& offset) {
@@ -27,7 +29,9 @@ struct ObjectJointGeneric {
     Vec<S, 6> g;
     for (int i = 0; i < 3; ++i) g[i] = along[i] - offset[i];
     if (p.alternativeConstraints && locked(p) == 3) {
-      for (int i = 0; i < 3; ++i) g[3 + i] = triple_product(axes, i) - 1.0;
+      // Signs as in the products of axes, which these equations approach where the frames agree.
+      const Vec3<S> turn = rotation_vector_of(transpose(axes.first) * axes.second);
+      g[3] = turn[0], g[4] = -turn[1], g[5] = -turn[2];
       return g;
     }
     for_each_product(p, [&](int row, int a, int b) { g[row] = dot(column(axes.first, a), column(axes.second, b)); });
@@ -37,6 +41,7 @@ struct ObjectJointGeneric {
   template <class S>
   static std::array<Wrench<S>, 2> reaction(const Parameters& p, const Context& c, const RigidFrame<S>& m0, const RigidFrame<S>& m1,
                                            const Vec<double, 6>& lambda) {
+    if (p.alternativeConstraints && locked(p) == 3) return virtual_work<ObjectJointGeneric, S>(p, c, m0, m1, lambda);
     const Vec<double, 6> now = offset(p, c);
     Vec<S, 6> o;
     for (int i = 0; i < 6; ++i) o[i] = S(now[i]);
@@ -48,13 +53,9 @@ struct ObjectJointGeneric {
       lever = cross(m1.position - m0.position, f);
     }
     std::array<Wrench<S>, 2> forces{Wrench<S>{.force = -f, .moment = -lever}, Wrench<S>{.force = f}};
-    if (p.alternativeConstraints && locked(p) == 3) {
-      for (int i = 0; i < 3; ++i) add_triple_product(axes, i, lambda[3 + i], forces);
-    } else {
-      for_each_product(p, [&](int row, int a, int b) {
-        add_moment_of_product(column(axes.first, a), column(axes.second, b), lambda[row], forces);
-      });
-    }
+    for_each_product(p, [&](int row, int a, int b) {
+      add_moment_of_product(column(axes.first, a), column(axes.second, b), lambda[row], forces);
+    });
     return forces;
   }
 
@@ -112,17 +113,6 @@ struct ObjectJointGeneric {
         f(3 + axis, low, high);
       }
     }
-  }
-
-  // a_i . (b_(i+1) x a_(i+2)) with axes a of the first and b of the second frame: 1 where the frames agree.
-  template <class S>
-  static S triple_product(const Axes<S>& axes, int i) {
-    return dot(cross(column(axes.first, (i + 2) % 3), column(axes.first, i)), column(axes.second, (i + 1) % 3));
-  }
-  template <class S>
-  static void add_triple_product(const Axes<S>& axes, int i, double lambda, std::array<Wrench<S>, 2>& forces) {
-    add_moment_of_product(cross(column(axes.first, (i + 2) % 3), column(axes.first, i)), column(axes.second, (i + 1) % 3), lambda,
-                          forces);
   }
 };
 
