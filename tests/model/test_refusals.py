@@ -152,6 +152,6 @@ def test_texts(make: Any, error: type[Exception], text: str) -> None:
     with pytest.raises(error) as caught:
         make()
     # Units are stated by the specs; the rest of the text is ours.
-    assert str(caught.value).replace(" (unit 1)", "") == text or str(caught.value) == text.replace(" (unit m)", "").replace(
-        " (unit kg)", ""
-    )
+    assert str(caught.value).replace(" (unit 1)", "") == text or str(caught.value) == text.replace(
+        " (unit m)", ""
+    ).replace(" (unit kg)", "")

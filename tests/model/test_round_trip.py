@@ -23,7 +23,12 @@ def filled(item: Item) -> Any:
 @each_item
 def test_keys_of_the_dictionary(item: Item) -> None:
     keys = list(dict(CLASSES[item.name]()))
-    expected = [f"{item.kind}Type", "name", *(r.name for r in parameters(item)), *("V" + r.name for r in item.visualization)]
+    expected = [
+        f"{item.kind}Type",
+        "name",
+        *(r.name for r in parameters(item)),
+        *("V" + r.name for r in item.visualization),
+    ]
     assert keys == expected
     assert dict(CLASSES[item.name]())[f"{item.kind}Type"] == item.type_name
 
@@ -67,7 +72,9 @@ def test_dictionaries_and_json_bring_the_item_back(item: Item, make: Any) -> Non
         names = {"name": added[0]["name"]}
         assert added[0] == added[1] == {key: plain(value) for key, value in data.items()} | names
     rows = [row.name for row in parameters(item)]
-    again = CLASSES[item.name](data["name"], **{name: read[name] for name in rows}, visualization=dict(original.visualization))
+    again = CLASSES[item.name](
+        data["name"], **{name: read[name] for name in rows}, visualization=dict(original.visualization)
+    )
     assert again == original
 
 
@@ -107,5 +114,7 @@ def test_system_keeps_all_parameters(item: Item, mbs: exu.MainSystem) -> None:
 
 @pytest.mark.parametrize("item", [item for item in ITEMS if not ready(item)], ids=lambda item: item.name)
 def test_planned_items_are_refused(item: Item, mbs: exu.MainSystem) -> None:
-    with pytest.raises(NotImplementedError, match=rf"{item.name} is specified, but its physics is planned.*{item.path}"):
+    with pytest.raises(
+        NotImplementedError, match=rf"{item.name} is specified, but its physics is planned.*{item.path}"
+    ):
         getattr(mbs, f"Add{item.kind.title()}")(CLASSES[item.name]())

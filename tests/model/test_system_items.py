@@ -136,7 +136,9 @@ def model(mbs: exu.MainSystem) -> None:
     for marker in markers[1:]:
         mbs.AddLoad(exu.Force(markerNumber=marker, loadVector=[0, 0, 1]))
     for node in nodes:
-        mbs.AddSensor(exu.SensorNode(nodeNumber=node, outputVariableType=exu.OutputVariableType.Position, writeToFile=False))
+        mbs.AddSensor(
+            exu.SensorNode(nodeNumber=node, outputVariableType=exu.OutputVariableType.Position, writeToFile=False)
+        )
 
 
 def references(mbs: exu.MainSystem) -> list[list[int]]:
@@ -151,7 +153,10 @@ def references(mbs: exu.MainSystem) -> list[list[int]]:
 
 def test_delete_node_shifts_and_invalidates(mbs: exu.MainSystem) -> None:
     model(mbs)
-    with pytest.warns(UserWarning, match=r"mbs.DeleteNode\(...\): object 2 'object2' .ObjectMassPoint.: parameter 'nodeNumber' referred to the deleted node 1 and is invalid now"):
+    with pytest.warns(
+        UserWarning,
+        match=r"mbs.DeleteNode\(...\): object 2 'object2' .ObjectMassPoint.: parameter 'nodeNumber' referred to the deleted node 1 and is invalid now",
+    ):
         mbs.DeleteNode(1)
     assert references(mbs)[:3] == [[0], [-1], [1]]
     assert references(mbs)[-3:] == [[0], [-1], [1]]
@@ -212,7 +217,9 @@ def test_set_dictionary_is_all_or_nothing(mbs: exu.MainSystem) -> None:
     before = mbs.GetDictionary()
     broken = mbs.GetDictionary()
     broken["objectList"][2]["physicsMass"] = "heavy"
-    with pytest.raises(TypeError, match=r"SetDictionary\(...\), objectList\[2\]: ObjectMassPoint, parameter 'physicsMass'"):
+    with pytest.raises(
+        TypeError, match=r"SetDictionary\(...\), objectList\[2\]: ObjectMassPoint, parameter 'physicsMass'"
+    ):
         mbs.SetDictionary(broken)
     assert same(mbs.GetDictionary(), before)
 
@@ -222,7 +229,10 @@ def test_containers() -> None:
     mbs = container.AddSystem()
     assert container.GetSystem(0) is mbs
     assert mbs.GetSystemContainer() is container
-    with pytest.raises(IndexError, match=r"SC.GetSystem\(...\), parameter 'systemNumber': received 3, but expected a number from 0 to 0"):
+    with pytest.raises(
+        IndexError,
+        match=r"SC.GetSystem\(...\), parameter 'systemNumber': received 3, but expected a number from 0 to 0",
+    ):
         container.GetSystem(3)
     with pytest.raises(ValueError, match="parameter 'mainSystem': the system already belongs to a SystemContainer"):
         container.Append(mbs)

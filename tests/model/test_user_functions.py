@@ -45,7 +45,9 @@ def test_no_function(mbs: exu.MainSystem, nothing: Any) -> None:
 def test_set_and_remove(mbs: exu.MainSystem) -> None:
     number = load(mbs, 0)
     mbs.Assemble()
-    mbs.SetLoadParameter(number, "loadVectorUserFunction", lambda system, t, vector: [7, 8, 9] if system is mbs else None)
+    mbs.SetLoadParameter(
+        number, "loadVectorUserFunction", lambda system, t, vector: [7, 8, 9] if system is mbs else None
+    )
     assert mbs.GetLoadValues(number).tolist() == [7, 8, 9]
     mbs.SetLoadParameter(number, "loadVectorUserFunction", 0)
     assert mbs.GetLoadValues(number).tolist() == [1, 2, 3]
@@ -70,7 +72,11 @@ def test_exception_keeps_its_type_and_says_where(mbs: exu.MainSystem) -> None:
 @pytest.mark.parametrize(
     ("result", "error", "text"),
     [
-        ([1, 2], ValueError, "received [1, 2] (list of length 2) as result, but expected a list or array of 3 numbers."),
+        (
+            [1, 2],
+            ValueError,
+            "received [1, 2] (list of length 2) as result, but expected a list or array of 3 numbers.",
+        ),
         (None, TypeError, "received None as result, but expected a list or array of 3 numbers"),
         ([1, 2, "x"], TypeError, "Entry 2 is 'x' (str), not a number."),
         ([1, 2, float("nan")], ValueError, "Entry 2 is nan (float), not a finite number."),

@@ -47,9 +47,7 @@ def test_smart_round_keeps_infinity():
     assert bu.SmartRound2String(math.inf) == "inf"
 
 
-@pytest.mark.parametrize(
-    ("rule", "orders"), [(bu.GaussIntegrate, (1, 3, 5, 7, 9)), (bu.LobattoIntegrate, (1, 3, 5))]
-)
+@pytest.mark.parametrize(("rule", "orders"), [(bu.GaussIntegrate, (1, 3, 5, 7, 9)), (bu.LobattoIntegrate, (1, 3, 5))])
 def test_rules_are_exact_up_to_their_order_and_not_beyond(rule, orders):
     a, b = -0.3, 1.7
     for order in orders:
