@@ -42,6 +42,9 @@ class Motion:
         vectors = (self.velocity, self.angular_velocity, self.acceleration, self.angular_acceleration)
         return Motion(place.point(self.position), q @ self.rotation, *(q @ v for v in vectors))
 
+    def at_rest(self) -> Motion:
+        return Motion(self.position, self.rotation, *(np.zeros(3) for _ in range(4)))
+
     def point(self, local: Any) -> Array:
         return self.position + self.rotation @ np.asarray(local)
 
@@ -88,8 +91,8 @@ class NodeKind:
     """`twists`: rates of the coordinates for the six unit twists (velocity, angular velocity) of the node's frame; its
     transpose turns residuals into global forces and moments. `others`: directions that do not turn with a model."""
 
-    def __init__(self, name: str, frame: str, planar: bool = False) -> None:
-        self.name, self.frame, self.planar = name, frame, planar
+    def __init__(self, name: str, frame: str, planar: bool = False, resting: bool = False) -> None:
+        self.name, self.frame, self.planar, self.resting = name, frame, planar, resting
 
     def total(self, m: Motion) -> Array:
         position = m.position[:2] if self.planar else m.position
@@ -145,7 +148,7 @@ class NodeKind:
     def item(self, reference: Motion, m: Motion) -> Any:
         start = self.total(reference)
         made = {"referenceCoordinates": start}
-        if self.name != "NodePointGround":
+        if not self.resting:
             made |= {"initialCoordinates": self.total(m) - start, "initialVelocities": self.velocities(m)}
         return getattr(exu, self.name)(**made)
 
@@ -154,7 +157,7 @@ KINDS = {
     kind.name: kind
     for kind in (
         NodeKind("NodePoint", "point"),
-        NodeKind("NodePointGround", "point"),
+        NodeKind("NodePointGround", "point", resting=True),
         NodeKind("NodeRigidBodyEP", "ep"),
         NodeKind("NodeRigidBodyRxyz", "rxyz"),
         NodeKind("NodeRigidBodyRotVecLG", "rotation_vector"),

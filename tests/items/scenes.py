@@ -21,8 +21,10 @@ if TYPE_CHECKING:
 
 ITEMS: dict[str, Item] = {item.name: item for item in load(Path(__file__).parents[2]).items}
 READY = [item for item in ITEMS.values() if item.ready]
+ON_NODES = [(item.name, node) for item in READY for node in item.nodes]
 # Bodies on ground nodes rest, and have no equations.
-BODIES = [(item.name, node) for item in READY for node in item.nodes if node != "NodePointGround"]
+RESTING = [carrier for carrier in ON_NODES if "Ground" in ITEMS[carrier[1]].provides]
+BODIES = [carrier for carrier in ON_NODES if carrier not in RESTING]
 SCALAR_BODIES = ("ObjectMass1D", "ObjectRotationalMass1D")  # one coordinate, and a frame of their own
 GENERIC = ("ObjectGenericODE2", "Points")
 CABLE = ("ObjectANCFCable2D", "NodePoint2DSlope1")
@@ -34,6 +36,7 @@ POINT, POINT_2D, RIGID_2D = (
 )
 MASS_1D, ROTOR_1D = ((name, "Node1D") for name in SCALAR_BODIES)
 GROUND, GROUND_NODE = ("ObjectGround", ""), ("", "NodePointGround")
+RESTING_POINT = ("ObjectMassPoint", "NodePointGround")
 GENERIC_NODE = ("", "NodeGenericODE2")
 FIRST_ORDER = ("ObjectGenericODE1", "NodeGenericODE1")
 DATA_COORDINATES = {  # others: 3
@@ -98,7 +101,7 @@ class Scene:
         for key, value in self.options.get(name, {}).items():
             setattr(item, key, value)
         number = self.mbs.AddNode(item)
-        if name != "NodePointGround":
+        if not kind.resting:
             self.nodes.append((number, kind, motion.at(self.place)))
         return number
 
@@ -122,12 +125,16 @@ class Scene:
             return self._first_order()
         if body == "ObjectANCFCable2D":
             return self._cable(reference, motion)
+        kind = KINDS[node]
+        if kind.resting:
+            reference = motion = motion.at_rest()
         number = self.node(node, reference, motion)
         made = self.mbs.AddObject(getattr(exu, body)(nodeNumber=number, **self._inertia(body)))
         self.bodies.append(made)
-        point = KINDS[node].frame == "point"
+        point = kind.frame == "point"
         frame = replace(motion, rotation=np.eye(3)) if point else motion
-        return Carrier(made, [number], frame, coordinates=len(KINDS[node].total(motion)), point_mass=point)
+        coordinates = 0 if kind.resting else len(kind.total(motion))
+        return Carrier(made, [number], frame, coordinates=coordinates, point_mass=point)
 
     def _inertia(self, body: str) -> dict[str, Any]:
         rng, size = self.rng, 2 if body == "ObjectRigidBody2D" else 3
@@ -144,9 +151,8 @@ class Scene:
 
     def _bare_node(self, name: str, reference: Motion, motion: Motion) -> Carrier:
         if name == "NodePointGround":
-            return Carrier(
-                None, [self.node(name, motion, motion)], Motion(motion.position, np.eye(3), *(np.zeros(3),) * 4)
-            )
+            resting = replace(motion.at_rest(), rotation=np.eye(3))
+            return Carrier(None, [self.node(name, motion, motion)], resting)
         return Carrier(None, [self._free_coordinates(3)], coordinates=3)
 
     def _free_coordinates(self, n: int) -> Any:

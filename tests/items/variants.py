@@ -22,6 +22,7 @@ from scenes import (
     POINT,
     POINT_2D,
     READY,
+    RESTING_POINT,
     RIGID_2D,
     ROTOR_1D,
     RXYZ,
@@ -129,6 +130,7 @@ def frame_pairs(rigid: bool) -> Iterator[tuple[tuple[str, tuple[str, str]], ...]
     else:
         yield (body, POINT), ("MarkerSuperElementPosition", GENERIC)
         yield (node, GROUND_NODE), (body, POINT)
+        yield (body, POINT), (body, RESTING_POINT)
         yield (body, POINT_2D), (body, CABLE)
         yield (body, MASS_1D), (body, ROTOR_1D)
         yield (node, CABLE), ("MarkerBodyRigid", RIGID_2D)

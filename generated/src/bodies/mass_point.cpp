@@ -8,6 +8,7 @@
 #include "dalembert/batches/body.hpp"
 #include "dalembert/items/bodies/mass_point.hpp"
 #include "dalembert/items/nodes/point.hpp"
+#include "dalembert/items/nodes/point_ground.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -37,7 +38,7 @@ constexpr std::array<OutputVariableType, 8> outputs{
     OutputVariableType::AngularVelocityLocal,
 };
 
-const auto& physics = BodyPhysics<ObjectMassPoint, ObjectMassPointRecord, NodePoint>{};
+const auto& physics = BodyPhysics<ObjectMassPoint, ObjectMassPointRecord, NodePoint, NodePointGround>{};
 
 }  // namespace
 
