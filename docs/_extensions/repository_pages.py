@@ -1,17 +1,17 @@
 """Pages that are made of the repository at build time, below docs/_generated: item reference, examples, Python modules.
 
-The reference is copied from generated/docs; a page for each example and module is written from its name and docstring.
+The reference is copied from generated/docs; a page for each module is written from its name and docstring.
 """
 
 from __future__ import annotations
 
-import ast
 import importlib
 import pkgutil
 from inspect import isroutine
 from pathlib import Path
 from types import FunctionType, ModuleType
 
+from example_pages import example_pages
 from sphinx.application import Sphinx
 
 ROOT = Path(__file__).parents[2]
@@ -56,24 +56,6 @@ def toctree(names: list[str], depth: int = 1) -> str:
 def reference_pages() -> dict[str, str]:
     source = ROOT / "generated/docs"
     return {f"reference/{p.relative_to(source).as_posix()}": p.read_text("utf-8") for p in source.rglob("*.rst")}
-
-
-def example_pages() -> dict[str, str]:
-    """A page per file in examples/: its docstring, and the code after it."""
-    pages = {}
-    for path in sorted((ROOT / "examples").glob("*.py")):
-        module = ast.parse(path.read_text("utf-8"))
-        first = module.body[1]
-        title = path.stem.replace("_", " ").capitalize()
-        pages[f"examples/{path.stem}.rst"] = (
-            f".. _example-{path.stem}:\n\n{heading(title)}\n{ast.get_docstring(module)}\n\n"
-            f"The file is ``examples/{path.name}``.\n\n"
-            f".. literalinclude:: ../../../examples/{path.name}\n   :language: python\n   :lines: {first.lineno}-\n"
-        )
-    names = [Path(page).stem for page in pages]
-    intro = "Complete models, each one file; they run in the tests.\n"
-    pages["examples/index.rst"] = f".. _examples:\n\n{heading('Examples')}\n{intro}\n{toctree(names)}"
-    return pages
 
 
 def documented(module: ModuleType, seen: set[int]) -> list[str]:

@@ -15,15 +15,30 @@ from codegen.load import load
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = sorted((ROOT / "examples").glob("*.py"))
+COMPARISON = re.compile(r"(.+): (-?[\d.]+) (\S+), .+ (-?[\d.]+) \3")  # what: value unit, according to what value unit
+AGREEMENT = {  # relative difference of compared values, and how many there are
+    "cantilever": (1e-3, 2),  # the bending of eight cubic elements; the axial strain of 3 N is below 3e-4
+    "slider_crank": (2e-6, 2),  # rounding of six digits
+    "four_bar": (2e-3, 2),  # accelerations of second order at 1 ms; extremes are sampled
+    "gyroscope": (2e-4, 3),  # the disc turns by 0.04 rad in a step: 0.04^2 / 12
+    "vehicle": (5e-3, 4),  # the balances leave out the pitch of the body and the drag of the steered wheels
+    "robot_arm": (1e-5, 4),  # constraints hold to Newton's tolerance; work is summed by trapezoids of 1 ms
+    "hydraulic_crane": (1e-3, 2),  # speed of the piston to four digits; the load creeps while it is lifted
+}
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=[path.stem for path in EXAMPLES])
-def test_example_runs_and_writes_its_plots(path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_example_runs_plots_and_agrees(path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("MPLBACKEND", "Agg")
     done = subprocess.run([sys.executable, str(path)], cwd=tmp_path, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
     wanted = set(re.findall(r'fileName="(\w+\.png)"', path.read_text()))
     assert wanted and wanted == {plot.name for plot in tmp_path.glob("*.png")}
+    compared = [match.groups() for line in done.stdout.splitlines() if (match := COMPARISON.fullmatch(line))]
+    tolerance, number = AGREEMENT.get(path.stem, (0.0, 0))
+    assert len(compared) == number
+    for what, value, _, reference in compared:
+        assert float(value) == pytest.approx(float(reference), rel=tolerance), what
 
 
 def test_readme_shows_the_first_example() -> None:
@@ -38,7 +53,8 @@ def test_errors_page_shows_the_real_texts(tmp_path: Path, monkeypatch: pytest.Mo
 
 
 def test_the_example_of_a_new_item_is_complete(tmp_path: Path) -> None:
-    shutil.copytree(ROOT / "specs", tmp_path / "specs")
+    for folder in ("specs", "examples"):  # specs name examples
+        shutil.copytree(ROOT / folder, tmp_path / folder)
     shutil.copy(ROOT / "docs/developer/hertz_spring.toml", tmp_path / "specs/connectors")
     item = next(item for item in load(tmp_path).items if item.stem == "connectors/hertz_spring")
     kernel = (ROOT / "docs/developer/hertz_spring.hpp").read_text()

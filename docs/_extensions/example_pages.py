@@ -1,0 +1,93 @@
+"""Pages of the examples: what a file says of itself, its pictures, what it prints, and its code.
+
+Examples are run when pages are built, side by side, each in a folder of its own below docs/_generated/examples; and not
+again before the file or the compiled package has changed.
+"""
+
+from __future__ import annotations
+
+import ast
+import os
+import re
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from importlib.util import find_spec
+from pathlib import Path
+
+from sphinx.errors import ExtensionError
+
+ROOT = Path(__file__).parents[2]
+RUNS = ROOT / "docs/_generated/examples"
+EXAMPLES = sorted((ROOT / "examples").glob("*.py"))
+
+INTRO = """\
+Complete models, each one file, which run as they are by ``dalembert run examples/name.py`` or by Python. Most print a
+result beside what theory says of it; tests hold these figures against each other.
+"""
+
+
+def pictures(path: Path) -> list[str]:
+    """Names of the files that an example plots into."""
+    return re.findall(r'fileName="(\w+\.png)"', path.read_text("utf-8"))
+
+
+def run(path: Path) -> None:
+    """Leave the pictures of an example in its folder, and what it prints in printed.txt."""
+    folder = RUNS / path.stem
+    folder.mkdir(parents=True, exist_ok=True)
+    core = Path(find_spec("dalembert._core").origin)
+    state = f"{core.stat().st_mtime_ns}\n{path.read_text('utf-8')}"
+    done = folder / "done.txt"
+    if done.exists() and done.read_text("utf-8") == state:
+        return
+    environment = os.environ | {"MPLBACKEND": "Agg"}
+    result = subprocess.run([sys.executable, str(path)], cwd=folder, env=environment, capture_output=True, text=True)
+    if result.returncode != 0:
+        raise ExtensionError(f"{path.name} fails: {result.stdout}{result.stderr}")
+    (folder / "printed.txt").write_text(result.stdout, "utf-8")
+    done.write_text(state, "utf-8")
+
+
+def title(path: Path) -> str:
+    return path.stem.replace("_", " ").capitalize()
+
+
+def page(path: Path, with_results: bool) -> str:
+    module = ast.parse(path.read_text("utf-8"))
+    name = title(path)
+    parts = [f".. _example-{path.stem}:\n\n{name}\n{'=' * len(name)}\n\n{ast.get_docstring(module)}\n"]
+    if with_results:
+        parts += [f".. image:: {path.stem}/{picture}\n   :width: 49%\n" for picture in pictures(path)]
+        parts.append(f"It prints\n\n.. literalinclude:: {path.stem}/printed.txt\n   :language: none\n")
+    parts.append(
+        f"The file is ``examples/{path.name}``.\n\n.. literalinclude:: ../../../examples/{path.name}\n"
+        f"   :language: python\n   :lines: {module.body[1].lineno}-\n"
+    )
+    return "\n".join(parts)
+
+
+def thumbnail(path: Path) -> str:
+    """The first picture, with title and summary of the example."""
+    summary = ast.get_docstring(ast.parse(path.read_text("utf-8"))).splitlines()[0]
+    return (
+        f"   .. figure:: {path.stem}/{pictures(path)[0]}\n      :target: {path.stem}.html\n"
+        f"      :alt: {title(path)}\n\n      :ref:`{title(path)} <example-{path.stem}>`. {summary}\n"
+    )
+
+
+def index(with_results: bool) -> str:
+    names = "".join(f"   {path.stem}\n" for path in EXAMPLES)
+    thumbnails = ".. container:: thumbnails\n\n" + "\n".join(map(thumbnail, EXAMPLES)) if with_results else ""
+    hidden = "   :hidden:\n" if with_results else ""
+    return f".. _examples:\n\nExamples\n========\n\n{INTRO}\n.. toctree::\n{hidden}\n{names}\n{thumbnails}"
+
+
+def example_pages() -> dict[str, str]:
+    """A page per file in examples/, and their index; without the compiled package there are no results to show."""
+    built = find_spec("dalembert") is not None
+    if built:
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            list(pool.map(run, EXAMPLES))
+    pages = {f"examples/{path.stem}.rst": page(path, built) for path in EXAMPLES}
+    return pages | {"examples/index.rst": index(built)}

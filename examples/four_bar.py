@@ -1,0 +1,96 @@
+"""A planar four-bar linkage, its crank driven at constant speed: a crank-rocker of steel bars.
+
+The diagonal from the crank pin to the bearing of the rocker parts the linkage into two triangles, from which the
+place of the rocker follows in closed form. Over a whole revolution the motor does no work: what it gives while the
+bars are lifted or gain speed, it gets back.
+"""
+
+import numpy as np
+
+import dalembert as exu
+from dalembert.utilities import *
+
+crank, coupler, rocker, base = 0.1, 0.35, 0.25, 0.4  # m, between the pins
+speed = 2 * np.pi  # rad/s
+
+
+def swing(angle):
+    """Angle of the rocker in closed form, for the pin between coupler and rocker above the base."""
+    across = crank * np.array([np.cos(angle), np.sin(angle)]) - [base, 0]
+    diagonal = np.hypot(*across)
+    corner = np.arccos((rocker**2 + diagonal**2 - coupler**2) / (2 * rocker * diagonal))
+    return np.arctan2(across[1], across[0]) % (2 * np.pi) - corner
+
+
+mbs = exu.SystemContainer().AddSystem()
+ground = mbs.CreateGround()
+
+
+def bar(start, end):
+    """A steel bar of 20 x 10 mm between two pins."""
+    vector = np.subtract(end, start)
+    return mbs.CreateRigidBody(
+        referencePosition=[*np.add(start, end) / 2, 0],
+        referenceRotationMatrix=RotationMatrixZ(np.arctan2(vector[1], vector[0])),
+        inertia=InertiaCuboid(density=7800, sideLengths=[np.hypot(*vector), 0.02, 0.01]),
+        gravity=[0, -9.81, 0],
+        create2D=True,
+    )
+
+
+def pin(body0, place0, body1, place1):
+    """A revolute joint of two bodies, at places on their axes."""
+    ends = [(body0, place0), (body1, place1)]
+    markers = [mbs.AddMarker(MarkerBodyPosition(bodyNumber=b, localPosition=[x, 0, 0])) for b, x in ends]
+    return mbs.AddObject(RevoluteJoint2D(markerNumbers=markers))
+
+
+bearing, crank_pin, foot = [0, 0], [crank, 0], [base, 0]
+rocker_pin = [base + rocker * np.cos(swing(0)), rocker * np.sin(swing(0))]
+bars = [bar(bearing, crank_pin), bar(crank_pin, rocker_pin), bar(foot, rocker_pin)]
+pin(ground, 0, bars[0], -crank / 2)
+pin(bars[0], crank / 2, bars[1], -coupler / 2)
+pin(bars[1], coupler / 2, bars[2], rocker / 2)
+pin(ground, base, bars[2], -rocker / 2)
+
+
+# the motor turns the third coordinate of the crank, from rest to full speed in the first second
+def turned(mbs, t, itemNumber, offset):
+    return speed * (t**3 - t**4 / 2 if t < 1 else t - 0.5)
+
+
+def turning(mbs, t, itemNumber, offset):
+    return speed * (3 * t**2 - 2 * t**3 if t < 1 else 1)
+
+
+motor = mbs.CreateCoordinateConstraint(
+    bodyNumbers=[ground, bars[0]], coordinates=[None, 2], offsetUserFunction=turned, offsetUserFunction_t=turning
+)
+
+angle = mbs.AddSensor(
+    SensorBody(bodyNumber=bars[2], outputVariableType=exu.OutputVariableType.Rotation, storeInternal=True)
+)
+torque = mbs.AddSensor(
+    SensorObject(objectNumber=motor, outputVariableType=exu.OutputVariableType.Force, storeInternal=True)
+)
+mbs.Assemble()
+
+settings = exu.SimulationSettings()
+settings.timeIntegration.endTime = 3.5
+settings.timeIntegration.numberOfSteps = 3500
+settings.timeIntegration.generalizedAlpha.spectralRadius = 0.8
+settings.solutionSettings.sensorsWritePeriod = 1e-3
+settings.solutionSettings.writeSolutionToFile = False
+mbs.SolveDynamic(settings)
+
+mbs.PlotSensor(angle, yLabel="swing of the rocker (rad)", fileName="four_bar_rocker.png", closeAll=True)
+mbs.PlotSensor(torque, yLabel="torque of the motor (Nm)", fileName="four_bar_torque.png")
+
+t, rocking = mbs.GetSensorStoredData(angle).T
+steady = t >= 1.5  # two revolutions at full speed
+angles = np.linspace(0, 2 * np.pi, 3601)
+exact = np.array([swing(a) for a in angles]) - swing(0)
+print(f"swing of the rocker: {np.ptp(rocking[steady]):.6f} rad, closed form {np.ptp(exact):.6f} rad")
+power = mbs.GetSensorStoredData(torque)[steady, 1] * speed
+given, taken = (np.trapezoid(np.maximum(side * power, 0), t[steady]) for side in (1, -1))
+print(f"work of the motor: {given:.3f} J, given back {taken:.3f} J")

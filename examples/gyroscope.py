@@ -1,0 +1,73 @@
+"""A gyroscope: a spinning steel disc on a shaft whose foot rests in a ball joint, let go in two ways.
+
+With the right rate of precession the axis keeps its inclination: the rate is a root of a quadratic equation. Let go
+with its axis at rest, the gyroscope nods while it precesses; conservation of energy and of two angular momenta
+tells how deep.
+"""
+
+import numpy as np
+
+import dalembert as exu
+from dalembert.utilities import *
+
+radius, width, arm, spin = 0.1, 0.02, 0.15, 2 * np.pi * 25  # m, m, m from foot to disc, rad/s about the axis
+tilt, g = np.radians(60), 9.81  # of the axis, from the vertical
+disc = InertiaCylinder(density=7800, length=width, outerRadius=radius, axis=2)
+axial = disc.inertiaTensor[2, 2]
+across = disc.inertiaTensor[0, 0] + disc.mass * arm**2  # about the foot
+weight = disc.mass * g * arm
+
+# steady precession at rate w: across cos(tilt) w^2 - axial spin w + weight = 0, the slow root
+precession = min(np.roots([across * np.cos(tilt), -axial * spin, weight]))
+# let go at rest, it turns round where the cosine u of its inclination fulfils 1 - u^2 = 2 k (cos(tilt) - u)
+k = (axial * spin) ** 2 / (4 * weight * across)
+lowest = k - np.sqrt(k**2 - 2 * k * np.cos(tilt) + 1)
+
+mbs = exu.SystemContainer().AddSystem()
+ground = mbs.CreateGround()
+turn = RotationMatrixY(tilt)
+axis = turn @ [0, 0, 1]
+
+
+def gyroscope(rate):
+    """The disc on its shaft, with spin and rate of precession about the vertical; returns a sensor of its place."""
+    omega = (spin - rate * np.cos(tilt)) * axis + np.array([0, 0, rate])
+    body = mbs.CreateRigidBody(
+        referencePosition=arm * axis,
+        referenceRotationMatrix=turn,
+        initialVelocity=np.cross(omega, arm * axis),
+        initialAngularVelocity=omega,
+        inertia=disc,
+        gravity=[0, 0, -g],
+    )
+    mbs.CreateSphericalJoint(bodyNumbers=[ground, body], position=[0, 0, 0])
+    return mbs.AddSensor(
+        SensorBody(bodyNumber=body, outputVariableType=exu.OutputVariableType.Position, storeInternal=True)
+    )
+
+
+steady, nodding = gyroscope(precession), gyroscope(0)
+mbs.Assemble()
+
+settings = exu.SimulationSettings()
+settings.timeIntegration.endTime = 2
+settings.timeIntegration.numberOfSteps = 8000
+settings.solutionSettings.sensorsWritePeriod = 1e-3
+settings.solutionSettings.writeSolutionToFile = False
+mbs.SolveDynamic(settings)
+
+mbs.PlotSensor(
+    [steady, nodding], components=[2, 2], labels=["steady", "let go at rest"], yLabel="height of the disc (m)",
+    fileName="gyroscope_height.png", closeAll=True,
+)  # fmt: skip
+mbs.PlotSensor(
+    [steady, nodding], componentsX=[0, 0], components=[1, 1], labels=["steady", "let go at rest"], xLabel="x (m)",
+    yLabel="y (m)", fileName="gyroscope_path.png",
+)  # fmt: skip
+
+t, x, y, z = mbs.GetSensorStoredData(steady).T
+azimuth = np.unwrap(np.arctan2(y, x))
+print(f"rate of precession: {(azimuth[-1] - azimuth[0]) / t[-1]:.5f} rad/s, closed form {precession:.5f} rad/s")
+print(f"height in steady precession: {z[-1]:.6f} m, closed form {arm * np.cos(tilt):.6f} m")
+height = mbs.GetSensorStoredData(nodding)[:, 3]
+print(f"lowest point of nodding: {height.min():.6f} m, closed form {arm * lowest:.6f} m")
