@@ -9,6 +9,7 @@
 #include <memory>
 #include <utility>
 
+#include "dalembert/batches/joint_tangent.hpp"
 #include "dalembert/batches/port_sweep.hpp"
 #include "dalembert/contracts/context.hpp"
 #include "dalembert/contracts/variation.hpp"
@@ -78,6 +79,11 @@ class ConstraintBatch final : public Term {
       for (int k = 0; k < m; ++k)
         if (!constrains(e.parameters, k) || !active(e.parameters)) values[diagonal[k]] += 1;
       if (!active(e.parameters)) continue;
+      if constexpr (TabulatedJoint<K>)
+        if (!evaluation.rate_level && weights.q != 0 && in_closed_form(e, ports)) {
+          closed_form(e, evaluation, weights, ports, gap_slots, values);
+          continue;
+        }
       const Context c = Context::of(evaluation, e.item);
       multiplier_columns(e, c, ports, columns, multiplier_slots, values);
       const Vec<double, m> lambda = load<double, m>(evaluation.lambda + e.first_ae);
@@ -151,6 +157,32 @@ class ConstraintBatch final : public Term {
     } else {
       return virtual_work<K, S>(p, c, f[0], f[1], lambda);
     }
+  }
+
+  static bool in_closed_form(const Entry& e, const Ports& ports) {
+    if constexpr (requires { K::tabulated(e.parameters); })
+      if (!K::tabulated(e.parameters)) return false;
+    if constexpr (requires { e.parameters.velocityLevel; })
+      if (e.parameters.velocityLevel) return false;
+    return JointTangent::fits(ports, e.markers);
+  }
+  // Slots: gaps by coordinates, multipliers transposed, coordinates by coordinates.
+  static void closed_form(const Entry& e, const Evaluation& evaluation, const Weights& weights, const Ports& ports, const int* slots,
+                          double* values) {
+    JointTangent tangent(ports, e.markers, read(ports, e));
+    const int total = Columns<2>(ports, e.markers).total;
+    const auto table = K::table(e.parameters);
+    const double* lambda = evaluation.lambda + e.first_ae;
+    std::array<double, 2 * JointTangent::most> row;
+    for (int k = 0; k < m; ++k) {
+      if (!constrains(e.parameters, k)) continue;
+      tangent.add(table[static_cast<std::size_t>(k)], lambda[k], row.data());
+      for (int j = 0; j < total; ++j) values[slots[k * total + j]] += row[j] / weights.q;
+      tangent.multiplier_column(table[static_cast<std::size_t>(k)], row.data());
+      for (int j = 0; j < total; ++j) values[slots[(m + k) * total + j]] += row[j];
+    }
+    const int* force_slots = slots + 2 * m * total;
+    tangent.forces([&](int i, int j, double value) { values[force_slots[i * total + j]] += value; });
   }
 
   // Rows of the coordinates, columns of the multipliers: J^T of the reaction to each unit multiplier.

@@ -1,7 +1,9 @@
 // Markers that pass on the frame of an element at a local point, or take a load on its whole mass.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <type_traits>
 #include <vector>
 
 #include "dalembert/batches/element_parameters.hpp"
@@ -9,12 +11,19 @@
 
 namespace dalembert {
 
-// How a frame shape reads a motion, and what generalised force its conjugate makes.
+// An element on a node that states its rotation's derivatives (contracts/rotating_node.hpp).
+template <class E>
+concept TurningElement = requires { requires !std::is_void_v<typename E::Turning>; };
+
+// How a frame shape reads a motion, and what generalised force its conjugate makes. On a turning element that is `scale`
+// times a force at `point`, and a moment.
 template <class E>
 struct PointShape {
   template <class S>
   using Frame = PointFrame<S>;
   static constexpr int values = 6, forces = 3;
+  static const Vec3<double>& point(const typename E::Parameters&, const Vec3<double>& local) { return local; }
+  static double scale(const typename E::Parameters&) { return 1; }
   template <class S>
   static Frame<S> frame(const Motion<S>& m) {
     return {m.position, m.velocity};
@@ -27,7 +36,7 @@ struct PointShape {
 };
 
 template <class E>
-struct RigidShape {
+struct RigidShape : PointShape<E> {
   template <class S>
   using Frame = RigidFrame<S>;
   static constexpr int values = 18, forces = 6;
@@ -47,6 +56,8 @@ struct MassShape {
   template <class S>
   using Frame = MassFrame<S>;
   static constexpr int values = 0, forces = 3;
+  static const Vec3<double>& point(const typename E::Parameters& p, const Vec3<double>&) { return E::Kernel::centre(p); }
+  static double scale(const typename E::Parameters& p) { return E::Kernel::mass(p); }
   template <class S>
   static auto pull_back(const typename E::Parameters& p, const Coordinates<S, E::size>& x, const Vec3<double>&,
                         const double* g) {
@@ -97,19 +108,15 @@ class FrameMarkerBatch final : public MarkerBatch {
     if constexpr (n > 0)
       for (const Entry& e : entries_) {
         const auto x = gather<n>(evaluation, e.dofs.data());
-        if constexpr (Shape::values > 0) {
-          const auto frame = Shape::frame(E::template motion<Dual<n>>(e.parameters, seeded<E>(x, weights), e.local));
-          const auto* from = reinterpret_cast<const Dual<n>*>(&frame);
-          double* to = ports.derivative(e.marker);
-          for (int i = 0; i < Shape::values; ++i)
-            for (int j = 0; j < n; ++j) *to++ = from[i].d[j];
-        }
-        double* jacobian = ports.jacobian(e.marker);
-        for (int i = 0; i < Shape::forces; ++i) {
-          std::array<double, Shape::forces> unit{};
-          unit[i] = 1;
-          const auto q = Shape::template pull_back<double>(e.parameters, x, e.local, unit.data());
-          for (int j = 0; j < n; ++j) *jacobian++ = q[j];
+        if constexpr (closed_form) {
+          using Node = typename E::Turning;
+          const auto rotation = Node::rotation_tangent(x, weights);
+          const Vec3<double>& point = Shape::point(e.parameters, e.local);
+          if constexpr (Shape::values > 0)
+            store(frame_tangent<Shape::values, Node>(rotation, point, weights), ports.derivative(e.marker));
+          store(Shape::scale(e.parameters) * force_map<Shape::forces, Node>(rotation, point), ports.jacobian(e.marker));
+        } else {
+          sweep(e, x, weights, ports);
         }
       }
   }
@@ -125,10 +132,20 @@ class FrameMarkerBatch final : public MarkerBatch {
     if constexpr (n > 0) {
       SlotCursor slot(slots.data(), values);
       for (const Entry& e : entries_) {
-        const auto x = seeded<E>(gather<n>(evaluation, e.dofs.data()), weights);
-        const auto q = Shape::template pull_back<Dual<n>>(e.parameters, x, e.local, ports.force(e.marker));
-        for (int i = 0; i < n; ++i)
-          for (int j = 0; j < n; ++j) slot.add(-q[i].d[j]);
+        const auto x = gather<n>(evaluation, e.dofs.data());
+        const double* force = ports.force(e.marker);
+        if constexpr (closed_form) {
+          const auto k = turning_geometric(e, x, weights, force);
+          slot.skip(3 * n);
+          for (int i = 0; i < n - 3; ++i) {
+            slot.skip(3);
+            for (int j = 0; j < n - 3; ++j) slot.add(-k(i, j));
+          }
+        } else {
+          const auto q = Shape::template pull_back<Dual<n>>(e.parameters, seeded<E>(x, weights), e.local, force);
+          for (int i = 0; i < n; ++i)
+            for (int j = 0; j < n; ++j) slot.add(-q[i].d[j]);
+        }
       }
     }
   }
@@ -148,6 +165,39 @@ class FrameMarkerBatch final : public MarkerBatch {
     int marker = -1;
     std::array<int, n> dofs{};
   };
+  static constexpr bool closed_form = [] {
+    if constexpr (Shape::values > 0) return TurningElement<E>;
+    else if constexpr (TurningElement<E>) return SpinBody<typename E::Kernel>;
+    else return false;
+  }();
+
+  template <int Rows>
+  static void store(const Mat<double, Rows, n>& m, double* to) {
+    std::copy(m.x.begin(), m.x.end(), to);
+  }
+  static void sweep(const Entry& e, const Coordinates<double, n>& x, const Weights& weights, Ports& ports) {
+    if constexpr (Shape::values > 0) {
+      const auto frame = Shape::frame(E::template motion<Dual<n>>(e.parameters, seeded<E>(x, weights), e.local));
+      const auto* from = reinterpret_cast<const Dual<n>*>(&frame);
+      double* to = ports.derivative(e.marker);
+      for (int i = 0; i < Shape::values; ++i) to = std::copy(from[i].d.begin(), from[i].d.end(), to);
+    }
+    double* jacobian = ports.jacobian(e.marker);
+    for (int i = 0; i < Shape::forces; ++i) {
+      std::array<double, Shape::forces> unit{};
+      unit[i] = 1;
+      const auto q = Shape::template pull_back<double>(e.parameters, x, e.local, unit.data());
+      jacobian = std::copy(q.x.begin(), q.x.end(), jacobian);
+    }
+  }
+  static auto turning_geometric(const Entry& e, const Coordinates<double, n>& x, const Weights& weights, const double* f) {
+    using Node = typename E::Turning;
+    const Vec3<double> force = Shape::scale(e.parameters) * Vec3<double>{f[0], f[1], f[2]};
+    Vec3<double> moment;
+    if constexpr (Shape::forces == 6) moment = {f[3], f[4], f[5]};
+    return force_map_tangent<Node>(x, Node::rotation_tangent(x, weights), Shape::point(e.parameters, e.local), force, moment, weights);
+  }
+
   std::vector<Entry> entries_;
 };
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "dalembert/contracts/context.hpp"
+#include "dalembert/contracts/rotating_node.hpp"
 #include "dalembert/enums.hpp"
 #include "dalembert/frames.hpp"
 #include "dalembert/math/rotations.hpp"
@@ -35,12 +36,14 @@ concept NodeKernel = requires(const Coordinates<double, N::size>& x, const Vec3<
 template <class N>
 concept LieKernel = requires { { N::lie_rotation } -> std::convertible_to<int>; };
 
+// A body says its inertia forces either at the frame of the node or, if they are simple in its own axes, as a SpinBody.
 template <class B>
-concept BodyKernel = requires(const typename B::Parameters& p, const Context& c, const Motion<double>& m, const Vec3<double>& g) {
+concept FrameBody = requires(const typename B::Parameters& p, const Context& c, const Motion<double>& m, const Vec3<double>& g) {
   { B::template residual<double>(p, c, m) } -> std::same_as<Wrench<double>>;  // r of M a + f = 0, at the node
   { B::template mass_load<double>(p, m, g) } -> std::same_as<Wrench<double>>;  // applied force of an acceleration field
-  { B::constant_mass } -> std::convertible_to<bool>;
 };
+template <class B>
+concept BodyKernel = (FrameBody<B> || SpinBody<B>) && requires { { B::constant_mass } -> std::convertible_to<bool>; };
 
 // An element may make constants of its parameters and reference coordinates, once: its residual gets them in addition.
 template <class E>
@@ -74,13 +77,12 @@ Vec<S, E::size> element_residual(const typename E::Parameters& p, const typename
   }
 }
 
-// The derivative of the residual along the weights, in closed form; tests compare it with the automatic one.
+// The derivative of the residual along the weights, in closed form; tests compare it with differences.
 template <class E>
-concept TangentKernel =
-    PreparedKernel<E> && requires(const typename E::Parameters& p, const typename E::Prepared& constants, const Context& c,
-                                  const Coordinates<double, E::size>& x, const Weights& w) {
-      { E::tangent(p, constants, c, x, w) } -> std::same_as<Mat<double, E::size, E::size>>;
-    };
+concept TangentKernel = requires(const typename E::Parameters& p, const typename PreparedOf<E>::Type& constants, const Context& c,
+                                 const Coordinates<double, E::size>& x, const Weights& w) {
+  { E::tangent(p, constants, c, x, w) } -> std::same_as<Mat<double, E::size, E::size>>;
+};
 
 template <class E>
 concept ElementKernel = requires(const typename E::Parameters& p, const typename PreparedOf<E>::Type& constants,
@@ -92,10 +94,34 @@ concept ElementKernel = requires(const typename E::Parameters& p, const typename
   { E::constant_mass } -> std::convertible_to<bool>;
 };
 
+// The own axes of a node that speaks of global ones only.
+template <class Node, class S>
+SpinMotion<S> spin_motion(const Coordinates<S, Node::size>& x) {
+  if constexpr (SpinNode<Node>) {
+    return Node::template spin_motion<S>(x);
+  } else {
+    const Motion<S> m = Node::template motion<S>(x);
+    return {m.acceleration, m.rotation, transposed_times(m.rotation, m.angular_velocity),
+            transposed_times(m.rotation, m.angular_acceleration)};
+  }
+}
+template <class Node, class S>
+Vec<S, Node::size> pull_back_spin_wrench(const Coordinates<S, Node::size>& x, const Vec3<S>& force, const Vec3<S>& moment) {
+  if constexpr (SpinNode<Node>) {
+    const auto turn = Node::template pull_back_spin<S>(x, moment);
+    Vec<S, Node::size> r{force[0], force[1], force[2]};
+    for (int i = 3; i < Node::size; ++i) r[i] = turn[i - 3];
+    return r;
+  } else {
+    return Node::template pull_back<S>(x, force, Node::template motion<S>(x).rotation * moment);
+  }
+}
+
 // A body on a node, as an element.
 template <class Body, class Node>
 struct OnNode {
   using Kernel = Body;
+  using Turning = std::conditional_t<RotatingNode<Node>, Node, void>;  // whose closed forms markers may use
   using Parameters = typename Body::Parameters;
   static constexpr int size = Node::size;
   static constexpr bool constant_mass = Body::constant_mass && Node::constant_jacobian;
@@ -106,26 +132,26 @@ struct OnNode {
 
   template <class S>
   static Vec<S, size> residual(const Parameters& p, const Context& c, const Coordinates<S, size>& x) {
-    const auto w = Body::template residual<S>(p, c, inertial_motion(x));
-    return Node::template pull_back<S>(x, w.force, w.moment);
-  }
-  // The motion that inertia forces see; a node may state another one than for its points.
-  template <class S>
-  static Motion<S> inertial_motion(const Coordinates<S, size>& x) {
-    if constexpr (requires { Node::template inertial_motion<S>(x); })
-      return Node::template inertial_motion<S>(x);
-    else
-      return Node::template motion<S>(x);
-  }
-  template <class S>
-  static Motion<S> motion(const Parameters& p, const Coordinates<S, size>& x, const Vec3<double>& local) {
-    const Motion<S> at_node = Node::template motion<S>(x);
-    if constexpr (requires { Body::place(p, at_node, local); }) return Body::place(p, at_node, local);
-    Motion<S> point = moved(at_node, at_node.rotation * local);
-    if constexpr (requires { Node::template inertial_motion<S>(x); }) {
-      const Vec3<S> spin = transposed_times(inertial_motion(x).rotation, at_node.angular_velocity);
-      point.velocity = at_node.velocity + at_node.rotation * cross(spin, local);
+    if constexpr (SpinBody<Body>) {
+      const SpinWrench<S> w = Body::template inertia<S>(p, spin_motion<Node, S>(x));
+      return pull_back_spin_wrench<Node, S>(x, w.force, w.moment);
+    } else {
+      const auto w = Body::template residual<S>(p, c, Node::template motion<S>(x));
+      return Node::template pull_back<S>(x, w.force, w.moment);
     }
+  }
+  static Mat<double, size, size> tangent(const Parameters& p, const NothingPrepared&, const Context&,
+                                         const Coordinates<double, size>& x, const Weights& w)
+    requires SpinBody<Body> && RotatingNode<Node>
+  {
+    return inertia_tangent<Body, Node>(p, x, w);
+  }
+  template <class S>
+  static Motion<S> motion(const Parameters&, const Coordinates<S, size>& x, const Vec3<double>& local) {
+    const Motion<S> at_node = Node::template motion<S>(x);
+    Motion<S> point = moved(at_node, at_node.rotation * local);
+    if constexpr (SpinNode<Node>)
+      point.velocity = at_node.velocity + at_node.rotation * cross(Node::template spin_motion<S>(x).spin, local);
     return point;
   }
   // The same virtual power as that of `motion`.
@@ -133,16 +159,22 @@ struct OnNode {
   static Vec<S, size> pull_back(const Parameters&, const Coordinates<S, size>& x, const Vec3<double>& local,
                                 const Vec3<S>& force, const Vec3<S>& moment) {
     const Mat3<S> rotation = Node::template motion<S>(x).rotation;
-    if constexpr (requires { Node::template inertial_motion<S>(x); }) {
-      const Vec3<S> turn = inertial_motion(x).rotation * cross(local, transposed_times(rotation, force));
-      return Node::template pull_back<S>(x, force, moment + turn);
+    if constexpr (SpinNode<Node>) {
+      Vec<S, size> r = Node::template pull_back<S>(x, force, moment);
+      const auto turn = Node::template pull_back_spin<S>(x, cross(local, transposed_times(rotation, force)));
+      for (int i = 3; i < size; ++i) r[i] += turn[i - 3];
+      return r;
     }
     return Node::template pull_back<S>(x, force, moment + cross(rotation * local, force));
   }
   template <class S>
   static Vec<S, size> mass_load(const Parameters& p, const Coordinates<S, size>& x, const Vec3<S>& g) {
-    const auto w = Body::template mass_load<S>(p, Node::template motion<S>(x), g);
-    return Node::template pull_back<S>(x, w.force, w.moment);
+    if constexpr (SpinBody<Body>) {
+      return pull_back(p, x, Body::centre(p), Vec3<S>(Body::mass(p) * g), Vec3<S>{});
+    } else {
+      const auto w = Body::template mass_load<S>(p, Node::template motion<S>(x), g);
+      return Node::template pull_back<S>(x, w.force, w.moment);
+    }
   }
   static bool output(const Parameters& p, const Context& c, const Coordinates<double, size>& x, const OutputRequest& request,
                      std::vector<double>& values)
@@ -186,6 +218,7 @@ struct OnRestingNode {
 template <class Node>
 struct AtNode {
   struct Parameters {};
+  using Turning = std::conditional_t<RotatingNode<Node>, Node, void>;
   static constexpr int size = Node::size;
   static constexpr int lie_rotation = OnNode<AtNode, Node>::lie_rotation;
 

@@ -123,6 +123,18 @@ constexpr auto operator+(const Mat<A, R, C>& a, const Mat<B, R, C>& b) {
   for (int i = 0; i < R * C; ++i) r.x[i] = a.x[i] + b.x[i];
   return r;
 }
+template <class A, class B, int R, int C>
+constexpr auto operator-(const Mat<A, R, C>& a, const Mat<B, R, C>& b) {
+  Mat<Mixed<A, B>, R, C> r;
+  for (int i = 0; i < R * C; ++i) r.x[i] = a.x[i] - b.x[i];
+  return r;
+}
+template <class S, int R, int C>
+constexpr auto operator*(double k, const Mat<S, R, C>& m) {
+  Mat<S, R, C> r;
+  for (int i = 0; i < R * C; ++i) r.x[i] = k * m.x[i];
+  return r;
+}
 template <class S, int R, int C>
 constexpr Vec<S, R> column(const Mat<S, R, C>& m, int j) {
   Vec<S, R> r;

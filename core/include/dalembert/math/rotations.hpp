@@ -4,6 +4,7 @@
 // Systems, chapter 6; tangent of the exponential map: Bruels, Cardona & Arnold, Mech. Mach. Theory 48 (2012).
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include "dalembert/math/dual.hpp"
@@ -26,11 +27,23 @@ Mat3<S> euler_parameters_rotation(const Vec<S, 4>& e) {
           2.0 * (b * c + a * d),       1.0 - 2.0 * (b * b + d * d), 2.0 * (c * d - a * b),
           2.0 * (b * d - a * c),       2.0 * (c * d + a * b),       1.0 - 2.0 * (b * b + c * c)};
 }
+// Derivatives of that matrix by the four parameters.
+inline std::array<Mat3<double>, 4> euler_parameters_turn(const Vec<double, 4>& e) {
+  const double a = 2 * e[0], b = 2 * e[1], c = 2 * e[2], d = 2 * e[3];
+  return {Mat3<double>{0, -d, c, d, 0, -b, -c, b, 0}, Mat3<double>{0, c, d, c, -2 * b, -a, d, a, -2 * b},
+          Mat3<double>{-2 * c, b, a, b, 0, d, -a, d, -2 * c}, Mat3<double>{-2 * d, -a, b, a, -2 * d, c, b, c, 0}};
+}
 // Angular velocity = G(e) de/dt.
 template <class S>
 Mat<S, 3, 4> euler_parameters_g(const Vec<S, 4>& e) {
   return {-2.0 * e[1], 2.0 * e[0],  -2.0 * e[3], 2.0 * e[2], -2.0 * e[2], 2.0 * e[3],
           2.0 * e[0],  -2.0 * e[1], -2.0 * e[3], -2.0 * e[2], 2.0 * e[1], 2.0 * e[0]};
+}
+// The same in local axes.
+template <class S>
+Mat<S, 3, 4> euler_parameters_local_g(const Vec<S, 4>& e) {
+  return {-2.0 * e[1], 2.0 * e[0], 2.0 * e[3], -2.0 * e[2], -2.0 * e[2], -2.0 * e[3],
+          2.0 * e[0],  2.0 * e[1], -2.0 * e[3], 2.0 * e[2], -2.0 * e[1], 2.0 * e[0]};
 }
 
 // ---- Tait-Bryan angles, R = Rx(a) Ry(b) Rz(c) ----------------------------------------------------------------------

@@ -10,27 +10,43 @@ struct ObjectRigidBody {
   using Parameters = ObjectRigidBodyParameters;
   static constexpr bool constant_mass = true;  // in the body frame; the node decides about its coordinates
 
-  // Newton-Euler equations about the node, for any rotation parameters of the node.
+  static double mass(const Parameters& p) { return p.physicsMass; }
+  static const Vec3<double>& centre(const Parameters& p) { return p.physicsCenterOfMass; }
+
+  // Newton-Euler equations about the node, for any rotation coordinates of the node.
   template <class S>
-  static Wrench<S> residual(const Parameters& p, const Context&, const Motion<S>& node) {
-    const Vec3<S> w = transposed_times(node.rotation, node.angular_velocity);
-    const Vec3<S> alpha = transposed_times(node.rotation, node.angular_acceleration);
+  static SpinWrench<S> inertia(const Parameters& p, const SpinMotion<S>& node) {
+    const Vec3<S>& w = node.spin;
     const Vec3<S> a = transposed_times(node.rotation, node.acceleration);
-    const Vec3<double>& c = p.physicsCenterOfMass;
-    const Vec3<S> force = p.physicsMass * (a + cross(alpha, c) + cross(w, cross(w, c)));
-    const Vec3<S> moment = inertia(p, alpha) + cross(w, inertia(p, w)) + p.physicsMass * cross(c, a);
-    return {.force = node.rotation * force, .moment = node.rotation * moment};
+    return {.force = p.physicsMass * node.acceleration + node.rotation * swing(p, node),
+            .moment = tensor(p, node.spin_rate) + cross(w, tensor(p, w)) + p.physicsMass * cross(centre(p), a)};
   }
-  template <class S>
-  static Wrench<S> mass_load(const Parameters& p, const Motion<S>& node, const Vec3<S>& g) {
-    const Vec3<S> weight = p.physicsMass * g;
-    return {.force = weight, .moment = cross(node.rotation * p.physicsCenterOfMass, weight)};
+  static InertiaTangent inertia_tangent(const Parameters& p, const SpinMotion<double>& node) {
+    const Vec3<double>&w = node.spin, &c = centre(p);
+    const auto& j = p.physicsInertia;
+    InertiaTangent t{.mass = p.physicsMass, .eccentric = dot(c, c) != 0, .moment = inertia(p, node).moment};
+    t.moment_by_spin_rate = {j[0], j[5], j[4], j[5], j[1], j[3], j[4], j[3], j[2]};
+    t.moment_by_spin = skew(w) * t.moment_by_spin_rate - skew(tensor(p, w));
+    if (t.eccentric) {
+      const Mat3<double> lever = p.physicsMass * skew(c);
+      t.swing = swing(p, node);
+      t.swing_by_spin_rate = -1.0 * lever;
+      t.swing_by_spin = -1.0 * (p.physicsMass * skew(cross(w, c)) + skew(w) * lever);
+      t.moment_by_acceleration = lever;
+    }
+    return t;
   }
 
  private:
+  // Inertia force of an eccentric centre of mass, in own axes, without the acceleration of the node.
+  template <class S>
+  static Vec3<S> swing(const Parameters& p, const SpinMotion<S>& node) {
+    const Vec3<double>& c = centre(p);
+    return p.physicsMass * (cross(node.spin_rate, c) + cross(node.spin, cross(node.spin, c)));
+  }
   // The inertia tensor is stored as [Jxx, Jyy, Jzz, Jyz, Jxz, Jxy].
   template <class S>
-  static Vec3<S> inertia(const Parameters& p, const Vec3<S>& x) {
+  static Vec3<S> tensor(const Parameters& p, const Vec3<S>& x) {
     const auto& j = p.physicsInertia;
     return {j[0] * x[0] + j[5] * x[1] + j[4] * x[2], j[5] * x[0] + j[1] * x[1] + j[3] * x[2],
             j[4] * x[0] + j[3] * x[1] + j[2] * x[2]};

@@ -1,6 +1,7 @@
 // ObjectJointGeneric, specs/joints/generic.toml
 #pragma once
 
+#include "dalembert/contracts/joint_equations.hpp"
 #include "dalembert/contracts/joint_frames.hpp"
 #include "dalembert/contracts/user_function.hpp"
 #include "dalembert/contracts/variation.hpp"
@@ -57,6 +58,19 @@ struct ObjectJointGeneric {
       add_moment_of_product(column(axes.first, a), column(axes.second, b), lambda[row], forces);
     });
     return forces;
+  }
+
+  // The same as a table, where nothing is prescribed.
+  static bool tabulated(const Parameters& p) { return !p.offsetUserFunction && !(p.alternativeConstraints && locked(p) == 3); }
+  static std::array<JointEquation, 6> table(const Parameters& p) {
+    using enum JointEquation::Kind;
+    std::array<JointEquation, 6> rows{};
+    for (int i = 0; i < 3; ++i)
+      rows[i] = all_translations(p) ? JointEquation{displacement, column(identity(), i)} : JointEquation{along, column(p.rotationMarker0, i)};
+    for_each_product(p, [&](int row, int a, int b) {
+      rows[row] = {product, column(p.rotationMarker0, a), column(p.rotationMarker1, b)};
+    });
+    return rows;
   }
 
   static bool output(const Parameters& p, const Context&, const RigidFrame<double>& m0, const RigidFrame<double>& m1,

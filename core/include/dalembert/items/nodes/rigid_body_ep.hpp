@@ -24,23 +24,43 @@ struct NodeRigidBodyEP {
             .angular_velocity = g * segment<4>(x.v, 3),
             .angular_acceleration = g * segment<4>(x.a, 3)};  // dG/dt de/dt = 0 for Euler parameters
   }
-  // With a proper rotation even if the parameters have drifted from unit length, so that the angular velocity in the body
-  // frame is bilinear in parameters and rates.
   template <class S>
-  static Motion<S> inertial_motion(const Coordinates<S, size>& x) {
-    Motion<S> m = motion(x);
+  static SpinMotion<S> spin_motion(const Coordinates<S, size>& x) {
     const Vec<S, 4> e = segment<4>(x.q, 3);
-    const S square = dot(e, e), inverse = 1.0 / square;
-    for (int i = 0; i < 3; ++i) {
-      m.rotation(i, i) = m.rotation(i, i) + (square - 1.0);
-      for (int j = 0; j < 3; ++j) m.rotation(i, j) = inverse * m.rotation(i, j);
-    }
-    return m;
+    const Mat<S, 3, 4> g = euler_parameters_local_g(e);
+    return {.acceleration = segment<3>(x.a, 0),
+            .rotation = euler_parameters_rotation(e),
+            .spin = g * segment<4>(x.v, 3),
+            .spin_rate = g * segment<4>(x.a, 3)};
   }
   template <class S>
   static Vec<S, size> pull_back(const Coordinates<S, size>& x, const Vec3<S>& force, const Vec3<S>& moment) {
     const Vec<S, 4> m = transposed_times(euler_parameters_g(segment<4>(x.q, 3)), moment);
     return {force[0], force[1], force[2], m[0], m[1], m[2], m[3]};
+  }
+  template <class S>
+  static Vec<S, 4> pull_back_spin(const Coordinates<S, size>& x, const Vec3<S>& moment) {
+    return transposed_times(euler_parameters_local_g(segment<4>(x.q, 3)), moment);
+  }
+
+  // Both G are linear and antisymmetric: G(e) f = -G(f) e.
+  static RotationTangent<4> rotation_tangent(const Coordinates<double, size>& x, const Weights& w) {
+    const Vec<double, 4> e = segment<4>(x.q, 3), rate = segment<4>(x.v, 3);
+    RotationTangent<4> t{.rotation = euler_parameters_rotation(e),
+                         .turn = euler_parameters_turn(e),
+                         .spin_map = euler_parameters_local_g(e),
+                         .angular_map = euler_parameters_g(e)};
+    for (Mat3<double>& turn : t.turn) turn = w.q * turn;
+    t.spin = t.spin_map * rate;
+    t.spin_tangent = w.v * t.spin_map - w.q * euler_parameters_local_g(rate);
+    t.spin_rate_tangent = w.a * t.spin_map - w.q * euler_parameters_local_g(segment<4>(x.a, 3));
+    t.angular_tangent = w.v * t.angular_map - w.q * euler_parameters_g(rate);
+    return t;
+  }
+  static Mat<double, 4, 4> moment_tangent(const Coordinates<double, size>&, const Vec3<double>& local, const Vec3<double>& global,
+                                          const Weights& w) {
+    const Vec3<double> s = (2 * w.q) * (local + global), d = (2 * w.q) * (local - global);
+    return {0, -s[0], -s[1], -s[2], s[0], 0, d[2], -d[1], s[1], -d[2], 0, d[0], s[2], d[1], -d[0], 0};
   }
 
   // Unit length.

@@ -29,6 +29,37 @@ struct NodeRigidBodyRotVecLG {
     const Vec3<S> m = transposed_times(rotation_vector_rotation(segment<3>(x.q, 3)), moment);
     return {force[0], force[1], force[2], m[0], m[1], m[2]};
   }
+  template <class S>
+  static SpinMotion<S> spin_motion(const Coordinates<S, size>& x) {
+    return {.acceleration = segment<3>(x.a, 0),
+            .rotation = rotation_vector_rotation(segment<3>(x.q, 3)),
+            .spin = segment<3>(x.v, 3),
+            .spin_rate = segment<3>(x.a, 3)};
+  }
+  template <class S>
+  static Vec3<S> pull_back_spin(const Coordinates<S, size>&, const Vec3<S>& moment) {
+    return moment;
+  }
+
+  // By increments on the group: rotation exp(increment).
+  static RotationTangent<3> rotation_tangent(const Coordinates<double, size>& x, const Weights& w) {
+    const Vec3<double> spin = segment<3>(x.v, 3);
+    RotationTangent<3> t{.rotation = rotation_vector_rotation(segment<3>(x.q, 3)), .spin = spin, .spin_map = identity()};
+    t.angular_map = t.rotation;
+    for (int j = 0; j < 3; ++j) {
+      Vec3<double> axis;
+      axis[j] = w.q;
+      t.turn[j] = t.rotation * skew(axis);
+    }
+    t.spin_tangent = w.v * identity();
+    t.spin_rate_tangent = w.a * identity();
+    t.angular_tangent = t.rotation * (w.v * identity() - w.q * skew(spin));
+    return t;
+  }
+  static Mat3<double> moment_tangent(const Coordinates<double, size>& x, const Vec3<double>&, const Vec3<double>& global,
+                                     const Weights& w) {
+    return w.q * skew(transposed_times(rotation_vector_rotation(segment<3>(x.q, 3)), global));
+  }
 };
 
 }  // namespace dalembert

@@ -1,0 +1,160 @@
+// Nodes with three displacements and rotation coordinates: bodies and markers on them see the spin, the angular velocity in
+// the node's own axes. A node that states its rotation's derivatives spares them the sweep of dual numbers.
+//
+// d(rotation) need not be skew times rotation: Euler parameters may have drifted from unit length, and stay exact here.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <type_traits>
+
+#include "dalembert/frames.hpp"
+#include "dalembert/math/fixed.hpp"
+#include "dalembert/system/evaluation.hpp"
+
+namespace dalembert {
+
+// What inertia forces see of a node. The acceleration is in global axes, spin and its rate are in the node's own.
+template <class S>
+struct SpinMotion {
+  Vec3<S> acceleration;
+  Mat3<S> rotation;
+  Vec3<S> spin, spin_rate;
+};
+// Force in global axes, moment in the node's own.
+template <class S>
+struct SpinWrench {
+  Vec3<S> force, moment;
+};
+
+template <class N>
+concept SpinNode = requires(const Coordinates<double, N::size>& x, const Vec3<double>& m) {
+  { N::template spin_motion<double>(x) } -> std::same_as<SpinMotion<double>>;
+  { N::template pull_back_spin<double>(x, m) } -> std::same_as<Vec<double, N::size - 3>>;  // of a moment in own axes
+};
+
+// Derivatives by R rotation coordinates. Maps are per rate, tangents along the weights.
+template <int R>
+struct RotationTangent {
+  Mat3<double> rotation{};
+  std::array<Mat3<double>, R> turn{};                    // of the rotation, along the weight of q
+  Vec3<double> spin{};
+  Mat<double, 3, R> spin_map{}, angular_map{};             // rates to spin, rates to angular velocity in global axes
+  Mat<double, 3, R> spin_tangent{}, spin_rate_tangent{}, angular_tangent{};
+};
+
+template <class N>
+concept RotatingNode =
+    SpinNode<N> && requires(const Coordinates<double, N::size>& x, const Vec3<double>& m, const Weights& w) {
+      { N::rotation_tangent(x, w) } -> std::same_as<RotationTangent<N::size - 3>>;
+      // of the pull-back of a moment in own axes and one in global axes, held fixed
+      { N::moment_tangent(x, m, m, w) } -> std::same_as<Mat<double, N::size - 3, N::size - 3>>;
+    };
+
+// Derivatives of a body's inertia forces: force = mass acceleration + rotation swing, and the moment in own axes.
+struct InertiaTangent {
+  double mass = 0;
+  bool eccentric = false;  // else there is no swing, and the moment does not depend on the acceleration
+  Vec3<double> swing{}, moment{};
+  Mat3<double> swing_by_spin{}, swing_by_spin_rate{};
+  Mat3<double> moment_by_spin{}, moment_by_spin_rate{}, moment_by_acceleration{};  // the acceleration in own axes
+};
+
+template <class B>
+concept SpinBody = requires(const typename B::Parameters& p, const SpinMotion<double>& m) {
+  { B::template inertia<double>(p, m) } -> std::same_as<SpinWrench<double>>;
+  { B::inertia_tangent(p, m) } -> std::same_as<InertiaTangent>;
+  { B::centre(p) } -> std::convertible_to<const Vec3<double>&>;
+  { B::mass(p) } -> std::convertible_to<double>;
+};
+
+// ---- what follows for bodies ---------------------------------------------------------------------------------------
+template <SpinBody Body, RotatingNode Node>
+Mat<double, Node::size, Node::size> inertia_tangent(const typename Body::Parameters& p, const Coordinates<double, Node::size>& x,
+                                                    const Weights& w) {
+  constexpr int n = Node::size, r = n - 3;
+  const RotationTangent<r> t = Node::rotation_tangent(x, w);
+  const SpinMotion<double> motion = Node::template spin_motion<double>(x);
+  const InertiaTangent b = Body::inertia_tangent(p, motion);
+  Mat<double, n, n> k;
+  Mat<double, 3, n> moment = {};  // of the moment in own axes
+  for (int i = 0; i < 3; ++i) k(i, i) = w.a * b.mass;
+  const Mat<double, 3, r> turning = b.moment_by_spin * t.spin_tangent + b.moment_by_spin_rate * t.spin_rate_tangent;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < r; ++j) moment(i, 3 + j) = turning(i, j);
+  if (b.eccentric) {
+    const Mat<double, 3, r> swing = t.rotation * (b.swing_by_spin * t.spin_tangent + b.swing_by_spin_rate * t.spin_rate_tangent);
+    const Mat3<double> by_acceleration = b.moment_by_acceleration * transpose(t.rotation);
+    for (int j = 0; j < r; ++j) {
+      const Vec3<double> turned = t.turn[j] * b.swing;
+      const Vec3<double> lever = b.moment_by_acceleration * transposed_times(t.turn[j], motion.acceleration);
+      for (int i = 0; i < 3; ++i) {
+        k(i, 3 + j) = turned[i] + swing(i, j);
+        moment(i, 3 + j) += lever[i];
+      }
+    }
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) moment(i, j) = w.a * by_acceleration(i, j);
+  }
+  const Mat<double, r, r> geometric = Node::moment_tangent(x, b.moment, {}, w);
+  for (int i = 0; i < r; ++i) {
+    for (int j = 0; j < n; ++j)
+      k(3 + i, j) = t.spin_map(0, i) * moment(0, j) + t.spin_map(1, i) * moment(1, j) + t.spin_map(2, i) * moment(2, j);
+    for (int j = 0; j < r; ++j) k(3 + i, 3 + j) += geometric(i, j);
+  }
+  return k;
+}
+
+// ---- what follows for markers at a point, `local` in own axes -------------------------------------------------------
+// Rows: position, velocity and, of 18 Values, the rotation row by row and the angular velocity, all in global axes.
+template <int Values, RotatingNode Node>
+Mat<double, Values, Node::size> frame_tangent(const RotationTangent<Node::size - 3>& t, const Vec3<double>& local, const Weights& w) {
+  Mat<double, Values, Node::size> d;
+  const Vec3<double> swing = cross(t.spin, local);
+  for (int i = 0; i < 3; ++i) {
+    d(i, i) = w.q;
+    d(3 + i, i) = w.v;
+  }
+  for (int j = 0; j < Node::size - 3; ++j) {
+    const Vec3<double> arm = t.turn[j] * local;
+    const Vec3<double> speed = t.turn[j] * swing + t.rotation * cross(column(t.spin_tangent, j), local);
+    for (int i = 0; i < 3; ++i) {
+      d(i, 3 + j) = arm[i];
+      d(3 + i, 3 + j) = speed[i];
+    }
+    if constexpr (Values == 18) {
+      for (int i = 0; i < 9; ++i) d(6 + i, 3 + j) = t.turn[j].x[i];
+      for (int i = 0; i < 3; ++i) d(15 + i, 3 + j) = t.angular_tangent(i, j);
+    }
+  }
+  return d;
+}
+// Rows: generalised force of a unit force and, of 6 Forces, of a unit moment, in global axes.
+template <int Forces, RotatingNode Node>
+Mat<double, Forces, Node::size> force_map(const RotationTangent<Node::size - 3>& t, const Vec3<double>& local) {
+  Mat<double, Forces, Node::size> map;
+  for (int i = 0; i < 3; ++i) map(i, i) = 1;
+  for (int j = 0; j < Node::size - 3; ++j) {
+    const Vec3<double> speed = t.rotation * cross(column(t.spin_map, j), local);
+    for (int i = 0; i < 3; ++i) {
+      map(i, 3 + j) = speed[i];
+      if constexpr (Forces == 6) map(3 + i, 3 + j) = t.angular_map(i, j);
+    }
+  }
+  return map;
+}
+// Of the pull-back of a force at the point and a moment, held fixed: by the rotation coordinates, in their rows.
+template <RotatingNode Node>
+Mat<double, Node::size - 3, Node::size - 3> force_map_tangent(const Coordinates<double, Node::size>& x,
+                                                              const RotationTangent<Node::size - 3>& t, const Vec3<double>& local,
+                                                              const Vec3<double>& force, const Vec3<double>& moment, const Weights& w) {
+  constexpr int r = Node::size - 3;
+  Mat<double, r, r> k = Node::moment_tangent(x, cross(local, transposed_times(t.rotation, force)), moment, w);
+  for (int j = 0; j < r; ++j) {
+    const Vec3<double> turned = cross(local, transposed_times(t.turn[j], force));
+    for (int i = 0; i < r; ++i) k(i, j) += t.spin_map(0, i) * turned[0] + t.spin_map(1, i) * turned[1] + t.spin_map(2, i) * turned[2];
+  }
+  return k;
+}
+
+}  // namespace dalembert
