@@ -25,7 +25,7 @@ TABLES = ("parameters", "visualization", "outputs")
 TOP_LEVEL = (
     "name", "type_name", "object_type", "short_names", "summary", "provides", "requested_nodes", "requested_markers",
     "physics",
-    "nodes", "irregular", *TABLES, "user_functions", "docs", "example",
+    "nodes", "irregular", "beyond_reference", *TABLES, "user_functions", "docs", "example",
 )  # fmt: skip
 WORD_LISTS = ("short_names", "provides", "requested_nodes", "requested_markers", "nodes")
 OUTPUT_KEYS = ("size", "unit", "from", "symbol", "doc")
@@ -77,6 +77,7 @@ def load_item(path: str, content: str, groups: Groups, enums: Mapping[str, Enum]
             **words,
             object_type=raw.get("object_type", ""),
             irregular=raw.get("irregular", ""),
+            beyond_reference=raw.get("beyond_reference"),
             parameters=_rows("parameters", tables, lambda n, r: parameter(n, r, enums)),
             visualization=_rows("visualization", tables, lambda n, r: parameter(n, r, enums)),
             outputs=_rows("outputs", tables, lambda n, r: _output(n, r, enums)),

@@ -244,6 +244,7 @@ class Item:
     requested_markers: tuple[str, ...] = ()
     nodes: tuple[str, ...] = ()
     irregular: str = ""
+    beyond_reference: str | None = None  # what it adds to the items of the reference; None: it is one of them
     equations: str = ""
     quantities: tuple[Quantity, ...] = ()
     examples: tuple[str, ...] = ()
@@ -252,6 +253,8 @@ class Item:
     def __post_init__(self) -> None:
         check_identifier(self.name)
         check_documented(self.summary, "summary")
+        if self.beyond_reference is not None:
+            check_documented(self.beyond_reference, "beyond_reference")
         _one_of("physics", self.physics, PHYSICS)
         self._check_name()
         for key, words, allowed in (

@@ -16,7 +16,7 @@ PARAMETER_KEYS = (
 )  # fmt: skip
 _KEY_TYPES: dict[str, type] = {
     "size": int, "optional": bool, "internal": bool, "aliases": list,
-    "doc": str, "unit": str, "symbol": str, "check": str, "change": str, "summary": str,
+    "doc": str, "unit": str, "symbol": str, "check": str, "change": str, "summary": str, "beyond_reference": str,
 }  # fmt: skip
 
 

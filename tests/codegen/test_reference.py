@@ -5,6 +5,8 @@ from __future__ import annotations
 import ast
 import json
 import struct
+from collections.abc import Iterable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -42,8 +44,24 @@ def items(specs: Specs) -> dict[str, Item]:
     return {item.name: item for item in specs.items}
 
 
+def differences(items: Iterable[Item]) -> dict[str, set[str]]:
+    """By what the specs are not the reference: items that lack, and others that do not say what they add to it."""
+    names = {item.name for item in items if item.beyond_reference is None}
+    return {"missing": REFERENCE.keys() - names, "without `beyond_reference`": names - REFERENCE.keys()}
+
+
 def test_the_items_are_those_of_the_reference(items: dict[str, Item]) -> None:
-    assert sorted(items) == sorted(REFERENCE)
+    assert differences(items.values()) == {"missing": set(), "without `beyond_reference`": set()}
+
+
+def test_items_beyond_the_reference_say_what_they_add(items: dict[str, Item]) -> None:
+    of_reference = items["ObjectMassPoint"]
+    silent = replace(of_reference, name="ObjectMass", path="specs/bodies/mass.toml")
+    told = replace(silent, beyond_reference="a mass without a place")
+    assert differences([*items.values(), told]) == differences(items.values())
+    assert differences([*items.values(), silent])["without `beyond_reference`"] == {"ObjectMass"}
+    denied = items | {"ObjectMassPoint": replace(of_reference, beyond_reference="says to be none of the reference")}
+    assert differences(denied.values())["missing"] == {"ObjectMassPoint"}
 
 
 @pytest.mark.parametrize("name", REFERENCE)

@@ -57,6 +57,7 @@ def test_the_example_of_a_new_item_is_complete(tmp_path: Path) -> None:
         shutil.copytree(ROOT / folder, tmp_path / folder)
     shutil.copy(ROOT / "docs/developer/hertz_spring.toml", tmp_path / "specs/connectors")
     item = next(item for item in load(tmp_path).items if item.stem == "connectors/hertz_spring")
+    assert item.ready and item.beyond_reference
     kernel = (ROOT / "docs/developer/hertz_spring.hpp").read_text()
     assert kernel.startswith(f"// {item.name}, {item.path}\n")
     assert f"struct {item.name} " in kernel
