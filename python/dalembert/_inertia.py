@@ -239,9 +239,7 @@ class InertiaMassPoint(RigidBodyInertia):
 class InertiaSphere(RigidBodyInertia):
     """Inertia of a homogeneous sphere about its centre, from its radius and either mass or density."""
 
-    def __init__(
-        self, mass: float | None = None, radius: float | None = None, density: float | None = None
-    ) -> None:
+    def __init__(self, mass: float | None = None, radius: float | None = None, density: float | None = None) -> None:
         if radius is None:
             raise shape_error("InertiaSphere: radius", "a number", radius)
         if (mass is None) == (density is None):
@@ -269,9 +267,7 @@ class InertiaHollowSphere(RigidBodyInertia):
 class InertiaCylinder(RigidBodyInertia):
     """Inertia of a homogeneous (hollow) cylinder about its centre; axis 0, 1, 2 is the x, y, z axis."""
 
-    def __init__(
-        self, density: float, length: float, outerRadius: float, axis: int, innerRadius: float = 0
-    ) -> None:
+    def __init__(self, density: float, length: float, outerRadius: float, axis: int, innerRadius: float = 0) -> None:
         if axis not in (0, 1, 2):
             raise shape_error("InertiaCylinder: axis", "0, 1 or 2", axis)
         mass = density * length * np.pi * (outerRadius**2 - innerRadius**2)

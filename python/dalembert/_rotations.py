@@ -123,9 +123,7 @@ def RotationMatrix2EulerParameters(rotationMatrix: npt.ArrayLike) -> FloatArray:
     return -p if p[0] < 0.0 else p
 
 
-def AngularVelocity2EulerParameters_t(
-    angularVelocity: npt.ArrayLike, eulerParameters: npt.ArrayLike
-) -> FloatArray:
+def AngularVelocity2EulerParameters_t(angularVelocity: npt.ArrayLike, eulerParameters: npt.ArrayLike) -> FloatArray:
     """Return the 4 rates of unit Euler parameters from the angular velocity in the global frame."""
     omega = as_vector("angularVelocity", angularVelocity, 3)
     return 0.25 * EulerParameters2G(eulerParameters).T @ omega

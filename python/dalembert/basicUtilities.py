@@ -155,9 +155,7 @@ def _legendre_rule(nPoints: int) -> tuple[list[float], list[float]]:
 
 
 # points and weights in [-1, 1]; list k is for the order 2*k+1
-gaussIntegrationPoints, gaussIntegrationWeights = map(
-    list, zip(*(_legendre_rule(n) for n in range(1, 6)), strict=True)
-)
+gaussIntegrationPoints, gaussIntegrationWeights = map(list, zip(*(_legendre_rule(n) for n in range(1, 6)), strict=True))
 lobattoIntegrationPoints = [[-1.0, 1.0], [-1.0, 0.0, 1.0], [-1.0, -math.sqrt(0.2), math.sqrt(0.2), 1.0]]
 lobattoIntegrationWeights = [[1.0, 1.0], [1 / 3, 4 / 3, 1 / 3], [1 / 6, 5 / 6, 5 / 6, 1 / 6]]
 

@@ -75,9 +75,7 @@ class InvoluteGear:
         self.maxSteps = maxSteps
         self.arcStepSize = arcStepSize
 
-        above, below = (
-            (dedendumFactor, addendumFactor) if isInternalGear else (addendumFactor, dedendumFactor)
-        )
+        above, below = (dedendumFactor, addendumFactor) if isInternalGear else (addendumFactor, dedendumFactor)
         self.addendum, self.dedendum = above * module, below * module
         self.pitchRadius = 0.5 * module * nTeeth
         self.baseRadius = self.pitchRadius * cos(self.pressureAngle)

@@ -12,9 +12,7 @@ from scipy.signal import savgol_filter
 from dalembert._checks import FloatArray, as_array, as_vector, shape_error
 
 
-def _differences(
-    where: str, x: FloatArray, forward: Any, backward: Any, derivative: int, central: bool
-) -> FloatArray:
+def _differences(where: str, x: FloatArray, forward: Any, backward: Any, derivative: int, central: bool) -> FloatArray:
     """Return finite differences of a signal, with the time steps after and before each sample."""
     if derivative == 1:
         ahead = np.diff(x, append=x[-1]) / forward

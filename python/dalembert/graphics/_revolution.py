@@ -130,8 +130,7 @@ def Basis(
     axes = length * as_matrix("Basis: rotationMatrix", rotationMatrix, (3, 3)).T
     radius = kwargs.get("radius", 0.01 * length)
     x, y, z = (
-        Arrow(p, axis, radius, rgba, headFactor, headStretch, nTiles)
-        for axis, rgba in zip(axes, colors, strict=True)
+        Arrow(p, axis, radius, rgba, headFactor, headStretch, nTiles) for axis, rgba in zip(axes, colors, strict=True)
     )
     arrows = MergeTriangleLists(MergeTriangleLists(x, y), z)
     labels = kwargs.get("labels")

@@ -416,9 +416,7 @@ def Quad(pList: npt.ArrayLike, color: npt.ArrayLike = [0.0, 0.0, 0.0, 1.0], **kw
     triangles = 4 * np.arange(nx * ny)[:, None] + np.array([0, 1, 2, 0, 2, 3])
     both = two_colors(color, kwargs.get("alternatingColor"), 2)
     odd = (np.arange(ny)[:, None] + np.arange(nx)[None, :]).ravel() % 2
-    return triangle_list(
-        grid[tiles.ravel()], triangles, np.repeat(both[odd], 4, axis=0), np.repeat(normals, 4, axis=0)
-    )
+    return triangle_list(grid[tiles.ravel()], triangles, np.repeat(both[odd], 4, axis=0), np.repeat(normals, 4, axis=0))
 
 
 def CheckerBoard(
@@ -441,6 +439,4 @@ def CheckerBoard(
     _, n1, n2 = ComputeOrthonormalBasisVectors(normal)
     a, b = 0.5 * size * n1, 0.5 * kwargs.get("size2", size) * n2
     corners = as_vector("CheckerBoard: point", point, 3) + np.array([-a - b, a - b, a + b, b - a])
-    return Quad(
-        corners, both[0], alternatingColor=both[1], nTiles=nTiles, nTilesY=kwargs.get("nTiles2", nTiles)
-    )
+    return Quad(corners, both[0], alternatingColor=both[1], nTiles=nTiles, nTilesY=kwargs.get("nTiles2", nTiles))
