@@ -76,6 +76,7 @@ class Parameter:
     internal: bool = False
     change: str = ""
     aliases: tuple[str, ...] = ()
+    typical: tuple[float, ...] = ()  # lower and upper bound of values that show in a small model; tests draw from them
 
     def __post_init__(self) -> None:
         check_identifier(self.name)
@@ -90,6 +91,14 @@ class Parameter:
             raise SpecError(NO_UNIT)
         if problem := default_problem(self.type, self.default, self.size):
             raise SpecError(f"default: {problem}")
+        if self.typical:
+            self._check_typical()
+
+    def _check_typical(self) -> None:
+        if self.type.storage != "real":
+            raise SpecError(f"typical: {self.type.name} is not one floating point number")
+        if _array_problem(self.type, list(self.typical), (2,)) or self.typical[0] > self.typical[1]:
+            raise SpecError(f"typical: {list(self.typical)!r} is not a lower and an upper bound")
 
     @property
     def effective_check(self) -> str:

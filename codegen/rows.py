@@ -12,12 +12,13 @@ from codegen.model_settings import Enum, parameter_type
 from codegen.names import nearest
 
 PARAMETER_KEYS = (
-    "type", "default", "unit", "symbol", "check", "size", "optional", "internal", "change", "aliases", "doc",
+    "type", "default", "unit", "symbol", "check", "size", "optional", "internal", "change", "aliases", "typical", "doc",
 )  # fmt: skip
 _KEY_TYPES: dict[str, type] = {
-    "size": int, "optional": bool, "internal": bool, "aliases": list,
+    "size": int, "optional": bool, "internal": bool, "aliases": list, "typical": list,
     "doc": str, "unit": str, "symbol": str, "check": str, "change": str, "summary": str, "beyond_reference": str,
 }  # fmt: skip
+_KINDS: dict[type, str] = {str: "a string", bool: "true or false", list: "a list"}
 
 
 def parse(content: str) -> dict[str, Any]:
@@ -52,10 +53,8 @@ def check_keys(table: Any, known: Iterable[str], place: str = "") -> None:
         if key not in names:
             raise SpecError(f"{prefix}unknown key {key!r}; {nearest(key, names)}")
         wanted = _KEY_TYPES.get(key)
-        if wanted is str and not isinstance(value, str):
-            raise SpecError(f"{prefix}{key}: {value!r} is not a string")
-        if wanted is bool and not isinstance(value, bool):
-            raise SpecError(f"{prefix}{key}: {value!r} is not true or false")
+        if wanted in _KINDS and not isinstance(value, wanted):
+            raise SpecError(f"{prefix}{key}: {value!r} is not {_KINDS[wanted]}")
 
 
 def text(table: Mapping[str, Any], key: str) -> str:
@@ -69,6 +68,7 @@ def text(table: Mapping[str, Any], key: str) -> str:
 
 def parameter(name: str, row: Mapping[str, Any], enums: Mapping[str, Enum]) -> Parameter:
     check_keys(row, PARAMETER_KEYS)
-    keys = {key: value for key, value in row.items() if key not in ("type", "aliases")}
     type_ = parameter_type(text(row, "type"), enums)
-    return Parameter(name=name, type=type_, aliases=tuple(row.get("aliases", ())), **keys)
+    keys: dict[str, Any] = {key: value for key, value in row.items() if key != "type"}
+    keys |= {key: tuple(keys.get(key, ())) for key in ("aliases", "typical")}
+    return Parameter(name=name, type=type_, **keys)

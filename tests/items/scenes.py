@@ -55,7 +55,7 @@ def draw(rng: np.random.Generator, row: Parameter, planar: bool = False) -> Any:
     """A random value of a parameter, within its check; None: leave the default."""
     storage = row.type.storage
     if storage == "real":
-        return rng.uniform(0.5, 1.5)
+        return rng.uniform(*(row.typical or (0.5, 1.5)))
     if row.name.startswith(("rotation", "referenceRotation")):
         return random_rotation(rng, planar)
     if storage == "matrix6":
