@@ -5,6 +5,7 @@
 
 #include "dalembert/model/errors.hpp"
 #include "dalembert/output/numbers.hpp"
+#include "combination.hpp"
 #include "rotation_increments.hpp"
 
 namespace dalembert {
@@ -179,8 +180,7 @@ void ExplicitSolver::compute_stage(int stage) {
   State& now = current();
   if (stage > 0) {
     move_from_start(rows_[static_cast<std::size_t>(stage)], now.q, now.v, now.y);
-  } else {
-    // A discontinuous iteration may have left the state elsewhere.
+  } else if (!nobody_interferes_) {  // a discontinuous iteration may have left the state elsewhere
     const State& start = start_of_step();
     now.q = start.q;
     now.v = start.v;
@@ -192,13 +192,11 @@ void ExplicitSolver::compute_stage(int stage) {
 
 void ExplicitSolver::compute_stage_rates(int stage) {
   const auto s = static_cast<std::size_t>(stage);
-  const State& now = current();
   if (stage > 0 || !first_stage_known_) {
-    rates(stage_y_[s]);
-    if (!accelerations(stage_v_[s])) return;
+    if (!accelerations(stage_v_[s], stage_y_[s])) return;
     if (stage == 0) first_stage_known_ = nobody_interferes_;
   }
-  stage_q_[s] = now.v;
+  std::swap(stage_q_[s], current().v);  // the next stage writes all velocities
   if (!lie_) return;
   for (const System::LieBlock& block : system().lie_blocks()) {
     const auto r = static_cast<std::size_t>(block.rotation);
@@ -208,9 +206,8 @@ void ExplicitSolver::compute_stage_rates(int stage) {
       for (std::size_t k = 0; k < 3; ++k) turned[k] += factor * stage_q_[static_cast<std::size_t>(j)][r + k];
     }
     const auto t = inverse_tangent_operator(turned.data());
-    for (int k = 0; k < 3; ++k) {
-      stage_q_[s][r + static_cast<std::size_t>(k)] = t(k, 0) * now.v[r] + t(k, 1) * now.v[r + 1] + t(k, 2) * now.v[r + 2];
-    }
+    const Vec3<double> rate = t * load<double, 3>(&stage_q_[s][r]);
+    for (int k = 0; k < 3; ++k) stage_q_[s][r + static_cast<std::size_t>(k)] = rate[k];
   }
 }
 
@@ -218,32 +215,35 @@ void ExplicitSolver::compute_stage_rates(int stage) {
 void ExplicitSolver::move_from_start(const Vector& weights, Vector& q, Vector& v, Vector& y) {
   const State& start = start_of_step();
   const double h = it.currentStepSize;
-  q = start.q;
-  v = start.v;
-  y = start.y;
-  if (lie_) std::fill(turn_.begin(), turn_.end(), 0.0);
-  for (std::size_t j = 0; j < weights.size(); ++j) {
-    if (weights[j] == 0) continue;
-    const double factor = weights[j] * h;
-    add(q, factor, stage_q_[j]);
-    add(v, factor, stage_v_[j]);
-    add(y, factor, stage_y_[j]);
-    if (lie_) add(turn_, factor, stage_q_[j]);
-  }
-  if (lie_) system().compose(start.q, turn_, q);
+  const auto advance = [&](Vector& x, const Vector& from, const std::vector<Vector>& rates) {
+    if (x.empty()) return;
+    std::array<WeightedVector, RungeKuttaMethod::max_stages> terms;
+    std::size_t count = 0;
+    for (std::size_t j = 0; j < weights.size(); ++j) {
+      if (weights[j] != 0) terms[count++] = {weights[j] * h, rates[j].data()};
+    }
+    combine(x, from, std::span(terms.data(), count));
+  };
+  advance(q, start.q, stage_q_);
+  advance(v, start.v, stage_v_);
+  advance(y, start.y, stage_y_);
+  if (!lie_) return;
+  std::fill(turn_.begin(), turn_.end(), 0.0);
+  advance(turn_, turn_, stage_q_);
+  system().compose(start.q, turn_, q);
 }
 
 void ExplicitSolver::end_of_step() {
   State& now = current();
-  rates(now.y_t);
   if (settings().timeIntegration.explicitIntegration.computeEndOfStepAccelerations) {
-    if (!accelerations(now.a)) return;
+    if (!accelerations(now.a, now.y_t)) return;
     end_known_ = nobody_interferes_;
     if (end_known_) {
       end_a_ = now.a;
       end_y_t_ = now.y_t;
     }
   } else {
+    rates(now.y_t);
     now.a = stage_v_.back();
   }
   eliminate(now.a);
@@ -253,13 +253,13 @@ void ExplicitSolver::end_of_step() {
 void ExplicitSolver::verlet_step() {
   State& now = current();
   const double h = it.currentStepSize;
-  add(now.v, 0.5 * h, now.a);
+  for (std::size_t i = 0; i < now.q.size(); ++i) {
+    now.v[i] += 0.5 * h * now.a[i];
+    now.q[i] += h * now.v[i];
+  }
   if (lie_) {
     for (std::size_t i = 0; i < turn_.size(); ++i) turn_[i] = h * now.v[i];
-    add(now.q, h, now.v);
     system().compose(start_of_step().q, turn_, now.q);
-  } else {
-    add(now.q, h, now.v);
   }
   eliminate(now.q);
   eliminate(now.v);
@@ -277,7 +277,7 @@ void ExplicitSolver::rates(Vector& y_t) {
   system().rates(current(), conditions_, y_t);
 }
 
-bool ExplicitSolver::accelerations(Vector& a) {
+bool ExplicitSolver::accelerations(Vector& a, std::span<double> y_t) {
   if (!constant_mass_) {
     const TimedPart time(timer, timer.massMatrix);
     if (const int row = mass_.update(system(), current()); row != LinearSolver::success) {
@@ -287,7 +287,7 @@ bool ExplicitSolver::accelerations(Vector& a) {
   }
   {
     const TimedPart time(timer, timer.ODE2RHS);
-    system().forces(current(), conditions_, a);
+    system().right_hand_sides(current(), conditions_, a, y_t);
   }
   const TimedPart time(timer, timer.newtonIncrement);
   mass_.solve(a);

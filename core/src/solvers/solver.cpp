@@ -145,7 +145,6 @@ bool Solver::solve_steps() {
     while (!conv.stepReductionFailed && !end_reached && !stop_) {
       if (time_to_look()) poll();
       if (stop_) break;
-      system_->begin_step(current());
       start_of_step() = current();
       save_start_of_step();
       while (!conv.stepReductionFailed) {
@@ -197,7 +196,6 @@ void Solver::step_failed(int& steps_since_reduction) {
 }
 
 void Solver::step_succeeded(int& steps_since_reduction) {
-  system_->end_step(current());
   finish_step(true);
   ++steps_since_reduction;
   if (steps_since_reduction >= recovery_steps() && it.newtonSteps + it.discontinuousIteration <= recovery_iterations()) {

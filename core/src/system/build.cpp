@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -49,12 +50,31 @@ class Builder {
       parts_.has_history = parts_.has_history || term->has_history();
     }
     for (const auto& batch : parts_.marker_batches) parts_.has_history = parts_.has_history || batch->has_history();
+    make_plan();
     parts_.structure = model_.structure_changes();
     parts_.values = model_.value_changes();
   }
 
  private:
   using TypeList = std::vector<const ItemType*>;
+
+  // Terms without an acting entry are left out: ground.
+  void make_plan() {
+    std::set<const Batch*> loads;
+    for (const LoadPlace& load : parts_.loads) loads.insert(load.member.batch);
+    EvaluationPlan& plan = parts_.plan;
+    for (const auto& batch : parts_.marker_batches)
+      (acting_.contains(batch.get()) ? plan.moving : plan.resting).push_back(batch.get());
+    for (const auto& term : parts_.terms)
+      if (acting_.contains(term.get())) (loads.contains(term.get()) ? plan.loads : plan.terms).push_back(term.get());
+  }
+  static bool has_coordinates(const Placement& p) {
+    return !p.dofs.empty() || !p.ode1.empty() || p.data_count > 0 || p.first_ae >= 0;
+  }
+  void enter(Batch& batch, const void* record, const Placement& p, bool acts) {
+    if (acts) acting_.insert(&batch);
+    batch.add(record, p, parts_.ports);
+  }
 
   void name_items() {
     for (int k = 0; k < item_kinds; ++k)
@@ -161,7 +181,7 @@ class Builder {
     MarkerBatch& batch = *place.member.batch;
     place.member.entry = entries_[&batch]++;
     parts_.ports.append(batch.value_count(record, p), batch.force_count(record, p), p.dofs);
-    batch.add(record, p, parts_.ports);
+    enter(batch, record, p, has_coordinates(p));
     parts_.markers.push_back(std::move(place));
   }
 
@@ -271,7 +291,7 @@ class Builder {
     const TypeList types = node_types(place.nodes);
     place.member.batch = &term({place.type, place.type, types}, [&] { return physics.make_batch(types); }, ItemKind::object, number);
     place.member.entry = entries_[place.member.batch]++;
-    place.member.batch->add(place.record.get(), p, parts_.ports);
+    enter(*place.member.batch, place.record.get(), p, has_coordinates(p) || !p.markers.empty());
   }
 
   void place_node_conditions() {
@@ -282,7 +302,7 @@ class Builder {
       p.item = i;
       p.first_ae = node.ae;
       Term& batch = term({node.type, node.type, {}}, [&] { return node.physics->make_condition(); }, ItemKind::node, i);
-      batch.add(node.record.get(), p, parts_.ports);
+      enter(batch, node.record.get(), p, true);
     }
   }
 
@@ -297,7 +317,7 @@ class Builder {
     const void* variant = fixed ? static_cast<const void*>(&physics) : item.type;
     place.member.batch = &term({variant, item.type, {}}, [&] { return physics.make_batch(fixed); }, ItemKind::load, number);
     place.member.entry = entries_[place.member.batch]++;
-    place.member.batch->add(item.record.get(), p, parts_.ports);
+    enter(*place.member.batch, item.record.get(), p, true);
     parts_.loads.push_back(std::move(place));
   }
 
@@ -306,6 +326,7 @@ class Builder {
   std::map<Key, MarkerBatch*> marker_batches_;
   std::map<Key, Term*> terms_;
   std::map<const Batch*, int> entries_;
+  std::set<const Batch*> acting_;
   std::vector<int> first_ae_;
 };
 

@@ -79,7 +79,10 @@ Evaluation SystemParts::output_evaluation(const State& state) {
 }
 
 void SystemParts::update_ports(const Evaluation& e) {
-  each(marker_batches, [&](const MarkerBatch& batch) { batch.evaluate(e, ports); });
+  const auto evaluate = [&](const MarkerBatch& batch) { batch.evaluate(e, ports); };
+  if (!plan.resting_evaluated) each(plan.resting, evaluate);
+  plan.resting_evaluated = true;
+  each(plan.moving, evaluate);
 }
 
 void SystemParts::bind(const Pattern& pattern) {
@@ -110,18 +113,14 @@ class Flagged {
   bool& flag_;
 };
 
-bool is_load(const SystemParts& parts, const Term& term) {
-  return std::ranges::any_of(parts.loads, [&](const LoadPlace& load) { return load.member.batch == &term; });
-}
-
 void add_residual(SystemParts& parts, const Evaluation& e, double* r, bool loads = true) {
   const Flagged evaluating(parts.evaluating);
   parts.update_ports(e);
   std::fill(parts.ports.forces.begin(), parts.ports.forces.end(), 0.0);
-  each(parts.terms, [&](const Term& term) {
-    if (loads || !is_load(parts, term)) term.residual(e, parts.ports, r);
-  });
-  each(parts.marker_batches, [&](const MarkerBatch& batch) { batch.pull_back(e, parts.ports, r); });
+  const auto add = [&](const Term& term) { term.residual(e, parts.ports, r); };
+  each(parts.plan.terms, add);
+  if (loads) each(parts.plan.loads, add);
+  each(parts.plan.moving, [&](const MarkerBatch& batch) { batch.pull_back(e, parts.ports, r); });
   for (int i = 0; i < parts.sizes.ode1; ++i) r[parts.sizes.ode2 + i] -= e.y_t[i];
 }
 
@@ -144,11 +143,12 @@ void System::tangent(const State& state, const Conditions& conditions, const Wei
   if (!conditions.follows_residual || evaluated_ != &state)
     add_residual(parts, e, parts.work.data(), conditions.loads);  // the forces on markers, for the geometric part
   const Flagged evaluating(parts.evaluating);
-  each(parts.marker_batches, [&](const MarkerBatch& batch) { batch.evaluate_tangent(e, weights, parts.ports); });
-  each(parts.terms, [&](const Term& term) {
-    if (conditions.loads || !is_load(parts, term)) term.tangent(e, weights, parts.ports, values.data());
-  });
-  each(parts.marker_batches, [&](const MarkerBatch& batch) { batch.geometric(e, weights, parts.ports, values.data()); });
+  const EvaluationPlan& plan = parts.plan;
+  each(plan.moving, [&](const MarkerBatch& batch) { batch.evaluate_tangent(e, weights, parts.ports); });
+  const auto add = [&](const Term& term) { term.tangent(e, weights, parts.ports, values.data()); };
+  each(plan.terms, add);
+  if (conditions.loads) each(plan.loads, add);
+  each(plan.moving, [&](const MarkerBatch& batch) { batch.geometric(e, weights, parts.ports, values.data()); });
   for (const int slot : parts.rate_slots) values[slot] -= weights.y_t;
 }
 
@@ -179,25 +179,25 @@ void System::mass_matrix(const State& state, const Pattern& pattern, std::span<d
 }
 
 void System::forces(const State& state, const Conditions& conditions, std::span<double> rhs) {
+  right_hand_sides(state, conditions, rhs, {});
+}
+
+void System::rates(const State& state, const Conditions& conditions, std::span<double> y_t) {
+  right_hand_sides(state, conditions, {}, y_t);
+}
+
+void System::right_hand_sides(const State& state, const Conditions& conditions, std::span<double> rhs, std::span<double> y_t) {
   evaluated_ = nullptr;
   ++evaluations_;
   SystemParts& parts = *parts_;
-  Conditions resting = conditions;
-  resting.inertia = false;
-  Evaluation e = parts.evaluation(state, resting);
+  Evaluation e = parts.evaluation(state, conditions);
+  e.inertia = false;
   const auto zeros = parts.work.begin() + sizes_.total();
   e.lambda = &*zeros;
   std::fill(parts.work.begin(), zeros, 0.0);
   add_residual(parts, e, parts.work.data());
-  for (int i = 0; i < sizes_.ode2; ++i) rhs[i] = -parts.work[i];
-}
-
-void System::rates(const State& state, const Conditions& conditions, std::span<double> y_t) {
-  evaluated_ = nullptr;
-  SystemParts& parts = *parts_;
-  std::fill(parts.work.begin(), parts.work.begin() + sizes_.total(), 0.0);
-  add_residual(parts, parts.evaluation(state, conditions), parts.work.data());
-  for (int i = 0; i < sizes_.ode1; ++i) y_t[i] = parts.work[sizes_.ode2 + i] + state.y_t[i];
+  for (std::size_t i = 0; i < rhs.size(); ++i) rhs[i] = -parts.work[i];
+  for (std::size_t i = 0; i < y_t.size(); ++i) y_t[i] = parts.work[sizes_.ode2 + i] + state.y_t[i];
 }
 
 void System::gaps(const State& state, const Conditions& conditions, std::span<double> g) {

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-System::System() : parts_(std::make_unique<SystemParts>()) {}
+System::System() : parts_(std::make_unique<SystemParts>()), states_(parts_->states.data()) {}
 System::~System() = default;
 
 void System::assemble(const Model& model) {
@@ -23,6 +23,7 @@ void System::assemble(const Model& model) {
   // Behind the residual: zeros, for multipliers or displacements that are left out of an evaluation.
   parts->work.assign(sizes_.total() + std::max({sizes_.ode2, sizes_.ae, 1}), 0);
   parts_ = std::move(parts);
+  states_ = parts_->states.data();
   assembled_ = true;
 }
 
@@ -32,6 +33,7 @@ void System::refresh(const Model& model) {
   SystemParts& parts = *parts_;
   if (!assembled_ || parts.structure != model.structure_changes() || parts.values == model.value_changes()) return;
   evaluated_ = nullptr;
+  parts.plan.resting_evaluated = false;
   const auto [changed, all_known] = model.changed_since(parts.values);
   parts.values = model.value_changes();
   const auto renew = [&](ItemKind kind, int number) {
@@ -71,17 +73,11 @@ void System::refresh(const Model& model) {
     for (int i = 0; i < model.count(static_cast<ItemKind>(k)); ++i) renew(static_cast<ItemKind>(k), i);
 }
 
-State& System::state(ConfigurationType configuration) { return parts_->state(configuration); }
-const State& System::state(ConfigurationType configuration) const { return parts_->state(configuration); }
-
 bool System::constant_mass_matrix() const { return parts_->constant_mass; }
 bool System::has_lie_nodes() const { return !parts_->lie_blocks.empty(); }
 std::span<const System::LieBlock> System::lie_blocks() const { return parts_->lie_blocks; }
 std::span<const double> System::static_signs() const { return parts_->static_signs; }
 bool System::has_discontinuities() const { return parts_->has_history; }
-
-void System::begin_step(State& state) { parts_->state(ConfigurationType::StartOfStep) = state; }
-void System::end_step(State&) {}
 
 std::span<const int> System::object_ltg(int object, Coordinates kind) const {
   return parts_->objects.at(static_cast<std::size_t>(object)).ltg[static_cast<std::size_t>(kind)];

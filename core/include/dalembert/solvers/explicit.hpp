@@ -40,7 +40,8 @@ class ExplicitSolver : public Solver {
   void compute_stage(int stage);
   void move_from_start(const Vector& weights, Vector& q, Vector& v, Vector& y);
   void compute_stage_rates(int stage);
-  bool accelerations(Vector& a);
+  // With `y_t`, also the rates of ODE1 coordinates.
+  bool accelerations(Vector& a, std::span<double> y_t = {});
   void rates(Vector& y_t);
   void eliminate(Vector& x) const;
   void find_eliminated_coordinates();

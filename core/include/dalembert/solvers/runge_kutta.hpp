@@ -9,6 +9,7 @@
 namespace dalembert {
 
 struct RungeKuttaMethod {
+  static constexpr std::size_t max_stages = 8;
   int stages = 0;
   int order = 0;                // the higher one of an embedded pair
   std::vector<double> a;        // row by row, stages x stages

@@ -58,6 +58,13 @@ struct SensorPlace {
   std::shared_ptr<const void> record;
 };
 
+// The batches that an evaluation visits, in this order. Markers without coordinates rest: their frames are evaluated once.
+struct EvaluationPlan {
+  std::vector<const MarkerBatch*> moving, resting;
+  std::vector<const Term*> terms, loads;
+  bool resting_evaluated = false;
+};
+
 struct SystemParts {
   Sizes sizes;
   std::vector<NodePlace> nodes;
@@ -70,6 +77,7 @@ struct SystemParts {
   // In the order of evaluation. Bodies come first: their order of entries fixes the order of sums.
   std::vector<std::unique_ptr<Term>> terms;
   std::vector<std::unique_ptr<MarkerBatch>> marker_batches;
+  EvaluationPlan plan;
   std::vector<System::LieBlock> lie_blocks;
   Ports ports;
   std::vector<double> static_signs;  // of the algebraic variables

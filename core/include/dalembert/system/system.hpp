@@ -54,8 +54,8 @@ class System {
 
   const Sizes& sizes() const { return sizes_; }
   // Current, Initial, Reference (q and y only), StartOfStep, Visualization.
-  State& state(ConfigurationType configuration);
-  const State& state(ConfigurationType configuration) const;
+  State& state(ConfigurationType configuration) { return states_[static_cast<std::size_t>(configuration)]; }
+  const State& state(ConfigurationType configuration) const { return states_[static_cast<std::size_t>(configuration)]; }
 
   // r has sizes().total() entries and is overwritten. Not const: markers and work space are kept.
   void residual(const State& state, const Conditions& conditions, std::span<double> r);
@@ -71,6 +71,8 @@ class System {
   void forces(const State& state, const Conditions& conditions, std::span<double> rhs);
   // ODE1 right-hand side only; sizes().ode1 entries.
   void rates(const State& state, const Conditions& conditions, std::span<double> y_t);
+  // Both at once; what has no entries is left out.
+  void right_hand_sides(const State& state, const Conditions& conditions, std::span<double> rhs, std::span<double> y_t);
   // Constraint equations only; sizes().ae entries.
   void gaps(const State& state, const Conditions& conditions, std::span<double> g);
 
@@ -92,9 +94,6 @@ class System {
 
   // Update data coordinates after a converged Newton loop (friction, contact, post-Newton user functions of items).
   Discontinuity post_newton(State& state, const Conditions& conditions);
-  // Called once at the start and at the end of each accepted step (items with history take over their state).
-  void begin_step(State& state);
-  void end_step(State& state);
   bool has_discontinuities() const;
 
   // Which items act on a row of the system vector, for diagnoses: "object 3 'joint' (JointRevoluteZ), equation 2".
@@ -121,6 +120,7 @@ class System {
 
  private:
   std::unique_ptr<SystemParts> parts_;
+  State* states_;  // of the parts, by ConfigurationType
   Sizes sizes_;
   bool assembled_ = false;
   const State* evaluated_ = nullptr;  // whose marker frames and forces the ports hold

@@ -1,0 +1,47 @@
+// Sums of weighted vectors in one pass over memory; terms are added from left to right.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace dalembert {
+
+struct WeightedVector {
+  double factor;
+  const double* x;
+};
+
+template <std::size_t N>
+void add_weighted(double* sum, const double* base, const WeightedVector* terms, std::size_t size) {
+  std::array<WeightedVector, N> t;
+  std::copy_n(terms, N, t.begin());
+#pragma GCC ivdep
+  for (std::size_t i = 0; i < size; ++i) {
+    double s = base[i];
+    for (std::size_t k = 0; k < N; ++k) s += t[k].factor * t[k].x[i];
+    sum[i] = s;
+  }
+}
+
+// sum = base + all terms, none of which is `sum`.
+inline void combine(std::vector<double>& sum, const std::vector<double>& base, std::span<const WeightedVector> terms) {
+  const std::size_t n = sum.size();
+  const double* from = base.data();
+  do {
+    const std::size_t count = std::min<std::size_t>(terms.size(), 4);
+    switch (count) {
+      case 0: std::copy_n(from, n, sum.begin()); break;
+      case 1: add_weighted<1>(sum.data(), from, terms.data(), n); break;
+      case 2: add_weighted<2>(sum.data(), from, terms.data(), n); break;
+      case 3: add_weighted<3>(sum.data(), from, terms.data(), n); break;
+      default: add_weighted<4>(sum.data(), from, terms.data(), n); break;
+    }
+    from = sum.data();
+    terms = terms.subspan(count);
+  } while (!terms.empty());
+}
+
+}  // namespace dalembert
