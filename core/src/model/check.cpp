@@ -1,6 +1,7 @@
 // What must hold before a model can be assembled.
 #include <algorithm>
 #include <optional>
+#include <unordered_map>
 
 #include "dalembert/model/errors.hpp"
 #include "dalembert/model/member.hpp"
@@ -36,12 +37,20 @@ std::vector<std::string_view> names_of(Requirement ports) {
   return names;
 }
 
-Requirement provided_by(const ItemType& type) {
-  Requirement provided = Requirement::none;
-  for (const PortName& entry : port_names)
-    if (provides(type, entry.name)) provided = provided | entry.port;
-  return provided;
-}
+// What item types provide, looked up once per type.
+class Provisions {
+ public:
+  Requirement of(const ItemType& type) {
+    const auto [found, is_new] = known_.try_emplace(&type, Requirement::none);
+    if (is_new)
+      for (const PortName& entry : port_names)
+        if (provides(type, entry.name)) found->second = found->second | entry.port;
+    return found->second;
+  }
+
+ private:
+  std::unordered_map<const ItemType*, Requirement> known_;
+};
 
 bool is_body(const ItemType& type) {
   return type.category == "Body" || type.category == "FiniteElement" || type.category == "SuperElement";
@@ -49,7 +58,8 @@ bool is_body(const ItemType& type) {
 
 class Checker {
  public:
-  Checker(const Model& model, ItemKind kind, int number) : model_(model), kind_(kind), number_(number) {}
+  Checker(const Model& model, Provisions& provisions, ItemKind kind, int number)
+      : model_(model), provisions_(provisions), kind_(kind), number_(number) {}
 
   void run() const {
     const ItemType& type = *item().type;
@@ -97,17 +107,16 @@ class Checker {
   // Does the item that a row refers to provide what this item requests?
   void check_target(const Row& row, ItemKind target, int value, const ItemType& found) const {
     const ItemType& type = *item().type;
-    const std::string named = model_.describe(target, value);
     Requirement requested = Requirement::none;
     if (target == ItemKind::node) requested = type.requested_node;
     if (target == ItemKind::marker) requested = type.requested_marker;
-    if (!meets(provided_by(found), requested)) {
-      complain(row, named + ", which provides " + join({found.provides.begin(), found.provides.end()}),
+    if (requested != Requirement::none && !meets(provisions_.of(found), requested)) {
+      complain(row, model_.describe(target, value) + ", which provides " + join({found.provides.begin(), found.provides.end()}),
                with_article(kind_name(target)) + " that provides " + join(names_of(requested)),
                "Use another type of " + std::string(kind_name(target)) + " here");
     }
     if (target == ItemKind::object && row.name.starts_with("body") && !is_body(found)) {
-      complain(row, named, "a body (also ground, a finite element or a super element)",
+      complain(row, model_.describe(target, value), "a body (also ground, a finite element or a super element)",
                "Markers and sensors of bodies do not work on connectors; use the index of a body");
     }
   }
@@ -138,6 +147,7 @@ class Checker {
   }
 
   const Model& model_;
+  Provisions& provisions_;
   ItemKind kind_;
   int number_;
 };
@@ -145,9 +155,10 @@ class Checker {
 }  // namespace
 
 void Model::check() const {
+  Provisions provisions;
   for (int k = 0; k < item_kinds; ++k) {
     const ItemKind kind = static_cast<ItemKind>(k);
-    for (int i = 0; i < count(kind); ++i) Checker(*this, kind, i).run();
+    for (int i = 0; i < count(kind); ++i) Checker(*this, provisions, kind, i).run();
   }
 }
 

@@ -20,6 +20,13 @@ bool has_name(const Row& row, std::string_view name) {
 
 }  // namespace
 
+std::string default_name(ItemKind kind, int number) { return std::string(kind_name(kind)) + std::to_string(number); }
+
+std::string describe_item(ItemKind kind, int number, const std::string& name, const ItemType& type) {
+  return std::string(kind_name(kind)) + " " + std::to_string(number) + " '" + (name.empty() ? default_name(kind, number) : name) +
+         "' (" + std::string(type.name) + ")";
+}
+
 std::string_view kind_name(ItemKind kind) {
   return word(std::array<std::string_view, 5>{"node", "object", "marker", "load", "sensor"}, kind);
 }

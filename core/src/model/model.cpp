@@ -13,8 +13,6 @@ namespace {
 // So many single changes are remembered; after more of them everything is taken to have changed.
 constexpr std::size_t remembered_changes = 4096;
 
-std::string default_name(ItemKind kind, int number) { return std::string(kind_name(kind)) + std::to_string(number); }
-
 void refuse_planned(const ItemType& type) {
   Complaint complaint;
   complaint.problem = std::string(type.name) + " is specified, but its physics is planned and not yet part of this release";
@@ -63,11 +61,8 @@ int Model::number(ItemKind kind, std::string_view name) const {
 }
 
 std::string Model::describe(ItemKind kind, int number) const {
-  std::string text = std::string(kind_name(kind)) + " " + std::to_string(number);
-  if (const Item* item = find_item(kind, number)) {
-    text += " '" + name(kind, number) + "' (" + std::string(item->type->name) + ")";
-  }
-  return text;
+  if (const Item* item = find_item(kind, number)) return describe_item(kind, number, item->name, *item->type);
+  return std::string(kind_name(kind)) + " " + std::to_string(number);
 }
 
 // Default names belong to the item with that number, so that every item has a name of its own.

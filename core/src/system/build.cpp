@@ -79,7 +79,7 @@ class Builder {
   void name_items() {
     for (int k = 0; k < item_kinds; ++k)
       for (int i = 0; i < model_.count(static_cast<ItemKind>(k)); ++i)
-        parts_.names[k].push_back(model_.describe(static_cast<ItemKind>(k), i));
+        parts_.given_names[k].push_back(model_.items(static_cast<ItemKind>(k))[i].name);
   }
 
   const Physics& physics(ItemKind kind, int number) const {
@@ -100,6 +100,11 @@ class Builder {
       place.ode1 = take(parts_.sizes.ode1, place.sizes.ode1);
       place.ae = take(parts_.sizes.ae, place.sizes.ae);
       place.data = take(parts_.sizes.data, place.sizes.data);
+      if (place.sizes.ode2 > 0) {
+        NodeValues values;
+        place.physics->values(item.record.get(), values);
+        reference_.insert(reference_.end(), values.reference.begin(), values.reference.end());
+      }
       if (place.physics->lie_rotation() >= 0) parts_.lie_blocks.push_back({place.ode2 + place.physics->lie_rotation()});
       parts_.nodes.push_back(std::move(place));
     }
@@ -141,11 +146,8 @@ class Builder {
         p.first_data = node.data;
         p.data_count = node.sizes.data;
       }
-      if (node.sizes.ode2 > 0) {
-        NodeValues values;
-        node.physics->values(node.record.get(), values);
-        p.reference.insert(p.reference.end(), values.reference.begin(), values.reference.end());
-      }
+      if (node.sizes.ode2 > 0)
+        p.reference.insert(p.reference.end(), reference_.begin() + node.ode2, reference_.begin() + node.ode2 + node.sizes.ode2);
     }
     return p;
   }
@@ -167,7 +169,7 @@ class Builder {
     const void* record = item.record.get();
     p.owner = place.object >= 0 ? parts_.objects[place.object].record.get() : parts_.nodes[place.node].record.get();
     p.owner_type = place.object >= 0 ? parts_.objects[place.object].type : parts_.nodes[place.node].type;
-    physics.check(record, p, parts_.ports, parts_.names[2][number]);
+    physics.check(record, p, parts_.ports, model_.describe(ItemKind::marker, number));
     if (physics.passes_frame(shape, local, record)) {
       record = &local;
       place.member.batch = &frame_batch(number, place, shape, types);
@@ -285,9 +287,9 @@ class Builder {
     p.first_ae = first_ae_[number];
     for (const int marker : place.markers)
       if (!dynamic_cast<const MarkerPhysics&>(*parts_.markers[marker].type->physics).has_rate())
-        refuse(ErrorKind::value, {parts_.names[1][number], "markerNumbers", parts_.names[2][marker] + " gives no velocity", "",
+        refuse(ErrorKind::value, {model_.describe(ItemKind::object, number), "markerNumbers", model_.describe(ItemKind::marker, marker) + " gives no velocity", "",
                                   "markers on coordinates of second order", "Markers on coordinates of first order take loads only"});
-    physics.check(place.record.get(), p, parts_.ports, parts_.names[1][number]);
+    physics.check(place.record.get(), p, parts_.ports, model_.describe(ItemKind::object, number));
     const TypeList types = node_types(place.nodes);
     place.member.batch = &term({place.type, place.type, types}, [&] { return physics.make_batch(types); }, ItemKind::object, number);
     place.member.entry = entries_[place.member.batch]++;
@@ -328,6 +330,7 @@ class Builder {
   std::map<const Batch*, int> entries_;
   std::set<const Batch*> acting_;
   std::vector<int> first_ae_;
+  std::vector<double> reference_;  // of the ODE2 coordinates
 };
 
 // Copy a node's own values into a stretch of a system vector.

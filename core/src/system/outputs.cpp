@@ -151,7 +151,7 @@ std::vector<double> System::node_output(int node, Variable variable, Configurati
     return r;
   };
   if (place.physics->motion(place.record.get(), now, m) && frame_output(variable, m, reference, values)) return values;
-  no_output(parts.names[0][static_cast<std::size_t>(node)], variable, place.type->outputs);
+  no_output(parts.describe(ItemKind::node, node), variable, place.type->outputs);
 }
 
 std::vector<double> System::body_output(int object, Variable variable, std::array<double, 3> local,
@@ -177,7 +177,7 @@ std::vector<double> System::body_output(int object, Variable variable, std::arra
     return r;
   };
   if (batch->motion(entry, e, at, m) && frame_output(variable, m, reference, values)) return values;
-  no_output(parts.names[1][static_cast<std::size_t>(object)], variable, place.type->outputs);
+  no_output(parts.describe(ItemKind::object, object), variable, place.type->outputs);
 }
 
 std::vector<double> System::object_output(int object, Variable variable, ConfigurationType configuration) {
@@ -187,7 +187,7 @@ std::vector<double> System::object_output(int object, Variable variable, Configu
 std::vector<double> System::super_element_output(int object, Variable variable, int mesh_node, ConfigurationType configuration) {
   const ObjectPlace& place = parts_->objects.at(static_cast<std::size_t>(object));
   if (mesh_node < 0 || mesh_node >= static_cast<int>(place.nodes.size()))
-    refuse(ErrorKind::value, {parts_->names[1][static_cast<std::size_t>(object)], "meshNodeNumber", "", std::to_string(mesh_node),
+    refuse(ErrorKind::value, {parts_->describe(ItemKind::object, object), "meshNodeNumber", "", std::to_string(mesh_node),
                               "a mesh node from 0 to " + std::to_string(static_cast<int>(place.nodes.size()) - 1), ""});
   return node_output(place.nodes[static_cast<std::size_t>(mesh_node)], variable, configuration);
 }
@@ -212,7 +212,7 @@ std::vector<double> System::marker_output(int marker, Variable variable, Configu
     return r;
   };
   if (place.member.batch->motion(place.member.entry, e, m) && frame_output(variable, m, reference, values)) return values;
-  no_output(parts.names[2][static_cast<std::size_t>(marker)], variable, {});
+  no_output(parts.describe(ItemKind::marker, marker), variable, {});
 }
 
 std::vector<double> System::load_values(int load, double time) {
@@ -261,7 +261,7 @@ std::vector<double> System::sensor_values(int sensor, ConfigurationType configur
   }
   if (kind == "Load") return load_values(as.operator()<SensorLoadRecord>().loadNumber.value, state(configuration).time);
   if (kind == "UserFunction") return user_sensor(*this, as.operator()<SensorUserFunctionRecord>(), sensor, configuration);
-  refuse(ErrorKind::planned, {parts_->names[4][static_cast<std::size_t>(sensor)], "", "this sensor's physics is planned", "", "", ""});
+  refuse(ErrorKind::planned, {parts_->describe(ItemKind::sensor, sensor), "", "this sensor's physics is planned", "", "", ""});
 }
 
 }  // namespace dalembert

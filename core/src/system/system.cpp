@@ -102,6 +102,20 @@ std::vector<int> System::node_ltg(int node, Coordinates kind) const {
   return ltg;
 }
 
+std::string SystemParts::describe(ItemKind kind, int number) const {
+  const auto i = static_cast<std::size_t>(number);
+  const auto type = [&] {
+    switch (kind) {
+      case ItemKind::node: return nodes[i].type;
+      case ItemKind::object: return objects[i].type;
+      case ItemKind::marker: return markers[i].type;
+      case ItemKind::load: return loads[i].type;
+      default: return sensors[i].type;
+    }
+  };
+  return describe_item(kind, number, given_names[static_cast<std::size_t>(kind)][i], *type());
+}
+
 std::string System::describe_row(int row) const {
   const SystemParts& parts = *parts_;
   const auto within = [](int index, int first, int count) { return first >= 0 && index >= first && index < first + count; };
@@ -112,12 +126,13 @@ std::string System::describe_row(int row) const {
     const int first = algebraic ? n.ae : ode1 ? n.ode1 : n.ode2;
     const int count = algebraic ? n.sizes.ae : ode1 ? n.sizes.ode1 : n.sizes.ode2;
     if (within(index, first, count))
-      return parts.names[0][i] + (algebraic ? ", equation " : ", coordinate ") + std::to_string(index - first);
+      return parts.describe(ItemKind::node, static_cast<int>(i)) + (algebraic ? ", equation " : ", coordinate ") +
+             std::to_string(index - first);
   }
   for (std::size_t i = 0; i < parts.objects.size(); ++i) {
     const auto& ae = parts.objects[i].ltg[static_cast<std::size_t>(Coordinates::ae)];
     if (algebraic && !ae.empty() && within(index, ae.front(), static_cast<int>(ae.size())))
-      return parts.names[1][i] + ", equation " + std::to_string(index - ae.front());
+      return parts.describe(ItemKind::object, static_cast<int>(i)) + ", equation " + std::to_string(index - ae.front());
   }
   return "row " + std::to_string(row);
 }

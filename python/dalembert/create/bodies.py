@@ -63,7 +63,7 @@ def CreateGround(
 def _add_gravity(mbs: Any, node: Any, body: Any, gravity: Vector, returnDict: bool) -> Any:
     """Add the weight of a body, if there is gravity, and return what a Create function of a body returns."""
     numbers = {"nodeNumber": node, "bodyNumber": body}
-    if np.any(np.asarray(gravity) != 0.0):
+    if any(g != 0.0 for g in gravity):
         marker = mbs.AddMarker(items.MarkerBodyMass(bodyNumber=body))
         numbers["markerBodyMass"] = marker
         numbers["loadNumber"] = mbs.AddLoad(items.LoadMassProportional(markerNumber=marker, loadVector=gravity))

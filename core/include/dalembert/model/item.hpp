@@ -24,6 +24,10 @@ struct Item {
   }
 };
 
+// "node 3 'foot' (NodePoint)"; the default name stands in for an empty one.
+std::string describe_item(ItemKind kind, int number, const std::string& name, const ItemType& type);
+std::string default_name(ItemKind kind, int number);  // 'node3'
+
 std::string_view kind_name(ItemKind kind);    // "node"
 std::string_view kind_title(ItemKind kind);   // "Node"
 std::string_view index_name(ItemKind kind);   // "NodeIndex"

@@ -72,7 +72,7 @@ struct SystemParts {
   std::vector<MarkerPlace> markers;
   std::vector<LoadPlace> loads;
   std::vector<SensorPlace> sensors;
-  std::array<std::vector<std::string>, 5> names;  // "node 3 'foot' (NodePoint)", for diagnoses
+  std::array<std::vector<std::string>, item_kinds> given_names;  // empty: the default name
 
   // In the order of evaluation. Bodies come first: their order of entries fixes the order of sums.
   std::vector<std::unique_ptr<Term>> terms;
@@ -97,6 +97,7 @@ struct SystemParts {
   std::vector<double> work;
   bool evaluating = false;
 
+  std::string describe(ItemKind kind, int number) const;  // for diagnoses
   State& state(ConfigurationType c) { return states[static_cast<std::size_t>(c)]; }
   Evaluation evaluation(const State& state, const Conditions& conditions);
   Evaluation output_evaluation(const State& state);
