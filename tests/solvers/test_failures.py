@@ -30,7 +30,7 @@ def test_singular_matrix_names_the_coordinate() -> None:
     model.mbs.Assemble()
     with pytest.raises(SolverError) as caught:
         model.mbs.SolveStatic(settings_of(1.0, 10))
-    assert caught.value.causingRow == 1
+    assert (caught.value.causingRow, caught.value.stepIndex) == (1, 1)
     assert "the system matrix is singular in step 1" in caught.value.diagnosis
     assert "'loose'" in caught.value.diagnosis
 
@@ -64,6 +64,7 @@ def test_newton_without_convergence_tells_where_and_what_to_try() -> None:
         model.mbs.SolveDynamic(settings)
     error = caught.value
     assert "Newton's method did not converge in step 4 at time 0.4 (step size 0.1)" in error.diagnosis
+    assert error.stepIndex == 4
     assert error.time == pytest.approx(0.4)
     assert error.newtonSteps == settings.timeIntegration.newton.maxIterations
     assert error.residual > 1

@@ -154,7 +154,7 @@ bool Solver::solve_steps() {
         }
         step_failed(steps_since_reduction);
       }
-      ++it.currentStepIndex;
+      if (!conv.stepReductionFailed) ++it.currentStepIndex;
       end_reached = it.currentTime >= it.endTime - 1e-10;
     }
   } catch (...) {
