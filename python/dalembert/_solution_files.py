@@ -12,11 +12,12 @@ import numpy as np
 import numpy.typing as npt
 
 from dalembert._checks import FloatArray
-from dalembert._core import ConfigurationType, Print
+from dalembert._core import ConfigurationType, MainSolverImplicitSecondOrder, Print
 
 Path = str | os.PathLike[str]
 
 _MAGIC = b"EXUBIN"
+_RESTART_MAGIC = b"#dalembert restart file"
 _HEADER_LINES = 5
 _HEADER_TITLE = "#number of written coordinates"
 _END_OF_FILE = -1  # length of a row that marks the end of a binary file
@@ -248,11 +249,24 @@ def SetSolutionState(
 
 
 def InitializeFromRestartFile(mbs: Any, simulationSettings: Any, restartFileName: Path, verbose: bool = True) -> None:
-    """Go on from the last complete row of a solution file: it becomes the current, initial and visualized state.
+    """Go on from a restart file, or from the last complete row of a solution file: current, initial and shown state.
 
     Its time becomes the start time of the settings. The system must be assembled and have the structure of the one
-    that wrote the file, which must hold velocities too. ValueError if the file does not fit.
+    that wrote the file; a solution file must hold velocities too. ValueError if the file does not fit.
+
+    What a solver has besides the state, as generalized alpha its algorithmic accelerations, starts anew; with
+    ContinueFromRestartFile of the solver, it goes on bit for bit.
     """
+    with open(restartFileName, "rb") as file:
+        of_solver = file.read(len(_RESTART_MAGIC)) == _RESTART_MAGIC
+    if of_solver:
+        MainSolverImplicitSecondOrder().ContinueFromRestartFile(mbs, os.fspath(restartFileName))
+        time = mbs.systemData.GetTime(ConfigurationType.Initial)
+        for configuration in (ConfigurationType.Current, ConfigurationType.Visualization):
+            mbs.systemData.SetSystemState(mbs.systemData.GetSystemState(ConfigurationType.Initial), configuration)
+            mbs.systemData.SetTime(time, configuration)
+        simulationSettings.timeIntegration.startTime = time
+        return
     solution = LoadSolutionFile(restartFileName, safeMode=True, verbose=verbose)
     state, columns = solution["data"][-1], solution["columnsExported"]
     if columns[0] != mbs.systemData.ODE2Size() or columns[1] != columns[0]:

@@ -11,7 +11,7 @@ from oscillators import Variable, dynamic_settings, friction_or_stop, oscillator
 
 import dalembert as exu
 from dalembert.itemInterface import SensorNode
-from dalembert.utilities import InertiaCuboid, LoadSolutionFile
+from dalembert.utilities import InertiaCuboid, InitializeFromRestartFile, LoadSolutionFile
 
 
 def settings_of(end: float, steps: int, **solution: Any) -> Any:
@@ -131,6 +131,28 @@ def test_restart_continues_bit_for_bit() -> None:
     # Steps of 1/128 and times are binary fractions: no rounding separates the two.
     np.testing.assert_array_equal(rest.systemData.GetODE2Coordinates(), whole.systemData.GetODE2Coordinates())
     np.testing.assert_array_equal(rest.systemData.GetODE2Coordinates_t(), whole.systemData.GetODE2Coordinates_t())
+
+
+@pytest.mark.parametrize(
+    ("solver", "tolerance"),
+    # Explicit schemes have nothing but the state. The trapezoidal rule starts with the accelerations of the equations of
+    # motion, which are its own but for the tolerance of Newton's method, 1e-10.
+    [(exu.DynamicSolverType.RK44, 0.0), (exu.DynamicSolverType.TrapezoidalIndex2, 1e-8)],
+    ids=str,
+)
+def test_going_on_from_a_restart_file(solver: Any, tolerance: float) -> None:
+    whole = with_history()
+    whole.mbs.SolveDynamic(settings_of(1.0, 128), solverType=solver)
+    settings = settings_of(0.5, 64, writeRestartFile=True, restartFileName="restart.txt")
+    with_history().mbs.SolveDynamic(settings, solverType=solver)
+    rest, settings = with_history(), settings_of(1.0, 64)
+    InitializeFromRestartFile(rest.mbs, settings, "restart.txt")
+    assert settings.timeIntegration.startTime == 0.5
+    for configuration in (exu.ConfigurationType.Current, exu.ConfigurationType.Visualization):
+        assert rest.mbs.systemData.GetTime(configuration) == 0.5
+    rest.mbs.SolveDynamic(settings, solverType=solver)
+    for state, wanted in zip(*(m.mbs.systemData.GetSystemState() for m in (rest, whole)), strict=True):
+        np.testing.assert_allclose(state, wanted, rtol=0, atol=tolerance)
 
 
 @pytest.mark.parametrize(
