@@ -19,7 +19,6 @@ BODIES = {
     "fork": ((0.9, 0.7), 4, (0.05892, 0.06, 0.00708, 0.00756)),
     "front wheel": ((BASE, FRONT), 3, (0.1405, 0.28, 0.1405, 0)),
 }
-STEPS = 240  # in a period of 60 ms
 STEERING = np.array([-np.sin(TILT), 0, np.cos(TILT)])
 
 
@@ -90,12 +89,12 @@ class Bicycle:
         return np.asarray(total)
 
 
-def eigenvalues(speed: float, period: float = 0.06, samples: int = 8) -> np.ndarray:
-    """Of small motions about riding straight: those of the map of lean, steer and their rates over a period of a simulation."""
+def eigenvalues(speed: float, steps: int = 240, period: float = 0.06, samples: int = 8) -> np.ndarray:
+    """Of small motions about riding straight: those of the map of lean, steer and their rates over a period of some steps."""
     bicycle = Bicycle(speed, 1e-3)
-    bicycle.ride(period * samples, STEPS * samples)
-    states = bicycle.lean_and_steer()[::STEPS]
+    bicycle.ride(period * samples, steps * samples)
+    states = bicycle.lean_and_steer()[::steps]
     scaled = states / np.abs(states).max(axis=0)
     flow = np.linalg.lstsq(scaled[:-1], scaled[1:], rcond=None)[0]
     values = np.log(np.linalg.eigvals(flow).astype(complex)) / period
-    return np.asarray(values[np.argsort(values.real)])
+    return np.asarray(np.sort_complex(values))
