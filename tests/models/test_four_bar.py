@@ -67,7 +67,7 @@ def test_published_values() -> None:
 
 
 @pytest.mark.parametrize("loops", [1, 2, 5])
-@pytest.mark.parametrize("end", [1, 5])
+@pytest.mark.parametrize("end", [1, 5, 10])
 def test_parallelogram(loops: int, end: int) -> None:
     """Second order: h = 1 ms gives (omega h)^2 / 12 = 3e-6 per radian and some 4 rad per second, times up to four for numerical
     damping; passing the singular position must not add to it."""
