@@ -10,17 +10,18 @@ int CoordinateMarkerBatch::count(const Placement& placement) const {
   const int own = static_cast<int>(placement.dofs.size());
   return totals_ ? own : std::max(own, 1);
 }
-void CoordinateMarkerBatch::add(const void*, const Placement& placement, const Ports&) {
-  entries_.push_back({placement.item, placement.dofs});
+void CoordinateMarkerBatch::add(const void*, const Placement& placement, const Ports& ports) {
+  entries_.push_back({placement.item, ports.offsets(placement.item), dofs_.size(), placement.dofs.size()});
+  dofs_.insert(dofs_.end(), placement.dofs.begin(), placement.dofs.end());
 }
 void CoordinateMarkerBatch::evaluate(const Evaluation& evaluation, Ports& ports) const {
   const double* q = totals_ ? evaluation.q : evaluation.u;
   for (const Entry& e : entries_) {
-    double* values = ports.frame(e.marker);
-    const std::size_t n = e.dofs.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      values[i] = q[e.dofs[i]];
-      values[n + i] = evaluation.v[e.dofs[i]];
+    double* values = ports.values.data() + e.port.value;
+    const int* dofs = dofs_.data() + e.first;
+    for (std::size_t i = 0; i < e.count; ++i) {
+      values[i] = q[dofs[i]];
+      values[e.count + i] = evaluation.v[dofs[i]];
     }
   }
 }
@@ -28,7 +29,7 @@ void CoordinateMarkerBatch::evaluate_tangent(const Evaluation&, const Weights& w
   for (const Entry& e : entries_) {
     double* derivative = ports.derivative(e.marker);
     double* jacobian = ports.jacobian(e.marker);
-    const std::size_t n = e.dofs.size();
+    const std::size_t n = e.count;
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j) {
         derivative[i * n + j] = i == j ? weights.q : 0;
@@ -39,8 +40,9 @@ void CoordinateMarkerBatch::evaluate_tangent(const Evaluation&, const Weights& w
 }
 void CoordinateMarkerBatch::pull_back(const Evaluation&, const Ports& ports, double* r) const {
   for (const Entry& e : entries_) {
-    const double* force = ports.force(e.marker);
-    for (std::size_t i = 0; i < e.dofs.size(); ++i) r[e.dofs[i]] -= force[i];
+    const double* force = ports.forces.data() + e.port.force;
+    const int* dofs = dofs_.data() + e.first;
+    for (std::size_t i = 0; i < e.count; ++i) r[dofs[i]] -= force[i];
   }
 }
 

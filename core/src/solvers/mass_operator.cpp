@@ -16,7 +16,7 @@ void MassOperator::prepare(System& system, LinearSolverType type, const LinearSo
   type_ = type;
   options_ = options;
   size_ = system.sizes().ode2;
-  pattern_ = &system.pattern(is_dense(type));
+  pattern_ = &system.mass_pattern();
   values_.resize(static_cast<std::size_t>(pattern_->values()));
   inverse_.assign(static_cast<std::size_t>(size_), 0.0);
   diagonal_.resize(static_cast<std::size_t>(size_));

@@ -92,8 +92,10 @@ void SystemParts::bind(const Pattern& pattern) {
     batch.visit(collector, ports);
     batch.slots = std::move(collector.slots);
   };
-  each(terms, collect);
-  each(marker_batches, collect);
+  const bool mass_alone = mass_pattern && &pattern == &*mass_pattern;
+  for (const auto& term : terms)
+    if (!mass_alone || term->has_mass()) collect(*term);
+  if (!mass_alone) each(marker_batches, collect);
   rate_slots.clear();
   for (int i = sizes.ode2; i < sizes.first_ae(); ++i) rate_slots.push_back(pattern.slot(i, i));
   bound = &pattern;
@@ -154,20 +156,22 @@ void System::tangent(const State& state, const Conditions& conditions, const Wei
 
 const Pattern& System::pattern(bool dense) {
   SystemParts& parts = *parts_;
-  const int size = sizes_.total();
-  if (dense) {
-    if (!parts.has_dense) parts.dense_pattern = Pattern::dense(size);
-    parts.has_dense = true;
-    return parts.dense_pattern;
-  }
-  if (!parts.has_sparse) {
-    PairCollector collector;
-    each(parts.terms, [&](const Term& term) { term.visit(collector, parts.ports); });
-    each(parts.marker_batches, [&](const MarkerBatch& batch) { batch.visit(collector, parts.ports); });
-    parts.sparse_pattern = Pattern::sparse(size, collector.pairs);
-    parts.has_sparse = true;
-  }
-  return parts.sparse_pattern;
+  std::optional<Pattern>& pattern = dense ? parts.dense_pattern : parts.sparse_pattern;
+  if (pattern) return *pattern;
+  if (dense) return pattern.emplace(Pattern::dense(sizes_.total()));
+  PairCollector collector;
+  each(parts.terms, [&](const Term& term) { term.visit(collector, parts.ports); });
+  each(parts.marker_batches, [&](const MarkerBatch& batch) { batch.visit(collector, parts.ports); });
+  return pattern.emplace(Pattern::sparse(sizes_.total(), collector.pairs));
+}
+
+const Pattern& System::mass_pattern() {
+  SystemParts& parts = *parts_;
+  if (parts.mass_pattern) return *parts.mass_pattern;
+  PairCollector collector;
+  for (const auto& term : parts.terms)
+    if (term->has_mass()) term->visit(collector, parts.ports);
+  return parts.mass_pattern.emplace(Pattern::sparse(sizes_.total(), collector.pairs));
 }
 
 void System::mass_matrix(const State& state, const Pattern& pattern, std::span<double> values) {

@@ -28,10 +28,13 @@ class PortBatch final : public Term {
  public:
   using Port = typename K::Port;
 
-  void add(const void* record, const Placement& placement, const Ports&) override {
+  void add(const void* record, const Placement& placement, const Ports& ports) override {
     Entry e;
     e.parameters = static_cast<const Record*>(record)->parameters;
-    for (int m = 0; m < M; ++m) e.markers[m] = placement.markers[m];
+    for (int m = 0; m < M; ++m) {
+      e.markers[m] = placement.markers[m];
+      e.offsets[m] = ports.offsets(placement.markers[m]);
+    }
     e.item = placement.item;
     e.first_data = placement.first_data;
     e.data_count = placement.data_count;
@@ -49,9 +52,16 @@ class PortBatch final : public Term {
   }
 
   void residual(const Evaluation& evaluation, Ports& ports, double*) const override {
+    const double* values = ports.values.data();
+    double* sums = ports.forces.data();
+    Context c = Context::of(evaluation, -1);
     for (const Entry& e : entries_) {
       if (!active(e.parameters)) continue;
-      add_forces<Port, M>(ports, e.markers, 1.0, kernel_forces<K, M, double>(e.parameters, context(evaluation, e), read(ports, e)));
+      e.place(c, evaluation);
+      std::array<typename Port::template Frame<double>, M> frames;
+      for (int m = 0; m < M; ++m) frames[m] = read_frame<Port>(values + e.offsets[m].value);
+      const auto forces = kernel_forces<K, M, double>(e.parameters, c, frames);
+      for (int m = 0; m < M; ++m) add_force<Port>(sums + e.offsets[m].force, 1.0, forces[m]);
     }
   }
   void tangent(const Evaluation& evaluation, const Weights&, Ports& ports, double* values) const override {
@@ -107,7 +117,17 @@ class PortBatch final : public Term {
   struct Entry {
     typename K::Parameters parameters;
     std::array<int, M> markers{};
+    std::array<PortOffsets, M> offsets{};
     int item = -1, first_data = -1, data_count = 0;
+
+    // What differs between the contexts of the entries.
+    void place(Context& c, const Evaluation& evaluation) const {
+      c.item = item;
+      if constexpr (requires { K::data_coordinates; }) {
+        c.data = first_data < 0 ? nullptr : evaluation.data + first_data;
+        c.data_count = data_count;
+      }
+    }
   };
 
   static bool active(const typename K::Parameters& p) {
@@ -115,7 +135,9 @@ class PortBatch final : public Term {
     return true;
   }
   static Context context(const Evaluation& evaluation, const Entry& e) {
-    return Context::of(evaluation, e.item, e.first_data, e.data_count);
+    Context c = Context::of(evaluation, e.item);
+    e.place(c, evaluation);
+    return c;
   }
   static std::array<typename Port::template Frame<double>, M> read(const Ports& ports, const Entry& e) {
     std::array<typename Port::template Frame<double>, M> frames;

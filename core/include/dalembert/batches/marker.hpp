@@ -30,11 +30,13 @@ class CoordinateMarkerBatch : public MarkerBatch {
  private:
   struct Entry {
     int marker = -1;
-    std::vector<int> dofs;
+    PortOffsets port;
+    std::size_t first = 0, count = 0;  // its stretch of `dofs_`
   };
   int count(const Placement& placement) const;
 
   std::vector<Entry> entries_;
+  std::vector<int> dofs_;
   bool totals_;
 };
 

@@ -31,14 +31,17 @@ void check_markers(const Placement& placement, const Ports& ports, const std::st
 }
 
 template <class Port>
-typename Port::template Frame<double> read_frame(const Ports& ports, int marker) {
+typename Port::template Frame<double> read_frame(const double* from) {
   typename Port::template Frame<double> frame;
   if constexpr (Port::values > 0) {
-    const double* from = ports.frame(marker);
     double* to = reinterpret_cast<double*>(&frame);
     for (int i = 0; i < Port::values; ++i) to[i] = from[i];
   }
   return frame;
+}
+template <class Port>
+typename Port::template Frame<double> read_frame(const Ports& ports, int marker) {
+  return read_frame<Port>(ports.frame(marker));
 }
 
 // The frame with the derivatives along columns [first, first + sweep_width) of the concatenated coordinates;
@@ -105,14 +108,15 @@ void scatter_forces(const Ports& ports, const std::array<int, M>& markers, const
   }
 }
 
+template <class Port>
+void add_force(double* to, double sign, const typename Port::template Force<double>& force) {
+  const double* from = reinterpret_cast<const double*>(&force);
+  for (int i = 0; i < Port::forces; ++i) to[i] += sign * from[i];
+}
 template <class Port, int M>
 void add_forces(Ports& ports, const std::array<int, M>& markers, double sign,
                 const std::array<typename Port::template Force<double>, M>& forces) {
-  for (int m = 0; m < M; ++m) {
-    const double* from = reinterpret_cast<const double*>(&forces[m]);
-    double* to = ports.force(markers[m]);
-    for (int i = 0; i < Port::forces; ++i) to[i] += sign * from[i];
-  }
+  for (int m = 0; m < M; ++m) add_force<Port>(ports.force(markers[m]), sign, forces[m]);
 }
 
 }  // namespace dalembert

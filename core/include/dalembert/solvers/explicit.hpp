@@ -27,8 +27,6 @@ class ExplicitSolver : public Solver {
   bool reduce_step_size() override;
   void increase_step_size() override;
 
-  const MassOperator& mass() const { return mass_; }
-
  protected:
   void save_start_of_step() override;
 

@@ -19,10 +19,6 @@ class MassOperator {
   // Forces become accelerations.
   void solve(std::span<double> x);
 
-  bool is_diagonal() const { return blocks_.empty(); }
-  std::span<const double> values() const { return values_; }
-  const Pattern& pattern() const { return *pattern_; }
-
  private:
   struct Entry {
     int row, column;

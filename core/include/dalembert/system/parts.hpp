@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -87,8 +88,7 @@ struct SystemParts {
   std::array<State, 6> states;  // by ConfigurationType
   std::uint64_t structure = 0, values = 0;  // of the model, as assembled
 
-  Pattern dense_pattern, sparse_pattern;
-  bool has_dense = false, has_sparse = false;
+  std::optional<Pattern> dense_pattern, sparse_pattern, mass_pattern;  // made when asked for
   const Pattern* bound = nullptr;  // the pattern whose slots the batches hold
   std::vector<int> rate_slots;     // diagonal places of the ODE1 coordinates
 

@@ -15,6 +15,11 @@ struct PortLayout {
   int first_jacobian = 0;                 // forces x n: generalised force = J^T force
 };
 
+// What a batch keeps of a port to reach it without the layout.
+struct PortOffsets {
+  int value = 0, force = 0;
+};
+
 class Ports {
  public:
   std::vector<PortLayout> ports;                // by marker number
@@ -26,6 +31,7 @@ class Ports {
   void append(int value_count, int force_count, std::span<const int> coordinate_dofs);
   void clear();
 
+  PortOffsets offsets(int marker) const { return {ports[marker].first_value, ports[marker].first_force}; }
   const double* frame(int marker) const { return values.data() + ports[marker].first_value; }
   double* frame(int marker) { return values.data() + ports[marker].first_value; }
   const double* force(int marker) const { return forces.data() + ports[marker].first_force; }

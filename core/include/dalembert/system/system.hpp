@@ -64,6 +64,8 @@ class System {
                std::span<double> values);
   // The pattern of the tangent, made on first use after Assemble.
   const Pattern& pattern(bool dense);
+  // The pattern of the mass matrix alone, as sparse as it is; of the size of the system.
+  const Pattern& mass_pattern();
   // M(q) alone, in the leading ode2 x ode2 block of `pattern`; everything else zero.
   void mass_matrix(const State& state, const Pattern& pattern, std::span<double> values);
   bool constant_mass_matrix() const;
