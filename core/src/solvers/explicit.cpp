@@ -28,7 +28,14 @@ const char* type_name(DynamicSolverType type) {
 }
 
 void add(std::vector<double>& x, double factor, const std::vector<double>& y) {
-  for (std::size_t i = 0; i < x.size(); ++i) x[i] += factor * y[i];
+  const WeightedVector term{factor, y.data()};
+  combine(x, x, {&term, 1});
+}
+void kick_and_drift(std::size_t n, double h, const double* __restrict a, double* __restrict v, double* __restrict q) {
+  for (std::size_t i = 0; i < n; ++i) {
+    v[i] += 0.5 * h * a[i];
+    q[i] += h * v[i];
+  }
 }
 
 }  // namespace
@@ -253,10 +260,7 @@ void ExplicitSolver::end_of_step() {
 void ExplicitSolver::verlet_step() {
   State& now = current();
   const double h = it.currentStepSize;
-  for (std::size_t i = 0; i < now.q.size(); ++i) {
-    now.v[i] += 0.5 * h * now.a[i];
-    now.q[i] += h * now.v[i];
-  }
+  kick_and_drift(now.q.size(), h, now.a.data(), now.v.data(), now.q.data());
   if (lie_) {
     for (std::size_t i = 0; i < turn_.size(); ++i) turn_[i] = h * now.v[i];
     system().compose(start_of_step().q, turn_, now.q);

@@ -61,7 +61,7 @@ class PortBatch final : public Term {
       std::array<typename Port::template Frame<double>, M> frames;
       for (int m = 0; m < M; ++m) frames[m] = read_frame<Port>(values + e.offsets[m].value);
       const auto forces = kernel_forces<K, M, double>(e.parameters, c, frames);
-      for (int m = 0; m < M; ++m) add_force<Port>(sums + e.offsets[m].force, 1.0, forces[m]);
+      for (int m = 0; m < M; ++m) add_force(sums + e.offsets[m].force, 1.0, forces[m]);
     }
   }
   void tangent(const Evaluation& evaluation, const Weights&, Ports& ports, double* values) const override {

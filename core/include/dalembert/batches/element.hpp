@@ -37,6 +37,7 @@ class ElementBatch final : public Term {
   }
 
   void residual(const Evaluation& evaluation, Ports&, double* r) const override {
+    if (PureInertia<E> && !evaluation.inertia) return;
     if constexpr (n > 0)
       for (const Entry& e : entries_) {
         const auto x = gather<n>(evaluation, e.dofs.data());

@@ -75,12 +75,13 @@ class FrameMarkerBatch final : public MarkerBatch {
   int force_count(const void*, const Placement&) const override { return Shape::forces; }
 
   // The record of a frame marker is its local position alone; the body's record comes with the placement.
-  void add(const void* local, const Placement& placement, const Ports&) override {
+  void add(const void* local, const Placement& placement, const Ports& ports) override {
     Entry e;
     e.local = *static_cast<const Vec3<double>*>(local);
     if constexpr (!std::is_empty_v<typename E::Parameters>)
       take_parameters<E, OwnerRecord>(e.parameters, placement.owner, placement);
     e.marker = placement.item;
+    e.port = ports.offsets(placement.item);
     for (int i = 0; i < n; ++i) e.dofs[i] = placement.dofs[i];
     entries_.push_back(std::move(e));
   }
@@ -98,10 +99,8 @@ class FrameMarkerBatch final : public MarkerBatch {
     if constexpr (Shape::values > 0)
       for (const Entry& e : entries_) {
         const auto x = gather<n>(evaluation, e.dofs.data());
-        const auto frame = Shape::frame(E::template motion<double>(e.parameters, x, e.local));
-        const double* from = reinterpret_cast<const double*>(&frame);
-        double* to = ports.frame(e.marker);
-        for (int i = 0; i < Shape::values; ++i) to[i] = from[i];
+        auto* frame = reinterpret_cast<typename Shape::template Frame<double>*>(ports.values.data() + e.port.value);
+        *frame = Shape::frame(E::template motion<double>(e.parameters, x, e.local));
       }
   }
   void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const override {
@@ -124,7 +123,7 @@ class FrameMarkerBatch final : public MarkerBatch {
     if constexpr (n > 0)
       for (const Entry& e : entries_) {
         const auto x = gather<n>(evaluation, e.dofs.data());
-        const auto q = Shape::template pull_back<double>(e.parameters, x, e.local, ports.force(e.marker));
+        const auto q = Shape::template pull_back<double>(e.parameters, x, e.local, ports.forces.data() + e.port.force);
         for (int i = 0; i < n; ++i) r[e.dofs[i]] -= q[i];
       }
   }
@@ -163,6 +162,7 @@ class FrameMarkerBatch final : public MarkerBatch {
     [[no_unique_address]] typename E::Parameters parameters;
     Vec3<double> local;
     int marker = -1;
+    PortOffsets port;
     std::array<int, n> dofs{};
   };
   static constexpr bool closed_form = [] {

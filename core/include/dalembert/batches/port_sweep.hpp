@@ -30,17 +30,13 @@ void check_markers(const Placement& placement, const Ports& ports, const std::st
   }
 }
 
+// Ports keep frames as they are laid out.
 template <class Port>
-typename Port::template Frame<double> read_frame(const double* from) {
-  typename Port::template Frame<double> frame;
-  if constexpr (Port::values > 0) {
-    double* to = reinterpret_cast<double*>(&frame);
-    for (int i = 0; i < Port::values; ++i) to[i] = from[i];
-  }
-  return frame;
+const typename Port::template Frame<double>& read_frame(const double* from) {
+  return *reinterpret_cast<const typename Port::template Frame<double>*>(from);
 }
 template <class Port>
-typename Port::template Frame<double> read_frame(const Ports& ports, int marker) {
+const typename Port::template Frame<double>& read_frame(const Ports& ports, int marker) {
   return read_frame<Port>(ports.frame(marker));
 }
 
@@ -108,15 +104,20 @@ void scatter_forces(const Ports& ports, const std::array<int, M>& markers, const
   }
 }
 
-template <class Port>
-void add_force(double* to, double sign, const typename Port::template Force<double>& force) {
-  const double* from = reinterpret_cast<const double*>(&force);
-  for (int i = 0; i < Port::forces; ++i) to[i] += sign * from[i];
+inline void add_force(double* to, double sign, const ScalarForce<double>& f) { to[0] += sign * f.force; }
+inline void add_force(double* to, double sign, const Force<double>& f) {
+  for (int i = 0; i < 3; ++i) to[i] += sign * f.force[i];
+}
+inline void add_force(double* to, double sign, const Wrench<double>& w) {
+  for (int i = 0; i < 3; ++i) {
+    to[i] += sign * w.force[i];
+    to[3 + i] += sign * w.moment[i];
+  }
 }
 template <class Port, int M>
 void add_forces(Ports& ports, const std::array<int, M>& markers, double sign,
                 const std::array<typename Port::template Force<double>, M>& forces) {
-  for (int m = 0; m < M; ++m) add_force<Port>(ports.force(markers[m]), sign, forces[m]);
+  for (int m = 0; m < M; ++m) add_force(ports.force(markers[m]), sign, forces[m]);
 }
 
 }  // namespace dalembert

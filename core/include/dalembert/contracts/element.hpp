@@ -84,6 +84,10 @@ concept TangentKernel = requires(const typename E::Parameters& p, const typename
   { E::tangent(p, constants, c, x, w) } -> std::same_as<Mat<double, E::size, E::size>>;
 };
 
+// A residual that is a constant mass matrix times accelerations, and nothing without them.
+template <class E>
+concept PureInertia = requires { requires E::pure_inertia; };
+
 template <class E>
 concept ElementKernel = requires(const typename E::Parameters& p, const typename PreparedOf<E>::Type& constants,
                                  const Context& c, const Coordinates<double, E::size>& x, const Vec3<double>& local) {
@@ -125,6 +129,7 @@ struct OnNode {
   using Parameters = typename Body::Parameters;
   static constexpr int size = Node::size;
   static constexpr bool constant_mass = Body::constant_mass && Node::constant_jacobian;
+  static constexpr bool pure_inertia = PureInertia<Body> && Node::constant_jacobian;
   static constexpr int lie_rotation = [] {
     if constexpr (LieKernel<Node>) return Node::lie_rotation;
     return -1;

@@ -6,8 +6,7 @@
 namespace dalembert {
 
 template <int N>
-Vec<double, N> load_value(const UserFunction& f, const Context& c, const Vec<double, N>& parameter) {
-  if (!f) return parameter;
+Vec<double, N> called_load_value(const UserFunction& f, const Context& c, const Vec<double, N>& parameter) {
   CallArguments<double, N> arguments;
   if constexpr (N == 1) {
     arguments.scalar(parameter[0]);
@@ -15,6 +14,10 @@ Vec<double, N> load_value(const UserFunction& f, const Context& c, const Vec<dou
     arguments.vector(parameter);
   }
   return evaluate<N>(f, c, arguments);
+}
+template <int N>
+Vec<double, N> load_value(const UserFunction& f, const Context& c, const Vec<double, N>& parameter) {
+  return f ? called_load_value(f, c, parameter) : parameter;
 }
 
 // User functions know the load factor of a static solution from time; parameters are scaled by it.

@@ -9,7 +9,7 @@ namespace dalembert {
 struct ObjectMass1D {
   using Parameters = ObjectMass1DParameters;
   static constexpr int size = 1;
-  static constexpr bool constant_mass = true;
+  static constexpr bool constant_mass = true, pure_inertia = true;
 
   template <class S>
   static Vec<S, 1> residual(const Parameters& p, const Context&, const Coordinates<S, 1>& x) {

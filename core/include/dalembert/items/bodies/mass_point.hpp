@@ -8,7 +8,7 @@ namespace dalembert {
 
 struct ObjectMassPoint {
   using Parameters = ObjectMassPointParameters;
-  static constexpr bool constant_mass = true;
+  static constexpr bool constant_mass = true, pure_inertia = true;
 
   // Newton's second law; applied forces are added by the assembler.
   template <class S>

@@ -8,7 +8,7 @@ namespace dalembert {
 
 struct ObjectMassPoint2D {
   using Parameters = ObjectMassPoint2DParameters;
-  static constexpr bool constant_mass = true;
+  static constexpr bool constant_mass = true, pure_inertia = true;
 
   // Newton's second law in the plane; applied forces are added by the assembler.
   template <class S>
