@@ -181,8 +181,7 @@ class ConstraintBatch final : public Term {
       tangent.multiplier_column(table[static_cast<std::size_t>(k)], row.data());
       for (int j = 0; j < total; ++j) values[slots[(m + k) * total + j]] += row[j];
     }
-    const int* force_slots = slots + 2 * m * total;
-    tangent.forces([&](int i, int j, double value) { values[force_slots[i * total + j]] += value; });
+    tangent.add_forces(slots + 2 * m * total, values);
   }
 
   // Rows of the coordinates, columns of the multipliers: J^T of the reaction to each unit multiplier.

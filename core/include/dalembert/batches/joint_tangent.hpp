@@ -1,6 +1,7 @@
 // Derivatives of tabulated joint equations by the coordinates of both markers, in closed form.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "dalembert/contracts/joint_equations.hpp"
@@ -11,7 +12,6 @@ namespace dalembert {
 class JointTangent {
  public:
   static constexpr int most = 7;  // coordinates per marker; beyond, the general sweep is as good
-  using Columns = std::array<double, most>;
 
   JointTangent(const Ports& ports, const std::array<int, 2>& markers, const std::array<RigidFrame<double>, 2>& frames)
       : frames_(frames), span_(frames[1].position - frames[0].position) {
@@ -38,33 +38,41 @@ class JointTangent {
   void multiplier_column(const JointEquation& e, double* to) const {
     std::array<Wrench<double>, 2> unit{};
     add_joint_reaction(e, frames_[0], frames_[1], 1.0, unit);
-    for (int i = 0; i < 2; ++i) {
-      for (int j = 0; j < n_[i]; ++j) *to++ = pulled_back(i, j, unit[i].force, unit[i].moment);
+    const bool has_force = e.kind != JointEquation::Kind::product, has_moment = e.kind != JointEquation::Kind::displacement;
+    for (int i = 0; i < 2; ++i, to += n_[0]) {
+      std::fill(to, to + n_[i], 0.0);
+      if (has_force) add_pulled_back(i, 0, unit[i].force, to);
+      if (has_moment) add_pulled_back(i, 3, unit[i].moment, to);
     }
   }
-  // Calls add(row, column, value) for the derivative of J^T reaction with J held fixed.
-  template <class F>
-  void forces(F&& add) const {
-    for (int i = 0; i < 2; ++i)
-      for (int j = 0; j < n_[i]; ++j)
-        for (int by = 0; by < 2; ++by)
-          for (int c = 0; c < n_[by]; ++c) {
-            const Varied& v = varied_[by];
-            const Vec3<double> moment = i == 0 ? Vec3<double>(v.moment[c] - v.lever[c]) : Vec3<double>(-v.moment[c]);
-            double sum = 0;
-            for (int k = 0; k < 3; ++k) sum += jacobian_[i][(3 + k) * n_[i] + j] * moment[k];
-            if (has_force_)
-              for (int k = 0; k < 3; ++k) sum += (i == 0 ? -1 : 1) * jacobian_[i][k * n_[i] + j] * v.force[c][k];
-            add(i == 0 ? j : n_[0] + j, by == 0 ? c : n_[0] + c, sum);
-          }
+  // Adds the derivative of J^T reaction, J held fixed, to values[slots[row * (n0 + n1) + column]].
+  void add_forces(const int* slots, double* values) const {
+    const int total = n_[0] + n_[1];
+    for (int i = 0; i < 2; ++i) {
+      const double sign = i == 0 ? 1 : -1;
+      for (int j = 0; j < n_[i]; ++j, slots += total) {
+        Row row{};
+        for (int k = 0; k < 3; ++k) {
+          const double weight = jacobian_[i][(3 + k) * n_[i] + j];
+          add(sign * weight, moment_[k], row);
+          if (!turns_) continue;
+          if (i == 0) add(-weight, lever_[k], row);
+          add(-sign * jacobian_[i][k * n_[i] + j], force_[k], row);
+        }
+        for (int c = 0; c < total; ++c) values[slots[c]] += row[c];
+      }
+    }
   }
 
  private:
-  // Of the force on the second frame, of the moment on the first (its opposite acts on the second), and of the moment that
-  // turns the first frame alone.
-  struct Varied {
-    std::array<Vec3<double>, most> force{}, moment{}, lever{};
-  };
+  using Row = std::array<double, 2 * most + 2>;  // columns of both markers, and as many as fill the registers
+
+  static void add(double weight, const Row& row, Row& to) {
+    for (std::size_t c = 0; c < row.size(); ++c) to[c] += weight * row[c];
+  }
+  static void put(const Vec3<double>& v, std::array<Row, 3>& to, int c) {
+    for (int k = 0; k < 3; ++k) to[k][c] += v[k];
+  }
 
   double position(int marker, int i, int c) const { return derivative_[marker][i * n_[marker] + c]; }
   Vec3<double> moved(int marker, int c) const { return {position(marker, 0, c), position(marker, 1, c), position(marker, 2, c)}; }
@@ -81,42 +89,44 @@ class JointTangent {
     for (int c = 0; c < n_[marker]; ++c)
       to[c] = sign * (axis[0] * position(marker, 0, c) + axis[1] * position(marker, 1, c) + axis[2] * position(marker, 2, c));
   }
-  double pulled_back(int i, int j, const Vec3<double>& force, const Vec3<double>& moment) const {
-    double sum = 0;
-    for (int k = 0; k < 3; ++k)
-      sum += jacobian_[i][k * n_[i] + j] * force[k] + jacobian_[i][(3 + k) * n_[i] + j] * moment[k];
-    return sum;
+  void add_pulled_back(int i, int first, const Vec3<double>& f, double* to) const {
+    for (int k = 0; k < 3; ++k) {
+      const double* jacobian = jacobian_[i] + (first + k) * n_[i];
+      for (int j = 0; j < n_[i]; ++j) to[j] += jacobian[j] * f[k];
+    }
   }
   void add_product(const JointEquation& e, double multiplier, double* to) {
     const Vec3<double> a = frames_[0].rotation * e.first, b = frames_[1].rotation * e.second;
     for (int c = 0; c < n_[0]; ++c) {
       const Vec3<double> d = turned(0, e.first, c);
       to[c] = dot(d, b);
-      varied_[0].moment[c] += multiplier * cross(d, b);
+      put(multiplier * cross(d, b), moment_, c);
     }
     for (int c = 0; c < n_[1]; ++c) {
       const Vec3<double> d = turned(1, e.second, c);
       to[n_[0] + c] = dot(a, d);
-      varied_[1].moment[c] += multiplier * cross(a, d);
+      put(multiplier * cross(a, d), moment_, n_[0] + c);
     }
   }
   void add_turning_axis(const JointEquation& e, const Vec3<double>& axis, double multiplier, double* to) {
-    has_force_ = true;
+    turns_ = true;
     for (int c = 0; c < n_[0]; ++c) {
       const Vec3<double> d = turned(0, e.first, c);
       to[c] += dot(d, span_);
-      varied_[0].force[c] += multiplier * d;
-      varied_[0].lever[c] += multiplier * (cross(span_, d) - cross(moved(0, c), axis));
+      put(multiplier * d, force_, c);
+      put(multiplier * (cross(span_, d) - cross(moved(0, c), axis)), lever_, c);
     }
-    for (int c = 0; c < n_[1]; ++c) varied_[1].lever[c] += multiplier * cross(moved(1, c), axis);
+    for (int c = 0; c < n_[1]; ++c) put(multiplier * cross(moved(1, c), axis), lever_, n_[0] + c);
   }
 
   std::array<RigidFrame<double>, 2> frames_;
   Vec3<double> span_;
   std::array<int, 2> n_{};
   std::array<const double*, 2> derivative_{}, jacobian_{};
-  std::array<Varied, 2> varied_{};
-  bool has_force_ = false;
+  // How the reaction varies: the moment on the first frame (its opposite acts on the second), and, of displacements along
+  // axes that turn, the force on the second frame (its opposite acts on the first) and the moment on the first alone.
+  std::array<Row, 3> moment_{}, force_{}, lever_{};
+  bool turns_ = false;
 };
 
 }  // namespace dalembert
