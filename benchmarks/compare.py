@@ -37,7 +37,9 @@ def has_peer(python: str) -> bool:
 
 def line(case: str, ours: dict[str, Any] | None, peer: dict[str, Any] | None) -> str:
     """Return one line of the table: times per step in microseconds, ratio and relative difference of the results."""
-    text = f"{CASES[case].title:40s} {ours['microseconds']:12.2f}" if ours else f"{CASES[case].title:40s} {'failed':>12s}"
+    text = (
+        f"{CASES[case].title:40s} {ours['microseconds']:12.2f}" if ours else f"{CASES[case].title:40s} {'failed':>12s}"
+    )
     if ours and peer:
         difference = abs(ours["result"] - peer["result"]) / max(abs(peer["result"]), 1e-300)
         text += f" {peer['microseconds']:12.2f} {peer['microseconds'] / ours['microseconds']:8.1f} {difference:10.0e}"

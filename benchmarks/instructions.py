@@ -44,7 +44,7 @@ def counted(job: str) -> int:
             "-c",
             script,
         ]
-        environment = os.environ | {"PYTHONHASHSEED": "0", "PYTHONPATH": str(HERE), "OPENBLAS_NUM_THREADS": "1"}
+        environment = os.environ | {"PYTHONHASHSEED": "0", "OPENBLAS_NUM_THREADS": "1"}
         run = subprocess.run(command, capture_output=True, text=True, cwd=HERE, env=environment, check=False)
         found = re.search(r"Collected : (\d+)", run.stderr)
         if run.returncode != 0 or found is None:
