@@ -5,6 +5,7 @@
 
 #include "conversion.hpp"
 #include "dalembert/model/member.hpp"
+#include "index_types.hpp"
 #include "python_errors.hpp"
 #include "settings.hpp"
 
@@ -73,10 +74,28 @@ void write_enumeration(const Row& row, PyObject* value, std::uint32_t& out) {
   out = py::handle(value).cast<std::uint32_t>();
 }
 
+// Lists of item numbers are lists of integers in the settings; those of AddSensor may stand in them.
+py::object with_plain_numbers(PyObject* value) {
+  if (!PyList_Check(value)) return py::reinterpret_borrow<py::object>(value);
+  py::list plain;
+  for (const py::handle entry : py::reinterpret_borrow<py::list>(value)) {
+    ItemKind kind{};
+    int number = 0;
+    const bool sensor = read_index(entry.ptr(), kind, number) && kind == ItemKind::sensor;
+    plain.append(sensor ? py::object(py::int_(number)) : py::reinterpret_borrow<py::object>(entry));
+  }
+  return plain;
+}
+
 void write_value(const SettingsView& view, const Row& row, PyObject* value) {
   visit(row, view.data, [&]<class T>(T& out) {
     if constexpr (std::is_same_v<T, std::uint32_t>) {
       write_enumeration(row, value, out);
+    } else if constexpr (std::is_same_v<T, std::vector<int>>) {
+      from_python(with_plain_numbers(value).ptr(), row, &out);
+    } else if constexpr (std::is_same_v<T, bool>) {
+      const bool number = PyLong_Check(value) && !PyBool_Check(value);
+      from_python(number ? py::bool_(PyObject_IsTrue(value) == 1).ptr() : value, row, &out);
     } else {
       const bool none = value == Py_None || (PyLong_Check(value) && PyObject_IsTrue(value) == 0);
       if (is_function(row) && !none && PyCallable_Check(value) == 0)

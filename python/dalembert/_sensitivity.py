@@ -125,14 +125,14 @@ def PlotSensitivityResults(
     """Plot values over variations in percent, with a subplot per value; return [figure, list of axes].
 
     valRef (m), valuesSorted and sensitivity (parameters x m) come from ComputeSensitivities; fVar: relative steps,
-    one or one per parameter (default 1e-3); strYAxis: m labels.
+    one or one per parameter (default 1e-3); strYAxis: m labels, more are ignored.
     """
     import matplotlib.pyplot as plt
 
     sensitivity = np.atleast_2d(sensitivity)
     m = sensitivity.shape[1]
     labels = [""] * m if strYAxis is None else list(strYAxis)
-    if len(labels) != m:
+    if len(labels) < m:
         raise ValueError(f"PlotSensitivityResults: strYAxis must have one entry per value ({m}), not {len(labels)}")
     steps = _per_parameter(fVar, len(valuesSorted))
     figure, grid = plt.subplots(m, squeeze=False)

@@ -43,6 +43,7 @@ DATA_COORDINATES = {  # others: 3
     "ObjectConnectorRigidBodySpringDamper": 2,
     "ObjectConnectorTorsionalSpringDamper": 1,
     "ObjectContactCoordinate": 1,
+    "ObjectContactSphereTorus": 4,
 }
 
 

@@ -107,6 +107,8 @@ TURNING = {
     "AngularVelocity",
     "AngularAcceleration",
     "Director1",
+    "Director2",
+    "Director3",
     "Force",
     "Torque",
 }

@@ -51,6 +51,7 @@ OPTIONS: dict[str, list[dict[str, Any]]] = {
         {"frictionProportionalZone": 0.0},
         {"frictionProportionalZone": 20.0, "useLimitStops": True},
     ],
+    "ObjectContactSphereTorus": [{}, {"impactModel": 1}, {"impactModel": 2, "contactStiffnessExponent": 1.0}],
     "ObjectConnectorCoordinate": [{"velocityLevel": False}, {"velocityLevel": True}],
     "ObjectConnectorCoordinateVector": [{"velocityLevel": False}, {"velocityLevel": True}],
     "ObjectANCFCable2D": [

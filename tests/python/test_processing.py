@@ -282,7 +282,7 @@ def test_plots() -> None:
         several, {"a": (2.0, 0.01, 2), "b": 5.0}, showProgress=False
     )
     _, axes = processing.PlotSensitivityResults(
-        reference, table, sensitivity, fVar=[0.01, 1e-3], strYAxis=["x", "y", "z"]
+        reference, table, sensitivity, fVar=[0.01, 1e-3], strYAxis=["x", "y", "z", "more"]
     )
     assert [ax.get_ylabel() for ax in axes] == ["x", "y", "z"]
     np.testing.assert_allclose(axes[0].get_lines()[0].get_xdata(), [-2, -1, 0, 1, 2])

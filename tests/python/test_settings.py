@@ -162,6 +162,21 @@ def test_earlier_names() -> None:
     assert settings.view0.scene.drawWorldBasis is True
 
 
+def test_truth_values_and_sensors() -> None:
+    settings = exu.VisualizationSettings()
+    settings.general.showSolverInformation = 12
+    assert settings.general.showSolverInformation is True
+    settings.general.SetDictionary({"showSolverInformation": 0})
+    assert settings.general.showSolverInformation is False
+    mbs = exu.SystemContainer().AddSystem()
+    node = mbs.AddNode(exu.NodePoint())
+    sensors = [mbs.AddSensor(exu.SensorNode(nodeNumber=node, storeInternal=True)) for _ in range(2)]
+    settings.sensors.traces.listOfPositionSensors = sensors
+    assert settings.sensors.traces.listOfPositionSensors == [0, 1]
+    with pytest.raises(TypeError, match="Item numbers do not belong here"):
+        settings.sensors.traces.listOfPositionSensors = [node]
+
+
 def test_no_arguments() -> None:
     with pytest.raises(TypeError, match="SimulationSettings: takes no arguments"):
         exu.SimulationSettings(3)

@@ -40,6 +40,39 @@ def test_modified_newton_gives_what_full_newton_gives() -> None:
     assert modified_counts.newtonStepsCount >= counts.newtonStepsCount
 
 
+@pytest.mark.parametrize(("modified", "loads"), [(True, 0), (True, 1), (False, 0)])
+def test_forces_of_the_moment_have_no_part_in_the_matrix_of_modified_newton(modified: bool, loads: int) -> None:
+    """A rod on a hinge with a force at its end, by hand: beta h^2 times the tangent of residual and constraints."""
+    mass, inertia, length, force, h = 2.0, 0.5, 1.5, 3.0, 0.01
+    mbs = exu.SystemContainer().AddSystem()
+    node = mbs.AddNode(exu.NodeRigidBody2D(referenceCoordinates=[0, 0, 0.4]))
+    rod = mbs.AddObject(exu.RigidBody2D(physicsMass=mass, physicsInertia=inertia, nodeNumber=node))
+    ends = [mbs.AddMarker(exu.MarkerBodyPosition(bodyNumber=rod, localPosition=[x, 0, 0])) for x in (-length, length)]
+    ground = exu.ObjectGround(referencePosition=[-length * np.cos(0.4), -length * np.sin(0.4), 0])
+    hinge = mbs.AddMarker(exu.MarkerBodyPosition(bodyNumber=mbs.AddObject(ground)))
+    mbs.AddObject(exu.RevoluteJoint2D(markerNumbers=[hinge, ends[0]]))
+    mbs.AddLoad(exu.Force(markerNumber=ends[1], loadVector=[0, -force, 0]))
+    mbs.Assemble()
+    settings = dynamic_settings(10 * h, 10, tolerance=1e-8)
+    settings.timeIntegration.newton.useModifiedNewton = modified
+    settings.timeIntegration.computeLoadsJacobian = loads
+    solver = exu.MainSolverImplicitSecondOrder()
+    solver.InitializeSolver(mbs, settings)
+    solver.it.currentStepSize = h
+    reaction = np.array([5.0, 7.0])
+    mbs.systemData.SetAECoordinates(reaction)
+    solver.ComputeNewtonResidual(mbs, settings)
+    solver.ComputeNewtonJacobian(mbs, settings)
+    beta, rotation = solver.newmarkBeta, np.array([np.cos(0.4), np.sin(0.4)])
+    alpha_m, alpha_f = solver.alphaM, solver.alphaF
+    stiffness = length * force * -rotation[1] if loads or not modified else 0.0  # of the force at the end
+    if not modified:
+        stiffness += length * reaction @ rotation  # of the reaction at the hinge
+    acceleration = (1 - alpha_m) / (1 - alpha_f)  # times beta h^2
+    expected = acceleration * np.diag([mass, mass, inertia]) + beta * h**2 * np.diag([0, 0, stiffness])
+    np.testing.assert_allclose(solver.GetSystemJacobian()[:3, :3], expected, rtol=0, atol=1e-12)
+
+
 def test_full_newton_converges_quadratically() -> None:
     """Exact tangents: three iterations a step are plenty."""
     assert double_pendulum(False, 1e-8)[1].newtonStepsCount <= 3 * 100

@@ -31,7 +31,6 @@ struct NewtonSolver::Loop {
   double initial_residual = 0;
   double best_residual = 0;
   int idle = 0;
-  bool full = false;           // a new Jacobian in every iteration
   bool restarted = false;      // modified Newton has been started again from the beginning of the step
   bool one_more_step = false;  // after a restart, convergence counts only if confirmed by another iteration
 };
@@ -47,6 +46,7 @@ void NewtonSolver::initialize_data() {
   residual_.assign(n, 0.0);
   increment_.assign(n, 0.0);
   jacobian_.assign(static_cast<std::size_t>(pattern->values()), 0.0);
+  full_newton_ = !newton_settings.useModifiedNewton;
 }
 
 double NewtonSolver::norm_of_residual() const {
@@ -65,7 +65,8 @@ bool NewtonSolver::newton() {
   conv.linearSolverFailed = conv.newtonConverged = conv.newtonSolutionDiverged = conv.stopNewton = false;
   conv.newtonStagnated = false;
   conv.linearSolverCausingRow = -1;
-  Loop loop{.full = !newton_settings.useModifiedNewton};
+  full_newton_ = !newton_settings.useModifiedNewton;
+  Loop loop;
   start(loop);
   while (!conv.linearSolverFailed && !conv.newtonConverged && !conv.stopNewton &&
          it.newtonSteps < newton_settings.maxIterations) {
@@ -106,7 +107,7 @@ void NewtonSolver::iterate(Loop& loop) {
   ++it.newtonSteps;
   ++it.newtonStepsCount;
   const bool requested = hooks().jacobian_update_requested && hooks().jacobian_update_requested();
-  if (conv.jacobianUpdateRequested || loop.full || requested) {
+  if (conv.jacobianUpdateRequested || full_newton_ || requested) {
     {
       const TimedPart time(timer, timer.totalJacobian);
       compute_jacobian();
@@ -224,7 +225,7 @@ bool NewtonSolver::diverged() {
 void NewtonSolver::treat_slow_convergence(Loop& loop) {
   conv.newtonSolutionDiverged = false;
   if (diverged()) {
-    if (loop.full) {
+    if (full_newton_) {
       conv.stopNewton = true;
       say(1, "  the solution diverged\n");
     } else {
@@ -232,25 +233,24 @@ void NewtonSolver::treat_slow_convergence(Loop& loop) {
     }
   }
   const NewtonSettings& s = newton_settings;
-  bool switched_to_full = false;
-  if (!loop.full && it.newtonSteps > s.maxModifiedNewtonIterations) {
+  if (!full_newton_ && it.newtonSteps > s.maxModifiedNewtonIterations) {
     conv.jacobianUpdateRequested = true;
     const int further = s.modifiedNewtonJacUpdatePerStep ? 0 : s.maxModifiedNewtonRestartIterations;
     if (it.newtonSteps > s.maxModifiedNewtonIterations + further) {
-      loop.full = switched_to_full = true;
+      full_newton_ = true;
       ++it.rejectedModifiedNewtonSteps;
     }
   }
   conv.contractivity = conv.residual / conv.lastResidual;
   conv.lastResidual = conv.residual;
   const bool bad_contractivity = conv.contractivity > s.modifiedNewtonContractivity && it.newtonSteps > 2;
-  if (loop.full || !s.useModifiedNewton || !(conv.newtonSolutionDiverged || switched_to_full || bad_contractivity)) return;
+  if (full_newton_ || !(conv.newtonSolutionDiverged || bad_contractivity)) return;
   conv.jacobianUpdateRequested = true;
   if (loop.restarted) {
-    loop.full = true;
+    full_newton_ = true;
     ++it.rejectedModifiedNewtonSteps;
   }
-  if (!conv.stopNewton && (conv.newtonSolutionDiverged || conv.contractivity > 2 || loop.full)) restart(loop);
+  if (!conv.stopNewton && (conv.newtonSolutionDiverged || conv.contractivity > 2 || full_newton_)) restart(loop);
 }
 
 void NewtonSolver::restart(Loop& loop) {

@@ -20,6 +20,13 @@ void subtract(std::vector<double>& x, double factor, const double* y) {
   for (std::size_t i = 0; i < x.size(); ++i) x[i] -= factor * y[i];
 }
 
+// The matrix of modified Newton has to serve many steps: reactions and inertia forces of the moment have no part in it.
+State without_momentary_forces(State state) {
+  std::fill(state.lambda.begin(), state.lambda.end(), 0.0);
+  std::fill(state.a.begin(), state.a.end(), 0.0);
+  return state;
+}
+
 }  // namespace
 
 bool SecondOrderSolver::newmark() const { return settings().timeIntegration.generalizedAlpha.useNewmark; }
@@ -217,30 +224,39 @@ void SecondOrderSolver::finalize_newton() { add(algorithmic_, (1 - alpha_f) / (1
 void SecondOrderSolver::compute_jacobian() {
   const double h = it.currentStepSize, scale = newmark_beta * h * h;
   const Weights weights{.q = 1, .v = gamma_prime(), .a = beta_prime(), .y = 1, .y_t = 2 / h};
-  const auto& differences = newton_settings.numericalDifferentiation;
-  if (wants_differences(differences)) {
-    numerical_tangent(system(), current(), conditions_, weights, differences, pattern(), jacobian_);
-  } else if (simplified_lie_ && settings().timeIntegration.generalizedAlpha.lieGroupAddTangentOperator) {
-    simplified_lie_jacobian(weights);
-  } else {
-    Conditions conditions = conditions_;
+  Conditions conditions = conditions_;
+  if (full_newton_) {
     conditions.follows_residual = true;
-    system().tangent(current(), conditions, weights, pattern(), jacobian_);
+    evaluate_jacobian(current(), conditions, weights);
+  } else {
+    conditions.loads = settings().timeIntegration.computeLoadsJacobian > 0;
+    evaluate_jacobian(without_momentary_forces(current()), conditions, weights);
   }
   scale_jacobian(scale);
   add_user_jacobian(-scale, -gamma_prime() * scale, -scale);
 }
 
+void SecondOrderSolver::evaluate_jacobian(const State& state, const Conditions& conditions, const Weights& weights) {
+  const auto& differences = newton_settings.numericalDifferentiation;
+  if (wants_differences(differences)) {
+    numerical_tangent(system(), state, conditions, weights, differences, pattern(), jacobian_);
+  } else if (simplified_lie_ && settings().timeIntegration.generalizedAlpha.lieGroupAddTangentOperator) {
+    simplified_lie_jacobian(state, conditions, weights);
+  } else {
+    system().tangent(state, conditions, weights, pattern(), jacobian_);
+  }
+}
+
 // d(q_n o exp(x))/dx is the tangent operator at x, which applies to the position part of the matrix only.
-void SecondOrderSolver::simplified_lie_jacobian(const Weights& weights) {
+void SecondOrderSolver::simplified_lie_jacobian(const State& state, const Conditions& conditions, const Weights& weights) {
   more_values_.resize(jacobian_.size());
   Weights position = weights, rest = weights;
   position.v = position.a = 0;
-  system().tangent(current(), conditions_, position, pattern(), jacobian_);
+  system().tangent(state, conditions, position, pattern(), jacobian_);
   apply_tangent_operator();
   rest.q = 0;
   // Constraint rows are divided by the weight of velocities when that of positions is zero.
-  system().tangent(current(), conditions_, rest, pattern(), more_values_);
+  system().tangent(state, conditions, rest, pattern(), more_values_);
   const int n = sizes_.ode2, first_ae = sizes_.first_ae();
   for_each_entry(pattern(), [&](int row, int column, std::size_t slot) {
     if (column >= n) return;

@@ -142,8 +142,10 @@ void System::tangent(const State& state, const Conditions& conditions, const Wei
   parts.bind(pattern);
   std::fill(values.begin(), values.end(), 0.0);
   const Evaluation e = parts.evaluation(state, conditions);
-  if (!conditions.follows_residual || evaluated_ != &state)
+  if (!conditions.follows_residual || evaluated_ != &state) {
     add_residual(parts, e, parts.work.data(), conditions.loads);  // the forces on markers, for the geometric part
+    evaluated_ = nullptr;
+  }
   const Flagged evaluating(parts.evaluating);
   const EvaluationPlan& plan = parts.plan;
   each(plan.moving, [&](const MarkerBatch& batch) { batch.evaluate_tangent(e, weights, parts.ports); });

@@ -3951,7 +3951,7 @@ class ObjectContactSphereTorus(_Object):
     @torusAxis.setter
     def torusAxis(self, value: ArrayLike) -> None: ...
     dynamicFriction: float
-    """coefficient of dry friction; 0: no friction, and no torques [1]"""
+    """coefficient of dry friction [1]"""
     frictionProportionalZone: float
     """tangential speed up to which friction is proportional to it [m/s]"""
     contactStiffness: float

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/connector.hpp"
+#include "dalembert/items/contacts/sphere_torus.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -47,6 +49,8 @@ constexpr std::array<OutputVariableType, 8> outputs{
     OutputVariableType::Torque,
 };
 
+const auto& physics = PairPhysics<ObjectContactSphereTorus, ObjectContactSphereTorusRecord>{};
+
 }  // namespace
 
 extern const ItemType object_contact_sphere_torus_type;
@@ -62,7 +66,7 @@ const ItemType object_contact_sphere_torus_type{
     .record = record_operations<Record>(),
     .requested_node = Port::generic_data,
     .requested_marker = Port::position | Port::orientation,
-    .physics = nullptr,
+    .physics = &physics,
     .spec = "specs/contacts/sphere_torus.toml",
 };
 

@@ -37,6 +37,7 @@ class NewtonSolver : public Solver {
   const Pattern* pattern_ = nullptr;
   std::unique_ptr<LinearSolver> linear_;
   std::vector<double> residual_, increment_, jacobian_;
+  bool full_newton_ = true;  // a new Jacobian in every iteration
 
  private:
   struct Loop;

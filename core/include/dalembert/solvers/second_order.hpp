@@ -50,8 +50,8 @@ class SecondOrderSolver : public NewtonSolver {
   void correct();
   void predict_lie_rotations();
   void correct_lie_rotations();
-  void exact_jacobian(const Weights& weights);
-  void simplified_lie_jacobian(const Weights& weights);
+  void evaluate_jacobian(const State& state, const Conditions& conditions, const Weights& weights);
+  void simplified_lie_jacobian(const State& state, const Conditions& conditions, const Weights& weights);
   void apply_tangent_operator();
   void scale_jacobian(double scale);
 

@@ -1,0 +1,50 @@
+// Normal force of a contact: a power of the penetration, with damping that makes impacts lose energy.
+//
+// Hunt, Crossley: Coefficient of restitution interpreted as damping in vibroimpact, Journal of Applied Mechanics 42 (1975).
+// Gonthier, McPhee, Lange, Piedboeuf: A regularized contact model with asymmetric damping and dwell-time dependent friction,
+//   Multibody System Dynamics 11 (2004).
+// Carvalho, Martins: Exact restitution and generalizations for the Hunt-Crossley contact model, Mechanism and Machine
+//   Theory 139 (2019).
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "dalembert/math/dual.hpp"
+
+namespace dalembert {
+
+struct ImpactLaw {
+  double stiffness = 0, exponent = 1, damping = 0;
+  double restitution_damping = 0;  // chi: the power law is multiplied by 1 + chi * rate
+
+  // `impact_velocity`: rate of penetration at the begin of the contact.
+  template <class Parameters>
+  ImpactLaw(const Parameters& p, double impact_velocity)
+      : stiffness(p.contactStiffness), exponent(p.contactStiffnessExponent), damping(p.contactDamping) {
+    const double velocity = std::max(p.minimumImpactVelocity, impact_velocity), e = p.restitutionCoefficient;
+    if (p.impactModel == 0 || !(velocity > 0)) return;
+    double loss = 1.5 * (1 - e);
+    if (p.impactModel == 2) loss = e > 1.0 / 3 ? loss * (11 - e) / (1 + 9 * e) : (1 - e * e) / e;
+    restitution_damping = loss / velocity;
+  }
+
+  // Pressure is positive; negative penetrations, which Newton's method may try, give the odd continuation of the power law.
+  template <class S>
+  S pressure(const S& penetration, const S& rate) const {
+    return stiffness * power(penetration) * (1.0 + restitution_damping * rate) + damping * rate;
+  }
+
+ private:
+  template <class S>
+  S power(const S& x) const {
+    using std::abs;
+    using std::exp;
+    using std::log;
+    if (exponent == 1 || value_of(x) == 0) return x;
+    const S magnitude = exp(exponent * log(abs(x)));
+    return x < 0.0 ? -magnitude : magnitude;
+  }
+};
+
+}  // namespace dalembert
