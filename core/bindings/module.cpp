@@ -27,5 +27,6 @@ PYBIND11_MODULE(_core, module) {
   register_system_container(module);
   register_solvers(module);
   register_evaluation(module);
+  register_linear_solver(module);
   register_symbolic(module);
 }

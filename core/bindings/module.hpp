@@ -14,5 +14,6 @@ void register_settings(py::module_& module);     // settings.cpp
 void register_system_data(py::module_& module);  // system_data.cpp
 void register_solvers(py::module_& module);      // solvers.cpp
 void register_evaluation(py::module_& module);   // evaluation.cpp: the submodule `testing`
+void register_linear_solver(py::module_& module);  // linear_solver.cpp: in `testing`
 
 }  // namespace dalembert

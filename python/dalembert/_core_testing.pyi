@@ -1,4 +1,4 @@
-# dalembert._core.testing: the equations of an assembled system at any state.
+# dalembert._core.testing: the equations of an assembled system at any state, and linear solvers.
 
 from typing import Self
 
@@ -44,6 +44,23 @@ class State(_Bound):
     rate_level: bool
     inertia: bool
 
+class LinearSolver(_Bound):
+    def __init__(
+        self,
+        indptr: ArrayLike,
+        indices: ArrayLike,
+        *,
+        dense: bool = False,
+        pivot_threshold: float = 0.0,
+        ignore_singular: bool = False,
+        instructions: str = "",
+    ) -> None: ...
+    def factorize(self, data: ArrayLike) -> int: ...
+    def solve(self, b: ArrayLike) -> Array: ...
+    @property
+    def statistics(self) -> dict[str, int]: ...
+
+def instruction_sets() -> list[str]: ...
 def residual(mbs: MainSystem, state: State) -> Array: ...
 def forces(mbs: MainSystem, state: State) -> Array: ...
 def rates(mbs: MainSystem, state: State) -> Array: ...

@@ -2,77 +2,61 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <utility>
 
 namespace dalembert {
 
+namespace {
+
+// No entry of L is larger if each pivot is the largest entry of its column.
+constexpr double largest_growth = 1 + 4 * std::numeric_limits<double>::epsilon();
+
+}  // namespace
+
 DenseLu::DenseLu(int size, const LinearSolverOptions& options)
-    : size_(size), rank_(size), options_(options), values_(static_cast<std::size_t>(size) * size), work_(size),
-      inverse_pivot_(size), row_exchange_(size), column_exchange_(size) {}
+    : size_(size), length_(padded(size)),
+      largest_inverse_(options.pivot_threshold > 0 ? 1 / options.pivot_threshold : std::numeric_limits<double>::infinity()),
+      kernels_(front_kernels(options.instructions)), factors_(static_cast<std::size_t>(length_) * size), inverse_pivot_(length_),
+      work_(length_), row_of_step_(size) {
+  statistics_.entries = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
+}
 
 int DenseLu::factorize(std::span<const double> values) {
-  std::copy(values.begin(), values.end(), values_.begin());
-  rank_ = size_;
-  return options_.ignore_singular ? eliminate_all_pivots() : eliminate();
+  ++statistics_.factorizations;
+  if (searched_ && repeat(values)) return success;
+  const int failed = search(values);
+  searched_ = failed == success;
+  if (searched_) repeat(values);  // with the same rounding as later ones
+  return failed;
 }
 
-// Right-looking elimination with the largest entry of each column as pivot.
-int DenseLu::eliminate() {
-  const int n = size_;
-  for (int k = 0; k < n; ++k) {
-    double* c = column(k);
-    int p = k;
-    double largest = std::abs(c[k]);
-    for (int i = k + 1; i < n; ++i) {
-      if (const double x = std::abs(c[i]); x > largest) {
-        largest = x;
-        p = i;
-      }
-    }
-    if (!(largest > options_.pivot_threshold)) return k;
-    row_exchange_[k] = p;
-    if (p != k) exchange_rows(k, p);
-    const double inverse = 1 / c[k];
-    inverse_pivot_[k] = inverse;
-    for (int i = k + 1; i < n; ++i) c[i] *= inverse;
-    for (int j = k + 1; j < n; ++j) {
-      double* d = column(j);
-      const double u = d[k];
-      if (u == 0) continue;
-      for (int i = k + 1; i < n; ++i) d[i] -= u * c[i];
-    }
+bool DenseLu::repeat(std::span<const double> values) {
+  const double* from = values.data();
+  for (int j = 0; j < size_; ++j, from += size_) {
+    double* to = column(j);
+    for (int k = 0; k < size_; ++k) to[k] = from[row_of_step_[k]];
   }
-  return success;
+  const double growth = kernels_.factorize(factors_.data(), size_, length_, inverse_pivot_.data());
+  const auto usable = [&](double inverse) { return std::abs(inverse) < largest_inverse_; };
+  return growth <= largest_growth && std::all_of(inverse_pivot_.begin(), inverse_pivot_.begin() + size_, usable);
 }
 
-// Elimination with the largest entry of the rest as pivot; it stops where the rest is round-off, and solutions are zero there.
-int DenseLu::eliminate_all_pivots() {
+// Elimination with the largest entry of each column as pivot.
+int DenseLu::search(std::span<const double> values) {
+  ++statistics_.pivot_searches;
   const int n = size_;
-  double first = 0;
+  std::iota(row_of_step_.begin(), row_of_step_.end(), 0);
+  for (int j = 0; j < n; ++j) std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(j) * n, n, column(j));
   for (int k = 0; k < n; ++k) {
-    int p = k, q = k;
-    double largest = 0;
-    for (int j = k; j < n; ++j) {
-      for (int i = k; i < n; ++i) {
-        if (const double x = std::abs(column(j)[i]); x > largest) {
-          largest = x;
-          p = i;
-          q = j;
-        }
-      }
-    }
-    if (k == 0) first = largest;
-    if (!(largest > std::max(options_.pivot_threshold, first * 2.2e-16 * n))) {
-      rank_ = k;
-      break;
-    }
-    row_exchange_[k] = p;
-    column_exchange_[k] = q;
-    if (p != k) exchange_rows(k, p);
-    if (q != k) exchange_columns(k, q);
     double* c = column(k);
-    inverse_pivot_[k] = 1 / c[k];
-    for (int i = k + 1; i < n; ++i) c[i] *= inverse_pivot_[k];
+    const auto smaller = [](double a, double b) { return std::abs(a) < std::abs(b); };
+    const int p = static_cast<int>(std::max_element(c + k, c + n, smaller) - c);
+    const double inverse = inverse_pivot_[k] = 1 / c[p];
+    if (!(std::abs(inverse) < largest_inverse_)) return k;
+    exchange_rows(k, p);
+    for (int i = k + 1; i < n; ++i) c[i] *= inverse;
     for (int j = k + 1; j < n; ++j) {
       double* d = column(j);
       for (int i = k + 1; i < n; ++i) d[i] -= d[k] * c[i];
@@ -82,35 +66,16 @@ int DenseLu::eliminate_all_pivots() {
 }
 
 void DenseLu::exchange_rows(int i, int j) {
-  double* a = values_.data() + i;
-  double* b = values_.data() + j;
-  for (int k = 0; k < size_; ++k, a += size_, b += size_) std::swap(*a, *b);
+  if (i == j) return;
+  std::swap(row_of_step_[i], row_of_step_[j]);
+  for (int k = 0; k < size_; ++k) std::swap(column(k)[i], column(k)[j]);
 }
 
-void DenseLu::exchange_columns(int i, int j) { std::swap_ranges(column(i), column(i) + size_, column(j)); }
-
 void DenseLu::solve(std::span<double> x) {
-  const int n = size_;
-  for (int k = 0; k < rank_; ++k) {
-    if (row_exchange_[k] != k) std::swap(x[k], x[row_exchange_[k]]);
-  }
-  for (int k = 0; k < rank_; ++k) {
-    const double u = x[k];
-    if (u == 0) continue;
-    const double* c = column(k);
-    for (int i = k + 1; i < n; ++i) x[i] -= u * c[i];
-  }
-  for (int k = rank_; k < n; ++k) x[k] = 0;
-  for (int k = rank_ - 1; k >= 0; --k) {
-    const double* c = column(k);
-    const double u = x[k] *= inverse_pivot_[k];
-    if (u == 0) continue;
-    for (int i = 0; i < k; ++i) x[i] -= u * c[i];
-  }
-  if (!options_.ignore_singular) return;
-  for (int k = rank_ - 1; k >= 0; --k) {
-    if (column_exchange_[k] != k) std::swap(x[k], x[column_exchange_[k]]);
-  }
+  for (int k = 0; k < size_; ++k) work_[k] = x[row_of_step_[k]];
+  kernels_.eliminate(factors_.data(), size_, length_, work_.data(), 1);
+  kernels_.substitute(factors_.data(), size_, length_, inverse_pivot_.data(), nullptr, 0, nullptr, work_.data());
+  std::copy_n(work_.begin(), size_, x.begin());
 }
 
 }  // namespace dalembert

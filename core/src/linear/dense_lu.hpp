@@ -1,9 +1,11 @@
-// LU factors of a dense matrix, stored by columns, with row exchanges.
+// LU factors of a dense matrix with partial pivoting. The row exchanges of one factorization are tried in the next one, and
+// searched again only if they are not what partial pivoting does there: results do not depend on what was factorized before.
 #pragma once
 
 #include <vector>
 
 #include "dalembert/linear/linear_solver.hpp"
+#include "front_kernels.hpp"
 
 namespace dalembert {
 
@@ -12,19 +14,21 @@ class DenseLu final : public LinearSolver {
   DenseLu(int size, const LinearSolverOptions& options);
   int factorize(std::span<const double> values) override;
   void solve(std::span<double> x) override;
+  LinearSolverStatistics statistics() const override { return statistics_; }
 
  private:
-  int eliminate();
-  int eliminate_all_pivots();
-  double* column(int j) { return values_.data() + static_cast<std::size_t>(j) * static_cast<std::size_t>(size_); }
+  int search(std::span<const double> values);
+  bool repeat(std::span<const double> values);
+  double* column(int j) { return factors_.data() + static_cast<std::size_t>(j) * static_cast<std::size_t>(length_); }
   void exchange_rows(int i, int j);
-  void exchange_columns(int i, int j);
 
-  int size_;
-  int rank_;  // smaller than size_ only when singular matrices are allowed
-  LinearSolverOptions options_;
-  std::vector<double> values_, work_, inverse_pivot_;
-  std::vector<int> row_exchange_, column_exchange_;
+  int size_, length_;
+  double largest_inverse_;  // of a pivot
+  bool searched_ = false;
+  const FrontKernels& kernels_;
+  std::vector<double> factors_, inverse_pivot_, work_;
+  std::vector<int> row_of_step_;
+  LinearSolverStatistics statistics_;
 };
 
 }  // namespace dalembert

@@ -1,94 +1,297 @@
-// Amestoy, Davis, Duff: An approximate minimum degree ordering algorithm, SIAM J. Matrix Analysis 17 (1996).
-// Davis, Gilbert, Larimore, Ng: A column approximate minimum degree ordering algorithm, ACM TOMS 30 (2004).
+// Amestoy, Davis, Duff: An approximate minimum degree ordering algorithm, SIAM J. Matrix Analysis 17 (1996), with
+// eligibility of the unknowns by counting.
 #include "elimination_order.hpp"
 
-#include <Eigen/OrderingMethods>
-#include <Eigen/SparseCore>
 #include <algorithm>
-#include <cmath>
+#include <cstdint>
+#include <numeric>
 
 namespace dalembert {
 
 namespace {
 
-using Graph = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
-using Permutation = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
+// The quotient graph: vertices are groups of unknowns with the same neighbours, elements are groups that have been
+// eliminated, with the vertices they have made neighbours of each other.
+class QuotientGraph {
+ public:
+  QuotientGraph(const Pattern& pattern, std::span<const double> values);
+  EliminationOrder order();
 
-// The neighbour with which each unknown without a diagonal entry is eliminated; -1: alone.
-std::vector<int> partners(const Pattern& pattern, std::span<const double> values) {
-  const int n = pattern.size();
+ private:
+  enum class State : char { vertex, element, gone };
+  struct Node {
+    State state = State::vertex;
+    int weight = 1;   // unknowns; of an element: of its vertices
+    int surplus = 0;  // unknowns with less unknowns without a diagonal entry; of an element: of all that it has eliminated
+    int degree = 0;
+    int previous = -1, next = -1, key = -1;  // in the list of vertices with the same key
+    std::vector<int> vertices, elements;     // neighbours
+    std::vector<int> members;                // unknowns
+  };
+
+  void group_equal_columns(const Pattern& pattern, std::span<const double> values);
+  void connect(const Pattern& pattern);
+  void insert(int i);
+  void remove(int i);
+  int take_first();
+  void eliminate(int i);
+  void gather(int pivot);
+  void measure_elements();
+  void update_vertex(int i, int pivot);
+  void eliminate_inner(int pivot);
+  void merge_equal();
+  bool equal(int i, int j);
+  bool eligible(const Node& node) const;
+  void forget_gone(std::vector<int>& list) const;
+
+  int size_;
+  std::vector<Node> nodes_;
+  std::vector<int> group_;        // of each unknown: its node
+  std::vector<int> first_;        // vertices by key: the degree, and `size_` more if not eligible
+  int lowest_ = 0;                // no smaller key is in use
+  int left_;                      // unknowns that are not eliminated
+  std::vector<int> mark_, outside_, outside_mark_;
+  int stamp_ = 0;
+  std::vector<int> reach_;        // vertices of the new element
+  std::vector<std::pair<std::uint64_t, int>> hashes_;
+  EliminationOrder order_;
+};
+
+QuotientGraph::QuotientGraph(const Pattern& pattern, std::span<const double> values)
+    : size_(pattern.size()), group_(size_), first_(2 * static_cast<std::size_t>(size_) + 1, -1), left_(size_) {
+  group_equal_columns(pattern, values);
+  const auto count = nodes_.size();
+  mark_.assign(count, 0);
+  outside_.assign(count, 0);
+  outside_mark_.assign(count, 0);
+  connect(pattern);
+  for (int i = 0; i < static_cast<int>(count); ++i) insert(i);
+  order_.reserve(static_cast<std::size_t>(size_));
+}
+
+void QuotientGraph::group_equal_columns(const Pattern& pattern, std::span<const double> values) {
   const auto starts = pattern.column_start(), rows = pattern.row_index();
-  std::vector<double> diagonal(n, 0.0);
-  for (int j = 0; j < n; ++j) diagonal[j] = std::abs(values[pattern.slot(j, j)]);
-  std::vector<int> partner(n, -1);
-  for (int j = 0; j < n; ++j) {
-    if (diagonal[j] != 0) continue;
-    double largest = 0;
-    int best = -1;
-    for (int k = starts[j]; k < starts[j + 1]; ++k) {
-      const int i = rows[k];
-      if (diagonal[i] == 0 || partner[i] != -1) continue;
-      if (const double size = std::abs(values[k]); size > largest) {
-        largest = size;
-        best = i;
-      }
-    }
-    if (best == -1) continue;
-    partner[j] = best;
-    partner[best] = j;
+  std::vector<std::uint64_t> hash(static_cast<std::size_t>(size_), 0);
+  for (int j = 0; j < size_; ++j) {
+    for (int k = starts[j]; k < starts[j + 1]; ++k) hash[j] += static_cast<std::uint64_t>(rows[k]) * 0x9E3779B97F4A7C15u + 1;
   }
-  return partner;
+  std::vector<int> sorted(static_cast<std::size_t>(size_));
+  std::iota(sorted.begin(), sorted.end(), 0);
+  std::stable_sort(sorted.begin(), sorted.end(), [&](int a, int b) { return hash[a] < hash[b]; });
+  const auto column = [&](int j) { return rows.subspan(starts[j], starts[j + 1] - starts[j]); };
+  const auto same = [&](int a, int b) { return hash[a] == hash[b] && std::ranges::equal(column(a), column(b)); };
+  std::vector<int> leader(static_cast<std::size_t>(size_));
+  for (int k = 0; k < size_; ++k) leader[sorted[k]] = k > 0 && same(sorted[k], sorted[k - 1]) ? leader[sorted[k - 1]] : sorted[k];
+  for (int j = 0; j < size_; ++j) {
+    const bool has_diagonal = values[pattern.slot(j, j)] != 0;
+    if (leader[j] == j) {
+      group_[j] = static_cast<int>(nodes_.size());
+      nodes_.emplace_back().weight = 0;
+    } else {
+      group_[j] = group_[leader[j]];
+    }
+    Node& node = nodes_[group_[j]];
+    ++node.weight;
+    node.surplus += has_diagonal ? 1 : -1;
+    node.members.push_back(j);
+  }
+}
+
+void QuotientGraph::connect(const Pattern& pattern) {
+  const auto starts = pattern.column_start(), rows = pattern.row_index();
+  for (int i = 0; i < static_cast<int>(nodes_.size()); ++i) {
+    ++stamp_;
+    mark_[i] = stamp_;
+    Node& node = nodes_[i];
+    const int j = node.members.front();
+    for (int k = starts[j]; k < starts[j + 1]; ++k) {
+      const int other = group_[rows[k]];
+      if (mark_[other] == stamp_) continue;
+      mark_[other] = stamp_;
+      node.vertices.push_back(other);
+      node.degree += nodes_[other].weight;
+    }
+  }
+}
+
+// Pivots for all unknowns of the vertex can come from itself and from what has been eliminated around it.
+bool QuotientGraph::eligible(const Node& node) const {
+  int surplus = node.surplus;
+  for (const int e : node.elements) surplus += nodes_[e].surplus;
+  return surplus >= 0;
+}
+
+void QuotientGraph::insert(int i) {
+  Node& node = nodes_[i];
+  node.key = node.degree + (eligible(node) ? 0 : size_);
+  node.previous = -1;
+  node.next = first_[node.key];
+  if (node.next >= 0) nodes_[node.next].previous = i;
+  first_[node.key] = i;
+  lowest_ = std::min(lowest_, node.key);
+}
+
+void QuotientGraph::remove(int i) {
+  const Node& node = nodes_[i];
+  (node.previous >= 0 ? nodes_[node.previous].next : first_[node.key]) = node.next;
+  if (node.next >= 0) nodes_[node.next].previous = node.previous;
+}
+
+int QuotientGraph::take_first() {
+  while (first_[lowest_] < 0) ++lowest_;
+  const int i = first_[lowest_];
+  remove(i);
+  return i;
+}
+
+EliminationOrder QuotientGraph::order() {
+  while (left_ > 0) {
+    const int pivot = take_first();
+    gather(pivot);
+    eliminate(pivot);
+    nodes_[pivot].state = State::element;
+    measure_elements();
+    for (const int i : reach_) update_vertex(i, pivot);
+    eliminate_inner(pivot);
+    merge_equal();
+    Node& element = nodes_[pivot];
+    element.vertices = reach_;
+    for (const int i : reach_) {
+      Node& node = nodes_[i];
+      node.degree = std::min(node.degree + element.weight, left_) - node.weight;
+      insert(i);
+    }
+  }
+  return std::move(order_);
+}
+
+void QuotientGraph::eliminate(int i) {
+  Node& node = nodes_[i];
+  order_.insert(order_.end(), node.members.begin(), node.members.end());
+  left_ -= node.weight;
+  node.state = State::gone;
+}
+
+void QuotientGraph::forget_gone(std::vector<int>& list) const {
+  std::erase_if(list, [&](int i) { return nodes_[i].state == State::gone; });
+}
+
+// The vertices that the elimination of the pivot makes neighbours; the elements around it are part of the new one.
+void QuotientGraph::gather(int pivot) {
+  reach_.clear();
+  mark_[pivot] = ++stamp_;
+  const auto add = [&](int i) {
+    if (nodes_[i].state != State::vertex || mark_[i] == stamp_) return;
+    mark_[i] = stamp_;
+    reach_.push_back(i);
+  };
+  Node& node = nodes_[pivot];
+  for (const int e : node.elements) {
+    Node& element = nodes_[e];
+    if (element.state != State::element) continue;
+    std::for_each(element.vertices.begin(), element.vertices.end(), add);
+    node.surplus += element.surplus;
+    element.state = State::gone;
+    element.vertices = {};
+  }
+  std::for_each(node.vertices.begin(), node.vertices.end(), add);
+  node.elements = {};
+  for (const int i : reach_) remove(i);
+}
+
+// Unknowns of each element around the new one that are not in the new one.
+void QuotientGraph::measure_elements() {
+  for (const int i : reach_) {
+    for (const int e : nodes_[i].elements) {
+      if (nodes_[e].state != State::element) continue;
+      if (outside_mark_[e] != stamp_) {
+        outside_mark_[e] = stamp_;
+        outside_[e] = nodes_[e].weight;
+      }
+      outside_[e] -= nodes_[i].weight;
+    }
+  }
+}
+
+// Neighbours of a vertex of the new element, its degree outside of it, and a hash of its neighbours.
+void QuotientGraph::update_vertex(int i, int pivot) {
+  Node& node = nodes_[i];
+  node.degree = 0;
+  for (const int e : node.elements) {
+    if (nodes_[e].state != State::element) continue;
+    if (outside_[e] == 0) {  // all of it is in the new element
+      nodes_[pivot].surplus += nodes_[e].surplus;
+      nodes_[e].state = State::gone;
+    } else {
+      node.degree += outside_[e];
+    }
+  }
+  forget_gone(node.elements);
+  node.elements.push_back(pivot);
+  std::erase_if(node.vertices, [&](int j) { return nodes_[j].state == State::gone || mark_[j] == stamp_; });
+  for (const int j : node.vertices) node.degree += nodes_[j].weight;
+}
+
+// Vertices without other neighbours follow the pivot at once.
+void QuotientGraph::eliminate_inner(int pivot) {
+  Node& element = nodes_[pivot];
+  for (bool again = true; again;) {
+    again = false;
+    for (const int i : reach_) {
+      Node& node = nodes_[i];
+      forget_gone(node.elements);
+      const bool inner = node.vertices.empty() && node.elements.size() == 1;
+      if (node.state != State::vertex || !inner || element.surplus + node.surplus < 0) continue;
+      element.surplus += node.surplus;
+      eliminate(i);
+      again = true;
+    }
+  }
+  forget_gone(reach_);
+  element.weight = 0;
+  for (const int i : reach_) element.weight += nodes_[i].weight;
+}
+
+void QuotientGraph::merge_equal() {
+  hashes_.clear();
+  for (const int i : reach_) {
+    std::uint64_t hash = 0;
+    for (const int e : nodes_[i].elements) hash += static_cast<std::uint64_t>(e) + 1;
+    for (const int j : nodes_[i].vertices) hash += (static_cast<std::uint64_t>(j) + 1) * 0x9E3779B97F4A7C15u;
+    hashes_.emplace_back(hash, i);
+  }
+  std::sort(hashes_.begin(), hashes_.end());
+  for (std::size_t a = 0; a < hashes_.size(); ++a) {
+    const int i = hashes_[a].second;
+    if (nodes_[i].state != State::vertex) continue;
+    for (std::size_t b = a + 1; b < hashes_.size() && hashes_[b].first == hashes_[a].first; ++b) {
+      const int j = hashes_[b].second;
+      if (nodes_[j].state != State::vertex || !equal(i, j)) continue;
+      Node &to = nodes_[i], &from = nodes_[j];
+      to.weight += from.weight;
+      to.surplus += from.surplus;
+      to.members.insert(to.members.end(), from.members.begin(), from.members.end());
+      from = Node{};
+      from.state = State::gone;
+    }
+  }
+  forget_gone(reach_);
+}
+
+bool QuotientGraph::equal(int i, int j) {
+  const Node &a = nodes_[i], &b = nodes_[j];
+  if (a.elements.size() != b.elements.size() || a.vertices.size() != b.vertices.size()) return false;
+  ++stamp_;
+  for (const int e : a.elements) mark_[e] = stamp_;
+  for (const int v : a.vertices) mark_[v] = stamp_;
+  const auto marked = [&](int k) { return mark_[k] == stamp_; };
+  return std::all_of(b.elements.begin(), b.elements.end(), marked) && std::all_of(b.vertices.begin(), b.vertices.end(), marked);
 }
 
 }  // namespace
 
-EliminationOrder paired_minimum_degree_order(const Pattern& pattern, std::span<const double> values) {
-  const int n = pattern.size();
-  const auto starts = pattern.column_start(), rows = pattern.row_index();
-  const std::vector<int> partner = partners(pattern, values);
-  std::vector<int> group(n, -1);
-  std::vector<std::vector<int>> members;
-  for (int j = 0; j < n; ++j) {
-    if (group[j] != -1) continue;
-    group[j] = static_cast<int>(members.size());
-    members.push_back({j});
-    if (const int p = partner[j]; p != -1) {
-      group[p] = group[j];
-      // The one with a diagonal entry first.
-      values[pattern.slot(j, j)] != 0 ? members.back().push_back(p) : members.back().assign({p, j});
-    }
-  }
-  std::vector<Eigen::Triplet<double>> edges;
-  for (int j = 0; j < n; ++j) {
-    for (int k = starts[j]; k < starts[j + 1]; ++k) edges.emplace_back(group[rows[k]], group[j], 1.0);
-  }
-  const int groups = static_cast<int>(members.size());
-  Graph graph(groups, groups);
-  graph.setFromTriplets(edges.begin(), edges.end());
-  Permutation permutation;
-  Eigen::AMDOrdering<int>()(graph, permutation);
-  EliminationOrder order;
-  order.reserve(static_cast<std::size_t>(n));
-  for (int k = 0; k < groups; ++k) {
-    const auto& next = members[static_cast<std::size_t>(permutation.indices()[k])];
-    order.insert(order.end(), next.begin(), next.end());
-  }
-  return order;
-}
-
-EliminationOrder column_order(const Pattern& pattern) {
-  const int n = pattern.size();
-  const auto starts = pattern.column_start(), rows = pattern.row_index();
-  Graph graph(n, n);
-  graph.resizeNonZeros(static_cast<Eigen::Index>(rows.size()));
-  std::copy(starts.begin(), starts.end(), graph.outerIndexPtr());
-  std::copy(rows.begin(), rows.end(), graph.innerIndexPtr());
-  std::fill_n(graph.valuePtr(), rows.size(), 1.0);
-  Permutation permutation;
-  Eigen::COLAMDOrdering<int>()(graph, permutation);
-  EliminationOrder order(static_cast<std::size_t>(n));
-  for (int j = 0; j < n; ++j) order[static_cast<std::size_t>(permutation.indices()[j])] = j;
-  return order;
+EliminationOrder minimum_degree_order(const Pattern& pattern, std::span<const double> values) {
+  return QuotientGraph(pattern, values).order();
 }
 
 }  // namespace dalembert

@@ -8,13 +8,11 @@
 
 namespace dalembert {
 
-// Entry k is the column that is eliminated k-th.
+// Entry k is the unknown that is eliminated k-th.
 using EliminationOrder = std::vector<int>;
 
-// For matrices with zeros on the diagonal: each such unknown (a multiplier) is paired with a neighbour, pairs are ordered by
-// approximate minimum degree, and the neighbour goes first.
-EliminationOrder paired_minimum_degree_order(const Pattern& pattern, std::span<const double> values);
-// For any pivot order within a column.
-EliminationOrder column_order(const Pattern& pattern);
+// Approximate minimum degree, for a symmetric pattern with zeros on the diagonal of `values`: such an unknown (a multiplier)
+// waits until enough unknowns with a diagonal entry have been eliminated around it to give it a pivot.
+EliminationOrder minimum_degree_order(const Pattern& pattern, std::span<const double> values);
 
 }  // namespace dalembert

@@ -2,8 +2,9 @@
 
 #include <stdexcept>
 
+#include "complete_pivoting_lu.hpp"
 #include "dense_lu.hpp"
-#include "sparse_lu.hpp"
+#include "multifrontal_lu.hpp"
 
 namespace dalembert {
 
@@ -15,9 +16,11 @@ std::unique_ptr<LinearSolver> make_linear_solver(const Pattern& pattern, LinearS
                                                  const LinearSolverOptions& options) {
   switch (type) {
     case LinearSolverType::EXUdense:
-    case LinearSolverType::EigenDense: return std::make_unique<DenseLu>(pattern.size(), options);
+    case LinearSolverType::EigenDense:
+      if (options.ignore_singular) return std::make_unique<CompletePivotingLu>(pattern.size(), options);
+      return std::make_unique<DenseLu>(pattern.size(), options);
     case LinearSolverType::EigenSparse:
-    case LinearSolverType::EigenSparseSymmetric: return std::make_unique<SparseLu>(pattern, options);
+    case LinearSolverType::EigenSparseSymmetric: return std::make_unique<MultifrontalLu>(pattern, options);
     default: break;
   }
   throw std::invalid_argument(

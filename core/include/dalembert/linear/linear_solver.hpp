@@ -1,8 +1,11 @@
 // Solvers of J x = b for a matrix whose pattern never changes: analysis once, factorization and solution many times.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "dalembert/enums.hpp"
 #include "dalembert/system/pattern.hpp"
@@ -10,8 +13,15 @@
 namespace dalembert {
 
 struct LinearSolverOptions {
-  double pivot_threshold = 0;    // a pivot that is not larger counts as zero
-  bool ignore_singular = false;  // leave out the equations that depend on others instead of failing
+  double pivot_threshold = 0;     // a pivot that is not larger counts as zero
+  bool ignore_singular = false;   // leave out the equations that depend on others instead of failing
+  std::string instructions = {};  // one of instruction_sets(); empty: the first
+};
+
+struct LinearSolverStatistics {
+  std::size_t factorizations = 0;
+  std::size_t pivot_searches = 0;  // factorizations that chose their pivots: the first, and those that growth has forced
+  std::size_t entries = 0;         // numbers in the factors
 };
 
 class LinearSolver {
@@ -23,11 +33,15 @@ class LinearSolver {
   virtual int factorize(std::span<const double> values) = 0;
   // The right-hand side becomes the solution.
   virtual void solve(std::span<double> x) = 0;
+  virtual LinearSolverStatistics statistics() const = 0;
 };
 
 bool is_dense(LinearSolverType type);
 // The pattern must outlive the solver. Refuses LinearSolverType::_None.
 std::unique_ptr<LinearSolver> make_linear_solver(const Pattern& pattern, LinearSolverType type,
                                                  const LinearSolverOptions& options);
+
+// For which this processor has a fast path, best first; the last one is what every processor has. Results differ by rounding.
+std::vector<std::string> instruction_sets();
 
 }  // namespace dalembert

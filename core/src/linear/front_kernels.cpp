@@ -1,0 +1,97 @@
+#include "front_kernels.hpp"
+
+#include <stdexcept>
+#include <string>
+
+#include "dalembert/linear/linear_solver.hpp"
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wpsabi"  // vectors are passed between inlined functions only
+#endif
+
+#define INLINE [[gnu::always_inline]] inline
+
+namespace dalembert {
+
+namespace portable {
+#define NARROW 2
+#define WIDE 2
+#define TILE_ROWS 2
+#define TILE_COLUMNS 4
+#include "front_kernels.inc"
+#undef NARROW
+#undef WIDE
+#undef TILE_ROWS
+#undef TILE_COLUMNS
+constexpr FrontKernels kernels{"portable", factorize, eliminate, substitute};
+}  // namespace portable
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define DALEMBERT_DISPATCH
+
+#pragma GCC push_options
+#pragma GCC target("avx2,fma")
+namespace avx2 {
+#define NARROW 4
+#define WIDE 4
+#define TILE_ROWS 3
+#define TILE_COLUMNS 4
+#include "front_kernels.inc"
+#undef NARROW
+#undef WIDE
+#undef TILE_ROWS
+#undef TILE_COLUMNS
+constexpr FrontKernels kernels{"avx2", factorize, eliminate, substitute};
+}  // namespace avx2
+#pragma GCC pop_options
+
+#pragma GCC push_options
+#pragma GCC target("avx512f,avx512vl,avx512dq,avx2,fma")
+namespace avx512 {
+#define NARROW 4
+#define WIDE 8
+#define TILE_ROWS 3
+#define TILE_COLUMNS 8
+#include "front_kernels.inc"
+#undef NARROW
+#undef WIDE
+#undef TILE_ROWS
+#undef TILE_COLUMNS
+constexpr FrontKernels kernels{"avx512", factorize, eliminate, substitute};
+}  // namespace avx512
+#pragma GCC pop_options
+
+#endif
+
+std::span<const FrontKernels* const> available_front_kernels() {
+  static const FrontKernels* const sets[] = {
+#ifdef DALEMBERT_DISPATCH
+      &avx512::kernels, &avx2::kernels,
+#endif
+      &portable::kernels};
+  std::size_t missing = 0;
+#ifdef DALEMBERT_DISPATCH
+  const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  const bool has_avx512 = has_avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+                          __builtin_cpu_supports("avx512dq");
+  missing = has_avx512 ? 0 : has_avx2 ? 1 : 2;
+#endif
+  return std::span(sets).subspan(missing);
+}
+
+const FrontKernels& front_kernels(std::string_view name) {
+  const auto sets = available_front_kernels();
+  if (name.empty()) return *sets.front();
+  for (const FrontKernels* set : sets) {
+    if (name == set->name) return *set;
+  }
+  throw std::invalid_argument("instructions: received '" + std::string(name) + "', which this processor does not have");
+}
+
+std::vector<std::string> instruction_sets() {
+  std::vector<std::string> names;
+  for (const FrontKernels* set : available_front_kernels()) names.emplace_back(set->name);
+  return names;
+}
+
+}  // namespace dalembert

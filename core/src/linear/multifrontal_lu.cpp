@@ -1,0 +1,157 @@
+#include "multifrontal_lu.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "elimination_order.hpp"
+
+namespace dalembert {
+
+namespace {
+
+// Pivots may be so much smaller than the largest entry of their columns. Small ones keep the factors sparse and do no harm in
+// general; where they do, the search is done again more strictly.
+constexpr double smallest_ratios[] = {1e-6, 1e-4, 1e-2};
+// In a solution for tests, relative to the sizes of matrix and solution.
+constexpr double largest_residual = 1e-12;
+// A repeated factorization is given up if the largest entry of L grows by more: so many digits could be lost.
+constexpr double largest_growth = 1e3;
+
+}  // namespace
+
+MultifrontalLu::MultifrontalLu(const Pattern& pattern, const LinearSolverOptions& options)
+    : pattern_(pattern), options_(options), kernels_(front_kernels(options.instructions)), size_(pattern.size()) {}
+
+LinearSolverStatistics MultifrontalLu::statistics() const { return statistics_; }
+
+int MultifrontalLu::factorize(std::span<const double> values) {
+  ++statistics_.factorizations;
+  // Which unknowns are left out depends on the values.
+  if (planned_ && !options_.ignore_singular && repeat(values)) return success;
+  return start_again(values);
+}
+
+int MultifrontalLu::start_again(std::span<const double> values) {
+  ++statistics_.pivot_searches;
+  if (tree_.empty()) tree_ = assembly_tree(pattern_, minimum_degree_order(pattern_, values));
+  scaling_ = balance(pattern_, values);
+  planned_ = false;
+  int singular = success;
+  for (const double ratio : smallest_ratios) {
+    PivotSearch search = search_pivots(pattern_, tree_, values, scaling_, ratio, options_, kernels_);
+    singular = search.singular_column;
+    if (singular != success) continue;
+    plan(std::move(search));
+    repeat(values);
+    planned_growth_ = std::max(growth_, 1.0);
+    planned_ = true;
+    if (residual_of_test(values) <= largest_residual) break;
+  }
+  return planned_ ? success : singular;
+}
+
+// Of the solution for a right-hand side whose solution is known to be of the size one, by scaled unknowns and equations.
+double MultifrontalLu::residual_of_test(std::span<const double> values) {
+  const auto starts = pattern_.column_start(), rows = pattern_.row_index();
+  std::vector<double> x(static_cast<std::size_t>(size_), 0.0), b(x), size(x);
+  const auto add_product = [&](double sign, const auto& factor) {
+    for (int j = 0; j < size_; ++j) {
+      for (int k = starts[j]; k < starts[j + 1]; ++k) b[rows[k]] += sign * values[k] * factor(j);
+    }
+  };
+  add_product(1, [&](int j) { return scaling_.column(j) * (j % 2 == 0 ? 1 : -1); });
+  x = b;
+  solve(x);
+  add_product(-1, [&](int j) { return x[j]; });
+  double largest_x = 1, residual = 0, largest = 0;
+  for (int j = 0; j < size_; ++j) {
+    largest_x = std::max(largest_x, std::abs(x[j]) / scaling_.column(j));
+    residual = std::max(residual, std::abs(b[j]) * scaling_.row(j));
+    for (int k = starts[j]; k < starts[j + 1]; ++k) {
+      size[rows[k]] += std::abs(values[k]) * scaling_.row(rows[k]) * scaling_.column(j);
+    }
+  }
+  for (const double s : size) largest = std::max(largest, s);
+  return residual / (largest * largest_x);
+}
+
+// The same steps with other values. False: entries of the factors are too large, or a pivot is too small.
+bool MultifrontalLu::repeat(std::span<const double> values) {
+  growth_ = 0;
+  for (const Front& front : fronts_) {
+    assemble(front, values);
+    double* panel = factor(front.panel);
+    double* columns = right(front);
+    growth_ = std::max(growth_, kernels_.factorize(panel, front.pivots, front.length, inverse_pivot_.data() + front.first_step));
+    if (front.updates == 0) continue;
+    kernels_.eliminate(panel, front.pivots, front.length, columns, front.updates);
+    const int rows = padded(front.pivots);
+    double* upper = factor(front.upper);
+    for (int j = 0; j < front.updates; ++j, upper += rows, columns += front.length) std::copy_n(columns, rows, upper);
+  }
+  return growth_ <= largest_growth * planned_growth_ && regular();
+}
+
+// All pivots are larger than the threshold.
+bool MultifrontalLu::regular() const {
+  bool all = true;
+  for (int k = 0; k < size_ - left_out_; ++k) {
+    all &= std::isfinite(inverse_pivot_[k]) &&
+           std::abs(inverse_pivot_[k]) * options_.pivot_threshold * (row_scale_[k] * column_scale_[k]) < 1;
+  }
+  return all;
+}
+
+void MultifrontalLu::assemble(const Front& front, std::span<const double> values) {
+  double* panel = factor(front.panel);
+  double* columns = right(front);
+  std::fill_n(panel, static_cast<std::size_t>(front.length) * front.pivots, 0.0);
+  std::fill_n(columns, static_cast<std::size_t>(front.length) * front.updates, 0.0);
+  const auto place = [&](double* to, int begin, int end) {
+    for (int k = begin; k < end; ++k) {
+      const Entry entry = entries_[k];
+      to[entry.target] = values[entry.slot] * scales_[entry.scale];
+    }
+  };
+  place(panel, front.panel_entries, front.right_entries);
+  place(columns, front.right_entries, front.end_of_entries);
+  for (int k = front.children; k < front.end_of_children; ++k) take_over(fronts_[children_[k]], front);
+}
+
+// Adds what a child leaves.
+void MultifrontalLu::take_over(const Front& child, const Front& front) {
+  const double* from = right(child) + child.pivots;
+  const Update* updates = updates_.data() + child.first_update;
+  for (int j = 0; j < child.updates; ++j, from += child.length) {
+    double* to = (j < child.updates_in_panel ? factor(front.panel) : right(front)) + updates[j].column;
+    for (int i = 0; i < child.updates; ++i) to[updates[i].row] += from[i];
+  }
+}
+
+void MultifrontalLu::solve(std::span<double> b) {
+  double* const x = steps_.data();
+  double* const w = work_.data();
+  for (int k = 0; k < size_; ++k) x[k] = b[row_of_step_[k]] * row_scale_[k];
+  for (const Front& front : fronts_) {
+    double* own = x + front.first_step;
+    std::copy_n(own, front.pivots, w);
+    std::fill(w + front.pivots, w + front.length, 0.0);
+    kernels_.eliminate(factor(front.panel), front.pivots, front.length, w, 1);
+    std::copy_n(w, front.pivots, own);
+    const Update* updates = updates_.data() + front.first_update;
+    for (int i = 0; i < front.updates; ++i) x[updates[i].row_step] += w[front.pivots + i];
+  }
+  std::fill(x + size_ - left_out_, x + size_, 0.0);
+  for (auto front = fronts_.rbegin(); front != fronts_.rend(); ++front) {
+    double* own = x + front->first_step;
+    std::copy_n(own, front->pivots, w);
+    const Update* updates = updates_.data() + front->first_update;
+    for (int i = 0; i < front->updates; ++i) others_[i] = x[updates[i].column_step];
+    kernels_.substitute(factor(front->panel), front->pivots, front->length, inverse_pivot_.data() + front->first_step,
+                        factor(front->upper), front->updates, others_.data(), w);
+    std::copy_n(w, front->pivots, own);
+  }
+  for (int k = 0; k < size_; ++k) b[column_of_step_[k]] = x[k] * column_scale_[k];
+}
+
+}  // namespace dalembert

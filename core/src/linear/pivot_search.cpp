@@ -1,0 +1,184 @@
+// Duff, Reid: The multifrontal solution of unsymmetric sets of linear equations, SIAM J. Sci. Stat. Comput. 5 (1984).
+#include "pivot_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dalembert {
+
+namespace {
+
+// Where singular matrices are allowed, what is smaller than this part of the column of the matrix is round-off.
+constexpr double round_off = 1e-14;
+
+// One front as a square matrix; the first `candidates` rows and columns are complete and may be eliminated.
+class DenseFront {
+ public:
+  DenseFront(std::vector<int> rows, std::vector<int> columns, int candidates)
+      : rows_(std::move(rows)), columns_(std::move(columns)), candidates_(candidates), size_(static_cast<int>(rows_.size())),
+        length_(padded(size_)), values_(static_cast<std::size_t>(length_) * size_, 0.0) {}
+
+  double& at(int row, int column) { return values_[static_cast<std::size_t>(column) * length_ + row]; }
+
+  // `usable(row, column, size, below)`: acceptable as pivot, `below` being the largest entry that is left to the parent.
+  template <class Usable>
+  void eliminate(Usable&& usable, const FrontKernels& kernels) {
+    // Columns that fail are tried again once another pivot has been found.
+    for (int before = -1; before < pivots_ && pivots_ < candidates_;) {
+      before = pivots_;
+      for (int end = candidates_; pivots_ < end;) {
+        if (!eliminate_next(usable)) exchange_columns(pivots_, --end);
+      }
+    }
+    kernels.eliminate(values_.data(), pivots_, length_, column(candidates_), size_ - candidates_);
+  }
+
+  int size() const { return size_; }
+  int pivots() const { return pivots_; }
+  int left() const { return candidates_ - pivots_; }  // candidates without pivot
+  const std::vector<int>& rows() const { return rows_; }
+  const std::vector<int>& columns() const { return columns_; }
+
+ private:
+  double* column(int j) { return values_.data() + static_cast<std::size_t>(j) * length_; }
+
+  template <class Usable>
+  bool eliminate_next(Usable&& usable) {
+    const int k = pivots_;
+    double* c = column(k);
+    int best = k;
+    double largest = 0, below = 0;
+    for (int i = k; i < candidates_; ++i) {
+      if (const double x = std::abs(c[i]); x > largest) {
+        largest = x;
+        best = i;
+      }
+    }
+    for (int i = candidates_; i < size_; ++i) below = std::max(below, std::abs(c[i]));
+    if (!usable(rows_[best], columns_[k], largest, below)) return false;
+    exchange_rows(k, best);
+    const double inverse = 1 / c[k];
+    for (int i = k + 1; i < size_; ++i) c[i] *= inverse;
+    for (int j = k + 1; j < candidates_; ++j) {
+      double* d = column(j);
+      const double u = d[k];
+      if (u == 0) continue;
+      for (int i = k + 1; i < size_; ++i) d[i] -= u * c[i];
+    }
+    ++pivots_;
+    return true;
+  }
+
+  void exchange_rows(int i, int j) {
+    if (i == j) return;
+    std::swap(rows_[i], rows_[j]);
+    for (int k = 0; k < size_; ++k) std::swap(at(i, k), at(j, k));
+  }
+
+  void exchange_columns(int i, int j) {
+    if (i == j) return;
+    std::swap(columns_[i], columns_[j]);
+    std::swap_ranges(column(i), column(i) + length_, column(j));
+  }
+
+  std::vector<int> rows_, columns_;
+  int candidates_, size_, length_;
+  int pivots_ = 0;
+  std::vector<double> values_;
+};
+
+class Search {
+ public:
+  Search(const Pattern& pattern, const std::vector<FrontStructure>& tree, std::span<const double> values,
+         const Scaling& scaling, double smallest_ratio, const LinearSolverOptions& options, const FrontKernels& kernels)
+      : tree_(tree), values_(values), scaling_(scaling), smallest_ratio_(smallest_ratio), kernels_(kernels),
+        entries_(pattern, tree), waiting_(tree.size()), row_place_(pattern.size()), column_place_(pattern.size()),
+        threshold_(options.pivot_threshold), smallest_(pattern.size(), 0.0), ignore_singular_(options.ignore_singular) {
+    if (!options.ignore_singular) return;
+    for (int j = 0; j < pattern.size(); ++j) {
+      double largest = 0;
+      for (int k = pattern.column_start()[j]; k < pattern.column_start()[j + 1]; ++k) {
+        largest = std::max(largest, std::abs(values[k]) * scaling.row(pattern.row_index()[k]));
+      }
+      smallest_[j] = round_off * largest * scaling.column(j);
+    }
+  }
+
+  PivotSearch run() {
+    PivotSearch result;
+    result.fronts.reserve(tree_.size());
+    for (int f = 0; f < static_cast<int>(tree_.size()); ++f) {
+      DenseFront front = assemble(f);
+      front.eliminate(
+          [&](int row, int column, double pivot, double below) {
+            return pivot >= smallest_ratio_ * below && pivot > smallest_[column] &&
+                   pivot > threshold_ * scaling_.row(row) * scaling_.column(column);
+          },
+          kernels_);
+      const int parent = tree_[f].parent;
+      if (parent < 0 && front.left() > 0 && !ignore_singular_) {
+        result.singular_column = front.columns()[front.pivots()];
+        return result;
+      }
+      result.fronts.push_back({front.rows(), front.columns(), front.pivots()});
+      if (parent >= 0) waiting_[parent].push_back(std::move(front));
+    }
+    return result;
+  }
+
+ private:
+  DenseFront assemble(int f) {
+    const FrontStructure& structure = tree_[f];
+    std::vector<DenseFront>& children = waiting_[f];
+    std::vector<int> rows = structure.pivots, columns = structure.pivots;
+    for (const DenseFront& child : children) {
+      const auto add = [&](std::vector<int>& to, const std::vector<int>& from) {
+        to.insert(to.end(), from.begin() + child.pivots(), from.begin() + child.pivots() + child.left());
+      };
+      add(rows, child.rows());
+      add(columns, child.columns());
+    }
+    const int candidates = static_cast<int>(rows.size());
+    rows.insert(rows.end(), structure.updates.begin(), structure.updates.end());
+    columns.insert(columns.end(), structure.updates.begin(), structure.updates.end());
+    for (int k = 0; k < static_cast<int>(rows.size()); ++k) {
+      row_place_[rows[k]] = k;
+      column_place_[columns[k]] = k;
+    }
+    DenseFront front(std::move(rows), std::move(columns), candidates);
+    entries_.for_each(f, [&](int i, int j, int slot) { 
+      front.at(row_place_[i], column_place_[j]) = values_[slot] * (scaling_.row(i) * scaling_.column(j));
+    });
+    for (DenseFront& child : children) {
+      for (int j = child.pivots(); j < child.size(); ++j) {
+        for (int i = child.pivots(); i < child.size(); ++i) {
+          front.at(row_place_[child.rows()[i]], column_place_[child.columns()[j]]) += child.at(i, j);
+        }
+      }
+    }
+    children = {};
+    return front;
+  }
+
+  const std::vector<FrontStructure>& tree_;
+  std::span<const double> values_;
+  const Scaling& scaling_;
+  double smallest_ratio_;
+  const FrontKernels& kernels_;
+  FrontEntries entries_;
+  std::vector<std::vector<DenseFront>> waiting_;  // children of each front, until it takes over what they leave
+  std::vector<int> row_place_, column_place_;     // in the front that is being assembled
+  double threshold_;
+  std::vector<double> smallest_;
+  bool ignore_singular_;
+};
+
+}  // namespace
+
+PivotSearch search_pivots(const Pattern& pattern, const std::vector<FrontStructure>& tree, std::span<const double> values,
+                          const Scaling& scaling, double smallest_ratio, const LinearSolverOptions& options,
+                          const FrontKernels& kernels) {
+  return Search(pattern, tree, values, scaling, smallest_ratio, options, kernels).run();
+}
+
+}  // namespace dalembert

@@ -1,0 +1,32 @@
+// Chooses the pivots of a sparse factorization from the values of the matrix, front by front.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "assembly_tree.hpp"
+#include "dalembert/linear/linear_solver.hpp"
+#include "front_kernels.hpp"
+#include "scaling.hpp"
+
+namespace dalembert {
+
+// A front with its pivots: entry (rows[k], columns[k]) is the k-th for k < pivots; the parent takes over the others.
+struct PivotedFront {
+  std::vector<int> rows, columns;
+  int pivots = 0;
+};
+
+struct PivotSearch {
+  std::vector<PivotedFront> fronts;  // as in the tree
+  int singular_column = LinearSolver::success;
+};
+
+// Partial pivoting within the fronts. Columns without an acceptable pivot are handed to the parent: if it were smaller than
+// `smallest_ratio` times the largest entry of its column. If a front without parent
+// has such columns, the matrix is singular: they are left over there if the options allow it.
+PivotSearch search_pivots(const Pattern& pattern, const std::vector<FrontStructure>& tree, std::span<const double> values,
+                          const Scaling& scaling, double smallest_ratio, const LinearSolverOptions& options,
+                          const FrontKernels& kernels);
+
+}  // namespace dalembert

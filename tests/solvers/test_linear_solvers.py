@@ -1,0 +1,295 @@
+"""The sparse factorization by itself: saddle-point matrices, pivots, singular matrices, repetition with other values."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import scipy.sparse as sp
+
+from dalembert._core import testing
+
+EPS = np.finfo(float).eps
+INSTRUCTIONS = testing.instruction_sets()
+
+
+def solver_of(matrix: sp.csc_array, **options: object) -> testing.LinearSolver:
+    return testing.LinearSolver(matrix.indptr, matrix.indices, **options)
+
+
+def csc(matrix: np.ndarray) -> sp.csc_array:
+    return sp.csc_array(matrix)
+
+
+def backward_error(matrix: sp.csc_array, x: np.ndarray, b: np.ndarray) -> float:
+    """Of Oettli and Prager, by norm: how much the matrix must change to have x as its exact solution."""
+    residual = np.abs(b - matrix @ x).max()
+    return float(residual / (abs(matrix).sum(axis=1).max() * np.abs(x).max() + np.abs(b).max()))
+
+
+def chain(bodies: int, seed: int, coordinates: int = 7, joints: int = 5, scale: float = 1.0) -> sp.csc_array:
+    """Bodies in a row with joints between neighbours, a condition per body, and an unsymmetric part; all coordinates first.
+
+    `scale` multiplies the stiffness part, as the step size does where joints are equations of positions.
+    """
+    rng = np.random.default_rng(seed)
+    n, m = bodies * coordinates, bodies * (joints + 1)
+    matrix = np.zeros((n + m, n + m))
+    for i in range(bodies):
+        own = slice(i * coordinates, (i + 1) * coordinates)
+        inertia = rng.normal(size=(coordinates, coordinates))
+        matrix[own, own] = scale * (
+            inertia @ inertia.T + 3 * np.eye(coordinates) + 0.1 * rng.normal(size=inertia.shape)
+        )
+        row = n + i * (joints + 1)
+        for body, rows in ((i, slice(row, row + joints + 1)), (i - 1, slice(row, row + joints))):
+            if body < 0:
+                continue
+            columns = slice(body * coordinates, (body + 1) * coordinates)
+            gradient = rng.normal(size=(rows.stop - rows.start, coordinates))
+            matrix[rows, columns] = gradient
+            matrix[columns, rows] = gradient.T
+    return csc(matrix)
+
+
+def grid(side: int, seed: int) -> sp.csc_array:
+    """Masses at the points of a square grid with three coordinates each, springs between neighbours, values not symmetric."""
+    rng = np.random.default_rng(seed)
+    line = sp.diags_array([np.ones(side - 1), np.ones(side - 1)], offsets=[-1, 1])
+    eye = sp.eye_array(side)
+    neighbours = sp.kron(line, eye) + sp.kron(eye, line) + sp.kron(eye, eye)
+    matrix = sp.csc_array(sp.kron(neighbours, np.ones((3, 3))))
+    matrix.data = rng.uniform(-1, 1, matrix.nnz)
+    return sp.csc_array(matrix + sp.diags_array(np.full(matrix.shape[0], 8.0)))
+
+
+@pytest.mark.parametrize("instructions", INSTRUCTIONS)
+@pytest.mark.parametrize(
+    "matrix", [chain(1, 1), chain(2, 2), chain(40, 3), chain(25, 4, 4, 2), grid(4, 5), grid(24, 6)]
+)
+def test_solutions_are_backward_stable(matrix: sp.csc_array, instructions: str) -> None:
+    solver = solver_of(matrix, instructions=instructions)
+    assert solver.factorize(matrix.data) == -1
+    b = np.sin(np.arange(matrix.shape[0]) + 1.0)
+    # Pivots are at least 1e-3 of their columns: a few digits may be lost, in the mean less than one.
+    assert backward_error(matrix, solver.solve(b), b) < 200 * EPS
+
+
+def test_instruction_sets_differ_by_rounding() -> None:
+    matrix = chain(30, 7)
+    b = np.cos(np.arange(matrix.shape[0]))
+    solutions = []
+    for instructions in INSTRUCTIONS:
+        solver = solver_of(matrix, instructions=instructions)
+        solver.factorize(matrix.data)
+        solutions.append(solver.solve(b))
+    bound = 200 * EPS * np.linalg.cond(matrix.toarray()) * np.abs(solutions[0]).max()
+    for x in solutions[1:]:
+        np.testing.assert_allclose(x, solutions[0], rtol=0, atol=bound)
+
+
+def test_unknown_instructions_are_refused() -> None:
+    with pytest.raises(ValueError, match="received 'abacus', which this processor does not have"):
+        solver_of(chain(1, 1), instructions="abacus")
+
+
+def test_repetition_gives_what_a_new_solver_gives() -> None:
+    first = chain(20, 8)
+    solver = solver_of(first)
+    solver.factorize(first.data)
+    b = np.ones(first.shape[0])
+    for seed in range(9, 14):
+        matrix = first.copy()
+        matrix.data = first.data * np.random.default_rng(seed).uniform(0.8, 1.2, first.nnz)
+        solver.factorize(matrix.data)
+        assert backward_error(matrix, solver.solve(b), b) < 200 * EPS
+    assert solver.statistics["pivot_searches"] == 1
+    assert solver.statistics["factorizations"] == 6
+
+
+def test_the_same_values_give_the_same_bits() -> None:
+    matrix = grid(12, 15)
+    b = np.arange(matrix.shape[0], dtype=float)
+    solver, other = solver_of(matrix), solver_of(matrix)
+    solver.factorize(matrix.data)
+    first = solver.solve(b)
+    solver.factorize(2.5 * matrix.data)
+    solver.factorize(matrix.data)
+    other.factorize(matrix.data)
+    np.testing.assert_array_equal(solver.solve(b), first)
+    np.testing.assert_array_equal(other.solve(b), first)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_the_order_of_the_unknowns_does_not_matter(seed: int) -> None:
+    matrix = chain(15, 16)
+    b = np.sin(np.arange(matrix.shape[0]))
+    expected = np.linalg.solve(matrix.toarray(), b)
+    p = np.random.default_rng(seed).permutation(matrix.shape[0])
+    shuffled = csc(matrix.toarray()[np.ix_(p, p)])
+    solver = solver_of(shuffled)
+    assert solver.factorize(shuffled.data) == -1
+    bound = 200 * EPS * np.linalg.cond(matrix.toarray()) * np.abs(expected).max()
+    np.testing.assert_allclose(solver.solve(b[p]), expected[p], rtol=0, atol=bound)
+
+
+def test_the_order_keeps_the_factors_of_a_chain_sparse() -> None:
+    """Entries per body do not grow with the number of bodies."""
+    entries = []
+    for bodies in (50, 100):
+        matrix = chain(bodies, 17)
+        solver = solver_of(matrix)
+        solver.factorize(matrix.data)
+        entries.append(solver.statistics["entries"] / bodies)
+    assert entries[1] == pytest.approx(entries[0], rel=0.05)  # the ends differ from the rest
+    assert entries[0] < 2 * 13 * 18  # at most twice the entries of a front of one body and the joint to the next one
+
+
+@pytest.mark.parametrize("scale", [1e-10, 1e-6, 1e6, 1e12])
+def test_badly_scaled_multipliers(scale: float) -> None:
+    """Constraints of positions with tiny or large steps: each block of equations holds to its own accuracy."""
+    matrix = chain(20, 18, scale=scale)
+    n = 20 * 7
+    exact = np.ones(matrix.shape[0])
+    exact[n:] = scale
+    b = matrix @ exact
+    solver = solver_of(matrix)
+    assert solver.factorize(matrix.data) == -1
+    x = solver.solve(b)
+    balance = np.ones(matrix.shape[0])
+    balance[:n] = 1 / np.sqrt(scale)
+    balance[n:] = np.sqrt(scale)
+    condition = np.linalg.cond(balance[:, None] * matrix.toarray() * balance[None, :])
+    np.testing.assert_allclose(x[:n], exact[:n], rtol=1e3 * EPS * condition)
+    np.testing.assert_allclose(x[n:], exact[n:], rtol=1e3 * EPS * condition)
+
+
+def test_unknowns_without_stiffness_get_their_pivots_from_the_constraints() -> None:
+    """Mechanisms that constraints determine completely: no diagonal at all."""
+    rng = np.random.default_rng(19)
+    g = np.eye(30) + np.diag(rng.normal(size=29), 1) + np.diag(rng.normal(size=27), 3)
+    matrix = csc(np.block([[np.zeros((30, 30)), g.T], [g, np.zeros((30, 30))]]))
+    solver = solver_of(matrix)
+    assert solver.factorize(matrix.data) == -1
+    b = rng.normal(size=60)
+    assert backward_error(matrix, solver.solve(b), b) < 200 * EPS
+
+
+def on_pattern(pattern: sp.csc_array, dense: np.ndarray) -> sp.csc_array:
+    """The entries of a dense matrix on a pattern."""
+    matrix = pattern.copy()
+    matrix.data = dense[matrix.indices, np.repeat(np.arange(matrix.shape[1]), np.diff(matrix.indptr))]
+    return matrix
+
+
+def test_pivots_that_vanish_are_searched_again() -> None:
+    """Masses and gradients of one matrix are what vanishes in the other one; the statistics tell of the second search."""
+    matrix = chain(10, 20)
+    solver = solver_of(matrix)
+    solver.factorize(matrix.data)
+    other = matrix.toarray()
+    n = 10 * 7
+    other[:n, :n] *= 1e-14
+    for i in range(10):
+        row, column = n + i * 6, i * 7
+        other[row : row + 5, column : column + 7] = np.fliplr(other[row : row + 5, column : column + 7])
+    changed = on_pattern(matrix, other)
+    b = np.ones(matrix.shape[0])
+    assert solver.factorize(changed.data) == -1
+    assert solver.statistics == {**solver.statistics, "factorizations": 2, "pivot_searches": 2}
+    # The search accepts a backward error of 1e-12 in the scaled matrix, whose multipliers count 1e14 times here.
+    scale = np.ones(matrix.shape[0])
+    scale[n:] = 1e-14
+    scaled = sp.csc_array(sp.diags_array(scale) @ changed @ sp.diags_array(scale))
+    assert backward_error(scaled, solver.solve(b) / scale, b * scale) < 2e-12
+    solver.factorize(matrix.data)
+    assert backward_error(matrix, solver.solve(b), b) < 2e-12
+
+
+def test_a_zero_pivot_is_replaced() -> None:
+    matrix = csc(np.array([[2.0, 1, 0], [1, 1, 1], [0, 1, 3]]))
+    solver = solver_of(matrix)
+    solver.factorize(matrix.data)
+    dense = np.array([[0.0, 1, 0], [1, 1e-300, 1], [0, 1, 3]])
+    assert solver.factorize(on_pattern(matrix, dense).data) == -1
+    b = np.array([1.0, 2, 3])
+    np.testing.assert_allclose(solver.solve(b), np.linalg.solve(dense, b), rtol=0, atol=20 * EPS)
+
+
+def test_a_singular_matrix_names_an_unknown_that_is_free() -> None:
+    """Two equal constraints: the column is one of the multipliers whose sum alone is determined."""
+    dense = chain(5, 21).toarray()
+    n = 5 * 7
+    first, second = n + 8, n + 9
+    dense[second] = dense[first]
+    dense[:, second] = dense[:, first]
+    matrix = csc(dense)
+    solver = solver_of(matrix, pivot_threshold=1e-12)  # equal up to round-off of the elimination
+    assert solver.factorize(matrix.data) in (first, second)
+
+
+@pytest.mark.parametrize("loose", [0, 13, 34])
+def test_an_unknown_without_equation_is_named(loose: int) -> None:
+    dense = chain(5, 22).toarray()
+    dense[loose] = 0
+    dense[:, loose] = 0
+    matrix = csc(dense)
+    assert solver_of(matrix).factorize(matrix.data) == loose
+
+
+def test_singular_matrices_can_be_solved_as_far_as_they_determine_the_unknowns() -> None:
+    dense = chain(5, 23).toarray()
+    n = 5 * 7
+    first, second = n + 8, n + 9
+    dense[second] = dense[first]
+    dense[:, second] = dense[:, first]
+    matrix = csc(dense)
+    solver = solver_of(matrix, ignore_singular=True)
+    exact = np.sin(np.arange(matrix.shape[0]))
+    for scale in (1.0, 3.0):
+        assert solver.factorize(scale * matrix.data) == -1
+        x = solver.solve(scale * (matrix @ exact))
+        bound = 1e-11  # condition of the regular part times round-off
+        np.testing.assert_allclose(x[:n], exact[:n], rtol=0, atol=bound)
+        assert x[first] + x[second] == pytest.approx(exact[first] + exact[second], abs=bound)
+        assert 0 in (x[first], x[second])
+
+
+def test_nothing_but_numbers_can_be_factorized() -> None:
+    matrix = chain(3, 24)
+    solver = solver_of(matrix)
+    solver.factorize(matrix.data)
+    data = matrix.data.copy()
+    data[0] = np.nan
+    assert solver.factorize(data) >= 0
+    assert solver.factorize(matrix.data) == -1
+
+
+@pytest.mark.parametrize("size", [1, 2, 3, 5, 8, 13, 40])
+def test_dense_matrices(size: int) -> None:
+    rng = np.random.default_rng(size)
+    matrix = csc(rng.normal(size=(size, size)))
+    solver = solver_of(matrix, dense=True)
+    b = rng.normal(size=size)
+    for _ in range(2):
+        assert solver.factorize(matrix.data) == -1
+        assert backward_error(matrix, solver.solve(b), b) < 50 * EPS
+
+
+def test_pivots_of_dense_matrices_are_searched_again() -> None:
+    first, second = np.diag([1.0, 2, 3, 4, 5]) + 0.1, np.fliplr(np.diag([1.0, 2, 3, 4, 5]))
+    solver = solver_of(csc(first), dense=True)
+    b = np.arange(5.0)
+    for matrix, searches in ((first, 1), (2 * first, 1), (second, 2), (3 * second, 2)):
+        assert solver.factorize(matrix.T.ravel()) == -1
+        np.testing.assert_allclose(solver.solve(b), np.linalg.solve(matrix, b), rtol=0, atol=20 * EPS * 5)
+        assert solver.statistics["pivot_searches"] == searches
+
+
+def test_singular_dense_matrices() -> None:
+    """The third column is the sum of the first two."""
+    matrix = csc(np.array([[1.0, 2, 3], [4, 1, 5], [1, 1, 2]]))
+    assert solver_of(matrix, dense=True, pivot_threshold=1e-12).factorize(matrix.data) == 2
+    solver = solver_of(matrix, dense=True, ignore_singular=True)
+    assert solver.factorize(matrix.data) == -1
+    b = matrix @ np.array([1.0, -1, 2])
+    np.testing.assert_allclose(matrix @ solver.solve(b), b, rtol=0, atol=50 * EPS)
