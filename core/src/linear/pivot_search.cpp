@@ -8,6 +8,9 @@ namespace dalembert {
 
 namespace {
 
+// In fronts with more pivots the order as it stands is tried first; it is good if no entry of L is larger than this.
+constexpr int small_front = 16;
+constexpr double harmless_growth = 10;
 // Where singular matrices are allowed, what is smaller than this part of the column of the matrix is round-off.
 constexpr double round_off = 1e-14;
 
@@ -23,11 +26,13 @@ class DenseFront {
   // `usable(row, column, size, below)`: acceptable as pivot, `below` being the largest entry that is left to the parent.
   template <class Usable>
   void eliminate(Usable&& usable, const FrontKernels& kernels) {
-    // Columns that fail are tried again once another pivot has been found.
-    for (int before = -1; before < pivots_ && pivots_ < candidates_;) {
-      before = pivots_;
-      for (int end = candidates_; pivots_ < end;) {
-        if (!eliminate_next(usable)) exchange_columns(pivots_, --end);
+    if (candidates_ <= small_front || !eliminate_in_order(usable, kernels)) {
+      // Columns that fail are tried again once another pivot has been found.
+      for (int before = -1; before < pivots_ && pivots_ < candidates_;) {
+        before = pivots_;
+        for (int end = candidates_; pivots_ < end;) {
+          if (!eliminate_next(usable)) exchange_columns(pivots_, --end);
+        }
       }
     }
     kernels.eliminate(values_.data(), pivots_, length_, column(candidates_), size_ - candidates_);
@@ -41,6 +46,21 @@ class DenseFront {
 
  private:
   double* column(int j) { return values_.data() + static_cast<std::size_t>(j) * length_; }
+
+  // Without exchanges. False, and nothing has happened, if one is called for.
+  template <class Usable>
+  bool eliminate_in_order(Usable&& usable, const FrontKernels& kernels) {
+    const std::vector<double> before(column(0), column(candidates_));
+    std::vector<double> inverse(static_cast<std::size_t>(candidates_));
+    bool good = kernels.factorize(column(0), candidates_, length_, inverse.data()) <= harmless_growth;
+    for (int k = 0; k < candidates_; ++k) good &= usable(rows_[k], columns_[k], 1 / std::abs(inverse[k]), 0);
+    if (good) {
+      pivots_ = candidates_;
+    } else {
+      std::copy(before.begin(), before.end(), column(0));
+    }
+    return good;
+  }
 
   template <class Usable>
   bool eliminate_next(Usable&& usable) {
