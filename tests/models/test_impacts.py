@@ -43,7 +43,9 @@ def test_speed_after_an_impact(model: int, restitution: float, exponent: float) 
     """m v dv = -k d^n (1 + chi v) dd: the integral of v / (1 + chi v) from the speed before to rest is that from rest to the
     speed after, for any power n. The force at the end of the contact ends within a step, of 1/200 of the impact."""
     e = restitution
-    loss = {0: 0.0, 1: 1.5 * (1 - e)}.get(model, 1.5 * (1 - e) * (11 - e) / (1 + 9 * e) if e > 1 / 3 else (1 - e * e) / e)
+    loss = {0: 0.0, 1: 1.5 * (1 - e)}.get(
+        model, 1.5 * (1 - e) * (11 - e) / (1 + 9 * e) if e > 1 / 3 else (1 - e * e) / e
+    )
     after = SPEED
     if loss:
         chi = loss / SPEED
