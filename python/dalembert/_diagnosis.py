@@ -15,7 +15,7 @@ _COUNTED = (0, 2, 4)  # entries of InfoStat: new arrays, vectors, matrices
 
 # Parts of the text that the compiled solver gives: the start of the advice, and the items behind an equation.
 _ADVICE = "  what to try:"
-_ITEMS = re.compile(r"^(\s*(?:no pivot for unknown \d+|equation \d+: \S+))(?:: |  \().*$")
+_ITEMS = re.compile(r"^(\s*(?:no pivot for unknown \d+|rows [\d, ]+|equation \d+: \S+))(?:: |  \().*$")
 
 
 class SolverError(ValueError):

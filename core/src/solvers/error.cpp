@@ -35,6 +35,8 @@ std::string Diagnosis::text() const {
     t += "\n  no pivot for unknown " + std::to_string(singular_row);
     if (!singular_items.empty()) t += ": " + singular_items;
   }
+  if (!dependent.empty()) t += "\n  equations that depend on each other:";
+  for (const std::string& d : dependent) t += "\n    " + d;
   if (!worst_rows.empty()) t += "\n  largest residuals:";
   for (const WorstRow& w : worst_rows) {
     t += "\n    equation " + std::to_string(w.row) + ": " + format_number(w.residual) +

@@ -7,6 +7,7 @@
 #include "dalembert/model/errors.hpp"
 #include "dalembert/output/numbers.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
+#include "dependent_equations.hpp"
 
 namespace dalembert {
 
@@ -16,6 +17,30 @@ double square_sum(std::span<const double> x) {
   double sum = 0;
   for (const double xi : x) sum += xi * xi;
   return sum;
+}
+
+// One line per item, with its equations: their descriptions differ in what follows the last blank.
+std::vector<std::string> describe_equations(const System& system, std::span<const int> rows) {
+  std::vector<std::string> lines;
+  std::string item, numbers, text;
+  const auto finish = [&] {
+    if (!numbers.empty()) lines.push_back("rows " + numbers + ": " + text);
+  };
+  for (const int row : rows) {
+    const std::string described = system.describe_row(row);
+    const auto blank = described.rfind(' ');
+    if (const std::string owner = described.substr(0, blank); owner == item) {
+      numbers += ", " + std::to_string(row);
+      text += "," + described.substr(blank);
+    } else {
+      finish();
+      item = owner;
+      numbers = std::to_string(row);
+      text = described;
+    }
+  }
+  finish();
+  return lines;
 }
 
 // A loop has stagnated when so many iterations in a row have not lowered the best residual by a tenth ...
@@ -269,6 +294,7 @@ void NewtonSolver::restart(Loop& loop) {
 void NewtonSolver::report_failure(const Loop& loop) {
   if (conv.linearSolverFailed) {
     diagnose(FailureReason::singular_matrix);
+    diagnosis_.dependent = describe_equations(system(), dependent_equations(*pattern_, jacobian_));
     say(1, "  " + diagnosis_.text() + "\n");
     return;
   }

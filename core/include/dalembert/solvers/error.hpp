@@ -32,6 +32,7 @@ struct Diagnosis {
   std::vector<WorstRow> worst_rows;    // largest first
   int singular_row = -1;
   std::string singular_items;
+  std::vector<std::string> dependent;  // equations of which a combination vanishes, item by item
   std::vector<std::string> advice;     // what to try, one sentence each
 
   std::string text() const;
