@@ -141,3 +141,19 @@ def test_stabilizer_fades_out() -> None:
         now.append(start)
     np.testing.assert_allclose(model.table()[1:, 1], now, rtol=1e-12)
     assert model.position == pytest.approx(6 / 80, rel=1e-12)
+
+
+def test_ground_may_be_moved_between_solutions() -> None:
+    """Frames of resting markers are evaluated once, and again when parameters under them change."""
+    mbs = exu.SystemContainer().AddSystem()
+    ground = mbs.AddObject(exu.ObjectGround())
+    node = mbs.AddNode(exu.NodePoint())
+    body = mbs.AddObject(exu.ObjectMassPoint(nodeNumber=node, physicsMass=1))
+    markers = [mbs.AddMarker(exu.MarkerBodyPosition(bodyNumber=b)) for b in (ground, body)]
+    mbs.AddObject(exu.ObjectConnectorCartesianSpringDamper(markerNumbers=markers, stiffness=[10, 20, 30]))
+    mbs.Assemble()
+    for place in ([0, 0, 0], [0.1, -0.2, 0.3]):
+        mbs.SetObjectParameter(ground, "referencePosition", place)
+        mbs.SolveStatic(static_settings())
+        # A linear spring without load: the point meets the ground up to round-off.
+        np.testing.assert_allclose(mbs.GetNodeOutput(node, Variable.Position), place, rtol=0, atol=1e-14)

@@ -65,6 +65,8 @@ class Builder {
     EvaluationPlan& plan = parts_.plan;
     for (const auto& batch : parts_.marker_batches)
       (acting_.contains(batch.get()) ? plan.moving : plan.resting).push_back(batch.get());
+    for (const MarkerBatch* batch : plan.moving)
+      if (differentiated_.contains(batch) || batch->geometric_follows_tangent()) plan.differentiated.push_back(batch);
     for (const auto& term : parts_.terms)
       if (acting_.contains(term.get())) (loads.contains(term.get()) ? plan.loads : plan.terms).push_back(term.get());
   }
@@ -74,6 +76,11 @@ class Builder {
   void enter(Batch& batch, const void* record, const Placement& p, bool acts) {
     if (acts) acting_.insert(&batch);
     batch.add(record, p, parts_.ports);
+  }
+  void enter_term(Term& term, const void* record, const Placement& p) {
+    enter(term, record, p, has_coordinates(p) || !p.markers.empty());
+    if (!term.has_tangent()) return;
+    for (const int marker : p.markers) differentiated_.insert(parts_.markers[marker].member.batch);
   }
 
   void name_items() {
@@ -293,7 +300,7 @@ class Builder {
     const TypeList types = node_types(place.nodes);
     place.member.batch = &term({place.type, place.type, types}, [&] { return physics.make_batch(types); }, ItemKind::object, number);
     place.member.entry = entries_[place.member.batch]++;
-    enter(*place.member.batch, place.record.get(), p, has_coordinates(p) || !p.markers.empty());
+    enter_term(*place.member.batch, place.record.get(), p);
   }
 
   void place_node_conditions() {
@@ -304,7 +311,7 @@ class Builder {
       p.item = i;
       p.first_ae = node.ae;
       Term& batch = term({node.type, node.type, {}}, [&] { return node.physics->make_condition(); }, ItemKind::node, i);
-      enter(batch, node.record.get(), p, true);
+      enter_term(batch, node.record.get(), p);
     }
   }
 
@@ -319,7 +326,7 @@ class Builder {
     const void* variant = fixed ? static_cast<const void*>(&physics) : item.type;
     place.member.batch = &term({variant, item.type, {}}, [&] { return physics.make_batch(fixed); }, ItemKind::load, number);
     place.member.entry = entries_[place.member.batch]++;
-    enter(*place.member.batch, item.record.get(), p, true);
+    enter_term(*place.member.batch, item.record.get(), p);
     parts_.loads.push_back(std::move(place));
   }
 
@@ -328,7 +335,7 @@ class Builder {
   std::map<Key, MarkerBatch*> marker_batches_;
   std::map<Key, Term*> terms_;
   std::map<const Batch*, int> entries_;
-  std::set<const Batch*> acting_;
+  std::set<const Batch*> acting_, differentiated_;
   std::vector<int> first_ae_;
   std::vector<double> reference_;  // of the ODE2 coordinates
 };

@@ -52,17 +52,7 @@ class PortBatch final : public Term {
   }
 
   void residual(const Evaluation& evaluation, Ports& ports, double*) const override {
-    const double* values = ports.values.data();
-    double* sums = ports.forces.data();
-    Context c = Context::of(evaluation, -1);
-    for (const Entry& e : entries_) {
-      if (!active(e.parameters)) continue;
-      e.place(c, evaluation);
-      std::array<typename Port::template Frame<double>, M> frames;
-      for (int m = 0; m < M; ++m) frames[m] = read_frame<Port>(values + e.offsets[m].value);
-      const auto forces = kernel_forces<K, M, double>(e.parameters, c, frames);
-      for (int m = 0; m < M; ++m) add_force(sums + e.offsets[m].force, 1.0, forces[m]);
-    }
+    add_all_forces(evaluation, ports, std::make_index_sequence<M>());
   }
   void tangent(const Evaluation& evaluation, const Weights&, Ports& ports, double* values) const override {
     if constexpr (is_constant) return;
@@ -80,6 +70,8 @@ class PortBatch final : public Term {
       slot += columns.total * columns.total;
     }
   }
+
+  bool has_tangent() const override { return !is_constant; }
 
   // K::update(p, c, m0, m1, start, data): new history from the frames; returns the error and a recommended step size.
   PostNewton post_newton(const Evaluation& evaluation, const Ports& ports, const double* start, double* data) override {
@@ -109,6 +101,20 @@ class PortBatch final : public Term {
   }
 
  private:
+  // Markers are spelt out, not looped over, so that frames and forces stay in registers.
+  template <std::size_t... m>
+  void add_all_forces(const Evaluation& evaluation, Ports& ports, std::index_sequence<m...>) const {
+    const double* values = ports.values.data();
+    double* sums = ports.forces.data();
+    Context c = Context::of(evaluation, -1);
+    for (const Entry& e : entries_) {
+      if (!active(e.parameters)) continue;
+      e.place(c, evaluation);
+      const auto forces = kernel_forces<K, M, double>(e.parameters, c, {read_frame<Port>(values + e.offsets[m].value)...});
+      (add_force(sums + e.offsets[m].force, 1.0, forces[m]), ...);
+    }
+  }
+
   static constexpr bool has_update = requires { &K::update; };
 
   // A load that does not read its marker has no tangent of its own.

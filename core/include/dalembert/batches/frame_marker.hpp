@@ -91,7 +91,7 @@ class FrameMarkerBatch final : public MarkerBatch {
       renew_parameters<E, OwnerRecord>(entries_[entry].parameters, record);
   }
   void visit(BlockVisitor& visitor, const Ports&) const override {
-    if constexpr (n > 0)
+    if constexpr (has_geometric)
       for (const Entry& e : entries_) visitor.block(e.dofs, e.dofs);
   }
 
@@ -127,8 +127,9 @@ class FrameMarkerBatch final : public MarkerBatch {
         for (int i = 0; i < n; ++i) r[e.dofs[i]] -= q[i];
       }
   }
+  bool geometric_follows_tangent() const override { return false; }
   void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const override {
-    if constexpr (n > 0) {
+    if constexpr (has_geometric) {
       SlotCursor slot(slots.data(), values);
       for (const Entry& e : entries_) {
         const auto x = gather<n>(evaluation, e.dofs.data());
@@ -165,6 +166,10 @@ class FrameMarkerBatch final : public MarkerBatch {
     PortOffsets port;
     std::array<int, n> dofs{};
   };
+  static constexpr bool has_geometric = [] {
+    if constexpr (requires { E::constant_jacobian; }) return n > 0 && !E::constant_jacobian;
+    else return n > 0;
+  }();
   static constexpr bool closed_form = [] {
     if constexpr (Shape::values > 0) return TurningElement<E>;
     else if constexpr (TurningElement<E>) return SpinBody<typename E::Kernel>;

@@ -104,15 +104,17 @@ void scatter_forces(const Ports& ports, const std::array<int, M>& markers, const
   }
 }
 
-inline void add_force(double* to, double sign, const ScalarForce<double>& f) { to[0] += sign * f.force; }
-inline void add_force(double* to, double sign, const Force<double>& f) {
-  for (int i = 0; i < 3; ++i) to[i] += sign * f.force[i];
+// Component by component: a loop would keep the vector out of registers.
+inline void add_vector(double* to, double sign, const Vec3<double>& v) {
+  to[0] += sign * v[0];
+  to[1] += sign * v[1];
+  to[2] += sign * v[2];
 }
+inline void add_force(double* to, double sign, const ScalarForce<double>& f) { to[0] += sign * f.force; }
+inline void add_force(double* to, double sign, const Force<double>& f) { add_vector(to, sign, f.force); }
 inline void add_force(double* to, double sign, const Wrench<double>& w) {
-  for (int i = 0; i < 3; ++i) {
-    to[i] += sign * w.force[i];
-    to[3 + i] += sign * w.moment[i];
-  }
+  add_vector(to, sign, w.force);
+  add_vector(to + 3, sign, w.moment);
 }
 template <class Port, int M>
 void add_forces(Ports& ports, const std::array<int, M>& markers, double sign,

@@ -98,6 +98,16 @@ concept ElementKernel = requires(const typename E::Parameters& p, const typename
   { E::constant_mass } -> std::convertible_to<bool>;
 };
 
+// The rotation alone, where a node can tell it for less than its motion.
+template <class Node, class S>
+Mat3<S> node_rotation(const Coordinates<S, Node::size>& x) {
+  if constexpr (requires { Node::template rotation<S>(x); }) {
+    return Node::template rotation<S>(x);
+  } else {
+    return Node::template motion<S>(x).rotation;
+  }
+}
+
 // The own axes of a node that speaks of global ones only.
 template <class Node, class S>
 SpinMotion<S> spin_motion(const Coordinates<S, Node::size>& x) {
@@ -117,7 +127,7 @@ Vec<S, Node::size> pull_back_spin_wrench(const Coordinates<S, Node::size>& x, co
     for (int i = 3; i < Node::size; ++i) r[i] = turn[i - 3];
     return r;
   } else {
-    return Node::template pull_back<S>(x, force, Node::template motion<S>(x).rotation * moment);
+    return Node::template pull_back<S>(x, force, node_rotation<Node, S>(x) * moment);
   }
 }
 
@@ -163,7 +173,7 @@ struct OnNode {
   template <class S>
   static Vec<S, size> pull_back(const Parameters&, const Coordinates<S, size>& x, const Vec3<double>& local,
                                 const Vec3<S>& force, const Vec3<S>& moment) {
-    const Mat3<S> rotation = Node::template motion<S>(x).rotation;
+    const Mat3<S> rotation = node_rotation<Node, S>(x);
     if constexpr (SpinNode<Node>) {
       Vec<S, size> r = Node::template pull_back<S>(x, force, moment);
       const auto turn = Node::template pull_back_spin<S>(x, cross(local, transposed_times(rotation, force)));
@@ -225,6 +235,7 @@ struct AtNode {
   struct Parameters {};
   using Turning = std::conditional_t<RotatingNode<Node>, Node, void>;
   static constexpr int size = Node::size;
+  static constexpr bool constant_jacobian = Node::constant_jacobian;
   static constexpr int lie_rotation = OnNode<AtNode, Node>::lie_rotation;
 
   template <class S>

@@ -62,6 +62,7 @@ struct SensorPlace {
 // The batches that an evaluation visits, in this order. Markers without coordinates rest: their frames are evaluated once.
 struct EvaluationPlan {
   std::vector<const MarkerBatch*> moving, resting;
+  std::vector<const MarkerBatch*> differentiated;  // moving ones whose derivatives are used
   std::vector<const Term*> terms, loads;
   bool resting_evaluated = false;
 };

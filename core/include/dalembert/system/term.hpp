@@ -97,6 +97,8 @@ class Term : public Batch {
   virtual void residual(const Evaluation& evaluation, Ports& ports, double* r) const = 0;
   // The derivative of what `residual` adds, with the ports' forces turned into generalised forces.
   virtual void tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports, double* values) const = 0;
+  // False: what `residual` adds is constant, and no derivatives of markers are asked for.
+  virtual bool has_tangent() const { return true; }
   // Adds the mass matrix alone; writes the same blocks as `tangent`.
   virtual void mass(const Evaluation&, Ports&, double*) const {}
   virtual bool has_mass() const { return false; }
@@ -133,6 +135,8 @@ class MarkerBatch : public Batch {
   virtual void pull_back(const Evaluation& evaluation, const Ports& ports, double* r) const = 0;
   // values -= d(J^T force) with the force held fixed.
   virtual void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const = 0;
+  // Whether `geometric` builds on what `evaluate_tangent` has left.
+  virtual bool geometric_follows_tangent() const { return true; }
   // History: new data coordinates after Newton, from the ports.
   virtual void post_newton(const Evaluation&, const Ports&, double* /*data*/) const {}
   virtual bool has_history() const { return false; }

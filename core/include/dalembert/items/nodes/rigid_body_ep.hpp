@@ -14,13 +14,17 @@ struct NodeRigidBodyEP {
   static constexpr int equations = 1;
 
   template <class S>
+  static Mat3<S> rotation(const Coordinates<S, size>& x) {
+    return euler_parameters_rotation(segment<4>(x.q, 3));
+  }
+  template <class S>
   static Motion<S> motion(const Coordinates<S, size>& x) {
     const Vec<S, 4> e = segment<4>(x.q, 3);
     const Mat<S, 3, 4> g = euler_parameters_g(e);
     return {.position = segment<3>(x.q, 0),
             .velocity = segment<3>(x.v, 0),
             .acceleration = segment<3>(x.a, 0),
-            .rotation = euler_parameters_rotation(e),
+            .rotation = rotation(x),
             .angular_velocity = g * segment<4>(x.v, 3),
             .angular_acceleration = g * segment<4>(x.a, 3)};  // dG/dt de/dt = 0 for Euler parameters
   }
@@ -29,7 +33,7 @@ struct NodeRigidBodyEP {
     const Vec<S, 4> e = segment<4>(x.q, 3);
     const Mat<S, 3, 4> g = euler_parameters_local_g(e);
     return {.acceleration = segment<3>(x.a, 0),
-            .rotation = euler_parameters_rotation(e),
+            .rotation = rotation(x),
             .spin = g * segment<4>(x.v, 3),
             .spin_rate = g * segment<4>(x.a, 3)};
   }

@@ -15,8 +15,12 @@ struct NodeRigidBodyRotVecLG {
   static constexpr int lie_rotation = 3;
 
   template <class S>
+  static Mat3<S> rotation(const Coordinates<S, size>& x) {
+    return rotation_vector_rotation(segment<3>(x.q, 3));
+  }
+  template <class S>
   static Motion<S> motion(const Coordinates<S, size>& x) {
-    const Mat3<S> r = rotation_vector_rotation(segment<3>(x.q, 3));
+    const Mat3<S> r = rotation(x);
     return {.position = segment<3>(x.q, 0),
             .velocity = segment<3>(x.v, 0),
             .acceleration = segment<3>(x.a, 0),
@@ -32,7 +36,7 @@ struct NodeRigidBodyRotVecLG {
   template <class S>
   static SpinMotion<S> spin_motion(const Coordinates<S, size>& x) {
     return {.acceleration = segment<3>(x.a, 0),
-            .rotation = rotation_vector_rotation(segment<3>(x.q, 3)),
+            .rotation = rotation(x),
             .spin = segment<3>(x.v, 3),
             .spin_rate = segment<3>(x.a, 3)};
   }
@@ -44,7 +48,7 @@ struct NodeRigidBodyRotVecLG {
   // By increments on the group: rotation exp(increment).
   static RotationTangent<3> rotation_tangent(const Coordinates<double, size>& x, const Weights& w) {
     const Vec3<double> spin = segment<3>(x.v, 3);
-    RotationTangent<3> t{.rotation = rotation_vector_rotation(segment<3>(x.q, 3)), .spin = spin, .spin_map = identity()};
+    RotationTangent<3> t{.rotation = rotation(x), .spin = spin, .spin_map = identity()};
     t.angular_map = t.rotation;
     for (int j = 0; j < 3; ++j) {
       Vec3<double> axis;

@@ -13,13 +13,17 @@ struct NodeRigidBodyRxyz {
   static constexpr bool constant_jacobian = false;
 
   template <class S>
+  static Mat3<S> rotation(const Coordinates<S, size>& x) {
+    return tait_bryan_rotation(segment<3>(x.q, 3));
+  }
+  template <class S>
   static Motion<S> motion(const Coordinates<S, size>& x) {
     const Vec3<S> angle = segment<3>(x.q, 3), rate = segment<3>(x.v, 3);
     const Mat3<S> g = tait_bryan_g(angle);
     return {.position = segment<3>(x.q, 0),
             .velocity = segment<3>(x.v, 0),
             .acceleration = segment<3>(x.a, 0),
-            .rotation = tait_bryan_rotation(angle),
+            .rotation = rotation(x),
             .angular_velocity = g * rate,
             .angular_acceleration = g * segment<3>(x.a, 3) + tait_bryan_bias(angle, rate)};
   }
