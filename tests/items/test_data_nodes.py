@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 import pytest
 from scenes import DATA_COORDINATES, READY, Scene
 from variants import ALL_VARIANTS
@@ -52,3 +53,29 @@ def test_friction_needs_data_for_bristles_and_stops_only(changes: dict[str, Any]
     else:
         scene.mbs.Assemble()
         assert scene.mbs.systemIsConsistent
+
+
+def test_function_after_newton_reads_and_writes_the_data_of_its_connector() -> None:
+    """Two data coordinates: how many steps were completed, and how far the body fell in all of them."""
+
+    def update(mbs: Any, t: float, item: int, data: list[float], displacement: list[float], *rest: Any) -> list[float]:
+        return [0, -1, data[0] + 1, displacement[0]]
+
+    mbs = exu.SystemContainer().AddSystem()
+    node = mbs.AddNode(exu.NodeRigidBodyRxyz(initialVelocities=[2, 0, 0, 0, 0, 0]))
+    body = mbs.AddObject(exu.ObjectRigidBody(nodeNumber=node, physicsMass=1, physicsInertia=[1, 1, 1, 0, 0, 0]))
+    markers = [mbs.AddMarker(exu.MarkerBodyRigid(bodyNumber=b)) for b in (mbs.AddObject(exu.ObjectGround()), body)]
+    data = mbs.AddNode(exu.NodeGenericData(initialCoordinates=[0, 0], numberOfDataCoordinates=2))
+    mbs.AddObject(
+        exu.ObjectConnectorRigidBodySpringDamper(
+            markerNumbers=markers, nodeNumber=data, postNewtonStepUserFunction=update
+        )
+    )
+    mbs.Assemble()
+    settings = exu.SimulationSettings()
+    settings.timeIntegration.numberOfSteps = 4
+    settings.timeIntegration.endTime = 0.5
+    settings.solutionSettings.writeSolutionToFile = False
+    mbs.SolveDynamic(settings)
+    # Without forces the body moves at 2 m/s; round-off of four steps.
+    np.testing.assert_allclose(mbs.systemData.GetDataCoordinates(), [4, 1], rtol=0, atol=1e-14)

@@ -116,6 +116,7 @@ class PortBatch final : public Term {
   }
 
   static constexpr bool has_update = requires { &K::update; };
+  static constexpr bool has_data = has_update || requires { K::data_coordinates; };
 
   // A load that does not read its marker has no tangent of its own.
   static constexpr bool is_constant = requires { requires K::is_constant; };
@@ -129,7 +130,7 @@ class PortBatch final : public Term {
     // What differs between the contexts of the entries.
     void place(Context& c, const Evaluation& evaluation) const {
       c.item = item;
-      if constexpr (requires { K::data_coordinates; }) {
+      if constexpr (has_data) {
         c.data = first_data < 0 ? nullptr : evaluation.data + first_data;
         c.data_count = data_count;
       }
