@@ -13,6 +13,9 @@ namespace {
 // No entry of L is larger if each pivot is the largest entry of its column.
 constexpr double largest_growth = 1 + 4 * std::numeric_limits<double>::epsilon();
 
+// Up to this size a search costs no more than the kernels take to start.
+constexpr int tiny = 3;
+
 }  // namespace
 
 DenseLu::DenseLu(int size, const LinearSolverOptions& options)
@@ -28,7 +31,11 @@ int DenseLu::factorize(std::span<const double> values) {
   if (searched_ && repeat(values)) return success;
   const int failed = search(values);
   searched_ = failed == success;
-  if (searched_) repeat(values);  // with the same rounding as later ones
+  if (size_ <= tiny) {
+    searched_ = false;
+  } else if (searched_) {
+    repeat(values);  // with the same rounding as later ones
+  }
   return failed;
 }
 
@@ -72,10 +79,25 @@ void DenseLu::exchange_rows(int i, int j) {
 }
 
 void DenseLu::solve(std::span<double> x) {
-  for (int k = 0; k < size_; ++k) work_[k] = x[row_of_step_[k]];
-  kernels_.eliminate(factors_.data(), size_, length_, work_.data(), 1);
-  kernels_.substitute(factors_.data(), size_, length_, inverse_pivot_.data(), nullptr, 0, nullptr, work_.data());
-  std::copy_n(work_.begin(), size_, x.begin());
+  double* const w = work_.data();
+  for (int k = 0; k < size_; ++k) w[k] = x[row_of_step_[k]];
+  if (size_ <= tiny) {
+    solve_tiny(w);
+  } else {
+    kernels_.eliminate(factors_.data(), size_, length_, w, 1);
+    kernels_.substitute(factors_.data(), size_, length_, inverse_pivot_.data(), nullptr, 0, nullptr, w);
+  }
+  std::copy_n(w, size_, x.begin());
+}
+
+void DenseLu::solve_tiny(double* x) {
+  for (int k = 0; k < size_; ++k) {
+    for (int i = k + 1; i < size_; ++i) x[i] -= x[k] * column(k)[i];
+  }
+  for (int k = size_ - 1; k >= 0; --k) {
+    x[k] *= inverse_pivot_[k];
+    for (int i = 0; i < k; ++i) x[i] -= x[k] * column(k)[i];
+  }
 }
 
 }  // namespace dalembert

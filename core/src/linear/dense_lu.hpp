@@ -21,6 +21,7 @@ class DenseLu final : public LinearSolver {
   bool repeat(std::span<const double> values);
   double* column(int j) { return factors_.data() + static_cast<std::size_t>(j) * static_cast<std::size_t>(length_); }
   void exchange_rows(int i, int j);
+  void solve_tiny(double* x);
 
   int size_, length_;
   double largest_inverse_;  // of a pivot
