@@ -77,15 +77,20 @@ void register_outputs(Class& main_system) {
         const int number = item_number_argument(main, ItemKind::node, node.ptr(), "GetNodeOutput");
         const ConfigurationType in = configuration_argument(configuration, "GetNodeOutput");
         const Source source(main, "GetNodeOutput", ItemKind::node, number, in);
-        return number_or_array(source.system->node_output(source.number, variable_argument(variable, "GetNodeOutput"), in));
+        std::vector<double> values;
+        source.system->node_output(source.number, variable_argument(variable, "GetNodeOutput"), in, values);
+        return number_or_array(values);
       },
       py::arg("nodeNumber"), py::arg("variableType"), py::arg("configuration") = py::none(), "An output variable of a node.");
   main_system.def(
       "GetObjectOutput",
       [](MainSystem& main, const py::object& object, const py::object& variable, const py::object& configuration) {
         const int number = item_number_argument(main, ItemKind::object, object.ptr(), "GetObjectOutput");
-        return number_or_array(main.assembled("GetObjectOutput").object_output(
-            number, variable_argument(variable, "GetObjectOutput"), configuration_argument(configuration, "GetObjectOutput")));
+        std::vector<double> values;
+        main.assembled("GetObjectOutput")
+            .object_output(number, variable_argument(variable, "GetObjectOutput"),
+                           configuration_argument(configuration, "GetObjectOutput"), values);
+        return number_or_array(values);
       },
       py::arg("objectNumber"), py::arg("variableType"), py::arg("configuration") = py::none(),
       "An output variable of an object, e.g. the force in a connector.");
@@ -105,7 +110,9 @@ void register_outputs(Class& main_system) {
         }
         const ConfigurationType in = configuration_argument(configuration, method);
         const Source source(main, method.c_str(), ItemKind::object, number, in);
-        return number_or_array(source.system->body_output(source.number, variable_argument(variable, method), local, in));
+        std::vector<double> values;
+        source.system->body_output(source.number, variable_argument(variable, method), local, in, values);
+        return number_or_array(values);
       },
       py::arg("objectNumber"), py::arg("variableType"), py::arg("localPosition") = std::vector<double>{0, 0, 0},
       py::arg("configuration") = py::none(), "An output variable of a body at a local position.");
@@ -114,8 +121,11 @@ void register_outputs(Class& main_system) {
       [](MainSystem& main, const py::object& object, const py::object& variable, int mesh_node, const py::object& configuration) {
         const std::string method = "GetObjectOutputSuperElement";
         const int number = item_number_argument(main, ItemKind::object, object.ptr(), method);
-        return number_or_array(main.assembled(method.c_str()).super_element_output(
-            number, variable_argument(variable, method), mesh_node, configuration_argument(configuration, method)));
+        std::vector<double> values;
+        main.assembled(method.c_str())
+            .super_element_output(number, variable_argument(variable, method), mesh_node,
+                                  configuration_argument(configuration, method), values);
+        return number_or_array(values);
       },
       py::arg("objectNumber"), py::arg("variableType"), py::arg("meshNodeNumber"), py::arg("configuration") = py::none(),
       "An output variable of a super element at one of its mesh nodes.");
@@ -125,7 +135,9 @@ void register_outputs(Class& main_system) {
         const int number = item_number_argument(main, ItemKind::marker, marker.ptr(), "GetMarkerOutput");
         const ConfigurationType in = configuration_argument(configuration, "GetMarkerOutput");
         const Source source(main, "GetMarkerOutput", ItemKind::marker, number, in);
-        return array(source.system->marker_output(source.number, variable_argument(variable, "GetMarkerOutput"), in));
+        std::vector<double> values;
+        source.system->marker_output(source.number, variable_argument(variable, "GetMarkerOutput"), in, values);
+        return array(values);
       },
       py::arg("markerNumber"), py::arg("variableType"), py::arg("configuration") = py::none(), "An output variable of a marker.");
 }
@@ -136,15 +148,19 @@ void register_loads_and_sensors(Class& main_system) {
       [](MainSystem& main, const py::object& load) {
         const int number = item_number_argument(main, ItemKind::load, load.ptr(), "GetLoadValues");
         System& system = main.assembled("GetLoadValues");
-        return number_or_array(system.load_values(number, system.state(ConfigurationType::Current).time));
+        std::vector<double> values;
+        system.load_values(number, system.state(ConfigurationType::Current).time, values);
+        return number_or_array(values);
       },
       py::arg("loadNumber"), "The value of a load at the current time.");
   main_system.def(
       "GetSensorValues",
       [](MainSystem& main, const py::object& sensor, const py::object& configuration) {
         const int number = item_number_argument(main, ItemKind::sensor, sensor.ptr(), "GetSensorValues");
-        return number_or_array(main.assembled("GetSensorValues").sensor_values(
-            number, configuration_argument(configuration, "GetSensorValues")));
+        std::vector<double> values;
+        main.assembled("GetSensorValues")
+            .sensor_values(number, configuration_argument(configuration, "GetSensorValues"), values);
+        return number_or_array(values);
       },
       py::arg("sensorNumber"), py::arg("configuration") = py::none(), "What a sensor measures.");
   main_system.def(

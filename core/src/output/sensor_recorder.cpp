@@ -13,18 +13,21 @@ void SensorRecorder::open(const SimulationSettings& settings, const std::vector<
   active_ = s.sensorsStoreAndWriteFiles && !channels.empty();
   if (!active_) return;
   channels_ = channels;
-  storage_ = storage;
   flush_ = s.flushFilesImmediately;
   headers_ = s.sensorsWriteFileHeader;
   precision_ = s.outputPrecision;
   files_.resize(channels.size());
-  if (storage_) storage_->tables.resize(channels.size());
+  targets_.resize(channels.size());
+  if (storage) storage->tables.resize(channels.size());
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const SensorChannel& c = channels[i];
     if (c.write_to_file && !c.file_name.empty()) {
       files_[i].open(c.file_name, s.sensorsAppendToFile, "file of sensor " + std::to_string(i));
+      targets_[i].file = &files_[i];
     }
-    if (storage_ && c.store_internal && !s.sensorsAppendToFile) storage_->tables[i] = {};
+    if (!storage || !c.store_internal) continue;
+    targets_[i].table = &storage->tables[i];
+    if (!s.sensorsAppendToFile) storage->tables[i] = {};
   }
 }
 
@@ -32,37 +35,40 @@ void SensorRecorder::write_headers(const RunDescription& run, System& system) {
   if (!active_ || !headers_) return;
   for (std::size_t i = 0; i < files_.size(); ++i) {
     if (!files_[i].is_open()) continue;
-    const auto values = system.sensor_values(static_cast<int>(i), ConfigurationType::Current);
+    system.sensor_values(static_cast<int>(i), ConfigurationType::Current, values_);
     files_[i].text() += "#dalembert " + run.solver_name + (run.is_static ? " static" : "") + " sensor output file\n" +
                         "#measure " + channels_[i].measured + "\n#OutputVariableType = " + channels_[i].variable +
                         "\n#simulation started = " + date_and_time() +
                         "\n#columns contain: time, comma separated sensor values (e.g, x,y,z position coordinates)" +
-                        "\n#number of sensor values = " + std::to_string(values.size()) + "\n#version = " + run.build +
+                        "\n#number of sensor values = " + std::to_string(values_.size()) + "\n#version = " + run.build +
                         "\n#\n";
   }
 }
 
 // Sensors that are neither written nor stored are evaluated all the same: user functions may record things themselves.
 void SensorRecorder::record(System& system, double time) {
-  for (std::size_t i = 0; i < files_.size(); ++i) {
-    const auto values = system.sensor_values(static_cast<int>(i), ConfigurationType::Current);
-    if (files_[i].is_open()) {
-      std::string& t = files_[i].text();
-      append_number(t, time, precision_);
-      for (const double x : values) {
-        t += ',';
-        append_number(t, x, precision_);
-      }
-      t += '\n';
-      flush_ ? files_[i].flush() : files_[i].written();
-    }
-    if (storage_ && channels_[i].store_internal) store(static_cast<int>(i), time, values);
+  const System::Recording recording(system);
+  for (std::size_t i = 0; i < targets_.size(); ++i) {
+    const int sensor = static_cast<int>(i);
+    system.sensor_values(sensor, ConfigurationType::Current, values_);
+    if (targets_[i].file != nullptr) write(*targets_[i].file, time);
+    if (targets_[i].table != nullptr) store(*targets_[i].table, sensor, time);
   }
 }
 
-void SensorRecorder::store(int sensor, double time, const std::vector<double>& values) {
-  SensorTable& table = storage_->tables[static_cast<std::size_t>(sensor)];
-  const int columns = static_cast<int>(values.size()) + 1;
+void SensorRecorder::write(OutputFile& file, double time) {
+  std::string& t = file.text();
+  append_number(t, time, precision_);
+  for (const double x : values_) {
+    t += ',';
+    append_number(t, x, precision_);
+  }
+  t += '\n';
+  flush_ ? file.flush() : file.written();
+}
+
+void SensorRecorder::store(SensorTable& table, int sensor, double time) {
+  const int columns = static_cast<int>(values_.size()) + 1;
   if (table.columns == 0) table.columns = columns;
   if (table.columns != columns) {
     throw std::runtime_error("sensor " + std::to_string(sensor) + ": the number of values changed from " +
@@ -70,7 +76,7 @@ void SensorRecorder::store(int sensor, double time, const std::vector<double>& v
                              ", which storeInternal=True cannot keep; write this sensor to a file instead");
   }
   table.values.push_back(time);
-  table.values.insert(table.values.end(), values.begin(), values.end());
+  table.values.insert(table.values.end(), values_.begin(), values_.end());
 }
 
 void SensorRecorder::write_footer(const std::string& footer) {
@@ -81,6 +87,7 @@ void SensorRecorder::write_footer(const std::string& footer) {
 
 void SensorRecorder::close() {
   files_.clear();
+  targets_.clear();
   channels_.clear();
   active_ = false;
 }

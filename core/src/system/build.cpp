@@ -44,7 +44,7 @@ class Builder {
     for (int i = 0; i < model_.count(ItemKind::object); ++i) place_object(i);
     place_node_conditions();
     for (int i = 0; i < model_.count(ItemKind::load); ++i) place_load(i);
-    for (const Item& item : model_.items(ItemKind::sensor)) parts_.sensors.push_back({item.type, item.record});
+    for (const Item& item : model_.items(ItemKind::sensor)) parts_.sensors.push_back({item.type, sensor_reader(*item.type), item.record});
     for (const auto& term : parts_.terms) {
       if (term->has_mass()) parts_.constant_mass = parts_.constant_mass && term->constant_mass();
       parts_.has_history = parts_.has_history || term->has_history();
@@ -102,6 +102,7 @@ class Builder {
       const Item& item = model_.item(ItemKind::node, i);
       NodePlace place{item.type, &dynamic_cast<const NodePhysics&>(physics(ItemKind::node, i)), item.record, {}};
       place.sizes = place.physics->sizes(item.record.get());
+      place.translations = place.physics->translations();
       const auto take = [](int& next, int count) { return count == 0 ? -1 : std::exchange(next, next + count); };
       place.ode2 = take(parts_.sizes.ode2, place.sizes.ode2);
       place.ode1 = take(parts_.sizes.ode1, place.sizes.ode1);

@@ -1,5 +1,7 @@
 // Output variables of nodes, objects, markers, loads and sensors, in any configuration.
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "dalembert/model/errors.hpp"
 #include "dalembert/model/item.hpp"
@@ -20,7 +22,7 @@ namespace {
 using Variable = OutputVariableType;
 using Values = std::vector<double>;
 
-Values list(const Vec3<double>& v) { return {v[0], v[1], v[2]}; }
+void assign(const Vec3<double>& v, Values& values) { values.assign(v.x.begin(), v.x.end()); }
 Values slice(const std::vector<double>& from, int first, int count) {
   return first < 0 ? Values{} : Values(from.begin() + first, from.begin() + first + count);
 }
@@ -43,21 +45,25 @@ std::string variable_name(Variable variable) {
 // What a motion says; `reference()` gives the motion of the same point in the reference configuration.
 template <class Reference>
 bool frame_output(Variable variable, const Motion<double>& m, Reference&& reference, Values& values) {
-  const auto local = [&](const Vec3<double>& v) { return list(transposed_times(m.rotation, v)); };
+  const auto global = [&](const Vec3<double>& v) {
+    assign(v, values);
+    return true;
+  };
+  const auto local = [&](const Vec3<double>& v) { return global(transposed_times(m.rotation, v)); };
   switch (variable) {
-    case Variable::Position: values = list(m.position); return true;
-    case Variable::Displacement: values = list(m.position - reference().position); return true;
-    case Variable::DisplacementLocal: values = local(m.position - reference().position); return true;
-    case Variable::Velocity: values = list(m.velocity); return true;
-    case Variable::VelocityLocal: values = local(m.velocity); return true;
-    case Variable::Acceleration: values = list(m.acceleration); return true;
-    case Variable::AccelerationLocal: values = local(m.acceleration); return true;
+    case Variable::Position: return global(m.position);
+    case Variable::Displacement: return global(m.position - reference().position);
+    case Variable::DisplacementLocal: return local(m.position - reference().position);
+    case Variable::Velocity: return global(m.velocity);
+    case Variable::VelocityLocal: return local(m.velocity);
+    case Variable::Acceleration: return global(m.acceleration);
+    case Variable::AccelerationLocal: return local(m.acceleration);
     case Variable::RotationMatrix: values.assign(m.rotation.x.begin(), m.rotation.x.end()); return true;
-    case Variable::Rotation: values = list(tait_bryan_angles(m.rotation)); return true;
-    case Variable::AngularVelocity: values = list(m.angular_velocity); return true;
-    case Variable::AngularVelocityLocal: values = local(m.angular_velocity); return true;
-    case Variable::AngularAcceleration: values = list(m.angular_acceleration); return true;
-    case Variable::AngularAccelerationLocal: values = local(m.angular_acceleration); return true;
+    case Variable::Rotation: return global(tait_bryan_angles(m.rotation));
+    case Variable::AngularVelocity: return global(m.angular_velocity);
+    case Variable::AngularVelocityLocal: return local(m.angular_velocity);
+    case Variable::AngularAcceleration: return global(m.angular_acceleration);
+    case Variable::AngularAccelerationLocal: return local(m.angular_acceleration);
     default: return false;
   }
 }
@@ -84,10 +90,13 @@ bool coordinate_output(Variable variable, const Evaluation& e, std::span<const i
 // own frames.
 class PortsFor {
  public:
-  PortsFor(SystemParts& parts, const Evaluation& e, ConfigurationType configuration, bool needed) : parts_(parts) {
-    if (!needed || (parts.evaluating && configuration == ConfigurationType::Current)) return;
+  PortsFor(SystemParts& parts, ConfigurationType configuration) : parts_(parts) {
+    const State& state = parts.state(configuration);
+    if (parts.recording && parts.recorded == &state) return;
+    if (parts.evaluating && configuration == ConfigurationType::Current) return;
     if (parts.evaluating) kept_ = parts.ports.values;
-    parts.update_ports(e);
+    parts.update_ports(parts.output_evaluation(state));
+    parts.recorded = parts.evaluating ? nullptr : &state;
   }
   ~PortsFor() {
     if (!kept_.empty()) parts_.ports.values = kept_;
@@ -130,138 +139,193 @@ NodeView view(const SystemParts& parts, const NodePlace& node, const State& stat
           part(e.lambda, node.ae, n.ae), part(e.data, node.data, n.data)};
 }
 
+// The motion of a node's point, straight from its coordinates in a state other than the reference.
+bool translation_output(Variable variable, const NodePlace& place, const State& state, const State& reference,
+                        Values& values) {
+  const std::vector<double>* from = nullptr;
+  switch (variable) {
+    case Variable::Position:
+    case Variable::Displacement: from = &state.q; break;
+    case Variable::Velocity: from = &state.v; break;
+    case Variable::Acceleration: from = &state.a; break;
+    default: return false;
+  }
+  values.assign(3, 0.0);
+  for (int i = 0; i < place.translations; ++i) {
+    const auto at = static_cast<std::size_t>(place.ode2 + i);
+    values[static_cast<std::size_t>(i)] = (variable == Variable::Position ? reference.q[at] : 0.0) + (*from)[at];
+  }
+  return true;
+}
+
 }  // namespace
 
-std::vector<double> System::node_output(int node, Variable variable, ConfigurationType configuration) {
+void System::node_output(int node, Variable variable, ConfigurationType configuration, Values& values) {
   SystemParts& parts = *parts_;
   const NodePlace& place = parts.nodes.at(static_cast<std::size_t>(node));
   const State& state = parts.state(configuration);
-  Values values, y_total;
-  if (variable == Variable::Coordinates && place.sizes.data > 0) return slice(state.data, place.data, place.sizes.data);
+  const State& rest = parts.state(ConfigurationType::Reference);
+  if (place.translations > 0 && &state != &rest && translation_output(variable, place, state, rest, values)) return;
+  Values y_total;
+  if (variable == Variable::Coordinates && place.sizes.data > 0) {
+    values = slice(state.data, place.data, place.sizes.data);
+    return;
+  }
   const Range dofs(place.ode2, place.sizes.ode2), rates(place.ode1, place.sizes.ode1);
   const Evaluation e = parts.output_evaluation(state, dofs.all);
   const NodeView now = view(parts, place, state, e, y_total);
-  if (place.physics->output(place.record.get(), variable, now, values)) return values;
-  const State& rest = parts.state(ConfigurationType::Reference);
-  if (coordinate_output(variable, e, dofs.all, rates.all, rest, values)) return values;
+  if (place.physics->output(place.record.get(), variable, now, values)) return;
+  if (coordinate_output(variable, e, dofs.all, rates.all, rest, values)) return;
   Motion<double> m;
   const auto reference = [&] {
     Motion<double> r;
     place.physics->motion(place.record.get(), view(parts, place, rest, parts.output_evaluation(rest, dofs.all), y_total), r);
     return r;
   };
-  if (place.physics->motion(place.record.get(), now, m) && frame_output(variable, m, reference, values)) return values;
+  if (place.physics->motion(place.record.get(), now, m) && frame_output(variable, m, reference, values)) return;
   no_output(parts.describe(ItemKind::node, node), variable, place.type->outputs);
 }
 
-std::vector<double> System::body_output(int object, Variable variable, std::array<double, 3> local,
-                                        ConfigurationType configuration) {
+void System::body_output(int object, Variable variable, std::array<double, 3> local, ConfigurationType configuration,
+                         Values& values) {
   SystemParts& parts = *parts_;
   const ObjectPlace& place = parts.objects.at(static_cast<std::size_t>(object));
   const Vec3<double> at{local[0], local[1], local[2]};
   const State& state = parts.state(configuration);
-  const bool from_markers = !place.markers.empty();
   const auto dofs = object_ltg(object, Coordinates::ode2);
-  const Evaluation e = from_markers ? parts.output_evaluation(state) : parts.output_evaluation(state, dofs);
-  Values values;
   const auto& [batch, entry] = place.member;
-  const PortsFor ports(parts, e, configuration, from_markers);
+  std::optional<PortsFor> ports;
+  if (!place.markers.empty()) ports.emplace(parts, configuration);
+  const Evaluation e = parts.output_evaluation(state, dofs);
   evaluated_ = parts.evaluating ? evaluated_ : nullptr;
-  if (batch->output(entry, variable, at, e, parts.ports, values)) return values;
+  if (batch->output(entry, variable, at, e, parts.ports, values)) return;
   const State& rest = parts.state(ConfigurationType::Reference);
-  if (coordinate_output(variable, e, dofs, object_ltg(object, Coordinates::ode1), rest, values)) return values;
+  if (coordinate_output(variable, e, dofs, object_ltg(object, Coordinates::ode1), rest, values)) return;
   Motion<double> m;
   const auto reference = [&] {
     Motion<double> r;
     batch->motion(entry, parts.output_evaluation(rest, dofs), at, r);
     return r;
   };
-  if (batch->motion(entry, e, at, m) && frame_output(variable, m, reference, values)) return values;
+  if (batch->motion(entry, e, at, m) && frame_output(variable, m, reference, values)) return;
   no_output(parts.describe(ItemKind::object, object), variable, place.type->outputs);
 }
 
-std::vector<double> System::object_output(int object, Variable variable, ConfigurationType configuration) {
-  return body_output(object, variable, {0, 0, 0}, configuration);
+void System::object_output(int object, Variable variable, ConfigurationType configuration, Values& values) {
+  body_output(object, variable, {0, 0, 0}, configuration, values);
 }
 
-std::vector<double> System::super_element_output(int object, Variable variable, int mesh_node, ConfigurationType configuration) {
+void System::super_element_output(int object, Variable variable, int mesh_node, ConfigurationType configuration,
+                                  Values& values) {
   const ObjectPlace& place = parts_->objects.at(static_cast<std::size_t>(object));
   if (mesh_node < 0 || mesh_node >= static_cast<int>(place.nodes.size()))
     refuse(ErrorKind::value, {parts_->describe(ItemKind::object, object), "meshNodeNumber", "", std::to_string(mesh_node),
                               "a mesh node from 0 to " + std::to_string(static_cast<int>(place.nodes.size()) - 1), ""});
-  return node_output(place.nodes[static_cast<std::size_t>(mesh_node)], variable, configuration);
+  node_output(place.nodes[static_cast<std::size_t>(mesh_node)], variable, configuration, values);
 }
 
-std::vector<double> System::marker_output(int marker, Variable variable, ConfigurationType configuration) {
+void System::marker_output(int marker, Variable variable, ConfigurationType configuration, Values& values) {
   SystemParts& parts = *parts_;
   const MarkerPlace& place = parts.markers.at(static_cast<std::size_t>(marker));
-  const Evaluation e = parts.output_evaluation(parts.state(configuration));
   const bool values_of_coordinates = variable == Variable::Coordinates, rates = variable == Variable::Coordinates_t;
   if (provides(*place.type, "Coordinate") && (values_of_coordinates || rates)) {
-    const PortsFor ports(parts, e, configuration, true);
+    const PortsFor ports(parts, configuration);
     evaluated_ = parts.evaluating ? evaluated_ : nullptr;
     const PortLayout& port = parts.ports.ports[static_cast<std::size_t>(marker)];
     const double* frame = parts.ports.frame(marker);
-    return rates ? Values(frame + port.values / 2, frame + port.values) : Values(frame, frame + port.values / 2);
+    const double *half = frame + port.values / 2, *end = frame + port.values;
+    rates ? values.assign(half, end) : values.assign(frame, half);
+    return;
   }
   Motion<double> m;
-  Values values;
   const auto reference = [&] {
     Motion<double> r;
     place.member.batch->motion(place.member.entry, parts.output_evaluation(parts.state(ConfigurationType::Reference)), r);
     return r;
   };
-  if (place.member.batch->motion(place.member.entry, e, m) && frame_output(variable, m, reference, values)) return values;
+  const Evaluation e = parts.output_evaluation(parts.state(configuration));
+  if (place.member.batch->motion(place.member.entry, e, m) && frame_output(variable, m, reference, values)) return;
   no_output(parts.describe(ItemKind::marker, marker), variable, {});
 }
 
-std::vector<double> System::load_values(int load, double time) {
+void System::load_values(int load, double time, Values& values) {
   const LoadPlace& place = parts_->loads.at(static_cast<std::size_t>(load));
-  return static_cast<const LoadPhysics*>(place.type->physics)->values(place.record.get(), time);
+  values = static_cast<const LoadPhysics*>(place.type->physics)->values(place.record.get(), time);
 }
 
 namespace {
 
-Values user_sensor(System& system, const SensorUserFunctionParameters& p, int sensor, ConfigurationType configuration) {
+// What a sensor of type `Record` measures.
+template <class Record, auto measure>
+void read_sensor(System& system, const void* record, int sensor, ConfigurationType configuration, Values& values) {
+  measure(system, static_cast<const Record*>(record)->parameters, sensor, configuration, values);
+}
+
+void measure_node(System& system, const SensorNodeParameters& p, int, ConfigurationType configuration, Values& values) {
+  system.node_output(p.nodeNumber.value, p.outputVariableType, configuration, values);
+}
+void measure_object(System& system, const SensorObjectParameters& p, int, ConfigurationType configuration, Values& values) {
+  system.object_output(p.objectNumber.value, p.outputVariableType, configuration, values);
+}
+void measure_body(System& system, const SensorBodyParameters& p, int, ConfigurationType configuration, Values& values) {
+  system.body_output(p.bodyNumber.value, p.outputVariableType, p.localPosition.x, configuration, values);
+}
+void measure_super_element(System& system, const SensorSuperElementParameters& p, int, ConfigurationType configuration,
+                           Values& values) {
+  system.super_element_output(p.bodyNumber.value, p.outputVariableType, p.meshNodeNumber, configuration, values);
+}
+void measure_marker(System& system, const SensorMarkerParameters& p, int, ConfigurationType configuration, Values& values) {
+  system.marker_output(p.markerNumber.value, p.outputVariableType, configuration, values);
+}
+void measure_load(System& system, const SensorLoadParameters& p, int, ConfigurationType configuration, Values& values) {
+  system.load_values(p.loadNumber.value, system.state(configuration).time, values);
+}
+void call_user_function(System& system, const SensorUserFunctionParameters& p, int sensor, ConfigurationType configuration,
+                        Values& values) {
+  values.clear();
+  if (!p.sensorUserFunction) return;
   Values numbers;
   for (const SensorIndex& index : p.sensorNumbers) numbers.push_back(index.value);
   const double kind = static_cast<double>(configuration);
   const Argument arguments[] = {{numbers.data(), static_cast<int>(numbers.size()), 0},
                                 {p.factors.data(), static_cast<int>(p.factors.size()), 0},
                                 {&kind, 0, 0}};
-  if (p.sensorUserFunction) return p.sensorUserFunction.callback->call_any(system.state(configuration).time, sensor, arguments);
-  return {};
+  values = p.sensorUserFunction.callback->call_any(system.state(configuration).time, sensor, arguments);
+  system.state_may_have_changed();
 }
+
+
+constexpr std::pair<std::string_view, SensorReader> readers[] = {
+    {"Node", &read_sensor<SensorNodeRecord, measure_node>},
+    {"Object", &read_sensor<SensorObjectRecord, measure_object>},
+    {"Body", &read_sensor<SensorBodyRecord, measure_body>},
+    {"SuperElement", &read_sensor<SensorSuperElementRecord, measure_super_element>},
+    {"Marker", &read_sensor<SensorMarkerRecord, measure_marker>},
+    {"Load", &read_sensor<SensorLoadRecord, measure_load>},
+    {"UserFunction", &read_sensor<SensorUserFunctionRecord, call_user_function>},
+};
 
 }  // namespace
 
-std::vector<double> System::sensor_values(int sensor, ConfigurationType configuration) {
-  const SensorPlace& place = parts_->sensors.at(static_cast<std::size_t>(sensor));
-  const auto as = [&]<class Record>() -> const auto& { return static_cast<const Record*>(place.record.get())->parameters; };
-  const std::string_view kind = place.type->type_name;
-  if (kind == "Node") {
-    const auto& p = as.operator()<SensorNodeRecord>();
-    return node_output(p.nodeNumber.value, p.outputVariableType, configuration);
-  }
-  if (kind == "Object") {
-    const auto& p = as.operator()<SensorObjectRecord>();
-    return object_output(p.objectNumber.value, p.outputVariableType, configuration);
-  }
-  if (kind == "Body") {
-    const auto& p = as.operator()<SensorBodyRecord>();
-    return body_output(p.bodyNumber.value, p.outputVariableType, p.localPosition.x, configuration);
-  }
-  if (kind == "SuperElement") {
-    const auto& p = as.operator()<SensorSuperElementRecord>();
-    return super_element_output(p.bodyNumber.value, p.outputVariableType, p.meshNodeNumber, configuration);
-  }
-  if (kind == "Marker") {
-    const auto& p = as.operator()<SensorMarkerRecord>();
-    return marker_output(p.markerNumber.value, p.outputVariableType, configuration);
-  }
-  if (kind == "Load") return load_values(as.operator()<SensorLoadRecord>().loadNumber.value, state(configuration).time);
-  if (kind == "UserFunction") return user_sensor(*this, as.operator()<SensorUserFunctionRecord>(), sensor, configuration);
-  refuse(ErrorKind::planned, {parts_->describe(ItemKind::sensor, sensor), "", "this sensor's physics is planned", "", "", ""});
+SensorReader sensor_reader(const ItemType& type) {
+  const auto* found = std::ranges::find(readers, type.type_name, &std::pair<std::string_view, SensorReader>::first);
+  return found == std::end(readers) ? nullptr : found->second;
 }
+
+void System::sensor_values(int sensor, ConfigurationType configuration, Values& values) {
+  const SensorPlace& place = parts_->sensors.at(static_cast<std::size_t>(sensor));
+  if (place.read == nullptr)
+    refuse(ErrorKind::planned,
+           {parts_->describe(ItemKind::sensor, sensor), "", "this sensor's physics is planned", "", "", ""});
+  place.read(*this, place.record.get(), sensor, configuration, values);
+}
+
+System::Recording::Recording(System& system) : system_(system) {
+  system_.parts_->recording = true;
+  system_.parts_->recorded = nullptr;
+}
+System::Recording::~Recording() { system_.parts_->recording = false; }
+
+void System::state_may_have_changed() { parts_->recorded = nullptr; }
 
 }  // namespace dalembert

@@ -114,6 +114,7 @@ struct MovingNodePhysics final : NodePhysics {
     if constexpr (LieKernel<Node>) return Node::lie_rotation;
     return -1;
   }
+  int translations() const override { return Node::translations; }
   std::unique_ptr<Term> make_condition() const override {
     if constexpr (equations() > 0) return std::make_unique<NodeConditionBatch<Node>>();
     return nullptr;

@@ -28,6 +28,7 @@ template <class N>
 concept NodeKernel = requires(const Coordinates<double, N::size>& x, const Vec3<double>& w) {
   typename N::Parameters;
   { N::item } -> std::convertible_to<std::string_view>;  // 'NodePoint'
+  { N::translations } -> std::convertible_to<int>;  // so many coordinates come first that are components of the position
   { N::template motion<double>(x) } -> std::same_as<Motion<double>>;
   { N::template pull_back<double>(x, w, w) } -> std::same_as<Vec<double, N::size>>;  // force, moment about the node
 };

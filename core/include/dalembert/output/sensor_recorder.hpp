@@ -42,11 +42,18 @@ class SensorRecorder {
   void close();
 
  private:
-  void store(int sensor, double time, const std::vector<double>& values);
+  // Where the values of one sensor go; null: not there.
+  struct Target {
+    OutputFile* file = nullptr;
+    SensorTable* table = nullptr;
+  };
+  void write(OutputFile& file, double time);
+  void store(SensorTable& table, int sensor, double time);
 
   std::vector<SensorChannel> channels_;
   std::vector<OutputFile> files_;
-  SensorStorage* storage_ = nullptr;
+  std::vector<Target> targets_;
+  std::vector<double> values_;  // of the sensor being recorded
   bool active_ = false, flush_ = false, headers_ = false;
   int precision_ = 10;
 };

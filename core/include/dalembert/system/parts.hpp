@@ -23,6 +23,7 @@ struct NodePlace {
   std::shared_ptr<const void> record;
   Sizes sizes;
   int ode2 = -1, ode1 = -1, ae = -1, data = -1;
+  int translations = 0;  // coordinates that are components of the position
 };
 
 // Where an item went: which batch, and which of its entries.
@@ -54,8 +55,13 @@ struct LoadPlace {
   Membership<Term> member;
 };
 
+// What a sensor of one type measures, written into `values`.
+using SensorReader = void (*)(System&, const void* record, int sensor, ConfigurationType, std::vector<double>& values);
+SensorReader sensor_reader(const ItemType& type);  // null: planned
+
 struct SensorPlace {
   const ItemType* type = nullptr;
+  SensorReader read = nullptr;
   std::shared_ptr<const void> record;
 };
 
@@ -97,6 +103,8 @@ struct SystemParts {
   std::vector<double> output_total;  // the same for outputs, which user functions ask for in the middle of an evaluation
   std::vector<double> work;
   bool evaluating = false;
+  bool recording = false;           // outputs are asked for one after the other, in one state:
+  const State* recorded = nullptr;  // whose totals and marker frames are in place
 
   std::string describe(ItemKind kind, int number) const;  // for diagnoses
   State& state(ConfigurationType c) { return states[static_cast<std::size_t>(c)]; }

@@ -101,16 +101,29 @@ class System {
   // Which items act on a row of the system vector, for diagnoses: "object 3 'joint' (JointRevoluteZ), equation 2".
   std::string describe_row(int row) const;
 
-  // ---- results -------------------------------------------------------------------------------------------------
-  std::vector<double> node_output(int node, OutputVariableType variable, ConfigurationType configuration);
-  std::vector<double> object_output(int object, OutputVariableType variable, ConfigurationType configuration);
-  std::vector<double> body_output(int object, OutputVariableType variable, std::array<double, 3> local,
-                                  ConfigurationType configuration);
-  std::vector<double> super_element_output(int object, OutputVariableType variable, int mesh_node,
-                                           ConfigurationType configuration);
-  std::vector<double> marker_output(int marker, OutputVariableType variable, ConfigurationType configuration);
-  std::vector<double> load_values(int load, double time);
-  std::vector<double> sensor_values(int sensor, ConfigurationType configuration);
+  // ---- results: written into `values`, whose memory is used again ----------------------------------------------
+  using Values = std::vector<double>;
+  void node_output(int node, OutputVariableType variable, ConfigurationType configuration, Values& values);
+  void object_output(int object, OutputVariableType variable, ConfigurationType configuration, Values& values);
+  void body_output(int object, OutputVariableType variable, std::array<double, 3> local, ConfigurationType configuration,
+                   Values& values);
+  void super_element_output(int object, OutputVariableType variable, int mesh_node, ConfigurationType configuration,
+                            Values& values);
+  void marker_output(int marker, OutputVariableType variable, ConfigurationType configuration, Values& values);
+  void load_values(int load, double time, Values& values);
+  void sensor_values(int sensor, ConfigurationType configuration, Values& values);
+  // While one lives, outputs of several items share the frames of markers, until the state may have changed.
+  void state_may_have_changed();
+  class Recording {
+   public:
+    explicit Recording(System& system);
+    ~Recording();
+    Recording(const Recording&) = delete;
+    Recording& operator=(const Recording&) = delete;
+
+   private:
+    System& system_;
+  };
 
   // ---- index tables: global coordinate numbers ------------------------------------------------------------------
   enum class Coordinates { ode2, ode1, ae, data };

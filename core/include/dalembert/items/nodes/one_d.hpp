@@ -11,6 +11,7 @@ struct Node1D {
   static constexpr std::string_view item = "Node1D";
   static constexpr int size = 1;
   static constexpr bool constant_jacobian = true;
+  static constexpr int translations = 1;
 
   // The coordinate moves the point along global x.
   template <class S>

@@ -11,6 +11,7 @@ struct NodePoint {
   static constexpr std::string_view item = "NodePoint";
   static constexpr int size = 3;
   static constexpr bool constant_jacobian = true;
+  static constexpr int translations = 3;
 
   template <class S>
   static Motion<S> motion(const Coordinates<S, size>& x) {

@@ -11,6 +11,7 @@ struct NodePoint2D {
   static constexpr std::string_view item = "NodePoint2D";
   static constexpr int size = 2;
   static constexpr bool constant_jacobian = true;
+  static constexpr int translations = 2;
 
   template <class S>
   static Motion<S> motion(const Coordinates<S, size>& x) {

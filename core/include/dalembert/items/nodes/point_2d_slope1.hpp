@@ -11,6 +11,7 @@ struct NodePoint2DSlope1 {
   static constexpr std::string_view item = "NodePoint2DSlope1";
   static constexpr int size = 4;
   static constexpr bool constant_jacobian = false;
+  static constexpr int translations = 2;
 
   template <class S>
   static Motion<S> motion(const Coordinates<S, size>& x) {

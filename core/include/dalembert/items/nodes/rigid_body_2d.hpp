@@ -14,6 +14,7 @@ struct NodeRigidBody2D {
   static constexpr std::string_view item = "NodeRigidBody2D";
   static constexpr int size = 3;
   static constexpr bool constant_jacobian = true;
+  static constexpr int translations = 2;
 
   template <class S>
   static Motion<S> motion(const Coordinates<S, size>& x) {

@@ -11,6 +11,7 @@ struct NodeRigidBodyEP {
   static constexpr std::string_view item = "NodeRigidBodyEP";
   static constexpr int size = 7;
   static constexpr bool constant_jacobian = false;
+  static constexpr int translations = 3;
   static constexpr int equations = 1;
 
   template <class S>

@@ -12,6 +12,7 @@ struct NodeRigidBodyRotVecLG {
   static constexpr std::string_view item = "NodeRigidBodyRotVecLG";
   static constexpr int size = 6;
   static constexpr bool constant_jacobian = false;
+  static constexpr int translations = 3;
   static constexpr int lie_rotation = 3;
 
   template <class S>

@@ -11,6 +11,7 @@ struct NodeRigidBodyRxyz {
   static constexpr std::string_view item = "NodeRigidBodyRxyz";
   static constexpr int size = 6;
   static constexpr bool constant_jacobian = false;
+  static constexpr int translations = 3;
 
   template <class S>
   static Mat3<S> rotation(const Coordinates<S, size>& x) {
