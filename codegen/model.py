@@ -180,7 +180,7 @@ class Argument:
     def __post_init__(self) -> None:
         check_identifier(self.name)
         check_documented(self.doc)
-        if self.type.kind in ("scalar", "vector", "matrix") and not self.unit:
+        if self.type.real and not self.unit:
             raise SpecError(NO_UNIT)
         if self.size and self.type.shape != (None,):
             raise SpecError(f"size: {self.type.name} has no free length")
@@ -209,6 +209,11 @@ class UserFunction:
     @property
     def argument_names(self) -> tuple[str, ...]:
         return (*self.standard, *(a.name for a in self.arguments))
+
+    @property
+    def compilable(self) -> bool:
+        """Whether a C function can take the arguments and give the result."""
+        return self.returns.type.real and all(a.type.real or a.type.plain for a in self.arguments)
 
 
 @dataclass(frozen=True)

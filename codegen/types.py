@@ -162,6 +162,16 @@ class ValueType:
     python: str
     shape: Shape = ()
 
+    @property
+    def real(self) -> bool:
+        """Made of floating point numbers."""
+        return self.kind in ("scalar", "vector", "matrix", "open_vector", "open_matrix")
+
+    @property
+    def plain(self) -> bool:
+        """A single integer or truth value."""
+        return self.kind in ("integer", "boolean")
+
 
 VALUE_TYPES: dict[str, ValueType] = {
     row.name: row
@@ -169,13 +179,13 @@ VALUE_TYPES: dict[str, ValueType] = {
         ValueType("Real", "scalar", "float"),
         ValueType("Index", "integer", "int"),
         ValueType("Bool", "boolean", "bool"),
-        ValueType("Vector", "vector", "Array", (None,)),
+        ValueType("Vector", "open_vector", "Array", (None,)),
         ValueType("Vector3D", "vector", "Array", (3,)),
         ValueType("Vector6D", "vector", "Array", (6,)),
         ValueType("Matrix3D", "matrix", "Array", (3, 3)),
         ValueType("Matrix6D", "matrix", "Array", (6, 6)),
-        ValueType("Matrix", "matrix", "Array", (None, None)),
-        ValueType("MatrixContainer", "matrix", "MatrixContainer", (None, None)),
+        ValueType("Matrix", "open_matrix", "Array", (None, None)),
+        ValueType("MatrixContainer", "open_matrix", "MatrixContainer", (None, None)),
         ValueType("ArrayIndex", "index_list", "list[int]", (None,)),
         ValueType("ConfigurationType", "configuration", "ConfigurationType"),
         ValueType("GraphicsDataList", "none", "list[dict[str, Any]]", (None,)),

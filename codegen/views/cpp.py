@@ -125,10 +125,18 @@ def required_length(row: Parameter) -> int:
 
 
 def cpp_signature(function: UserFunction) -> str:
-    fields = [f".arguments = {function.name}_arguments"] if function.arguments else []
-    fields += [".takes_time = false"] if "t" not in function.standard else []
-    fields += [".takes_item = false"] if "itemNumber" not in function.standard else []
-    return "{" + ", ".join([*fields, f".result = Signature::Kind::{function.returns.type.kind}"]) + "}"
+    takes = {name: str(name in function.standard).lower() for name in ("t", "itemNumber")}
+    result = f"Signature::Kind::{function.returns.type.kind}"
+    fields = [
+        f".arguments = {function.name}_arguments",
+        f".takes_time = {takes['t']}",
+        f".takes_item = {takes['itemNumber']}",
+        f".result = {result}",
+    ]
+    if function.compilable:
+        parameters = f"{function.name}_arguments, {takes['t']}, {takes['itemNumber']}, {result}"
+        fields.append(f".compiled = &compiled_call<{parameters}>")
+    return "{" + ", ".join(fields) + "}"
 
 
 def core_functions(item: Item) -> list[UserFunction]:
@@ -172,6 +180,12 @@ def physics_includes(item: Item, stems: dict[str, str]) -> list[str]:
     kernels = [item.stem, *(stems[node] for node in item.nodes)]
     batch = _ITEM_PHYSICS[item.folder][1]
     return sorted([f"dalembert/batches/{batch}.hpp", *(f"dalembert/items/{stem}.hpp" for stem in kernels)])
+
+
+def reflection_includes(item: Item) -> list[str]:
+    """Headers that the rows need."""
+    compiled = any(function.compilable for function in core_functions(item))
+    return [f"dalembert/reflection/{name}.hpp" for name in (["compiled_call"] if compiled else []) + ["item_type"]]
 
 
 def physics_expression(item: Item) -> str:

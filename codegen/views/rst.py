@@ -106,6 +106,26 @@ def signature(function: UserFunction) -> str:
     return f"{function.name}({', '.join(function.argument_names)})"
 
 
+_C_TYPES = {"scalar": "double", "integer": "int64_t", "boolean": "int64_t"}
+
+
+def c_declaration(function: UserFunction) -> str:
+    """How a compiled function is declared in C; see core/include/dalembert/reflection/compiled_call.hpp."""
+    standard = {"t": "double t", "itemNumber": "int64_t itemNumber"}
+    parameters = [text for name, text in standard.items() if name in function.standard]
+    for argument in function.arguments:
+        parameters += _c_parameters(argument.type.kind, "const double*", argument.name)
+    if function.returns.type.kind == "scalar":
+        return f"double {function.name}({', '.join(parameters)})"
+    parameters += _c_parameters(function.returns.type.kind, "double*", "result")
+    return f"void {function.name}({', '.join(parameters)})"
+
+
+def _c_parameters(kind: str, pointer: str, name: str) -> list[str]:
+    size = [f"int64_t {name}_size"] if kind.startswith("open_") else []
+    return [f"{_C_TYPES.get(kind, pointer)} {name}", *size]
+
+
 def item_link(name: str) -> str:
     return f":ref:`{name} <item-{name}>`"
 

@@ -72,17 +72,7 @@ void read(PyObject* value, const Row&, std::string& out) {
 }
 
 void read_fixed(PyObject* value, double* out, int n) {
-  // The usual case first: a list of the right length.
-  if (PyList_CheckExact(value) && PyList_GET_SIZE(value) == n) {
-    int i = 0;
-    for (; i < n; ++i) {
-      PyObject* entry = PyList_GET_ITEM(value, i);
-      if (!PyFloat_CheckExact(entry)) break;
-      out[i] = PyFloat_AS_DOUBLE(entry);
-      if (!std::isfinite(out[i])) break;
-    }
-    if (i == n) return;
-  }
+  if (read_plain_reals(value, 1, {out, static_cast<std::size_t>(n)})) return;
   const std::string what = counted(n, "finite numbers");
   const Reals reals(value, what);
   require_length(reals.size(), n, what);

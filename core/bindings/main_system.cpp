@@ -1,5 +1,6 @@
 #include "main_system.hpp"
 
+#include "compiled_callback.hpp"
 #include "conversion.hpp"
 #include "dalembert/model/member.hpp"
 #include "item_classes.hpp"
@@ -31,9 +32,16 @@ void register_functions(Class& main_system) {
           }
           py::object function = value;
           if (py::isinstance<py::dict>(value) && value.contains("function")) function = value["function"];
-          if (PyCallable_Check(function.ptr()) == 0)
-            refuse(ErrorKind::type, {"mbs.Set" + key + "UserFunction(...)", "value", "", show(value.ptr()), "a function, or 0 for none",
-                                     "Pass the function itself, without calling it."});
+          const auto refuse_function = [&](const std::string& expected, const std::string& advice) {
+            refuse(ErrorKind::type,
+                   {"mbs.Set" + key + "UserFunction(...)", "value", "", show(value.ptr()), expected, advice});
+          };
+          try {
+            if (compiled_system_function(function.ptr(), key) == nullptr && PyCallable_Check(function.ptr()) == 0)
+              refuse_function("a function, or 0 for none", "Pass the function itself, without calling it.");
+          } catch (const Refusal& refusal) {
+            refuse_function(refusal.expected, refusal.advice);
+          }
           main.user_functions[key] = function;
         },
         py::arg("value"), "Set the function that solvers call; 0 removes it.");

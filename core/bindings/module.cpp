@@ -1,6 +1,7 @@
 // The compiled module: one register function per file of bindings.
 #include "module.hpp"
 
+#include "compiled_callback.hpp"
 #include "conversion.hpp"
 #include "index_types.hpp"
 #include "item_classes.hpp"
@@ -29,4 +30,5 @@ PYBIND11_MODULE(_core, module) {
   register_evaluation(module);
   register_linear_solver(module);
   register_symbolic(module);
+  register_compiled_functions(module);
 }

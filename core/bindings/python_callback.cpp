@@ -1,12 +1,14 @@
 #include "python_callback.hpp"
 
-#include <pybind11/numpy.h>
-
 #include <algorithm>
 
+#include "compiled_callback.hpp"
 #include "conversion.hpp"
 #include "dalembert/model/member.hpp"
+#include "interpreter_lock.hpp"
+#include "item_callback.hpp"
 #include "main_system.hpp"
+#include "python_arguments.hpp"
 #include "python_errors.hpp"
 #include "sequence.hpp"
 #include "symbolic.hpp"
@@ -16,50 +18,61 @@ namespace {
 
 using Kind = Signature::Kind;
 
-py::object python_argument(Kind kind, const Argument& argument) {
-  switch (kind) {
-    case Kind::scalar: return py::float_(*argument.data);
-    case Kind::integer: return py::int_(static_cast<long>(*argument.data));
-    case Kind::boolean: return py::bool_(*argument.data != 0);
-    case Kind::configuration: return enum_member("ConfigurationType", static_cast<std::uint32_t>(*argument.data));
-    case Kind::vector: return py::array_t<double>(argument.rows, argument.data);
-    case Kind::matrix:
-      return py::array_t<double>(std::vector<py::ssize_t>{argument.rows, argument.columns}, argument.data);
-    case Kind::index_list: break;
-  }
-  py::list list;
-  for (int i = 0; i < argument.rows; ++i) list.append(static_cast<long>(argument.data[i]));
-  return list;
+py::object referent(PyObject* reference) {
+#if PY_VERSION_HEX >= 0x030D0000
+  PyObject* object = nullptr;
+  if (PyWeakref_GetRef(reference, &object) < 0) throw py::error_already_set();
+  return object == nullptr ? py::none() : py::reinterpret_steal<py::object>(object);
+#else
+  return py::reinterpret_borrow<py::object>(PyWeakref_GetObject(reference));
+#endif
 }
+
+int dimensions(Kind kind) { return Signature::is_matrix(kind) ? 2 : Signature::is_vector(kind) ? 1 : 0; }
 
 std::string entries(std::size_t n) { return std::to_string(n) + (n == 1 ? " number" : " numbers"); }
 
-class PythonCallback final : public Callback {
+class PythonCallback final : public ItemCallback {
  public:
-  PythonCallback(py::object function, const Row& row) : function_(std::move(function)), row_(row) {}
+  PythonCallback(py::object function, const Row& row) : ItemCallback(std::move(function), row) {}
   ~PythonCallback() override {
     if (Py_IsInitialized() == 0) {
-      function_.release();
+      system_.release();
+      kept_.abandon();
       return;
     }
     const py::gil_scoped_acquire gil;
-    function_ = py::object();
+    system_ = py::object();
+    kept_.clear();
   }
   PythonCallback(const PythonCallback&) = delete;
   PythonCallback& operator=(const PythonCallback&) = delete;
 
   void call(double time, int item, std::span<const Argument> arguments, std::span<double> results) const override {
-    const py::gil_scoped_acquire gil;
+    const InterpreterLock lock(InterpreterLock::Afterwards::may_be_kept);
     const py::object result = invoke(time, item, arguments);
     try {
       store(result.ptr(), results);
     } catch (const Refusal& refusal) {
       refuse_result(result.ptr(), refusal, item);
     }
+    if (!running_) last_.assign(results.begin(), results.end());
+  }
+
+  void recall(double time, int item, std::span<const Argument> arguments, std::span<double> results) const override {
+    const InterpreterLock lock(InterpreterLock::Afterwards::may_be_kept);
+    if (!running_ && last_.size() == results.size()) {
+      fill(kept_, time, item, arguments);
+      if (!kept_.changed()) {
+        std::ranges::copy(last_, results.begin());
+        return;
+      }
+    }
+    call(time, item, arguments, results);
   }
 
   std::vector<double> call_any(double time, int item, std::span<const Argument> arguments) const override {
-    const py::gil_scoped_acquire gil;
+    const InterpreterLock lock(InterpreterLock::Afterwards::may_be_kept);
     const py::object result = invoke(time, item, arguments);
     try {
       if (signature().result == Kind::scalar || PyFloat_Check(result.ptr())) return {read_real(result.ptr())};
@@ -69,67 +82,56 @@ class PythonCallback final : public Callback {
     }
   }
 
-  std::shared_ptr<const Callback> bound_to(const ItemType& type, MainSystem& main) const {
-    auto copy = std::make_shared<PythonCallback>(function_, row_);
-    copy->type_ = &type;
-    copy->main_ = main.weak_from_this();
-    return copy;
-  }
-
-  PyObject* function() const { return function_.ptr(); }
+  std::shared_ptr<ItemCallback> copy() const override { return std::make_shared<PythonCallback>(function(), row()); }
 
  private:
-  const Signature& signature() const {
-    static const Signature none{};
-    return row_.signature != nullptr ? *row_.signature : none;
-  }
-
-  std::string describe(int item) const {
-    std::string text = "user function '" + std::string(row_.name) + "'";
-    if (type_ == nullptr) return text;
-    if (const auto main = main_.lock()) {
-      if (!has_this(*main, item)) item = find_this(*main);
-      if (item >= 0) return text + " of " + main->model.describe(type_->kind, item);
-    }
-    return text + " of a " + std::string(type_->name);
-  }
-
-  bool has_this(const MainSystem& main, int number) const {
-    const Item* item = main.model.find_item(type_->kind, number);
-    return item != nullptr && item->type == type_ &&
-           static_cast<const UserFunction*>(member(item->record.get(), row_))->callback.get() == this;
-  }
-  // Functions of loads are called without their number.
-  int find_this(const MainSystem& main) const {
-    for (int i = 0; i < main.model.count(type_->kind); ++i)
-      if (has_this(main, i)) return i;
-    return -1;
-  }
-
+  // A function that is called while it runs, or from another thread, gets objects of its own.
   py::object invoke(double time, int item, std::span<const Argument> arguments) const {
-    const Signature& shape = signature();
-    const auto main = main_.lock();
-    constexpr std::size_t most = 24;
-    std::array<py::object, most> held;
-    std::size_t n = 0;
-    held[n++] = main ? py::cast(main) : py::none();
-    if (shape.takes_time) held[n++] = py::float_(time);
-    if (shape.takes_item) held[n++] = py::int_(item);
-    for (std::size_t i = 0; i < arguments.size() && n < most; ++i)
-      held[n++] = python_argument(i < shape.arguments.size() ? shape.arguments[i] : Kind::scalar, arguments[i]);
-    std::array<PyObject*, most> stack{};
-    std::ranges::transform(held, stack.begin(), [](const py::object& object) { return object.ptr(); });
-    PyObject* result = PyObject_Vectorcall(function_.ptr(), stack.data(), n, nullptr);
+    if (running_) {
+      PythonArguments own;
+      return invoke(own, time, item, arguments);
+    }
+    const Running running(running_);
+    last_.clear();
+    return invoke(kept_, time, item, arguments);
+  }
+
+  py::object invoke(PythonArguments& objects, double time, int item, std::span<const Argument> arguments) const {
+    fill(objects, time, item, arguments);
+    PyObject* result = objects.call(function().ptr(), system().ptr());
     if (result == nullptr) throw_python_error("in " + describe(item) + ", at time " + std::to_string(time));
     return py::reinterpret_steal<py::object>(result);
   }
 
+  void fill(PythonArguments& objects, double time, int item, std::span<const Argument> arguments) const {
+    const Signature& shape = signature();
+    objects.begin();
+    if (shape.takes_time) objects.add(time);
+    if (shape.takes_item) objects.add(static_cast<long>(item));
+    for (std::size_t i = 0; i < arguments.size(); ++i)
+      objects.add(i < shape.arguments.size() ? shape.arguments[i] : Kind::scalar, arguments[i]);
+  }
+
+  // The Python object of the system, which owns this callback: only a weak reference to it is kept.
+  py::object system() const {
+    if (system_) {
+      if (py::object alive = referent(system_.ptr()); !alive.is_none()) return alive;
+    }
+    const auto main = this->main();
+    if (!main) return py::none();
+    py::object object = py::cast(main);
+    system_ = py::weakref(object);
+    return object;
+  }
+
   void store(PyObject* result, std::span<double> results) const {
+    if (read_plain_reals(result, dimensions(signature().result), results)) return;
     switch (signature().result) {
       case Kind::scalar:
       case Kind::integer:
       case Kind::boolean: results[0] = read_real(result); return;
-      case Kind::matrix: store_matrix(result, results); return;
+      case Kind::matrix:
+      case Kind::open_matrix: store_matrix(result, results); return;
       default: break;
     }
     const std::string what = "a list or array of " + entries(results.size());
@@ -162,10 +164,18 @@ class PythonCallback final : public Callback {
     refuse(refusal.kind, {describe(item), "", "", show(result) + " as result", refusal.expected, refusal.advice});
   }
 
-  py::object function_;
-  const Row& row_;
-  const ItemType* type_ = nullptr;
-  std::weak_ptr<MainSystem> main_;
+  struct Running {
+    explicit Running(bool& flag) : flag(flag) { flag = true; }
+    ~Running() { flag = false; }
+    Running(const Running&) = delete;
+    Running& operator=(const Running&) = delete;
+    bool& flag;
+  };
+
+  mutable py::object system_;  // weak reference
+  mutable PythonArguments kept_;
+  mutable std::vector<double> last_;  // results of the call with these
+  mutable bool running_ = false;
 };
 
 }  // namespace
@@ -178,6 +188,7 @@ UserFunction read_user_function(PyObject* value, const Row& row) {
     if (PyObject* function = PyDict_GetItemString(value, "function"); function != nullptr) value = function;
   }
   if (auto callback = symbolic_callback(value, row)) return {std::move(callback)};
+  if (auto callback = compiled_callback(value, row)) return {std::move(callback)};
   if (PyCallable_Check(value) == 0)
     throw Refusal{ErrorKind::type, "a function, or 0 for none", "Pass the function itself, without calling it."};
   return {std::make_shared<PythonCallback>(py::reinterpret_borrow<py::object>(value), row)};
@@ -185,13 +196,13 @@ UserFunction read_user_function(PyObject* value, const Row& row) {
 
 PyObject* function_of(const UserFunction& function) {
   if (!function) return Py_None;
-  if (const auto* callback = dynamic_cast<const PythonCallback*>(function.callback.get())) return callback->function();
+  if (const auto* callback = dynamic_cast<const ItemCallback*>(function.callback.get())) return callback->function().ptr();
   PyObject* symbolic = symbolic_function(*function.callback);
   return symbolic == nullptr ? Py_None : symbolic;
 }
 
 UserFunction bind_user_function(const ItemType& type, const UserFunction& function, MainSystem& main) {
-  const auto* callback = dynamic_cast<const PythonCallback*>(function.callback.get());
+  const auto* callback = dynamic_cast<const ItemCallback*>(function.callback.get());
   return callback == nullptr ? function : UserFunction{callback->bound_to(type, main)};
 }
 

@@ -1,5 +1,7 @@
 #include "sequence.hpp"
 
+#include <algorithm>
+
 #include "index_types.hpp"
 #include "python_errors.hpp"
 
@@ -41,7 +43,38 @@ double slow_real(PyObject* value) {
   return finite(real);
 }
 
+bool read_plain_list(PyObject* const* items, std::span<double> out) {
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    if (!PyFloat_CheckExact(items[i])) return false;
+    out[i] = PyFloat_AS_DOUBLE(items[i]);
+  }
+  return true;
+}
+
+bool read_plain_array(PyObject* value, int dimensions, std::span<double> out) {
+  const auto array = py::reinterpret_borrow<py::array>(value);
+  const bool plain = array.ndim() == dimensions && static_cast<std::size_t>(array.size()) == out.size() &&
+                     (array.flags() & py::array::c_style) != 0 && array.dtype().is(py::dtype::of<double>());
+  if (plain) std::copy_n(static_cast<const double*>(array.data()), out.size(), out.begin());
+  return plain;
+}
+
 }  // namespace
+
+bool read_plain_reals(PyObject* value, int dimensions, std::span<double> out) {
+  if (out.empty()) return false;
+  bool plain = false;
+  if (PyFloat_CheckExact(value)) {
+    out[0] = PyFloat_AS_DOUBLE(value);
+    plain = dimensions == 0;
+  } else if (PyList_CheckExact(value) || PyTuple_CheckExact(value)) {
+    plain = dimensions == 1 && static_cast<std::size_t>(Py_SIZE(value)) == out.size() &&
+            read_plain_list(PySequence_Fast_ITEMS(value), out);
+  } else if (dimensions > 0 && is_array(value)) {
+    plain = read_plain_array(value, dimensions, out);
+  }
+  return plain && std::ranges::all_of(out, [](double x) { return std::isfinite(x); });
+}
 
 double read_real(PyObject* value) {
   if (PyFloat_Check(value)) return finite(PyFloat_AS_DOUBLE(value));

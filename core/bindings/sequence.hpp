@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "conversion.hpp"
@@ -15,6 +16,10 @@ namespace dalembert {
 // Numbers as Python users write them. The result is finite. Throws Refusal.
 double read_real(PyObject* value);
 int read_integer(PyObject* value);
+
+// The usual cases without a detour: a float (no dimension), a list or tuple of floats (one), an array of float64 (one or two).
+// False, with `out` undefined, if `value` is anything else, has another size or a number that is not finite.
+bool read_plain_reals(PyObject* value, int dimensions, std::span<double> out);
 
 // The objects in a list, a tuple, an array of objects or another sequence.
 class Items {

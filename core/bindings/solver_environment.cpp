@@ -2,9 +2,11 @@
 
 #include <pybind11/stl.h>
 
+#include "compiled_callback.hpp"
 #include "console.hpp"
 #include "conversion.hpp"
 #include "dalembert/model/member.hpp"
+#include "interpreter_lock.hpp"
 #include "python_callback.hpp"
 #include "python_errors.hpp"
 
@@ -27,7 +29,7 @@ class SystemFunction {
 
   template <class Read, class... Arguments>
   auto call(Read&& read, double time, Arguments... arguments) const {
-    const py::gil_scoped_acquire gil;
+    const InterpreterLock lock(InterpreterLock::Afterwards::may_be_kept);
     const auto main = main_.lock();
     PyObject* raw = nullptr;
     {
@@ -58,8 +60,26 @@ class SystemFunction {
   py::object function_;
 };
 
+// A C function instead: called as it is, and kept alive. Empty if the user's function is none.
+template <class Result, class... Parameters>
+std::function<Result(Parameters...)> c_function(const MainSystem& main, const char* name) {
+  py::object owner = main.user_function(name);
+  const void* address = compiled_system_function(owner.ptr(), name);
+  if (address == nullptr) return nullptr;
+  const auto release = [](py::object* object) {
+    const py::gil_scoped_acquire gil;
+    delete object;
+  };
+  return [function = reinterpret_cast<Result (*)(Parameters...)>(const_cast<void*>(address)),
+          owner = std::shared_ptr<py::object>(new py::object(owner), release)](Parameters... parameters) {
+    return function(parameters...);
+  };
+}
+
 std::function<bool(double)> step_function(const std::shared_ptr<MainSystem>& main, const char* name) {
   if (main->user_function(name).is_none()) return nullptr;
+  if (auto function = c_function<std::int64_t, double>(*main, name))
+    return [function = std::move(function)](double time) { return function(time) != 0; };
   const auto function = std::make_shared<SystemFunction>(main, name);
   return [function](double time) {
     return function->call(
@@ -92,7 +112,13 @@ std::vector<MatrixEntry> read_entries(const py::object& result) {
 void add_user_functions(SolverHooks& hooks, const std::shared_ptr<MainSystem>& main) {
   hooks.pre_step = step_function(main, "PreStep");
   hooks.post_step = step_function(main, "PostStep");
-  if (!main->user_function("PostNewton").is_none()) {
+  if (auto function = c_function<void, double, double*>(*main, "PostNewton")) {
+    hooks.post_newton = [function = std::move(function)](double time) {
+      std::array<double, 2> result{0, -1};
+      function(time, result.data());
+      return result;
+    };
+  } else if (!main->user_function("PostNewton").is_none()) {
     hooks.post_newton = [function = std::make_shared<SystemFunction>(main, "PostNewton")](double time) {
       return function->call([](const py::object& result) { return result.cast<std::array<double, 2>>(); }, time);
     };
@@ -119,7 +145,8 @@ void add_console(SolverHooks& hooks) {
 void add_interruption(SolverHooks& hooks, const std::shared_ptr<MainSystem>& main) {
   const std::weak_ptr<MainSystem> weak = main;
   hooks.interrupted = [weak] {
-    const py::gil_scoped_acquire gil;
+    WithoutInterpreter::look();
+    const InterpreterLock lock;
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     const auto locked = weak.lock();
     return locked && locked->stop_requested;

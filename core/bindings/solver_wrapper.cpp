@@ -4,6 +4,7 @@
 
 #include "dalembert/model/errors.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
+#include "interpreter_lock.hpp"
 
 namespace dalembert {
 
@@ -90,7 +91,7 @@ bool SolverWrapper::initialize_for(const MainPointer& new_main, const py::object
   main->stop_requested = false;
   initialized_ = true;
   {
-    const py::gil_scoped_release release;
+    const WithoutInterpreter free;
     initialized_ = solver().initialize();
   }
   update_newton_view();
@@ -103,7 +104,7 @@ bool SolverWrapper::solve_for(const MainPointer& new_main, const py::object& obj
   initialized_ = true;
   bool success = false;
   {
-    const py::gil_scoped_release release;
+    const WithoutInterpreter free;
     success = solver().solve_system();
     main->system.state(ConfigurationType::Visualization) = main->system.state(ConfigurationType::Current);
   }

@@ -7,6 +7,7 @@
 #include "dalembert/solvers/explicit.hpp"
 #include "dalembert/solvers/second_order.hpp"
 #include "dalembert/solvers/static.hpp"
+#include "interpreter_lock.hpp"
 #include "module.hpp"
 #include "python_callback.hpp"
 #include "solver_data.hpp"
@@ -52,7 +53,7 @@ class ImplicitWrapper final : public WrappedSolver<SecondOrderSolver> {
     if (functions_.empty() || running_ == part) return built_in();
     const auto found = functions_.find(part);
     if (found == functions_.end()) return built_in();
-    const py::gil_scoped_acquire gil;
+    const InterpreterLock lock;
     const std::string_view before = std::exchange(running_, part);
     PyObject* raw = nullptr;
     {
@@ -83,7 +84,7 @@ void part(Class<W>& c, const char* name, F f, const char* doc) {
       name,
       [name, f](W& w, const MainPointer& main, const py::object& settings) {
         w.require(main, settings, name);
-        const py::gil_scoped_release release;
+        const WithoutInterpreter free;
         return f(w);
       },
       main_argument, settings_argument, doc);
@@ -198,7 +199,7 @@ void register_newton(Class<W>& c) {
   c.def("ComputeNewtonUpdate",
         [](W& w, const MainPointer& m, const py::object& s, bool initial) {
           w.require(m, s, "ComputeNewtonUpdate");
-          const py::gil_scoped_release release;
+          const WithoutInterpreter free;
           w.compute_update(initial);
         },
         main_argument, settings_argument, py::arg("initial") = true, "Move the state by the increment of Newton's method.");

@@ -499,7 +499,8 @@ void transfer(const py::object& self, const py::object& main, const py::object& 
 
 // [kinds of arguments, kind of the result] of a user function of an item type.
 py::object signature_of(const std::string& type_name, const std::string& function_name) {
-  static constexpr std::array names{"scalar", "integer", "boolean", "vector", "matrix", "index_list", "configuration"};
+  static constexpr std::array names{"scalar", "integer", "boolean",    "vector",       "matrix",
+                                    "vector", "matrix",  "index_list", "configuration"};
   const auto name_of = [](Signature::Kind kind) { return names[static_cast<std::size_t>(kind)]; };
   for (const ItemType* type : item_types()) {
     if (type->name != type_name) continue;

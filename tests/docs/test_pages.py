@@ -46,10 +46,11 @@ def test_readme_shows_the_first_example() -> None:
     assert (ROOT / "examples/first_model.py").read_text().endswith("\n\n" + shown)
 
 
-def test_errors_page_shows_the_real_texts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize(("page", "least"), [("errors", 20), ("compiled_functions", 4)])
+def test_pages_show_the_real_texts(page: str, least: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
-    failed, tried = doctest.testfile(str(ROOT / "docs/tutorial/errors.rst"), module_relative=False)
-    assert tried > 20 and failed == 0
+    failed, tried = doctest.testfile(str(ROOT / f"docs/tutorial/{page}.rst"), module_relative=False)
+    assert tried > least and failed == 0
 
 
 def test_the_example_of_a_new_item_is_complete(tmp_path: Path) -> None:

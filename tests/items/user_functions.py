@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
 
 from codegen.model import Item, UserFunction
+from dalembert import compiled
 
 
 def smooth(function: UserFunction) -> Callable[..., Any]:
@@ -81,3 +82,28 @@ def functions_of(item: Item, rows: dict[str, Any]) -> dict[str, Any]:
     if "postNewtonStepUserFunction" in made:
         made["postNewtonStepUserFunction"] = lambda *arguments: [0.0, *arguments[3]]
     return made
+
+
+def as_c_function(item: Item, function: UserFunction, python: Callable[..., Any]) -> Any:
+    """A C function that hands its arguments to a Python function, with None for mbs."""
+
+    def array(pointer: Any, kind: str, shape: tuple[int | None, ...], rest: Iterator[Any]) -> Any:
+        sizes = [next(rest)] if kind.startswith("open_") else [size for size in shape if size is not None]
+        return np.ctypeslib.as_array(pointer, tuple(sizes))
+
+    def called(*numbers: Any) -> Any:
+        rest = iter(numbers)
+        arguments = [None, *(next(rest) for _ in function.standard[1:])]
+        for argument in function.arguments:
+            value = next(rest)
+            kind = argument.type.kind
+            is_array = kind.endswith(("vector", "matrix"))
+            arguments.append(array(value, kind, argument.shape, rest).copy() if is_array else value)
+        result = python(*arguments)
+        if not function.returns.shape:
+            return result
+        kind = function.returns.type.kind
+        array(next(rest), kind, function.returns.shape, rest)[:] = np.ravel(result)
+        return None
+
+    return compiled.ctypes_signature(item.name, function.name)(called)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import threading
 import weakref
 from typing import Any
 
@@ -104,3 +105,80 @@ def test_functions_are_released_with_the_system() -> None:
     reference = make()
     gc.collect()
     assert reference() is None
+
+
+def solve(mbs: exu.MainSystem, steps: int, **options: Any) -> None:
+    settings = exu.SimulationSettings()
+    settings.timeIntegration.numberOfSteps, settings.timeIntegration.endTime = steps, 1e-3 * steps
+    settings.solutionSettings.writeSolutionToFile = False
+    mbs.SolveDynamic(settings, **options)
+
+
+def test_arrays_that_a_function_keeps_stay_as_they_were(mbs: exu.MainSystem) -> None:
+    kept = []
+
+    def wind(system: exu.MainSystem, t: float, vector: Any) -> Any:
+        kept.append((t, vector))
+        vector[0] += t  # its own from now on
+        return vector
+
+    load(mbs, wind)
+    mbs.Assemble()
+    solve(mbs, 10)
+    assert len(kept) > 10
+    assert all(vector.tolist() == [1 + t, 2, 3] for t, vector in kept)
+
+
+def test_function_that_is_called_while_it_runs(mbs: exu.MainSystem) -> None:
+    def wind(system: exu.MainSystem, t: float, vector: Any) -> Any:
+        if t == 0:
+            return [7, 8, 9]
+        system.systemData.SetTime(0)
+        inner = system.GetLoadValues(number)
+        return vector - inner
+
+    number = load(mbs, wind)
+    mbs.Assemble()
+    mbs.systemData.SetTime(0.5)
+    assert mbs.GetLoadValues(number).tolist() == [-6, -6, -6]
+
+
+def test_no_function_is_called_again_for_what_it_has_just_said(mbs: exu.MainSystem) -> None:
+    calls = []
+
+    def force(system: exu.MainSystem, t: float, item: int, u: float, v: float, *parameters: float) -> float:
+        calls.append((t, u, v))
+        return 100 * u + v
+
+    node = mbs.AddNode(exu.NodePoint(initialCoordinates=[0.1, 0, 0]))
+    mbs.AddObject(exu.MassPoint(physicsMass=1, nodeNumber=node))
+    ground = mbs.AddMarker(exu.MarkerNodeCoordinate(nodeNumber=mbs.AddNode(exu.NodePointGround()), coordinate=0))
+    marker = mbs.AddMarker(exu.MarkerNodeCoordinate(nodeNumber=node, coordinate=0))
+    mbs.AddObject(exu.CoordinateSpringDamper(markerNumbers=[ground, marker], springForceUserFunction=force))
+    mbs.Assemble()
+    solve(mbs, 10)
+    # Two residuals and two derivatives for the one Newton iteration of a linear step; more only before the first step.
+    assert 4 * 10 <= len(calls) <= 4 * 10 + 4
+    assert not any(first == second for first, second in zip(calls[4:], calls[5:], strict=False))
+
+
+def test_other_threads_run_between_functions(mbs: exu.MainSystem) -> None:
+    running, done = threading.Event(), threading.Event()
+
+    def other() -> None:
+        running.wait()
+        done.set()
+
+    def wind(system: exu.MainSystem, t: float, vector: Any) -> Any:
+        running.set()
+        return vector
+
+    load(mbs, wind)
+    mbs.SetPostStepUserFunction(lambda system, t: not done.is_set())
+    mbs.Assemble()
+    thread = threading.Thread(target=other)
+    thread.start()
+    steps = 10**6  # would take much longer than a thread needs to get its turn
+    solve(mbs, steps, solverType=exu.DynamicSolverType.ExplicitEuler)
+    thread.join()
+    assert mbs.systemData.GetTime(exu.ConfigurationType.Current) < 1e-3 * steps

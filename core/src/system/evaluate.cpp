@@ -141,11 +141,12 @@ void System::tangent(const State& state, const Conditions& conditions, const Wei
   SystemParts& parts = *parts_;
   parts.bind(pattern);
   std::fill(values.begin(), values.end(), 0.0);
-  const Evaluation e = parts.evaluation(state, conditions);
+  Evaluation e = parts.evaluation(state, conditions);
   if (!conditions.follows_residual || evaluated_ != &state) {
     add_residual(parts, e, parts.work.data(), conditions.loads);  // the forces on markers, for the geometric part
     evaluated_ = nullptr;
   }
+  e.same_state = true;
   const Flagged evaluating(parts.evaluating);
   const EvaluationPlan& plan = parts.plan;
   each(plan.differentiated, [&](const MarkerBatch& batch) { batch.evaluate_tangent(e, weights, parts.ports); });

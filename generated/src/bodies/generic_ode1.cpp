@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/reflection/compiled_call.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -17,9 +18,9 @@ namespace {
 using Record = ObjectGenericODE1Record;
 
 constexpr std::array<Signature::Kind, 1> rhsUserFunction_arguments{
-    Signature::Kind::vector,
+    Signature::Kind::open_vector,
 };
-constexpr Signature rhsUserFunction_signature{.arguments = rhsUserFunction_arguments, .result = Signature::Kind::vector};
+constexpr Signature rhsUserFunction_signature{.arguments = rhsUserFunction_arguments, .takes_time = true, .takes_item = true, .result = Signature::Kind::open_vector, .compiled = &compiled_call<rhsUserFunction_arguments, true, true, Signature::Kind::open_vector>};
 
 constexpr std::array<Row, 9> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},

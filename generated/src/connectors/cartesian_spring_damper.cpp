@@ -7,6 +7,7 @@
 
 #include "dalembert/batches/connector.hpp"
 #include "dalembert/items/connectors/cartesian_spring_damper.hpp"
+#include "dalembert/reflection/compiled_call.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -22,7 +23,7 @@ constexpr std::array<Signature::Kind, 5> springForceUserFunction_arguments{
     Signature::Kind::vector,
     Signature::Kind::vector,
 };
-constexpr Signature springForceUserFunction_signature{.arguments = springForceUserFunction_arguments, .result = Signature::Kind::vector};
+constexpr Signature springForceUserFunction_signature{.arguments = springForceUserFunction_arguments, .takes_time = true, .takes_item = true, .result = Signature::Kind::vector, .compiled = &compiled_call<springForceUserFunction_arguments, true, true, Signature::Kind::vector>};
 
 constexpr std::array<Row, 10> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},

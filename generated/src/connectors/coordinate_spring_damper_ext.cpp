@@ -7,6 +7,7 @@
 
 #include "dalembert/batches/connector.hpp"
 #include "dalembert/items/connectors/coordinate_spring_damper_ext.hpp"
+#include "dalembert/reflection/compiled_call.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -28,7 +29,7 @@ constexpr std::array<Signature::Kind, 11> springForceUserFunction_arguments{
     Signature::Kind::scalar,
     Signature::Kind::scalar,
 };
-constexpr Signature springForceUserFunction_signature{.arguments = springForceUserFunction_arguments, .result = Signature::Kind::scalar};
+constexpr Signature springForceUserFunction_signature{.arguments = springForceUserFunction_arguments, .takes_time = true, .takes_item = true, .result = Signature::Kind::scalar, .compiled = &compiled_call<springForceUserFunction_arguments, true, true, Signature::Kind::scalar>};
 
 constexpr std::array<Row, 26> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},

@@ -7,6 +7,7 @@
 
 #include "dalembert/batches/connector.hpp"
 #include "dalembert/items/connectors/rigid_body_spring_damper.hpp"
+#include "dalembert/reflection/compiled_call.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -26,10 +27,10 @@ constexpr std::array<Signature::Kind, 9> springForceTorqueUserFunction_arguments
     Signature::Kind::matrix,
     Signature::Kind::vector,
 };
-constexpr Signature springForceTorqueUserFunction_signature{.arguments = springForceTorqueUserFunction_arguments, .result = Signature::Kind::vector};
+constexpr Signature springForceTorqueUserFunction_signature{.arguments = springForceTorqueUserFunction_arguments, .takes_time = true, .takes_item = true, .result = Signature::Kind::vector, .compiled = &compiled_call<springForceTorqueUserFunction_arguments, true, true, Signature::Kind::vector>};
 
 constexpr std::array<Signature::Kind, 10> postNewtonStepUserFunction_arguments{
-    Signature::Kind::vector,
+    Signature::Kind::open_vector,
     Signature::Kind::vector,
     Signature::Kind::vector,
     Signature::Kind::vector,
@@ -40,7 +41,7 @@ constexpr std::array<Signature::Kind, 10> postNewtonStepUserFunction_arguments{
     Signature::Kind::matrix,
     Signature::Kind::vector,
 };
-constexpr Signature postNewtonStepUserFunction_signature{.arguments = postNewtonStepUserFunction_arguments, .result = Signature::Kind::vector};
+constexpr Signature postNewtonStepUserFunction_signature{.arguments = postNewtonStepUserFunction_arguments, .takes_time = true, .takes_item = true, .result = Signature::Kind::open_vector, .compiled = &compiled_call<postNewtonStepUserFunction_arguments, true, true, Signature::Kind::open_vector>};
 
 constexpr std::array<Row, 15> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},

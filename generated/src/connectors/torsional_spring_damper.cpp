@@ -7,6 +7,7 @@
 
 #include "dalembert/batches/connector.hpp"
 #include "dalembert/items/connectors/torsional_spring_damper.hpp"
+#include "dalembert/reflection/compiled_call.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -22,7 +23,7 @@ constexpr std::array<Signature::Kind, 5> springTorqueUserFunction_arguments{
     Signature::Kind::scalar,
     Signature::Kind::scalar,
 };
-constexpr Signature springTorqueUserFunction_signature{.arguments = springTorqueUserFunction_arguments, .result = Signature::Kind::scalar};
+constexpr Signature springTorqueUserFunction_signature{.arguments = springTorqueUserFunction_arguments, .takes_time = true, .takes_item = true, .result = Signature::Kind::scalar, .compiled = &compiled_call<springTorqueUserFunction_arguments, true, true, Signature::Kind::scalar>};
 
 constexpr std::array<Row, 15> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},

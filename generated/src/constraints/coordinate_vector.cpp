@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/reflection/compiled_call.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -17,18 +18,18 @@ namespace {
 using Record = ObjectConnectorCoordinateVectorRecord;
 
 constexpr std::array<Signature::Kind, 3> constraintUserFunction_arguments{
-    Signature::Kind::vector,
-    Signature::Kind::vector,
+    Signature::Kind::open_vector,
+    Signature::Kind::open_vector,
     Signature::Kind::boolean,
 };
-constexpr Signature constraintUserFunction_signature{.arguments = constraintUserFunction_arguments, .result = Signature::Kind::vector};
+constexpr Signature constraintUserFunction_signature{.arguments = constraintUserFunction_arguments, .takes_time = true, .takes_item = true, .result = Signature::Kind::open_vector, .compiled = &compiled_call<constraintUserFunction_arguments, true, true, Signature::Kind::open_vector>};
 
 constexpr std::array<Signature::Kind, 3> jacobianUserFunction_arguments{
-    Signature::Kind::vector,
-    Signature::Kind::vector,
+    Signature::Kind::open_vector,
+    Signature::Kind::open_vector,
     Signature::Kind::boolean,
 };
-constexpr Signature jacobianUserFunction_signature{.arguments = jacobianUserFunction_arguments, .result = Signature::Kind::matrix};
+constexpr Signature jacobianUserFunction_signature{.arguments = jacobianUserFunction_arguments, .takes_time = true, .takes_item = true, .result = Signature::Kind::open_matrix, .compiled = &compiled_call<jacobianUserFunction_arguments, true, true, Signature::Kind::open_matrix>};
 
 constexpr std::array<Row, 13> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},

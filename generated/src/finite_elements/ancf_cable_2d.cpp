@@ -8,6 +8,7 @@
 #include "dalembert/batches/body.hpp"
 #include "dalembert/items/finite_elements/ancf_cable_2d.hpp"
 #include "dalembert/items/nodes/point_2d_slope1.hpp"
+#include "dalembert/reflection/compiled_call.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -27,7 +28,7 @@ constexpr std::array<Signature::Kind, 9> axialForceUserFunction_arguments{
     Signature::Kind::scalar,
     Signature::Kind::scalar,
 };
-constexpr Signature axialForceUserFunction_signature{.arguments = axialForceUserFunction_arguments, .result = Signature::Kind::scalar};
+constexpr Signature axialForceUserFunction_signature{.arguments = axialForceUserFunction_arguments, .takes_time = true, .takes_item = true, .result = Signature::Kind::scalar, .compiled = &compiled_call<axialForceUserFunction_arguments, true, true, Signature::Kind::scalar>};
 
 constexpr std::array<Signature::Kind, 9> bendingMomentUserFunction_arguments{
     Signature::Kind::scalar,
@@ -40,7 +41,7 @@ constexpr std::array<Signature::Kind, 9> bendingMomentUserFunction_arguments{
     Signature::Kind::scalar,
     Signature::Kind::scalar,
 };
-constexpr Signature bendingMomentUserFunction_signature{.arguments = bendingMomentUserFunction_arguments, .result = Signature::Kind::scalar};
+constexpr Signature bendingMomentUserFunction_signature{.arguments = bendingMomentUserFunction_arguments, .takes_time = true, .takes_item = true, .result = Signature::Kind::scalar, .compiled = &compiled_call<bendingMomentUserFunction_arguments, true, true, Signature::Kind::scalar>};
 
 constexpr std::array<Row, 17> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},

@@ -7,6 +7,7 @@
 
 #include "dalembert/batches/constraint.hpp"
 #include "dalembert/items/joints/generic.hpp"
+#include "dalembert/reflection/compiled_call.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -18,12 +19,12 @@ using Record = ObjectJointGenericRecord;
 constexpr std::array<Signature::Kind, 1> offsetUserFunction_arguments{
     Signature::Kind::vector,
 };
-constexpr Signature offsetUserFunction_signature{.arguments = offsetUserFunction_arguments, .result = Signature::Kind::vector};
+constexpr Signature offsetUserFunction_signature{.arguments = offsetUserFunction_arguments, .takes_time = true, .takes_item = true, .result = Signature::Kind::vector, .compiled = &compiled_call<offsetUserFunction_arguments, true, true, Signature::Kind::vector>};
 
 constexpr std::array<Signature::Kind, 1> offsetUserFunction_t_arguments{
     Signature::Kind::vector,
 };
-constexpr Signature offsetUserFunction_t_signature{.arguments = offsetUserFunction_t_arguments, .result = Signature::Kind::vector};
+constexpr Signature offsetUserFunction_t_signature{.arguments = offsetUserFunction_t_arguments, .takes_time = true, .takes_item = true, .result = Signature::Kind::vector, .compiled = &compiled_call<offsetUserFunction_t_arguments, true, true, Signature::Kind::vector>};
 
 constexpr std::array<Row, 14> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},

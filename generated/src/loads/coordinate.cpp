@@ -7,6 +7,7 @@
 
 #include "dalembert/batches/load.hpp"
 #include "dalembert/items/loads/coordinate.hpp"
+#include "dalembert/reflection/compiled_call.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -18,7 +19,7 @@ using Record = LoadCoordinateRecord;
 constexpr std::array<Signature::Kind, 1> loadUserFunction_arguments{
     Signature::Kind::scalar,
 };
-constexpr Signature loadUserFunction_signature{.arguments = loadUserFunction_arguments, .takes_item = false, .result = Signature::Kind::scalar};
+constexpr Signature loadUserFunction_signature{.arguments = loadUserFunction_arguments, .takes_time = true, .takes_item = false, .result = Signature::Kind::scalar, .compiled = &compiled_call<loadUserFunction_arguments, true, false, Signature::Kind::scalar>};
 
 constexpr std::array<Row, 5> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},

@@ -7,6 +7,7 @@
 
 #include "dalembert/batches/load.hpp"
 #include "dalembert/items/loads/force_vector.hpp"
+#include "dalembert/reflection/compiled_call.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -18,7 +19,7 @@ using Record = LoadForceVectorRecord;
 constexpr std::array<Signature::Kind, 1> loadVectorUserFunction_arguments{
     Signature::Kind::vector,
 };
-constexpr Signature loadVectorUserFunction_signature{.arguments = loadVectorUserFunction_arguments, .takes_item = false, .result = Signature::Kind::vector};
+constexpr Signature loadVectorUserFunction_signature{.arguments = loadVectorUserFunction_arguments, .takes_time = true, .takes_item = false, .result = Signature::Kind::vector, .compiled = &compiled_call<loadVectorUserFunction_arguments, true, false, Signature::Kind::vector>};
 
 constexpr std::array<Row, 6> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},

@@ -16,10 +16,10 @@ using Record = SensorUserFunctionRecord;
 
 constexpr std::array<Signature::Kind, 3> sensorUserFunction_arguments{
     Signature::Kind::index_list,
-    Signature::Kind::vector,
+    Signature::Kind::open_vector,
     Signature::Kind::configuration,
 };
-constexpr Signature sensorUserFunction_signature{.arguments = sensorUserFunction_arguments, .takes_item = false, .result = Signature::Kind::vector};
+constexpr Signature sensorUserFunction_signature{.arguments = sensorUserFunction_arguments, .takes_time = true, .takes_item = false, .result = Signature::Kind::open_vector};
 
 constexpr std::array<Row, 8> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/reflection/compiled_call.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -14,16 +15,16 @@ namespace {
 using Record = ObjectFFRFreducedOrderRecord;
 
 constexpr std::array<Signature::Kind, 2> forceUserFunction_arguments{
-    Signature::Kind::vector,
-    Signature::Kind::vector,
+    Signature::Kind::open_vector,
+    Signature::Kind::open_vector,
 };
-constexpr Signature forceUserFunction_signature{.arguments = forceUserFunction_arguments, .result = Signature::Kind::vector};
+constexpr Signature forceUserFunction_signature{.arguments = forceUserFunction_arguments, .takes_time = true, .takes_item = true, .result = Signature::Kind::open_vector, .compiled = &compiled_call<forceUserFunction_arguments, true, true, Signature::Kind::open_vector>};
 
 constexpr std::array<Signature::Kind, 2> massMatrixUserFunction_arguments{
-    Signature::Kind::vector,
-    Signature::Kind::vector,
+    Signature::Kind::open_vector,
+    Signature::Kind::open_vector,
 };
-constexpr Signature massMatrixUserFunction_signature{.arguments = massMatrixUserFunction_arguments, .result = Signature::Kind::matrix};
+constexpr Signature massMatrixUserFunction_signature{.arguments = massMatrixUserFunction_arguments, .takes_time = true, .takes_item = true, .result = Signature::Kind::open_matrix, .compiled = &compiled_call<massMatrixUserFunction_arguments, true, true, Signature::Kind::open_matrix>};
 
 constexpr std::array<Row, 28> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},

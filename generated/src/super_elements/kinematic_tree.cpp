@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/reflection/compiled_call.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -14,10 +15,10 @@ namespace {
 using Record = ObjectKinematicTreeRecord;
 
 constexpr std::array<Signature::Kind, 2> forceUserFunction_arguments{
-    Signature::Kind::vector,
-    Signature::Kind::vector,
+    Signature::Kind::open_vector,
+    Signature::Kind::open_vector,
 };
-constexpr Signature forceUserFunction_signature{.arguments = forceUserFunction_arguments, .result = Signature::Kind::vector};
+constexpr Signature forceUserFunction_signature{.arguments = forceUserFunction_arguments, .takes_time = true, .takes_item = true, .result = Signature::Kind::open_vector, .compiled = &compiled_call<forceUserFunction_arguments, true, true, Signature::Kind::open_vector>};
 
 constexpr std::array<Row, 24> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},

@@ -14,9 +14,11 @@ struct Context {
   double step_size = 0;
   const double* data = nullptr;  // the item's data coordinates; null: none
   int data_count = 0;
+  bool same_state = false;       // as in the evaluation before: user functions need not be called again
 
   static Context of(const Evaluation& e, int item, int first_data = -1, int data_count = 0) {
-    return {e.time, item, e.load_factor, e.step_size, first_data < 0 ? nullptr : e.data + first_data, data_count};
+    return {e.time, item, e.load_factor, e.step_size, first_data < 0 ? nullptr : e.data + first_data, data_count,
+            e.same_state};
   }
 };
 

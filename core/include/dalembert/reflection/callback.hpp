@@ -18,7 +18,12 @@ class Callback {
   virtual ~Callback() = default;
   // `results` has the size that the signature in the spec promises. Throws what the user's function throws.
   virtual void call(double time, int item, std::span<const Argument> arguments, std::span<double> results) const = 0;
-  // The same for a result of any length.
+  // The same for a system whose state has not changed since the last call: what that call gave may be given again, if the
+  // arguments are the same.
+  virtual void recall(double time, int item, std::span<const Argument> arguments, std::span<double> results) const {
+    call(time, item, arguments, results);
+  }
+  // As `call`, for a result of any length.
   virtual std::vector<double> call_any(double time, int item, std::span<const Argument> arguments) const = 0;
 };
 

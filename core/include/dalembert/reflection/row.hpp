@@ -14,13 +14,25 @@ enum class Check : std::uint8_t { none, non_negative, positive };
 
 enum class Role : std::uint8_t { name, parameter, visualization };
 
+struct Argument;  // core/include/dalembert/reflection/callback.hpp
+
+// Calls a C function of one signature, see core/include/dalembert/reflection/compiled_call.hpp.
+using CompiledCall = void (*)(const void* function, double time, int item, std::span<const Argument> arguments,
+                              std::span<double> results);
+
 // What the row's user function takes and gives, from the spec.
 struct Signature {
-  enum class Kind : std::uint8_t { scalar, integer, boolean, vector, matrix, index_list, configuration };
+  // The open ones have a length that is known at run time only.
+  enum class Kind : std::uint8_t { scalar, integer, boolean, vector, matrix, open_vector, open_matrix, index_list, configuration };
   std::span<const Kind> arguments;  // after mbs, t and (if takes_item) the item number
   bool takes_time = true;
   bool takes_item = true;
   Kind result = Kind::scalar;
+  CompiledCall compiled = nullptr;  // null: it can be a Python function only
+
+  static constexpr bool is_vector(Kind kind) { return kind == Kind::vector || kind == Kind::open_vector; }
+  static constexpr bool is_matrix(Kind kind) { return kind == Kind::matrix || kind == Kind::open_matrix; }
+  static constexpr bool is_open(Kind kind) { return kind == Kind::open_vector || kind == Kind::open_matrix; }
 };
 
 struct Row {

@@ -21,6 +21,7 @@ struct Evaluation {
   double step_size = 0;
   bool rate_level = false;         // constraints as time derivatives of their gaps (index 2)
   bool inertia = true;             // false: static, accelerations and velocities play no part
+  bool same_state = false;         // as in the evaluation before
 };
 
 // Directions of a tangent: dq = q, dv = v, da = a per unit of the increment of an ODE2 coordinate.

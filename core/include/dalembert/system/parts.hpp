@@ -104,7 +104,7 @@ struct SystemParts {
   std::vector<double> work;
   bool evaluating = false;
   bool recording = false;           // outputs are asked for one after the other, in one state:
-  const State* recorded = nullptr;  // whose totals and marker frames are in place
+  const State* recorded = nullptr;  // whose marker frames are in place
 
   std::string describe(ItemKind kind, int number) const;  // for diagnoses
   State& state(ConfigurationType c) { return states[static_cast<std::size_t>(c)]; }

@@ -1,0 +1,55 @@
+// The lock of the Python interpreter (GIL): free while compiled code works, held while a user function runs.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <chrono>
+
+namespace dalembert {
+
+// While one lives, its thread works without Python; InterpreterLock takes the lock for the time of a user function. Taking
+// and giving costs more than a small user function, so the lock may stay with this thread between two of them: as long as
+// look() is called every few milliseconds. Other threads get their turns there and, as in any Python program, inside
+// functions. To be made with the lock held.
+class WithoutInterpreter {
+ public:
+  WithoutInterpreter();
+  ~WithoutInterpreter();
+  WithoutInterpreter(const WithoutInterpreter&) = delete;
+  WithoutInterpreter& operator=(const WithoutInterpreter&) = delete;
+
+  // Gives the lock to threads that wait for it, and keeps it from now on if the last look was not long ago.
+  static void look();
+
+ private:
+  friend class InterpreterLock;
+  using Clock = std::chrono::steady_clock;
+
+  void give() { state_ = PyEval_SaveThread(); }
+  void take() {
+    PyEval_RestoreThread(state_);
+    state_ = nullptr;
+  }
+
+  WithoutInterpreter* outer_;  // of a solver whose user function runs this one
+  PyThreadState* state_ = nullptr;  // null: the lock is held
+  bool keeps_ = false;
+  Clock::time_point last_look_ = Clock::now();
+};
+
+// While one lives, Python may be used.
+class InterpreterLock {
+ public:
+  enum class Afterwards { free, may_be_kept };
+  explicit InterpreterLock(Afterwards afterwards = Afterwards::free);
+  ~InterpreterLock();
+  InterpreterLock(const InterpreterLock&) = delete;
+  InterpreterLock& operator=(const InterpreterLock&) = delete;
+
+ private:
+  WithoutInterpreter* scope_;    // null: not inside of one
+  bool give_ = false;            // to the scope
+  PyGILState_STATE state_{};     // without a scope
+};
+
+}  // namespace dalembert

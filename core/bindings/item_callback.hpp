@@ -1,0 +1,47 @@
+// User functions of items that came from Python: the object that the user passed, and whose function it is.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <memory>
+#include <string>
+
+#include "dalembert/model/item.hpp"
+#include "dalembert/reflection/callback.hpp"
+
+namespace dalembert {
+
+namespace py = pybind11;
+
+class MainSystem;
+
+class ItemCallback : public Callback {
+ public:
+  ItemCallback(py::object function, const Row& row) : function_(std::move(function)), row_(row) {}
+  ~ItemCallback() override;
+  ItemCallback(const ItemCallback&) = delete;
+  ItemCallback& operator=(const ItemCallback&) = delete;
+
+  const py::object& function() const { return function_; }
+  // A copy that knows whose function it is.
+  std::shared_ptr<const Callback> bound_to(const ItemType& type, MainSystem& main) const;
+
+ protected:
+  const Row& row() const { return row_; }
+  const Signature& signature() const;
+  std::shared_ptr<MainSystem> main() const { return main_.lock(); }
+  // "user function 'springForceUserFunction' of object 3 'spring' (ObjectConnectorSpringDamper)"
+  std::string describe(int item) const;
+
+ private:
+  virtual std::shared_ptr<ItemCallback> copy() const = 0;
+  bool has_this(const MainSystem& main, int number) const;
+  int find_this(const MainSystem& main) const;
+
+  py::object function_;
+  const Row& row_;
+  const ItemType* type_ = nullptr;
+  std::weak_ptr<MainSystem> main_;
+};
+
+}  // namespace dalembert
