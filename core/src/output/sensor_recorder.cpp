@@ -1,13 +1,19 @@
 #include "dalembert/output/sensor_recorder.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "dalembert/output/numbers.hpp"
 
 namespace dalembert {
+namespace {
+
+constexpr double most_reserved = 1e4;  // rows; longer tables grow
+
+}  // namespace
 
 void SensorRecorder::open(const SimulationSettings& settings, const std::vector<SensorChannel>& channels,
-                          SensorStorage* storage) {
+                          SensorStorage* storage, double rows) {
   close();
   const auto& s = settings.solutionSettings;
   active_ = s.sensorsStoreAndWriteFiles && !channels.empty();
@@ -16,6 +22,7 @@ void SensorRecorder::open(const SimulationSettings& settings, const std::vector<
   flush_ = s.flushFilesImmediately;
   headers_ = s.sensorsWriteFileHeader;
   precision_ = s.outputPrecision;
+  rows_ = static_cast<std::size_t>(std::clamp(rows, 0.0, most_reserved));
   files_.resize(channels.size());
   targets_.resize(channels.size());
   if (storage) storage->tables.resize(channels.size());
@@ -69,7 +76,10 @@ void SensorRecorder::write(OutputFile& file, double time) {
 
 void SensorRecorder::store(SensorTable& table, int sensor, double time) {
   const int columns = static_cast<int>(values_.size()) + 1;
-  if (table.columns == 0) table.columns = columns;
+  if (table.columns == 0) {
+    table.columns = columns;
+    table.values.reserve(rows_ * static_cast<std::size_t>(columns));
+  }
   if (table.columns != columns) {
     throw std::runtime_error("sensor " + std::to_string(sensor) + ": the number of values changed from " +
                              std::to_string(table.columns - 1) + " to " + std::to_string(columns - 1) +

@@ -19,6 +19,14 @@ std::string duration(double seconds) {
   return format_number(seconds / 86400) + " days";
 }
 
+// With the initial values and the last step.
+double expected_sensor_rows(const SimulationSettings& settings, bool is_static) {
+  if (is_static) return settings.staticSolver.numberOfLoadSteps + 2.0;
+  const auto& t = settings.timeIntegration;
+  const double period = settings.solutionSettings.sensorsWritePeriod, steps = t.numberOfSteps;
+  return (period > 0 ? std::min(steps, (t.endTime - t.startTime) / period) : steps) + 2;
+}
+
 }  // namespace
 
 RunDescription Solver::run_description() const {
@@ -50,7 +58,7 @@ void Solver::initialize_output() {
   if (output.writeToSolverFile) {
     information_file_.open(s.solverInformationFileName, s.appendToFile, "solver information file");
   }
-  sensors_.open(*settings_, environment_->sensors, environment_->sensor_storage);
+  sensors_.open(*settings_, environment_->sensors, environment_->sensor_storage, expected_sensor_rows(*settings_, is_static()));
   if (verbose(1)) say(1, "+++++++++++++++++++++++++++++++\ndalembert solver: " + name() + "\n");
 }
 

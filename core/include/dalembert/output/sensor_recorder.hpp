@@ -33,8 +33,9 @@ struct SensorStorage {
 
 class SensorRecorder {
  public:
-  // Opens files and empties the storage, both unless data is to be appended.
-  void open(const SimulationSettings& settings, const std::vector<SensorChannel>& channels, SensorStorage* storage);
+  // Opens files and empties the storage, both unless data is to be appended. `rows`: how many are expected at most.
+  void open(const SimulationSettings& settings, const std::vector<SensorChannel>& channels, SensorStorage* storage,
+            double rows);
   bool active() const { return active_; }
   void write_headers(const RunDescription& run, System& system);
   void record(System& system, double time);
@@ -56,6 +57,7 @@ class SensorRecorder {
   std::vector<double> values_;  // of the sensor being recorded
   bool active_ = false, flush_ = false, headers_ = false;
   int precision_ = 10;
+  std::size_t rows_ = 0;
 };
 
 }  // namespace dalembert
