@@ -128,6 +128,40 @@ def test_scipy_callable_and_function_pointer_solve_alike() -> None:
     assert oscillator(mbs, pointer) == wanted
 
 
+def test_functions_of_the_main_system() -> None:
+    times: dict[str, list[float]] = {"PreStep": [], "PostStep": []}
+
+    def noted(name: str, end: float) -> Any:
+        def step(t: float) -> int:
+            times[name].append(t)
+            return int(t < end)
+
+        return compiled.ctypes_signature(exu.MainSystem, f"{name}UserFunction")(step)
+
+    mbs = new_system()
+    mbs.SetPreStepUserFunction(noted("PreStep", 1))
+    mbs.SetPostStepUserFunction(noted("PostStep", 0.25 - 1e-9))
+    oscillator(mbs, 0)
+    # Steps of 5 ms up to the end; after each step, and at the start.
+    np.testing.assert_allclose(times["PreStep"], 5e-3 * np.arange(1, 51), rtol=1e-12)
+    np.testing.assert_allclose(times["PostStep"], 5e-3 * np.arange(51), rtol=1e-12)
+    with pytest.raises(TypeError, match=r"SetPostStepUserFunction.*a C function with the signature int64\(double\)"):
+        mbs.SetPostStepUserFunction(ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_double)(abs))
+
+
+def test_function_after_newton_asks_for_iterations() -> None:
+    calls = []
+
+    def switch(t: float, result: Any) -> None:
+        calls.append(t)
+        result[0] = 2.0 if len(calls) % 3 else 0.0  # two of three times above discontinuous.iterationTolerance = 1
+
+    mbs = new_system()
+    mbs.SetPostNewtonUserFunction(compiled.ctypes_signature(exu.MainSystem, "PostNewtonUserFunction")(switch))
+    oscillator(mbs, 0)
+    np.testing.assert_allclose(calls, np.repeat(5e-3 * np.arange(1, 101), 3), rtol=1e-12)
+
+
 def test_results_must_be_finite() -> None:
     mbs = new_system()
     pointer = compiled.ctypes_signature(SPRING, FORCE)(lambda *_: float("nan"))
