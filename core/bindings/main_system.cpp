@@ -125,7 +125,6 @@ void register_planned(Class& main_system) {
 }  // namespace
 
 void MainSystem::assemble() {
-  model.check();
   system.assemble(model);
   assembled_structure_ = model.structure_changes();
   refreshed_values_ = model.value_changes();

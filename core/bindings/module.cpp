@@ -27,6 +27,7 @@ PYBIND11_MODULE(_core, module) {
   register_system_data(module);
   register_system_container(module);
   register_solvers(module);
+  register_ensemble(module);
   register_evaluation(module);
   register_linear_solver(module);
   register_symbolic(module);

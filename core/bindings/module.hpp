@@ -13,6 +13,7 @@ void register_containers(py::module_& module);   // containers.cpp
 void register_settings(py::module_& module);     // settings.cpp
 void register_system_data(py::module_& module);  // system_data.cpp
 void register_solvers(py::module_& module);      // solvers.cpp
+void register_ensemble(py::module_& module);     // ensemble.cpp
 void register_evaluation(py::module_& module);   // evaluation.cpp: the submodule `testing`
 void register_linear_solver(py::module_& module);  // linear_solver.cpp: in `testing`
 

@@ -201,6 +201,10 @@ PyObject* function_of(const UserFunction& function) {
   return symbolic == nullptr ? Py_None : symbolic;
 }
 
+bool needs_interpreter(const UserFunction& function) {
+  return dynamic_cast<const PythonCallback*>(function.callback.get()) != nullptr;
+}
+
 UserFunction bind_user_function(const ItemType& type, const UserFunction& function, MainSystem& main) {
   const auto* callback = dynamic_cast<const ItemCallback*>(function.callback.get());
   return callback == nullptr ? function : UserFunction{callback->bound_to(type, main)};

@@ -17,6 +17,7 @@ class MainSystem;
 // None and 0 mean none; everything else must be callable. Throws Refusal.
 UserFunction read_user_function(PyObject* value, const Row& row);
 PyObject* function_of(const UserFunction& function);  // borrowed
+bool needs_interpreter(const UserFunction& function);  // false: none, or one that is evaluated by compiled code
 
 // The record's functions as they must be in a system: they know which system to pass. Returns the record itself if it has
 // no functions, else a changed copy.

@@ -1,6 +1,7 @@
 // What scripts with graphics call. There is no renderer in this package: one notice per process says so.
 #include <pybind11/stl.h>
 
+#include "conversion.hpp"
 #include "system_container.hpp"
 
 namespace dalembert {
@@ -75,7 +76,13 @@ void register_renderer(py::module_& module) {
                py::arg("useOpenGLcoordinates") = false, py::arg("viewID") = 0, "Zeros.");
   renderer.def("GetItemSelection", [](Renderer&, bool, int) { return py::make_tuple(-1, -1, -1, 0.0); },
                py::arg("resetSelection") = true, py::arg("viewID") = 0, "No selection.");
-  renderer.def_readwrite("materials", &Renderer::materials);
+  renderer.def_property(
+      "materials",
+      [](Renderer& r) {
+        if (!r.materials) r.materials = core_module().attr("GraphicsMaterialList")();  // ten objects, for few scripts
+        return r.materials;
+      },
+      [](Renderer& r, const py::object& materials) { r.materials = materials; });
 }
 
 void register_renderer_shortcuts(Container& container) {

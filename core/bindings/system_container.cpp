@@ -15,8 +15,6 @@ py::object new_visualization_settings() {
 std::shared_ptr<SystemContainer> new_container() {
   auto container = std::make_shared<SystemContainer>();
   container->visualization_settings = new_visualization_settings();
-  if (py::hasattr(core_module(), "GraphicsMaterialList"))
-    container->renderer->materials = core_module().attr("GraphicsMaterialList")();
   return container;
 }
 

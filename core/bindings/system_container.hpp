@@ -14,7 +14,7 @@ namespace dalembert {
 class Renderer {
  public:
   py::dict state;  // as SetState left it
-  py::object materials;
+  py::object materials;  // made when asked for
 };
 
 class SystemContainer : public std::enable_shared_from_this<SystemContainer> {

@@ -11,6 +11,7 @@ from dalembert import _core_symbolic, _core_testing, interactive, plot, solver
 from dalembert import _distance_sensor as distance_sensor
 from dalembert import _linearized as linearized
 from dalembert import _system_graph as system_graph
+from dalembert import _variations as variations
 from dalembert._core_enums import *
 from dalembert._core_items import *
 from dalembert._core_items import _Load, _Marker, _Node, _Object, _Sensor
@@ -651,6 +652,7 @@ class MainSystem(_Bound):
     ComputeSystemDegreeOfFreedom = linearized.ComputeSystemDegreeOfFreedom
     SolveDynamic = solver.SolveDynamic
     SolveStatic = solver.SolveStatic
+    SolveVariations = variations.SolveVariations
 
 class SystemData(_NotMade):
     def NumberOfLoads(self) -> int: ...
@@ -1077,6 +1079,19 @@ def SetPrintDelayMilliSeconds(delayMilliSeconds: int) -> None: ...
 def SetWriteToConsole(flag: bool) -> None: ...
 def SuppressWarnings(flag: bool) -> None: ...
 def InfoStat(writeOutput: bool = True) -> list[int]: ...
+def _SolveVariations(
+    mbs: MainSystem,
+    simulationSettings: SimulationSettings,
+    solver: Literal["static", "implicit", "explicit"],
+    variations: SupportsIndex,
+    parameters: list[tuple[_Index, str, NDArray[Any]]],
+    settings: list[tuple[str, NDArray[Any]]],
+    initialCoordinates: list[tuple[str, NDArray[Any]]],
+    sensors: Sequence[SupportsIndex],
+    histories: bool,
+    states: bool,
+    threads: SupportsIndex,
+) -> dict[str, Any]: ...
 def StartRenderer(*args: Any, **kwargs: Any) -> bool: ...
 def IsRendererActive(*args: Any, **kwargs: Any) -> bool: ...
 def DoRendererIdleTasks(*args: Any, **kwargs: Any) -> bool: ...

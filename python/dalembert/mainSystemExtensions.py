@@ -9,6 +9,7 @@ from dalembert import create, solver
 from dalembert._core import MainSystem
 from dalembert._distance_sensor import CreateDistanceSensor, CreateDistanceSensorGeometry
 from dalembert._system_graph import DrawSystemGraph
+from dalembert._variations import SolveVariations
 from dalembert.interactive import SolutionViewer
 from dalembert.plot import PlotSensor
 
@@ -25,6 +26,7 @@ methods: dict[str, Callable[..., Any]] = create.functions | {
         solver.ComputeSystemDegreeOfFreedom,
         solver.SolveDynamic,
         solver.SolveStatic,
+        SolveVariations,
     )
 }
 

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import contextmanager
 from typing import Any
 
 from dalembert import _core
 from dalembert._core import ConfigurationType, DynamicSolverType, Print, SimulationSettings
 from dalembert._diagnosis import CheckSolverInfoStatistics, SolverError, SolverErrorMessage
+from dalembert._integrators import is_implicit, trapezoidal_rule
 from dalembert._linearized import ComputeLinearizedSystem, ComputeODE2Eigenvalues, ComputeSystemDegreeOfFreedom
 from dalembert._quiet import DeactivateWritingOfSolvers, RestoreSimulationSettings, assemble_if_needed
 
@@ -25,18 +24,6 @@ __all__ = [
     "SolverErrorMessage",
     "SolverSuccess",
 ]
-
-_IMPLICIT = {DynamicSolverType.GeneralizedAlpha, DynamicSolverType.TrapezoidalIndex2}
-_EXPLICIT = {
-    DynamicSolverType.ExplicitEuler,
-    DynamicSolverType.ExplicitMidpoint,
-    DynamicSolverType.RK33,
-    DynamicSolverType.RK44,
-    DynamicSolverType.RK67,
-    DynamicSolverType.ODE23,
-    DynamicSolverType.DOPRI5,
-    DynamicSolverType.VelocityVerlet,
-}
 
 
 def _run(function: str, solver: Any, mbs: Any, settings: Any, slot: str | None, show: bool, hints: bool) -> None:
@@ -91,19 +78,6 @@ def SolveStatic(
     return True
 
 
-@contextmanager
-def _trapezoidal_rule(settings: Any, active: bool) -> Iterator[None]:
-    """Switch the implicit integrator to the trapezoidal rule with index 2 constraints while a solver runs."""
-    integrator = settings.timeIntegration.generalizedAlpha
-    before = integrator.useNewmark, integrator.useIndex2Constraints
-    if active:
-        integrator.useNewmark = integrator.useIndex2Constraints = True
-    try:
-        yield
-    finally:
-        integrator.useNewmark, integrator.useIndex2Constraints = before
-
-
 def SolveDynamic(
     mbs: Any,
     simulationSettings: SimulationSettings | None = None,
@@ -121,16 +95,14 @@ def SolveDynamic(
     ValueError) carries the diagnosis if a step cannot be solved.
     """
     settings = _core.SimulationSettings() if simulationSettings is None else simulationSettings
-    if solverType not in _IMPLICIT and solverType not in _EXPLICIT:
-        known = ", ".join(sorted(str(kind) for kind in _IMPLICIT | _EXPLICIT))
-        raise ValueError(f"SolveDynamic: solverType: expected one of {known}; received {solverType!r}")
+    implicit = is_implicit("SolveDynamic", solverType)
     assemble_if_needed("SolveDynamic", mbs, autoAssemble)
     slot = "dynamicSolver" if storeSolver else None
     allocations = _core.special.InfoStat(False)
     solver: Any
-    if solverType in _IMPLICIT:
+    if implicit:
         solver = _core.MainSolverImplicitSecondOrder()
-        with _trapezoidal_rule(settings, solverType == DynamicSolverType.TrapezoidalIndex2):
+        with trapezoidal_rule(settings, solverType == DynamicSolverType.TrapezoidalIndex2):
             _run("SolveDynamic", solver, mbs, settings, slot, showCausingItems, showHints)
         evaluations = solver.it.newtonStepsCount
     else:

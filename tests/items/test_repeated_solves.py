@@ -102,3 +102,47 @@ def test_parameters_taken_over_between_solves(item: Item) -> None:
         results.append(final(scene))
     for first, second in zip(*results, strict=True):
         np.testing.assert_array_equal(first, second)
+
+
+def without_functions(item: Item) -> Variant | None:
+    return next((v for v in variants_with(item) if solvable(v) and not v.functions), None)
+
+
+def varied_parameter(scene: Scene, item: Item) -> tuple[Any, str, list[float]] | None:
+    """An index, the first parameter that may be any number from zero on, and three values; None if there is none."""
+    row = next((r for r in item.parameters if r.type.storage == "real" and r.effective_check == "non_negative"), None)
+    if row is None or item.kind not in ("object", "load"):
+        return None
+    data = scene.mbs.GetDictionary()[f"{item.kind}List"]
+    number = next(i for i, entry in enumerate(data) if entry[f"{item.kind}Type"] == item.type_name)
+    value = data[number][row.name]
+    return (
+        {"object": exu.ObjectIndex, "load": exu.LoadIndex}[item.kind](number),
+        row.name,
+        [value, value + 1, 3 * value],
+    )
+
+
+@pytest.mark.parametrize("item", [item for item in PLAIN if without_functions(item)], ids=lambda item: item.name)
+def test_variations_are_runs_of_models_of_their_own(item: Item) -> None:
+    variant = without_functions(item)
+    ends = [1e-3, 5e-4, 2e-3]
+    scene = build(variant, seed=63)
+    varied = varied_parameter(scene, item)
+    parameters = {} if varied is None else {varied[:2]: varied[2]}
+    together = scene.mbs.SolveVariations(
+        parameters, settings(), settings={"timeIntegration.endTime": ends}, sensors=[], storeCoordinates=True
+    )
+    for k, end in enumerate(ends):
+        scene, single = build(variant, seed=63), settings()
+        single.timeIntegration.endTime = end
+        if varied is not None and item.kind == "object":
+            scene.mbs.SetObjectParameter(varied[0], varied[1], varied[2][k])
+        elif varied is not None:
+            scene.mbs.SetLoadParameter(varied[0], varied[1], varied[2][k])
+        scene.mbs.SolveDynamic(single)
+        assert together.success[k], together.messages[k]
+        for name, alone in zip(
+            ("ODE2", "ODE2_t", "ODE2_tt", "ODE1", "ODE1_t", "AE", "Data"), final(scene), strict=True
+        ):
+            np.testing.assert_array_equal(together.coordinates[name][k], alone)

@@ -1,0 +1,218 @@
+#include "dalembert/solvers/ensemble.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "dalembert/model/errors.hpp"
+#include "dalembert/model/member.hpp"
+
+namespace dalembert {
+namespace {
+
+template <class T>
+class ValuesOf final : public VariedValues {
+ public:
+  explicit ValuesOf(int variations) : values_(static_cast<std::size_t>(variations)) {}
+  void keep(int variation, const void* member) override { values_[at(variation)] = *static_cast<const T*>(member); }
+  void write(int variation, void* member) const override { *static_cast<T*>(member) = values_[at(variation)]; }
+
+ private:
+  static std::size_t at(int variation) { return static_cast<std::size_t>(variation); }
+  std::vector<T> values_;
+};
+
+// Files, console and clock belong to one simulation at a time.
+void keep_to_itself(SimulationSettings& settings, bool histories) {
+  auto& solution = settings.solutionSettings;
+  solution.writeSolutionToFile = solution.writeRestartFile = solution.sensorsAppendToFile = false;
+  solution.recordImagesInterval = -1;
+  solution.sensorsStoreAndWriteFiles = histories;
+  settings.timeIntegration.verboseMode = settings.timeIntegration.verboseModeFile = 0;
+  settings.staticSolver.verboseMode = settings.staticSolver.verboseModeFile = 0;
+  settings.timeIntegration.simulateInRealtime = false;
+}
+
+bool belongs_to_node(const VariedParameter& parameter) { return parameter.kind == ItemKind::node; }
+
+// Nodes are read by Assemble only, and what has no fixed size, counts or chooses may change the structure.
+bool calls_for_assemble(const VariedParameter& parameter) {
+  if (belongs_to_node(parameter) || parameter.row->needs_assemble) return true;
+  return with_type(parameter.row->storage, []<class T>(TypeTag<T>) {
+    return !(std::is_same_v<T, double> || std::is_same_v<T, bool> || is_vec<T> || is_mat<T>);
+  });
+}
+
+bool same(const Sizes& a, const Sizes& b) {
+  return a.ode2 == b.ode2 && a.ode1 == b.ode1 && a.ae == b.ae && a.data == b.data;
+}
+
+Sizes sizes_of(const State& state) {
+  const auto size = [](const std::vector<double>& part) { return static_cast<int>(part.size()); };
+  return {.ode2 = size(state.q), .ode1 = size(state.y), .ae = size(state.lambda), .data = size(state.data)};
+}
+
+// One thread's copy of everything that a variation changes.
+class Workplace {
+ public:
+  Workplace(const Ensemble& ensemble, const Model& model, const State& initial, const std::atomic<bool>& stop)
+      : ensemble_(ensemble), initial_(initial), model_(model), settings_(ensemble.simulation) {
+    reassembles_ = std::ranges::any_of(ensemble.parameters, calls_for_assemble);
+    starts_from_nodes_ = std::ranges::any_of(ensemble.parameters, belongs_to_node);
+    if (!reassembles_) system_.assemble(model_);
+    environment_.hooks.interrupted = [&stop] { return stop.load(std::memory_order_relaxed); };
+    environment_.hooks.timeout = ensemble.timeout;
+    if (!ensemble.histories) return;
+    SensorChannel silent;
+    silent.write_to_file = false;
+    environment_.sensors.assign(static_cast<std::size_t>(model_.count(ItemKind::sensor)), silent);
+    for (const int sensor : ensemble.sensors) environment_.sensors[static_cast<std::size_t>(sensor)].store_internal = true;
+    environment_.sensor_storage = &storage_;
+  }
+  Workplace(const Workplace&) = delete;
+  Workplace& operator=(const Workplace&) = delete;
+
+  // Whatever goes wrong is told in the result.
+  VariationResult solve(int variation) {
+    VariationResult result;
+    try {
+      prepare(variation);
+      run(result);
+    } catch (const std::exception& error) {
+      result.solved = false;
+      result.message = error.what();
+    }
+    return result;
+  }
+
+ private:
+  void prepare(int variation) {
+    storage_.tables.clear();
+    for (const VariedParameter& p : ensemble_.parameters)
+      model_.edit(p.kind, p.number, *p.row, [&](void* member) { p.values->write(variation, member); });
+    if (!reassembles_) {
+      system_.refresh(model_);
+    } else {
+      system_.assemble(model_);
+      if (!same(system_.sizes(), sizes_of(initial_)))
+        refuse(ErrorKind::value, {.problem = "the numbers of coordinates are not those of the assembled model",
+                                  .advice = "Vary values only, or solve models of other sizes by themselves."});
+    }
+    State& start = system_.state(ConfigurationType::Initial);
+    if (!starts_from_nodes_) start = initial_;
+    for (const VariedCoordinates& c : ensemble_.coordinates) {
+      std::vector<double>& part = start.*c.part;
+      const auto first = c.values.begin() + static_cast<std::ptrdiff_t>(part.size()) * variation;
+      std::copy_n(first, part.size(), part.begin());
+    }
+    char* settings = reinterpret_cast<char*>(&settings_);
+    for (const VariedSetting& s : ensemble_.settings) s.values->write(variation, settings + s.offset);
+    keep_to_itself(settings_, ensemble_.histories);
+  }
+
+  void run(VariationResult& result) {
+    const std::unique_ptr<Solver> solver = ensemble_.make_solver();
+    solver->attach(system_, settings_, environment_);
+    result.solved = solver->solve_system();
+    const State& end = system_.state(ConfigurationType::Current);
+    result.time = end.time;
+    result.histories = std::move(storage_.tables);
+    if (!result.solved) {
+      const Diagnosis& diagnosis = solver->diagnosis();
+      result.message = diagnosis.reason == FailureReason::none ? solver->error_string() : diagnosis.text();
+    } else if (solver->output.simulationTimeout) {
+      result.solved = false;
+      result.message = "the time limit is reached";
+    } else {
+      if (ensemble_.states) result.state = end;
+      for (const int sensor : ensemble_.sensors) {
+        system_.sensor_values(sensor, ConfigurationType::Current, sensor_values_);
+        result.values.insert(result.values.end(), sensor_values_.begin(), sensor_values_.end());
+      }
+    }
+  }
+
+  const Ensemble& ensemble_;
+  const State& initial_;
+  Model model_;
+  System system_;
+  SimulationSettings settings_;
+  SolverEnvironment environment_;
+  SensorStorage storage_;
+  std::vector<double> sensor_values_;
+  bool reassembles_ = false, starts_from_nodes_ = false;
+};
+
+// Threads that take one variation after the other until none is left.
+class Crew {
+ public:
+  Crew(const Ensemble& ensemble, const Model& model, const State& initial, int threads)
+      : results(static_cast<std::size_t>(ensemble.variations)), working_(threads) {
+    for (int i = 0; i < threads; ++i) threads_.emplace_back([&, this] { work(ensemble, model, initial); });
+  }
+
+  void wait(const std::function<void()>& poll) {
+    std::unique_lock lock(mutex_);
+    while (!finished_.wait_for(lock, std::chrono::milliseconds(20), [this] { return working_ == 0; })) {
+      lock.unlock();
+      try {
+        poll();
+      } catch (...) {
+        fail(std::current_exception());
+      }
+      lock.lock();
+    }
+    if (error_) std::rethrow_exception(error_);
+  }
+
+  std::vector<VariationResult> results;
+
+ private:
+  void work(const Ensemble& ensemble, const Model& model, const State& initial) {
+    try {
+      Workplace workplace(ensemble, model, initial, stop_);
+      for (int i = next_++; i < ensemble.variations && !stop_; i = next_++)
+        results[static_cast<std::size_t>(i)] = workplace.solve(i);
+    } catch (...) {
+      fail(std::current_exception());
+    }
+    const std::scoped_lock lock(mutex_);
+    if (--working_ == 0) finished_.notify_all();
+  }
+
+  void fail(std::exception_ptr error) {
+    stop_ = true;
+    const std::scoped_lock lock(mutex_);
+    if (!error_) error_ = std::move(error);
+  }
+
+  std::atomic<int> next_{0};
+  std::atomic<bool> stop_{false};
+  std::mutex mutex_;
+  std::condition_variable finished_;
+  int working_;
+  std::exception_ptr error_;
+  std::vector<std::jthread> threads_;  // last: they end before the rest goes
+};
+
+}  // namespace
+
+std::unique_ptr<VariedValues> make_varied_values(Storage storage, int variations) {
+  return with_type(storage, [&]<class T>(TypeTag<T>) -> std::unique_ptr<VariedValues> {
+    return std::make_unique<ValuesOf<T>>(variations);
+  });
+}
+
+std::vector<VariationResult> solve_ensemble(const Ensemble& ensemble, const Model& model, const State& initial, int threads,
+                                            const std::function<void()>& poll) {
+  Crew crew(ensemble, model, initial, std::max(1, std::min(threads, ensemble.variations)));
+  crew.wait(poll);
+  return std::move(crew.results);
+}
+
+}  // namespace dalembert

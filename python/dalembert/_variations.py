@@ -1,0 +1,144 @@
+"""Many variations of one assembled model, solved by compiled code on all processors."""
+
+# ruff: noqa: B006  (empty mappings as defaults; they are never written to)
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from dalembert import _core
+from dalembert._core import DynamicSolverType, SimulationSettings
+from dalembert._execution import number_of_threads
+from dalembert._integrators import is_implicit, trapezoidal_rule
+from dalembert._quiet import assemble_if_needed
+
+_Parameters = Mapping[tuple[Any, str], ArrayLike]
+
+
+@dataclass(frozen=True)
+class VariationResults:
+    """What SolveVariations found: arrays with a row per variation, NaN where a variation has no value.
+
+    success: whether each variation was solved, K x bool; messages: why not, '' if it was.
+    endTimes: time that was reached, K, in s.
+    sensorValues: values of all sensors at the end, side by side, K x n.
+    sensorHistories: with storeHistories, time and these values at every time of writing, K x rows x (1 + n); a history
+        that ends early has historyRows rows, and NaN behind.
+    coordinates: with storeCoordinates, the state at the end: an array K x size for each of 'ODE2', 'ODE2_t', 'ODE2_tt',
+        'ODE1', 'ODE1_t', 'AE', 'Data'.
+    """
+
+    success: NDArray[np.bool_]
+    messages: list[str]
+    endTimes: NDArray[np.float64]
+    sensorValues: NDArray[np.float64]
+    sensorHistories: NDArray[np.float64]
+    historyRows: NDArray[np.int32]
+    coordinates: dict[str, NDArray[np.float64]]
+    _columns: dict[int, slice] = field(repr=False)
+
+    def _of(self, sensor: Any) -> slice:
+        if int(sensor) not in self._columns:
+            known = ", ".join(map(str, self._columns)) or "none"
+            raise ValueError(f"sensor {int(sensor)} was not among those that SolveVariations was given: {known}")
+        return self._columns[int(sensor)]
+
+    def SensorValues(self, sensor: Any) -> NDArray[np.float64]:
+        """Return the values of one sensor at the end, K x number of its values."""
+        return self.sensorValues[:, self._of(sensor)]
+
+    def SensorHistory(self, variation: int, sensor: Any) -> NDArray[np.float64]:
+        """Return time and values of one sensor in one variation, as GetSensorStoredData would: rows x (1 + values)."""
+        history = self.sensorHistories[variation, : self.historyRows[variation]]
+        columns = self._of(sensor)
+        return np.hstack((history[:, :1], history[:, 1 + columns.start : 1 + columns.stop]))
+
+
+def _number_of_variations(arrays: Mapping[str, NDArray[Any]]) -> int:
+    """Return the common number of rows."""
+    if not arrays:
+        raise ValueError("SolveVariations: nothing varies; give parameters, initialCoordinates or settings")
+    rows = {}
+    for name, values in arrays.items():
+        if values.ndim == 0 or values.dtype.kind not in "biuf":
+            raise ValueError(f"SolveVariations: {name}: expected an array of numbers with a row per variation")
+        rows[name] = len(values)
+    if len(set(rows.values())) > 1:
+        text = ", ".join(f"{name}: {n}" for name, n in rows.items())
+        raise ValueError(
+            f"SolveVariations: expected arrays with one row per variation; the numbers of rows differ: {text}"
+        )
+    return next(iter(rows.values()))
+
+
+def _parameter_arrays(parameters: _Parameters) -> list[tuple[Any, str, NDArray[Any]]]:
+    for key in parameters:
+        if not (isinstance(key, tuple) and len(key) == 2 and isinstance(key[1], str)):
+            raise TypeError(
+                f"SolveVariations: parameters: expected keys (item index, parameter name); received {key!r}"
+            )
+    return [(index, name, np.asarray(values)) for (index, name), values in parameters.items()]
+
+
+def _kind(solverType: Any) -> Literal["static", "implicit", "explicit"]:
+    if isinstance(solverType, str) and solverType == "static":
+        return "static"
+    return "implicit" if is_implicit("SolveVariations", solverType) else "explicit"
+
+
+def SolveVariations(
+    mbs: Any,
+    parameters: _Parameters = {},
+    simulationSettings: SimulationSettings | None = None,
+    solverType: DynamicSolverType | Literal["static"] = DynamicSolverType.GeneralizedAlpha,
+    sensors: Sequence[Any] | None = None,
+    initialCoordinates: Mapping[str, ArrayLike] = {},
+    settings: Mapping[str, ArrayLike] = {},
+    storeHistories: bool = False,
+    storeCoordinates: bool = False,
+    numberOfThreads: int | None = None,
+    autoAssemble: bool = True,
+) -> VariationResults:
+    """Solve K variations of this system on all processors, without Python in between; the system stays as it is.
+
+    parameters: an array per (item index, parameter name), whose row k is what SetObjectParameter or its siblings would
+        get in variation k: K numbers, or K x shape for vectors and matrices.
+    initialCoordinates: arrays K x size for 'ODE2' (displacements from the reference), 'ODE2_t', 'ODE2_tt', 'ODE1',
+        'ODE1_t', 'AE' or 'Data'. Otherwise a variation starts from the initial state of the system or, if parameters of
+        nodes vary, from the initial values of the nodes, as after Assemble().
+    settings: K numbers for a path in simulationSettings, e.g. 'timeIntegration.endTime'.
+    solverType: as of SolveDynamic, or 'static' for SolveStatic.
+    sensors: indices of the sensors whose values are wanted; None: all. storeHistories: values over time (see
+        solutionSettings.sensorsWritePeriod); storeCoordinates: the state at the end.
+    numberOfThreads: None: all processors. Results do not depend on it, bit for bit.
+
+    A variation that cannot be solved has success False and a message; the others go on. Nothing is printed or written
+    to files. Refused: unknown items and parameters, values that Set...Parameter refuses (the text names the variation),
+    arrays of different lengths, and models with Python functions (RuntimeError), which would need the interpreter.
+    """
+    base = _core.SimulationSettings() if simulationSettings is None else simulationSettings
+    given = _parameter_arrays(parameters)
+    coordinates = [(name, np.asarray(values)) for name, values in initialCoordinates.items()]
+    varied = [(path, np.asarray(values)) for path, values in settings.items()]
+    kind = _kind(solverType)
+    variations = _number_of_variations(
+        {f"parameters[{index!r}, {name!r}]": values for index, name, values in given}
+        | {f"initialCoordinates[{name!r}]": values for name, values in coordinates}
+        | {f"settings[{path!r}]": values for path, values in varied}
+    )
+    assemble_if_needed("SolveVariations", mbs, autoAssemble)
+    wanted = list(range(mbs.systemData.NumberOfSensors())) if sensors is None else [int(sensor) for sensor in sensors]
+    ends = np.cumsum([0, *(np.size(mbs.GetSensorValues(sensor)) for sensor in wanted)]).tolist()
+    if kind == "explicit" and not isinstance(solverType, str):
+        base.timeIntegration.explicitIntegration.dynamicSolverType = solverType
+    with trapezoidal_rule(base, solverType == DynamicSolverType.TrapezoidalIndex2):
+        found = _core._SolveVariations(
+            mbs, base, kind, variations, given, varied, coordinates, wanted, storeHistories, storeCoordinates,
+            number_of_threads(numberOfThreads),
+        )  # fmt: skip
+    columns = {sensor: slice(*ends[i : i + 2]) for i, sensor in enumerate(wanted)}
+    return VariationResults(**found, _columns=columns)
