@@ -23,6 +23,7 @@ class ItemCallback : public Callback {
   ItemCallback& operator=(const ItemCallback&) = delete;
 
   const py::object& function() const { return function_; }
+  void drop() const { function_ = py::none(); }  // for the garbage collector
   // A copy that knows whose function it is.
   std::shared_ptr<const Callback> bound_to(const ItemType& type, MainSystem& main) const;
 
@@ -38,7 +39,7 @@ class ItemCallback : public Callback {
   bool has_this(const MainSystem& main, int number) const;
   int find_this(const MainSystem& main) const;
 
-  py::object function_;
+  mutable py::object function_;
   const Row& row_;
   const ItemType* type_ = nullptr;
   std::weak_ptr<MainSystem> main_;

@@ -3,6 +3,7 @@
 #include "compiled_callback.hpp"
 #include "conversion.hpp"
 #include "dalembert/model/member.hpp"
+#include "garbage.hpp"
 #include "item_classes.hpp"
 #include "python_callback.hpp"
 #include "python_errors.hpp"
@@ -223,7 +224,8 @@ std::string system_summary(const MainSystem& main) {
 }
 
 void register_main_system(py::module_& module) {
-  Class main_system(module, "MainSystem", "One multibody system: items, their states, and what is computed from them.");
+  Class main_system(module, "MainSystem", "One multibody system: items, their states, and what is computed from them.",
+                    py::custom_type_setup(collect_main_systems));
   main_system.def(py::init([] { return std::make_shared<MainSystem>(); }));
   main_system.def_readwrite("variables", &MainSystem::variables, "A dictionary that is free for the user.");
   main_system.def_readwrite("sys", &MainSystem::sys, "A dictionary in which utilities keep their data.");

@@ -205,6 +205,15 @@ bool needs_interpreter(const UserFunction& function) {
   return dynamic_cast<const PythonCallback*>(function.callback.get()) != nullptr;
 }
 
+PyObject* owned_function(const UserFunction& function) {
+  const auto* callback = dynamic_cast<const ItemCallback*>(function.callback.get());
+  return callback == nullptr ? nullptr : callback->function().ptr();
+}
+
+void drop_function(const UserFunction& function) {
+  if (const auto* callback = dynamic_cast<const ItemCallback*>(function.callback.get())) callback->drop();
+}
+
 UserFunction bind_user_function(const ItemType& type, const UserFunction& function, MainSystem& main) {
   const auto* callback = dynamic_cast<const ItemCallback*>(function.callback.get());
   return callback == nullptr ? function : UserFunction{callback->bound_to(type, main)};

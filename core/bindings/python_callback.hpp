@@ -18,6 +18,9 @@ class MainSystem;
 UserFunction read_user_function(PyObject* value, const Row& row);
 PyObject* function_of(const UserFunction& function);  // borrowed
 bool needs_interpreter(const UserFunction& function);  // false: none, or one that is evaluated by compiled code
+// For the garbage collector: the Python function that this one owns, or nullptr; and to let go of it.
+PyObject* owned_function(const UserFunction& function);
+void drop_function(const UserFunction& function);
 
 // The record's functions as they must be in a system: they know which system to pass. Returns the record itself if it has
 // no functions, else a changed copy.

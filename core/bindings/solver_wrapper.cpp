@@ -54,27 +54,32 @@ void read_vector(const char* method, const Array& vector, std::span<double> valu
   std::copy_n(vector.data(), values.size(), values.begin());
 }
 
+MainPointer SolverWrapper::main() const {
+  if (auto main = main_.lock()) return main;
+  throw ModelError(ErrorKind::state, "the system that this solver worked on does not exist any more, or there was none");
+}
+
 void SolverWrapper::attach(const MainPointer& new_main, const py::object& object, const char* method, bool renew) {
   if (!new_main) throw py::type_error(std::string("solver.") + method + "(mainSystem, ...): expected a MainSystem");
-  const bool other = new_main != main;
+  const bool other = new_main != main_.lock();
   System& system = new_main->assembled(method);
   if (!object.is_none() && !object.is(settings_object)) {
     settings = simulation_settings_of(object);
     settings_object = object;
   }
   if (!settings) settings = std::make_shared<SimulationSettings>();
-  main = new_main;
-  if (renew || other) environment_ = make_environment(main);
+  main_ = new_main;
+  if (renew || other || !environment_) environment_ = make_environment(new_main);
   if (newton_settings_) {
     const auto copy = simulation_settings_of(newton_settings_);
     solver().newton_settings = copy->timeIntegration.newton;
   }
-  solver().attach(system, *settings, environment_);
+  solver().attach(system, *settings, *environment_);
 }
 
 void SolverWrapper::require(const MainPointer& new_main, const py::object& object, const char* method) {
   attach(new_main, object, method, false);
-  const Sizes &mine = solver().sizes(), &its = main->system.sizes();
+  const Sizes &mine = solver().sizes(), &its = new_main->system.sizes();
   if (!initialized_ || mine.ode2 != its.ode2 || mine.ode1 != its.ode1 || mine.ae != its.ae || mine.data != its.data) {
     throw ModelError(ErrorKind::state, std::string("solver.") + method +
                                            "(...): the solver is not initialized for this system; call "
@@ -88,7 +93,7 @@ void SolverWrapper::require(const MainPointer& new_main, const char* method) {
 
 bool SolverWrapper::initialize_for(const MainPointer& new_main, const py::object& object) {
   attach(new_main, object, "InitializeSolver", true);
-  main->stop_requested = false;
+  new_main->stop_requested = false;
   initialized_ = true;
   {
     const WithoutInterpreter free;
@@ -100,13 +105,17 @@ bool SolverWrapper::initialize_for(const MainPointer& new_main, const py::object
 
 bool SolverWrapper::solve_for(const MainPointer& new_main, const py::object& object) {
   attach(new_main, object, "SolveSystem", true);
-  main->stop_requested = false;
+  const struct Release {
+    std::optional<SolverEnvironment>& environment;
+    ~Release() { environment.reset(); }
+  } release_functions{environment_};
+  new_main->stop_requested = false;
   initialized_ = true;
   bool success = false;
   {
     const WithoutInterpreter free;
     success = solver().solve_system();
-    main->system.state(ConfigurationType::Visualization) = main->system.state(ConfigurationType::Current);
+    new_main->system.state(ConfigurationType::Visualization) = new_main->system.state(ConfigurationType::Current);
   }
   update_newton_view();
   return success;
@@ -132,7 +141,7 @@ void SolverWrapper::update_newton_view() {
 
 const Pattern& SolverWrapper::pattern() {
   if (NewtonSolver* newton = newton_solver()) return newton->pattern();
-  return main->system.pattern(is_dense(settings->linearSolverType));
+  return main()->system.pattern(is_dense(settings->linearSolverType));
 }
 
 std::span<double> SolverWrapper::residual() {
@@ -145,13 +154,13 @@ Array SolverWrapper::residual_array() { return vector_array(residual()); }
 
 void SolverWrapper::store_mass_matrix(double factor) {
   mass_.assign(static_cast<std::size_t>(pattern().values()), 0.0);
-  main->system.mass_matrix(main->system.state(ConfigurationType::Current), pattern(), mass_);
+  main()->system.mass_matrix(main()->system.state(ConfigurationType::Current), pattern(), mass_);
   for (double& x : mass_) x *= factor;
 }
 
 Array SolverWrapper::mass_matrix() const {
   auto& self = const_cast<SolverWrapper&>(*this);
-  if (!main) throw ModelError(ErrorKind::state, "solver.GetSystemMassMatrix(): call ComputeMassMatrix(mbs) first");
+  if (main_.expired()) throw ModelError(ErrorKind::state, "solver.GetSystemMassMatrix(): call ComputeMassMatrix(mbs) first");
   if (mass_.empty()) self.store_mass_matrix(1);
   return dense_matrix(self.pattern(), mass_, solver().sizes().ode2);
 }
@@ -168,7 +177,7 @@ Array SolverWrapper::jacobian() {
 
 // The current state without accelerations and multipliers: forces alone.
 State SolverWrapper::quiet_state() {
-  State state = main->system.state(ConfigurationType::Current);
+  State state = main()->system.state(ConfigurationType::Current);
   state.a.assign(state.q.size(), 0.0);
   std::fill(state.lambda.begin(), state.lambda.end(), 0.0);
   return state;
@@ -180,7 +189,7 @@ void SolverWrapper::add_part(const Weights& weights, const Conditions& condition
   NewtonSolver& newton = *newton_solver();
   part_.resize(newton.jacobian_values().size());
   const State state = quiet_state();
-  main->system.tangent(state, conditions, weights, newton.pattern(), part_);
+  main()->system.tangent(state, conditions, weights, newton.pattern(), part_);
   const std::span<double> values = newton.jacobian_values();
   for_each_entry(newton.pattern(), [&](int row, int column, std::size_t slot) {
     if (wanted(row, column)) values[slot] += factor * part_[slot];
@@ -216,18 +225,18 @@ void SolverWrapper::add_ae_jacobian(double q, double v, double y, bool rate_leve
 }
 
 void SolverWrapper::compute_forces() {
-  main->system.forces(main->system.state(ConfigurationType::Current), {},
+  main()->system.forces(main()->system.state(ConfigurationType::Current), {},
                       residual().first(static_cast<std::size_t>(solver().sizes().ode2)));
 }
 
 void SolverWrapper::compute_rates() {
   const Sizes& s = solver().sizes();
-  main->system.rates(main->system.state(ConfigurationType::Current), {},
+  main()->system.rates(main()->system.state(ConfigurationType::Current), {},
                      residual().subspan(static_cast<std::size_t>(s.ode2), static_cast<std::size_t>(s.ode1)));
 }
 
 void SolverWrapper::compute_gaps(bool rate_level) {
-  main->system.gaps(main->system.state(ConfigurationType::Current), {.rate_level = rate_level},
+  main()->system.gaps(main()->system.state(ConfigurationType::Current), {.rate_level = rate_level},
                     residual().subspan(static_cast<std::size_t>(solver().sizes().first_ae())));
 }
 

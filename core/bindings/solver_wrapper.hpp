@@ -4,6 +4,7 @@
 #include <pybind11/numpy.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -61,17 +62,18 @@ class SolverWrapper {
   std::span<double> residual();
   const Pattern& pattern();
 
-  MainPointer main;
+  MainPointer main() const;  // of the last call; refused if it is gone
   std::shared_ptr<SimulationSettings> settings;
   py::object settings_object;
 
  private:
+  std::weak_ptr<MainSystem> main_;  // systems keep their solvers in mbs.sys
   // The part of a tangent that `wanted(row, column)` selects is added to the Jacobian, times `factor`.
   template <class Wanted>
   void add_part(const Weights& weights, const Conditions& conditions, double factor, Wanted&& wanted);
   State quiet_state();
 
-  SolverEnvironment environment_;
+  std::optional<SolverEnvironment> environment_;  // none after SolveSystem: functions are not kept longer than needed
   bool initialized_ = false;
   std::vector<double> mass_, own_residual_, part_;
   py::object newton_settings_;  // settings of which one branch holds the copy
