@@ -2,6 +2,9 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <array>
+
 #include "dalembert/model/errors.hpp"
 #include "dalembert/output/restart_file.hpp"
 #include "dalembert/solvers/explicit.hpp"
@@ -57,13 +60,13 @@ class ImplicitWrapper final : public WrappedSolver<SecondOrderSolver> {
     const std::string_view before = std::exchange(running_, part);
     PyObject* raw = nullptr;
     {
-      const py::tuple all = py::make_tuple(py::cast(shared()), main, settings_object, arguments...);
+      const py::tuple all = py::make_tuple(py::cast(shared()), main(), settings_object, arguments...);
       raw = PyObject_Call(found->second.ptr(), all.ptr(), nullptr);
     }
     running_ = before;
     if (raw == nullptr) throw_python_error("in the user function " + std::string(part) + " of the solver");
     const py::object result = py::reinterpret_steal<py::object>(raw);
-    main->assembled(part);
+    main()->assembled(part);
     if constexpr (!std::is_void_v<Result>) return result.cast<Result>();
   }
   std::shared_ptr<ImplicitWrapper> shared() { return std::static_pointer_cast<ImplicitWrapper>(shared_from_this()); }
@@ -264,11 +267,11 @@ std::vector<double> read_restart(MainSystem& main, const std::string& name) {
   RestartData data = read_restart_file(name);
   State& initial = main.assembled("ContinueFromRestartFile").state(ConfigurationType::Initial);
   const auto same = [](const std::vector<double>& x, const std::vector<double>& y) { return x.size() == y.size(); };
-  if (!same(data.state.q, initial.q) || !same(data.state.y, initial.y) || !same(data.state.lambda, initial.lambda) ||
-      !same(data.state.data, initial.data)) {
+  if (!std::ranges::all_of(std::array{&State::q, &State::v, &State::a, &State::y, &State::y_t, &State::lambda, &State::data},
+                           [&](const auto member) { return same(data.state.*member, initial.*member); })) {
     throw ModelError(ErrorKind::value, "restart file '" + name + "': the numbers of coordinates are not those of this system");
   }
-  initial = std::move(data.state);
+  initial = data.state;  // in place: views stay valid
   return std::move(data.algorithmic_accelerations);
 }
 

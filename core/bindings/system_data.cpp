@@ -74,11 +74,13 @@ int size_of(const System& system, const Coordinates& which, Configuration config
   return has(which, configuration) ? system.sizes().*which.size : 0;
 }
 
-// A copy, or a view that keeps `owner` alive; it is valid until the next Assemble().
-py::array_t<double> array_of(std::vector<double>& values, bool copy, const py::object& owner) {
+// A copy, or a view: of the system until the next Assemble(), and of what was there before it from then on.
+py::array_t<double> array_of(std::vector<double>& values, bool copy, const System& system) {
   const auto n = static_cast<py::ssize_t>(values.size());
   if (copy) return py::array_t<double>(n, values.data());
-  return py::array_t<double>({n}, {static_cast<py::ssize_t>(sizeof(double))}, values.data(), owner);
+  using Held = std::shared_ptr<const void>;
+  const py::capsule holder(new Held(system.hold_states()), [](void* held) { delete static_cast<Held*>(held); });
+  return py::array_t<double>({n}, {static_cast<py::ssize_t>(sizeof(double))}, values.data(), holder);
 }
 
 py::array_t<double> get(const py::object& self, const Coordinates& which, const py::object& where, bool copy) {
@@ -87,7 +89,7 @@ py::array_t<double> get(const py::object& self, const Coordinates& which, const 
   System& system = assembled(data, method);
   const Configuration configuration = read_configuration(where, method);
   if (!has(which, configuration)) return py::array_t<double>(0);
-  return array_of(system.state(configuration).*which.member, copy, self);
+  return array_of(system.state(configuration).*which.member, copy, system);
 }
 
 // Numbers for one vector of a state, checked; nothing is written.
@@ -347,8 +349,8 @@ void register_coordinates(Data& data, const py::object& current) {
         (std::string("Get") + which.name).c_str(),
         [&which](const py::object& self, const py::object& where, bool copy) { return get(self, which, where, copy); },
         py::arg("configuration") = current, py::arg("copy") = true,
-        "Coordinates as an array. copy=False: a view, which writes to the system and is valid until the next "
-        "Assemble().");
+        "Coordinates as an array. copy=False: a view, which writes to the system until the next Assemble(); from then on it "
+        "keeps what was there.");
     data.def((std::string("Set") + which.name).c_str(),
              [&which](const SystemData& self, const py::object& value, const py::object& where) {
                set(self, which, value, where);

@@ -94,6 +94,17 @@ def test_views_and_copies(mbs: Any) -> None:
     assert data.GetDataCoordinates()[0] == 9
 
 
+def test_views_keep_what_they_show_when_the_system_is_assembled_anew(mbs: Any) -> None:
+    view = mbs.systemData.GetODE2Coordinates(copy=False)
+    view[:] = 4
+    for _ in range(3):  # memory that were free would be used again
+        mbs.AddNode(exu.NodePoint())
+        mbs.Assemble()
+    np.testing.assert_array_equal(view, np.full(10, 4.0))
+    view[:] = 5
+    np.testing.assert_array_equal(mbs.systemData.GetODE2Coordinates(), np.zeros(19))
+
+
 def test_system_state(mbs: Any) -> None:
     data = mbs.systemData
     state = [part + 1 for part in data.GetSystemState()]

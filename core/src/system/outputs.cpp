@@ -294,7 +294,6 @@ void call_user_function(System& system, const SensorUserFunctionParameters& p, i
   system.state_may_have_changed();
 }
 
-
 constexpr std::pair<std::string_view, SensorReader> readers[] = {
     {"Node", &read_sensor<SensorNodeRecord, measure_node>},
     {"Object", &read_sensor<SensorObjectRecord, measure_object>},
@@ -310,6 +309,48 @@ constexpr std::pair<std::string_view, SensorReader> readers[] = {
 SensorReader sensor_reader(const ItemType& type) {
   const auto* found = std::ranges::find(readers, type.type_name, &std::pair<std::string_view, SensorReader>::first);
   return found == std::end(readers) ? nullptr : found->second;
+}
+
+namespace {
+
+// Kernels tell in the spec what they have; what follows from motion and from coordinates is the same for all.
+bool may_have(const ItemType& type, Variable variable) {
+  if (std::ranges::find(type.outputs, variable) != type.outputs.end()) return true;
+  Values values;
+  if (coordinate_output(variable, {}, {}, {}, {}, values)) return true;
+  const Motion<double> rest{};
+  const bool moves = type.kind != ItemKind::object || type.category == "Body" || type.category == "FiniteElement" ||
+                     type.category == "SuperElement";
+  return moves && frame_output(variable, rest, [&] { return rest; }, values);
+}
+
+}  // namespace
+
+void SystemParts::check_sensors() const {
+  for (int i = 0; i < static_cast<int>(sensors.size()); ++i) {
+    const SensorPlace& sensor = sensors[static_cast<std::size_t>(i)];
+    const auto check = [&](const auto& places, ItemKind kind, int number, Variable variable) {
+      const ItemType& type = *places[static_cast<std::size_t>(number)].type;
+      if (may_have(type, variable)) return;
+      std::string names;
+      for (const Variable v : type.outputs) names += (names.empty() ? "Use one of " : ", ") + variable_name(v);
+      refuse(ErrorKind::value, {describe(ItemKind::sensor, i), "outputVariableType", "", variable_name(variable),
+                                "an output variable of " + describe(kind, number), names});
+    };
+    if (sensor.type->type_name == "Node") {
+      const auto& p = static_cast<const SensorNodeRecord*>(sensor.record.get())->parameters;
+      check(nodes, ItemKind::node, p.nodeNumber.value, p.outputVariableType);
+    } else if (sensor.type->type_name == "Object") {
+      const auto& p = static_cast<const SensorObjectRecord*>(sensor.record.get())->parameters;
+      check(objects, ItemKind::object, p.objectNumber.value, p.outputVariableType);
+    } else if (sensor.type->type_name == "Body") {
+      const auto& p = static_cast<const SensorBodyRecord*>(sensor.record.get())->parameters;
+      check(objects, ItemKind::object, p.bodyNumber.value, p.outputVariableType);
+    } else if (sensor.type->type_name == "Marker") {
+      const auto& p = static_cast<const SensorMarkerRecord*>(sensor.record.get())->parameters;
+      check(markers, ItemKind::marker, p.markerNumber.value, p.outputVariableType);
+    }
+  }
 }
 
 void System::sensor_values(int sensor, ConfigurationType configuration, Values& values) {

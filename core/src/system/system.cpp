@@ -13,6 +13,7 @@ void System::assemble(const Model& model) {
   model.check();
   auto parts = std::make_unique<SystemParts>();
   build(*parts, model);
+  parts->check_sensors();
   sizes_ = parts->sizes;
   parts->total.assign(sizes_.ode2, 0);
   parts->output_total = parts->total;
@@ -28,6 +29,8 @@ void System::assemble(const Model& model) {
 }
 
 bool System::assembled() const { return assembled_; }
+
+std::shared_ptr<const void> System::hold_states() const { return parts_->kept_states; }
 
 void System::refresh(const Model& model) {
   SystemParts& parts = *parts_;

@@ -92,7 +92,9 @@ struct SystemParts {
   bool constant_mass = true;
   bool has_history = false;
 
-  std::array<State, 6> states;  // by ConfigurationType
+  using States = std::array<State, 6>;  // by ConfigurationType
+  std::shared_ptr<States> kept_states = std::make_shared<States>();  // views from outside keep them
+  States& states = *kept_states;
   std::uint64_t structure = 0, values = 0;  // of the model, as assembled
 
   std::optional<Pattern> dense_pattern, sparse_pattern, mass_pattern;  // made when asked for
@@ -107,6 +109,7 @@ struct SystemParts {
   const State* recorded = nullptr;  // whose marker frames are in place
 
   std::string describe(ItemKind kind, int number) const;  // for diagnoses
+  void check_sensors() const;  // refuses output variables that an item cannot have
   State& state(ConfigurationType c) { return states[static_cast<std::size_t>(c)]; }
   Evaluation evaluation(const State& state, const Conditions& conditions);
   Evaluation output_evaluation(const State& state);

@@ -56,6 +56,8 @@ class System {
   // Current, Initial, Reference (q and y only), StartOfStep, Visualization.
   State& state(ConfigurationType configuration) { return states_[static_cast<std::size_t>(configuration)]; }
   const State& state(ConfigurationType configuration) const { return states_[static_cast<std::size_t>(configuration)]; }
+  // Holds the vectors of all states where they are, also after the next assembling, which makes others.
+  std::shared_ptr<const void> hold_states() const;
 
   // r has sizes().total() entries and is overwritten. Not const: markers and work space are kept.
   void residual(const State& state, const Conditions& conditions, std::span<double> r);
