@@ -346,6 +346,7 @@ class MainSystem(_Bound):
     def GetSystemContainer(self) -> SystemContainer: ...
 
     # ---- written in Python, attached by dalembert.mainSystemExtensions
+    def _repr_html_(mbs) -> str: ...
     def CreateGround(
         mbs,
         name: str = "",

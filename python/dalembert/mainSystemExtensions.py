@@ -8,6 +8,7 @@ from typing import Any
 from dalembert import create, solver
 from dalembert._core import MainSystem
 from dalembert._distance_sensor import CreateDistanceSensor, CreateDistanceSensorGeometry
+from dalembert._repr_html import _repr_html_
 from dalembert._system_graph import DrawSystemGraph
 from dalembert._variations import SolveVariations
 from dalembert.interactive import SolutionViewer
@@ -21,6 +22,7 @@ methods: dict[str, Callable[..., Any]] = create.functions | {
         DrawSystemGraph,
         PlotSensor,
         SolutionViewer,
+        _repr_html_,
         solver.ComputeLinearizedSystem,
         solver.ComputeODE2Eigenvalues,
         solver.ComputeSystemDegreeOfFreedom,

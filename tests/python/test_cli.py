@@ -36,6 +36,30 @@ def test_models_run_unchanged(tmp_path):
     assert result.returncode == 3
 
 
+COPIED = """
+import copy, pickle
+import exudyn as exu
+from exudyn.itemInterface import *
+
+mbs = exu.SystemContainer().AddSystem()
+marker = mbs.AddMarker(MarkerNodePosition(nodeNumber=mbs.AddNode(NodePoint())))
+
+def push(mbs, t, load):
+    return [2 * x for x in load]
+
+mbs.AddLoad(Force(markerNumber=marker, loadVector=[1, 0, 0], loadVectorUserFunction=push))
+for other in (copy.copy(mbs), copy.deepcopy(mbs), pickle.loads(pickle.dumps(mbs))):
+    other.Assemble()
+    print(other.GetLoadValues(0).tolist())
+"""
+
+
+def test_models_may_pickle_systems_with_functions_of_their_own(tmp_path):
+    (tmp_path / "model.py").write_text(COPIED)
+    result = run("run", str(tmp_path / "model.py"))
+    assert result.stdout.splitlines() == ["[2.0, 0.0, 0.0]"] * 3, result.stderr
+
+
 def test_a_missing_model_is_named():
     result = run("run", "nowhere.py")
     assert result.returncode == 2 and "nowhere.py" in result.stderr and "Traceback" not in result.stderr
