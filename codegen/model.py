@@ -20,18 +20,19 @@ SOURCES = ("frame", "coordinates", "kernel")
 PHYSICS = ("ready", "planned")
 BODY_FOLDERS = ("bodies", "super_elements", "finite_elements")
 OBJECT_TYPES = ("Body", "Object", "SuperElement", "FiniteElement", "Connector", "Constraint", "Joint")
-# What a node or marker can be asked for; an entry of `Port` in reflection/item_type.hpp, or nothing that is checked.
-NODE_PORTS = {
+# What a node or marker can be asked for: an entry of `Capability` in reflection/item_type.hpp, or nothing checked.
+NODE_CAPABILITIES = {
     "Position": "position", "Orientation": "orientation",
     "Position2D": "position_2d", "Orientation2D": "orientation_2d",
     "GenericODE2": "generic_ode2", "GenericData": "generic_data", "RigidBody": None, "Point2DSlope1": None,
 }  # fmt: skip
-MARKER_PORTS = {
+MARKER_CAPABILITIES = {
     "Position": "position", "Orientation": "orientation",
     "Coordinate": "coordinate", "BodyMass": "body_mass", "Body": None,
 }  # fmt: skip
 PROVIDED = {
-    *NODE_PORTS, *MARKER_PORTS, "Node", "Object", "Ground", "Connector", "Constraint", "SingleNoded", "MultiNoded",
+    *NODE_CAPABILITIES, *MARKER_CAPABILITIES, "Node", "Object", "Ground", "Connector", "Constraint", "SingleNoded",
+    "MultiNoded",
     "SuperElement", "RotationEulerParameters", "RotationRxyz", "RotationRotationVector",
 }  # fmt: skip
 NO_UNIT = "unit: empty; write '1' if dimensionless, 'various' if it depends on the component"
@@ -273,8 +274,8 @@ class Item:
         self._check_name()
         for key, words, allowed in (
             ("provides", self.provides, PROVIDED),
-            ("requested_nodes", self.requested_nodes, NODE_PORTS),
-            ("requested_markers", self.requested_markers, MARKER_PORTS),
+            ("requested_nodes", self.requested_nodes, NODE_CAPABILITIES),
+            ("requested_markers", self.requested_markers, MARKER_CAPABILITIES),
         ):
             for word in words:
                 _one_of(key, word, allowed)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from typing import Any
 
-from codegen.model import MARKER_PORTS, NODE_PORTS, Item, Parameter, UserFunction
+from codegen.model import MARKER_CAPABILITIES, NODE_CAPABILITIES, Item, Parameter, UserFunction
 from codegen.model_settings import Enum
 from codegen.names import snake_case
 from codegen.types import ParameterType
@@ -145,17 +145,17 @@ def core_functions(item: Item) -> list[UserFunction]:
     return [function for function in item.user_functions if function.name in names]
 
 
-def cpp_ports(words: tuple[str, ...], table: dict[str, str | None]) -> str:
-    ports = [f"Port::{table[word]}" for word in words if table[word]]
-    return " | ".join(ports) or "Port::none"
+def cpp_capabilities(words: tuple[str, ...], table: dict[str, str | None]) -> str:
+    capabilities = [f"Capability::{table[word]}" for word in words if table[word]]
+    return " | ".join(capabilities) or "Capability::none"
 
 
 def node_ports(item: Item) -> str:
-    return cpp_ports(item.requested_nodes, NODE_PORTS)
+    return cpp_capabilities(item.requested_nodes, NODE_CAPABILITIES)
 
 
 def marker_ports(item: Item) -> str:
-    return cpp_ports(item.requested_markers, MARKER_PORTS)
+    return cpp_capabilities(item.requested_markers, MARKER_CAPABILITIES)
 
 
 def type_variable(item: Item) -> str:

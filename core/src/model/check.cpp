@@ -11,17 +11,15 @@
 namespace dalembert {
 namespace {
 
-using Requirement = Port;
-
-struct PortName {
-  Requirement port;
+struct CapabilityName {
+  Capability capability;
   std::string_view name;
 };
-constexpr PortName port_names[] = {
-    {Requirement::position, "Position"},         {Requirement::orientation, "Orientation"},
-    {Requirement::coordinate, "Coordinate"},     {Requirement::body_mass, "BodyMass"},
-    {Requirement::generic_ode2, "GenericODE2"},  {Requirement::generic_data, "GenericData"},
-    {Requirement::position_2d, "Position2D"},    {Requirement::orientation_2d, "Orientation2D"},
+constexpr CapabilityName capability_names[] = {
+    {Capability::position, "Position"},         {Capability::orientation, "Orientation"},
+    {Capability::coordinate, "Coordinate"},     {Capability::body_mass, "BodyMass"},
+    {Capability::generic_ode2, "GenericODE2"},  {Capability::generic_data, "GenericData"},
+    {Capability::position_2d, "Position2D"},    {Capability::orientation_2d, "Orientation2D"},
 };
 
 std::string join(const std::vector<std::string_view>& words) {
@@ -30,26 +28,26 @@ std::string join(const std::vector<std::string_view>& words) {
   return text.empty() ? "nothing" : text;
 }
 
-std::vector<std::string_view> names_of(Requirement ports) {
+std::vector<std::string_view> names_of(Capability capabilities) {
   std::vector<std::string_view> names;
-  for (const PortName& entry : port_names)
-    if (meets(ports, entry.port)) names.push_back(entry.name);
+  for (const CapabilityName& entry : capability_names)
+    if (meets(capabilities, entry.capability)) names.push_back(entry.name);
   return names;
 }
 
 // What item types provide, looked up once per type.
 class Provisions {
  public:
-  Requirement of(const ItemType& type) {
-    const auto [found, is_new] = known_.try_emplace(&type, Requirement::none);
+  Capability of(const ItemType& type) {
+    const auto [found, is_new] = known_.try_emplace(&type, Capability::none);
     if (is_new)
-      for (const PortName& entry : port_names)
-        if (provides(type, entry.name)) found->second = found->second | entry.port;
+      for (const CapabilityName& entry : capability_names)
+        if (provides(type, entry.name)) found->second = found->second | entry.capability;
     return found->second;
   }
 
  private:
-  std::unordered_map<const ItemType*, Requirement> known_;
+  std::unordered_map<const ItemType*, Capability> known_;
 };
 
 bool is_body(const ItemType& type) {
@@ -107,10 +105,10 @@ class Checker {
   // Does the item that a row refers to provide what this item requests?
   void check_target(const Row& row, ItemKind target, int value, const ItemType& found) const {
     const ItemType& type = *item().type;
-    Requirement requested = Requirement::none;
+    Capability requested = Capability::none;
     if (target == ItemKind::node) requested = type.requested_node;
     if (target == ItemKind::marker) requested = type.requested_marker;
-    if (requested != Requirement::none && !meets(provisions_.of(found), requested)) {
+    if (requested != Capability::none && !meets(provisions_.of(found), requested)) {
       complain(row, model_.describe(target, value) + ", which provides " + join({found.provides.begin(), found.provides.end()}),
                with_article(kind_name(target)) + " that provides " + join(names_of(requested)),
                "Use another type of " + std::string(kind_name(target)) + " here");

@@ -53,8 +53,8 @@ const ItemType object_mass_point_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::position,
-    .requested_marker = Port::none,
+    .requested_node = Capability::position,
+    .requested_marker = Capability::none,
     .physics = &physics,
     .spec = "specs/bodies/mass_point.toml",
 };

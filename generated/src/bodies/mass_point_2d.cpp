@@ -52,8 +52,8 @@ const ItemType object_mass_point_2d_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::position_2d | Port::position,
-    .requested_marker = Port::none,
+    .requested_node = Capability::position_2d | Capability::position,
+    .requested_marker = Capability::none,
     .physics = &physics,
     .spec = "specs/bodies/mass_point_2d.toml",
 };

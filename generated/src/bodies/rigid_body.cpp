@@ -61,8 +61,8 @@ const ItemType object_rigid_body_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::position | Port::orientation,
-    .requested_marker = Port::none,
+    .requested_node = Capability::position | Capability::orientation,
+    .requested_marker = Capability::none,
     .physics = &physics,
     .spec = "specs/bodies/rigid_body.toml",
 };

@@ -59,8 +59,8 @@ const ItemType object_rigid_body_2d_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::position_2d | Port::orientation_2d | Port::position | Port::orientation,
-    .requested_marker = Port::none,
+    .requested_node = Capability::position_2d | Capability::orientation_2d | Capability::position | Capability::orientation,
+    .requested_marker = Capability::none,
     .physics = &physics,
     .spec = "specs/bodies/rigid_body_2d.toml",
 };

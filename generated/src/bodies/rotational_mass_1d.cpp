@@ -53,8 +53,8 @@ const ItemType object_rotational_mass_1d_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::generic_ode2,
-    .requested_marker = Port::none,
+    .requested_node = Capability::generic_ode2,
+    .requested_marker = Capability::none,
     .physics = &physics,
     .spec = "specs/bodies/rotational_mass_1d.toml",
 };

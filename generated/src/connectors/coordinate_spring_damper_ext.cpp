@@ -83,8 +83,8 @@ const ItemType object_connector_coordinate_spring_damper_ext_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::generic_data,
-    .requested_marker = Port::coordinate,
+    .requested_node = Capability::generic_data,
+    .requested_marker = Capability::coordinate,
     .physics = &physics,
     .spec = "specs/connectors/coordinate_spring_damper_ext.toml",
 };

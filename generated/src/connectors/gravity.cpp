@@ -51,8 +51,8 @@ const ItemType object_connector_gravity_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::none,
-    .requested_marker = Port::position,
+    .requested_node = Capability::none,
+    .requested_marker = Capability::position,
     .physics = &physics,
     .spec = "specs/connectors/gravity.toml",
 };

@@ -74,8 +74,8 @@ const ItemType object_connector_hydraulic_actuator_simple_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::none,
-    .requested_marker = Port::position,
+    .requested_node = Capability::none,
+    .requested_marker = Capability::position,
     .physics = &physics,
     .spec = "specs/connectors/hydraulic_actuator_simple.toml",
 };

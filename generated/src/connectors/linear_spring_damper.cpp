@@ -65,8 +65,8 @@ const ItemType object_connector_linear_spring_damper_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::none,
-    .requested_marker = Port::position | Port::orientation,
+    .requested_node = Capability::none,
+    .requested_marker = Capability::position | Capability::orientation,
     .physics = &physics,
     .spec = "specs/connectors/linear_spring_damper.toml",
 };

@@ -58,8 +58,8 @@ const ItemType object_connector_reeving_system_springs_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::none,
-    .requested_marker = Port::none,
+    .requested_node = Capability::none,
+    .requested_marker = Capability::none,
     .physics = &physics,
     .spec = "specs/connectors/reeving_system_springs.toml",
 };

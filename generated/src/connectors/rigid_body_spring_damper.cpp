@@ -87,8 +87,8 @@ const ItemType object_connector_rigid_body_spring_damper_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::generic_data,
-    .requested_marker = Port::position | Port::orientation,
+    .requested_node = Capability::generic_data,
+    .requested_marker = Capability::position | Capability::orientation,
     .physics = &physics,
     .spec = "specs/connectors/rigid_body_spring_damper.toml",
 };

@@ -61,8 +61,8 @@ const ItemType object_connector_rolling_disc_penalty_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::generic_data,
-    .requested_marker = Port::position | Port::orientation,
+    .requested_node = Capability::generic_data,
+    .requested_marker = Capability::position | Capability::orientation,
     .physics = &physics,
     .spec = "specs/connectors/rolling_disc_penalty.toml",
 };

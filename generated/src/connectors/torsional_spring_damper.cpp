@@ -66,8 +66,8 @@ const ItemType object_connector_torsional_spring_damper_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::generic_data,
-    .requested_marker = Port::orientation,
+    .requested_node = Capability::generic_data,
+    .requested_marker = Capability::orientation,
     .physics = &physics,
     .spec = "specs/connectors/torsional_spring_damper.toml",
 };

@@ -47,8 +47,8 @@ const ItemType object_contact_circle_cable_2d_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::generic_data,
-    .requested_marker = Port::none,
+    .requested_node = Capability::generic_data,
+    .requested_marker = Capability::none,
     .physics = nullptr,
     .spec = "specs/contacts/circle_cable_2d.toml",
 };

@@ -48,8 +48,8 @@ const ItemType object_contact_coordinate_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::generic_data,
-    .requested_marker = Port::coordinate,
+    .requested_node = Capability::generic_data,
+    .requested_marker = Capability::coordinate,
     .physics = &physics,
     .spec = "specs/contacts/coordinate.toml",
 };

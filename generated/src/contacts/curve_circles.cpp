@@ -56,8 +56,8 @@ const ItemType object_contact_curve_circles_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::generic_data,
-    .requested_marker = Port::position | Port::orientation,
+    .requested_node = Capability::generic_data,
+    .requested_marker = Capability::position | Capability::orientation,
     .physics = nullptr,
     .spec = "specs/contacts/curve_circles.toml",
 };

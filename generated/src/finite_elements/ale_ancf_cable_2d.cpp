@@ -62,8 +62,8 @@ const ItemType object_ale_ancf_cable_2d_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::none,
-    .requested_marker = Port::none,
+    .requested_node = Capability::none,
+    .requested_marker = Capability::none,
     .physics = nullptr,
     .spec = "specs/finite_elements/ale_ancf_cable_2d.toml",
 };

@@ -52,8 +52,8 @@ const ItemType object_ancf_beam_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::position | Port::orientation,
-    .requested_marker = Port::none,
+    .requested_node = Capability::position | Capability::orientation,
+    .requested_marker = Capability::none,
     .physics = nullptr,
     .spec = "specs/finite_elements/ancf_beam.toml",
 };

@@ -57,8 +57,8 @@ const ItemType object_ancf_cable_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::position,
-    .requested_marker = Port::none,
+    .requested_node = Capability::position,
+    .requested_marker = Capability::none,
     .physics = nullptr,
     .spec = "specs/finite_elements/ancf_cable.toml",
 };

@@ -47,8 +47,8 @@ const ItemType object_beam_geometrically_exact_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::position | Port::orientation,
-    .requested_marker = Port::none,
+    .requested_node = Capability::position | Capability::orientation,
+    .requested_marker = Capability::none,
     .physics = nullptr,
     .spec = "specs/finite_elements/beam_geometrically_exact.toml",
 };

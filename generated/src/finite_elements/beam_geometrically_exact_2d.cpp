@@ -58,8 +58,8 @@ const ItemType object_beam_geometrically_exact_2d_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::position_2d | Port::orientation_2d | Port::position | Port::orientation,
-    .requested_marker = Port::none,
+    .requested_node = Capability::position_2d | Capability::orientation_2d | Capability::position | Capability::orientation,
+    .requested_marker = Capability::none,
     .physics = nullptr,
     .spec = "specs/finite_elements/beam_geometrically_exact_2d.toml",
 };

@@ -52,8 +52,8 @@ const ItemType object_joint_ale_moving_2d_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::none,
-    .requested_marker = Port::none,
+    .requested_node = Capability::none,
+    .requested_marker = Capability::none,
     .physics = nullptr,
     .spec = "specs/joints/ale_moving_2d.toml",
 };

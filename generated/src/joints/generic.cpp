@@ -71,8 +71,8 @@ const ItemType object_joint_generic_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::none,
-    .requested_marker = Port::position | Port::orientation,
+    .requested_node = Capability::none,
+    .requested_marker = Capability::position | Capability::orientation,
     .physics = &physics,
     .spec = "specs/joints/generic.toml",
 };

@@ -50,8 +50,8 @@ const ItemType object_joint_sliding_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::generic_data,
-    .requested_marker = Port::none,
+    .requested_node = Capability::generic_data,
+    .requested_marker = Capability::none,
     .physics = nullptr,
     .spec = "specs/joints/sliding.toml",
 };

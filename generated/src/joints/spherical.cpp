@@ -49,8 +49,8 @@ const ItemType object_joint_spherical_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::none,
-    .requested_marker = Port::position,
+    .requested_node = Capability::none,
+    .requested_marker = Capability::position,
     .physics = &physics,
     .spec = "specs/joints/spherical.toml",
 };

@@ -49,8 +49,8 @@ const ItemType load_coordinate_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::none,
-    .requested_marker = Port::coordinate,
+    .requested_node = Capability::none,
+    .requested_marker = Capability::coordinate,
     .physics = &physics,
     .spec = "specs/loads/coordinate.toml",
 };

@@ -50,8 +50,8 @@ const ItemType load_force_vector_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::none,
-    .requested_marker = Port::position,
+    .requested_node = Capability::none,
+    .requested_marker = Capability::position,
     .physics = &physics,
     .spec = "specs/loads/force_vector.toml",
 };

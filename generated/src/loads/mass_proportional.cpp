@@ -49,8 +49,8 @@ const ItemType load_mass_proportional_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::none,
-    .requested_marker = Port::body_mass,
+    .requested_node = Capability::none,
+    .requested_marker = Capability::body_mass,
     .physics = &physics,
     .spec = "specs/loads/mass_proportional.toml",
 };

@@ -50,8 +50,8 @@ const ItemType load_torque_vector_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::none,
-    .requested_marker = Port::orientation,
+    .requested_node = Capability::none,
+    .requested_marker = Capability::orientation,
     .physics = &physics,
     .spec = "specs/loads/torque_vector.toml",
 };

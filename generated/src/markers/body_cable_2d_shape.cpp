@@ -39,8 +39,8 @@ const ItemType marker_body_cable_2d_shape_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::none,
-    .requested_marker = Port::none,
+    .requested_node = Capability::none,
+    .requested_marker = Capability::none,
     .physics = nullptr,
     .spec = "specs/markers/body_cable_2d_shape.toml",
 };

@@ -41,8 +41,8 @@ const ItemType marker_body_mass_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::none,
-    .requested_marker = Port::none,
+    .requested_node = Capability::none,
+    .requested_marker = Capability::none,
     .physics = &physics,
     .spec = "specs/markers/body_mass.toml",
 };

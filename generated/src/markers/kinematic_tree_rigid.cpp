@@ -39,8 +39,8 @@ const ItemType marker_kinematic_tree_rigid_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::none,
-    .requested_marker = Port::none,
+    .requested_node = Capability::none,
+    .requested_marker = Capability::none,
     .physics = nullptr,
     .spec = "specs/markers/kinematic_tree_rigid.toml",
 };

@@ -48,8 +48,8 @@ const ItemType marker_super_element_rigid_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::none,
-    .requested_marker = Port::none,
+    .requested_node = Capability::none,
+    .requested_marker = Capability::none,
     .physics = &physics,
     .spec = "specs/markers/super_element_rigid.toml",
 };

@@ -40,8 +40,8 @@ const ItemType node_generic_ae_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::none,
-    .requested_marker = Port::none,
+    .requested_node = Capability::none,
+    .requested_marker = Capability::none,
     .physics = nullptr,
     .spec = "specs/nodes/generic_ae.toml",
 };

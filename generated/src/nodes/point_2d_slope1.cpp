@@ -53,8 +53,8 @@ const ItemType node_point_2d_slope1_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::none,
-    .requested_marker = Port::none,
+    .requested_node = Capability::none,
+    .requested_marker = Capability::none,
     .physics = &physics,
     .spec = "specs/nodes/point_2d_slope1.toml",
 };

@@ -53,8 +53,8 @@ const ItemType node_point_slope12_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::none,
-    .requested_marker = Port::none,
+    .requested_node = Capability::none,
+    .requested_marker = Capability::none,
     .physics = nullptr,
     .spec = "specs/nodes/point_slope12.toml",
 };

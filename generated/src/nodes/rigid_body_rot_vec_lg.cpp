@@ -56,8 +56,8 @@ const ItemType node_rigid_body_rot_vec_lg_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::none,
-    .requested_marker = Port::none,
+    .requested_node = Capability::none,
+    .requested_marker = Capability::none,
     .physics = &physics,
     .spec = "specs/nodes/rigid_body_rot_vec_lg.toml",
 };

@@ -44,8 +44,8 @@ const ItemType sensor_node_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::none,
-    .requested_marker = Port::none,
+    .requested_node = Capability::none,
+    .requested_marker = Capability::none,
     .physics = &physics,
     .spec = "specs/sensors/node.toml",
 };

@@ -52,8 +52,8 @@ const ItemType sensor_user_function_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::none,
-    .requested_marker = Port::none,
+    .requested_node = Capability::none,
+    .requested_marker = Capability::none,
     .physics = &physics,
     .spec = "specs/sensors/user_function.toml",
 };

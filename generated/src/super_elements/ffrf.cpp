@@ -76,8 +76,8 @@ const ItemType object_ffrf_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::none,
-    .requested_marker = Port::none,
+    .requested_node = Capability::none,
+    .requested_marker = Capability::none,
     .physics = nullptr,
     .spec = "specs/super_elements/ffrf.toml",
 };

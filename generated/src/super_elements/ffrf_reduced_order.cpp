@@ -78,8 +78,8 @@ const ItemType object_ffrf_reduced_order_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::none,
-    .requested_marker = Port::none,
+    .requested_node = Capability::none,
+    .requested_marker = Capability::none,
     .physics = nullptr,
     .spec = "specs/super_elements/ffrf_reduced_order.toml",
 };

@@ -69,8 +69,8 @@ const ItemType object_kinematic_tree_type{
     .rows = rows,
     .outputs = outputs,
     .record = record_operations<Record>(),
-    .requested_node = Port::generic_ode2,
-    .requested_marker = Port::none,
+    .requested_node = Capability::generic_ode2,
+    .requested_marker = Capability::none,
     .physics = nullptr,
     .spec = "specs/super_elements/kinematic_tree.toml",
 };

@@ -25,12 +25,12 @@ constexpr RecordOperations record_operations() {
 }
 
 // What an item can do for another, bit by bit: a request is met when all of its bits are provided.
-enum class Port : std::uint32_t {
+enum class Capability : std::uint32_t {
   none = 0, position = 1, orientation = 2, coordinate = 4, body_mass = 8, generic_ode2 = 16, generic_data = 32,
   position_2d = 64, orientation_2d = 128,
 };
-constexpr Port operator|(Port a, Port b) { return static_cast<Port>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b)); }
-constexpr bool meets(Port provided, Port requested) {
+constexpr Capability operator|(Capability a, Capability b) { return static_cast<Capability>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b)); }
+constexpr bool meets(Capability provided, Capability requested) {
   return (static_cast<std::uint32_t>(provided) & static_cast<std::uint32_t>(requested)) == static_cast<std::uint32_t>(requested);
 }
 
@@ -46,8 +46,8 @@ struct ItemType {
   std::span<const Row> rows;                         // name, parameters, visualization, in the order of the spec
   std::span<const OutputVariableType> outputs;
   RecordOperations record;
-  Port requested_node = Port::none;                  // what its nodes must provide
-  Port requested_marker = Port::none;                // what its markers must provide
+  Capability requested_node = Capability::none;      // what its nodes must provide
+  Capability requested_marker = Capability::none;    // what its markers must provide
   const Physics* physics = nullptr;                  // null: planned
   std::string_view spec;                             // 'specs/bodies/mass_point.toml'
 };
