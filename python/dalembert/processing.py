@@ -104,6 +104,9 @@ def ParameterVariation(
         function gets it as 'functionData'.
     useMultiProcessing, clusterHostNames, showProgress, numberOfThreads, resultsFile, useMPI: see
         ProcessParameterList.
+
+    The function may do anything, so it is called for every combination. Where only numbers of one model vary,
+    mbs.SolveVariations solves them all without Python in between.
     """
     check_names("ParameterVariation", kwargs, {"useMPI", "useDispyWebMonitor"})
     if not parameters:
