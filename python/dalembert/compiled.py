@@ -11,6 +11,7 @@ The page of each item shows its functions in this form.
 from __future__ import annotations
 
 import ctypes
+import importlib
 import re
 from typing import Any
 
@@ -51,7 +52,7 @@ def numba_signature(item: type | str, userFunction: str) -> Any:
     returns: numba.core.typing.Signature
     """
     try:
-        from numba import types
+        types: Any = importlib.import_module("numba").types
     except ImportError as error:
         raise ImportError("compiled.numba_signature needs numba; install it, e.g. by 'pip install numba'") from error
     known = {
