@@ -7,8 +7,8 @@ namespace {
 
 thread_local WithoutInterpreter* innermost = nullptr;
 
-// The time after which Python threads take turns, sys.getswitchinterval().
-constexpr std::chrono::milliseconds turn{5};
+// Twice the time after which a waiting Python thread demands the lock, sys.getswitchinterval().
+constexpr std::chrono::milliseconds turn{10};
 
 }  // namespace
 
@@ -21,9 +21,13 @@ WithoutInterpreter::~WithoutInterpreter() {
 
 void WithoutInterpreter::look() {
   if (innermost == nullptr) return;
+  WithoutInterpreter& scope = *innermost;
   const auto now = Clock::now();
-  innermost->keeps_ = now - std::exchange(innermost->last_look_, now) < turn;
-  if (innermost->state_ == nullptr) innermost->give();
+  scope.keeps_ = now - std::exchange(scope.last_look_, now) < turn;
+  if (scope.state_ == nullptr && now - scope.last_turn_ >= turn) {
+    scope.give();
+    scope.last_turn_ = now;
+  }
 }
 
 InterpreterLock::InterpreterLock(Afterwards afterwards) : scope_(innermost) {

@@ -10,7 +10,9 @@ namespace dalembert {
 // While one lives, its thread works without Python; InterpreterLock takes the lock for the time of a user function. Taking
 // and giving costs more than a small user function, so the lock may stay with this thread between two of them: as long as
 // look() is called every few milliseconds. Other threads get their turns there and, as in any Python program, inside
-// functions. To be made with the lock held.
+// functions. A lock that is given and taken back at once passes threads by that have yet to wake up; so it is kept for
+// longer than Python lets a thread wait before it demands the lock, and giving then waits until the other has it.
+// To be made with the lock held.
 class WithoutInterpreter {
  public:
   WithoutInterpreter();
@@ -18,7 +20,7 @@ class WithoutInterpreter {
   WithoutInterpreter(const WithoutInterpreter&) = delete;
   WithoutInterpreter& operator=(const WithoutInterpreter&) = delete;
 
-  // Gives the lock to threads that wait for it, and keeps it from now on if the last look was not long ago.
+  // Gives the lock to threads that have waited for it, and keeps it from now on if the last look was not long ago.
   static void look();
 
  private:
@@ -35,6 +37,7 @@ class WithoutInterpreter {
   PyThreadState* state_ = nullptr;  // null: the lock is held
   bool keeps_ = false;
   Clock::time_point last_look_ = Clock::now();
+  Clock::time_point last_turn_ = last_look_;  // of the other threads
 };
 
 // While one lives, Python may be used.

@@ -5,7 +5,8 @@ from typing import Any, Self, SupportsFloat, SupportsIndex, overload
 
 from numpy.typing import ArrayLike
 
-from dalembert._core import LoadIndex, MainSystem, MarkerIndex, NodeIndex, ObjectIndex, SensorIndex, _Bound, _NotMade
+from dalembert._core import LoadIndex, MainSystem, MarkerIndex, NodeIndex, ObjectIndex, SensorIndex
+from dalembert._core_base import _Bound, _NotMade
 from dalembert._core_types import Array
 from dalembert._core_types import Matrix as _NumpyMatrix
 

@@ -4,7 +4,8 @@ from typing import Self
 
 from numpy.typing import ArrayLike
 
-from dalembert._core import MainSystem, _Bound
+from dalembert._core import MainSystem
+from dalembert._core_base import _Bound
 from dalembert._core_types import Array
 
 class State(_Bound):

@@ -178,7 +178,7 @@ def test_other_threads_run_between_functions(mbs: exu.MainSystem) -> None:
     mbs.Assemble()
     thread = threading.Thread(target=other)
     thread.start()
-    steps = 10**6  # would take much longer than a thread needs to get its turn
+    steps = 10**7  # would take much longer than a thread needs to get its turn
     solve(mbs, steps, solverType=exu.DynamicSolverType.ExplicitEuler)
     thread.join()
     assert mbs.systemData.GetTime(exu.ConfigurationType.Current) < 1e-3 * steps

@@ -117,10 +117,11 @@ def test_type_information_is_installed():
 
 
 def stub_classes() -> dict[str, dict[str, ast.stmt]]:
-    """Methods and attributes by class, as the stub has them, inherited ones included."""
-    tree = ast.parse((PACKAGE / "_core.pyi").read_text())
+    """Methods and attributes by class, as the stubs written by hand have them, inherited ones included."""
+    parts = ("_base", "_containers", "_system_data", "_solvers", "_main_system", "")
+    body = [node for part in parts for node in ast.parse((PACKAGE / f"_core{part}.pyi").read_text()).body]
     classes: dict[str, dict[str, ast.stmt]] = {}
-    for node in (n for n in tree.body if isinstance(n, ast.ClassDef)):
+    for node in (n for n in body if isinstance(n, ast.ClassDef)):
         members = classes[node.name] = {}
         for base in (b.id for b in node.bases if isinstance(b, ast.Name)):
             members.update(classes.get(base, {}))
