@@ -61,40 +61,12 @@ void register_functions(Class& main_system) {
   }
 }
 
-// Everything of `main` that can be pickled: utilities keep solvers in mbs.sys, and those cannot.
-py::dict picklable(const py::dict& entries) {
-  const py::object dumps = py::module_::import("pickle").attr("dumps");
-  py::dict kept;
-  for (const auto& [key, value] : entries) {
-    PyObject* bytes = PyObject_CallOneArg(dumps.ptr(), value.ptr());
-    if (bytes == nullptr) {
-      PyErr_Clear();
-      continue;
-    }
-    Py_DECREF(bytes);
-    kept[key] = value;
-  }
-  return kept;
-}
-
 py::dict copy_of(const py::dict& entries) { return entries.attr("copy")(); }
 
 void register_state(Class& main_system) {
   main_system.def("GetDictionary", &system_dictionary, "All items, user functions and variables as one dictionary.");
   main_system.def("SetDictionary", &set_system_dictionary, py::arg("systemDict"),
                   "Replace the whole system by what GetDictionary() gave.");
-  main_system.def(py::pickle(
-      [](const MainSystem& main) {
-        py::dict state = system_dictionary(main);
-        state["systemVariables"] = picklable(main.sys);
-        state["variables"] = picklable(main.variables);
-        return state;
-      },
-      [](const py::dict& state) {
-        auto main = std::make_shared<MainSystem>();
-        set_system_dictionary(*main, state);
-        return main;
-      }));
   main_system.def("Reset", &MainSystem::reset, "Delete all items, user functions and variables.");
   main_system.def("__repr__", [](const MainSystem& main) { return system_summary(main); });
 }

@@ -22,7 +22,7 @@ py::dict container_dictionary(const SystemContainer& container) {
   py::dict result;
   result["__version__"] = DALEMBERT_VERSION;
   py::list systems;
-  for (const auto& system : container.systems) systems.append(system_dictionary(*system));
+  for (const auto& system : container.systems) systems.append(py::cast(system).attr("GetDictionary")());
   result["systems"] = systems;
   const py::object& settings = container.visualization_settings;
   if (py::hasattr(settings, "GetDictionary")) result["visualizationSettings"] = settings.attr("GetDictionary")();

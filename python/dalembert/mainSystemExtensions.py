@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from dalembert import create, solver
+from dalembert import _pickling, create, solver
 from dalembert._core import MainSystem
 from dalembert._distance_sensor import CreateDistanceSensor, CreateDistanceSensorGeometry
 from dalembert._repr_html import _repr_html_
@@ -22,6 +22,10 @@ methods: dict[str, Callable[..., Any]] = create.functions | {
         DrawSystemGraph,
         PlotSensor,
         SolutionViewer,
+        _pickling.GetDictionary,
+        _pickling.__copy__,
+        _pickling.__deepcopy__,
+        _pickling.__reduce__,
         _repr_html_,
         solver.ComputeLinearizedSystem,
         solver.ComputeODE2Eigenvalues,

@@ -1,0 +1,118 @@
+"""Pickles and copies of a MainSystem: user functions that no module holds go along by value."""
+
+from __future__ import annotations
+
+import copy
+import io
+from collections.abc import Callable
+from pickle import Unpickler
+from typing import Any, Self
+
+import cloudpickle
+
+from dalembert._core import MainSystem
+
+_dictionary: Callable[[MainSystem], dict[str, Any]] = MainSystem.GetDictionary  # the compiled one, replaced below
+_variables = ("variables", "systemVariables")
+
+
+class _Pickler(cloudpickle.Pickler):  # type: ignore[misc]  # cloudpickle has no types
+    """Leaves out the system itself and its container, to which user functions may refer as global variables."""
+
+    def __init__(self, file: io.BytesIO, mbs: MainSystem) -> None:
+        super().__init__(file)
+        self._names = {id(mbs): "system", id(mbs.GetSystemContainer()): "container"}
+
+    def persistent_id(self, thing: Any) -> str | None:
+        return self._names.get(id(thing))
+
+
+class _Unpickler(Unpickler):
+    """Puts another system and its container in the place of those left out."""
+
+    def __init__(self, file: io.BytesIO, mbs: MainSystem) -> None:
+        super().__init__(file)
+        self._mbs = mbs
+
+    def persistent_load(self, name: str) -> Any:
+        return self._mbs if name == "system" else self._mbs.GetSystemContainer()
+
+
+def _dumps(mbs: MainSystem, content: Any) -> bytes:
+    file = io.BytesIO()
+    _Pickler(file, mbs).dump(content)
+    return file.getvalue()
+
+
+def _restored_dictionary(content: bytes) -> SystemDictionary:
+    """The dictionary; functions in it that refer to the system get one that is made of the dictionary."""
+    mbs = MainSystem()
+    entries = _Unpickler(io.BytesIO(content), mbs).load()
+    mbs.SetDictionary(entries)
+    return SystemDictionary(mbs, entries)
+
+
+def _restored_system(content: bytes) -> MainSystem:
+    mbs = MainSystem()
+    mbs.SetDictionary(_Unpickler(io.BytesIO(content), mbs).load())
+    return mbs
+
+
+class SystemDictionary(dict[str, Any]):
+    """What GetDictionary() returns: a dictionary whose pickle holds functions by value where no module does."""
+
+    __slots__ = ("_mbs",)
+
+    def __init__(self, mbs: MainSystem, entries: dict[str, Any]) -> None:
+        super().__init__(entries)
+        self._mbs = mbs
+
+    def __reduce__(self) -> tuple[Callable[[bytes], SystemDictionary], tuple[bytes]]:
+        return _restored_dictionary, (_dumps(self._mbs, dict(self)),)
+
+    def __copy__(self) -> Self:
+        return type(self)(self._mbs, self)
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Self:
+        return type(self)(self._mbs, copy.deepcopy(dict(self), memo))
+
+
+def GetDictionary(mbs: MainSystem) -> dict[str, Any]:
+    """Return all items, user functions and variables as one dictionary.
+
+    It can be pickled, with the user functions: those of modules by their names, others, such as functions of the main
+    program, lambda expressions and closures, with their code and the global variables that they use.
+    """
+    return SystemDictionary(mbs, _dictionary(mbs))
+
+
+def _state(mbs: MainSystem) -> dict[str, Any]:
+    """The dictionary without variables that cannot be pickled: utilities keep solvers among them."""
+    entries = GetDictionary(mbs)
+    for name in _variables:
+        entries[name] = {key: value for key, value in entries[name].items() if _can_be_pickled(mbs, value)}
+    return entries
+
+
+def _can_be_pickled(mbs: MainSystem, value: Any) -> bool:
+    try:
+        _dumps(mbs, value)
+    except Exception:  # whatever the class of the value raises
+        return False
+    return True
+
+
+def __reduce__(mbs: MainSystem) -> tuple[Callable[[bytes], MainSystem], tuple[bytes]]:
+    return _restored_system, (_dumps(mbs, dict(_state(mbs))),)
+
+
+def __copy__(mbs: MainSystem) -> MainSystem:
+    made = MainSystem()
+    made.SetDictionary(_state(mbs))
+    return made
+
+
+def __deepcopy__(mbs: MainSystem, memo: dict[int, Any]) -> MainSystem:
+    made = memo[id(mbs)] = MainSystem()
+    made.SetDictionary(copy.deepcopy(_state(mbs), memo))
+    return made
