@@ -69,8 +69,12 @@ void numerical_tangent(System& system, const State& state, const Conditions& con
                        std::span<double> values) {
   const Sizes& s = system.sizes();
   const State& reference = system.state(ConfigurationType::Reference);
-  Differences differences(system, state, conditions, weights);
-  const double row_scale = weights.q != 0 ? weights.q : (weights.v != 0 ? weights.v : 1.0);
+  // The weights may be scaled by any factor: steps are not.
+  const double unit = weights.q != 0 ? weights.q : 1.0;
+  Weights direction = weights;
+  for (double* weight : {&direction.q, &direction.v, &direction.a}) *weight /= unit;
+  Differences differences(system, state, conditions, direction);
+  const double constraints = weights.q == 0 && weights.v != 0 ? 1 / weights.v : 1.0;
   for (int column = 0; column < s.total(); ++column) {
     double size = 0;
     if (column < s.ode2) {
@@ -84,9 +88,8 @@ void numerical_tangent(System& system, const State& state, const Conditions& con
     const double eps = options.relativeEpsilon * std::max(options.minimumCoordinateSize, std::abs(size));
     const std::vector<double>& slope = differences.slope(column, eps);
     for_each_row(pattern, column, [&](int row) {
-      const double entry = slope[static_cast<std::size_t>(row)];
-      values[static_cast<std::size_t>(pattern.slot(row, column))] =
-          row >= s.first_ae() && column < s.first_ae() ? entry / row_scale : entry;
+      const double factor = column < s.ode2 && row < s.first_ae() ? unit : column < s.first_ae() && row >= s.first_ae() ? constraints : 1.0;
+      values[static_cast<std::size_t>(pattern.slot(row, column))] = factor * slope[static_cast<std::size_t>(row)];
     });
   }
 }

@@ -223,7 +223,7 @@ void SecondOrderSolver::finalize_newton() { add(algorithmic_, (1 - alpha_f) / (1
 
 void SecondOrderSolver::compute_jacobian() {
   const double h = it.currentStepSize, scale = newmark_beta * h * h;
-  const Weights weights{.q = 1, .v = gamma_prime(), .a = beta_prime(), .y = 1, .y_t = 2 / h};
+  const Weights weights{.q = scale, .v = scale * gamma_prime(), .a = scale * beta_prime(), .y = 1, .y_t = 2 / h};
   Conditions conditions = conditions_;
   if (full_newton_) {
     conditions.follows_residual = true;
@@ -261,7 +261,7 @@ void SecondOrderSolver::simplified_lie_jacobian(const State& state, const Condit
   for_each_entry(pattern(), [&](int row, int column, std::size_t slot) {
     if (column >= n) return;
     if (row < n) jacobian_[slot] += more_values_[slot];
-    if (row >= first_ae) jacobian_[slot] += weights.v * more_values_[slot];
+    if (row >= first_ae) jacobian_[slot] += weights.v / weights.q * more_values_[slot];
   });
 }
 
@@ -281,18 +281,24 @@ void SecondOrderSolver::apply_tangent_operator() {
   }
 }
 
-// ODE2 equations are multiplied by beta h^2, multipliers divided by it: the condition number does not depend on h.
+// ODE2 equations are multiplied by beta h^2 and multipliers divided by it: the condition number does not depend on h. The
+// weights of the ODE2 coordinates are scaled for that, which leaves constraints alone; the rest is set right here.
 void SecondOrderSolver::scale_jacobian(double scale) {
-  const Pattern& p = pattern();
   const int n = sizes_.ode2, first_ae = sizes_.first_ae(), size = sizes_.total();
-  const double inverse = 1 / scale;
-  for (int j = 0; j < size; ++j) {
-    const auto [begin, middle, end] = column_range(p, j, n);
-    if (j < first_ae) {
-      for (std::size_t k = begin; k < middle; ++k) jacobian_[k] *= scale;
+  const auto multiply = [this](std::size_t begin, std::size_t end, double factor) {
+    for (std::size_t k = begin; k < end; ++k) jacobian_[k] *= factor;
+  };
+  for (int j = 0; j < first_ae && n < first_ae; ++j) {
+    const auto [begin, middle, end] = column_range(pattern(), j, n);
+    if (j < n) {
+      multiply(middle, column_range(pattern(), j, first_ae).middle, 1 / scale);
     } else {
-      for (std::size_t k = middle; k < end; ++k) jacobian_[k] *= inverse;
+      multiply(begin, middle, scale);
     }
+  }
+  for (int j = first_ae; j < size; ++j) {
+    const auto [begin, middle, end] = column_range(pattern(), j, n);
+    multiply(middle, end, 1 / scale);
   }
 }
 

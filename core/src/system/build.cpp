@@ -113,9 +113,22 @@ class Builder {
         place.physics->values(item.record.get(), values);
         reference_.insert(reference_.end(), values.reference.begin(), values.reference.end());
       }
+      place.rotation = place_rotation(place);
       if (place.physics->lie_rotation() >= 0) parts_.lie_blocks.push_back({place.ode2 + place.physics->lie_rotation()});
       parts_.nodes.push_back(std::move(place));
     }
+  }
+
+  int place_rotation(const NodePlace& node) {
+    auto [batch, is_new] = rotations_.try_emplace(node.type, nullptr);
+    if (is_new) {
+      if (auto made = node.physics->make_rotations(); made != nullptr)
+        batch->second = parts_.rotation_batches.emplace_back(std::move(made)).get();
+    }
+    if (batch->second == nullptr) return -1;
+    std::vector<int> dofs;
+    append_range(dofs, node.ode2, node.sizes.ode2);
+    return batch->second->add(dofs, parts_.ports);
   }
 
   // An object's nodes and markers, before its markers' coordinates are known.
@@ -144,6 +157,7 @@ class Builder {
     p.nodes = nodes;
     p.ae_offset = sizes_total_before_ae();
     p.ode1_offset = parts_.sizes.ode2;
+    if (nodes.size() == 1) p.rotation = parts_.nodes[nodes.front()].rotation;
     for (const int n : nodes) {
       const NodePlace& node = parts_.nodes[n];
       append_range(p.dofs, node.ode2, node.sizes.ode2);
@@ -190,7 +204,7 @@ class Builder {
     }
     MarkerBatch& batch = *place.member.batch;
     place.member.entry = entries_[&batch]++;
-    parts_.ports.append(batch.value_count(record, p), batch.force_count(record, p), p.dofs);
+    parts_.ports.append(batch.value_count(record, p), batch.force_count(record, p), p.dofs, batch.translations());
     enter(batch, record, p, has_coordinates(p));
     parts_.markers.push_back(std::move(place));
   }
@@ -335,6 +349,7 @@ class Builder {
   const Model& model_;
   std::map<Key, MarkerBatch*> marker_batches_;
   std::map<Key, Term*> terms_;
+  std::map<const ItemType*, RotationBatch*> rotations_;
   std::map<const Batch*, int> entries_;
   std::set<const Batch*> acting_, differentiated_;
   std::vector<int> first_ae_;

@@ -159,28 +159,26 @@ class ConstraintBatch final : public Term {
     }
   }
 
+  using Tangent = JointTangent<typename Frames<double>::value_type>;
+
   static bool in_closed_form(const Entry& e, const Ports& ports) {
     if constexpr (requires { K::tabulated(e.parameters); })
       if (!K::tabulated(e.parameters)) return false;
     if constexpr (requires { e.parameters.velocityLevel; })
       if (e.parameters.velocityLevel) return false;
-    return JointTangent::fits(ports, e.markers);
+    return Tangent::fits(ports, e.markers);
   }
   // Slots: gaps by coordinates, multipliers transposed, coordinates by coordinates.
   static void closed_form(const Entry& e, const Evaluation& evaluation, const Weights& weights, const Ports& ports, const int* slots,
                           double* values) {
-    JointTangent tangent(ports, e.markers, read(ports, e));
-    const int total = Columns<2>(ports, e.markers).total;
+    const Frames<double> frames = read(ports, e);
+    Tangent tangent(ports, e.markers, frames);
+    const int total = tangent.total();
     const auto table = K::table(e.parameters);
     const double* lambda = evaluation.lambda + e.first_ae;
-    std::array<double, 2 * JointTangent::most> row;
-    for (int k = 0; k < m; ++k) {
-      if (!constrains(e.parameters, k)) continue;
-      tangent.add(table[static_cast<std::size_t>(k)], lambda[k], row.data());
-      for (int j = 0; j < total; ++j) values[slots[k * total + j]] += row[j] / weights.q;
-      tangent.multiplier_column(table[static_cast<std::size_t>(k)], row.data());
-      for (int j = 0; j < total; ++j) values[slots[(m + k) * total + j]] += row[j];
-    }
+    for (int k = 0; k < m; ++k)
+      if (constrains(e.parameters, k))
+        tangent.add(table[static_cast<std::size_t>(k)], lambda[k], 1 / weights.q, slots + k * total, slots + (m + k) * total, values);
     tangent.add_forces(slots + 2 * m * total, values);
   }
 

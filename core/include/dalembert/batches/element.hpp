@@ -19,6 +19,7 @@ class ElementBatch final : public Term {
     Entry entry;
     take_parameters<E, Record>(entry.parameters, record, placement);
     entry.item = placement.item;
+    entry.rotation = placement.rotation;
     for (int i = 0; i < n; ++i) {
       entry.dofs[i] = placement.dofs[i];
       entry.reference[i] = placement.reference[i];
@@ -45,11 +46,11 @@ class ElementBatch final : public Term {
         for (int i = 0; i < n; ++i) r[e.dofs[i]] += f[i];
       }
   }
-  void tangent(const Evaluation& evaluation, const Weights& weights, Ports&, double* values) const override {
-    sweep(evaluation, weights, values);
+  void tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports, double* values) const override {
+    sweep(evaluation, weights, ports.rotations, values);
   }
   void mass(const Evaluation& evaluation, Ports&, double* values) const override {
-    sweep(evaluation, {.q = 0, .v = 0, .a = 1, .y = 0, .y_t = 0}, values);
+    sweep(evaluation, {.q = 0, .v = 0, .a = 1, .y = 0, .y_t = 0}, {}, values);
   }
   bool has_mass() const override { return n > 0; }
   bool constant_mass() const override { return E::constant_mass; }
@@ -73,6 +74,7 @@ class ElementBatch final : public Term {
   struct Entry {
     typename E::Parameters parameters;
     int item = -1;
+    int rotation = -1;  // place in Ports::rotations
     std::array<int, n> dofs{};
     Vec<double, n> reference{};
     [[no_unique_address]] typename PreparedOf<E>::Type constants;
@@ -80,12 +82,17 @@ class ElementBatch final : public Term {
 
   static Context context(const Evaluation& evaluation, const Entry& e) { return Context::of(evaluation, e.item); }
 
-  void sweep(const Evaluation& evaluation, const Weights& weights, double* values) const {
+  // `rotations`: those of the ports, if they were found along the same weights.
+  void sweep(const Evaluation& evaluation, const Weights& weights, const std::vector<double>& rotations, double* values) const {
     if constexpr (n > 0) {
       SlotCursor slot(slots.data(), values);
       for (const Entry& e : entries_) {
         const auto x = gather<n>(evaluation, e.dofs.data());
-        if constexpr (TangentKernel<E>) {
+        if constexpr (TurningBody<E>) {
+          const SharedRotation<typename E::Turning> rotation(rotations, rotations.empty() ? -1 : e.rotation, x, weights);
+          const auto k = inertia_tangent<typename E::Kernel, typename E::Turning>(e.parameters, x, *rotation, weights);
+          for (const double entry : k.x) slot.add(entry);
+        } else if constexpr (TangentKernel<E>) {
           const auto k = E::tangent(e.parameters, e.constants, context(evaluation, e), x, weights);
           for (const double entry : k.x) slot.add(entry);
         } else {

@@ -11,10 +11,6 @@
 
 namespace dalembert {
 
-// An element on a node that states its rotation's derivatives (contracts/rotating_node.hpp).
-template <class E>
-concept TurningElement = requires { requires !std::is_void_v<typename E::Turning>; };
-
 // How a frame shape reads a motion, and what generalised force its conjugate makes. On a turning element that is `scale`
 // times a force at `point`, and a moment.
 template <class E>
@@ -73,6 +69,10 @@ class FrameMarkerBatch final : public MarkerBatch {
 
   int value_count(const void*, const Placement&) const override { return Shape::values; }
   int force_count(const void*, const Placement&) const override { return Shape::forces; }
+  int translations() const override {
+    if constexpr (requires { E::translations; }) return E::translations;
+    return 0;
+  }
 
   // The record of a frame marker is its local position alone; the body's record comes with the placement.
   void add(const void* local, const Placement& placement, const Ports& ports) override {
@@ -81,6 +81,7 @@ class FrameMarkerBatch final : public MarkerBatch {
     if constexpr (!std::is_empty_v<typename E::Parameters>)
       take_parameters<E, OwnerRecord>(e.parameters, placement.owner, placement);
     e.marker = placement.item;
+    e.rotation = placement.rotation;
     e.port = ports.offsets(placement.item);
     for (int i = 0; i < n; ++i) e.dofs[i] = placement.dofs[i];
     entries_.push_back(std::move(e));
@@ -109,11 +110,11 @@ class FrameMarkerBatch final : public MarkerBatch {
         const auto x = gather<n>(evaluation, e.dofs.data());
         if constexpr (closed_form) {
           using Node = typename E::Turning;
-          const auto rotation = Node::rotation_tangent(x, weights);
+          const SharedRotation<Node> rotation(ports.rotations, e.rotation, x, weights);
           const Vec3<double>& point = Shape::point(e.parameters, e.local);
           if constexpr (Shape::values > 0)
-            store(frame_tangent<Shape::values, Node>(rotation, point, weights), ports.derivative(e.marker));
-          store(Shape::scale(e.parameters) * force_map<Shape::forces, Node>(rotation, point), ports.jacobian(e.marker));
+            write_frame_tangent<Shape::values, Node>(*rotation, point, weights, ports.derivative(e.marker));
+          write_force_map<Shape::forces, Node>(*rotation, point, Shape::scale(e.parameters), ports.jacobian(e.marker));
         } else {
           sweep(e, x, weights, ports);
         }
@@ -135,7 +136,8 @@ class FrameMarkerBatch final : public MarkerBatch {
         const auto x = gather<n>(evaluation, e.dofs.data());
         const double* force = ports.force(e.marker);
         if constexpr (closed_form) {
-          const auto k = turning_geometric(e, x, weights, force);
+          const SharedRotation<typename E::Turning> rotation(ports.rotations, e.rotation, x, weights);
+          const auto k = turning_geometric(e, x, *rotation, weights, force);
           slot.skip(3 * n);
           for (int i = 0; i < n - 3; ++i) {
             slot.skip(3);
@@ -163,6 +165,7 @@ class FrameMarkerBatch final : public MarkerBatch {
     [[no_unique_address]] typename E::Parameters parameters;
     Vec3<double> local;
     int marker = -1;
+    int rotation = -1;  // place in Ports::rotations
     PortOffsets port;
     std::array<int, n> dofs{};
   };
@@ -176,10 +179,6 @@ class FrameMarkerBatch final : public MarkerBatch {
     else return false;
   }();
 
-  template <int Rows>
-  static void store(const Mat<double, Rows, n>& m, double* to) {
-    std::copy(m.x.begin(), m.x.end(), to);
-  }
   static void sweep(const Entry& e, const Coordinates<double, n>& x, const Weights& weights, Ports& ports) {
     if constexpr (Shape::values > 0) {
       const auto frame = Shape::frame(E::template motion<Dual<n>>(e.parameters, seeded<E>(x, weights), e.local));
@@ -195,12 +194,13 @@ class FrameMarkerBatch final : public MarkerBatch {
       jacobian = std::copy(q.x.begin(), q.x.end(), jacobian);
     }
   }
-  static auto turning_geometric(const Entry& e, const Coordinates<double, n>& x, const Weights& weights, const double* f) {
+  static auto turning_geometric(const Entry& e, const Coordinates<double, n>& x, const auto& rotation, const Weights& weights,
+                                const double* f) {
     using Node = typename E::Turning;
     const Vec3<double> force = Shape::scale(e.parameters) * Vec3<double>{f[0], f[1], f[2]};
     Vec3<double> moment;
     if constexpr (Shape::forces == 6) moment = {f[3], f[4], f[5]};
-    return force_map_tangent<Node>(x, Node::rotation_tangent(x, weights), Shape::point(e.parameters, e.local), force, moment, weights);
+    return force_map_tangent<Node>(x, rotation, Shape::point(e.parameters, e.local), force, moment, weights);
   }
 
   std::vector<Entry> entries_;

@@ -1,7 +1,9 @@
 // Derivatives of tabulated joint equations by the coordinates of both markers, in closed form.
+//
+// The coordinates that come first displace a frame along the axes, up to four more turn it (PortLayout): blocks of zeros
+// are neither computed nor written.
 #pragma once
 
-#include <algorithm>
 #include <array>
 
 #include "dalembert/contracts/joint_equations.hpp"
@@ -9,123 +11,152 @@
 
 namespace dalembert {
 
+template <class Frame>
 class JointTangent {
  public:
-  static constexpr int most = 7;  // coordinates per marker; beyond, the general sweep is as good
-
-  JointTangent(const Ports& ports, const std::array<int, 2>& markers, const std::array<RigidFrame<double>, 2>& frames)
+  JointTangent(const Ports& ports, const std::array<int, 2>& markers, const std::array<Frame, 2>& frames)
       : frames_(frames), span_(frames[1].position - frames[0].position) {
-    for (int i = 0; i < 2; ++i) {
-      n_[i] = ports.ports[markers[i]].n;
-      derivative_[i] = ports.derivative(markers[i]);
-      jacobian_[i] = ports.jacobian(markers[i]);
-    }
+    for (int i = 0; i < 2; ++i) sides_[i] = Side(ports, markers[i]);
+    total_ = sides_[0].n + sides_[1].n;
   }
   static bool fits(const Ports& ports, const std::array<int, 2>& markers) {
-    return ports.ports[markers[0]].n <= most && ports.ports[markers[1]].n <= most;
+    for (const int marker : markers)
+      if (ports.ports[marker].n - ports.ports[marker].translations > most_turns) return false;
+    return true;
   }
+  int total() const { return total_; }
 
-  // The gap's derivative: to[0 .. n0 + n1). Along the way, the reaction of `multiplier` is varied as well.
-  void add(const JointEquation& e, double multiplier, double* to) {
-    using enum JointEquation::Kind;
-    if (e.kind == product) return add_product(e, multiplier, to);
-    const Vec3<double> axis = e.kind == along ? frames_[0].rotation * e.first : e.first;
-    row(0, axis, -1, to);
-    row(1, axis, 1, to + n_[0]);
-    if (e.kind == along) add_turning_axis(e, axis, multiplier, to);
-  }
-  // Generalised force of a unit multiplier: to[0 .. n0 + n1).
-  void multiplier_column(const JointEquation& e, double* to) const {
-    std::array<Wrench<double>, 2> unit{};
-    add_joint_reaction(e, frames_[0], frames_[1], 1.0, unit);
-    const bool has_force = e.kind != JointEquation::Kind::product, has_moment = e.kind != JointEquation::Kind::displacement;
-    for (int i = 0; i < 2; ++i, to += n_[0]) {
-      std::fill(to, to + n_[i], 0.0);
-      if (has_force) add_pulled_back(i, 0, unit[i].force, to);
-      if (has_moment) add_pulled_back(i, 3, unit[i].moment, to);
+  // Adds one equation: the gap's derivative times `scale` by gap_slots, the generalised force of a unit multiplier by
+  // multiplier_slots. The reaction of `multiplier` is varied along the way.
+  void add(const JointEquation& e, double multiplier, double scale, const int* gap_slots, const int* multiplier_slots, double* values) {
+    if (e.kind == JointEquation::Kind::displacement) {
+      add_displacement(e.first, scale, gap_slots, multiplier_slots, values);
+    } else if constexpr (requires(Frame f) { f.rotation; }) {
+      if (e.kind == JointEquation::Kind::product) {
+        add_product(e, multiplier, scale, gap_slots, multiplier_slots, values);
+      } else {
+        const Vec3<double> axis = frames_[0].rotation * e.first;
+        add_displacement(axis, scale, gap_slots, multiplier_slots, values);
+        add_turning_axis(e.first, axis, multiplier, scale, gap_slots, multiplier_slots, values);
+      }
     }
   }
-  // Adds the derivative of J^T reaction, J held fixed, to values[slots[row * (n0 + n1) + column]].
+  // Adds the derivative of J^T reaction, J held fixed, to values[slots[row * total + column]].
   void add_forces(const int* slots, double* values) const {
-    const int total = n_[0] + n_[1];
-    for (int i = 0; i < 2; ++i) {
-      const double sign = i == 0 ? 1 : -1;
-      for (int j = 0; j < n_[i]; ++j, slots += total) {
-        Row row{};
-        for (int k = 0; k < 3; ++k) {
-          const double weight = jacobian_[i][(3 + k) * n_[i] + j];
-          add(sign * weight, moment_[k], row);
+    if constexpr (requires(Frame f) { f.rotation; }) {
+      for (int i = 0; i < 2; ++i) {
+        const Side& side = sides_[i];
+        const double sign = i == 0 ? 1 : -1;
+        const Moving moments = side.jacobian_of_turns(3), forces = side.jacobian_of_turns(0);
+        for (int j = 0; j < side.turns(); ++j) {
+          const Vec3<double> weight{sign * moments[0][j], sign * moments[1][j], sign * moments[2][j]};
+          const int* row = slots + (first_column(i) + side.t + j) * total_;
+          for (int l = 0; l < 2; ++l) add_turns(l, 1, dot(weight, moment_[l]), row, values);
           if (!turns_) continue;
-          if (i == 0) add(-weight, lever_[k], row);
-          add(-sign * jacobian_[i][k * n_[i] + j], force_[k], row);
+          add_turns(0, -1, dot(Vec3<double>{sign * forces[0][j], sign * forces[1][j], sign * forces[2][j]}, force_), row, values);
+          if (i == 0) add_lever(weight, row, values);
         }
-        for (int c = 0; c < total; ++c) values[slots[c]] += row[c];
+        if (turns_)
+          for (int j = 0; j < side.t; ++j) add_turns(0, -sign, force_[j], slots + (first_column(i) + j) * total_, values);
       }
     }
   }
 
  private:
-  using Row = std::array<double, 2 * most + 2>;  // columns of both markers, and as many as fill the registers
+  static constexpr int most_turns = 4;
+  using Turns = Vec<double, most_turns>;  // by the coordinates that turn one frame; beyond their number, anything
+  using Moving = Vec3<Turns>;             // the derivative of a vector
 
-  static void add(double weight, const Row& row, Row& to) {
-    for (std::size_t c = 0; c < row.size(); ++c) to[c] += weight * row[c];
-  }
-  static void put(const Vec3<double>& v, std::array<Row, 3>& to, int c) {
-    for (int k = 0; k < 3; ++k) to[k][c] += v[k];
-  }
+  struct Side {
+    int n = 0, t = 0;  // coordinates, and how many of them translate
+    double weight = 0;  // of a translation
+    const double* derivative = nullptr;
+    const double* jacobian = nullptr;
 
-  double position(int marker, int i, int c) const { return derivative_[marker][i * n_[marker] + c]; }
-  Vec3<double> moved(int marker, int c) const { return {position(marker, 0, c), position(marker, 1, c), position(marker, 2, c)}; }
-  // How an axis of the frame turns with column c; the rotation's rows follow position and velocity.
-  Vec3<double> turned(int marker, const Vec3<double>& axis, int c) const {
-    const double* d = derivative_[marker] + 6 * n_[marker] + c;
-    const int n = n_[marker];
-    Vec3<double> r;
-    for (int i = 0; i < 3; ++i)
-      r[i] = d[3 * i * n] * axis[0] + d[(3 * i + 1) * n] * axis[1] + d[(3 * i + 2) * n] * axis[2];
-    return r;
+    Side() = default;
+    Side(const Ports& ports, int marker)
+        : n(ports.ports[marker].n), t(ports.ports[marker].translations), derivative(ports.derivative(marker)), jacobian(ports.jacobian(marker)) {
+      if (t > 0) weight = derivative[0];
+    }
+    int turns() const { return n - t; }
+    Moving moved() const { return rows(derivative, 0); }
+    Moving jacobian_of_turns(int row) const { return rows(jacobian, row); }
+    // How an axis of the frame turns; the rotation's rows follow position and velocity.
+    Moving turned(const Vec3<double>& axis) const {
+      Moving d;
+      for (int i = 0; i < 3; ++i) d[i] = dot(axis, rows(derivative, 6 + 3 * i));
+      return d;
+    }
+
+   private:
+    Moving rows(const double* of, int row) const {
+      if (n == t) return {};
+      Moving m;
+      for (int i = 0; i < 3; ++i) m[i] = load<double, most_turns>(of + (row + i) * n + t);
+      return m;
+    }
+  };
+
+  int first_column(int side) const { return side == 0 ? 0 : sides_[0].n; }
+  void add_turns(int side, double factor, const Turns& x, const int* slots, double* values) const {
+    slots += first_column(side) + sides_[side].t;
+    for (int c = 0; c < sides_[side].turns(); ++c) values[slots[c]] += factor * x[c];
   }
-  void row(int marker, const Vec3<double>& axis, double sign, double* to) const {
-    for (int c = 0; c < n_[marker]; ++c)
-      to[c] = sign * (axis[0] * position(marker, 0, c) + axis[1] * position(marker, 1, c) + axis[2] * position(marker, 2, c));
-  }
-  void add_pulled_back(int i, int first, const Vec3<double>& f, double* to) const {
-    for (int k = 0; k < 3; ++k) {
-      const double* jacobian = jacobian_[i] + (first + k) * n_[i];
-      for (int j = 0; j < n_[i]; ++j) to[j] += jacobian[j] * f[k];
+  void add_displacement(const Vec3<double>& axis, double scale, const int* gap_slots, const int* multiplier_slots, double* values) const {
+    for (int i = 0; i < 2; ++i) {
+      const Side& side = sides_[i];
+      const double sign = i == 0 ? -1 : 1;
+      for (int c = 0; c < side.t; ++c) {
+        values[gap_slots[first_column(i) + c]] += sign * scale * side.weight * axis[c];
+        values[multiplier_slots[first_column(i) + c]] += sign * axis[c];
+      }
+      add_turns(i, sign * scale, dot(axis, side.moved()), gap_slots, values);
+      add_turns(i, sign, dot(axis, side.jacobian_of_turns(0)), multiplier_slots, values);
     }
   }
-  void add_product(const JointEquation& e, double multiplier, double* to) {
-    const Vec3<double> a = frames_[0].rotation * e.first, b = frames_[1].rotation * e.second;
-    for (int c = 0; c < n_[0]; ++c) {
-      const Vec3<double> d = turned(0, e.first, c);
-      to[c] = dot(d, b);
-      put(multiplier * cross(d, b), moment_, c);
-    }
-    for (int c = 0; c < n_[1]; ++c) {
-      const Vec3<double> d = turned(1, e.second, c);
-      to[n_[0] + c] = dot(a, d);
-      put(multiplier * cross(a, d), moment_, n_[0] + c);
-    }
+  void add_product(const JointEquation& e, double multiplier, double scale, const int* gap_slots, const int* multiplier_slots, double* values) {
+    const Vec3<double> a = frames_[0].rotation * e.first, b = frames_[1].rotation * e.second, moment = cross(a, b);
+    const Moving da = sides_[0].turned(e.first), db = sides_[1].turned(e.second);
+    add_turns(0, scale, dot(b, da), gap_slots, values);
+    add_turns(1, scale, dot(a, db), gap_slots, values);
+    add_turns(0, 1, dot(moment, sides_[0].jacobian_of_turns(3)), multiplier_slots, values);
+    add_turns(1, -1, dot(moment, sides_[1].jacobian_of_turns(3)), multiplier_slots, values);
+    moment_[0] -= multiplier * cross(b, da);
+    moment_[1] += multiplier * cross(a, db);
   }
-  void add_turning_axis(const JointEquation& e, const Vec3<double>& axis, double multiplier, double* to) {
+  // What an axis that turns with the first frame adds to a displacement along it.
+  void add_turning_axis(const Vec3<double>& local, const Vec3<double>& axis, double multiplier, double scale, const int* gap_slots,
+                        const int* multiplier_slots, double* values) {
     turns_ = true;
-    for (int c = 0; c < n_[0]; ++c) {
-      const Vec3<double> d = turned(0, e.first, c);
-      to[c] += dot(d, span_);
-      put(multiplier * d, force_, c);
-      put(multiplier * (cross(span_, d) - cross(moved(0, c), axis)), lever_, c);
+    const Moving turned = sides_[0].turned(local);
+    add_turns(0, scale, dot(span_, turned), gap_slots, values);
+    add_turns(0, -1, dot(cross(span_, axis), sides_[0].jacobian_of_turns(3)), multiplier_slots, values);
+    force_ += multiplier * turned;
+    lever_[0] += multiplier * cross(span_, turned);
+    lever_[0] += multiplier * cross(axis, sides_[0].moved());
+    lever_[1] -= multiplier * cross(axis, sides_[1].moved());
+    axis_ += multiplier * axis;
+  }
+  // The moment on the first frame of forces that pass through the second point.
+  void add_lever(const Vec3<double>& weight, const int* row, double* values) const {
+    const Vec3<double> translation = cross(weight, axis_);
+    for (int l = 0; l < 2; ++l) {
+      const double sign = l == 0 ? -1 : 1;
+      for (int c = 0; c < sides_[l].t; ++c) values[row[first_column(l) + c]] += sign * sides_[l].weight * translation[c];
+      add_turns(l, -1, dot(weight, lever_[l]), row, values);
     }
-    for (int c = 0; c < n_[1]; ++c) put(multiplier * cross(moved(1, c), axis), lever_, n_[0] + c);
   }
 
-  std::array<RigidFrame<double>, 2> frames_;
+  const std::array<Frame, 2>& frames_;
   Vec3<double> span_;
-  std::array<int, 2> n_{};
-  std::array<const double*, 2> derivative_{}, jacobian_{};
-  // How the reaction varies: the moment on the first frame (its opposite acts on the second), and, of displacements along
-  // axes that turn, the force on the second frame (its opposite acts on the first) and the moment on the first alone.
-  std::array<Row, 3> moment_{}, force_{}, lever_{};
+  std::array<Side, 2> sides_;
+  int total_ = 0;
+  // How the reaction varies with the turns of either frame: the moment on the first frame (its opposite acts on the second)
+  // and, of displacements along axes that turn, the force on the second frame (its opposite acts on the first) and the
+  // moment on the first alone, which translations vary by the force itself.
+  std::array<Moving, 2> moment_{}, lever_{};
+  Moving force_{};
+  Vec3<double> axis_{};
   bool turns_ = false;
 };
 

@@ -8,74 +8,84 @@
 
 namespace dalembert {
 
-// The equations that a node imposes on its own coordinates, e.g. unit length of Euler parameters.
+// The condition of a node on its own coordinates: those from Node::unit_from on are a vector x of length one, x x - 1 = 0.
 template <class Node>
-class NodeConditionBatch final : public Term {
+class UnitLengthBatch final : public Term {
  public:
-  static constexpr int n = Node::size, m = Node::equations;
+  static constexpr int n = Node::size - Node::unit_from;
 
   void add(const void*, const Placement& placement, const Ports&) override {
     Entry e;
-    for (int i = 0; i < n; ++i) e.dofs[i] = placement.dofs[i];
-    for (int k = 0; k < m; ++k) e.rows[k] = placement.ae_offset + placement.first_ae + k;
+    for (int i = 0; i < n; ++i) e.dofs[i] = placement.dofs[Node::unit_from + i];
+    e.row = placement.ae_offset + placement.first_ae;
     e.first_ae = placement.first_ae;
     entries_.push_back(e);
   }
   void refresh(int, const void*) override {}
   void visit(BlockVisitor& visitor, const Ports&) const override {
     for (const Entry& e : entries_) {
-      visitor.block(e.rows, e.dofs);
-      visitor.block(e.dofs, e.rows);
-      visitor.block(e.dofs, e.dofs);
+      visitor.block({&e.row, 1}, e.dofs);
+      visitor.mirror({&e.row, 1}, e.dofs);
+      for (const int dof : e.dofs) visitor.entry(dof, dof);
     }
   }
   void residual(const Evaluation& evaluation, Ports&, double* r) const override {
     for (const Entry& e : entries_) {
-      const auto x = gather<n>(evaluation, e.dofs.data());
-      const auto gap = Node::template gap<double>(x.q);
-      const auto jacobian = Node::template gap_jacobian<double>(x.q);
-      const double* lambda = evaluation.lambda + e.first_ae;
-      for (int k = 0; k < m; ++k) {
-        double rate = 0;
-        for (int j = 0; j < n; ++j) {
-          rate += jacobian(k, j) * x.v[j];
-          r[e.dofs[j]] += jacobian(k, j) * lambda[k];
-        }
-        r[e.rows[k]] += evaluation.rate_level ? rate : gap[k];
+      double length = 0, rate = 0;
+      for (const int dof : e.dofs) {
+        const double x = evaluation.q[dof];
+        length += x * x;
+        rate += 2 * x * evaluation.v[dof];
+        r[dof] += 2 * x * evaluation.lambda[e.first_ae];
       }
+      r[e.row] += evaluation.rate_level ? rate : length - 1.0;
     }
   }
   void tangent(const Evaluation& evaluation, const Weights& weights, Ports&, double* values) const override {
     SlotCursor slot(slots.data(), values);
     const double row_scale = 1 / (weights.q != 0 ? weights.q : weights.v);
     for (const Entry& e : entries_) {
-      const auto x = gather<n>(evaluation, e.dofs.data());
-      const auto jacobian = Node::template gap_jacobian<double>(x.q);
-      const auto moving = Node::template gap_jacobian<Dual<n>>(seeded<Node>(x, weights).q);
-      const double* lambda = evaluation.lambda + e.first_ae;
-      for (int k = 0; k < m; ++k)
-        for (int j = 0; j < n; ++j) {
-          double entry = jacobian(k, j) * (evaluation.rate_level ? weights.v : weights.q);
-          if (evaluation.rate_level)
-            for (int i = 0; i < n; ++i) entry += moving(k, i).d[j] * x.v[i];
-          slot.add(entry * row_scale);
-        }
-      for (int j = 0; j < n; ++j)
-        for (int k = 0; k < m; ++k) slot.add(jacobian(k, j));
-      for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j) {
-          double entry = 0;
-          for (int k = 0; k < m; ++k) entry += moving(k, i).d[j] * lambda[k];
-          slot.add(entry);
-        }
+      for (const int dof : e.dofs) {
+        const double x = evaluation.q[dof], rate = evaluation.v[dof];
+        slot.add(2 * row_scale * (evaluation.rate_level ? weights.v * x + weights.q * rate : weights.q * x));
+      }
+      for (const int dof : e.dofs) slot.add(2 * evaluation.q[dof]);
+      for (int i = 0; i < n; ++i) slot.add(2 * weights.q * evaluation.lambda[e.first_ae]);
     }
   }
 
  private:
   struct Entry {
     std::array<int, n> dofs{};
-    std::array<int, m> rows{};
+    int row = 0;
     int first_ae = 0;
+  };
+  std::vector<Entry> entries_;
+};
+
+template <RotatingNode Node>
+class NodeRotationBatch final : public RotationBatch {
+ public:
+  using Tangent = RotationTangent<Node::size - 3>;
+
+  int add(std::span<const int> dofs, Ports& ports) override {
+    Entry e{static_cast<int>(ports.rotations.size()), {}};
+    std::copy_n(dofs.begin(), Node::size, e.dofs.begin());
+    entries_.push_back(e);
+    ports.rotations.resize(ports.rotations.size() + sizeof(Tangent) / sizeof(double));
+    return e.place;
+  }
+  void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const override {
+    for (const Entry& e : entries_) {
+      Tangent& to = *reinterpret_cast<Tangent*>(ports.rotations.data() + e.place);
+      to = Node::rotation_tangent(gather<Node::size>(evaluation, e.dofs.data()), weights);
+    }
+  }
+
+ private:
+  struct Entry {
+    int place = 0;
+    std::array<int, Node::size> dofs{};
   };
   std::vector<Entry> entries_;
 };
@@ -116,7 +126,11 @@ struct MovingNodePhysics final : NodePhysics {
   }
   int translations() const override { return Node::translations; }
   std::unique_ptr<Term> make_condition() const override {
-    if constexpr (equations() > 0) return std::make_unique<NodeConditionBatch<Node>>();
+    if constexpr (equations() > 0) return std::make_unique<UnitLengthBatch<Node>>();
+    return nullptr;
+  }
+  std::unique_ptr<RotationBatch> make_rotations() const override {
+    if constexpr (RotatingNode<Node>) return std::make_unique<NodeRotationBatch<Node>>();
     return nullptr;
   }
   std::unique_ptr<MarkerBatch> make_marker(FrameShape shape) const override {
@@ -145,8 +159,7 @@ struct MovingNodePhysics final : NodePhysics {
     return r;
   }
   static constexpr int equations() {
-    if constexpr (requires { Node::equations; }) return Node::equations;
-    return 0;
+    return requires { Node::unit_from; } ? 1 : 0;
   }
 };
 

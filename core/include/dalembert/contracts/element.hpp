@@ -85,6 +85,12 @@ concept TangentKernel = requires(const typename E::Parameters& p, const typename
   { E::tangent(p, constants, c, x, w) } -> std::same_as<Mat<double, E::size, E::size>>;
 };
 
+// An element on a node that states its rotation's derivatives (contracts/rotating_node.hpp).
+template <class E>
+concept TurningElement = requires { requires !std::is_void_v<typename E::Turning>; };
+template <class E>
+concept TurningBody = TurningElement<E> && SpinBody<typename E::Kernel>;
+
 // A residual that is a constant mass matrix times accelerations, and nothing without them.
 template <class E>
 concept PureInertia = requires { requires E::pure_inertia; };
@@ -139,6 +145,7 @@ struct OnNode {
   using Turning = std::conditional_t<RotatingNode<Node>, Node, void>;  // whose closed forms markers may use
   using Parameters = typename Body::Parameters;
   static constexpr int size = Node::size;
+  static constexpr int translations = Node::translations;
   static constexpr bool constant_mass = Body::constant_mass && Node::constant_jacobian;
   static constexpr bool pure_inertia = PureInertia<Body> && Node::constant_jacobian;
   static constexpr int lie_rotation = [] {
@@ -155,12 +162,6 @@ struct OnNode {
       const auto w = Body::template residual<S>(p, c, Node::template motion<S>(x));
       return Node::template pull_back<S>(x, w.force, w.moment);
     }
-  }
-  static Mat<double, size, size> tangent(const Parameters& p, const NothingPrepared&, const Context&,
-                                         const Coordinates<double, size>& x, const Weights& w)
-    requires SpinBody<Body> && RotatingNode<Node>
-  {
-    return inertia_tangent<Body, Node>(p, x, w);
   }
   template <class S>
   static Motion<S> motion(const Parameters&, const Coordinates<S, size>& x, const Vec3<double>& local) {
@@ -236,6 +237,7 @@ struct AtNode {
   struct Parameters {};
   using Turning = std::conditional_t<RotatingNode<Node>, Node, void>;
   static constexpr int size = Node::size;
+  static constexpr int translations = Node::translations;
   static constexpr bool constant_jacobian = Node::constant_jacobian;
   static constexpr int lie_rotation = OnNode<AtNode, Node>::lie_rotation;
 

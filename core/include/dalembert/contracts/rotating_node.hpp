@@ -6,7 +6,9 @@
 
 #include <array>
 #include <concepts>
+#include <optional>
 #include <type_traits>
+#include <vector>
 
 #include "dalembert/frames.hpp"
 #include "dalembert/math/fixed.hpp"
@@ -60,6 +62,22 @@ struct InertiaTangent {
   Mat3<double> moment_by_spin{}, moment_by_spin_rate{}, moment_by_acceleration{};  // the acceleration in own axes
 };
 
+// The derivatives of a node's rotation that were found for all that is on it, at `place` of the store; without a place: own.
+template <class Node>
+class SharedRotation {
+ public:
+  using Tangent = RotationTangent<Node::size - 3>;
+  SharedRotation(const std::vector<double>& store, int place, const Coordinates<double, Node::size>& x, const Weights& w) {
+    if (place < 0) own_ = Node::rotation_tangent(x, w);
+    tangent_ = place < 0 ? &*own_ : reinterpret_cast<const Tangent*>(store.data() + place);
+  }
+  const Tangent& operator*() const { return *tangent_; }
+
+ private:
+  std::optional<Tangent> own_;
+  const Tangent* tangent_;
+};
+
 template <class B>
 concept SpinBody = requires(const typename B::Parameters& p, const SpinMotion<double>& m) {
   { B::template inertia<double>(p, m) } -> std::same_as<SpinWrench<double>>;
@@ -71,9 +89,8 @@ concept SpinBody = requires(const typename B::Parameters& p, const SpinMotion<do
 // ---- what follows for bodies ---------------------------------------------------------------------------------------
 template <SpinBody Body, RotatingNode Node>
 Mat<double, Node::size, Node::size> inertia_tangent(const typename Body::Parameters& p, const Coordinates<double, Node::size>& x,
-                                                    const Weights& w) {
+                                                    const RotationTangent<Node::size - 3>& t, const Weights& w) {
   constexpr int n = Node::size, r = n - 3;
-  const RotationTangent<r> t = Node::rotation_tangent(x, w);
   const SpinMotion<double> motion = Node::template spin_motion<double>(x);
   const InertiaTangent b = Body::inertia_tangent(p, motion);
   Mat<double, n, n> k;
@@ -107,41 +124,39 @@ Mat<double, Node::size, Node::size> inertia_tangent(const typename Body::Paramet
 
 // ---- what follows for markers at a point, `local` in own axes -------------------------------------------------------
 // Rows: position, velocity and, of 18 Values, the rotation row by row and the angular velocity, all in global axes.
+// Writes what can differ from zero of a matrix row by row.
 template <int Values, RotatingNode Node>
-Mat<double, Values, Node::size> frame_tangent(const RotationTangent<Node::size - 3>& t, const Vec3<double>& local, const Weights& w) {
-  Mat<double, Values, Node::size> d;
+void write_frame_tangent(const RotationTangent<Node::size - 3>& t, const Vec3<double>& local, const Weights& w, double* d) {
+  constexpr int n = Node::size;
+  const auto put = [&](int row, int j, const Vec3<double>& v) {
+    for (int i = 0; i < 3; ++i) d[(row + i) * n + 3 + j] = v[i];
+  };
   const Vec3<double> swing = cross(t.spin, local);
   for (int i = 0; i < 3; ++i) {
-    d(i, i) = w.q;
-    d(3 + i, i) = w.v;
+    d[i * n + i] = w.q;
+    d[(3 + i) * n + i] = w.v;
   }
-  for (int j = 0; j < Node::size - 3; ++j) {
-    const Vec3<double> arm = t.turn[j] * local;
-    const Vec3<double> speed = t.turn[j] * swing + t.rotation * cross(column(t.spin_tangent, j), local);
-    for (int i = 0; i < 3; ++i) {
-      d(i, 3 + j) = arm[i];
-      d(3 + i, 3 + j) = speed[i];
-    }
+  for (int j = 0; j < n - 3; ++j) {
+    put(0, j, t.turn[j] * local);
+    put(3, j, t.turn[j] * swing + t.rotation * cross(column(t.spin_tangent, j), local));
     if constexpr (Values == 18) {
-      for (int i = 0; i < 9; ++i) d(6 + i, 3 + j) = t.turn[j].x[i];
-      for (int i = 0; i < 3; ++i) d(15 + i, 3 + j) = t.angular_tangent(i, j);
+      for (int i = 0; i < 9; ++i) d[(6 + i) * n + 3 + j] = t.turn[j].x[i];
+      put(15, j, column(t.angular_tangent, j));
     }
   }
-  return d;
 }
-// Rows: generalised force of a unit force and, of 6 Forces, of a unit moment, in global axes.
+// Rows: generalised force of forces of size `scale` and, of 6 Forces, of unit moments, in global axes; written likewise.
 template <int Forces, RotatingNode Node>
-Mat<double, Forces, Node::size> force_map(const RotationTangent<Node::size - 3>& t, const Vec3<double>& local) {
-  Mat<double, Forces, Node::size> map;
-  for (int i = 0; i < 3; ++i) map(i, i) = 1;
-  for (int j = 0; j < Node::size - 3; ++j) {
+void write_force_map(const RotationTangent<Node::size - 3>& t, const Vec3<double>& local, double scale, double* map) {
+  constexpr int n = Node::size;
+  for (int i = 0; i < 3; ++i) map[i * n + i] = scale;
+  for (int j = 0; j < n - 3; ++j) {
     const Vec3<double> speed = t.rotation * cross(column(t.spin_map, j), local);
     for (int i = 0; i < 3; ++i) {
-      map(i, 3 + j) = speed[i];
-      if constexpr (Forces == 6) map(3 + i, 3 + j) = t.angular_map(i, j);
+      map[i * n + 3 + j] = scale * speed[i];
+      if constexpr (Forces == 6) map[(3 + i) * n + 3 + j] = t.angular_map(i, j);
     }
   }
-  return map;
 }
 // Of the pull-back of a force at the point and a moment, held fixed: by the rotation coordinates, in their rows.
 template <RotatingNode Node>

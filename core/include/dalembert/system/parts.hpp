@@ -24,6 +24,7 @@ struct NodePlace {
   Sizes sizes;
   int ode2 = -1, ode1 = -1, ae = -1, data = -1;
   int translations = 0;  // coordinates that are components of the position
+  int rotation = -1;     // place in Ports::rotations
 };
 
 // Where an item went: which batch, and which of its entries.
@@ -85,6 +86,7 @@ struct SystemParts {
   // In the order of evaluation. Bodies come first: their order of entries fixes the order of sums.
   std::vector<std::unique_ptr<Term>> terms;
   std::vector<std::unique_ptr<MarkerBatch>> marker_batches;
+  std::vector<std::unique_ptr<RotationBatch>> rotation_batches;
   EvaluationPlan plan;
   std::vector<System::LieBlock> lie_blocks;
   Ports ports;

@@ -13,6 +13,7 @@ struct PortLayout {
   int n = 0, first_dof = 0;               // global ODE2 coordinates
   int first_derivative = 0;               // values x n: frame along the weights of the tangent
   int first_jacobian = 0;                 // forces x n: generalised force = J^T force
+  int translations = 0;                   // the first coordinates, if each moves the frame along one axis and nothing else
 };
 
 // What a batch keeps of a port to reach it without the layout.
@@ -25,11 +26,14 @@ class Ports {
   std::vector<PortLayout> ports;                // by marker number
   std::vector<double> values, forces;
   std::vector<double> derivatives, jacobians;
+  std::vector<double> rotations;                // derivatives of nodes' rotations, which bodies and markers share
   std::vector<int> dofs;
 
   // Append a marker's stretch; `n` dofs follow with the call.
-  void append(int value_count, int force_count, std::span<const int> coordinate_dofs);
+  void append(int value_count, int force_count, std::span<const int> coordinate_dofs, int translations = 0);
   void clear();
+  // Rows of a matrix may be read up to so many entries beyond its end.
+  static constexpr int margin = 4;
 
   PortOffsets offsets(int marker) const { return {ports[marker].first_value, ports[marker].first_force}; }
   const double* frame(int marker) const { return values.data() + ports[marker].first_value; }

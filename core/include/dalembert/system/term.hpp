@@ -71,6 +71,7 @@ struct Placement {
   std::vector<int> nodes;            // node numbers
   std::vector<const void*> node_records;
   std::vector<int> node_sizes;       // ODE2 coordinates per node
+  int rotation = -1;                 // of its only node, if it rotates: place in Ports::rotations
   std::vector<int> markers;
   int first_data = -1;               // data coordinates, of its data node
   int data_count = 0;
@@ -116,6 +117,15 @@ class Term : public Batch {
   }
 };
 
+// Nodes whose rotations have derivatives in closed form: they are found once for all that is on a node.
+class RotationBatch {
+ public:
+  virtual ~RotationBatch() = default;
+  // Returns the place in Ports::rotations.
+  virtual int add(std::span<const int> dofs, Ports& ports) = 0;
+  virtual void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const = 0;
+};
+
 class MarkerBatch : public Batch {
  public:
   // The body or node under a marker has new parameters.
@@ -127,6 +137,7 @@ class MarkerBatch : public Batch {
   // Layout of one marker's port, before it is appended.
   virtual int value_count(const void* record, const Placement& placement) const = 0;
   virtual int force_count(const void* record, const Placement& placement) const = 0;
+  virtual int translations() const { return 0; }  // see PortLayout
 
   virtual void evaluate(const Evaluation& evaluation, Ports& ports) const = 0;
   // Derivatives and Jacobians of the ports, for the terms' tangents.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dalembert/contracts/context.hpp"
+#include "dalembert/contracts/joint_equations.hpp"
 #include "dalembert/enums.hpp"
 #include "dalembert/frames.hpp"
 #include "dalembert/joints/spherical_parameters.hpp"
@@ -29,6 +30,10 @@ struct ObjectJointSpherical {
                                           const Vec3<double>& lambda) {
     const Vec3<S> f{S(lambda[0]), S(lambda[1]), S(lambda[2])};
     return {Force<S>{-f}, Force<S>{f}};
+  }
+
+  static std::array<JointEquation, 3> table(const Parameters&) {
+    return {JointEquation{.first = {1, 0, 0}}, {.first = {0, 1, 0}}, {.first = {0, 0, 1}}};
   }
 
   static bool output(const Parameters&, const Context&, const PointFrame<double>& m0, const PointFrame<double>& m1,

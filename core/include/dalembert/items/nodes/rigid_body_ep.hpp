@@ -12,7 +12,7 @@ struct NodeRigidBodyEP {
   static constexpr int size = 7;
   static constexpr bool constant_jacobian = false;
   static constexpr int translations = 3;
-  static constexpr int equations = 1;
+  static constexpr int unit_from = 3;  // Euler parameters form a unit vector
 
   template <class S>
   static Mat3<S> rotation(const Coordinates<S, size>& x) {
@@ -66,18 +66,6 @@ struct NodeRigidBodyEP {
                                           const Weights& w) {
     const Vec3<double> s = (2 * w.q) * (local + global), d = (2 * w.q) * (local - global);
     return {0, -s[0], -s[1], -s[2], s[0], 0, d[2], -d[1], s[1], -d[2], 0, d[0], s[2], d[1], -d[0], 0};
-  }
-
-  // Unit length.
-  template <class S>
-  static Vec<S, 1> gap(const Vec<S, size>& q) {
-    const Vec<S, 4> e = segment<4>(q, 3);
-    return {dot(e, e) - 1.0};
-  }
-  template <class S>
-  static Mat<S, 1, size> gap_jacobian(const Vec<S, size>& q) {
-    const S o(0);
-    return {o, o, o, 2.0 * q[3], 2.0 * q[4], 2.0 * q[5], 2.0 * q[6]};
   }
 };
 
