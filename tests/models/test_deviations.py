@@ -80,3 +80,97 @@ def test_alternative_constraints_are_regular() -> None:
     mbs.Assemble()
     gradients = mbs.ComputeLinearizedSystem(returnConstraintJacobian=True)[3]
     np.testing.assert_allclose(np.linalg.svd(gradients, compute_uv=False), 1, rtol=0, atol=1e-9)
+
+
+def gears(turn: float) -> tuple[exu.MainSystem, np.ndarray]:
+    """Two rotors whose rims are coupled by a spring, and its matrix."""
+    mbs = new_system()
+    factors, stiffness = (0.5, -1.5), 1e4
+    nodes = [mbs.AddNode(exu.Node1D(referenceCoordinates=[0], initialCoordinates=[q])) for q in (turn, 0)]
+    for node, inertia in zip(nodes, (1.0, 3.0), strict=True):
+        mbs.AddObject(exu.Rotor1D(physicsInertia=inertia, nodeNumber=node))
+    markers = [mbs.AddMarker(exu.MarkerNodeCoordinate(nodeNumber=n, coordinate=0)) for n in nodes]
+    mbs.AddObject(
+        exu.CoordinateSpringDamperExt(
+            markerNumbers=markers, stiffness=stiffness, factor0=factors[0], factor1=factors[1]
+        )
+    )
+    mbs.Assemble()
+    across = np.array([-factors[0], factors[1]])
+    return mbs, stiffness * np.outer(across, across)
+
+
+def test_factors_of_the_coordinate_spring_are_in_its_tangent() -> None:
+    """The system is linear, so each step takes one iteration. The trapezoidal rule turns the oscillation by
+    2 atan(omega h / 2) a step, with omega^2 = k (f0^2 / J0 + f1^2 / J1)."""
+    turn, steps, h = 0.01, 50, 1e-3
+    mbs, stiffness = gears(turn)
+    np.testing.assert_allclose(mbs.ComputeLinearizedSystem()[1], stiffness, rtol=1e-13)
+    chosen = settings(steps * h, steps)
+    chosen.timeIntegration.generalizedAlpha.computeInitialAccelerations = True
+    mbs.SolveDynamic(chosen, solverType=exu.DynamicSolverType.TrapezoidalIndex2)
+    assert mbs.sys["dynamicSolver"].it.newtonStepsCount == steps
+    omega = np.sqrt(np.trace(stiffness / np.array([1.0, 3.0])))
+    stretch = np.array([-0.5, -1.5]) @ np.array(mbs.systemData.GetODE2Coordinates())
+    exact = -0.5 * turn * np.cos(steps * 2 * np.arctan(omega * h / 2))
+    np.testing.assert_allclose(stretch, exact, rtol=0, atol=1e-12)  # round-off of the steps
+
+
+def torus_force(frame: np.ndarray, centre: np.ndarray) -> np.ndarray:
+    """On a sphere at rest in the tube of a torus whose axis is the third of the frame."""
+    mbs = new_system()
+    ground = mbs.CreateGround(referenceRotationMatrix=frame)
+    sphere = mbs.CreateRigidBody(referencePosition=centre, inertia=exu.utilities.InertiaSphere(1, 0.1))
+    markers = [mbs.AddMarker(exu.MarkerBodyRigid(bodyNumber=b)) for b in (sphere, ground)]
+    data = mbs.AddNode(exu.NodeGenericData(initialCoordinates=[-1, 0, 0, 0], numberOfDataCoordinates=4))
+    mbs.AddObject(
+        exu.ObjectContactSphereTorus(
+            markerNumbers=markers, nodeNumber=data, radiusSphere=0.1, torusMajorRadius=1, torusMinorRadius=0.12,
+            torusAxis=[0, 0, 1], contactStiffness=1e3,
+        )
+    )  # fmt: skip
+    mbs.Assemble()
+    mbs.SolveDynamic(settings(1e-9, 1))
+    return np.asarray(mbs.GetObjectOutputBody(sphere, Variable.Acceleration, [0, 0, 0]))
+
+
+def test_sphere_out_of_the_plane_of_a_torus() -> None:
+    """The force points to the circle of radius 1 around the axis, 1000 N/m times what the distance exceeds the clearance of 0.02,
+    and turns with the torus. Taking the distance from the plane off every coordinate moves the foot point along the plane."""
+    foot = np.array([np.cos(0.3), np.sin(0.3), 0])
+    offset = 0.02 * foot + [0, 0, 0.03]
+    distance = np.linalg.norm(offset)
+    force = -1e3 * (distance - 0.02) * offset / distance
+    for frame in (np.eye(3), ALL):
+        np.testing.assert_allclose(torus_force(frame, frame @ (foot + offset)), frame @ force, rtol=0, atol=1e-9)
+    shifted = foot + offset - 0.03
+    wrong = foot + offset - shifted / np.linalg.norm(shifted)
+    assert np.linalg.norm(-1e3 * (np.linalg.norm(wrong) - 0.02) * wrong / np.linalg.norm(wrong) - force) > 1
+
+
+def falling_pendulum(tolerance: float, modified: bool) -> np.ndarray:
+    """The angle of a rod of 1 m and 12 kg that falls from horizontal, with a load at its end."""
+    mbs = new_system()
+    node = mbs.AddNode(exu.NodeRigidBody2D(referenceCoordinates=[0.5, 0, 0]))
+    rod = mbs.AddObject(exu.RigidBody2D(physicsMass=12, physicsInertia=1, nodeNumber=node))
+    ground = mbs.AddObject(exu.ObjectGround())
+    support, end = (mbs.AddMarker(exu.MarkerBodyPosition(bodyNumber=rod, localPosition=[x, 0, 0])) for x in (-0.5, 0.5))
+    mbs.AddObject(
+        exu.RevoluteJoint2D(markerNumbers=[mbs.AddMarker(exu.MarkerBodyPosition(bodyNumber=ground)), support])
+    )
+    mbs.AddLoad(exu.Force(markerNumber=end, loadVector=[0, -12 * 9.81, 0]))
+    angle = mbs.AddSensor(exu.SensorNode(nodeNumber=node, outputVariableType=Variable.Coordinates, storeInternal=True))
+    mbs.Assemble()
+    chosen = settings(2, 100, spectral_radius=0.5)
+    chosen.timeIntegration.newton.useModifiedNewton = modified
+    chosen.timeIntegration.newton.relativeTolerance = 1e-4 * tolerance
+    chosen.timeIntegration.newton.absoluteTolerance = tolerance
+    mbs.SolveDynamic(chosen)
+    return np.asarray(mbs.GetSensorStoredData(angle)[:, 3])
+
+
+def test_difference_of_full_and_modified_newton_is_their_tolerance() -> None:
+    """A sum of a hundred differences, with 1e-4 as tolerance of forces and with 1e-9."""
+    differences = [np.abs(falling_pendulum(t, True) - falling_pendulum(t, False)).sum() for t in (1e-4, 1e-9)]
+    assert 1e-5 < differences[0] < 1e-3
+    assert differences[1] < 1e-8
