@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "dalembert/batches/element.hpp"
-#include "dalembert/batches/frame_marker.hpp"
+#include "dalembert/batches/planar_marker.hpp"
 
 namespace dalembert {
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "dalembert/batches/port_sweep.hpp"
+#include "dalembert/batches/span_tangent.hpp"
 #include "dalembert/contracts/context.hpp"
 #include "dalembert/model/errors.hpp"
 #include "dalembert/system/physics.hpp"
@@ -59,7 +60,7 @@ class PortBatch final : public Term {
     const int* slot = slots.data();
     for (const Entry& e : entries_) {
       const Columns<M> columns(ports, e.markers);
-      if (active(e.parameters))
+      if (active(e.parameters) && !add_in_closed_form(e, ports, slot, values))
         for (int first = 0; first < columns.total; first += sweep_width) {
           std::array<typename Port::template Frame<SweepDual>, M> frames;
           for (int m = 0; m < M; ++m)
@@ -150,6 +151,18 @@ class PortBatch final : public Term {
     std::array<typename Port::template Frame<double>, M> frames;
     for (int m = 0; m < M; ++m) frames[m] = read_frame<Port>(ports, e.markers[m]);
     return frames;
+  }
+
+  // A load that does not read its marker adds nothing.
+  static bool add_in_closed_form(const Entry& e, const Ports& ports, const int* slots, double* values) {
+    if constexpr (requires { K::reads_marker(e.parameters); }) return !K::reads_marker(e.parameters);
+    if constexpr (SpanConnector<K>) {
+      if (!K::has_tangent(e.parameters)) return false;
+      const auto frames = read(ports, e);
+      add_span_tangent(ports, e.markers, K::tangent(e.parameters, frames[0], frames[1]), slots, values);
+      return true;
+    }
+    return false;
   }
 
   std::vector<Entry> entries_;

@@ -12,6 +12,7 @@
 #include "dalembert/batches/joint_tangent.hpp"
 #include "dalembert/batches/port_sweep.hpp"
 #include "dalembert/contracts/context.hpp"
+#include "dalembert/contracts/linear_equations.hpp"
 #include "dalembert/contracts/variation.hpp"
 #include "dalembert/system/physics.hpp"
 
@@ -79,6 +80,10 @@ class ConstraintBatch final : public Term {
       for (int k = 0; k < m; ++k)
         if (!constrains(e.parameters, k) || !active(e.parameters)) values[diagonal[k]] += 1;
       if (!active(e.parameters)) continue;
+      if constexpr (LinearConstraint<K>) {
+        add_linear(e, ports, columns, at_rate_level(e.parameters, evaluation.rate_level), row_scale, gap_slots, values);
+        continue;
+      }
       if constexpr (TabulatedJoint<K>)
         if (!evaluation.rate_level && weights.q != 0 && in_closed_form(e, ports)) {
           closed_form(e, evaluation, weights, ports, gap_slots, values);
@@ -132,6 +137,10 @@ class ConstraintBatch final : public Term {
     if constexpr (requires { K::constrains(p, k); }) return K::constrains(p, k);
     return true;
   }
+  static bool at_rate_level(const Parameters& p, bool rate_level) {
+    if constexpr (requires { p.velocityLevel; }) return rate_level || p.velocityLevel;
+    return rate_level;
+  }
   static Frames<double> read(const Ports& ports, const Entry& e) {
     return {read_frame<Port>(ports, e.markers[0]), read_frame<Port>(ports, e.markers[1])};
   }
@@ -141,9 +150,7 @@ class ConstraintBatch final : public Term {
     if constexpr (requires { K::nonholonomic; }) {
       return K::template gap_rate<S>(p, c, f[0], f[1]);
     } else {
-      bool rate = rate_level;
-      if constexpr (requires { p.velocityLevel; }) rate = rate || p.velocityLevel;
-      return rate ? gap_rate<K, S>(p, c, f[0], f[1]) : gap<K, S>(p, c, f[0], f[1]);
+      return at_rate_level(p, rate_level) ? gap_rate<K, S>(p, c, f[0], f[1]) : gap<K, S>(p, c, f[0], f[1]);
     }
   }
   template <class S>
@@ -180,6 +187,26 @@ class ConstraintBatch final : public Term {
       if (constrains(e.parameters, k))
         tangent.add(table[static_cast<std::size_t>(k)], lambda[k], 1 / weights.q, slots + k * total, slots + (m + k) * total, values);
     tangent.add_forces(slots + 2 * m * total, values);
+  }
+
+  // Slots: gaps by coordinates, multipliers transposed. Forces do not change with the coordinates.
+  static void add_linear(const Entry& e, const Ports& ports, const Columns<2>& columns, bool rate, double row_scale, const int* slots,
+                         double* values) {
+    const auto equations = K::linear(e.parameters);
+    for (int k = 0; k < m; ++k) {
+      const auto& [component, factor] = equations[static_cast<std::size_t>(k)];
+      for (int i = 0; i < 2; ++i) {
+        const int n = ports.ports[e.markers[i]].n;
+        const int* gap = slots + k * columns.total + columns.offset[i];
+        const int* multiplier = gap + m * columns.total;
+        const double* derivative = ports.derivative(e.markers[i]) + (component + (rate ? Port::forces : 0)) * n;
+        const double* jacobian = ports.jacobian(e.markers[i]) + component * n;
+        for (int j = 0; j < n; ++j) {
+          values[gap[j]] += row_scale * factor[i] * derivative[j];
+          values[multiplier[j]] += factor[i] * jacobian[j];
+        }
+      }
+    }
   }
 
   // Rows of the coordinates, columns of the multipliers: J^T of the reaction to each unit multiplier.

@@ -52,7 +52,7 @@ struct MassShape {
   template <class S>
   using Frame = MassFrame<S>;
   static constexpr int values = 0, forces = 3;
-  static const Vec3<double>& point(const typename E::Parameters& p, const Vec3<double>&) { return E::Kernel::centre(p); }
+  static decltype(auto) point(const typename E::Parameters& p, const Vec3<double>&) { return E::Kernel::centre(p); }
   static double scale(const typename E::Parameters& p) { return E::Kernel::mass(p); }
   template <class S>
   static auto pull_back(const typename E::Parameters& p, const Coordinates<S, E::size>& x, const Vec3<double>&,
@@ -62,7 +62,7 @@ struct MassShape {
 };
 
 template <class E, class OwnerRecord, template <class> class ShapeOf>
-class FrameMarkerBatch final : public MarkerBatch {
+class FrameMarkerBatch : public MarkerBatch {
  public:
   using Shape = ShapeOf<E>;
   static constexpr int n = E::size;
@@ -160,7 +160,7 @@ class FrameMarkerBatch final : public MarkerBatch {
     return false;
   }
 
- private:
+ protected:
   struct Entry {
     [[no_unique_address]] typename E::Parameters parameters;
     Vec3<double> local;
@@ -169,6 +169,9 @@ class FrameMarkerBatch final : public MarkerBatch {
     PortOffsets port;
     std::array<int, n> dofs{};
   };
+  std::vector<Entry> entries_;
+
+ private:
   static constexpr bool has_geometric = [] {
     if constexpr (requires { E::constant_jacobian; }) return n > 0 && !E::constant_jacobian;
     else return n > 0;
@@ -202,23 +205,6 @@ class FrameMarkerBatch final : public MarkerBatch {
     if constexpr (Shape::forces == 6) moment = {f[3], f[4], f[5]};
     return force_map_tangent<Node>(x, rotation, Shape::point(e.parameters, e.local), force, moment, weights);
   }
-
-  std::vector<Entry> entries_;
 };
-
-// `OwnerRecord` is void for nodes.
-template <class E, class OwnerRecord>
-std::unique_ptr<MarkerBatch> make_frame_marker(FrameShape shape) {
-  switch (shape) {
-    case FrameShape::point: return std::make_unique<FrameMarkerBatch<E, OwnerRecord, PointShape>>();
-    case FrameShape::rigid: return std::make_unique<FrameMarkerBatch<E, OwnerRecord, RigidShape>>();
-    case FrameShape::mass:
-      if constexpr (requires(const typename E::Parameters& p, const Coordinates<double, E::size>& x, const Vec3<double>& g) {
-                      E::template mass_load<double>(p, x, g);
-                    })
-        return std::make_unique<FrameMarkerBatch<E, OwnerRecord, MassShape>>();
-  }
-  return nullptr;
-}
 
 }  // namespace dalembert

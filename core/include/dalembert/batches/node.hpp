@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "dalembert/batches/frame_marker.hpp"
+#include "dalembert/batches/planar_marker.hpp"
 #include "dalembert/system/physics.hpp"
 
 namespace dalembert {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "dalembert/contracts/context.hpp"
+#include "dalembert/contracts/planar_node.hpp"
 #include "dalembert/contracts/rotating_node.hpp"
 #include "dalembert/enums.hpp"
 #include "dalembert/frames.hpp"
@@ -146,6 +147,7 @@ struct OnNode {
   using Parameters = typename Body::Parameters;
   static constexpr int size = Node::size;
   static constexpr int translations = Node::translations;
+  static constexpr bool planar = PlanarNode<Node>;
   static constexpr bool constant_mass = Body::constant_mass && Node::constant_jacobian;
   static constexpr bool pure_inertia = PureInertia<Body> && Node::constant_jacobian;
   static constexpr int lie_rotation = [] {
@@ -162,6 +164,12 @@ struct OnNode {
       const auto w = Body::template residual<S>(p, c, Node::template motion<S>(x));
       return Node::template pull_back<S>(x, w.force, w.moment);
     }
+  }
+  static Mat<double, size, size> tangent(const Parameters& p, const NothingPrepared&, const Context&,
+                                         const Coordinates<double, size>& x, const Weights& w)
+    requires PlanarBody<Body, Node>
+  {
+    return Body::planar_tangent(p, x, w);
   }
   template <class S>
   static Motion<S> motion(const Parameters&, const Coordinates<S, size>& x, const Vec3<double>& local) {
@@ -238,6 +246,7 @@ struct AtNode {
   using Turning = std::conditional_t<RotatingNode<Node>, Node, void>;
   static constexpr int size = Node::size;
   static constexpr int translations = Node::translations;
+  static constexpr bool planar = PlanarNode<Node>;
   static constexpr bool constant_jacobian = Node::constant_jacobian;
   static constexpr int lie_rotation = OnNode<AtNode, Node>::lie_rotation;
 

@@ -10,10 +10,16 @@ struct ObjectMassPoint2D {
   using Parameters = ObjectMassPoint2DParameters;
   static constexpr bool constant_mass = true, pure_inertia = true;
 
+  static double mass(const Parameters& p) { return p.physicsMass; }
+  static Vec3<double> centre(const Parameters&) { return {}; }
+
   // Newton's second law in the plane; applied forces are added by the assembler.
   template <class S>
   static Wrench<S> residual(const Parameters& p, const Context&, const Motion<S>& node) {
     return {.force = p.physicsMass * node.acceleration};
+  }
+  static Mat<double, 2, 2> planar_tangent(const Parameters& p, const Coordinates<double, 2>&, const Weights& w) {
+    return {w.a * p.physicsMass, 0, 0, w.a * p.physicsMass};
   }
   template <class S>
   static Wrench<S> mass_load(const Parameters& p, const Motion<S>&, const Vec3<S>& g) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dalembert/connectors/cartesian_spring_damper_parameters.hpp"
+#include "dalembert/contracts/span_forces.hpp"
 #include "dalembert/contracts/user_function.hpp"
 #include "dalembert/enums.hpp"
 #include "dalembert/frames.hpp"
@@ -17,6 +18,12 @@ struct ObjectConnectorCartesianSpringDamper {
   static std::array<Force<S>, 2> forces(const Parameters& p, const Context& c, const PointFrame<S>& m0, const PointFrame<S>& m1) {
     const Vec3<S> f = tension<S>(p, c, elongation(p, m0, m1), m1.velocity - m0.velocity);
     return {Force<S>{f}, Force<S>{-f}};
+  }
+  static bool has_tangent(const Parameters& p) { return !p.springForceUserFunction; }
+  static SpanTangent<3> tangent(const Parameters& p, const PointFrame<double>&, const PointFrame<double>&) {
+    SpanTangent<3> t;
+    for (int i = 0; i < 3; ++i) t.by_span(i, i) = p.stiffness[i], t.by_rate(i, i) = p.damping[i];
+    return t;
   }
 
   static bool output(const Parameters& p, const Context& c, const PointFrame<double>& m0, const PointFrame<double>& m1,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dalembert/connectors/coordinate_spring_damper_parameters.hpp"
+#include "dalembert/contracts/span_forces.hpp"
 #include "dalembert/contracts/user_function.hpp"
 #include "dalembert/enums.hpp"
 #include "dalembert/frames.hpp"
@@ -17,6 +18,10 @@ struct ObjectConnectorCoordinateSpringDamper {
                                               const ScalarFrame<S>& m1) {
     const S f = tension<S>(p, c, m1.value - m0.value, m1.rate - m0.rate);
     return {ScalarForce<S>{f}, ScalarForce<S>{-f}};
+  }
+  static bool has_tangent(const Parameters& p) { return !p.springForceUserFunction; }
+  static SpanTangent<1> tangent(const Parameters& p, const ScalarFrame<double>&, const ScalarFrame<double>&) {
+    return {{p.stiffness}, {p.damping}};
   }
 
   static bool output(const Parameters& p, const Context& c, const ScalarFrame<double>& m0, const ScalarFrame<double>& m1,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dalembert/connectors/spring_damper_parameters.hpp"
+#include "dalembert/contracts/span_forces.hpp"
 #include "dalembert/contracts/user_function.hpp"
 #include "dalembert/enums.hpp"
 #include "dalembert/frames.hpp"
@@ -18,6 +19,24 @@ struct ObjectConnectorSpringDamper {
     const Line<S> line(m0, m1);
     const Vec3<S> f = tension(p, c, line) * line.axis;
     return {Force<S>{f}, Force<S>{-f}};
+  }
+  static bool has_tangent(const Parameters& p) { return !p.springForceUserFunction; }
+  // The tension changes along the line, the line turns with what moves across it.
+  static SpanTangent<3> tangent(const Parameters& p, const PointFrame<double>& m0, const PointFrame<double>& m1) {
+    const Line<double> line(m0, m1);
+    if (line.length == 0) return {};
+    const Vec3<double> across = m1.velocity - m0.velocity - line.rate * line.axis;
+    const Vec3<double> slope = p.stiffness * line.axis + (p.damping / line.length) * across;
+    const double turning = tension(p, Context{}, line) / line.length;
+    SpanTangent<3> t;
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) {
+        t.by_span(i, j) = line.axis[i] * (slope[j] - turning * line.axis[j]);
+        t.by_rate(i, j) = p.damping * line.axis[i] * line.axis[j];
+      }
+      t.by_span(i, i) += turning;
+    }
+    return t;
   }
 
   static bool output(const Parameters& p, const Context& c, const PointFrame<double>& m0, const PointFrame<double>& m1,

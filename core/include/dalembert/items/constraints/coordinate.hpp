@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dalembert/constraints/coordinate_parameters.hpp"
+#include "dalembert/contracts/linear_equations.hpp"
 #include "dalembert/contracts/user_function.hpp"
 #include "dalembert/enums.hpp"
 #include "dalembert/frames.hpp"
@@ -30,6 +31,7 @@ struct ObjectConnectorCoordinate {
                                                 const Vec<double, 1>& lambda) {
     return {ScalarForce<S>{S(-lambda[0])}, ScalarForce<S>{S(p.factorValue1 * lambda[0])}};
   }
+  static std::array<LinearEquation, 1> linear(const Parameters& p) { return {LinearEquation{0, {-1, p.factorValue1}}}; }
 
   static bool output(const Parameters&, const Context&, const ScalarFrame<double>& m0, const ScalarFrame<double>& m1,
                      const Vec<double, 1>& lambda, OutputVariableType variable, std::vector<double>& values) {

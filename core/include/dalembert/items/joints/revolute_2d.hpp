@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dalembert/contracts/context.hpp"
+#include "dalembert/contracts/linear_equations.hpp"
 #include "dalembert/enums.hpp"
 #include "dalembert/frames.hpp"
 #include "dalembert/joints/revolute_2d_parameters.hpp"
@@ -28,6 +29,7 @@ struct ObjectJointRevolute2D {
     const Vec3<S> f{S(lambda[0]), S(lambda[1]), S(0)};
     return {Force<S>{-f}, Force<S>{f}};
   }
+  static std::array<LinearEquation, 2> linear(const Parameters&) { return {LinearEquation{0}, LinearEquation{1}}; }
 };
 
 }  // namespace dalembert

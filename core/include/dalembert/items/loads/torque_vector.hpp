@@ -10,6 +10,7 @@ namespace dalembert {
 struct LoadTorqueVector {
   using Parameters = LoadTorqueVectorParameters;
   using Port = RigidPort;
+  static bool reads_marker(const Parameters& p) { return p.bodyFixed; }
 
   template <class S>
   static Wrench<S> force(const Parameters& p, const Context& c, const RigidFrame<S>& m0) {

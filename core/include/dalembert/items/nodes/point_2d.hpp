@@ -12,6 +12,7 @@ struct NodePoint2D {
   static constexpr int size = 2;
   static constexpr bool constant_jacobian = true;
   static constexpr int translations = 2;
+  static constexpr bool planar = true;
 
   template <class S>
   static Motion<S> motion(const Coordinates<S, size>& x) {

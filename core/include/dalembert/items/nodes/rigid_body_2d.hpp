@@ -15,6 +15,7 @@ struct NodeRigidBody2D {
   static constexpr int size = 3;
   static constexpr bool constant_jacobian = true;
   static constexpr int translations = 2;
+  static constexpr bool planar = true;
 
   template <class S>
   static Motion<S> motion(const Coordinates<S, size>& x) {

@@ -1,0 +1,23 @@
+// Connectors whose force depends on the span between two points (or coordinates) and on its rate alone.
+#pragma once
+
+#include <concepts>
+
+#include "dalembert/math/fixed.hpp"
+
+namespace dalembert {
+
+// Derivatives of the force on the first marker; its opposite acts on the second.
+template <int N>
+struct SpanTangent {
+  Mat<double, N, N> by_span, by_rate;
+};
+
+// `has_tangent(p)`: not with user functions, which only the sweep of dual numbers differentiates.
+template <class K>
+concept SpanConnector = requires(const typename K::Parameters& p, const typename K::Port::template Frame<double>& m) {
+  { K::has_tangent(p) } -> std::same_as<bool>;
+  { K::tangent(p, m, m) } -> std::same_as<SpanTangent<K::Port::forces>>;
+};
+
+}  // namespace dalembert
