@@ -12,7 +12,7 @@ import pytest
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
 PROGRAMS = sorted(HERE.glob("*.cpp"))
-FLAGS = ["-std=c++20", "-O1", "-Wall", "-Wextra", "-Wno-restrict", "-Werror"]
+FLAGS = ["-std=c++20", "-O1", "-Wall", "-Wextra", "-Wno-restrict", "-Wno-psabi", "-Werror"]
 
 
 @pytest.mark.parametrize("source", PROGRAMS, ids=lambda source: source.stem)

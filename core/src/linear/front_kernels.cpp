@@ -5,10 +5,6 @@
 
 #include "dalembert/linear/linear_solver.hpp"
 
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wpsabi"  // vectors are passed between inlined functions only
-#endif
-
 #define INLINE [[gnu::always_inline]] inline
 
 namespace dalembert {

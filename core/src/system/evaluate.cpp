@@ -18,6 +18,7 @@ class SlotCollector final : public BlockVisitor {
  public:
   explicit SlotCollector(const Pattern& pattern) : pattern_(pattern) {}
   void entry(int row, int column) override { slots.push_back(pattern_.slot(row, column)); }
+  void zero() override { slots.push_back(-1); }
   std::vector<int> slots;
 
  private:

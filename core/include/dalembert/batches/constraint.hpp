@@ -46,7 +46,10 @@ class ConstraintBatch final : public Term {
       for (int k = 0; k < m; ++k) rows[k] = e.first_row + k;
       visitor.block(rows, dofs);
       visitor.mirror(rows, dofs);  // multipliers, in the rows of the coordinates
-      visitor.block(dofs, dofs);
+      const auto turns = turning(ports, e);
+      for (std::size_t i = 0; i < dofs.size(); ++i)
+        for (std::size_t j = 0; j < dofs.size(); ++j)
+          turns[i] && turns[j] ? visitor.entry(dofs[i], dofs[j]) : visitor.zero();
       for (int k = 0; k < m; ++k) visitor.block(std::span(&rows[k], 1), std::span(&rows[k], 1));
     }
   }
@@ -167,6 +170,17 @@ class ConstraintBatch final : public Term {
   }
 
   using Tangent = JointTangent<typename Frames<double>::value_type>;
+
+  // Which coordinates of the markers vary the reaction: of a joint along fixed directions, those that turn a frame.
+  static std::vector<bool> turning(const Ports& ports, const Entry& e) {
+    std::vector<bool> turns;
+    for (const int marker : e.markers) {
+      const PortLayout& port = ports.ports[marker];
+      const int translations = requires { K::fixed_directions; } ? port.translations : 0;
+      for (int i = 0; i < port.n; ++i) turns.push_back(i >= translations);
+    }
+    return turns;
+  }
 
   static bool in_closed_form(const Entry& e, const Ports& ports) {
     if constexpr (requires { K::tabulated(e.parameters); })

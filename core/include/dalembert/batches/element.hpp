@@ -1,11 +1,14 @@
 // All elements of one type side by side: bodies on nodes and finite elements. There is no other loop over them.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
 #include "dalembert/batches/element_parameters.hpp"
+#include "dalembert/math/lanes.hpp"
 #include "dalembert/system/physics.hpp"
 
 namespace dalembert {
@@ -26,11 +29,13 @@ class ElementBatch final : public Term {
     }
     entry.constants = prepared<E>(entry.parameters, entry.reference);
     entries_.push_back(std::move(entry));
+    compare_laws(static_cast<int>(entries_.size()) - 1);
   }
   void refresh(int entry, const void* record) override {
     Entry& e = entries_[entry];
     renew_parameters<E, Record>(e.parameters, record);
     e.constants = prepared<E>(e.parameters, e.reference);
+    compare_laws(entry);
   }
   void visit(BlockVisitor& visitor, const Ports&) const override {
     if constexpr (n > 0)
@@ -40,10 +45,16 @@ class ElementBatch final : public Term {
   void residual(const Evaluation& evaluation, Ports&, double* r) const override {
     if (PureInertia<E> && !evaluation.inertia) return;
     if constexpr (n > 0)
-      for (const Entry& e : entries_) {
+      for (std::size_t i = 0; i < entries_.size(); i += side_by_side(i)) {
+        if constexpr (LaneKernel<E>)
+          if (side_by_side(i) == Lanes::count) {
+            has_wide_registers() ? wide_residuals(&entries_[i], evaluation, r) : four_residuals(&entries_[i], evaluation, r);
+            continue;
+          }
+        const Entry& e = entries_[i];
         const auto x = gather<n>(evaluation, e.dofs.data());
         const auto f = element_residual<E, double>(e.parameters, e.constants, context(evaluation, e), x);
-        for (int i = 0; i < n; ++i) r[e.dofs[i]] += f[i];
+        for (int k = 0; k < n; ++k) r[e.dofs[k]] += f[k];
       }
   }
   void tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports, double* values) const override {
@@ -85,25 +96,81 @@ class ElementBatch final : public Term {
   // `rotations`: those of the ports, if they were found along the same weights.
   void sweep(const Evaluation& evaluation, const Weights& weights, const std::vector<double>& rotations, double* values) const {
     if constexpr (n > 0) {
-      SlotCursor slot(slots.data(), values);
-      for (const Entry& e : entries_) {
+      for (std::size_t i = 0; i < entries_.size(); i += side_by_side(i)) {
+        const int* slot = slots.data() + i * n * n;
+        if constexpr (LaneKernel<E>)
+          if (side_by_side(i) == Lanes::count) {
+            has_wide_registers() ? wide_tangents(&entries_[i], evaluation, weights, slot, values)
+                                 : four_tangents(&entries_[i], evaluation, weights, slot, values);
+            continue;
+          }
+        const Entry& e = entries_[i];
         const auto x = gather<n>(evaluation, e.dofs.data());
         if constexpr (TurningBody<E>) {
           const SharedRotation<typename E::Turning> rotation(rotations, rotations.empty() ? -1 : e.rotation, x, weights);
-          const auto k = inertia_tangent<typename E::Kernel, typename E::Turning>(e.parameters, x, *rotation, weights);
-          for (const double entry : k.x) slot.add(entry);
+          add(inertia_tangent<typename E::Kernel, typename E::Turning>(e.parameters, x, *rotation, weights), slot, values);
         } else if constexpr (TangentKernel<E>) {
-          const auto k = E::tangent(e.parameters, e.constants, context(evaluation, e), x, weights);
-          for (const double entry : k.x) slot.add(entry);
+          add(E::tangent(e.parameters, e.constants, context(evaluation, e), x, weights), slot, values);
         } else {
           const auto f = element_residual<E, Dual<n>>(e.parameters, e.constants, context(evaluation, e), seeded<E>(x, weights));
-          for (int i = 0; i < n; ++i)
-            for (int j = 0; j < n; ++j) slot.add(f[i].d[j]);
+          for (int row = 0; row < n; ++row)
+            for (int column = 0; column < n; ++column) values[*slot++] += f[row].d[column];
         }
       }
     }
   }
+  static void add(const Mat<double, n, n>& k, const int* slot, double* values) {
+    for (const double entry : k.x) values[*slot++] += entry;
+  }
 
+  // ---- elements of one law, side by side ----
+  // How many elements from here on are computed at once.
+  std::size_t side_by_side(std::size_t first) const {
+    if constexpr (LaneKernel<E>)
+      if (first % Lanes::count == 0 && first / Lanes::count < one_law_.size() && one_law_[first / Lanes::count]) return Lanes::count;
+    return 1;
+  }
+  void compare_laws(int changed) {
+    if constexpr (LaneKernel<E>) {
+      const std::size_t four = static_cast<std::size_t>(changed) / Lanes::count, first = four * Lanes::count;
+      if (first + Lanes::count > entries_.size()) return;
+      one_law_.resize(std::max(one_law_.size(), four + 1));
+      const auto same = [&](const Entry& e) {
+        return E::same_law(entries_[first].parameters, entries_[first].constants, e.parameters, e.constants);
+      };
+      one_law_[four] = std::all_of(&entries_[first], &entries_[first] + Lanes::count, same);
+    }
+  }
+  static Coordinates<Lanes, n> gather_four(const Evaluation& evaluation, const Entry* e) {
+    Coordinates<Lanes, n> x;
+    const auto pick = [e](const double* from, int i) {
+      return Lanes(from[e[0].dofs[i]], from[e[1].dofs[i]], from[e[2].dofs[i]], from[e[3].dofs[i]]);
+    };
+    for (int i = 0; i < n; ++i) {
+      x.q[i] = pick(evaluation.q, i);
+      x.v[i] = pick(evaluation.v, i);
+      if (evaluation.inertia) x.a[i] = pick(evaluation.a, i);
+    }
+    return x;
+  }
+  [[gnu::flatten]] static void four_residuals(const Entry* e, const Evaluation& evaluation, double* r) {
+    const auto f = element_residual<E, Lanes>(e->parameters, e->constants, context(evaluation, *e), gather_four(evaluation, e));
+    for (int lane = 0; lane < Lanes::count; ++lane)
+      for (int i = 0; i < n; ++i) r[e[lane].dofs[i]] += f[i][lane];
+  }
+  DALEMBERT_WIDE static void wide_residuals(const Entry* e, const Evaluation& evaluation, double* r) { four_residuals(e, evaluation, r); }
+  [[gnu::flatten]] static void four_tangents(const Entry* e, const Evaluation& evaluation, const Weights& weights, const int* slot,
+                                             double* values) {
+    const auto k = E::tangent(e->parameters, e->constants, context(evaluation, *e), gather_four(evaluation, e), weights);
+    for (int lane = 0; lane < Lanes::count; ++lane)
+      for (const Lanes& entry : k.x) values[*slot++] += entry[lane];
+  }
+  DALEMBERT_WIDE static void wide_tangents(const Entry* e, const Evaluation& evaluation, const Weights& weights, const int* slot,
+                                           double* values) {
+    four_tangents(e, evaluation, weights, slot, values);
+  }
+
+  std::vector<char> one_law_;  // of each four elements
   std::vector<Entry> entries_;
 };
 

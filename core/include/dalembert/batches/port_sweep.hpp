@@ -83,7 +83,7 @@ std::vector<int> all_dofs(const Ports& ports, const std::array<int, M>& markers)
   return dofs;
 }
 
-// values[slot] += sign * J^T force.d for all markers' rows and the columns of one sweep.
+// values[slot] += sign * J^T force.d for all markers' rows and the columns of one sweep; entries that are always zero have no slot.
 template <class Port, int M>
 void scatter_forces(const Ports& ports, const std::array<int, M>& markers, const Columns<M>& columns, int first, double sign,
                     const std::array<typename Port::template Force<SweepDual>, M>& forces, const int* slots, double* values) {
@@ -99,7 +99,8 @@ void scatter_forces(const Ports& ports, const std::array<int, M>& markers, const
         for (int k = 0; k < sweep_width; ++k) row[k] += j * force[f].d[k];
       }
       const int* slot = slots + (columns.offset[m] + i) * columns.total + first;
-      for (int k = 0; k < count; ++k) values[slot[k]] += row[k];
+      for (int k = 0; k < count; ++k)
+        if (slot[k] >= 0) values[slot[k]] += row[k];
     }
   }
 }

@@ -92,6 +92,12 @@ concept TurningElement = requires { requires !std::is_void_v<typename E::Turning
 template <class E>
 concept TurningBody = TurningElement<E> && SpinBody<typename E::Kernel>;
 
+// Elements that obey the same law may be computed as lanes (math/lanes.hpp): residual and tangent are templates over them.
+template <class E>
+concept LaneKernel = requires(const typename E::Parameters& p, const typename PreparedOf<E>::Type& k) {
+  { E::same_law(p, k, p, k) } -> std::same_as<bool>;
+};
+
 // A residual that is a constant mass matrix times accelerations, and nothing without them.
 template <class E>
 concept PureInertia = requires { requires E::pure_inertia; };

@@ -20,6 +20,7 @@ struct JointEquation {
   Vec3<double> first{}, second{};  // axes; of a frame: in the marker's own coordinates
 };
 
+// A kernel without equations along axes that turn says `fixed_directions`: translations do not vary its reaction.
 // A kernel may leave single parameter sets to the sweep of dual numbers by `tabulated(p)`.
 template <class K>
 concept TabulatedJoint = requires(const typename K::Parameters& p) {

@@ -21,6 +21,8 @@ class BlockVisitor {
  public:
   virtual ~BlockVisitor() = default;
   virtual void entry(int row, int column) = 0;
+  // In the place of an entry that is always zero; its slot is -1.
+  virtual void zero() {}
 
   void block(std::span<const int> rows, std::span<const int> columns) {
     for (const int row : rows)

@@ -8,6 +8,7 @@
 #include "dalembert/contracts/user_function.hpp"
 #include "dalembert/finite_elements/ancf_cable_2d_parameters.hpp"
 #include "dalembert/items/finite_elements/ancf_cable_2d_rules.hpp"
+#include "dalembert/math/lanes.hpp"
 #include "dalembert/model/errors.hpp"
 
 namespace dalembert {
@@ -22,6 +23,7 @@ struct ObjectANCFCable2D {
   // Strains at which a cross section carries no force.
   struct StressFree {
     double strain = 0, curvature = 0;
+    bool operator==(const StressFree&) const = default;
   };
   struct Prepared {
     const Rule* rule = nullptr;
@@ -29,6 +31,9 @@ struct ObjectANCFCable2D {
     Mat<double, 4, 4> mass;  // per plane coordinate of r0, r0', r1, r1'
     std::array<StressFree, 5> stretching;
     std::array<StressFree, 3> bending;
+    bool operator==(const Prepared& o) const {
+      return rule == o.rule && length == o.length && mass.x == o.mass.x && stretching == o.stretching && bending == o.bending;
+    }
   };
 
   static void check(const Parameters& p, const std::string& item) {
@@ -48,6 +53,15 @@ struct ObjectANCFCable2D {
       k.stretching[i] = stress_free(p, k.rule->stretching[i], reference);
     for (int i = 0; i < k.rule->bending_points; ++i) k.bending[i] = stress_free(p, k.rule->bending[i], reference);
     return k;
+  }
+
+  // User functions are called for one element at a time.
+  static bool same_law(const Parameters& p, const Prepared& k, const Parameters& other_p, const Prepared& other_k) {
+    const auto law = [](const Parameters& x) {
+      return std::array{x.physicsAxialStiffness, x.physicsAxialDamping, x.physicsBendingStiffness, x.physicsBendingDamping};
+    };
+    const auto calls = [](const Parameters& x) { return x.axialForceUserFunction || x.bendingMomentUserFunction; };
+    return !calls(p) && !calls(other_p) && law(p) == law(other_p) && k == other_k;
   }
 
   // M a and the virtual work of axial force and bending moment.
@@ -79,11 +93,12 @@ struct ObjectANCFCable2D {
   }
 
   // The derivatives of the forces by r' and r'', found per point, times the shape functions.
-  static Mat<double, size, size> tangent(const Parameters& p, const Prepared& k, const Context& c,
-                                         const Coordinates<double, size>& x, const Weights& w) {
-    Blocks blocks{};
+  template <class T>
+  static Mat<T, size, size> tangent(const Parameters& p, const Prepared& k, const Context& c, const Coordinates<T, size>& x,
+                                    const Weights& w) {
+    Blocks<T> blocks{};
     if (w.q != 0 || w.v != 0) {
-      const Shape<double> shape(x.q, k.length), rate(x.v, k.length);
+      const Shape<T> shape(x.q, k.length), rate(x.v, k.length);
       if (p.axialForceUserFunction) {
         add_stretching<4>(p, k, c, shape, rate, w, blocks);
       } else {
@@ -91,11 +106,11 @@ struct ObjectANCFCable2D {
       }
       add_bending(p, k, c, shape, rate, w, blocks);
     }
-    Mat<double, size, size> m;
+    Mat<T, size, size> m;
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j) {
         const double factor = share(i, k.length) * share(j, k.length), inertia = w.a * k.mass(i, j);
-        const Mat<double, 2, 2>& block = blocks[part(i)][part(j)];
+        const Mat<T, 2, 2>& block = blocks[part(i)][part(j)];
         for (int d = 0; d < 2; ++d)
           for (int e = 0; e < 2; ++e) m(2 * i + d, 2 * j + e) = factor * block(d, e) + (d == e ? inertia : 0.0);
       }
@@ -186,7 +201,8 @@ struct ObjectANCFCable2D {
   struct Conjugates {
     Vec<S, 2> slope, bend;
   };
-  using Blocks = std::array<std::array<Mat<double, 2, 2>, 3>, 3>;
+  template <class T>
+  using Blocks = std::array<std::array<Mat<T, 2, 2>, 3>, 3>;
 
   // Which part r0, r0', r1, r1' belong to, and with what factor.
   static constexpr int part(int i) { return i == 1 ? 1 : i == 3 ? 2 : 0; }
@@ -222,8 +238,9 @@ struct ObjectANCFCable2D {
   template <class S>
   static S axial_force(const Parameters& p, const Context& c, const Sample& at, const StressFree& free,
                        const Axis<S>& a, const S& strain) {
-    if (p.axialForceUserFunction)
-      return call_scalar(p.axialForceUserFunction, c, S(at.position), strain, strain_rate(a), free.strain,
+    if constexpr (OneNumber<S>)
+      if (p.axialForceUserFunction)
+        return call_scalar(p.axialForceUserFunction, c, S(at.position), strain, strain_rate(a), free.strain,
                          p.physicsAxialStiffness, p.physicsAxialDamping, curvature(a), curvature_rate(a),
                          free.curvature);
     const S force = p.physicsAxialStiffness * (strain - free.strain);
@@ -232,8 +249,9 @@ struct ObjectANCFCable2D {
   template <class S>
   static S bending_moment(const Parameters& p, const Context& c, const Sample& at, const StressFree& free,
                           const Axis<S>& a, const S& curvature) {
-    if (p.bendingMomentUserFunction)
-      return call_scalar(p.bendingMomentUserFunction, c, S(at.position), curvature, curvature_rate(a), free.curvature,
+    if constexpr (OneNumber<S>)
+      if (p.bendingMomentUserFunction)
+        return call_scalar(p.bendingMomentUserFunction, c, S(at.position), curvature, curvature_rate(a), free.curvature,
                          p.physicsBendingStiffness, p.physicsBendingDamping, strain(a), strain_rate(a), free.strain);
     const S moment = p.physicsBendingStiffness * (curvature - free.curvature);
     return p.physicsBendingDamping == 0 ? moment : moment + p.physicsBendingDamping * curvature_rate(a);
@@ -257,21 +275,22 @@ struct ObjectANCFCable2D {
   }
 
   // Directions r'_x, r'_y, r''_x, r''_y, the first D of them; rates move along with their coordinates.
-  template <int D>
-  static Axis<Dual<D>> directed(const Axis<double>& a, const Weights& w) {
-    Axis<Dual<D>> s;
+  template <int D, class T>
+  static Axis<Dual<D, T>> directed(const Axis<T>& a, const Weights& w) {
+    using Moving = Dual<D, T>;
+    Axis<Moving> s;
     for (int d = 0; d < 2; ++d) {
-      s.slope[d] = Dual<D>::seed(a.slope[d], d, w.q);
-      s.slope_rate[d] = Dual<D>::seed(a.slope_rate[d], d, w.v);
-      s.bend[d] = D > 2 ? Dual<D>::seed(a.bend[d], (2 + d) % D, w.q) : Dual<D>(a.bend[d]);
-      s.bend_rate[d] = D > 2 ? Dual<D>::seed(a.bend_rate[d], (2 + d) % D, w.v) : Dual<D>(a.bend_rate[d]);
+      s.slope[d] = Moving::seed(a.slope[d], d, w.q);
+      s.slope_rate[d] = Moving::seed(a.slope_rate[d], d, w.v);
+      s.bend[d] = D > 2 ? Moving::seed(a.bend[d], (2 + d) % D, w.q) : Moving(a.bend[d]);
+      s.bend_rate[d] = D > 2 ? Moving::seed(a.bend_rate[d], (2 + d) % D, w.v) : Moving(a.bend_rate[d]);
     }
     return s;
   }
   // The change of a force with the vector that has the factors `by_slope` in r' and `by_bend` in r''.
-  template <int D>
-  static Mat<double, 2, 2> along(const Vec<Dual<D>, 2>& force, double by_slope, double by_bend) {
-    Mat<double, 2, 2> m;
+  template <int D, class T>
+  static Mat<T, 2, 2> along(const Vec<Dual<D, T>, 2>& force, double by_slope, double by_bend) {
+    Mat<T, 2, 2> m;
     for (int d = 0; d < 2; ++d)
       for (int e = 0; e < 2; ++e) {
         m(d, e) = by_slope * force[d].d[e];
@@ -279,29 +298,31 @@ struct ObjectANCFCable2D {
       }
     return m;
   }
-  static void add(Mat<double, 2, 2>& block, double factor, const Mat<double, 2, 2>& change) {
+  template <class T>
+  static void add(Mat<T, 2, 2>& block, double factor, const Mat<T, 2, 2>& change) {
     for (int i = 0; i < 4; ++i) block.x[i] += factor * change.x[i];
   }
-  template <int D>
-  static void add_stretching(const Parameters& p, const Prepared& k, const Context& c, const Shape<double>& shape,
-                             const Shape<double>& rate, const Weights& w, Blocks& blocks) {
+  template <int D, class T>
+  static void add_stretching(const Parameters& p, const Prepared& k, const Context& c, const Shape<T>& shape, const Shape<T>& rate,
+                             const Weights& w, Blocks<T>& blocks) {
     for (int s = 0; s < k.rule->stretching_points; ++s) {
       const Sample& at = k.rule->stretching[s];
       const auto n = stretching(p, c, at, k.stretching[s], directed<D>(axis(shape, rate, at, k.length), w));
       for (int j = 0; j < 3; ++j) {
-        const Mat<double, 2, 2> change = along(n, at.weight * k.length * at.slope[j], at.weight * at.bend[j]);
+        const Mat<T, 2, 2> change = along(n, at.weight * k.length * at.slope[j], at.weight * at.bend[j]);
         for (int i = 0; i < 3; ++i) add(blocks[i][j], at.slope[i], change);
       }
     }
   }
-  static void add_bending(const Parameters& p, const Prepared& k, const Context& c, const Shape<double>& shape,
-                          const Shape<double>& rate, const Weights& w, Blocks& blocks) {
+  template <class T>
+  static void add_bending(const Parameters& p, const Prepared& k, const Context& c, const Shape<T>& shape, const Shape<T>& rate,
+                          const Weights& w, Blocks<T>& blocks) {
     for (int s = 0; s < k.rule->bending_points; ++s) {
       const Sample& at = k.rule->bending[s];
       const auto m = bending(p, c, at, k.bending[s], directed<4>(axis(shape, rate, at, k.length), w));
       for (int j = 0; j < 3; ++j) {
         const double by_slope = at.weight * at.slope[j], by_bend = at.weight / k.length * at.bend[j];
-        const Mat<double, 2, 2> slope = along(m.slope, k.length * by_slope, k.length * by_bend),
+        const Mat<T, 2, 2> slope = along(m.slope, k.length * by_slope, k.length * by_bend),
                                 bend = along(m.bend, by_slope, by_bend);
         for (int i = 0; i < 3; ++i) {
           add(blocks[i][j], at.slope[i], slope);

@@ -12,6 +12,7 @@ struct ObjectJointRevoluteZ : JointOfTable<ObjectJointRevoluteZ> {
   using Parameters = ObjectJointRevoluteZParameters;
   using Port = RigidPort;
   static constexpr int equations = 5;
+  static constexpr bool fixed_directions = true;  // of the translations
 
   // The points coincide; the z-axis of the first frame is normal to the x- and y-axis of the second.
   static std::array<JointEquation, 5> table(const Parameters& p) {

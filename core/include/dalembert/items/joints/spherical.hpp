@@ -13,6 +13,7 @@ struct ObjectJointSpherical {
   using Parameters = ObjectJointSphericalParameters;
   using Port = PointPort;
   static constexpr int equations = 3;
+  static constexpr bool fixed_directions = true;
 
   static bool constrains(const Parameters& p, int k) { return p.constrainedAxes[static_cast<std::size_t>(k)] != 0; }
 
