@@ -74,7 +74,8 @@ void set_member(const ItemClass& item_class, const Row& row, PyObject* value, vo
 
 void set_visualization(const ItemClass& item_class, PyObject* value, void* record, const std::string& where) {
   const ItemType& type = *item_class.type;
-  if (VisualizationObject* other = as_visualization(value); other != nullptr && other->item_class == &item_class) {
+  const VisualizationObject* other = as_visualization(value);
+  if (other != nullptr && other->item_class == &item_class) {
     for (const auto& argument : item_class.visualization_arguments) {
       with_type(argument.row->storage, [&]<class T>(TypeTag<T>) {
         *static_cast<T*>(member(record, *argument.row)) = *static_cast<const T*>(member(other->record.get(), *argument.row));
@@ -100,6 +101,7 @@ void set_visualization(const ItemClass& item_class, PyObject* value, void* recor
     const std::string word = PyUnicode_Check(key.ptr()) ? to_string(key.ptr()) : show(key.ptr());
     const Row* row = find_visualization_row(type, word);
     if (row == nullptr) {
+      if (other != nullptr) continue;  // of another item: what both have in common counts
       std::vector<std::string_view> names;
       for (const auto& argument : item_class.visualization_arguments) names.push_back(argument.row->name);
       complain("there is no visualization parameter " + quoted(word), suggestion(word, names));

@@ -4,6 +4,7 @@
 
 #include "index_types.hpp"
 #include "python_errors.hpp"
+#include "symbolic.hpp"
 
 namespace dalembert {
 namespace {
@@ -30,7 +31,7 @@ bool is_scalar_array(PyObject* value) {
 double slow_real(PyObject* value) {
   ItemKind kind{};
   int number = 0;
-  const bool numeric = is_numpy_scalar(value) || is_scalar_array(value);
+  const bool numeric = is_numpy_scalar(value) || is_scalar_array(value) || is_symbolic_real(value);
   if (read_index(value, kind, number) || !numeric || PyComplex_Check(value) || PyNumber_Check(value) == 0)
     refuse_type("a number");
   PyObject* converted = PyNumber_Float(value);

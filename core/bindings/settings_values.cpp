@@ -74,16 +74,17 @@ void write_enumeration(const Row& row, PyObject* value, std::uint32_t& out) {
   out = py::handle(value).cast<std::uint32_t>();
 }
 
-// Lists of item numbers are lists of integers in the settings; those of AddSensor may stand in them.
-py::object with_plain_numbers(PyObject* value) {
+// Item numbers are integers in the settings; those that an Add function returned may stand for them.
+py::object plain_number(py::handle value, ItemKind expected) {
+  ItemKind kind{};
+  int number = 0;
+  if (read_index(value.ptr(), kind, number) && kind == expected) return py::int_(number);
+  return py::reinterpret_borrow<py::object>(value);
+}
+py::object with_plain_numbers(PyObject* value, ItemKind expected) {
   if (!PyList_Check(value)) return py::reinterpret_borrow<py::object>(value);
   py::list plain;
-  for (const py::handle entry : py::reinterpret_borrow<py::list>(value)) {
-    ItemKind kind{};
-    int number = 0;
-    const bool sensor = read_index(entry.ptr(), kind, number) && kind == ItemKind::sensor;
-    plain.append(sensor ? py::object(py::int_(number)) : py::reinterpret_borrow<py::object>(entry));
-  }
+  for (const py::handle entry : py::reinterpret_borrow<py::list>(value)) plain.append(plain_number(entry, expected));
   return plain;
 }
 
@@ -92,7 +93,9 @@ void write_value(const SettingsView& view, const Row& row, PyObject* value) {
     if constexpr (std::is_same_v<T, std::uint32_t>) {
       write_enumeration(row, value, out);
     } else if constexpr (std::is_same_v<T, std::vector<int>>) {
-      from_python(with_plain_numbers(value).ptr(), row, &out);
+      from_python(with_plain_numbers(value, ItemKind::sensor).ptr(), row, &out);
+    } else if constexpr (std::is_same_v<T, int>) {
+      from_python(row.name == "trackMarker" ? plain_number(value, ItemKind::marker).ptr() : value, row, &out);
     } else if constexpr (std::is_same_v<T, bool>) {
       const bool number = PyLong_Check(value) && !PyBool_Check(value);
       from_python(number ? py::bool_(PyObject_IsTrue(value) == 1).ptr() : value, row, &out);

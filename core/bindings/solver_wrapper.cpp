@@ -197,10 +197,10 @@ void SolverWrapper::add_part(const Weights& weights, const Conditions& condition
 }
 
 // Right-hand sides stand on the other side of the equations: the sign changes.
-void SolverWrapper::compute_ode2_jacobian(double q, double v, double y, bool loads) {
+void SolverWrapper::compute_ode2_jacobian(double q, double v, double y, int loads) {
   std::ranges::fill(newton_solver()->jacobian_values(), 0.0);
   const Sizes s = solver().sizes();
-  add_part({.q = q, .v = v, .a = 0, .y = y, .y_t = 0}, {.loads = loads}, -1,
+  add_part({.q = q, .v = v, .a = 0, .y = y, .y_t = 0}, {.loads = loads > 0, .load_dependencies = loads}, -1,
            [s](int row, int column) { return row < s.ode2 && column < s.first_ae(); });
 }
 

@@ -49,7 +49,7 @@ class SolverWrapper {
 
   // ---- matrices ----------------------------------------------------------------------------------------------------
   void store_mass_matrix(double factor);
-  void compute_ode2_jacobian(double q, double v, double y, bool loads);
+  void compute_ode2_jacobian(double q, double v, double y, int loads);
   void add_ode1_jacobian(double q, double v, double y);
   void add_ae_jacobian(double q, double v, double y, bool rate_level);
   void compute_forces();

@@ -221,7 +221,7 @@ void register_newton(Class<W>& c) {
   c.def("ComputeJacobianODE2RHS",
         [](W& w, const MainPointer& m, double dq, double dv, double dy, int loads) {
           w.require(m, "ComputeJacobianODE2RHS");
-          w.compute_ode2_jacobian(dq, dv, dy, loads != 0);
+          w.compute_ode2_jacobian(dq, dv, dy, loads);
         },
         main_argument, q, v, y, py::arg("computeLoadsJacobian") = 0,
         "Set the system matrix to the derivative of the generalized forces, those of loads only if asked for.");

@@ -532,6 +532,8 @@ void register_user_functions(py::module_& module) {
 
 }  // namespace
 
+bool is_symbolic_real(PyObject* value) { return py::isinstance<Real>(value); }
+
 std::shared_ptr<const Callback> symbolic_callback(PyObject* value, const Row& row) {
   if (!py::isinstance<SymbolicFunction>(value)) return nullptr;
   const auto& function = py::handle(value).cast<const SymbolicFunction&>();

@@ -14,6 +14,8 @@ namespace py = pybind11;
 
 void register_symbolic(py::module_& module);
 
+// A scalar expression; it converts to the number that it is now.
+bool is_symbolic_real(PyObject* value);
 // nullptr if `value` is no symbolic.UserFunction. Throws Refusal if it does not fit the user function that `row` describes.
 std::shared_ptr<const Callback> symbolic_callback(PyObject* value, const Row& row);
 // The symbolic.UserFunction behind a callback; nullptr if there is none. Borrowed.

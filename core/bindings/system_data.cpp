@@ -215,14 +215,12 @@ void register_tables(Data& data) {
 // ---- loads that depend on coordinates
 // ------------------------------------------------------------------------------------
 
-constexpr const char* dependencies_key = "ODE2LoadDependencies";
-
 void add_load_dependencies(const SystemData& self, const py::object& load, const py::object& value) {
   const std::string method = "AddODE2LoadDependencies";
   System& system = assembled(self, method);
   const int number = item_number(self, ItemKind::load, load, method);
   const int size = system.sizes().ode2;
-  py::list indices;
+  std::vector<int> indices;
   try {
     const Items items(value.ptr(), "a list of global ODE2 coordinate numbers");
     for (Py_ssize_t i = 0; i < items.size(); ++i) {
@@ -232,7 +230,7 @@ void add_load_dependencies(const SystemData& self, const py::object& load, const
                                   .parameter = "globalODE2coordinates",
                                   .received = std::to_string(index),
                                   .expected = "numbers from 0 to " + std::to_string(size - 1)});
-      indices.append(index);
+      indices.push_back(index);
     }
   } catch (const Refusal& refusal) {
     refuse(refusal.kind, {.item = full_name(method),
@@ -240,9 +238,7 @@ void add_load_dependencies(const SystemData& self, const py::object& load, const
                           .received = show(value.ptr()),
                           .expected = refusal.expected});
   }
-  py::dict& sys = self.main->sys;
-  if (!sys.contains(dependencies_key)) sys[dependencies_key] = py::dict();
-  sys[dependencies_key][py::int_(number)] = indices;
+  system.add_load_dependencies(number, indices);
 }
 
 // ---- texts
@@ -273,10 +269,9 @@ void info_ltg(const SystemData& self) {
     for (int i = 0; i < self.main->model.count(ItemKind::object); ++i)
       text += "object " + std::to_string(i) + " " + table.name + " LTG=" + list_text(system.object_ltg(i, table.kind)) +
               "\n";
-  if (self.main->sys.contains(dependencies_key))
-    for (const auto& [load, indices] : self.main->sys[dependencies_key].cast<py::dict>())
-      text += "load " + std::string(py::str(load)) +
-              " ODE2 dependencies=" + list_text(indices.cast<std::vector<int>>()) + "\n";
+  for (int i = 0; i < self.main->model.count(ItemKind::load); ++i)
+    if (const auto coordinates = system.load_dependencies(i); !coordinates.empty())
+      text += "load " + std::to_string(i) + " ODE2 dependencies=" + list_text(coordinates) + "\n";
   write_console(text);
 }
 

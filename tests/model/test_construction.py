@@ -148,3 +148,11 @@ def test_repr_shows_what_differs_from_the_defaults() -> None:
 def test_items_are_not_hashable_because_they_change() -> None:
     with pytest.raises(TypeError):
         hash(exu.NodePoint())
+
+
+def test_visualization_of_another_item_gives_what_both_have() -> None:
+    line = {"type": "Line", "data": [0, 0, 0, 1, 0, 0], "color": [1, 0, 0, 1]}
+    point = exu.ObjectMassPoint2D(visualization=exu.VObjectRigidBody2D(graphicsData=[line], show=False))
+    assert point.visualization.graphicsData == [line] and not point.visualization.show
+    node = exu.NodePoint(visualization=exu.VObjectRigidBody2D(show=False))  # a node has no graphicsData
+    assert not node.visualization.show

@@ -177,6 +177,18 @@ def test_truth_values_and_sensors() -> None:
         settings.sensors.traces.listOfPositionSensors = [node]
 
 
+def test_the_tracked_marker_is_a_marker() -> None:
+    mbs = exu.SystemContainer().AddSystem()
+    camera = exu.VisualizationSettings().view0.camera
+    node = mbs.AddNode(exu.NodePoint())
+    camera.trackMarker = mbs.AddMarker(exu.MarkerNodePosition(nodeNumber=node))
+    assert camera.trackMarker == 0
+    with pytest.raises(TypeError, match=r"trackMarker"):
+        camera.trackMarker = node
+    with pytest.raises(TypeError, match=r"numberOfSteps"):
+        exu.SimulationSettings().timeIntegration.numberOfSteps = exu.MarkerIndex(3)
+
+
 def test_no_arguments() -> None:
     with pytest.raises(TypeError, match="SimulationSettings: takes no arguments"):
         exu.SimulationSettings(3)

@@ -212,6 +212,24 @@ def test_user_functions_give_what_the_python_functions_give():
     sym.variables.Reset()
 
 
+def test_symbols_in_what_a_python_function_returns():
+    """Functions of numbers give scalars that are numbers."""
+    mbs = exu.SystemContainer().AddSystem()
+    node = mbs.AddNode(exu.NodePoint())
+    mbs.AddObject(exu.MassPoint(physicsMass=2, nodeNumber=node))
+    marker = mbs.AddMarker(exu.MarkerNodePosition(nodeNumber=node))
+    sym.SetRecording(False)
+    mbs.AddLoad(
+        exu.Force(markerNumber=marker, loadVectorUserFunction=lambda mbs, t, load: [4 * sym.sign(-3.0), sym.abs(-2), 0])
+    )
+    mbs.Assemble()
+    settings = exu.SimulationSettings()
+    settings.solutionSettings.writeSolutionToFile = False
+    mbs.SolveDynamic(settings, solverType=exu.DynamicSolverType.RK44)
+    moved = mbs.GetNodeOutput(node, exu.OutputVariableType.Displacement)
+    np.testing.assert_allclose(moved, [-1, 0.5, 0], rtol=0, atol=1e-13)
+
+
 def test_user_function_objects(recording):
     mbs, mass, spring, _ = spring_model()
 

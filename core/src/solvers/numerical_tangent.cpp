@@ -7,12 +7,19 @@ namespace dalembert {
 
 namespace {
 
-// Residuals on both sides of a state, along one column of the matrix.
+// Residuals on both sides of a state, along one column of the matrix. It is the current state that moves, since user functions
+// read that one; it comes back at the end.
 class Differences {
  public:
   Differences(System& system, const State& state, const Conditions& conditions, const Weights& weights)
-      : system_(system), state_(state), moved_(state), conditions_(conditions), weights_(weights),
-        increment_(state.q.size(), 0.0), up_(static_cast<std::size_t>(system.sizes().total())), down_(up_.size()) {}
+      : system_(system), state_(state), moved_(system.state(ConfigurationType::Current)), saved_(moved_), conditions_(conditions),
+        weights_(weights), increment_(state.q.size(), 0.0), up_(static_cast<std::size_t>(system.sizes().total())),
+        down_(up_.size()) {
+    moved_ = state_;
+  }
+  ~Differences() { moved_ = saved_; }
+  Differences(const Differences&) = delete;
+  Differences& operator=(const Differences&) = delete;
 
   // (r(+eps) - r(-eps)) / (2 eps) for one unknown.
   const std::vector<double>& slope(int column, double eps) {
@@ -55,8 +62,9 @@ class Differences {
   }
 
   System& system_;
-  const State& state_;
-  State moved_;
+  const State state_;
+  State& moved_;
+  const State saved_;
   Conditions conditions_;
   Weights weights_;
   std::vector<double> increment_, up_, down_;

@@ -225,6 +225,7 @@ void SecondOrderSolver::compute_jacobian() {
   const double h = it.currentStepSize, scale = newmark_beta * h * h;
   const Weights weights{.q = scale, .v = scale * gamma_prime(), .a = scale * beta_prime(), .y = 1, .y_t = 2 / h};
   Conditions conditions = conditions_;
+  conditions.load_dependencies = settings().timeIntegration.computeLoadsJacobian;
   if (full_newton_) {
     conditions.follows_residual = true;
     evaluate_jacobian(current(), conditions, weights);

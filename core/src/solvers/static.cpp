@@ -127,7 +127,9 @@ void StaticSolver::compute_jacobian() {
     numerical_tangent(system(), current(), conditions_, weights, newton_settings.numericalDifferentiation, pattern(),
                       jacobian_);
   } else {
-    system().tangent(current(), conditions_, weights, pattern(), jacobian_);
+    Conditions conditions = conditions_;
+    conditions.load_dependencies = settings().staticSolver.computeLoadsJacobian ? 1 : 0;
+    system().tangent(current(), conditions, weights, pattern(), jacobian_);
   }
   turn_multipliers();
   const bool constrain = settings().staticSolver.constrainODE1coordinates && sizes_.ode1 > 0;

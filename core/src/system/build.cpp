@@ -341,6 +341,7 @@ class Builder {
     const void* variant = fixed ? static_cast<const void*>(&physics) : item.type;
     place.member.batch = &term({variant, item.type, {}}, [&] { return physics.make_batch(fixed); }, ItemKind::load, number);
     place.member.entry = entries_[place.member.batch]++;
+    place.marker = p.markers.front();
     enter_term(*place.member.batch, item.record.get(), p);
     parts_.loads.push_back(std::move(place));
   }
@@ -391,6 +392,7 @@ void set_configurations(SystemParts& parts) {
 
 void build(SystemParts& parts, const Model& model) {
   Builder(parts, model).run();
+  make_load_dependencies(parts);
   set_configurations(parts);
 }
 

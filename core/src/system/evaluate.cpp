@@ -97,6 +97,12 @@ void SystemParts::bind(const Pattern& pattern) {
   for (const auto& term : terms)
     if (!mass_alone || term->has_mass()) collect(*term);
   if (!mass_alone) each(marker_batches, collect);
+  for (LoadDependency& dependency : load_dependencies) {
+    if (mass_alone) break;
+    SlotCollector collector(pattern);
+    collector.block(dependency.rows, dependency.columns);
+    dependency.slots = std::move(collector.slots);
+  }
   rate_slots.clear();
   for (int i = sizes.ode2; i < sizes.first_ae(); ++i) rate_slots.push_back(pattern.slot(i, i));
   bound = &pattern;
@@ -157,6 +163,8 @@ void System::tangent(const State& state, const Conditions& conditions, const Wei
   if (conditions.loads) each(plan.loads, add);
   each(plan.moving, [&](const MarkerBatch& batch) { batch.geometric(e, weights, parts.ports, values.data()); });
   for (const int slot : parts.rate_slots) values[slot] -= weights.y_t;
+  if (conditions.load_dependencies > 0 && !parts.load_dependencies.empty())
+    dalembert::add_load_dependencies(*this, parts, e, weights, conditions.load_dependencies > 1, values.data());
 }
 
 const Pattern& System::pattern(bool dense) {
@@ -167,6 +175,7 @@ const Pattern& System::pattern(bool dense) {
   PairCollector collector;
   each(parts.terms, [&](const Term& term) { term.visit(collector, parts.ports); });
   each(parts.marker_batches, [&](const MarkerBatch& batch) { batch.visit(collector, parts.ports); });
+  for (const LoadDependency& dependency : parts.load_dependencies) collector.block(dependency.rows, dependency.columns);
   return pattern.emplace(Pattern::sparse(sizes_.total(), collector.pairs));
 }
 

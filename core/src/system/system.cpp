@@ -64,6 +64,8 @@ void System::refresh(const Model& model) {
       case ItemKind::load:
         parts.loads[i].record = record;
         parts.loads[i].member.batch->refresh(parts.loads[i].member.entry, record.get());
+        for (LoadDependency& dependency : parts.load_dependencies)
+          if (dependency.load == number) dependency.term->refresh(0, record.get());
         break;
       case ItemKind::sensor: parts.sensors[i].record = record; break;
     }

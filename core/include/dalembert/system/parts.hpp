@@ -11,6 +11,7 @@
 
 #include "dalembert/math/rotations.hpp"
 #include "dalembert/model/model.hpp"
+#include "dalembert/system/load_dependencies.hpp"
 #include "dalembert/system/physics.hpp"
 #include "dalembert/system/system.hpp"
 
@@ -54,6 +55,7 @@ struct LoadPlace {
   const ItemType* type = nullptr;
   std::shared_ptr<const void> record;
   Membership<Term> member;
+  int marker = -1;
 };
 
 // What a sensor of one type measures, written into `values`.
@@ -87,6 +89,7 @@ struct SystemParts {
   std::vector<std::unique_ptr<Term>> terms;
   std::vector<std::unique_ptr<MarkerBatch>> marker_batches;
   std::vector<std::unique_ptr<RotationBatch>> rotation_batches;
+  std::vector<LoadDependency> load_dependencies;
   EvaluationPlan plan;
   std::vector<System::LieBlock> lie_blocks;
   Ports ports;

@@ -30,6 +30,7 @@ struct Conditions {
   bool rate_level = false;
   bool inertia = true;
   bool loads = true;
+  int load_dependencies = 0;      // tangent: of the values of loads on coordinates: 0 none, 1 positions, 2 velocities as well
   bool follows_residual = false;  // tangent: the last call was `residual`, of this state: forces on markers are in place
 };
 
@@ -126,6 +127,10 @@ class System {
    private:
     System& system_;
   };
+
+  // The value of a load depends on these coordinates, besides those that it acts on; until the next Assemble.
+  void add_load_dependencies(int load, std::span<const int> coordinates);
+  std::span<const int> load_dependencies(int load) const;
 
   // ---- index tables: global coordinate numbers ------------------------------------------------------------------
   enum class Coordinates { ode2, ode1, ae, data };

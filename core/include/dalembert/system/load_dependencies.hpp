@@ -1,0 +1,29 @@
+// Loads whose user functions read coordinates: what the tangent needs to know of them.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "dalembert/system/term.hpp"
+
+namespace dalembert {
+
+class System;
+struct SystemParts;
+
+struct LoadDependency {
+  int load = -1;
+  std::unique_ptr<Term> term;       // the load alone
+  std::vector<int> rows, columns;   // ODE2 coordinates that it acts on, and that its value depends on
+  std::vector<int> slots;           // of the block, by rows
+};
+
+// A load with a user function depends on the coordinates that it acts on, until others are added.
+void make_load_dependencies(SystemParts& parts);
+
+// Adds the derivative of the loads' values, with the frames of their markers held fixed, to the tangent. Differences of what
+// user functions return, who read the current state; by the velocities only if wanted.
+void add_load_dependencies(System& system, SystemParts& parts, Evaluation evaluation, const Weights& weights, bool by_velocities,
+                           double* values);
+
+}  // namespace dalembert

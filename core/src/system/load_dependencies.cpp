@@ -1,0 +1,163 @@
+#include "dalembert/system/load_dependencies.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dalembert/model/errors.hpp"
+#include "dalembert/model/member.hpp"
+#include "dalembert/system/parts.hpp"
+
+namespace dalembert {
+namespace {
+
+bool has_user_function(const LoadPlace& load) {
+  return std::ranges::any_of(load.type->rows, [&](const Row& row) {
+    return row.storage == Storage::user_function && *static_cast<const UserFunction*>(member(load.record.get(), row));
+  });
+}
+
+LoadDependency& dependency_of(SystemParts& parts, int number) {
+  const auto found = std::ranges::find(parts.load_dependencies, number, &LoadDependency::load);
+  if (found != parts.load_dependencies.end()) return *found;
+  const LoadPlace& load = parts.loads[static_cast<std::size_t>(number)];
+  const auto& physics = static_cast<const LoadPhysics&>(*load.type->physics);
+  LoadDependency made;
+  made.load = number;
+  made.term = physics.make_batch(physics.body_fixed(load.record.get()));
+  Placement placement;
+  placement.item = number;
+  placement.markers = {load.marker};
+  made.term->add(load.record.get(), placement, parts.ports);
+  const auto rows = parts.ports.marker_dofs(load.marker);
+  made.rows.assign(rows.begin(), rows.end());
+  made.columns = made.rows;
+  return parts.load_dependencies.emplace_back(std::move(made));
+}
+
+// The current state, moved along one or more coordinates; it comes back also when a user function throws.
+class MovedState {
+ public:
+  MovedState(const System& system, State& state)
+      : system_(system), state_(state), saved_(state), increment_(state.q.size(), 0.0) {}
+  ~MovedState() { back(); }
+  MovedState(const MovedState&) = delete;
+  MovedState& operator=(const MovedState&) = delete;
+
+  double size(int i, bool velocity) const { return std::abs((velocity ? saved_.v : saved_.q)[static_cast<std::size_t>(i)]); }
+  void move(int i, double by, bool velocity) {
+    const auto k = static_cast<std::size_t>(i);
+    (velocity ? state_.v : state_.q)[k] += by;
+    increment_[k] = velocity ? 0 : by;
+    if (system_.has_lie_nodes()) system_.compose(saved_.q, increment_, state_.q);
+  }
+  void back() {
+    state_.q = saved_.q;
+    state_.v = saved_.v;
+    std::ranges::fill(increment_, 0.0);
+  }
+
+ private:
+  const System& system_;
+  State& state_;
+  State saved_;
+  std::vector<double> increment_;
+};
+
+// The block of one load.
+class LoadDifferences {
+ public:
+  LoadDifferences(SystemParts& parts, const Evaluation& evaluation, const LoadDependency& dependency, MovedState& state)
+      : parts_(parts), evaluation_(evaluation), dependency_(dependency), state_(state), r_(dependency.rows.size()), ahead_(r_),
+        behind_(r_) {}
+
+  void add(double weight, bool velocity, double* values) {
+    if (weight == 0 || rests(velocity)) return;
+    const std::size_t columns = dependency_.columns.size();
+    for (std::size_t j = 0; j < columns; ++j) {
+      const int coordinate = dependency_.columns[j];
+      const double step = step_of(coordinate, velocity);
+      moved_force(coordinate, step, velocity, ahead_);
+      moved_force(coordinate, -step, velocity, behind_);
+      for (std::size_t i = 0; i < r_.size(); ++i)
+        values[dependency_.slots[i * columns + j]] += weight * (ahead_[i] - behind_[i]) / (2 * step);
+    }
+  }
+
+ private:
+  // The error of central differences is least for the third root of the precision of numbers.
+  double step_of(int coordinate, bool velocity) const { return 6e-6 * std::max(1.0, state_.size(coordinate, velocity)); }
+
+  // Most loads depend on time alone: nothing changes when all coordinates move, by different steps.
+  bool rests(bool velocity) {
+    force(r_);
+    for (std::size_t j = 0; j < dependency_.columns.size(); ++j) {
+      const int coordinate = dependency_.columns[j];
+      state_.move(coordinate, (1 + 0.618 * static_cast<double>(j)) * step_of(coordinate, velocity), velocity);
+    }
+    force(ahead_);
+    state_.back();
+    return ahead_ == r_;
+  }
+  void moved_force(int coordinate, double by, bool velocity, std::vector<double>& r) {
+    state_.move(coordinate, by, velocity);
+    force(r);
+    state_.back();
+  }
+  // What the load adds to its rows.
+  void force(std::vector<double>& r) {
+    const MarkerPlace& marker = parts_.markers[static_cast<std::size_t>(parts_.loads[static_cast<std::size_t>(dependency_.load)].marker)];
+    std::ranges::fill(parts_.ports.forces, 0.0);
+    for (const int row : dependency_.rows) parts_.work[static_cast<std::size_t>(row)] = 0;
+    dependency_.term->residual(evaluation_, parts_.ports, parts_.work.data());
+    marker.member.batch->pull_back(evaluation_, parts_.ports, parts_.work.data());
+    for (std::size_t i = 0; i < r.size(); ++i) r[i] = parts_.work[static_cast<std::size_t>(dependency_.rows[i])];
+  }
+
+  SystemParts& parts_;
+  const Evaluation& evaluation_;
+  const LoadDependency& dependency_;
+  MovedState& state_;
+  std::vector<double> r_, ahead_, behind_;
+};
+
+}  // namespace
+
+void make_load_dependencies(SystemParts& parts) {
+  for (std::size_t i = 0; i < parts.loads.size(); ++i)
+    if (has_user_function(parts.loads[i])) dependency_of(parts, static_cast<int>(i));
+}
+
+void add_load_dependencies(System& system, SystemParts& parts, Evaluation evaluation, const Weights& weights, bool by_velocities,
+                           double* values) {
+  evaluation.same_state = false;
+  const std::vector<double> forces = parts.ports.forces;  // further tangents may follow the same residual
+  MovedState state(system, parts.state(ConfigurationType::Current));
+  for (const LoadDependency& dependency : parts.load_dependencies) {
+    LoadDifferences differences(parts, evaluation, dependency, state);
+    differences.add(weights.q, false, values);
+    if (by_velocities) differences.add(weights.v, true, values);
+  }
+  parts.ports.forces = forces;
+}
+
+void System::add_load_dependencies(int load, std::span<const int> coordinates) {
+  SystemParts& parts = *parts_;
+  LoadDependency& dependency = dependency_of(parts, load);
+  for (const int i : coordinates) {
+    if (std::ranges::find(dependency.columns, i) != dependency.columns.end()) continue;
+    const auto known = [&](int row) { return parts.sparse_pattern->contains(row, i); };
+    if (parts.sparse_pattern && !std::ranges::all_of(dependency.rows, known))
+      refuse(ErrorKind::value, {parts.describe(ItemKind::load, load), "", "the entries of the system matrix are fixed since the first solution", "", "",
+                                "Add dependencies between mbs.Assemble() and solving."});
+    dependency.columns.push_back(i);
+  }
+  parts.bound = nullptr;
+}
+
+std::span<const int> System::load_dependencies(int load) const {
+  const auto found = std::ranges::find(parts_->load_dependencies, load, &LoadDependency::load);
+  if (found == parts_->load_dependencies.end()) return {};
+  return found->columns;
+}
+
+}  // namespace dalembert
