@@ -285,6 +285,25 @@ def test_pivots_of_dense_matrices_are_searched_again() -> None:
         assert solver.statistics["pivot_searches"] == searches
 
 
+@pytest.mark.parametrize("instructions", INSTRUCTIONS)
+@pytest.mark.parametrize("size", [4, 5, 11, 17, 32])
+def test_leaving_out_zeros_changes_no_digit(size: int, instructions: str) -> None:
+    """The second solver has met a full matrix with the same pivots, and treats all entries as different from zero."""
+    rng = np.random.default_rng(size)
+    full = rng.uniform(-1, 1, size=(size, size)) + 20 * np.eye(size)[rng.permutation(size)]
+    b = rng.normal(size=size)
+    solvers = [solver_of(csc(full), dense=True, instructions=instructions) for _ in range(2)]
+    solvers[1].factorize(full.T.ravel())
+    kept = np.abs(full) > 2
+    for share in (0.05, 0.1, 0.1):  # entries come and go
+        matrix = np.where(kept | (rng.uniform(size=full.shape) < share), full, 0)
+        for solver in solvers:
+            assert solver.factorize(matrix.T.ravel()) == -1
+        x = solvers[0].solve(b)
+        np.testing.assert_array_equal(solvers[1].solve(b), x)
+        np.testing.assert_allclose(x, np.linalg.solve(matrix, b), rtol=0, atol=100 * EPS * np.abs(b).max())
+
+
 def test_singular_dense_matrices() -> None:
     """The third column is the sum of the first two."""
     matrix = csc(np.array([[1.0, 2, 3], [4, 1, 5], [1, 1, 2]]))

@@ -34,18 +34,39 @@ int DenseLu::factorize(std::span<const double> values) {
   if (size_ <= tiny) {
     searched_ = false;
   } else if (searched_) {
+    list_operations(values);
     repeat(values);  // with the same rounding as later ones
   }
   return failed;
 }
 
-bool DenseLu::repeat(std::span<const double> values) {
+void DenseLu::list_operations(std::span<const double> values) {
+  list_.reset();
+  if (size_ > EliminationList::largest_size) return;
+  occupied_.resize(values.size());
+  for (int j = 0; j < size_; ++j)
+    for (int i = 0; i < size_; ++i)
+      if (values[j * size_ + i] != 0) occupied_[j * size_ + i] = occupied_[i * size_ + j] = true;
+  list_.emplace(row_of_step_, occupied_);
+  if (!list_->pays()) list_.reset();
+}
+
+double DenseLu::factorize_repeated(std::span<const double> values) {
+  if (list_ && !kernels_.take_listed(*list_, values.data(), factors_.data())) {
+    list_operations(values);
+    if (list_) kernels_.take_listed(*list_, values.data(), factors_.data());
+  }
+  if (list_) return kernels_.factorize_listed(*list_, factors_.data(), inverse_pivot_.data());
   const double* from = values.data();
   for (int j = 0; j < size_; ++j, from += size_) {
     double* to = column(j);
     for (int k = 0; k < size_; ++k) to[k] = from[row_of_step_[k]];
   }
-  const double growth = kernels_.factorize(factors_.data(), size_, length_, inverse_pivot_.data());
+  return kernels_.factorize(factors_.data(), size_, length_, inverse_pivot_.data());
+}
+
+bool DenseLu::repeat(std::span<const double> values) {
+  const double growth = factorize_repeated(values);
   const auto usable = [&](double inverse) { return std::abs(inverse) < largest_inverse_; };
   return growth <= largest_growth && std::all_of(inverse_pivot_.begin(), inverse_pivot_.begin() + size_, usable);
 }
@@ -66,6 +87,7 @@ int DenseLu::search(std::span<const double> values) {
     for (int i = k + 1; i < n; ++i) c[i] *= inverse;
     for (int j = k + 1; j < n; ++j) {
       double* d = column(j);
+      if (d[k] == 0) continue;
       for (int i = k + 1; i < n; ++i) d[i] -= d[k] * c[i];
     }
   }
@@ -83,6 +105,8 @@ void DenseLu::solve(std::span<double> x) {
   for (int k = 0; k < size_; ++k) w[k] = x[row_of_step_[k]];
   if (size_ <= tiny) {
     solve_tiny(w);
+  } else if (list_) {
+    kernels_.solve_listed(*list_, factors_.data(), inverse_pivot_.data(), w);
   } else {
     kernels_.eliminate(factors_.data(), size_, length_, w, 1);
     kernels_.substitute(factors_.data(), size_, length_, inverse_pivot_.data(), nullptr, 0, nullptr, w);

@@ -1,10 +1,13 @@
 // LU factors of a dense matrix with partial pivoting. The row exchanges of one factorization are tried in the next one, and
 // searched again only if they are not what partial pivoting does there: results do not depend on what was factorized before.
+// In small matrices with many zeros, only the other entries are looked at.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "dalembert/linear/linear_solver.hpp"
+#include "elimination_list.hpp"
 #include "front_kernels.hpp"
 
 namespace dalembert {
@@ -19,6 +22,8 @@ class DenseLu final : public LinearSolver {
  private:
   int search(std::span<const double> values);
   bool repeat(std::span<const double> values);
+  void list_operations(std::span<const double> values);
+  double factorize_repeated(std::span<const double> values);
   double* column(int j) { return factors_.data() + static_cast<std::size_t>(j) * static_cast<std::size_t>(length_); }
   void exchange_rows(int i, int j);
   void solve_tiny(double* x);
@@ -29,6 +34,8 @@ class DenseLu final : public LinearSolver {
   const FrontKernels& kernels_;
   std::vector<double> factors_, inverse_pivot_, work_;
   std::vector<int> row_of_step_;
+  std::vector<char> occupied_;           // by columns: entries that have differed from zero, and those opposite
+  std::optional<EliminationList> list_;  // of the factors, where it pays
   LinearSolverStatistics statistics_;
 };
 

@@ -1,9 +1,11 @@
 #include "front_kernels.hpp"
 
+#include <bit>
 #include <stdexcept>
 #include <string>
 
 #include "dalembert/linear/linear_solver.hpp"
+#include "elimination_list.hpp"
 
 #define INLINE [[gnu::always_inline]] inline
 
@@ -19,7 +21,7 @@ namespace portable {
 #undef WIDE
 #undef TILE_ROWS
 #undef TILE_COLUMNS
-constexpr FrontKernels kernels{"portable", factorize, eliminate, substitute};
+constexpr FrontKernels kernels{"portable", factorize, eliminate, substitute, take_listed, factorize_listed, solve_listed};
 }  // namespace portable
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
@@ -37,7 +39,7 @@ namespace avx2 {
 #undef WIDE
 #undef TILE_ROWS
 #undef TILE_COLUMNS
-constexpr FrontKernels kernels{"avx2", factorize, eliminate, substitute};
+constexpr FrontKernels kernels{"avx2", factorize, eliminate, substitute, take_listed, factorize_listed, solve_listed};
 }  // namespace avx2
 #pragma GCC pop_options
 
@@ -53,7 +55,7 @@ namespace avx512 {
 #undef WIDE
 #undef TILE_ROWS
 #undef TILE_COLUMNS
-constexpr FrontKernels kernels{"avx512", factorize, eliminate, substitute};
+constexpr FrontKernels kernels{"avx512", factorize, eliminate, substitute, take_listed, factorize_listed, solve_listed};
 }  // namespace avx512
 #pragma GCC pop_options
 

@@ -10,6 +10,8 @@
 
 namespace dalembert {
 
+class EliminationList;
+
 inline constexpr int front_chunk = 4;
 
 // Length of a column of `rows` numbers.
@@ -27,6 +29,11 @@ struct FrontKernels {
   // many numbers of `inverse` are read.
   void (*substitute)(const double* panel, int pivots, int length, const double* inverse, const double* upper, int count,
                      const double* z, double* w);
+  // The same of listed operations, digit by digit: the factors' entries out of a matrix, false if others differ from zero;
+  // factors and reciprocals of the pivots in place of the entries, returning the largest of L; and w := U^-1 L^-1 w.
+  bool (*take_listed)(const EliminationList& list, const double* values, double* a);
+  double (*factorize_listed)(const EliminationList& list, double* a, double* inverse);
+  void (*solve_listed)(const EliminationList& list, const double* a, const double* inverse, double* w);
 };
 
 // Those that this processor can run, best first.

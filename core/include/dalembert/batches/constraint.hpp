@@ -171,13 +171,14 @@ class ConstraintBatch final : public Term {
 
   using Tangent = JointTangent<typename Frames<double>::value_type>;
 
-  // Which coordinates of the markers vary the reaction: of a joint along fixed directions, those that turn a frame.
+  // Which coordinates of the markers vary the reaction: of a joint along fixed directions, those that turn a frame,
+  // of a linear one, none.
   static std::vector<bool> turning(const Ports& ports, const Entry& e) {
     std::vector<bool> turns;
     for (const int marker : e.markers) {
       const PortLayout& port = ports.ports[marker];
-      const int translations = requires { K::fixed_directions; } ? port.translations : 0;
-      for (int i = 0; i < port.n; ++i) turns.push_back(i >= translations);
+      const int still = LinearConstraint<K> ? port.n : requires { K::fixed_directions; } ? port.translations : 0;
+      for (int i = 0; i < port.n; ++i) turns.push_back(i >= still);
     }
     return turns;
   }

@@ -18,7 +18,9 @@ class PlanarMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeOf>
       for (const Entry& e : entries_) visitor.entry(e.dofs[2], e.dofs[2]);
   }
   void evaluate(const Evaluation& evaluation, Ports& ports) const override {
-    if constexpr (Shape::values > 0)
+    if constexpr (Shape::values > 0) {
+      int angle = -1;  // of the marker before: several on one body follow each other
+      PlanarRotation r;
       for (const Entry& e : entries_) {
         Coordinates<double, n> x;  // accelerations play no part
         for (int i = 0; i < n; ++i) {
@@ -30,10 +32,15 @@ class PlanarMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeOf>
         if constexpr (Shape::values == 6) {
           *frame = planar_point(x, arm(e, evaluation, ports), local[2]);
         } else {
-          const PlanarRotation r = rotation(x.q);
+          if constexpr (n == 3)
+            if (angle != e.dofs[2]) {
+              angle = e.dofs[2];
+              r = PlanarRotation::by(x.q[2]);
+            }
           *frame = planar_frame(x, r, r.arm(local), local[2]);
         }
       }
+    }
   }
   void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const override {
     for (const Entry& e : entries_) {
@@ -82,10 +89,6 @@ class PlanarMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeOf>
   static Arm force(const Entry& e, const Ports& ports) {
     const double* f = ports.forces.data() + e.port.force;
     return Shape::scale(e.parameters) * Arm{f[0], f[1]};
-  }
-  static PlanarRotation rotation(const Vec<double, n>& q) {
-    if constexpr (n == 3) return PlanarRotation::by(q[2]);
-    else return {};
   }
   static PlanarRotation kept_rotation(const Entry& e, const Ports& ports) {
     return PlanarRotation::of(*reinterpret_cast<const RigidFrame<double>*>(ports.values.data() + e.port.value));
