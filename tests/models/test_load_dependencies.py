@@ -17,7 +17,22 @@ START = np.array([0.3, -0.2])
 END, STEPS = 0.05, 100
 
 
-def controlled_pendulum(coordinates: bool = True) -> tuple[exu.MainSystem, list[Any]]:
+def by_nodes(mbs: exu.MainSystem, nodes: list[Any], markers: list[Any]) -> tuple[list[float], list[float]]:
+    """Angles and their rates."""
+    return (
+        [mbs.GetNodeOutput(n, Variable.Rotation)[-1] for n in nodes],
+        [mbs.GetNodeOutput(n, Variable.AngularVelocity)[-1] for n in nodes],
+    )
+
+
+def by_markers(mbs: exu.MainSystem, nodes: list[Any], markers: list[Any]) -> tuple[list[float], list[float]]:
+    return (
+        [start + mbs.GetMarkerOutput(m, Variable.Coordinates)[0] for m, start in zip(markers, START, strict=True)],
+        [mbs.GetMarkerOutput(m, Variable.Coordinates_t)[0] for m in markers],
+    )
+
+
+def controlled_pendulum(measure: Any = by_nodes) -> tuple[exu.MainSystem, list[Any]]:
     """Two rods without gravity; a torque on each holds both absolute angles near zero and couples them."""
     mbs = new_system()
     ends, bodies, nodes = [mbs.AddMarker(exu.MarkerBodyPosition(bodyNumber=mbs.AddObject(exu.ObjectGround())))], [], []
@@ -36,20 +51,19 @@ def controlled_pendulum(coordinates: bool = True) -> tuple[exu.MainSystem, list[
 
     def torque(k: int) -> Any:
         def controlled(mbs: exu.MainSystem, t: float, load: list[float]) -> list[float]:
-            angles = [mbs.GetNodeOutput(n, Variable.Rotation)[-1] for n in nodes]
-            rates = [mbs.GetNodeOutput(n, Variable.AngularVelocity)[-1] for n in nodes]
+            angles, rates = measure(mbs, nodes, coordinates)
             return [0, 0, control(np.array(angles), np.array(rates))[k]]
 
         return controlled
 
+    coordinates = [mbs.AddMarker(exu.MarkerNodeCoordinate(nodeNumber=n, coordinate=2)) for n in nodes]
     loads = []
     for k, body in enumerate(bodies):
         marker = mbs.AddMarker(exu.MarkerBodyRigid(bodyNumber=body))
         loads.append(mbs.AddLoad(exu.Torque(markerNumber=marker, loadVectorUserFunction=torque(k))))
     mbs.Assemble()
-    if coordinates:
-        for load in loads:
-            mbs.systemData.AddODE2LoadDependencies(load, [2, 5])
+    for load in loads:
+        mbs.systemData.AddODE2LoadDependencies(load, [2, 5])
     return mbs, nodes
 
 
@@ -76,9 +90,9 @@ def exact() -> np.ndarray:
     return np.asarray(solution.y[:2, -1])
 
 
-def solved(level: int, **newton: Any) -> tuple[np.ndarray, int]:
+def solved(level: int, measure: Any = by_nodes, **newton: Any) -> tuple[np.ndarray, int]:
     """The angles at the end and the number of Newton iterations."""
-    mbs, nodes = controlled_pendulum()
+    mbs, nodes = controlled_pendulum(measure)
     chosen = settings(END, STEPS, tolerance=1e-9)
     chosen.timeIntegration.computeLoadsJacobian = level
     chosen.timeIntegration.generalizedAlpha.computeInitialAccelerations = True
@@ -92,15 +106,20 @@ def solved(level: int, **newton: Any) -> tuple[np.ndarray, int]:
 def test_derivatives_of_loads_save_iterations_and_keep_the_result() -> None:
     """Generalized alpha is of second order: 100 steps leave errors of 5e-5. Newton's tolerance leaves 1e-8."""
     results = [solved(level) for level in (0, 1, 2)]
-    differences = solved(0, doSystemWideDifferentiation=True)
-    for angles, _ in [*results, differences]:
+    same = [
+        solved(2, by_markers),
+        solved(0, doSystemWideDifferentiation=True),
+        solved(0, by_markers, doSystemWideDifferentiation=True),
+    ]
+    for angles, _ in [*results, *same]:
         np.testing.assert_allclose(angles, results[2][0], rtol=0, atol=1e-8)
         np.testing.assert_allclose(angles, exact(), rtol=0, atol=1e-4)
     without, positions, velocities = (iterations for _, iterations in results)
     assert 2 * STEPS <= velocities <= 3 * STEPS
     assert velocities < positions < without
     assert without > 4 * velocities
-    assert abs(differences[1] - velocities) < 0.1 * STEPS
+    for _, iterations in same:
+        assert abs(iterations - velocities) < 0.1 * STEPS
 
 
 @pytest.mark.parametrize("node", [exu.NodeType.RotationRotationVector, exu.NodeType.RotationEulerParameters], ids=str)

@@ -37,9 +37,15 @@ LoadDependency& dependency_of(SystemParts& parts, int number) {
 // The current state, moved along one or more coordinates; it comes back also when a user function throws.
 class MovedState {
  public:
-  MovedState(const System& system, State& state)
-      : system_(system), state_(state), saved_(state), increment_(state.q.size(), 0.0) {}
-  ~MovedState() { back(); }
+  MovedState(const System& system, SystemParts& parts)
+      : system_(system), parts_(parts), state_(parts.state(ConfigurationType::Current)), saved_(state_),
+        increment_(state_.q.size(), 0.0) {
+    parts_.current_moved = true;
+  }
+  ~MovedState() {
+    back();
+    parts_.current_moved = false;
+  }
   MovedState(const MovedState&) = delete;
   MovedState& operator=(const MovedState&) = delete;
 
@@ -58,8 +64,9 @@ class MovedState {
 
  private:
   const System& system_;
+  SystemParts& parts_;
   State& state_;
-  State saved_;
+  const State saved_;
   std::vector<double> increment_;
 };
 
@@ -131,7 +138,7 @@ void add_load_dependencies(System& system, SystemParts& parts, Evaluation evalua
                            double* values) {
   evaluation.same_state = false;
   const std::vector<double> forces = parts.ports.forces;  // further tangents may follow the same residual
-  MovedState state(system, parts.state(ConfigurationType::Current));
+  MovedState state(system, parts);
   for (const LoadDependency& dependency : parts.load_dependencies) {
     LoadDifferences differences(parts, evaluation, dependency, state);
     differences.add(weights.q, false, values);

@@ -93,7 +93,7 @@ class PortsFor {
   PortsFor(SystemParts& parts, ConfigurationType configuration) : parts_(parts) {
     const State& state = parts.state(configuration);
     if (parts.recording && parts.recorded == &state) return;
-    if (parts.evaluating && configuration == ConfigurationType::Current) return;
+    if (parts.evaluating && !parts.current_moved && configuration == ConfigurationType::Current) return;
     if (parts.evaluating) kept_ = parts.ports.values;
     parts.update_ports(parts.output_evaluation(state));
     parts.recorded = parts.evaluating ? nullptr : &state;

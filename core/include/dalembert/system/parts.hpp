@@ -110,6 +110,7 @@ struct SystemParts {
   std::vector<double> output_total;  // the same for outputs, which user functions ask for in the middle of an evaluation
   std::vector<double> work;
   bool evaluating = false;
+  bool current_moved = false;       // away from what is being evaluated, to see what user functions make of it
   bool recording = false;           // outputs are asked for one after the other, in one state:
   const State* recorded = nullptr;  // whose marker frames are in place
 
