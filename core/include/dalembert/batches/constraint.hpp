@@ -211,15 +211,17 @@ class ConstraintBatch final : public Term {
     for (int k = 0; k < m; ++k) {
       const auto& [component, factor] = equations[static_cast<std::size_t>(k)];
       for (int i = 0; i < 2; ++i) {
-        const int n = ports.ports[e.markers[i]].n;
+        const auto [n, translations] = std::pair(ports.ports[e.markers[i]].n, ports.ports[e.markers[i]].translations);
         const int* gap = slots + k * columns.total + columns.offset[i];
         const int* multiplier = gap + m * columns.total;
         const double* derivative = ports.derivative(e.markers[i]) + (component + (rate ? Port::forces : 0)) * n;
         const double* jacobian = ports.jacobian(e.markers[i]) + component * n;
-        for (int j = 0; j < n; ++j) {
+        const auto add = [&](int j) {
           values[gap[j]] += row_scale * factor[i] * derivative[j];
           values[multiplier[j]] += factor[i] * jacobian[j];
-        }
+        };
+        if (component < translations) add(component);
+        for (int j = translations; j < n; ++j) add(j);
       }
     }
   }
