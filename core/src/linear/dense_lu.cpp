@@ -31,16 +31,18 @@ int DenseLu::factorize(std::span<const double> values) {
   if (searched_ && repeat(values)) return success;
   const int failed = search(values);
   searched_ = failed == success;
+  list_.reset();
+  listed_ = false;
   if (size_ <= tiny) {
     searched_ = false;
   } else if (searched_) {
-    list_operations(values);
-    repeat(values);  // with the same rounding as later ones
+    factorize_whole(values);  // with the same rounding as later ones
   }
   return failed;
 }
 
 void DenseLu::list_operations(std::span<const double> values) {
+  listed_ = true;
   list_.reset();
   if (size_ > EliminationList::largest_size) return;
   occupied_.resize(values.size());
@@ -52,11 +54,15 @@ void DenseLu::list_operations(std::span<const double> values) {
 }
 
 double DenseLu::factorize_repeated(std::span<const double> values) {
-  if (list_ && !kernels_.take_listed(*list_, values.data(), factors_.data())) {
+  const auto taken = [&] { return list_ && kernels_.take_listed(*list_, values.data(), factors_.data()); };
+  if (!taken() && (list_ || !listed_)) {
     list_operations(values);
-    if (list_) kernels_.take_listed(*list_, values.data(), factors_.data());
+    taken();
   }
-  if (list_) return kernels_.factorize_listed(*list_, factors_.data(), inverse_pivot_.data());
+  return list_ ? kernels_.factorize_listed(*list_, factors_.data(), inverse_pivot_.data()) : factorize_whole(values);
+}
+
+double DenseLu::factorize_whole(std::span<const double> values) {
   const double* from = values.data();
   for (int j = 0; j < size_; ++j, from += size_) {
     double* to = column(j);

@@ -24,6 +24,7 @@ class DenseLu final : public LinearSolver {
   bool repeat(std::span<const double> values);
   void list_operations(std::span<const double> values);
   double factorize_repeated(std::span<const double> values);
+  double factorize_whole(std::span<const double> values);
   double* column(int j) { return factors_.data() + static_cast<std::size_t>(j) * static_cast<std::size_t>(length_); }
   void exchange_rows(int i, int j);
   void solve_tiny(double* x);
@@ -36,6 +37,7 @@ class DenseLu final : public LinearSolver {
   std::vector<int> row_of_step_;
   std::vector<char> occupied_;           // by columns: entries that have differed from zero, and those opposite
   std::optional<EliminationList> list_;  // of the factors, where it pays
+  bool listed_ = false;                  // whether that is known: a matrix that does not come again needs no list
   LinearSolverStatistics statistics_;
 };
 
