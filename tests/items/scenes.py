@@ -119,7 +119,7 @@ class Scene:
         if body == "":
             return self._bare_node(node, reference, motion)
         if body in SCALAR_BODIES:
-            return self._scalar_body(body, motion)
+            return self._scalar_body(body, node, motion)
         if body == "ObjectGenericODE2":
             return self._generic(reference)
         if body == "ObjectGenericODE1":
@@ -173,10 +173,14 @@ class Scene:
         roots = {name: self.rng.uniform(-1, 1, (n, n)) for name in names}
         return {name: root @ root.T + np.eye(n) for name, root in roots.items()}
 
-    def _scalar_body(self, body: str, motion: Motion) -> Carrier:
+    def _scalar_body(self, body: str, node_type: str, motion: Motion) -> Carrier:
         rng, placed = self.rng, motion.at(self.place)
         q, v = rng.uniform(-1, 1, 2), 0.0 if self.resting else rng.uniform(-1, 1)
-        node = self.mbs.AddNode(exu.Node1D(referenceCoordinates=q[:1], initialCoordinates=q[1:], initialVelocities=[v]))
+        start: dict[str, Any] = {"referenceCoordinates": q[:1], "initialCoordinates": q[1:]}
+        if node_type == "Node1D":
+            node = self.mbs.AddNode(exu.Node1D(**start, initialVelocities=[v]))
+        else:
+            node = self.mbs.AddNode(exu.NodeGenericODE2(numberOfODE2Coordinates=1, **start, initialCoordinates_t=[v]))
         inertia = {"physicsMass" if body == "ObjectMass1D" else "physicsInertia": rng.uniform(1, 2)}
         made = self.mbs.AddObject(
             getattr(exu, body)(

@@ -184,7 +184,7 @@ def pairs_of(item: Item) -> list[tuple[tuple[str, tuple[str, str]], ...]]:
         if item.kind == "load":
             pairs.append((("MarkerNodeODE1Coordinate", FIRST_ORDER), ("", POINT)))
     elif "BodyMass" in requested:
-        pairs = [(("MarkerBodyMass", body), ("", POINT)) for body in BODIES if body != ROTOR_1D]
+        pairs = [(("MarkerBodyMass", body), ("", POINT)) for body in BODIES if body[0] != ROTOR_1D[0]]
     elif item.name.endswith("2D"):
         pairs = list(planar_pairs("Orientation" in requested))
     else:

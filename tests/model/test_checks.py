@@ -27,6 +27,11 @@ def wrong_node_type(mbs: exu.MainSystem) -> None:
     mbs.AddObject(exu.Mass1D(nodeNumber=node, physicsMass=1))
 
 
+def node_too_large(mbs: exu.MainSystem) -> None:
+    node = mbs.AddNode(exu.NodeGenericODE2(numberOfODE2Coordinates=2))
+    mbs.AddObject(exu.Mass1D(nodeNumber=node, physicsMass=1))
+
+
 def wrong_marker_type(mbs: exu.MainSystem) -> None:
     node = mbs.AddNode(exu.NodePoint())
     body = mbs.AddObject(exu.MassPoint(nodeNumber=node, physicsMass=1))
@@ -59,6 +64,7 @@ def deleted_marker(mbs: exu.MainSystem) -> None:
         (no_node, "object 0 'ball' (ObjectMassPoint), parameter 'nodeNumber': received 0, but expected an existing node, and there is none."),
         (node_not_set, "object 0 'object0' (ObjectMassPoint), parameter 'nodeNumber': received the invalid index -1, but expected the number of a node."),
         (wrong_node_type, "object 0 'object0' (ObjectMass1D), parameter 'nodeNumber': received node 0 'node0' (NodePoint), which provides Position, but expected a node that provides GenericODE2."),
+        (node_too_large, "object 0 'object0' (ObjectMass1D), parameter 'nodeNumber': received nodes with 2 coordinates together, but expected 1."),
         (wrong_marker_type, "load 0 'load0' (LoadTorqueVector), parameter 'markerNumber': received marker 0 'marker0' (MarkerBodyPosition), which provides Object, Body, Position, but expected a marker that provides Orientation."),
         (marker_on_connector, "marker 1 'marker1' (MarkerBodyPosition), parameter 'bodyNumber': received object 1 'object1' (ObjectConnectorSpringDamper), but expected a body (also ground, a finite element or a super element)."),
         (wrong_number_of_coordinates, "node 0 'node0' (NodeGenericODE2), parameter 'referenceCoordinates': received 3 values, but expected 2 values as numberOfODE2Coordinates is 2."),

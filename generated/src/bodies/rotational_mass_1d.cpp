@@ -7,6 +7,7 @@
 
 #include "dalembert/batches/body.hpp"
 #include "dalembert/items/bodies/rotational_mass_1d.hpp"
+#include "dalembert/items/nodes/generic_ode2.hpp"
 #include "dalembert/items/nodes/one_d.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
@@ -38,7 +39,7 @@ constexpr std::array<OutputVariableType, 7> outputs{
     OutputVariableType::AngularVelocityLocal,
 };
 
-const auto& physics = BodyPhysics<ObjectRotationalMass1D, ObjectRotationalMass1DRecord, Node1D>{};
+const auto& physics = BodyPhysics<ObjectRotationalMass1D, ObjectRotationalMass1DRecord, Node1D, NodeGenericODE2>{};
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 
 #include "dalembert/batches/element.hpp"
 #include "dalembert/batches/planar_marker.hpp"
+#include "dalembert/model/errors.hpp"
 
 namespace dalembert {
 
@@ -21,7 +22,11 @@ struct BodyPhysics final : ObjectPhysics {
     choose(nodes, [&]<class E>() { batch = make_frame_marker<E, Record>(shape); });
     return batch;
   }
-  void check(const void* record, const Placement&, const Ports&, const std::string& item) const override {
+  void check(const void* record, const Placement& on, const Ports&, const std::string& item) const override {
+    if constexpr (requires { Body::size; })
+      if (static_cast<int>(on.dofs.size()) != Body::size)
+        refuse(ErrorKind::value, {item, "nodeNumber", "", "nodes with " + std::to_string(on.dofs.size()) + " coordinates together",
+                                  std::to_string(Body::size), ""});
     if constexpr (requires(const typename Body::Parameters& p) { Body::check(p, item); })
       Body::check(static_cast<const Record*>(record)->parameters, item);
   }
