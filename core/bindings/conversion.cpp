@@ -330,12 +330,13 @@ void read(PyObject* value, const Row& row, UserFunction& out) { out = read_user_
 
 void read(PyObject* value, const Row&, Opaque& out) {
   // A list or dictionary that the user goes on to fill must not change the item.
-  if (PyList_Check(value) || PyDict_Check(value)) {
-    const py::object copy = py::handle(value).attr("copy")();
-    out = make_opaque(copy.ptr());
-    return;
+  if (PyList_CheckExact(value)) {
+    out = make_opaque(py::reinterpret_steal<py::object>(PyList_GetSlice(value, 0, PY_SSIZE_T_MAX)).ptr());
+  } else if (PyList_Check(value) || PyDict_Check(value)) {
+    out = make_opaque(py::object(py::handle(value).attr("copy")()).ptr());
+  } else {
+    out = make_opaque(value);
   }
-  out = make_opaque(value);
 }
 
 // ---- to Python -------------------------------------------------------------------------------------------------------

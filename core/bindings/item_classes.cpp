@@ -1,9 +1,11 @@
 #include "item_classes.hpp"
 
+#include <array>
 #include <deque>
 #include <new>
 #include <unordered_map>
 
+#include "call_arguments.hpp"
 #include "conversion.hpp"
 #include "dalembert/model/errors.hpp"
 #include "dalembert/model/member.hpp"
@@ -17,6 +19,7 @@ namespace {
 std::vector<std::unique_ptr<ItemClass>> classes;
 std::unordered_map<const PyTypeObject*, const ItemClass*> by_python_type;  // items and V classes alike
 std::unordered_map<const ItemType*, const ItemClass*> by_item_type;
+std::array<std::unordered_map<const PyObject*, const ItemClass*>, item_kinds> by_type_name;  // interned
 PyTypeObject* item_base = nullptr;
 PyTypeObject* visualization_base = nullptr;
 
@@ -34,84 +37,6 @@ const ItemClass& class_of_python_type(PyTypeObject* type) {
 }
 
 bool is_view(Storage storage) { return storage >= Storage::vector2 && storage <= Storage::matrix6; }
-
-// ---- arguments -----------------------------------------------------------------------------------------------------
-
-// What a call of a class assigns: items and V classes differ only in this.
-struct Target {
-  const ItemClass& item_class;
-  void* record;
-  bool visualization;  // a V class
-
-  const std::vector<ItemClass::Argument>& arguments() const {
-    return visualization ? item_class.visualization_arguments : item_class.arguments;
-  }
-  std::string where() const {
-    const std::string name(item_class.type->name);
-    if (visualization) return "V" + name;
-    for (const Row& row : item_class.type->rows) {
-      if (row.role != Role::name) continue;
-      const auto& own = *static_cast<const std::string*>(member(record, row));
-      return own.empty() ? name : name + " " + quoted(own);
-    }
-    return name;
-  }
-  void assign(std::size_t position, PyObject* value) const {
-    const Row* row = arguments()[position].row;
-    if (row == nullptr) {
-      set_visualization(item_class, value, record, where());
-    } else {
-      set_member(item_class, *row, value, record, where());
-    }
-  }
-};
-
-std::size_t find_argument(const Target& target, PyObject* name) {
-  const auto& arguments = target.arguments();
-  for (std::size_t i = 0; i < arguments.size(); ++i)
-    if (arguments[i].name == name) return i;  // keywords are interned
-  const std::string word = to_string(name);
-  const ItemType& type = *target.item_class.type;
-  const Row* row = target.visualization ? find_visualization_row(type, word) : find_row(type, word);
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    if (row != nullptr && arguments[i].row == row && (target.visualization || row->role != Role::visualization)) return i;
-    if (row == nullptr && to_string(arguments[i].name) == word) return i;
-  }
-  std::vector<std::string> names;
-  for (const auto& argument : arguments) names.push_back(to_string(argument.name));
-  refuse(ErrorKind::type, {target.where(), "", "there is no parameter " + quoted(word), "", "",
-                           suggestion(word, {names.begin(), names.end()})});
-}
-
-void assign_arguments(const Target& target, PyObject* const* values, std::size_t positional, PyObject* keywords) {
-  const std::size_t most = target.arguments().size();
-  if (positional > most) {
-    refuse(ErrorKind::type, {target.where(), "", "", std::to_string(positional) + " positional arguments",
-                             "at most " + std::to_string(most), "Name the parameters: " + std::string(target.item_class.type->name) +
-                             "(" + to_string(target.arguments()[0].name) + "=...)"});
-  }
-  for (std::size_t i = 0; i < positional; ++i) target.assign(i, values[i]);
-  const Py_ssize_t named = keywords == nullptr ? 0 : PyTuple_GET_SIZE(keywords);
-  for (Py_ssize_t k = 0; k < named; ++k) {
-    const std::size_t i = find_argument(target, PyTuple_GET_ITEM(keywords, k));
-    if (i < positional)
-      refuse(ErrorKind::type, {target.where(), to_string(target.arguments()[i].name), "given by position and by name", "", "", ""});
-    target.assign(i, values[positional + static_cast<std::size_t>(k)]);
-  }
-}
-
-// The same from what __init__ receives.
-void assign_init_arguments(const Target& target, PyObject* args, PyObject* kwargs) {
-  std::vector<PyObject*> values;
-  for (Py_ssize_t i = 0; i < PyTuple_GET_SIZE(args); ++i) values.push_back(PyTuple_GET_ITEM(args, i));
-  py::object names;
-  if (kwargs != nullptr) {
-    names = py::reinterpret_steal<py::object>(PySequence_Tuple(kwargs));
-    for (Py_ssize_t k = 0; k < PyTuple_GET_SIZE(names.ptr()); ++k)
-      values.push_back(PyDict_GetItem(kwargs, PyTuple_GET_ITEM(names.ptr(), k)));
-  }
-  assign_arguments(target, values.data(), static_cast<std::size_t>(PyTuple_GET_SIZE(args)), names.ptr());
-}
 
 // ---- life of the Python objects ------------------------------------------------------------------------------------
 
@@ -193,12 +118,12 @@ int set_attribute(PyObject* self, PyObject* value, void* closure) {
     auto* object = reinterpret_cast<Object*>(self);
     const Row& row = *static_cast<const Row*>(closure);
     detach(object);
-    const Target target{*object->item_class, object->record.get(), std::is_same_v<Object, VisualizationObject>};
+    const CallTarget target{*object->item_class, object->record.get(), std::is_same_v<Object, VisualizationObject>};
     if (value == nullptr || row.internal) {
       refuse(ErrorKind::name, {target.where(), std::string(row.name), value == nullptr ? "cannot be deleted" : "cannot be set", "",
                                "", ""});
     }
-    set_member(*object->item_class, row, value, object->record.get(), target.where());
+    set_member(*object->item_class, row, value, object->record.get(), [&] { return target.where(); });
   });
 }
 
@@ -216,7 +141,7 @@ int assign_visualization(PyObject* self, PyObject* value, void*) {
     auto* item = reinterpret_cast<ItemObject*>(self);
     detach(item);
     set_visualization(*item->item_class, value == nullptr ? Py_None : value, item->record.get(),
-                      std::string(item->item_class->type->name));
+                      [&] { return item->item_class->type->name; });
   });
 }
 
@@ -239,7 +164,8 @@ int set_any_attribute(PyObject* self, PyObject* name, PyObject* value) {
 PyObject* item_iterate(PyObject* self) {
   return guarded([&] {
     auto* item = reinterpret_cast<ItemObject*>(self);
-    const py::dict all = item_dictionary(*item->item_class->type, item->record.get(), item_name(*item), true);
+    const ItemType& type = *item->item_class->type;
+    const py::dict all = item_dictionary(type, item->record.get(), name_in(type, item->record.get()), true);
     return py::iter(all.attr("items")()).release().ptr();
   });
 }
@@ -392,20 +318,30 @@ PyGetSetDef* make_attributes(const ItemType& type, bool visualization) {
   return attributes.data();
 }
 
-ItemClass::Argument argument(const Row* row, std::string_view name) {
-  return {row, PyUnicode_InternFromString(std::string(name).c_str())};
+PyObject* interned(const std::string& name) { return PyUnicode_InternFromString(name.c_str()); }
+
+// The names of an item type and of its parameters, as programs spell them.
+void add_names(ItemClass& item_class) {
+  const ItemType& type = *item_class.type;
+  for (const Row& row : type.rows) {
+    const bool visualization = row.role == Role::visualization;
+    const std::string prefix = visualization ? "V" : "", name(row.name);
+    item_class.entries.push_back({&row, interned(prefix + name)});
+    for (const std::string_view alias : row.aliases) item_class.entries.push_back({&row, interned(prefix + std::string(alias))});
+    if (row.internal) continue;
+    (visualization ? item_class.visualization_arguments : item_class.arguments).push_back({&row, interned(name)});
+  }
+  item_class.arguments.push_back({nullptr, interned("visualization")});
+  item_class.entries.push_back({nullptr, interned("visualization")});
+  for (const std::string_view name : {type.type_name, type.name})
+    by_type_name[static_cast<std::size_t>(type.kind)][interned(std::string(name))] = &item_class;
 }
 
 void make_class(const ItemType& type) {
   auto item_class = std::make_unique<ItemClass>();
   item_class->type = &type;
   item_class->defaults = type.record.create();
-  for (const Row& row : type.rows) {
-    if (row.internal) continue;
-    auto& list = row.role == Role::visualization ? item_class->visualization_arguments : item_class->arguments;
-    list.push_back(argument(&row, row.name));
-  }
-  item_class->arguments.push_back(argument(nullptr, "visualization"));
+  add_names(*item_class);
 
   const std::string name(type.name);
   auto slots = common_slots<ItemObject>();
@@ -444,6 +380,12 @@ PyTypeObject* make_base(const char* name, const char* doc, std::size_t size) {
 const std::vector<std::unique_ptr<ItemClass>>& item_classes() { return classes; }
 const ItemClass& class_of(const ItemType& type) { return *by_item_type.at(&type); }
 
+const ItemClass* find_class(ItemKind kind, PyObject* name) {
+  const auto& names = by_type_name[static_cast<std::size_t>(kind)];
+  const auto found = names.find(name);
+  return found == names.end() ? nullptr : found->second;
+}
+
 ItemObject* as_item(PyObject* value) {
   return PyObject_TypeCheck(value, item_base) ? reinterpret_cast<ItemObject*>(value) : nullptr;
 }
@@ -451,21 +393,11 @@ VisualizationObject* as_visualization(PyObject* value) {
   return PyObject_TypeCheck(value, visualization_base) ? reinterpret_cast<VisualizationObject*>(value) : nullptr;
 }
 
-std::string item_name(const ItemObject& item) {
-  for (const Row& row : item.item_class->type->rows)
-    if (row.role == Role::name) return *static_cast<const std::string*>(member(item.record.get(), row));
-  return {};
-}
-
 Item take_item(ItemObject* object) {
   const ItemType& type = *object->item_class->type;
-  Item item{&type, object->record, item_name(*object)};
-  if (object->exposed) {
-    item.record = type.record.copy(object->record.get());
-  } else {
-    object->shared = true;
-  }
-  return item;
+  if (object->exposed) return {&type, type.record.copy(object->record.get())};
+  object->shared = true;
+  return {&type, object->record};
 }
 
 void register_items(py::module_& module) {

@@ -3,7 +3,9 @@
 
 #include <pybind11/pybind11.h>
 
+#include <concepts>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "dalembert/model/item.hpp"
@@ -11,6 +13,19 @@
 namespace dalembert {
 
 namespace py = pybind11;
+
+// How errors name the item at hand; put into words when an error needs them.
+class Label {
+ public:
+  template <std::invocable Words>
+  Label(const Words& words) : words_(&words), speak_([](const void* w) { return std::string((*static_cast<const Words*>(w))()); }) {}
+  Label(const std::string& text) : words_(&text), speak_([](const void* t) { return *static_cast<const std::string*>(t); }) {}
+  std::string text() const { return speak_(words_); }
+
+ private:
+  const void* words_;
+  std::string (*speak_)(const void*);
+};
 
 struct ItemClass {
   const ItemType* type = nullptr;
@@ -22,6 +37,7 @@ struct ItemClass {
   };
   std::vector<Argument> arguments;                // of NodePoint(...), by position
   std::vector<Argument> visualization_arguments;  // of VNodePoint(...)
+  std::vector<Argument> entries;                  // of dictionaries, with aliases; visualization parameters begin with 'V'
   std::shared_ptr<const void> defaults;           // a record as the spec gives it
 };
 
@@ -43,27 +59,27 @@ struct VisualizationObject {
 
 const std::vector<std::unique_ptr<ItemClass>>& item_classes();
 const ItemClass& class_of(const ItemType& type);
+const ItemClass* find_class(ItemKind kind, PyObject* name);  // by type name; nullptr: not there, or not interned
+const ItemClass::Argument* find_interned(const std::vector<ItemClass::Argument>& arguments, PyObject* name);  // nullptr: as before
 ItemObject* as_item(PyObject* value);                    // nullptr: not an item
 VisualizationObject* as_visualization(PyObject* value);  // nullptr: not a V object
-
-std::string item_name(const ItemObject& item);  // as the user gave it; may be empty
 
 // The item for a model; a planned or changed record is not looked at here.
 Item take_item(ItemObject* object);
 
 // Set one member, with item and parameter named if the value is refused. `where` describes the item.
-void set_member(const ItemClass& item_class, const Row& row, PyObject* value, void* record, const std::string& where);
+void set_member(const ItemClass& item_class, const Row& row, PyObject* value, void* record, const Label& where);
 // Set visualization parameters from a V object, a dictionary or another mapping.
-void set_visualization(const ItemClass& item_class, PyObject* value, void* record, const std::string& where);
+void set_visualization(const ItemClass& item_class, PyObject* value, void* record, const Label& where);
 
 // {'nodeType': 'Point', 'name': ..., ..., 'Vshow': ...}
 py::dict item_dictionary(const ItemType& type, const void* record, const std::string& name, bool graphics);
 // The reverse. The item's kind must be `kind`.
-Item item_from_dictionary(ItemKind kind, const py::dict& dictionary, const std::string& where);
+Item item_from_dictionary(ItemKind kind, const py::dict& dictionary, const Label& where);
 
 // Write the given parameters over those in `record`. Models exist whose dictionaries have superfluous keys: `warn` goes on.
 enum class UnknownKeys { refuse, warn };
-void update_from_dictionary(const ItemClass& item_class, const py::dict& dictionary, void* record, const std::string& where,
+void update_from_dictionary(const ItemClass& item_class, const py::dict& dictionary, void* record, const Label& where,
                             UnknownKeys unknown_keys);
 
 void register_items(py::module_& module);

@@ -1,4 +1,6 @@
 // Items as dictionaries, and the assignment of single members with complete error texts.
+#include <array>
+
 #include "conversion.hpp"
 #include "dalembert/model/errors.hpp"
 #include "dalembert/model/member.hpp"
@@ -44,6 +46,16 @@ bool is_default(const ItemClass& item_class, const Row& row, PyObject* value) {
   }
 }
 
+// 'nodeType' and its like, interned.
+PyObject* type_key_name(ItemKind kind) {
+  static const auto names = [] {
+    std::array<PyObject*, item_kinds> made{};
+    for (std::size_t k = 0; k < made.size(); ++k) made[k] = PyUnicode_InternFromString(std::string(type_key(static_cast<ItemKind>(k))).c_str());
+    return made;
+  }();
+  return names[static_cast<std::size_t>(kind)];
+}
+
 void warn_of_ignored(const Complaint& text) {
   const std::string message = text.text() + " The entry is ignored.";
   if (PyErr_WarnEx(PyExc_UserWarning, message.c_str(), 1) != 0) throw py::error_already_set();
@@ -57,7 +69,7 @@ void copy_default(const ItemClass& item_class, const Row& row, void* record) {
 
 }  // namespace
 
-void set_member(const ItemClass& item_class, const Row& row, PyObject* value, void* record, const std::string& where) {
+void set_member(const ItemClass& item_class, const Row& row, PyObject* value, void* record, const Label& where) {
   try {
     from_python(value, row, member(record, row));
   } catch (const Refusal& refusal) {
@@ -68,11 +80,11 @@ void set_member(const ItemClass& item_class, const Row& row, PyObject* value, vo
     std::string expected = refusal.expected;
     if (!row.unit.empty()) expected += " (unit " + std::string(row.unit) + ")";
     const std::string name = (row.role == Role::visualization ? "V" : "") + std::string(row.name);
-    refuse(refusal.kind, {where, name, "", show(value), expected, refusal.advice});
+    refuse(refusal.kind, {where.text(), name, "", show(value), expected, refusal.advice});
   }
 }
 
-void set_visualization(const ItemClass& item_class, PyObject* value, void* record, const std::string& where) {
+void set_visualization(const ItemClass& item_class, PyObject* value, void* record, const Label& where) {
   const ItemType& type = *item_class.type;
   const VisualizationObject* other = as_visualization(value);
   if (other != nullptr && other->item_class == &item_class) {
@@ -84,7 +96,7 @@ void set_visualization(const ItemClass& item_class, PyObject* value, void* recor
     return;
   }
   const auto complain = [&](const std::string& problem, const std::string& advice) {
-    refuse(ErrorKind::type, {where, "visualization", problem, show(value), "V" + std::string(type.name) + "(...) or a dictionary", advice});
+    refuse(ErrorKind::type, {where.text(), "visualization", problem, show(value), "V" + std::string(type.name) + "(...) or a dictionary", advice});
   };
   py::dict entries;
   if (PyDict_Check(value)) {
@@ -98,6 +110,10 @@ void set_visualization(const ItemClass& item_class, PyObject* value, void* recor
     entries = py::reinterpret_steal<py::dict>(made);
   }
   for (const auto& [key, entry] : entries) {
+    if (const auto* argument = find_interned(item_class.visualization_arguments, key.ptr())) {
+      set_member(item_class, *argument->row, entry.ptr(), record, where);
+      continue;
+    }
     const std::string word = PyUnicode_Check(key.ptr()) ? to_string(key.ptr()) : show(key.ptr());
     const Row* row = find_visualization_row(type, word);
     if (row == nullptr) {
@@ -136,19 +152,21 @@ py::dict item_dictionary(const ItemType& type, const void* record, const std::st
   return result;
 }
 
-void update_from_dictionary(const ItemClass& item_class, const py::dict& dictionary, void* record, const std::string& where,
+void update_from_dictionary(const ItemClass& item_class, const py::dict& dictionary, void* record, const Label& where,
                             UnknownKeys unknown_keys) {
   const ItemType& type = *item_class.type;
   for (const auto& [key, value] : dictionary) {
-    const std::string word = PyUnicode_Check(key.ptr()) ? to_string(key.ptr()) : show(key.ptr());
+    if (key.ptr() == type_key_name(type.kind)) continue;
+    const auto* entry = find_interned(item_class.entries, key.ptr());
+    const std::string word = entry != nullptr ? "" : PyUnicode_Check(key.ptr()) ? to_string(key.ptr()) : show(key.ptr());
     if (word == type_key(type.kind)) continue;
-    if (word == "visualization") {
+    if (entry != nullptr ? entry->row == nullptr : word == "visualization") {
       set_visualization(item_class, value.ptr(), record, where);
       continue;
     }
-    const Row* row = find_row(type, word);
+    const Row* row = entry != nullptr ? entry->row : find_row(type, word);
     if (row == nullptr) {
-      const Complaint text{where, "", "there is no parameter " + quoted(word), "", "", suggest_parameter(type, word)};
+      const Complaint text{where.text(), "", "there is no parameter " + quoted(word), "", "", suggest_parameter(type, word)};
       if (unknown_keys == UnknownKeys::refuse) refuse(ErrorKind::value, text);
       warn_of_ignored(text);
       continue;
@@ -158,25 +176,33 @@ void update_from_dictionary(const ItemClass& item_class, const py::dict& diction
   }
 }
 
-Item item_from_dictionary(ItemKind kind, const py::dict& dictionary, const std::string& where) {
+namespace {
+
+// The class that a dictionary names.
+const ItemClass& class_in(ItemKind kind, const py::dict& dictionary, const Label& where) {
+  PyObject* name = PyDict_GetItemWithError(dictionary.ptr(), type_key_name(kind));
+  if (name != nullptr)
+    if (const ItemClass* found = find_class(kind, name)) return *found;
   const std::string key(type_key(kind));
-  if (!dictionary.contains(key.c_str())) {
-    refuse(ErrorKind::value, {where, "", "the dictionary has no key " + quoted(key), show(dictionary.ptr()),
+  if (name == nullptr) {
+    refuse(ErrorKind::value, {where.text(), "", "the dictionary has no key " + quoted(key), show(dictionary.ptr()),
                               "a dictionary of " + with_article(kind_name(kind)),
                               "Name the type, e.g. {" + quoted(key) + ": " +
                                   quoted(find_type(kind, "Point") != nullptr ? "Point" : "...") + ", ...}"});
   }
-  const py::object name = dictionary[key.c_str()];
-  if (!py::isinstance<py::str>(name))
-    refuse(ErrorKind::type, {where, key, "", show(name.ptr()), "the name of a type as a string", ""});
-  const ItemType& type = require_type(kind, name.cast<std::string>(), where);
-  const ItemClass& item_class = class_of(type);
+  if (!PyUnicode_Check(name)) refuse(ErrorKind::type, {where.text(), key, "", show(name), "the name of a type as a string", ""});
+  return class_of(require_type(kind, to_string(name), where.text()));
+}
+
+}  // namespace
+
+Item item_from_dictionary(ItemKind kind, const py::dict& dictionary, const Label& where) {
+  const ItemClass& item_class = class_in(kind, dictionary, where);
+  const ItemType& type = *item_class.type;
   std::shared_ptr<void> record = type.record.create();
-  update_from_dictionary(item_class, dictionary, record.get(), where + ": " + std::string(type.name), UnknownKeys::warn);
-  Item item{&type, record, {}};
-  for (const Row& row : type.rows)
-    if (row.role == Role::name) item.name = *static_cast<const std::string*>(member(record.get(), row));
-  return item;
+  update_from_dictionary(item_class, dictionary, record.get(), [&] { return where.text() + ": " + std::string(type.name); },
+                         UnknownKeys::warn);
+  return {&type, std::move(record)};
 }
 
 }  // namespace dalembert

@@ -56,8 +56,8 @@ std::string method_name(const char* verb, ItemKind kind, const char* rest = "") 
                            with_article(kind_name(kind)) + " item or its dictionary", advice});
 }
 
-Item slow_item(ItemKind kind, PyObject* value) {
-  const std::string where = "mbs." + method_name("Add", kind) + "(...)";
+Item other_item(ItemKind kind, PyObject* value) {
+  const auto where = [&] { return "mbs." + method_name("Add", kind) + "(...)"; };
   if (PyDict_Check(value)) return item_from_dictionary(kind, py::reinterpret_borrow<py::dict>(value), where);
   if (PyType_Check(value))
     refuse_item(kind, value, "Put parentheses behind the class to make an item of it.");
@@ -71,8 +71,9 @@ Item slow_item(ItemKind kind, PyObject* value) {
 }
 
 Item item_argument(ItemKind kind, PyObject* value) {
+  if (PyDict_CheckExact(value)) return other_item(kind, value);
   ItemObject* object = as_item(value);
-  if (object == nullptr) return slow_item(kind, value);
+  if (object == nullptr) return other_item(kind, value);
   const ItemType& type = *object->item_class->type;
   if (type.kind != kind) {
     refuse_item(kind, value, std::string(type.name) + " is " + with_article(kind_name(type.kind)) + "; use mbs." +
@@ -169,12 +170,7 @@ void modify_item(MainSystem& main, ItemKind kind, int number, const py::dict& ch
   }
   std::shared_ptr<void> record = type.record.copy(old.record.get());
   update_from_dictionary(class_of(type), changes, record.get(), where, UnknownKeys::refuse);
-  Item item{&type, record, old.name};
-  for (const Row& row : type.rows)
-    if (row.role == Role::name && changes.contains(std::string(row.name).c_str()))
-      item.name = *static_cast<const std::string*>(member(record.get(), row));
-  item.record = bind_user_functions(type, std::move(item.record), main);
-  main.model.replace(kind, number, std::move(item));
+  main.model.replace(kind, number, {&type, bind_user_functions(type, std::move(record), main)});
 }
 
 void delete_item(MainSystem& main, ItemKind kind, int number, bool with_dependents, bool quiet) {

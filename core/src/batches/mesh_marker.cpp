@@ -48,6 +48,7 @@ void InnerMarkers::evaluate(const Evaluation& evaluation) {
   for (const Group& g : groups_) g.batch->evaluate(evaluation, ports);
 }
 void InnerMarkers::evaluate_tangent(const Evaluation& evaluation, const Weights& weights) {
+  ports.differentiate();
   for (const Group& g : groups_) g.batch->evaluate_tangent(evaluation, weights, ports);
 }
 void InnerMarkers::clear_forces() { std::ranges::fill(ports.forces, 0.0); }

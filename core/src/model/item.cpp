@@ -20,6 +20,14 @@ bool has_name(const Row& row, std::string_view name) {
 
 }  // namespace
 
+std::string& name_in(const ItemType& type, void* record) {
+  const auto row = std::ranges::find(type.rows, Role::name, &Row::role);
+  return *static_cast<std::string*>(member(record, *row));
+}
+const std::string& name_in(const ItemType& type, const void* record) { return name_in(type, const_cast<void*>(record)); }
+
+const std::string& Item::name() const { return name_in(*type, record.get()); }
+
 std::string default_name(ItemKind kind, int number) { return std::string(kind_name(kind)) + std::to_string(number); }
 
 std::string describe_item(ItemKind kind, int number, const std::string& name, const ItemType& type) {

@@ -21,6 +21,12 @@ void refuse_planned(const ItemType& type) {
   refuse(ErrorKind::planned, complaint);
 }
 
+Item renamed(const Item& item, std::string name) {
+  std::shared_ptr<void> record = item.type->record.copy(item.record.get());
+  name_in(*item.type, record.get()) = std::move(name);
+  return {item.type, std::move(record)};
+}
+
 }  // namespace
 
 int default_name_number(ItemKind kind, std::string_view name) {
@@ -49,7 +55,7 @@ const Item& Model::item(ItemKind kind, int number) const {
 
 std::string Model::name(ItemKind kind, int number) const {
   const Item& found = item(kind, number);
-  return found.name.empty() ? default_name(kind, number) : found.name;
+  return found.name().empty() ? default_name(kind, number) : found.name();
 }
 
 int Model::number(ItemKind kind, std::string_view name) const {
@@ -57,13 +63,15 @@ int Model::number(ItemKind kind, std::string_view name) const {
   if (const auto found = names.find(std::string(name)); found != names.end()) return found->second;
   const int number = default_name_number(kind, name);
   const Item* item = find_item(kind, number);
-  return item != nullptr && item->name.empty() ? number : -1;
+  return item != nullptr && item->name().empty() ? number : -1;
 }
 
 std::string Model::describe(ItemKind kind, int number) const {
-  if (const Item* item = find_item(kind, number)) return describe_item(kind, number, item->name, *item->type);
+  if (const Item* item = find_item(kind, number)) return describe_item(kind, number, item->name(), *item->type);
   return std::string(kind_name(kind)) + " " + std::to_string(number);
 }
+
+ItemLabel::operator std::string() const { return model.describe(kind, number); }
 
 // Default names belong to the item with that number, so that every item has a name of its own.
 void Model::check_name(ItemKind kind, int number, std::string_view name, const ItemType& type) const {
@@ -85,22 +93,26 @@ void Model::check_name(ItemKind kind, int number, std::string_view name, const I
   refuse(ErrorKind::value, complaint);
 }
 
+void Model::adopt_name(ItemKind kind, int number, Item& item) const {
+  check_name(kind, number, item.name(), *item.type);
+  if (default_name_number(kind, item.name()) == number) item = renamed(item, {});
+}
+
 void Model::register_name(ItemKind kind, int number, std::string_view name) {
   if (!name.empty()) numbers_[static_cast<std::size_t>(kind)][std::string(name)] = number;
 }
 
 void Model::index_names(ItemKind kind) {
   numbers_[static_cast<std::size_t>(kind)].clear();
-  for (int i = 0; i < count(kind); ++i) register_name(kind, i, items(kind)[static_cast<std::size_t>(i)].name);
+  for (int i = 0; i < count(kind); ++i) register_name(kind, i, items(kind)[static_cast<std::size_t>(i)].name());
 }
 
 int Model::add(Item item) {
   const ItemKind kind = item.type->kind;
   const int number = count(kind);
   if (item.type->physics == nullptr && kind != ItemKind::sensor) refuse_planned(*item.type);
-  check_name(kind, number, item.name, *item.type);
-  if (default_name_number(kind, item.name) == number) item.name.clear();
-  register_name(kind, number, item.name);
+  adopt_name(kind, number, item);
+  register_name(kind, number, item.name());
   items(kind).push_back(std::move(item));
   ++structure_changes_;
   return number;
@@ -116,8 +128,7 @@ void Model::replace(ItemKind kind, int number, Item item) {
     complaint.advice = "The type of an item cannot change; delete the item and add another one.";
     refuse(ErrorKind::value, complaint);
   }
-  check_name(kind, number, item.name, *item.type);
-  if (default_name_number(kind, item.name) == number) item.name.clear();
+  adopt_name(kind, number, item);
   items(kind)[static_cast<std::size_t>(number)] = std::move(item);
   index_names(kind);
   ++structure_changes_;
@@ -141,9 +152,9 @@ void Model::edit(ItemKind kind, int number, const Row& row, const std::function<
 }
 
 void Model::rename(ItemKind kind, int number, std::string name) {
-  check_name(kind, number, name, *item(kind, number).type);
-  if (default_name_number(kind, name) == number) name.clear();
-  items(kind)[static_cast<std::size_t>(number)].name = std::move(name);
+  Item item = renamed(this->item(kind, number), std::move(name));
+  adopt_name(kind, number, item);
+  items(kind)[static_cast<std::size_t>(number)] = std::move(item);
   index_names(kind);
 }
 

@@ -156,6 +156,7 @@ void System::tangent(const State& state, const Conditions& conditions, const Wei
   e.same_state = true;
   const Flagged evaluating(parts.evaluating);
   const EvaluationPlan& plan = parts.plan;
+  parts.ports.differentiate();
   each(parts.rotation_batches, [&](const RotationBatch& batch) { batch.evaluate_tangent(e, weights, parts.ports); });
   each(plan.differentiated, [&](const MarkerBatch& batch) { batch.evaluate_tangent(e, weights, parts.ports); });
   const auto add = [&](const Term& term) { term.tangent(e, weights, parts.ports, values.data()); };

@@ -17,7 +17,6 @@ class Copier {
     const auto found = numbers_.find({kind, number});
     if (found != numbers_.end()) return found->second;
     const Item& item = from_.item(kind, number);
-    Item own{item.type, nullptr, ""};
     const std::shared_ptr<void> record = item.type->record.copy(item.record.get());
     for (const Row& row : item.type->rows) {
       const IndexStorage storage = index_storage(row.storage);
@@ -25,8 +24,8 @@ class Copier {
       for (int& reference : index_values(row, record.get()))
         if (reference >= 0 && from_.find_item(storage.kind, reference) != nullptr) reference = copy(storage.kind, reference);
     }
-    own.record = record;
-    return numbers_[{kind, number}] = to.add(std::move(own));
+    name_in(*item.type, record.get()).clear();
+    return numbers_[{kind, number}] = to.add({item.type, record});
   }
 
   Model to;

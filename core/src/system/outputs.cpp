@@ -195,7 +195,7 @@ void System::body_output(int object, Variable variable, std::array<double, 3> lo
   const auto dofs = object_ltg(object, Coordinates::ode2);
   const auto& [batch, entry] = place.member;
   std::optional<PortsFor> ports;
-  if (!place.markers.empty()) ports.emplace(parts, configuration);
+  if (place.markers.count > 0) ports.emplace(parts, configuration);
   const Evaluation e = parts.output_evaluation(state, dofs);
   evaluated_ = parts.evaluating ? evaluated_ : nullptr;
   if (batch->output(entry, variable, at, e, parts.ports, values)) return;
@@ -218,10 +218,10 @@ void System::object_output(int object, Variable variable, ConfigurationType conf
 void System::super_element_output(int object, Variable variable, int mesh_node, ConfigurationType configuration,
                                   Values& values) {
   const ObjectPlace& place = parts_->objects.at(static_cast<std::size_t>(object));
-  if (mesh_node < 0 || mesh_node >= static_cast<int>(place.nodes.size()))
+  if (mesh_node < 0 || mesh_node >= static_cast<int>(place.nodes.count))
     refuse(ErrorKind::value, {parts_->describe(ItemKind::object, object), "meshNodeNumber", "", std::to_string(mesh_node),
-                              "a mesh node from 0 to " + std::to_string(static_cast<int>(place.nodes.size()) - 1), ""});
-  node_output(place.nodes[static_cast<std::size_t>(mesh_node)], variable, configuration, values);
+                              "a mesh node from 0 to " + std::to_string(static_cast<int>(place.nodes.count) - 1), ""});
+  node_output(place.nodes.of(parts_->references)[static_cast<std::size_t>(mesh_node)], variable, configuration, values);
 }
 
 void System::marker_output(int marker, Variable variable, ConfigurationType configuration, Values& values) {

@@ -10,17 +10,20 @@ void Ports::append(int value_count, int force_count, std::span<const int> coordi
   p.first_force = static_cast<int>(forces.size());
   p.n = static_cast<int>(coordinate_dofs.size());
   p.first_dof = static_cast<int>(dofs.size());
-  p.first_derivative = static_cast<int>(derivatives.size());
-  p.first_jacobian = ports.empty() ? 0 : ports.back().first_jacobian + ports.back().forces * ports.back().n;
+  p.first_derivative = derivative_count_;
+  p.first_jacobian = jacobian_count_;
+  derivative_count_ += p.values * p.n;
+  jacobian_count_ += p.forces * p.n;
   p.translations = translations;
   ports.push_back(p);
   values.resize(values.size() + static_cast<std::size_t>(p.values));
   forces.resize(forces.size() + static_cast<std::size_t>(p.forces));
-  derivatives.resize(derivatives.size() + static_cast<std::size_t>(p.values) * p.n);
-  jacobians.resize(static_cast<std::size_t>(p.first_jacobian + p.forces * p.n + margin));
   dofs.insert(dofs.end(), coordinate_dofs.begin(), coordinate_dofs.end());
 }
 
-void Ports::clear() { *this = Ports(); }
+void Ports::differentiate() {
+  derivatives.resize(static_cast<std::size_t>(derivative_count_));
+  jacobians.resize(static_cast<std::size_t>(jacobian_count_ + margin));
+}
 
 }  // namespace dalembert

@@ -48,8 +48,8 @@ void System::refresh(const Model& model) {
         parts.objects[i].record = record;
         parts.objects[i].member.batch->refresh(parts.objects[i].member.entry, record.get());
         for (MarkerPlace& marker : parts.markers)
-          for (std::size_t k = 0; k < marker.objects.size(); ++k)
-            if (marker.objects[k] == number)
+          for (std::size_t k = 0; k < marker.objects.count; ++k)
+            if (marker.objects.of(parts.references)[k] == number)
               marker.member.batch->refresh_owners(marker.member.entry, static_cast<int>(k), record.get());
         break;
       case ItemKind::marker: {
@@ -85,7 +85,7 @@ std::span<const double> System::static_signs() const { return parts_->static_sig
 bool System::has_discontinuities() const { return parts_->has_history; }
 
 std::span<const int> System::object_ltg(int object, Coordinates kind) const {
-  return parts_->objects.at(static_cast<std::size_t>(object)).ltg[static_cast<std::size_t>(kind)];
+  return parts_->objects.at(static_cast<std::size_t>(object)).ltg[static_cast<std::size_t>(kind)].of(parts_->coordinates);
 }
 
 int System::node_index(int node, Coordinates kind) const {
@@ -118,7 +118,9 @@ std::string SystemParts::describe(ItemKind kind, int number) const {
       default: return sensors[i].type;
     }
   };
-  return describe_item(kind, number, given_names[static_cast<std::size_t>(kind)][i], *type());
+  const auto& names = given_names[static_cast<std::size_t>(kind)];
+  const auto name = names.find(number);
+  return describe_item(kind, number, name == names.end() ? "" : name->second, *type());
 }
 
 std::string System::describe_row(int row) const {
@@ -135,7 +137,7 @@ std::string System::describe_row(int row) const {
              std::to_string(index - first);
   }
   for (std::size_t i = 0; i < parts.objects.size(); ++i) {
-    const auto& ae = parts.objects[i].ltg[static_cast<std::size_t>(Coordinates::ae)];
+    const auto ae = object_ltg(static_cast<int>(i), Coordinates::ae);
     if (algebraic && !ae.empty() && within(index, ae.front(), static_cast<int>(ae.size())))
       return parts.describe(ItemKind::object, static_cast<int>(i)) + ", equation " + std::to_string(index - ae.front());
   }

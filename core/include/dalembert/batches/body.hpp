@@ -22,7 +22,7 @@ struct BodyPhysics final : ObjectPhysics {
     choose(nodes, [&]<class E>() { batch = make_frame_marker<E, Record>(shape); });
     return batch;
   }
-  void check(const void* record, const Placement& on, const Ports&, const std::string& item) const override {
+  void check(const void* record, const Placement& on, const Ports&, const ItemLabel& item) const override {
     if constexpr (requires { Body::size; })
       if (static_cast<int>(on.dofs.size()) != Body::size)
         refuse(ErrorKind::value, {item, "nodeNumber", "", "nodes with " + std::to_string(on.dofs.size()) + " coordinates together",

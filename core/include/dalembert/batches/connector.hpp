@@ -29,6 +29,7 @@ class PortBatch final : public Term {
  public:
   using Port = typename K::Port;
 
+  void reserve(int entries) override { entries_.reserve(static_cast<std::size_t>(entries)); }
   void add(const void* record, const Placement& placement, const Ports& ports) override {
     Entry e;
     e.parameters = static_cast<const Record*>(record)->parameters;
@@ -180,7 +181,7 @@ struct PairPhysics final : ObjectPhysics {
       return !K::needs_data(static_cast<const Record*>(record)->parameters);
     return false;
   }
-  void check(const void*, const Placement& placement, const Ports& ports, const std::string& item) const override {
+  void check(const void*, const Placement& placement, const Ports& ports, const ItemLabel& item) const override {
     check_markers<typename K::Port>(placement, ports, item);
     if constexpr (requires { K::data_coordinates; })
       if (!placement.nodes.empty() && placement.data_count != K::data_coordinates)

@@ -27,6 +27,7 @@ class ConstraintBatch final : public Term {
   template <class S>
   using Frames = std::array<typename Port::template Frame<S>, 2>;
 
+  void reserve(int entries) override { entries_.reserve(static_cast<std::size_t>(entries)); }
   void add(const void* record, const Placement& placement, const Ports&) override {
     Entry e;
     e.parameters = static_cast<const Record*>(record)->parameters;
@@ -257,7 +258,7 @@ struct ConstraintPhysics final : ObjectPhysics {
     return std::make_unique<ConstraintBatch<K, Record>>();
   }
   int algebraic_equations(const void*, std::span<const int>) const override { return K::equations; }
-  void check(const void*, const Placement& placement, const Ports& ports, const std::string& item) const override {
+  void check(const void*, const Placement& placement, const Ports& ports, const ItemLabel& item) const override {
     check_markers<typename K::Port>(placement, ports, item);
   }
 };

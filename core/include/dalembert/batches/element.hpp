@@ -18,6 +18,7 @@ class ElementBatch final : public Term {
  public:
   static constexpr int n = E::size;
 
+  void reserve(int entries) override { entries_.reserve(static_cast<std::size_t>(entries)); }
   void add(const void* record, const Placement& placement, const Ports&) override {
     Entry entry;
     take_parameters<E, Record>(entry.parameters, record, placement);

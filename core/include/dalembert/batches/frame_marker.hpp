@@ -74,6 +74,7 @@ class FrameMarkerBatch : public MarkerBatch {
     return 0;
   }
 
+  void reserve(int entries) override { entries_.reserve(static_cast<std::size_t>(entries)); }
   // The record of a frame marker is its local position alone; the body's record comes with the placement.
   void add(const void* local, const Placement& placement, const Ports& ports) override {
     Entry e;

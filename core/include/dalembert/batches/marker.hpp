@@ -59,7 +59,7 @@ struct MarkerPhysicsOf final : MarkerPhysics {
   static_assert(FrameMarkerKernel<K> || CoordinateMarkerKernel<K> || RelativeMarkerKernel<K>,
                 "see core/include/dalembert/batches/marker.hpp");
 
-  void check(const void* record, const Placement& on, const Ports&, const std::string& item) const override {
+  void check(const void* record, const Placement& on, const Ports&, const ItemLabel& item) const override {
     if constexpr (RelativeMarkerKernel<K>) check_relative_marker(static_cast<const Record*>(record)->parameters, on, item);
   }
   bool works_without_data(const void*) const override { return RelativeMarkerKernel<K>; }

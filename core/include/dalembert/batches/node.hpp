@@ -115,9 +115,9 @@ struct MovingNodePhysics final : NodePhysics {
   }
   void values(const void* record, NodeValues& values) const override {
     const auto& p = static_cast<const Record*>(record)->parameters;
-    values.reference = list(p.referenceCoordinates);
-    values.displacement = list(p.initialCoordinates);
-    values.velocity = list(p.initialVelocities);
+    take(values.reference, p.referenceCoordinates);
+    take(values.displacement, p.initialCoordinates);
+    take(values.velocity, p.initialVelocities);
     values.algebraic.assign(static_cast<std::size_t>(sizes(record).ae), 0.0);
   }
   int lie_rotation() const override {
@@ -149,14 +149,13 @@ struct MovingNodePhysics final : NodePhysics {
 
  private:
   template <int N>
-  static std::vector<double> list(const Vec<double, N>& v) {
-    return {v.x.begin(), v.x.end()};
+  static void take(std::vector<double>& values, const Vec<double, N>& given) {
+    values.assign(given.x.begin(), given.x.end());
   }
   // Of any length in the spec; the node has its own.
-  static std::vector<double> list(const std::vector<double>& v) {
-    std::vector<double> r = v;
-    r.resize(Node::size);
-    return r;
+  static void take(std::vector<double>& values, const std::vector<double>& given) {
+    values.assign(given.begin(), given.end());
+    values.resize(Node::size);
   }
   static constexpr int equations() {
     return requires { Node::unit_from; } ? 1 : 0;

@@ -19,7 +19,7 @@ using SweepDual = Dual<sweep_width>;
 // Refuses markers that give less than the frame of `Port`, or several coordinates instead of one. The frame of a rigid body
 // begins with that of a point.
 template <class Port>
-void check_markers(const Placement& placement, const Ports& ports, const std::string& item) {
+void check_markers(const Placement& placement, const Ports& ports, const ItemLabel& item) {
   for (const int marker : placement.markers) {
     const PortLayout& port = ports.ports[marker];
     const bool one_coordinate = Port::forces == ScalarPort::forces;

@@ -25,7 +25,7 @@ concept RelativeMarkerKernel = requires(const typename K::Parameters& p, const R
 };
 
 template <class Parameters>
-void check_relative_marker(const Parameters& p, const Placement& on, const std::string& item) {
+void check_relative_marker(const Parameters& p, const Placement& on, const ItemLabel& item) {
   if (std::abs(norm(p.axis0) - 1) > 1e-10)
     refuse(ErrorKind::value, {item, "axis0", "", "an axis of length " + std::to_string(norm(p.axis0)), "a unit vector", ""});
   if constexpr (requires { p.nodeNumber; })

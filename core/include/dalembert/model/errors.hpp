@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "dalembert/reflection/storage.hpp"
+
 namespace dalembert {
 
 // Which Python exception an error becomes.
@@ -29,6 +31,16 @@ struct Complaint {
   std::string expected = {};  // "3 finite numbers"
   std::string advice = {};    // what to do
   std::string text() const;
+};
+
+class Model;
+
+// How errors name an item of a model; put into words when an error needs them.
+struct ItemLabel {
+  const Model& model;
+  ItemKind kind;
+  int number;
+  operator std::string() const;  // "node 3 'foot' (NodePoint)"
 };
 
 [[noreturn]] void refuse(ErrorKind kind, const Complaint& complaint);

@@ -16,13 +16,17 @@ inline constexpr int item_kinds = 5;
 struct Item {
   const ItemType* type = nullptr;
   std::shared_ptr<const void> record;
-  std::string name;  // empty: the default name, made of the kind and the number
 
+  const std::string& name() const;  // empty: the default name, made of the kind and the number
   template <class Record>
   const Record& as() const {
     return *static_cast<const Record*>(record.get());
   }
 };
+
+// The name in a record, as the user gave it; every record has one.
+std::string& name_in(const ItemType& type, void* record);
+const std::string& name_in(const ItemType& type, const void* record);
 
 // "node 3 'foot' (NodePoint)"; the default name stands in for an empty one.
 std::string describe_item(ItemKind kind, int number, const std::string& name, const ItemType& type);

@@ -27,6 +27,8 @@ class Model {
   const Item* find_item(ItemKind kind, int number) const;  // nullptr if there is none
   std::string name(ItemKind kind, int number) const;
   int number(ItemKind kind, std::string_view name) const;  // -1: there is none
+  // The numbers of items with names of their own.
+  const std::unordered_map<std::string, int>& names(ItemKind kind) const { return numbers_[static_cast<std::size_t>(kind)]; }
   std::string describe(ItemKind kind, int number) const;   // "node 3 'foot' (NodePoint)"
 
   // Add one item and return its number. A planned type, or a name that is taken, is refused.
@@ -53,13 +55,14 @@ class Model {
  private:
   std::vector<Item>& items(ItemKind kind) { return items_[static_cast<std::size_t>(kind)]; }
   void check_name(ItemKind kind, int number, std::string_view name, const ItemType& type) const;
+  void adopt_name(ItemKind kind, int number, Item& item) const;  // checked; a default name is left out
   void register_name(ItemKind kind, int number, std::string_view name);
   void index_names(ItemKind kind);
   void note_value_change(ItemKind kind, int number);
   void shift_references(ItemKind kind, int removed, std::vector<std::string>& lost);
 
   std::array<std::vector<Item>, item_kinds> items_;
-  std::array<std::unordered_map<std::string, int>, item_kinds> numbers_;  // of items with names of their own
+  std::array<std::unordered_map<std::string, int>, item_kinds> numbers_;
   std::vector<ItemReference> changes_;                                    // the last of the value changes
   std::uint64_t structure_changes_ = 0, value_changes_ = 0;
 };

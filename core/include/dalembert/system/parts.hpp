@@ -6,7 +6,9 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "dalembert/math/rotations.hpp"
@@ -35,12 +37,18 @@ struct Membership {
   int entry = -1;
 };
 
+// A part of a list of numbers that all items share.
+struct Stretch {
+  std::size_t first = 0, count = 0;
+  std::span<const int> of(const std::vector<int>& numbers) const { return {numbers.data() + first, count}; }
+};
+
 struct ObjectPlace {
   const ItemType* type = nullptr;
   std::shared_ptr<const void> record;
   Membership<Term> member;
-  std::array<std::vector<int>, 4> ltg;  // by System::Coordinates
-  std::vector<int> nodes, markers;
+  std::array<Stretch, 4> ltg;  // of SystemParts::coordinates; by System::Coordinates
+  Stretch nodes, markers;      // of SystemParts::references
 };
 
 struct MarkerPlace {
@@ -48,7 +56,7 @@ struct MarkerPlace {
   std::shared_ptr<const void> record;
   Membership<MarkerBatch> member;
   int node = -1, object = -1;  // what it sits on, the first one if there are several
-  std::vector<int> objects;
+  Stretch objects;  // of SystemParts::references
 };
 
 struct LoadPlace {
@@ -83,7 +91,8 @@ struct SystemParts {
   std::vector<MarkerPlace> markers;
   std::vector<LoadPlace> loads;
   std::vector<SensorPlace> sensors;
-  std::array<std::vector<std::string>, item_kinds> given_names;  // empty: the default name
+  std::vector<int> references, coordinates;  // what items refer to, and the global coordinates of objects
+  std::array<std::unordered_map<int, std::string>, item_kinds> given_names;  // of those that have one
 
   // In the order of evaluation. Bodies come first: their order of entries fixes the order of sums.
   std::vector<std::unique_ptr<Term>> terms;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "dalembert/model/errors.hpp"
 #include "dalembert/reflection/item_type.hpp"
 #include "dalembert/system/term.hpp"
 
@@ -17,7 +18,7 @@ namespace dalembert {
 struct Physics {
   virtual ~Physics() = default;
   // Refuses parameters that do not fit the nodes and markers of the item; `item` is how errors name it.
-  virtual void check(const void* /*record*/, const Placement&, const Ports&, const std::string& /*item*/) const {}
+  virtual void check(const void* /*record*/, const Placement&, const Ports&, const ItemLabel& /*item*/) const {}
   // With these parameters the item does not need the data node that its type asks for.
   virtual bool works_without_data(const void* /*record*/) const { return false; }
 };
@@ -36,6 +37,10 @@ struct NodeValues {
   std::vector<double> reference, displacement, velocity;  // ODE2
   std::vector<double> reference_ode1, ode1;
   std::vector<double> algebraic, data;
+
+  void clear() {  // the lists keep their memory
+    for (auto* list : {&reference, &displacement, &velocity, &reference_ode1, &ode1, &algebraic, &data}) list->clear();
+  }
 };
 
 // A node's coordinates in some state, totals and displacements.

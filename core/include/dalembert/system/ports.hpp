@@ -25,13 +25,14 @@ class Ports {
  public:
   std::vector<PortLayout> ports;                // by marker number
   std::vector<double> values, forces;
-  std::vector<double> derivatives, jacobians;
+  std::vector<double> derivatives, jacobians;   // empty before `differentiate`
   std::vector<double> rotations;                // derivatives of nodes' rotations, which bodies and markers share
   std::vector<int> dofs;
 
   // Append a marker's stretch; `n` dofs follow with the call.
   void append(int value_count, int force_count, std::span<const int> coordinate_dofs, int translations = 0);
-  void clear();
+  // Make room for derivatives and Jacobians: evaluations without a tangent do without.
+  void differentiate();
   // Rows of a matrix may be read up to so many entries beyond its end.
   static constexpr int margin = 4;
 
@@ -47,6 +48,9 @@ class Ports {
   std::span<const int> marker_dofs(int marker) const {
     return {dofs.data() + ports[marker].first_dof, static_cast<std::size_t>(ports[marker].n)};
   }
+
+ private:
+  int derivative_count_ = 0, jacobian_count_ = 0;
 };
 
 }  // namespace dalembert

@@ -65,7 +65,7 @@ struct Placement {
   int item = -1;                     // number of the object, load, ...
   const void* owner = nullptr;       // markers: record of the body or node that they sit on,
   const ItemType* owner_type = nullptr;  // and its type
-  std::vector<MarkerOwner> owners;   // markers between bodies: all of them
+  std::vector<MarkerOwner> owners;   // markers between bodies: all of them; empty for others
   std::vector<int> dofs;             // its nodes' ODE2 coordinates, one node after the other
   std::vector<double> reference;     // their reference values
   std::vector<int> ode1;             // ODE1 coordinates
@@ -80,11 +80,24 @@ struct Placement {
   int first_ae = -1;                 // its algebraic equations, in the AE vector
   int ae_offset = 0;                 // of the AE vector in the system vector
   int ode1_offset = 0;               // of the ODE1 vector in the system vector
+
+  void clear() {  // the lists keep their memory
+    for (auto* list : {&dofs, &ode1, &nodes, &node_sizes, &markers}) list->clear();
+    owners.clear();
+    reference.clear();
+    node_records.clear();
+    owner = nullptr;
+    owner_type = nullptr;
+    item = first_data = first_ae = rotation = -1;
+    selected = data_count = ae_offset = ode1_offset = 0;
+  }
 };
 
 class Batch {
  public:
   virtual ~Batch() = default;
+  // So many items may enter.
+  virtual void reserve(int /*entries*/) {}
   virtual void add(const void* record, const Placement& placement, const Ports& ports) = 0;
   virtual void refresh(int entry, const void* record) = 0;
   // Entries of the tangent, in the order in which `tangent` writes.

@@ -81,7 +81,7 @@ struct GenericODE1Physics final : ObjectPhysics {
   std::unique_ptr<Term> make_batch(std::span<const ItemType* const>) const override {
     return std::make_unique<GenericODE1Batch>();
   }
-  void check(const void* record, const Placement& placement, const Ports&, const std::string& item) const override {
+  void check(const void* record, const Placement& placement, const Ports&, const ItemLabel& item) const override {
     const Parameters& p = parameters(record);
     const int n = static_cast<int>(placement.ode1.size()), rows = p.systemMatrix.rows, columns = p.systemMatrix.columns;
     const std::string nodes = ", for the " + std::to_string(n) + " coordinates of the object's nodes, or none";

@@ -170,7 +170,7 @@ class HydraulicActuatorBatch final : public Term {
 
 struct HydraulicActuatorPhysics final : ObjectPhysics {
   std::unique_ptr<Term> make_batch(std::span<const ItemType* const>) const override { return std::make_unique<HydraulicActuatorBatch>(); }
-  void check(const void*, const Placement& on, const Ports&, const std::string& item) const override {
+  void check(const void*, const Placement& on, const Ports&, const ItemLabel& item) const override {
     const std::string expected = "a list with one NodeGenericODE1 of two coordinates, the pressures";
     if (on.nodes.size() != 1)
       refuse(ErrorKind::value, {item, "nodeNumbers", "", std::to_string(on.nodes.size()) + " nodes", expected, ""});

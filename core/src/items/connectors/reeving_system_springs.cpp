@@ -298,7 +298,7 @@ class ReevingBatch final : public Term {
 
 struct ReevingPhysics final : ObjectPhysics {
   std::unique_ptr<Term> make_batch(std::span<const ItemType* const>) const override { return std::make_unique<ReevingBatch>(); }
-  void check(const void* record, const Placement& on, const Ports& ports, const std::string& item) const override {
+  void check(const void* record, const Placement& on, const Ports& ports, const ItemLabel& item) const override {
     const Parameters& p = parameters(record);
     const int coordinates = p.hasCoordinateMarkers ? 2 : 0, count = static_cast<int>(on.markers.size()), n = count - coordinates;
     const std::string also = coordinates == 0 ? "" : " and two coordinate markers";

@@ -311,7 +311,7 @@ struct CoordinateVectorPhysics final : ObjectPhysics {
   }
 
   void check(const void* record, const Placement& placement, const Ports& ports,
-             const std::string& item) const override {
+             const ItemLabel& item) const override {
     const Parameters& p = parameters(record);
     const int m = equations(p);
     if (m == 0)
@@ -337,7 +337,7 @@ struct CoordinateVectorPhysics final : ObjectPhysics {
     return ports.ports[placement.markers[side]].values / 2;
   }
   // The matrix of a marker without coordinates is not used.
-  static void check_matrix(const Matrix& matrix, const char* name, int m, int n, const std::string& item) {
+  static void check_matrix(const Matrix& matrix, const char* name, int m, int n, const ItemLabel& item) {
     if (matrix.values.empty() || n == 0 || (matrix.rows == m && matrix.columns == n)) return;
     refuse(ErrorKind::value,
            {item, name, "", "a matrix of " + std::to_string(matrix.rows) + " x " + std::to_string(matrix.columns),

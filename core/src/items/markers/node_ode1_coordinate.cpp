@@ -40,7 +40,7 @@ class ODE1CoordinateBatch final : public MarkerBatch {
 };
 
 struct NodeODE1Coordinate final : MarkerPhysics {
-  void check(const void* record, const Placement& on, const Ports&, const std::string& item) const override {
+  void check(const void* record, const Placement& on, const Ports&, const ItemLabel& item) const override {
     const int count = static_cast<int>(on.ode1.size()), coordinate = coordinate_of(record);
     if (count == 0)
       refuse(ErrorKind::value, {item, "nodeNumber", "", "a " + std::string(on.owner_type->name), "a node with ODE1 coordinates", ""});

@@ -80,7 +80,7 @@ class RotationCoordinateBatch final : public MarkerBatch {
 };
 
 struct NodeRotationCoordinate final : MarkerPhysics {
-  void check(const void* record, const Placement& on, const Ports&, const std::string& item) const override {
+  void check(const void* record, const Placement& on, const Ports&, const ItemLabel& item) const override {
     const int axis = axis_of(record);
     if (axis < 0 || axis > 2)
       refuse(ErrorKind::value,

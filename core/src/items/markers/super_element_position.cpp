@@ -12,7 +12,7 @@ const auto& parameters(const void* record) {
 const ObjectPhysics& object_physics(const ItemType& type) { return dynamic_cast<const ObjectPhysics&>(*type.physics); }
 
 struct SuperElementPosition final : MarkerPhysics {
-  void check(const void* record, const Placement& on, const Ports&, const std::string& item) const override {
+  void check(const void* record, const Placement& on, const Ports&, const ItemLabel& item) const override {
     const auto& p = parameters(record);
     const int count = object_physics(*on.owner_type).mesh_nodes(on.owner, on);
     for (const int node : p.meshNodeNumbers)

@@ -10,7 +10,7 @@ const auto& parameters(const void* record) { return static_cast<const MarkerSupe
 const ObjectPhysics& object_physics(const ItemType& type) { return dynamic_cast<const ObjectPhysics&>(*type.physics); }
 
 struct SuperElementRigid final : MarkerPhysics {
-  void check(const void* record, const Placement& on, const Ports&, const std::string& item) const override {
+  void check(const void* record, const Placement& on, const Ports&, const ItemLabel& item) const override {
     const auto& p = parameters(record);
     const int count = object_physics(*on.owner_type).mesh_nodes(on.owner, on);
     if (p.meshNodeNumbers.empty()) refuse(ErrorKind::value, {item, "meshNodeNumbers", "", "an empty list", "mesh nodes", ""});

@@ -192,7 +192,7 @@ struct GenericODE2Physics final : ObjectPhysics {
       default: return nullptr;
     }
   }
-  void check(const void* record, const Placement& placement, const Ports&, const std::string& item) const override {
+  void check(const void* record, const Placement& placement, const Ports&, const ItemLabel& item) const override {
     const Parameters& p = parameters(record);
     const int n = static_cast<int>(placement.dofs.size());
     const auto expected = [&](const std::string& what) {

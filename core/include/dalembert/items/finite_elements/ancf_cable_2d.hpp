@@ -36,7 +36,7 @@ struct ObjectANCFCable2D {
     }
   };
 
-  static void check(const Parameters& p, const std::string& item) {
+  static void check(const Parameters& p, const ItemLabel& item) {
     if (!(p.physicsLength > 0))
       refuse(ErrorKind::value, {item, "physicsLength", "", std::to_string(p.physicsLength), "a positive length", ""});
     if (p.useReducedOrderIntegration < 0 || p.useReducedOrderIntegration > 2)

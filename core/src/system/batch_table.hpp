@@ -1,0 +1,48 @@
+// Batches while items enter them, found by what their entries have in common.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "dalembert/reflection/item_type.hpp"
+#include "dalembert/system/term.hpp"
+
+namespace dalembert {
+
+// The type of the items or what stands in for it, the type that they are about, and the types of the nodes below.
+using BatchKey = std::vector<const void*>;
+
+template <class B>
+struct GrowingBatch {
+  B* batch = nullptr;
+  int entries = 0;
+  bool acts = false;  // an entry has coordinates or markers
+};
+
+template <class B>
+class BatchTable {
+ public:
+  // The batches themselves go to `batches`.
+  explicit BatchTable(std::vector<std::unique_ptr<B>>& batches) : batches_(batches) {}
+
+  // `make` gives the batch when the first of its entries comes.
+  template <class Make>
+  GrowingBatch<B>& find(const BatchKey& key, Make&& make) {
+    if (const auto found = table_.find(key); found != table_.end()) return found->second;
+    batches_.push_back(make());
+    return table_.emplace(key, GrowingBatch<B>{batches_.back().get()}).first->second;
+  }
+
+  template <class F>
+  void each_acting(F&& f) const {
+    for (const auto& [key, growing] : table_)
+      if (growing.acts) f(growing.batch);
+  }
+
+ private:
+  std::vector<std::unique_ptr<B>>& batches_;
+  std::map<BatchKey, GrowingBatch<B>> table_;
+};
+
+}  // namespace dalembert
