@@ -126,7 +126,7 @@ void MainSystem::reset() {
   variables = py::dict();
   sys = py::dict();
   user_functions.clear();
-  sensor_storage.tables.clear();
+  sensor_storage.clear();
   set_consistent(false);
 }
 

@@ -166,9 +166,8 @@ void register_loads_and_sensors(Class& main_system) {
   main_system.def(
       "GetSensorStoredData",
       [](MainSystem& main, const py::object& sensor) -> py::object {
-        const auto number = static_cast<std::size_t>(item_number_argument(main, ItemKind::sensor, sensor.ptr(), "GetSensorStoredData"));
-        if (number >= main.sensor_storage.tables.size()) return py::array_t<double>(std::vector<py::ssize_t>{0, 0});
-        const SensorTable& table = main.sensor_storage.tables[number];
+        const int number = item_number_argument(main, ItemKind::sensor, sensor.ptr(), "GetSensorStoredData");
+        const SensorTable table = main.sensor_storage.table(number);
         return py::array_t<double>(std::vector<py::ssize_t>{table.rows(), table.columns}, table.values.data());
       },
       py::arg("sensorNumber"), "Rows of time and values that a sensor with storeInternal=True has recorded.");

@@ -164,16 +164,6 @@ const T* sensor_member(const Item& sensor, std::string_view name) {
   return row ? static_cast<const T*>(member(sensor.record.get(), *row)) : nullptr;
 }
 
-std::string_view variable_name(OutputVariableType variable) {
-  for (const EnumTable& table : enum_tables()) {
-    if (table.name != "OutputVariableType") continue;
-    for (const EnumEntry& entry : table.entries) {
-      if (entry.value == static_cast<std::uint32_t>(variable)) return entry.name;
-    }
-  }
-  return "_None";
-}
-
 // "Node number = 3": what the header of a sensor's file calls the sensor's item.
 std::string measured_item(const Item& sensor) {
   std::string text(sensor.type->type_name);

@@ -99,6 +99,20 @@ bool provides(const ItemType& type, std::string_view what) {
   return std::ranges::find(type.provides, what) != type.provides.end();
 }
 
+std::string_view variable_name(OutputVariableType variable) {
+  for (const EnumTable& table : enum_tables())
+    if (table.name == "OutputVariableType")
+      for (const EnumEntry& entry : table.entries)
+        if (entry.value == static_cast<std::uint32_t>(variable)) return entry.name;
+  return "_None";
+}
+
+std::string variable_names(std::span<const OutputVariableType> variables) {
+  std::string names;
+  for (const OutputVariableType v : variables) names += (names.empty() ? "" : ", ") + std::string(variable_name(v));
+  return names;
+}
+
 namespace {
 template <class Numbers, class Record>
 std::span<Numbers> numbers(const Row& row, Record* record) {

@@ -25,16 +25,17 @@ void SensorRecorder::open(const SimulationSettings& settings, const std::vector<
   rows_ = static_cast<std::size_t>(std::clamp(rows, 0.0, most_reserved));
   files_.resize(channels.size());
   targets_.resize(channels.size());
-  if (storage) storage->tables.resize(channels.size());
+  columns_.assign(channels.size(), {});
+  if (storage != nullptr && !s.sensorsAppendToFile) storage->clear();
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const SensorChannel& c = channels[i];
     if (c.write_to_file && !c.file_name.empty()) {
       files_[i].open(c.file_name, s.sensorsAppendToFile, "file of sensor " + std::to_string(i));
       targets_[i].file = &files_[i];
     }
-    if (!storage || !c.store_internal) continue;
-    targets_[i].table = &storage->tables[i];
-    if (!s.sensorsAppendToFile) storage->tables[i] = {};
+    if (storage == nullptr || !c.store_internal) continue;
+    targets_[i].stored = true;
+    storage_ = storage;
   }
 }
 
@@ -55,12 +56,17 @@ void SensorRecorder::write_headers(const RunDescription& run, System& system) {
 // Sensors that are neither written nor stored are evaluated all the same: user functions may record things themselves.
 void SensorRecorder::record(System& system, double time) {
   const System::Recording recording(system);
+  row_.assign(1, time);
   for (std::size_t i = 0; i < targets_.size(); ++i) {
     const int sensor = static_cast<int>(i);
     system.sensor_values(sensor, ConfigurationType::Current, values_);
     if (targets_[i].file != nullptr) write(*targets_[i].file, time);
-    if (targets_[i].table != nullptr) store(*targets_[i].table, sensor, time);
+    if (targets_[i].stored) store(sensor);
   }
+  if (storage_ == nullptr) return;
+  if (!begun_) storage_->begin(columns_, rows_);
+  begun_ = true;
+  storage_->append(row_);
 }
 
 void SensorRecorder::write(OutputFile& file, double time) {
@@ -74,19 +80,17 @@ void SensorRecorder::write(OutputFile& file, double time) {
   flush_ ? file.flush() : file.written();
 }
 
-void SensorRecorder::store(SensorTable& table, int sensor, double time) {
-  const int columns = static_cast<int>(values_.size()) + 1;
-  if (table.columns == 0) {
-    table.columns = columns;
-    table.values.reserve(rows_ * static_cast<std::size_t>(columns));
-  }
-  if (table.columns != columns) {
+void SensorRecorder::store(int sensor) {
+  SensorColumns& columns = columns_[static_cast<std::size_t>(sensor)];
+  const int count = static_cast<int>(values_.size());
+  const SensorColumns before = begun_ ? columns : storage_->columns(sensor);
+  if (before.first >= 0 && before.count != count) {
     throw std::runtime_error("sensor " + std::to_string(sensor) + ": the number of values changed from " +
-                             std::to_string(table.columns - 1) + " to " + std::to_string(columns - 1) +
+                             std::to_string(before.count) + " to " + std::to_string(count) +
                              ", which storeInternal=True cannot keep; write this sensor to a file instead");
   }
-  table.values.push_back(time);
-  table.values.insert(table.values.end(), values_.begin(), values_.end());
+  columns = {static_cast<int>(row_.size()), count};
+  row_.insert(row_.end(), values_.begin(), values_.end());
 }
 
 void SensorRecorder::write_footer(const std::string& footer) {
@@ -99,7 +103,43 @@ void SensorRecorder::close() {
   files_.clear();
   targets_.clear();
   channels_.clear();
-  active_ = false;
+  storage_ = nullptr;
+  active_ = begun_ = false;
+}
+
+void SensorStorage::begin(const std::vector<SensorColumns>& columns, std::size_t rows) {
+  Chunk& chunk = chunks_.emplace_back(Chunk{columns, 1, std::max<std::size_t>(rows, 1), {}});
+  for (const SensorColumns& c : chunk.columns) chunk.width += static_cast<std::size_t>(c.count);
+  chunk.values.reserve(chunk.rows * chunk.width);
+}
+
+// A chunk that is full stays where it is, so that long recordings are not copied as they grow.
+void SensorStorage::append(const std::vector<double>& row) {
+  if (chunks_.back().values.size() >= chunks_.back().rows * chunks_.back().width) begin(chunks_.back().columns, chunks_.back().rows);
+  std::vector<double>& values = chunks_.back().values;
+  values.insert(values.end(), row.begin(), row.end());
+}
+
+SensorColumns SensorStorage::columns(int sensor) const {
+  const auto i = static_cast<std::size_t>(sensor);
+  for (auto chunk = chunks_.rbegin(); chunk != chunks_.rend(); ++chunk)
+    if (i < chunk->columns.size() && chunk->columns[i].first >= 0) return chunk->columns[i];
+  return {};
+}
+
+SensorTable SensorStorage::table(int sensor) const {
+  const auto i = static_cast<std::size_t>(sensor);
+  SensorTable table;
+  for (const Chunk& chunk : chunks_) {
+    if (i >= chunk.columns.size() || chunk.columns[i].first < 0) continue;
+    const auto [first, count] = chunk.columns[i];
+    table.columns = count + 1;
+    for (auto row = chunk.values.begin(); row != chunk.values.end(); row += static_cast<std::ptrdiff_t>(chunk.width)) {
+      table.values.push_back(*row);
+      table.values.insert(table.values.end(), row + first, row + first + count);
+    }
+  }
+  return table;
 }
 
 }  // namespace dalembert

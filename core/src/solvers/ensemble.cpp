@@ -92,7 +92,7 @@ class Workplace {
 
  private:
   void prepare(int variation) {
-    storage_.tables.clear();
+    storage_.clear();
     for (const VariedParameter& p : ensemble_.parameters)
       model_.edit(p.kind, p.number, *p.row, [&](void* member) { p.values->write(variation, member); });
     if (!reassembles_) {
@@ -121,7 +121,8 @@ class Workplace {
     result.solved = solver->solve_system();
     const State& end = system_.state(ConfigurationType::Current);
     result.time = end.time;
-    result.histories = std::move(storage_.tables);
+    if (ensemble_.histories)
+      for (int i = 0; i < model_.count(ItemKind::sensor); ++i) result.histories.push_back(storage_.table(i));
     if (!result.solved) {
       const Diagnosis& diagnosis = solver->diagnosis();
       result.message = diagnosis.reason == FailureReason::none ? solver->error_string() : diagnosis.text();

@@ -42,7 +42,7 @@ class Builder {
     for (int i = 0; i < model_.count(ItemKind::object); ++i) place_object(i);
     place_node_conditions();
     for (int i = 0; i < model_.count(ItemKind::load); ++i) place_load(i);
-    for (const Item& item : model_.items(ItemKind::sensor)) parts_.sensors.push_back({item.type, sensor_reader(*item.type), item.record});
+    for (const Item& item : model_.items(ItemKind::sensor)) parts_.sensors.push_back(parts_.place_sensor(item));
     for (const auto& term : parts_.terms) {
       if (term->has_mass()) parts_.constant_mass = parts_.constant_mass && term->constant_mass();
       parts_.has_history = parts_.has_history || term->has_history();

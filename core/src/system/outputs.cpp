@@ -5,14 +5,6 @@
 
 #include "dalembert/model/errors.hpp"
 #include "dalembert/model/item.hpp"
-#include "dalembert/reflection/callback.hpp"
-#include "dalembert/sensors/body_parameters.hpp"
-#include "dalembert/sensors/load_parameters.hpp"
-#include "dalembert/sensors/marker_parameters.hpp"
-#include "dalembert/sensors/node_parameters.hpp"
-#include "dalembert/sensors/object_parameters.hpp"
-#include "dalembert/sensors/super_element_parameters.hpp"
-#include "dalembert/sensors/user_function_parameters.hpp"
 #include "dalembert/math/rotations.hpp"
 #include "dalembert/system/parts.hpp"
 
@@ -27,19 +19,9 @@ Values slice(const std::vector<double>& from, int first, int count) {
   return first < 0 ? Values{} : Values(from.begin() + first, from.begin() + first + count);
 }
 
-std::string variable_name(Variable variable) {
-  for (const EnumTable& table : enum_tables())
-    if (table.name == "OutputVariableType")
-      for (const EnumEntry& entry : table.entries)
-        if (entry.value == static_cast<std::uint32_t>(variable)) return std::string(entry.name);
-  return std::to_string(static_cast<std::uint32_t>(variable));
-}
-
 [[noreturn]] void no_output(const std::string& item, Variable variable, std::span<const Variable> available) {
-  std::string names;
-  for (const Variable v : available) names += (names.empty() ? "" : ", ") + variable_name(v);
-  refuse(ErrorKind::value, {item, "", "has no output variable " + variable_name(variable), "",
-                            names.empty() ? "" : "one of " + names, ""});
+  refuse(ErrorKind::value, {item, "", "has no output variable " + std::string(variable_name(variable)), "",
+                            available.empty() ? "" : "one of " + variable_names(available), ""});
 }
 
 // What a motion says; `reference()` gives the motion of the same point in the reference configuration.
@@ -139,25 +121,6 @@ NodeView view(const SystemParts& parts, const NodePlace& node, const State& stat
           part(e.lambda, node.ae, n.ae), part(e.data, node.data, n.data)};
 }
 
-// The motion of a node's point, straight from its coordinates in a state other than the reference.
-bool translation_output(Variable variable, const NodePlace& place, const State& state, const State& reference,
-                        Values& values) {
-  const std::vector<double>* from = nullptr;
-  switch (variable) {
-    case Variable::Position:
-    case Variable::Displacement: from = &state.q; break;
-    case Variable::Velocity: from = &state.v; break;
-    case Variable::Acceleration: from = &state.a; break;
-    default: return false;
-  }
-  values.assign(3, 0.0);
-  for (int i = 0; i < place.translations; ++i) {
-    const auto at = static_cast<std::size_t>(place.ode2 + i);
-    values[static_cast<std::size_t>(i)] = (variable == Variable::Position ? reference.q[at] : 0.0) + (*from)[at];
-  }
-  return true;
-}
-
 }  // namespace
 
 void System::node_output(int node, Variable variable, ConfigurationType configuration, Values& values) {
@@ -165,7 +128,10 @@ void System::node_output(int node, Variable variable, ConfigurationType configur
   const NodePlace& place = parts.nodes.at(static_cast<std::size_t>(node));
   const State& state = parts.state(configuration);
   const State& rest = parts.state(ConfigurationType::Reference);
-  if (place.translations > 0 && &state != &rest && translation_output(variable, place, state, rest, values)) return;
+  if (const StateReading reading = translation_reading(place, variable); reading && &state != &rest) {
+    reading.read(state, rest, values);
+    return;
+  }
   Values y_total;
   if (variable == Variable::Coordinates && place.sizes.data > 0) {
     values = slice(state.data, place.data, place.sizes.data);
@@ -253,66 +219,6 @@ void System::load_values(int load, double time, Values& values) {
   values = static_cast<const LoadPhysics*>(place.type->physics)->values(place.record.get(), time);
 }
 
-namespace {
-
-// What a sensor of type `Record` measures.
-template <class Record, auto measure>
-void read_sensor(System& system, const void* record, int sensor, ConfigurationType configuration, Values& values) {
-  measure(system, static_cast<const Record*>(record)->parameters, sensor, configuration, values);
-}
-
-void measure_node(System& system, const SensorNodeParameters& p, int, ConfigurationType configuration, Values& values) {
-  system.node_output(p.nodeNumber.value, p.outputVariableType, configuration, values);
-}
-void measure_object(System& system, const SensorObjectParameters& p, int, ConfigurationType configuration, Values& values) {
-  system.object_output(p.objectNumber.value, p.outputVariableType, configuration, values);
-}
-void measure_body(System& system, const SensorBodyParameters& p, int, ConfigurationType configuration, Values& values) {
-  system.body_output(p.bodyNumber.value, p.outputVariableType, p.localPosition.x, configuration, values);
-}
-void measure_super_element(System& system, const SensorSuperElementParameters& p, int, ConfigurationType configuration,
-                           Values& values) {
-  system.super_element_output(p.bodyNumber.value, p.outputVariableType, p.meshNodeNumber, configuration, values);
-}
-void measure_marker(System& system, const SensorMarkerParameters& p, int, ConfigurationType configuration, Values& values) {
-  system.marker_output(p.markerNumber.value, p.outputVariableType, configuration, values);
-}
-void measure_load(System& system, const SensorLoadParameters& p, int, ConfigurationType configuration, Values& values) {
-  system.load_values(p.loadNumber.value, system.state(configuration).time, values);
-}
-void call_user_function(System& system, const SensorUserFunctionParameters& p, int sensor, ConfigurationType configuration,
-                        Values& values) {
-  values.clear();
-  if (!p.sensorUserFunction) return;
-  Values numbers;
-  for (const SensorIndex& index : p.sensorNumbers) numbers.push_back(index.value);
-  const double kind = static_cast<double>(configuration);
-  const Argument arguments[] = {{numbers.data(), static_cast<int>(numbers.size()), 0},
-                                {p.factors.data(), static_cast<int>(p.factors.size()), 0},
-                                {&kind, 0, 0}};
-  values = p.sensorUserFunction.callback->call_any(system.state(configuration).time, sensor, arguments);
-  system.state_may_have_changed();
-}
-
-constexpr std::pair<std::string_view, SensorReader> readers[] = {
-    {"Node", &read_sensor<SensorNodeRecord, measure_node>},
-    {"Object", &read_sensor<SensorObjectRecord, measure_object>},
-    {"Body", &read_sensor<SensorBodyRecord, measure_body>},
-    {"SuperElement", &read_sensor<SensorSuperElementRecord, measure_super_element>},
-    {"Marker", &read_sensor<SensorMarkerRecord, measure_marker>},
-    {"Load", &read_sensor<SensorLoadRecord, measure_load>},
-    {"UserFunction", &read_sensor<SensorUserFunctionRecord, call_user_function>},
-};
-
-}  // namespace
-
-SensorReader sensor_reader(const ItemType& type) {
-  const auto* found = std::ranges::find(readers, type.type_name, &std::pair<std::string_view, SensorReader>::first);
-  return found == std::end(readers) ? nullptr : found->second;
-}
-
-namespace {
-
 // Kernels tell in the spec what they have; what follows from motion and from coordinates is the same for all.
 bool may_have(const ItemType& type, Variable variable) {
   if (std::ranges::find(type.outputs, variable) != type.outputs.end()) return true;
@@ -322,43 +228,6 @@ bool may_have(const ItemType& type, Variable variable) {
   const bool moves = type.kind != ItemKind::object || type.category == "Body" || type.category == "FiniteElement" ||
                      type.category == "SuperElement";
   return moves && frame_output(variable, rest, [&] { return rest; }, values);
-}
-
-}  // namespace
-
-void SystemParts::check_sensors() const {
-  for (int i = 0; i < static_cast<int>(sensors.size()); ++i) {
-    const SensorPlace& sensor = sensors[static_cast<std::size_t>(i)];
-    const auto check = [&](const auto& places, ItemKind kind, int number, Variable variable) {
-      const ItemType& type = *places[static_cast<std::size_t>(number)].type;
-      if (may_have(type, variable)) return;
-      std::string names;
-      for (const Variable v : type.outputs) names += (names.empty() ? "Use one of " : ", ") + variable_name(v);
-      refuse(ErrorKind::value, {describe(ItemKind::sensor, i), "outputVariableType", "", variable_name(variable),
-                                "an output variable of " + describe(kind, number), names});
-    };
-    if (sensor.type->type_name == "Node") {
-      const auto& p = static_cast<const SensorNodeRecord*>(sensor.record.get())->parameters;
-      check(nodes, ItemKind::node, p.nodeNumber.value, p.outputVariableType);
-    } else if (sensor.type->type_name == "Object") {
-      const auto& p = static_cast<const SensorObjectRecord*>(sensor.record.get())->parameters;
-      check(objects, ItemKind::object, p.objectNumber.value, p.outputVariableType);
-    } else if (sensor.type->type_name == "Body") {
-      const auto& p = static_cast<const SensorBodyRecord*>(sensor.record.get())->parameters;
-      check(objects, ItemKind::object, p.bodyNumber.value, p.outputVariableType);
-    } else if (sensor.type->type_name == "Marker") {
-      const auto& p = static_cast<const SensorMarkerRecord*>(sensor.record.get())->parameters;
-      check(markers, ItemKind::marker, p.markerNumber.value, p.outputVariableType);
-    }
-  }
-}
-
-void System::sensor_values(int sensor, ConfigurationType configuration, Values& values) {
-  const SensorPlace& place = parts_->sensors.at(static_cast<std::size_t>(sensor));
-  if (place.read == nullptr)
-    refuse(ErrorKind::planned,
-           {parts_->describe(ItemKind::sensor, sensor), "", "this sensor's physics is planned", "", "", ""});
-  place.read(*this, place.record.get(), sensor, configuration, values);
 }
 
 System::Recording::Recording(System& system) : system_(system) {

@@ -67,7 +67,7 @@ void System::refresh(const Model& model) {
         for (LoadDependency& dependency : parts.load_dependencies)
           if (dependency.load == number) dependency.term->refresh(0, record.get());
         break;
-      case ItemKind::sensor: parts.sensors[i].record = record; break;
+      case ItemKind::sensor: parts.sensors[i] = parts.place_sensor(model.item(kind, number)); break;
     }
   };
   if (all_known) {
@@ -107,20 +107,22 @@ std::vector<int> System::node_ltg(int node, Coordinates kind) const {
   return ltg;
 }
 
-std::string SystemParts::describe(ItemKind kind, int number) const {
+const ItemType& SystemParts::type_of(ItemKind kind, int number) const {
   const auto i = static_cast<std::size_t>(number);
-  const auto type = [&] {
-    switch (kind) {
-      case ItemKind::node: return nodes[i].type;
-      case ItemKind::object: return objects[i].type;
-      case ItemKind::marker: return markers[i].type;
-      case ItemKind::load: return loads[i].type;
-      default: return sensors[i].type;
-    }
-  };
+  switch (kind) {
+    case ItemKind::node: return *nodes[i].type;
+    case ItemKind::object: return *objects[i].type;
+    case ItemKind::marker: return *markers[i].type;
+    case ItemKind::load: return *loads[i].type;
+    case ItemKind::sensor: break;
+  }
+  return *sensors[i].type;
+}
+
+std::string SystemParts::describe(ItemKind kind, int number) const {
   const auto& names = given_names[static_cast<std::size_t>(kind)];
   const auto name = names.find(number);
-  return describe_item(kind, number, name == names.end() ? "" : name->second, *type());
+  return describe_item(kind, number, name == names.end() ? "" : name->second, type_of(kind, number));
 }
 
 std::string System::describe_row(int row) const {

@@ -49,4 +49,7 @@ const Row* find_visualization_row(const ItemType& type, std::string_view name); 
 std::string suggest_parameter(const ItemType& type, std::string_view name);
 bool provides(const ItemType& type, std::string_view what);
 
+std::string_view variable_name(OutputVariableType variable);                     // "Position"
+std::string variable_names(std::span<const OutputVariableType> variables);  // "Position, Velocity"
+
 }  // namespace dalembert

@@ -26,9 +26,29 @@ struct SensorTable {
   int rows() const { return columns == 0 ? 0 : static_cast<int>(values.size()) / columns; }
 };
 
-// What sensors with storeInternal have recorded; belongs to the main system and outlives the solver.
-struct SensorStorage {
-  std::vector<SensorTable> tables;  // by sensor number
+// Where the values of a sensor stand in a row of all sensors.
+struct SensorColumns {
+  int first = -1, count = 0;  // first < 0: the sensor is not stored
+};
+
+// What sensors with storeInternal have recorded; belongs to the main system and outlives the solver. A row has the time and the
+// values of all sensors, side by side, since that is how they come.
+class SensorStorage {
+ public:
+  void clear() { chunks_.clear(); }
+  // Rows that follow have these columns; `rows`: how many are expected.
+  void begin(const std::vector<SensorColumns>& columns, std::size_t rows);
+  void append(const std::vector<double>& row);
+  SensorColumns columns(int sensor) const;  // in the last rows that have the sensor
+  SensorTable table(int sensor) const;
+
+ private:
+  struct Chunk {
+    std::vector<SensorColumns> columns;  // by sensor number
+    std::size_t width = 0, rows = 0;     // rows: so many fit
+    std::vector<double> values;
+  };
+  std::vector<Chunk> chunks_;
 };
 
 class SensorRecorder {
@@ -43,19 +63,21 @@ class SensorRecorder {
   void close();
 
  private:
-  // Where the values of one sensor go; null: not there.
+  // Where the values of one sensor go.
   struct Target {
     OutputFile* file = nullptr;
-    SensorTable* table = nullptr;
+    bool stored = false;
   };
   void write(OutputFile& file, double time);
-  void store(SensorTable& table, int sensor, double time);
+  void store(int sensor);
 
   std::vector<SensorChannel> channels_;
   std::vector<OutputFile> files_;
   std::vector<Target> targets_;
-  std::vector<double> values_;  // of the sensor being recorded
-  bool active_ = false, flush_ = false, headers_ = false;
+  std::vector<double> values_, row_;  // of the sensor being recorded, and of all that are stored
+  SensorStorage* storage_ = nullptr;  // null: nothing is stored
+  std::vector<SensorColumns> columns_;
+  bool active_ = false, flush_ = false, headers_ = false, begun_ = false;
   int precision_ = 10;
   std::size_t rows_ = 0;
 };

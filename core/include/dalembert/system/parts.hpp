@@ -68,13 +68,27 @@ struct LoadPlace {
 
 // What a sensor of one type measures, written into `values`.
 using SensorReader = void (*)(System&, const void* record, int sensor, ConfigurationType, std::vector<double>& values);
-SensorReader sensor_reader(const ItemType& type);  // null: planned
+
+// Values that stand in a state as they are: components of a position, displacement, velocity or acceleration in space.
+struct StateReading {
+  std::vector<double> State::*from = nullptr;  // null: it does not stand there
+  int first = 0, count = 0;                    // the other components are zero
+  bool is_total = false;                       // reference values are added
+  explicit operator bool() const { return from != nullptr; }
+  void read(const State& state, const State& reference, std::vector<double>& values) const;
+};
+// What a node's point does, in states other than the reference.
+StateReading translation_reading(const NodePlace& node, OutputVariableType variable);
 
 struct SensorPlace {
   const ItemType* type = nullptr;
   SensorReader read = nullptr;
   std::shared_ptr<const void> record;
+  StateReading reading;  // if all that it measures stands in the state
 };
+
+// False: no item of this type ever has that output variable.
+bool may_have(const ItemType& type, OutputVariableType variable);
 
 // The batches that an evaluation visits, in this order. Markers without coordinates rest: their frames are evaluated once.
 struct EvaluationPlan {
@@ -124,6 +138,8 @@ struct SystemParts {
   const State* recorded = nullptr;  // whose marker frames are in place
 
   std::string describe(ItemKind kind, int number) const;  // for diagnoses
+  const ItemType& type_of(ItemKind kind, int number) const;
+  SensorPlace place_sensor(const Item& item) const;
   void check_sensors() const;  // refuses output variables that an item cannot have
   State& state(ConfigurationType c) { return states[static_cast<std::size_t>(c)]; }
   Evaluation evaluation(const State& state, const Conditions& conditions);
