@@ -7,6 +7,7 @@
 #include "item_classes.hpp"
 #include "main_system.hpp"
 #include "python_errors.hpp"
+#include "sequence.hpp"
 #include "symbolic.hpp"
 
 PYBIND11_MODULE(_core, module) {
@@ -19,6 +20,7 @@ PYBIND11_MODULE(_core, module) {
   register_errors(module);
   register_enums(module);         // first: others have enumerations as defaults
   register_module_functions(module);
+  register_plain_vectors(module);
   register_containers(module);
   register_settings(module);
   register_index_types(module);

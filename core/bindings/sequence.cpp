@@ -1,6 +1,7 @@
 #include "sequence.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "index_types.hpp"
 #include "python_errors.hpp"
@@ -60,7 +61,25 @@ bool read_plain_array(PyObject* value, int dimensions, std::span<double> out) {
   return plain;
 }
 
+PyObject* is_plain_vector(PyObject*, PyObject* const* arguments, Py_ssize_t count) {
+  std::array<double, 16> numbers{};
+  const Py_ssize_t size = count == 2 ? PyLong_AsSsize_t(arguments[1]) : -1;
+  if (PyErr_Occurred() != nullptr) return nullptr;
+  if (size < 0 || size > static_cast<Py_ssize_t>(numbers.size()))
+    return PyErr_Format(PyExc_TypeError, "_is_plain_vector(value, size) takes sizes from 0 to %zu", numbers.size());
+  return guarded([&] {
+    return PyBool_FromLong(read_plain_reals(arguments[0], 1, {numbers.data(), static_cast<std::size_t>(size)}) ? 1 : 0);
+  });
+}
+
 }  // namespace
+
+void register_plain_vectors(py::module_& module) {
+  static PyMethodDef definition{"_is_plain_vector", reinterpret_cast<PyCFunction>(reinterpret_cast<void*>(is_plain_vector)), METH_FASTCALL,
+                                "_is_plain_vector(value, size, /)\n--\n\nWhether the value is a list or tuple of so many finite "
+                                "floats, or an array of them."};
+  module.add_object("_is_plain_vector", py::reinterpret_steal<py::object>(PyCFunction_New(&definition, nullptr)));
+}
 
 bool read_plain_reals(PyObject* value, int dimensions, std::span<double> out) {
   if (out.empty()) return false;

@@ -21,6 +21,9 @@ int read_integer(PyObject* value);
 // False, with `out` undefined, if `value` is anything else, has another size or a number that is not finite.
 bool read_plain_reals(PyObject* value, int dimensions, std::span<double> out);
 
+// _is_plain_vector(value, size): the same for one dimension, as a function of the module.
+void register_plain_vectors(py::module_& module);
+
 // The objects in a list, a tuple, an array of objects or another sequence.
 class Items {
  public:

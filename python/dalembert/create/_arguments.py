@@ -5,15 +5,14 @@ from __future__ import annotations
 import difflib
 import functools
 import inspect
-import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any, NamedTuple, ParamSpec, TypeVar
 
 import numpy as np
 import numpy.typing as npt
 
 from dalembert._checks import shape_error
-from dalembert._core import MarkerIndex, NodeIndex, ObjectIndex
+from dalembert._core import MarkerIndex, NodeIndex, ObjectIndex, _is_plain_vector
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -42,8 +41,6 @@ def _is_number(value: Any) -> bool:
 
 
 def _has_shape(value: Any, shape: tuple[int, ...]) -> bool:
-    if type(value) is list and len(shape) == 1 and all(type(x) is float for x in value):  # the quick way for most
-        return len(value) == shape[0] and all(map(math.isfinite, value))
     if isinstance(value, (str, bytes, dict)) or not hasattr(value, "__len__"):
         return False
     try:
@@ -55,7 +52,10 @@ def _has_shape(value: Any, shape: tuple[int, ...]) -> bool:
 
 def vector(size: int) -> Check:
     """Return the check for a list or array of `size` finite numbers."""
-    return Check(lambda value: _has_shape(value, (size,)), f"a vector with {size} finite components")
+    return Check(
+        lambda value: _is_plain_vector(value, size) or _has_shape(value, (size,)),
+        f"a vector with {size} finite components",
+    )
 
 
 def matrix(size: int) -> Check:
@@ -76,6 +76,7 @@ def list_of(size: int, what: str) -> Check:
     return Check(lambda value: isinstance(value, (list, tuple)) and len(value) == size, f"a list of {size} {what}")
 
 
+ANYTHING = Check(lambda value: True, "anything")
 TEXT = Check(lambda value: isinstance(value, str), "a string")
 FLAG = Check(lambda value: isinstance(value, (bool, int, np.bool_, np.integer)), "a bool")
 NUMBER = Check(_is_number, "a finite number")
@@ -115,19 +116,23 @@ def checked(**checks: Check) -> Callable[[Callable[P, R]], Callable[P, R]]:
     def decorate(function: Callable[P, R]) -> Callable[P, R]:
         names = list(inspect.signature(function).parameters)
         title = function.__name__
-        table = {name: check for name, check in (COMMON | checks).items() if name in names}
+        table = {name: (COMMON | checks).get(name, ANYTHING) for name in names}
 
-        @functools.wraps(function)
-        def call(*args: P.args, **kwargs: P.kwargs) -> R:
-            for name, value in (*zip(names, args, strict=False), *kwargs.items()):
+        def check_all(given: Iterable[tuple[str, Any]]) -> None:
+            for name, value in given:
                 check = table.get(name)
-                if check is not None:
-                    if not check.test(value):
-                        raise argument_error(title, name, check.expected, value)
-                elif name not in names:
+                if check is None:
                     near = difflib.get_close_matches(name, names, 1)
                     hint = f"; did you mean '{near[0]}'?" if near else f"; known are: {', '.join(names[1:])}"
                     raise TypeError(f"MainSystem.{title}(...): unknown argument '{name}'{hint}")
+                if check is not ANYTHING and not check.test(value):
+                    raise argument_error(title, name, check.expected, value)
+
+        @functools.wraps(function)
+        def call(*args: P.args, **kwargs: P.kwargs) -> R:
+            if len(args) > 1:
+                check_all(zip(names, args, strict=False))
+            check_all(kwargs.items())
             return function(*args, **kwargs)
 
         return call

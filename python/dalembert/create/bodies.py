@@ -62,12 +62,12 @@ def CreateGround(
 
 def _add_gravity(mbs: Any, node: Any, body: Any, gravity: Vector, returnDict: bool) -> Any:
     """Add the weight of a body, if there is gravity, and return what a Create function of a body returns."""
-    numbers = {"nodeNumber": node, "bodyNumber": body}
-    if any(g != 0.0 for g in gravity):
+    weight = {}
+    if any(gravity):
         marker = mbs.AddMarker(items.MarkerBodyMass(bodyNumber=body))
-        numbers["markerBodyMass"] = marker
-        numbers["loadNumber"] = mbs.AddLoad(items.LoadMassProportional(markerNumber=marker, loadVector=gravity))
-    return numbers if returnDict else body
+        load = mbs.AddLoad(items.LoadMassProportional(markerNumber=marker, loadVector=gravity))
+        weight = {"markerBodyMass": marker, "loadNumber": load}
+    return {"nodeNumber": node, "bodyNumber": body} | weight if returnDict else body
 
 
 @checked(
@@ -98,18 +98,21 @@ def CreateMassPoint(
     Vectors are in the global frame (m, m/s, m/s^2), the mass in kg; in 2D only x and y count. With returnDict, a dict
     with nodeNumber, bodyNumber and, if there is gravity, markerBodyMass and loadNumber is returned.
     """
-    size, suffix = (2, "2D") if create2D else (3, "")
-    node_type, node_view = getattr(items, "NodePoint" + suffix), getattr(items, "VNodePoint" + suffix)
-    body_type = getattr(items, "ObjectMassPoint" + suffix)
+    node_type: Any = items.NodePoint
+    body_type: Any = items.ObjectMassPoint
+    if create2D:
+        node_type, body_type = items.NodePoint2D, items.ObjectMassPoint2D
+        referencePosition, initialDisplacement = referencePosition[:2], initialDisplacement[:2]
+        initialVelocity = initialVelocity[:2]
     if graphicsDataList:
         drawSize = 0  # the graphics replaces the node's symbol
     node = mbs.AddNode(
         node_type(
             name=f"Node:{name}" if name else "",
-            referenceCoordinates=referencePosition[:size],
-            initialCoordinates=initialDisplacement[:size],
-            initialVelocities=initialVelocity[:size],
-            visualization=node_view(show=show, drawSize=drawSize, color=color),
+            referenceCoordinates=referencePosition,
+            initialCoordinates=initialDisplacement,
+            initialVelocities=initialVelocity,
+            visualization={"show": show, "drawSize": drawSize, "color": color},
         )
     )
     body = mbs.AddObject(
@@ -117,9 +120,7 @@ def CreateMassPoint(
             name=name,
             physicsMass=physicsMass,
             nodeNumber=node,
-            visualization=getattr(items, "VObjectMassPoint" + suffix)(
-                show=bool(graphicsDataList), graphicsData=graphicsDataList
-            ),
+            visualization={"show": bool(graphicsDataList), "graphicsData": graphicsDataList},
         )
     )
     return _add_gravity(mbs, node, body, gravity, returnDict)
