@@ -1,4 +1,4 @@
-// Item numbers as arguments of methods.
+// Item numbers and configurations as arguments of methods.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -13,5 +13,8 @@ class MainSystem;
 
 // The number of an existing item; `method` is named in errors, e.g. "GetNodeOutput".
 int item_number_argument(const MainSystem& main, ItemKind kind, PyObject* value, const std::string& method);
+
+// A configuration that has a state; numbers are refused. `where` begins errors, e.g. "mbs.GetNodeOutput(...)".
+ConfigurationType configuration_argument(const py::object& value, const std::string& where);
 
 }  // namespace dalembert

@@ -14,23 +14,14 @@ namespace {
 using Class = py::class_<MainSystem, std::shared_ptr<MainSystem>>;
 
 // Enumerations are checked here, so that the text can name method and argument.
-template <class Enum>
-Enum enum_argument(const py::object& value, const char* enum_name, const char* argument, const std::string& method) {
-  const py::object type = core_module().attr(enum_name);
-  if (PyObject_IsInstance(value.ptr(), type.ptr()) != 1) {
-    PyErr_Clear();
-    refuse(ErrorKind::type, {"mbs." + method + "(...)", argument, "", show(value.ptr()), "a member of exudyn." + std::string(enum_name), ""});
-  }
-  return static_cast<Enum>(py::int_(value).cast<std::int64_t>());
-}
-
 OutputVariableType variable_argument(const py::object& value, const std::string& method) {
-  return enum_argument<OutputVariableType>(value, "OutputVariableType", "variableType", method);
+  if (!py::isinstance(value, core_module().attr("OutputVariableType")))
+    refuse(ErrorKind::type, {"mbs." + method + "(...)", "variableType", "", show(value.ptr()), "a member of exudyn.OutputVariableType", ""});
+  return static_cast<OutputVariableType>(value.cast<std::uint32_t>());
 }
 
-ConfigurationType configuration_argument(const py::object& value, const std::string& method) {
-  if (value.is_none()) return ConfigurationType::Current;
-  return enum_argument<ConfigurationType>(value, "ConfigurationType", "configuration", method);
+ConfigurationType current_or(const py::object& value, const std::string& method) {
+  return value.is_none() ? ConfigurationType::Current : configuration_argument(value, "mbs." + method + "(...)");
 }
 
 py::object array(const std::vector<double>& values) {
@@ -75,7 +66,7 @@ void register_outputs(Class& main_system) {
       "GetNodeOutput",
       [](MainSystem& main, const py::object& node, const py::object& variable, const py::object& configuration) {
         const int number = item_number_argument(main, ItemKind::node, node.ptr(), "GetNodeOutput");
-        const ConfigurationType in = configuration_argument(configuration, "GetNodeOutput");
+        const ConfigurationType in = current_or(configuration, "GetNodeOutput");
         const Source source(main, "GetNodeOutput", ItemKind::node, number, in);
         std::vector<double> values;
         source.system->node_output(source.number, variable_argument(variable, "GetNodeOutput"), in, values);
@@ -89,7 +80,7 @@ void register_outputs(Class& main_system) {
         std::vector<double> values;
         main.assembled("GetObjectOutput")
             .object_output(number, variable_argument(variable, "GetObjectOutput"),
-                           configuration_argument(configuration, "GetObjectOutput"), values);
+                           current_or(configuration, "GetObjectOutput"), values);
         return number_or_array(values);
       },
       py::arg("objectNumber"), py::arg("variableType"), py::arg("configuration") = py::none(),
@@ -108,7 +99,7 @@ void register_outputs(Class& main_system) {
         } catch (const Refusal& refusal) {
           refuse(refusal.kind, {"mbs." + method + "(...)", "localPosition", "", show(position.ptr()), "3 finite numbers (unit m)", ""});
         }
-        const ConfigurationType in = configuration_argument(configuration, method);
+        const ConfigurationType in = current_or(configuration, method);
         const Source source(main, method.c_str(), ItemKind::object, number, in);
         std::vector<double> values;
         source.system->body_output(source.number, variable_argument(variable, method), local, in, values);
@@ -124,7 +115,7 @@ void register_outputs(Class& main_system) {
         std::vector<double> values;
         main.assembled(method.c_str())
             .super_element_output(number, variable_argument(variable, method), mesh_node,
-                                  configuration_argument(configuration, method), values);
+                                  current_or(configuration, method), values);
         return number_or_array(values);
       },
       py::arg("objectNumber"), py::arg("variableType"), py::arg("meshNodeNumber"), py::arg("configuration") = py::none(),
@@ -133,7 +124,7 @@ void register_outputs(Class& main_system) {
       "GetMarkerOutput",
       [](MainSystem& main, const py::object& marker, const py::object& variable, const py::object& configuration) {
         const int number = item_number_argument(main, ItemKind::marker, marker.ptr(), "GetMarkerOutput");
-        const ConfigurationType in = configuration_argument(configuration, "GetMarkerOutput");
+        const ConfigurationType in = current_or(configuration, "GetMarkerOutput");
         const Source source(main, "GetMarkerOutput", ItemKind::marker, number, in);
         std::vector<double> values;
         source.system->marker_output(source.number, variable_argument(variable, "GetMarkerOutput"), in, values);
@@ -159,7 +150,7 @@ void register_loads_and_sensors(Class& main_system) {
         const int number = item_number_argument(main, ItemKind::sensor, sensor.ptr(), "GetSensorValues");
         std::vector<double> values;
         main.assembled("GetSensorValues")
-            .sensor_values(number, configuration_argument(configuration, "GetSensorValues"), values);
+            .sensor_values(number, current_or(configuration, "GetSensorValues"), values);
         return number_or_array(values);
       },
       py::arg("sensorNumber"), py::arg("configuration") = py::none(), "What a sensor measures.");

@@ -41,6 +41,19 @@ int item_number_argument(const MainSystem& main, ItemKind kind, PyObject* value,
   return number;
 }
 
+ConfigurationType configuration_argument(const py::object& value, const std::string& where) {
+  const bool is_member = py::isinstance(value, core_module().attr("ConfigurationType"));
+  if (is_member) {
+    const auto configuration = static_cast<ConfigurationType>(value.cast<std::uint32_t>());
+    if (configuration != ConfigurationType::_None && configuration != ConfigurationType::EndOfEnumList) return configuration;
+  }
+  refuse(is_member ? ErrorKind::value : ErrorKind::type,
+         {.item = where,
+          .parameter = "configuration",
+          .received = show(value.ptr()),
+          .expected = "ConfigurationType.Current, Initial, Reference, StartOfStep or Visualization"});
+}
+
 namespace {
 
 using Class = py::class_<MainSystem, std::shared_ptr<MainSystem>>;

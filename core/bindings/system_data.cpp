@@ -9,6 +9,7 @@
 #include "conversion.hpp"
 #include "dalembert/model/errors.hpp"
 #include "index_types.hpp"
+#include "item_arguments.hpp"
 #include "item_classes.hpp"
 #include "main_system.hpp"
 #include "module.hpp"
@@ -53,17 +54,8 @@ System& assembled(const SystemData& self, const std::string& method) {
   return self.main->assembled(("systemData." + method).c_str());
 }
 
-// Python gives an enumeration member; numbers are refused.
 Configuration read_configuration(const py::object& value, const std::string& method) {
-  if (py::isinstance(value, core_module().attr("ConfigurationType"))) {
-    const auto configuration = static_cast<Configuration>(value.cast<std::uint32_t>());
-    if (configuration != Configuration::_None && configuration != Configuration::EndOfEnumList) return configuration;
-  }
-  refuse(py::isinstance(value, core_module().attr("ConfigurationType")) ? ErrorKind::value : ErrorKind::type,
-         {.item = full_name(method),
-          .parameter = "configuration",
-          .received = show(value.ptr()),
-          .expected = "ConfigurationType.Current, Initial, Reference, StartOfStep or Visualization"});
+  return configuration_argument(value, full_name(method));
 }
 
 bool has(const Coordinates& which, Configuration configuration) {

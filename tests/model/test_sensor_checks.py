@@ -55,3 +55,13 @@ def test_what_follows_from_motion_and_coordinates_is_accepted(mbs: Any) -> None:
         mbs.AddSensor(sensor)
     mbs.Assemble()
     assert [mbs.GetSensorValues(i).tolist() for i in range(4)] == [[0, 0, 0]] * 4
+
+
+@pytest.mark.parametrize("configuration", [exu.ConfigurationType._None, exu.ConfigurationType.EndOfEnumList])
+def test_configurations_without_a_state_are_refused(mbs: Any, configuration: Any) -> None:
+    mbs.AddSensor(exu.SensorNode(nodeNumber=0, outputVariableType=Variable.Position))
+    mbs.Assemble()
+    for method, arguments in (("GetNodeOutput", (0, Variable.Position)), ("GetSensorValues", (0,))):
+        text = rf"mbs\.{method}\(\.\.\.\), parameter 'configuration': .*Current, Initial, Reference"
+        with pytest.raises(ValueError, match=text):
+            getattr(mbs, method)(*arguments, configuration)

@@ -392,6 +392,7 @@ class Builder {
   void set_configurations() {
     const Sizes& n = parts_.sizes;
     for (State& state : parts_.states) {
+      if (&state == &parts_.state(ConfigurationType::_None)) continue;
       for (auto* values : {&state.q, &state.v, &state.a}) values->resize(n.ode2);
       for (auto* values : {&state.y, &state.y_t}) values->resize(n.ode1);
       state.lambda.resize(n.ae);
