@@ -20,9 +20,9 @@ HERE = Path(__file__).parent
 ONE_THREAD = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
 
 
-def measured(python: str, module: str, case: str, repeat: int) -> dict[str, Any] | None:
-    """Run one measurement; None if the package cannot be run."""
-    command = [python, str(HERE / "measure.py"), module, case, "--repeat", str(repeat)]
+def printed_by(python: str, script: str, *arguments: str) -> dict[str, Any] | None:
+    """Run one measurement and return what it prints as JSON; None if the package cannot be run."""
+    command = [python, str(HERE / script), *arguments]
     run = subprocess.run(command, capture_output=True, text=True, env=os.environ | ONE_THREAD, check=False)
     if run.returncode != 0:
         print(run.stderr.strip().splitlines()[-1], file=sys.stderr)
@@ -57,8 +57,9 @@ def main() -> None:
     columns = ["dalembert us", "exudyn us", "ratio", "difference"] if with_peer else ["dalembert us"]
     print(f"{'time per step':40s} " + " ".join(f"{c:>{w}s}" for c, w in zip(columns, (12, 12, 8, 10), strict=False)))
     for case in arguments.cases or CASES:
-        ours = measured(sys.executable, "dalembert", case, arguments.repeat)
-        peer = measured(arguments.peer, "exudyn", case, arguments.repeat) if with_peer else None
+        options = (case, "--repeat", str(arguments.repeat))
+        ours = printed_by(sys.executable, "measure.py", "dalembert", *options)
+        peer = printed_by(arguments.peer, "measure.py", "exudyn", *options) if with_peer else None
         print(line(case, ours, peer), flush=True)
 
 
