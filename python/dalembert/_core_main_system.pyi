@@ -1,6 +1,6 @@
 # The multibody system: adding, reading and changing items, outputs, solving.
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import Any, Literal, NoReturn, overload
 
 from numpy.typing import ArrayLike
@@ -20,9 +20,7 @@ from dalembert._core_settings import *
 from dalembert._core_system_data import SystemData
 from dalembert._core_types import Array, Matrix, MatrixLike, Vector
 from dalembert._inertia import RigidBodyInertia
-
-# What Create functions connect: bodies, nodes or markers by number.
-_Connected = ObjectIndex | NodeIndex | MarkerIndex | int
+from dalembert.create import bodies, connectors, joints, loads
 
 # Functions that solvers call. Step functions return whether to go on, PostNewton [error, recommended step size].
 _StepFunction = Callable[[MainSystem, float], bool]
@@ -164,15 +162,7 @@ class MainSystem(_Bound):
     def __deepcopy__(mbs, memo: dict[int, Any]) -> MainSystem: ...
     def __reduce__(mbs) -> tuple[Callable[[bytes], MainSystem], tuple[bytes]]: ...
     def _repr_html_(mbs) -> str: ...
-    def CreateGround(
-        mbs,
-        name: str = "",
-        referencePosition: Vector = [0.0, 0.0, 0.0],
-        referenceRotationMatrix: Matrix = ...,
-        graphicsDataList: list[dict[str, Any]] = [],
-        graphicsDataUserFunction: Callable[..., Any] | Literal[0] = 0,
-        show: bool = True,
-    ) -> ObjectIndex: ...
+    CreateGround = bodies.CreateGround
     @overload
     def CreateMassPoint(
         mbs,
@@ -249,212 +239,20 @@ class MainSystem(_Bound):
         *,
         returnDict: Literal[True],
     ) -> dict[str, Any]: ...
-    def CreateSpringDamper(
-        mbs,
-        name: str = "",
-        bodyNumbers: Sequence[_Connected] = ...,
-        localPosition0: Vector = [0.0, 0.0, 0.0],
-        localPosition1: Vector = [0.0, 0.0, 0.0],
-        referenceLength: float | None = None,
-        stiffness: float = 0.0,
-        damping: float = 0.0,
-        force: float = 0.0,
-        velocityOffset: float = 0.0,
-        springForceUserFunction: Callable[..., Any] | Literal[0] = 0,
-        bodyOrNodeList: Sequence[_Connected] = ...,
-        bodyList: Sequence[_Connected] = ...,
-        show: bool = True,
-        drawSize: float = -1,
-        color: Vector = [-1.0, -1.0, -1.0, -1.0],
-    ) -> ObjectIndex: ...
-    def CreateCartesianSpringDamper(
-        mbs,
-        name: str = "",
-        bodyNumbers: Sequence[_Connected] = ...,
-        localPosition0: Vector = [0.0, 0.0, 0.0],
-        localPosition1: Vector = [0.0, 0.0, 0.0],
-        stiffness: Vector = [0.0, 0.0, 0.0],
-        damping: Vector = [0.0, 0.0, 0.0],
-        offset: Vector = [0.0, 0.0, 0.0],
-        springForceUserFunction: Callable[..., Any] | Literal[0] = 0,
-        bodyOrNodeList: Sequence[_Connected] = ...,
-        bodyList: Sequence[_Connected] = ...,
-        show: bool = True,
-        drawSize: float = -1,
-        color: Vector = [-1.0, -1.0, -1.0, -1.0],
-    ) -> ObjectIndex: ...
-    def CreateRigidBodySpringDamper(
-        mbs,
-        name: str = "",
-        bodyNumbers: Sequence[_Connected] = ...,
-        localPosition0: Vector = [0.0, 0.0, 0.0],
-        localPosition1: Vector = [0.0, 0.0, 0.0],
-        stiffness: Matrix = ...,
-        damping: Matrix = ...,
-        offset: Vector = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
-        rotationMatrixJoint: Matrix = ...,
-        useGlobalFrame: bool = True,
-        intrinsicFormulation: bool = True,
-        springForceTorqueUserFunction: Callable[..., Any] | Literal[0] = 0,
-        postNewtonStepUserFunction: Callable[..., Any] | Literal[0] = 0,
-        bodyOrNodeList: Sequence[_Connected] = ...,
-        bodyList: Sequence[_Connected] = ...,
-        show: bool = True,
-        drawSize: float = -1,
-        color: Vector = [-1.0, -1.0, -1.0, -1.0],
-    ) -> ObjectIndex: ...
-    def CreateTorsionalSpringDamper(
-        mbs,
-        name: str = "",
-        bodyNumbers: Sequence[_Connected] = ...,
-        position: Vector = [0.0, 0.0, 0.0],
-        axis: Vector = [0.0, 0.0, 0.0],
-        stiffness: float = 0.0,
-        damping: float = 0.0,
-        offset: float = 0.0,
-        velocityOffset: float = 0.0,
-        torque: float = 0.0,
-        useGlobalFrame: bool = True,
-        springTorqueUserFunction: Callable[..., Any] | Literal[0] = 0,
-        unlimitedRotations: bool = True,
-        show: bool = True,
-        drawSize: float = -1,
-        color: Vector = [-1.0, -1.0, -1.0, -1.0],
-    ) -> ObjectIndex: ...
-    def CreateDistanceConstraint(
-        mbs,
-        name: str = "",
-        bodyNumbers: Sequence[_Connected] = ...,
-        localPosition0: Vector = [0.0, 0.0, 0.0],
-        localPosition1: Vector = [0.0, 0.0, 0.0],
-        distance: float | None = None,
-        bodyOrNodeList: Sequence[_Connected] = ...,
-        bodyList: Sequence[_Connected] = ...,
-        show: bool = True,
-        drawSize: float = -1.0,
-        color: Vector = [-1.0, -1.0, -1.0, -1.0],
-    ) -> ObjectIndex: ...
-    def CreateCoordinateConstraint(
-        mbs,
-        name: str = "",
-        bodyNumbers: Sequence[ObjectIndex | int | None] = [None, None],
-        coordinates: Sequence[int | None] = [None, None],
-        offset: float = 0.0,
-        factorValue1: float = 1.0,
-        velocityLevel: bool = False,
-        offsetUserFunction: Callable[..., Any] | Literal[0] = 0,
-        offsetUserFunction_t: Callable[..., Any] | Literal[0] = 0,
-        show: bool = True,
-        drawSize: float = -1.0,
-        color: Vector = [-1.0, -1.0, -1.0, -1.0],
-    ) -> ObjectIndex: ...
-    def CreateRevoluteJoint(
-        mbs,
-        name: str = "",
-        bodyNumbers: Sequence[_Connected] = ...,
-        position: Vector = [],
-        axis: Vector = [],
-        useGlobalFrame: bool = True,
-        show: bool = True,
-        axisRadius: float = 0.1,
-        axisLength: float = 0.4,
-        color: Vector = [-1.0, -1.0, -1.0, -1.0],
-    ) -> ObjectIndex: ...
-    def CreatePrismaticJoint(
-        mbs,
-        name: str = "",
-        bodyNumbers: Sequence[_Connected] = ...,
-        position: Vector = [],
-        axis: Vector = [],
-        useGlobalFrame: bool = True,
-        show: bool = True,
-        axisRadius: float = 0.1,
-        axisLength: float = 0.4,
-        color: Vector = [-1.0, -1.0, -1.0, -1.0],
-    ) -> ObjectIndex: ...
-    def CreateSphericalJoint(
-        mbs,
-        name: str = "",
-        bodyNumbers: Sequence[_Connected] = ...,
-        position: Vector = [],
-        constrainedAxes: Sequence[int] = [1, 1, 1],
-        useGlobalFrame: bool = True,
-        show: bool = True,
-        jointRadius: float = 0.1,
-        color: Vector = [-1.0, -1.0, -1.0, -1.0],
-    ) -> ObjectIndex: ...
-    def CreateGenericJoint(
-        mbs,
-        name: str = "",
-        bodyNumbers: Sequence[_Connected] = ...,
-        position: Vector = [],
-        rotationMatrixAxes: Matrix = ...,
-        constrainedAxes: Sequence[int] = [1, 1, 1, 1, 1, 1],
-        useGlobalFrame: bool = True,
-        offsetUserFunction: Callable[..., Any] | Literal[0] = 0,
-        offsetUserFunction_t: Callable[..., Any] | Literal[0] = 0,
-        show: bool = True,
-        axesRadius: float = 0.1,
-        axesLength: float = 0.4,
-        color: Vector = [-1.0, -1.0, -1.0, -1.0],
-    ) -> ObjectIndex: ...
-    def CreateRollingDisc(
-        mbs,
-        name: str = "",
-        bodyNumbers: Sequence[_Connected] = ...,
-        axisPosition: Vector = [],
-        axisVector: Vector = [1, 0, 0],
-        discRadius: float = 0.0,
-        planePosition: Vector = [0, 0, 0],
-        planeNormal: Vector = [0, 0, 1],
-        constrainedAxes: Sequence[int] = [1, 1, 1],
-        activeConnector: bool = True,
-        show: bool = True,
-        discWidth: float = 0.1,
-        color: Vector = [-1.0, -1.0, -1.0, -1.0],
-    ) -> ObjectIndex: ...
-    def CreateRollingDiscPenalty(
-        mbs,
-        name: str = "",
-        bodyNumbers: Sequence[_Connected] = ...,
-        axisPosition: Vector = [],
-        axisVector: Vector = [1, 0, 0],
-        discRadius: float = 0.0,
-        planePosition: Vector = [0, 0, 0],
-        planeNormal: Vector = [0, 0, 1],
-        contactStiffness: float = 0.0,
-        contactDamping: float = 0.0,
-        dryFriction: Vector = [0, 0],
-        dryFrictionAngle: float = 0.0,
-        dryFrictionProportionalZone: float = 0.0,
-        viscousFriction: Vector = [0, 0],
-        rollingFrictionViscous: float = 0.0,
-        useLinearProportionalZone: bool = False,
-        activeConnector: bool = True,
-        show: bool = True,
-        discWidth: float = 0.1,
-        color: Vector = [-1.0, -1.0, -1.0, -1.0],
-    ) -> ObjectIndex: ...
-    def CreateForce(
-        mbs,
-        name: str = "",
-        bodyNumber: ObjectIndex | MarkerIndex | int | None = None,
-        loadVector: Vector = [0.0, 0.0, 0.0],
-        localPosition: Vector = [0.0, 0.0, 0.0],
-        bodyFixed: bool = False,
-        loadVectorUserFunction: Callable[..., Any] | Literal[0] = 0,
-        show: bool = True,
-    ) -> LoadIndex: ...
-    def CreateTorque(
-        mbs,
-        name: str = "",
-        bodyNumber: ObjectIndex | MarkerIndex | int | None = None,
-        loadVector: Vector = [0.0, 0.0, 0.0],
-        localPosition: Vector = [0.0, 0.0, 0.0],
-        bodyFixed: bool = False,
-        loadVectorUserFunction: Callable[..., Any] | Literal[0] = 0,
-        show: bool = True,
-    ) -> LoadIndex: ...
+    CreateSpringDamper = connectors.CreateSpringDamper
+    CreateCartesianSpringDamper = connectors.CreateCartesianSpringDamper
+    CreateRigidBodySpringDamper = connectors.CreateRigidBodySpringDamper
+    CreateTorsionalSpringDamper = connectors.CreateTorsionalSpringDamper
+    CreateDistanceConstraint = connectors.CreateDistanceConstraint
+    CreateCoordinateConstraint = connectors.CreateCoordinateConstraint
+    CreateRevoluteJoint = joints.CreateRevoluteJoint
+    CreatePrismaticJoint = joints.CreatePrismaticJoint
+    CreateSphericalJoint = joints.CreateSphericalJoint
+    CreateGenericJoint = joints.CreateGenericJoint
+    CreateRollingDisc = joints.CreateRollingDisc
+    CreateRollingDiscPenalty = joints.CreateRollingDiscPenalty
+    CreateForce = loads.CreateForce
+    CreateTorque = loads.CreateTorque
     def CreateSphereSphereContact(mbs, *args: Any, **kwargs: Any) -> NoReturn: ...
     def CreateSphereQuadContact(mbs, *args: Any, **kwargs: Any) -> NoReturn: ...
     def CreateSphereTriangleContact(mbs, *args: Any, **kwargs: Any) -> NoReturn: ...

@@ -6,10 +6,11 @@ from collections.abc import Callable
 from typing import Any
 
 from dalembert.create import bodies, connectors, joints, loads, planned
+from dalembert.create._arguments import checked
 
 # What MainSystem gets, by the name of the method.
 functions: dict[str, Callable[..., Any]] = {
-    name: function
+    name: checked(function, module.CHECKS[name])
     for module in (bodies, connectors, joints, loads)
     for name, function in vars(module).items()
     if name.startswith("Create")

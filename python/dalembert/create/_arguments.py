@@ -6,7 +6,7 @@ import difflib
 import functools
 import inspect
 from collections.abc import Callable, Iterable, Sequence
-from typing import Any, NamedTuple, ParamSpec, TypeVar
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -14,15 +14,16 @@ import numpy.typing as npt
 from dalembert._checks import shape_error
 from dalembert._core import MarkerIndex, NodeIndex, ObjectIndex, _is_plain_vector
 
-P = ParamSpec("P")
-R = TypeVar("R")
-
 # Defaults that several functions share. They are passed on and never changed.
 ZERO3 = [0.0, 0.0, 0.0]
 NO_PAIR: list[Any] = [None, None]
 DEFAULT_COLOR = [-1.0, -1.0, -1.0, -1.0]
 
-Vector = Sequence[float] | npt.NDArray[np.float64]
+# What callers may give; the checks below say the rest.
+Vector = Sequence[float] | npt.NDArray[Any]
+Matrix = Sequence[Vector] | npt.NDArray[Any]
+Connected = ObjectIndex | NodeIndex | MarkerIndex | int  # bodies, nodes or markers by number
+UserFunction = Callable[..., Any] | Literal[0]
 
 
 class Check(NamedTuple):
@@ -107,37 +108,34 @@ def argument_error(function: str, argument: str, expected: str, received: Any) -
     return shape_error(f"MainSystem.{function}(...): argument '{argument}'", expected, received)
 
 
-def checked(**checks: Check) -> Callable[[Callable[P, R]], Callable[P, R]]:
-    """Check the arguments that a caller gives, by the table and by COMMON; unknown names get the nearest known one.
+def checked(function: Callable[..., Any], checks: dict[str, Check]) -> Callable[..., Any]:
+    """Return the function with a check of the arguments that a caller gives, by `checks` and by COMMON.
 
-    Raises ValueError for a wrong value and TypeError for an unknown argument, before any item has been added.
+    Raises ValueError for a wrong value and TypeError for an unknown argument, with the nearest known one, before any
+    item has been added.
     """
+    names = list(inspect.signature(function).parameters)
+    title = function.__name__
+    table = {name: (COMMON | checks).get(name, ANYTHING) for name in names}
 
-    def decorate(function: Callable[P, R]) -> Callable[P, R]:
-        names = list(inspect.signature(function).parameters)
-        title = function.__name__
-        table = {name: (COMMON | checks).get(name, ANYTHING) for name in names}
+    def check_all(given: Iterable[tuple[str, Any]]) -> None:
+        for name, value in given:
+            check = table.get(name)
+            if check is None:
+                near = difflib.get_close_matches(name, names, 1)
+                hint = f"; did you mean '{near[0]}'?" if near else f"; known are: {', '.join(names[1:])}"
+                raise TypeError(f"MainSystem.{title}(...): unknown argument '{name}'{hint}")
+            if check is not ANYTHING and not check.test(value):
+                raise argument_error(title, name, check.expected, value)
 
-        def check_all(given: Iterable[tuple[str, Any]]) -> None:
-            for name, value in given:
-                check = table.get(name)
-                if check is None:
-                    near = difflib.get_close_matches(name, names, 1)
-                    hint = f"; did you mean '{near[0]}'?" if near else f"; known are: {', '.join(names[1:])}"
-                    raise TypeError(f"MainSystem.{title}(...): unknown argument '{name}'{hint}")
-                if check is not ANYTHING and not check.test(value):
-                    raise argument_error(title, name, check.expected, value)
+    @functools.wraps(function)
+    def call(*args: Any, **kwargs: Any) -> Any:
+        if len(args) > 1:
+            check_all(zip(names, args, strict=False))
+        check_all(kwargs.items())
+        return function(*args, **kwargs)
 
-        @functools.wraps(function)
-        def call(*args: P.args, **kwargs: P.kwargs) -> R:
-            if len(args) > 1:
-                check_all(zip(names, args, strict=False))
-            check_all(kwargs.items())
-            return function(*args, **kwargs)
-
-        return call
-
-    return decorate
+    return call
 
 
 def is_body(value: Any) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -52,11 +53,11 @@ class Ends(NamedTuple):
 
 def connector_ends(
     function: str,
-    bodyNumbers: list[Any],
+    bodyNumbers: Sequence[Any],
     localPosition0: Vector,
     localPosition1: Vector,
-    bodyOrNodeList: list[Any],
-    bodyList: list[Any],
+    bodyOrNodeList: Sequence[Any],
+    bodyList: Sequence[Any],
 ) -> Ends:
     """Return what a connector joins; the first of the three arguments that is not [None, None] counts.
 
@@ -125,7 +126,9 @@ class JointPlace(NamedTuple):
         return [rotation.T @ axes for rotation in self.rotations]
 
 
-def joint_place(mbs: Any, function: str, bodyNumbers: list[Any], position: Vector, useGlobalFrame: bool) -> JointPlace:
+def joint_place(
+    mbs: Any, function: str, bodyNumbers: Sequence[Any], position: Vector, useGlobalFrame: bool
+) -> JointPlace:
     """Return the place of a joint between two bodies or markers.
 
     The position (m) is global or, if not useGlobalFrame, in the frame of body 0. A marker sets the position itself:

@@ -9,14 +9,16 @@ import numpy as np
 
 from dalembert import itemInterface as items
 from dalembert._checks import FloatArray
-from dalembert._core import NodeType
+from dalembert._core import MainSystem, NodeType, ObjectIndex
 from dalembert.create._arguments import (
     DEFAULT_COLOR,
     FLAG,
     ZERO3,
+    Check,
+    Matrix,
+    UserFunction,
     Vector,
     argument_error,
-    checked,
     matrix,
     vector,
 )
@@ -30,19 +32,15 @@ from dalembert.rigidBodyUtilities import (
 )
 
 
-@checked(
-    referencePosition=vector(3),
-    referenceRotationMatrix=matrix(3),
-)
 def CreateGround(
-    mbs: Any,
+    mbs: MainSystem,
     name: str = "",
     referencePosition: Vector = ZERO3,
-    referenceRotationMatrix: FloatArray = np.eye(3),
-    graphicsDataList: list[Any] = [],
-    graphicsDataUserFunction: Any = 0,
+    referenceRotationMatrix: Matrix = np.eye(3),
+    graphicsDataList: list[dict[str, Any]] = [],
+    graphicsDataUserFunction: UserFunction = 0,
     show: bool = True,
-) -> Any:
+) -> ObjectIndex:
     """Add a ground object and return its ObjectIndex.
 
     Position (m) and rotation (local to global) are those of the ground's frame, in the global frame.
@@ -54,7 +52,7 @@ def CreateGround(
         items.ObjectGround(
             name=name,
             referencePosition=referencePosition,
-            referenceRotation=referenceRotationMatrix,
+            referenceRotation=np.asarray(referenceRotationMatrix),
             visualization=visualization,
         )
     )
@@ -70,14 +68,6 @@ def _add_gravity(mbs: Any, node: Any, body: Any, gravity: Vector, returnDict: bo
     return {"nodeNumber": node, "bodyNumber": body} | weight if returnDict else body
 
 
-@checked(
-    referencePosition=vector(3),
-    initialDisplacement=vector(3),
-    initialVelocity=vector(3),
-    gravity=vector(3),
-    create2D=FLAG,
-    returnDict=FLAG,
-)
 def CreateMassPoint(
     mbs: Any,
     name: str = "",
@@ -224,17 +214,6 @@ def _node_2d(
     }
 
 
-@checked(
-    referencePosition=vector(3),
-    referenceRotationMatrix=matrix(3),
-    initialVelocity=vector(3),
-    initialAngularVelocity=vector(3),
-    initialDisplacement=vector(3).optional(),
-    initialRotationMatrix=matrix(3).optional(),
-    gravity=vector(3),
-    create2D=FLAG,
-    returnDict=FLAG,
-)
 def CreateRigidBody(
     mbs: Any,
     name: str = "",
@@ -299,3 +278,31 @@ def CreateRigidBody(
         )
     )
     return _add_gravity(mbs, node, body, gravity, returnDict)
+
+
+# What arguments must be, besides what COMMON says.
+CHECKS: dict[str, dict[str, Check]] = {
+    "CreateGround": {
+        "referencePosition": vector(3),
+        "referenceRotationMatrix": matrix(3),
+    },
+    "CreateMassPoint": {
+        "referencePosition": vector(3),
+        "initialDisplacement": vector(3),
+        "initialVelocity": vector(3),
+        "gravity": vector(3),
+        "create2D": FLAG,
+        "returnDict": FLAG,
+    },
+    "CreateRigidBody": {
+        "referencePosition": vector(3),
+        "referenceRotationMatrix": matrix(3),
+        "initialVelocity": vector(3),
+        "initialAngularVelocity": vector(3),
+        "initialDisplacement": vector(3).optional(),
+        "initialRotationMatrix": matrix(3).optional(),
+        "gravity": vector(3),
+        "create2D": FLAG,
+        "returnDict": FLAG,
+    },
+}

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from dalembert import itemInterface as items
 from dalembert._checks import FloatArray
-from dalembert._core import InvalidIndex, ObjectIndex, Print
+from dalembert._core import InvalidIndex, MainSystem, NodeIndex, ObjectIndex, Print
 from dalembert.create._arguments import (
     DEFAULT_COLOR,
     FLAG,
@@ -16,9 +17,12 @@ from dalembert.create._arguments import (
     NOT_NEGATIVE,
     NUMBER,
     ZERO3,
+    Check,
+    Connected,
+    Matrix,
+    UserFunction,
     Vector,
     argument_error,
-    checked,
     is_body,
     list_of,
     matrix,
@@ -37,17 +41,10 @@ from dalembert.create._frames import (
 from dalembert.rigidBodyUtilities import ComputeOrthonormalBasisVectors
 
 
-@checked(
-    referenceLength=NOT_NEGATIVE.optional(),
-    stiffness=NUMBER,
-    damping=NUMBER,
-    force=NUMBER,
-    velocityOffset=NUMBER,
-)
 def CreateSpringDamper(
-    mbs: Any,
+    mbs: MainSystem,
     name: str = "",
-    bodyNumbers: list[Any] = NO_PAIR,
+    bodyNumbers: Sequence[Connected] = NO_PAIR,
     localPosition0: Vector = ZERO3,
     localPosition1: Vector = ZERO3,
     referenceLength: float | None = None,
@@ -55,13 +52,13 @@ def CreateSpringDamper(
     damping: float = 0.0,
     force: float = 0.0,
     velocityOffset: float = 0.0,
-    springForceUserFunction: Any = 0,
-    bodyOrNodeList: list[Any] = NO_PAIR,
-    bodyList: list[Any] = NO_PAIR,
+    springForceUserFunction: UserFunction = 0,
+    bodyOrNodeList: Sequence[Connected] = NO_PAIR,
+    bodyList: Sequence[Connected] = NO_PAIR,
     show: bool = True,
     drawSize: float = -1,
     color: Vector = DEFAULT_COLOR,
-) -> Any:
+) -> ObjectIndex:
     """Add a spring-damper along the line between two points of bodies, nodes or markers; return its ObjectIndex.
 
     Stiffness in N/m, damping in Ns/m, force in N, local positions in m in the frames of the bodies. Without
@@ -84,23 +81,22 @@ def CreateSpringDamper(
     )
 
 
-@checked(stiffness=vector(3), damping=vector(3), offset=vector(3))
 def CreateCartesianSpringDamper(
-    mbs: Any,
+    mbs: MainSystem,
     name: str = "",
-    bodyNumbers: list[Any] = NO_PAIR,
+    bodyNumbers: Sequence[Connected] = NO_PAIR,
     localPosition0: Vector = ZERO3,
     localPosition1: Vector = ZERO3,
     stiffness: Vector = ZERO3,
     damping: Vector = ZERO3,
     offset: Vector = ZERO3,
-    springForceUserFunction: Any = 0,
-    bodyOrNodeList: list[Any] = NO_PAIR,
-    bodyList: list[Any] = NO_PAIR,
+    springForceUserFunction: UserFunction = 0,
+    bodyOrNodeList: Sequence[Connected] = NO_PAIR,
+    bodyList: Sequence[Connected] = NO_PAIR,
     show: bool = True,
     drawSize: float = -1,
     color: Vector = DEFAULT_COLOR,
-) -> Any:
+) -> ObjectIndex:
     """Add a spring-damper along the global axes between points of bodies, nodes or markers; return its ObjectIndex.
 
     Per axis: stiffness in N/m, damping in Ns/m, offset of the unstretched spring in m.
@@ -121,33 +117,26 @@ def CreateCartesianSpringDamper(
     )
 
 
-@checked(
-    stiffness=matrix(6),
-    damping=matrix(6),
-    offset=vector(6),
-    rotationMatrixJoint=matrix(3),
-    intrinsicFormulation=FLAG,
-)
 def CreateRigidBodySpringDamper(
-    mbs: Any,
+    mbs: MainSystem,
     name: str = "",
-    bodyNumbers: list[Any] = NO_PAIR,
+    bodyNumbers: Sequence[Connected] = NO_PAIR,
     localPosition0: Vector = ZERO3,
     localPosition1: Vector = ZERO3,
-    stiffness: FloatArray = np.zeros((6, 6)),
-    damping: FloatArray = np.zeros((6, 6)),
+    stiffness: Matrix = np.zeros((6, 6)),
+    damping: Matrix = np.zeros((6, 6)),
     offset: Vector = [0.0] * 6,
-    rotationMatrixJoint: FloatArray = np.eye(3),
+    rotationMatrixJoint: Matrix = np.eye(3),
     useGlobalFrame: bool = True,
     intrinsicFormulation: bool = True,
-    springForceTorqueUserFunction: Any = 0,
-    postNewtonStepUserFunction: Any = 0,
-    bodyOrNodeList: list[Any] = NO_PAIR,
-    bodyList: list[Any] = NO_PAIR,
+    springForceTorqueUserFunction: UserFunction = 0,
+    postNewtonStepUserFunction: UserFunction = 0,
+    bodyOrNodeList: Sequence[Connected] = NO_PAIR,
+    bodyList: Sequence[Connected] = NO_PAIR,
     show: bool = True,
     drawSize: float = -1,
     color: Vector = DEFAULT_COLOR,
-) -> Any:
+) -> ObjectIndex:
     """Add a spring-damper in six directions (three translations, three rotations); return its ObjectIndex.
 
     Stiffness (N/m, Nm/rad), damping (Ns/m, Nms/rad) and offset (m, rad) count along the joint axes, the columns of
@@ -169,8 +158,8 @@ def CreateRigidBodySpringDamper(
         items.ObjectConnectorRigidBodySpringDamper(
             name=name,
             markerNumbers=[first, second],
-            stiffness=stiffness,
-            damping=damping,
+            stiffness=np.asarray(stiffness),
+            damping=np.asarray(damping),
             offset=offset,
             rotationMarker0=rotations[0].T @ axes,
             rotationMarker1=rotations[1].T @ axes,
@@ -188,19 +177,10 @@ def frame_with_z(axis: FloatArray) -> FloatArray:
     return np.column_stack([-second, first, along])
 
 
-@checked(
-    axis=vector(3),
-    stiffness=NOT_NEGATIVE,
-    damping=NOT_NEGATIVE,
-    offset=NUMBER,
-    velocityOffset=NUMBER,
-    torque=NUMBER,
-    unlimitedRotations=FLAG,
-)
 def CreateTorsionalSpringDamper(
-    mbs: Any,
+    mbs: MainSystem,
     name: str = "",
-    bodyNumbers: list[Any] = NO_PAIR,
+    bodyNumbers: Sequence[Connected] = NO_PAIR,
     position: Vector = ZERO3,
     axis: Vector = ZERO3,
     stiffness: float = 0.0,
@@ -209,12 +189,12 @@ def CreateTorsionalSpringDamper(
     velocityOffset: float = 0.0,
     torque: float = 0.0,
     useGlobalFrame: bool = True,
-    springTorqueUserFunction: Any = 0,
+    springTorqueUserFunction: UserFunction = 0,
     unlimitedRotations: bool = True,
     show: bool = True,
     drawSize: float = -1,
     color: Vector = DEFAULT_COLOR,
-) -> Any:
+) -> ObjectIndex:
     """Add a torsional spring-damper about an axis between two bodies or markers; return its ObjectIndex.
 
     Position (m) and axis are in the global frame or, if not useGlobalFrame, in the frame of the first body; stiffness
@@ -224,7 +204,7 @@ def CreateTorsionalSpringDamper(
     place = joint_place(mbs, "CreateTorsionalSpringDamper", bodyNumbers, position, useGlobalFrame)
     rotation0, rotation1 = place.local_frames(frame_with_z(place.to_global(axis, useGlobalFrame)))
     markers = add_joint_markers(mbs, place, name)
-    turns = InvalidIndex()
+    turns: NodeIndex | int = InvalidIndex()
     if unlimitedRotations:
         turns = mbs.AddNode(items.NodeGenericData(initialCoordinates=[0], numberOfDataCoordinates=1))
     return mbs.AddObject(
@@ -245,20 +225,19 @@ def CreateTorsionalSpringDamper(
     )
 
 
-@checked(distance=NOT_NEGATIVE.optional())
 def CreateDistanceConstraint(
-    mbs: Any,
+    mbs: MainSystem,
     name: str = "",
-    bodyNumbers: list[Any] = NO_PAIR,
+    bodyNumbers: Sequence[Connected] = NO_PAIR,
     localPosition0: Vector = ZERO3,
     localPosition1: Vector = ZERO3,
     distance: float | None = None,
-    bodyOrNodeList: list[Any] = NO_PAIR,
-    bodyList: list[Any] = NO_PAIR,
+    bodyOrNodeList: Sequence[Connected] = NO_PAIR,
+    bodyList: Sequence[Connected] = NO_PAIR,
     show: bool = True,
     drawSize: float = -1.0,
     color: Vector = DEFAULT_COLOR,
-) -> Any:
+) -> ObjectIndex:
     """Keep the distance (m) of two points of bodies, nodes or markers constant; return the constraint's ObjectIndex.
 
     Without `distance`, that of the reference configuration is kept. A distance of zero has no direction: a spherical
@@ -313,27 +292,20 @@ def _is_grounded(mbs: Any, body: Any) -> bool:
     return body is None or mbs.GetObject(body)["objectType"] == "Ground"
 
 
-@checked(
-    bodyNumbers=list_of(2, "body numbers"),
-    coordinates=list_of(2, "indices of coordinates of the bodies"),
-    offset=NUMBER,
-    factorValue1=NUMBER,
-    velocityLevel=FLAG,
-)
 def CreateCoordinateConstraint(
-    mbs: Any,
+    mbs: MainSystem,
     name: str = "",
-    bodyNumbers: list[Any] = NO_PAIR,
-    coordinates: list[Any] = NO_PAIR,
+    bodyNumbers: Sequence[ObjectIndex | int | None] = NO_PAIR,
+    coordinates: Sequence[int | None] = NO_PAIR,
     offset: float = 0.0,
     factorValue1: float = 1.0,
     velocityLevel: bool = False,
-    offsetUserFunction: Any = 0,
-    offsetUserFunction_t: Any = 0,
+    offsetUserFunction: UserFunction = 0,
+    offsetUserFunction_t: UserFunction = 0,
     show: bool = True,
     drawSize: float = -1.0,
     color: Vector = DEFAULT_COLOR,
-) -> Any:
+) -> ObjectIndex:
     """Constrain a coordinate of one body to that of another, or to ground; return the constraint's ObjectIndex.
 
     A body number of None, or of a ground object, means ground: its coordinate does not count. The constraint reads
@@ -368,3 +340,40 @@ def CreateCoordinateConstraint(
             visualization=items.VObjectConnectorCoordinate(show=show, drawSize=drawSize, color=color),
         )
     )
+
+
+# What arguments must be, besides what COMMON says.
+CHECKS: dict[str, dict[str, Check]] = {
+    "CreateSpringDamper": {
+        "referenceLength": NOT_NEGATIVE.optional(),
+        "stiffness": NUMBER,
+        "damping": NUMBER,
+        "force": NUMBER,
+        "velocityOffset": NUMBER,
+    },
+    "CreateCartesianSpringDamper": {"stiffness": vector(3), "damping": vector(3), "offset": vector(3)},
+    "CreateRigidBodySpringDamper": {
+        "stiffness": matrix(6),
+        "damping": matrix(6),
+        "offset": vector(6),
+        "rotationMatrixJoint": matrix(3),
+        "intrinsicFormulation": FLAG,
+    },
+    "CreateTorsionalSpringDamper": {
+        "axis": vector(3),
+        "stiffness": NOT_NEGATIVE,
+        "damping": NOT_NEGATIVE,
+        "offset": NUMBER,
+        "velocityOffset": NUMBER,
+        "torque": NUMBER,
+        "unlimitedRotations": FLAG,
+    },
+    "CreateDistanceConstraint": {"distance": NOT_NEGATIVE.optional()},
+    "CreateCoordinateConstraint": {
+        "bodyNumbers": list_of(2, "body numbers"),
+        "coordinates": list_of(2, "indices of coordinates of the bodies"),
+        "offset": NUMBER,
+        "factorValue1": NUMBER,
+        "velocityLevel": FLAG,
+    },
+}

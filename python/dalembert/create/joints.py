@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from dalembert import itemInterface as items
-from dalembert._checks import FloatArray
+from dalembert._core import MainSystem, ObjectIndex
 from dalembert.create._arguments import (
     DEFAULT_COLOR,
     FLAG,
     NO_PAIR,
     NUMBER,
+    Check,
+    Connected,
+    Matrix,
+    UserFunction,
     Vector,
     argument_error,
-    checked,
     flags,
     is_body,
     matrix,
@@ -26,11 +30,10 @@ from dalembert.create.connectors import frame_with_z
 from dalembert.rigidBodyUtilities import ComputeOrthonormalBasis
 
 
-@checked(axis=vector(3), axisRadius=NUMBER, axisLength=NUMBER)
 def CreateRevoluteJoint(
-    mbs: Any,
+    mbs: MainSystem,
     name: str = "",
-    bodyNumbers: list[Any] = NO_PAIR,
+    bodyNumbers: Sequence[Connected] = NO_PAIR,
     position: Vector = [],
     axis: Vector = [],
     useGlobalFrame: bool = True,
@@ -38,7 +41,7 @@ def CreateRevoluteJoint(
     axisRadius: float = 0.1,
     axisLength: float = 0.4,
     color: Vector = DEFAULT_COLOR,
-) -> Any:
+) -> ObjectIndex:
     """Add a hinge between two bodies or markers and return its ObjectIndex.
 
     Position (m) and axis of the hinge are given in the reference configuration, in the global frame or, if not
@@ -60,11 +63,10 @@ def CreateRevoluteJoint(
     )
 
 
-@checked(axis=vector(3), axisRadius=NUMBER, axisLength=NUMBER)
 def CreatePrismaticJoint(
-    mbs: Any,
+    mbs: MainSystem,
     name: str = "",
-    bodyNumbers: list[Any] = NO_PAIR,
+    bodyNumbers: Sequence[Connected] = NO_PAIR,
     position: Vector = [],
     axis: Vector = [],
     useGlobalFrame: bool = True,
@@ -72,7 +74,7 @@ def CreatePrismaticJoint(
     axisRadius: float = 0.1,
     axisLength: float = 0.4,
     color: Vector = DEFAULT_COLOR,
-) -> Any:
+) -> ObjectIndex:
     """Add a slider between two bodies or markers and return its ObjectIndex.
 
     Position (m) and axis of sliding are given in the reference configuration, in the global frame or, if not
@@ -101,18 +103,17 @@ def axis_given(function: str, axis: Vector) -> None:
         raise argument_error(function, "axis", "a vector with 3 components that is not zero", axis)
 
 
-@checked(constrainedAxes=flags(3), jointRadius=NUMBER)
 def CreateSphericalJoint(
-    mbs: Any,
+    mbs: MainSystem,
     name: str = "",
-    bodyNumbers: list[Any] = NO_PAIR,
+    bodyNumbers: Sequence[Connected] = NO_PAIR,
     position: Vector = [],
-    constrainedAxes: list[int] = [1, 1, 1],
+    constrainedAxes: Sequence[int] = [1, 1, 1],
     useGlobalFrame: bool = True,
     show: bool = True,
     jointRadius: float = 0.1,
     color: Vector = DEFAULT_COLOR,
-) -> Any:
+) -> ObjectIndex:
     """Add a ball joint between two bodies or markers and return its ObjectIndex.
 
     The position (m) is given in the reference configuration, in the global frame or, if not useGlobalFrame, in the
@@ -130,22 +131,21 @@ def CreateSphericalJoint(
     )
 
 
-@checked(rotationMatrixAxes=matrix(3), constrainedAxes=flags(6), axesRadius=NUMBER, axesLength=NUMBER)
 def CreateGenericJoint(
-    mbs: Any,
+    mbs: MainSystem,
     name: str = "",
-    bodyNumbers: list[Any] = NO_PAIR,
+    bodyNumbers: Sequence[Connected] = NO_PAIR,
     position: Vector = [],
-    rotationMatrixAxes: FloatArray = np.eye(3),
-    constrainedAxes: list[int] = [1, 1, 1, 1, 1, 1],
+    rotationMatrixAxes: Matrix = np.eye(3),
+    constrainedAxes: Sequence[int] = [1, 1, 1, 1, 1, 1],
     useGlobalFrame: bool = True,
-    offsetUserFunction: Any = 0,
-    offsetUserFunction_t: Any = 0,
+    offsetUserFunction: UserFunction = 0,
+    offsetUserFunction_t: UserFunction = 0,
     show: bool = True,
     axesRadius: float = 0.1,
     axesLength: float = 0.4,
     color: Vector = DEFAULT_COLOR,
-) -> Any:
+) -> ObjectIndex:
     """Add a joint with freely chosen constrained directions between two bodies or markers; return its ObjectIndex.
 
     constrainedAxes holds three translations and three rotations along the joint axes, the columns of
@@ -172,7 +172,7 @@ def CreateGenericJoint(
 
 
 def _rolling_markers(
-    mbs: Any, function: str, name: str, bodyNumbers: list[Any], planePosition: Vector, axisPosition: Vector
+    mbs: Any, function: str, name: str, bodyNumbers: Sequence[Any], planePosition: Vector, axisPosition: Vector
 ) -> list[Any]:
     """Add the rigid markers of a rolling disc: on the body that carries the plane, and on the disc."""
     for i, body in enumerate(bodyNumbers):
@@ -196,22 +196,21 @@ _ROLLING_CHECKS = {
 }
 
 
-@checked(**_ROLLING_CHECKS, constrainedAxes=flags(3))
 def CreateRollingDisc(
-    mbs: Any,
+    mbs: MainSystem,
     name: str = "",
-    bodyNumbers: list[Any] = NO_PAIR,
+    bodyNumbers: Sequence[Connected] = NO_PAIR,
     axisPosition: Vector = [],
     axisVector: Vector = [1, 0, 0],
     discRadius: float = 0.0,
     planePosition: Vector = [0, 0, 0],
     planeNormal: Vector = [0, 0, 1],
-    constrainedAxes: list[int] = [1, 1, 1],
+    constrainedAxes: Sequence[int] = [1, 1, 1],
     activeConnector: bool = True,
     show: bool = True,
     discWidth: float = 0.1,
     color: Vector = DEFAULT_COLOR,
-) -> Any:
+) -> ObjectIndex:
     """Let a disc, fixed to the second body, roll without slip on a plane of the first body; return the ObjectIndex.
 
     Axis position (m) and axis vector are in the frame of the disc's body; position (m) and normal of the plane are in
@@ -232,21 +231,10 @@ def CreateRollingDisc(
     )
 
 
-@checked(
-    **_ROLLING_CHECKS,
-    contactStiffness=NUMBER,
-    contactDamping=NUMBER,
-    dryFriction=vector(2),
-    dryFrictionAngle=NUMBER,
-    dryFrictionProportionalZone=NUMBER,
-    viscousFriction=vector(2),
-    rollingFrictionViscous=NUMBER,
-    useLinearProportionalZone=FLAG,
-)
 def CreateRollingDiscPenalty(
-    mbs: Any,
+    mbs: MainSystem,
     name: str = "",
-    bodyNumbers: list[Any] = NO_PAIR,
+    bodyNumbers: Sequence[Connected] = NO_PAIR,
     axisPosition: Vector = [],
     axisVector: Vector = [1, 0, 0],
     discRadius: float = 0.0,
@@ -264,7 +252,7 @@ def CreateRollingDiscPenalty(
     show: bool = True,
     discWidth: float = 0.1,
     color: Vector = DEFAULT_COLOR,
-) -> Any:
+) -> ObjectIndex:
     """Let a disc, fixed to the second body, roll with contact and friction forces on a plane of the first body.
 
     Frames as in CreateRollingDisc. Contact stiffness in N/m, contact damping in Ns/m; friction has a coefficient (-)
@@ -293,3 +281,29 @@ def CreateRollingDiscPenalty(
             visualization=items.VObjectConnectorRollingDiscPenalty(show=show, discWidth=discWidth, color=color),
         )
     )
+
+
+# What arguments must be, besides what COMMON says.
+CHECKS: dict[str, dict[str, Check]] = {
+    "CreateRevoluteJoint": {"axis": vector(3), "axisRadius": NUMBER, "axisLength": NUMBER},
+    "CreatePrismaticJoint": {"axis": vector(3), "axisRadius": NUMBER, "axisLength": NUMBER},
+    "CreateSphericalJoint": {"constrainedAxes": flags(3), "jointRadius": NUMBER},
+    "CreateGenericJoint": {
+        "rotationMatrixAxes": matrix(3),
+        "constrainedAxes": flags(6),
+        "axesRadius": NUMBER,
+        "axesLength": NUMBER,
+    },
+    "CreateRollingDisc": dict(**_ROLLING_CHECKS, constrainedAxes=flags(3)),
+    "CreateRollingDiscPenalty": dict(
+        **_ROLLING_CHECKS,
+        contactStiffness=NUMBER,
+        contactDamping=NUMBER,
+        dryFriction=vector(2),
+        dryFrictionAngle=NUMBER,
+        dryFrictionProportionalZone=NUMBER,
+        viscousFriction=vector(2),
+        rollingFrictionViscous=NUMBER,
+        useLinearProportionalZone=FLAG,
+    ),
+}

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 
 from dalembert import itemInterface as items
-from dalembert._core import MarkerIndex
-from dalembert.create._arguments import FLAG, ZERO3, Vector, argument_error, checked, is_body, vector
+from dalembert._core import LoadIndex, MainSystem, MarkerIndex, ObjectIndex
+from dalembert.create._arguments import FLAG, ZERO3, Check, UserFunction, Vector, argument_error, is_body, vector
 
 
 def _load_marker(mbs: Any, function: str, bodyNumber: Any, localPosition: Vector, rigid: bool) -> Any:
@@ -24,17 +24,16 @@ def _load_marker(mbs: Any, function: str, bodyNumber: Any, localPosition: Vector
     return mbs.AddMarker(marker(bodyNumber=bodyNumber, localPosition=localPosition))
 
 
-@checked(loadVector=vector(3), bodyFixed=FLAG)
 def CreateForce(
-    mbs: Any,
+    mbs: MainSystem,
     name: str = "",
-    bodyNumber: Any = None,
+    bodyNumber: ObjectIndex | MarkerIndex | int | None = None,
     loadVector: Vector = ZERO3,
     localPosition: Vector = ZERO3,
     bodyFixed: bool = False,
-    loadVectorUserFunction: Any = 0,
+    loadVectorUserFunction: UserFunction = 0,
     show: bool = True,
-) -> Any:
+) -> LoadIndex:
     """Add a force (N) at a local position (m) of a body, or at a marker; return its LoadIndex.
 
     The force is given in the global frame or, if bodyFixed, in the body's. The user function f(mbs, t, loadVector)
@@ -51,17 +50,16 @@ def CreateForce(
     )
 
 
-@checked(loadVector=vector(3), bodyFixed=FLAG)
 def CreateTorque(
-    mbs: Any,
+    mbs: MainSystem,
     name: str = "",
-    bodyNumber: Any = None,
+    bodyNumber: ObjectIndex | MarkerIndex | int | None = None,
     loadVector: Vector = ZERO3,
     localPosition: Vector = ZERO3,
     bodyFixed: bool = False,
-    loadVectorUserFunction: Any = 0,
+    loadVectorUserFunction: UserFunction = 0,
     show: bool = True,
-) -> Any:
+) -> LoadIndex:
     """Add a torque (Nm) at a body, or at a marker; return its LoadIndex.
 
     The torque is given in the global frame or, if bodyFixed, in the body's. The user function f(mbs, t, loadVector)
@@ -76,3 +74,10 @@ def CreateTorque(
             loadVectorUserFunction=loadVectorUserFunction,
         )
     )
+
+
+# What arguments must be, besides what COMMON says.
+CHECKS: dict[str, dict[str, Check]] = {
+    "CreateForce": {"loadVector": vector(3), "bodyFixed": FLAG},
+    "CreateTorque": {"loadVector": vector(3), "bodyFixed": FLAG},
+}
