@@ -38,7 +38,7 @@ void CoordinateMarkerBatch::evaluate_tangent(const Evaluation&, const Weights& w
       }
   }
 }
-void CoordinateMarkerBatch::pull_back(const Evaluation&, const Ports& ports, double* r) const {
+void CoordinateMarkerBatch::pull_back(const Evaluation&, Ports& ports, double* r) const {
   for (const Entry& e : entries_) {
     const double* force = ports.forces.data() + e.port.force;
     const int* dofs = dofs_.data() + e.first;

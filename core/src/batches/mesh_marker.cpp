@@ -52,7 +52,7 @@ void InnerMarkers::evaluate_tangent(const Evaluation& evaluation, const Weights&
   for (const Group& g : groups_) g.batch->evaluate_tangent(evaluation, weights, ports);
 }
 void InnerMarkers::clear_forces() { std::ranges::fill(ports.forces, 0.0); }
-void InnerMarkers::pull_back(const Evaluation& evaluation, double* r) const {
+void InnerMarkers::pull_back(const Evaluation& evaluation, double* r) {
   for (const Group& g : groups_) g.batch->pull_back(evaluation, ports, r);
 }
 
@@ -151,7 +151,7 @@ class MeshPositionBatch final : public MarkerBatch {
       }
     }
   }
-  void pull_back(const Evaluation& evaluation, const Ports& ports, double* r) const override {
+  void pull_back(const Evaluation& evaluation, Ports& ports, double* r) const override {
     share_forces(ports);
     nodes_.pull_back(evaluation, r);
   }

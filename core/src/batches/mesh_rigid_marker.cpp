@@ -191,7 +191,7 @@ class MeshRigidBatch final : public MarkerBatch {
       set_jacobian(e, n, ports.jacobian(e.marker));
     }
   }
-  void pull_back(const Evaluation& evaluation, const Ports& ports, double* r) const override {
+  void pull_back(const Evaluation& evaluation, Ports& ports, double* r) const override {
     share_forces(ports);
     nodes_.pull_back(evaluation, r);
   }

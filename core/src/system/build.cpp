@@ -133,7 +133,7 @@ class Builder {
     place.ae = take(parts_.sizes.ae, place.sizes.ae);
     place.data = take(parts_.sizes.data, place.sizes.data);
     take_start_values(place);
-    place.rotation = place_rotation(place);
+    place.rotating = place_rotating(place);
     if (place.physics->lie_rotation() >= 0) parts_.lie_blocks.push_back({place.ode2 + place.physics->lie_rotation()});
     parts_.nodes.push_back(std::move(place));
   }
@@ -153,16 +153,18 @@ class Builder {
     append_values(initial.data, node_values_.data, sizes.data);
   }
 
-  int place_rotation(const NodePlace& node) {
-    auto [batch, is_new] = rotations_.try_emplace(node.type, nullptr);
-    if (is_new) {
-      if (auto made = node.physics->make_rotations(); made != nullptr)
-        batch->second = parts_.rotation_batches.emplace_back(std::move(made)).get();
-    }
+  int place_rotating(const NodePlace& node) {
+    auto [batch, is_new] = rotating_.try_emplace(node.type, nullptr);
+    if (is_new)
+      if (auto made = node.physics->make_rotating(); made != nullptr)
+        batch->second = parts_.rotating_nodes.emplace_back(std::move(made)).get();
     if (batch->second == nullptr) return -1;
-    std::vector<int> dofs;
-    append_range(dofs, node.ode2, node.sizes.ode2);
-    return batch->second->add(dofs, parts_.ports);
+    Placement p;
+    append_range(p.dofs, node.ode2, node.sizes.ode2);
+    p.rotating_node = static_cast<int>(parts_.ports.node_motions.size());
+    parts_.ports.add_rotating_node();
+    batch->second->add(node.record.get(), p, parts_.ports);
+    return p.rotating_node;
   }
 
   // An object's nodes and markers, before its markers' coordinates are known.
@@ -185,7 +187,7 @@ class Builder {
     p.ae_offset = parts_.sizes.first_ae();
     p.ode1_offset = parts_.sizes.ode2;
     const double* reference = parts_.state(ConfigurationType::Reference).q.data();
-    if (p.nodes.size() == 1) p.rotation = parts_.nodes[p.nodes.front()].rotation;
+    if (p.nodes.size() == 1) p.rotating_node = parts_.nodes[p.nodes.front()].rotating;
     for (const int n : p.nodes) {
       const NodePlace& node = parts_.nodes[n];
       append_range(p.dofs, node.ode2, node.sizes.ode2);
@@ -406,7 +408,7 @@ class Builder {
   const Model& model_;
   BatchTable<MarkerBatch> marker_batches_{parts_.marker_batches};
   BatchTable<Term> terms_{parts_.terms};
-  std::map<const ItemType*, RotationBatch*> rotations_;
+  std::map<const ItemType*, RotatingNodeBatch*> rotating_;
   std::set<const Batch*> differentiated_;
   std::unordered_map<const ItemType*, int> counts_;  // of items
   std::vector<int> first_ae_;

@@ -83,6 +83,7 @@ void SystemParts::update_ports(const Evaluation& e) {
   const auto evaluate = [&](const MarkerBatch& batch) { batch.evaluate(e, ports); };
   if (!plan.resting_evaluated) each(plan.resting, evaluate);
   plan.resting_evaluated = true;
+  each(rotating_nodes, [&](const RotatingNodeBatch& batch) { batch.evaluate(e, ports); });
   each(plan.moving, evaluate);
 }
 
@@ -97,6 +98,7 @@ void SystemParts::bind(const Pattern& pattern) {
   for (const auto& term : terms)
     if (!mass_alone || term->has_mass()) collect(*term);
   if (!mass_alone) each(marker_batches, collect);
+  if (!mass_alone) each(rotating_nodes, collect);
   for (LoadDependency& dependency : load_dependencies) {
     if (mass_alone) break;
     SlotCollector collector(pattern);
@@ -125,11 +127,12 @@ class Flagged {
 void add_residual(SystemParts& parts, const Evaluation& e, double* r, bool loads = true) {
   const Flagged evaluating(parts.evaluating);
   parts.update_ports(e);
-  std::fill(parts.ports.forces.begin(), parts.ports.forces.end(), 0.0);
+  parts.ports.clear_forces();
   const auto add = [&](const Term& term) { term.residual(e, parts.ports, r); };
   each(parts.plan.terms, add);
   if (loads) each(parts.plan.loads, add);
   each(parts.plan.moving, [&](const MarkerBatch& batch) { batch.pull_back(e, parts.ports, r); });
+  each(parts.rotating_nodes, [&](const RotatingNodeBatch& batch) { batch.pull_back(e, parts.ports, r); });
   for (int i = 0; i < parts.sizes.ode1; ++i) r[parts.sizes.ode2 + i] -= e.y_t[i];
 }
 
@@ -157,12 +160,13 @@ void System::tangent(const State& state, const Conditions& conditions, const Wei
   const Flagged evaluating(parts.evaluating);
   const EvaluationPlan& plan = parts.plan;
   parts.ports.differentiate();
-  each(parts.rotation_batches, [&](const RotationBatch& batch) { batch.evaluate_tangent(e, weights, parts.ports); });
+  each(parts.rotating_nodes, [&](const RotatingNodeBatch& batch) { batch.evaluate_tangent(e, weights, parts.ports); });
   each(plan.differentiated, [&](const MarkerBatch& batch) { batch.evaluate_tangent(e, weights, parts.ports); });
   const auto add = [&](const Term& term) { term.tangent(e, weights, parts.ports, values.data()); };
   each(plan.terms, add);
   if (conditions.loads) each(plan.loads, add);
   each(plan.moving, [&](const MarkerBatch& batch) { batch.geometric(e, weights, parts.ports, values.data()); });
+  each(parts.rotating_nodes, [&](const RotatingNodeBatch& batch) { batch.geometric(e, weights, parts.ports, values.data()); });
   for (const int slot : parts.rate_slots) values[slot] -= weights.y_t;
   if (conditions.load_dependencies > 0 && !parts.load_dependencies.empty())
     dalembert::add_load_dependencies(*this, parts, e, weights, conditions.load_dependencies > 1, values.data());
@@ -176,6 +180,7 @@ const Pattern& System::pattern(bool dense) {
   PairCollector collector;
   each(parts.terms, [&](const Term& term) { term.visit(collector, parts.ports); });
   each(parts.marker_batches, [&](const MarkerBatch& batch) { batch.visit(collector, parts.ports); });
+  each(parts.rotating_nodes, [&](const RotatingNodeBatch& batch) { batch.visit(collector, parts.ports); });
   for (const LoadDependency& dependency : parts.load_dependencies) collector.block(dependency.rows, dependency.columns);
   return pattern.emplace(Pattern::sparse(sizes_.total(), collector.pairs));
 }

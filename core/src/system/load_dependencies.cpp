@@ -113,10 +113,11 @@ class LoadDifferences {
   // What the load adds to its rows.
   void force(std::vector<double>& r) {
     const MarkerPlace& marker = parts_.markers[static_cast<std::size_t>(parts_.loads[static_cast<std::size_t>(dependency_.load)].marker)];
-    std::ranges::fill(parts_.ports.forces, 0.0);
+    parts_.ports.clear_forces();
     for (const int row : dependency_.rows) parts_.work[static_cast<std::size_t>(row)] = 0;
     dependency_.term->residual(evaluation_, parts_.ports, parts_.work.data());
     marker.member.batch->pull_back(evaluation_, parts_.ports, parts_.work.data());
+    for (const auto& nodes : parts_.rotating_nodes) nodes->pull_back(evaluation_, parts_.ports, parts_.work.data());
     for (std::size_t i = 0; i < r.size(); ++i) r[i] = parts_.work[static_cast<std::size_t>(dependency_.rows[i])];
   }
 
@@ -137,7 +138,8 @@ void make_load_dependencies(SystemParts& parts) {
 void add_load_dependencies(System& system, SystemParts& parts, Evaluation evaluation, const Weights& weights, bool by_velocities,
                            double* values) {
   evaluation.same_state = false;
-  const std::vector<double> forces = parts.ports.forces;  // further tangents may follow the same residual
+  const auto forces = parts.ports.forces;  // further tangents may follow the same residual
+  const auto node_loads = parts.ports.node_loads;
   MovedState state(system, parts);
   for (const LoadDependency& dependency : parts.load_dependencies) {
     LoadDifferences differences(parts, evaluation, dependency, state);
@@ -145,6 +147,7 @@ void add_load_dependencies(System& system, SystemParts& parts, Evaluation evalua
     if (by_velocities) differences.add(weights.v, true, values);
   }
   parts.ports.forces = forces;
+  parts.ports.node_loads = node_loads;
 }
 
 void System::add_load_dependencies(int load, std::span<const int> coordinates) {

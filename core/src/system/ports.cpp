@@ -1,5 +1,7 @@
 #include "dalembert/system/ports.hpp"
 
+#include <algorithm>
+
 namespace dalembert {
 
 void Ports::append(int value_count, int force_count, std::span<const int> coordinate_dofs, int translations) {
@@ -25,5 +27,18 @@ void Ports::differentiate() {
   derivatives.resize(static_cast<std::size_t>(derivative_count_));
   jacobians.resize(static_cast<std::size_t>(jacobian_count_ + margin));
 }
+
+void Ports::add_rotating_node() {
+  node_motions.emplace_back();
+  node_loads.emplace_back();
+  rotations_.resize(rotations_.size() + rotation_size);
+}
+
+void Ports::clear_forces() {
+  std::fill(forces.begin(), forces.end(), 0.0);
+  std::fill(node_loads.begin(), node_loads.end(), NodeLoad{});
+}
+
+void Ports::clear() { *this = Ports(); }
 
 }  // namespace dalembert

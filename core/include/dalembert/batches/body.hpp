@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <memory>
 
-#include "dalembert/batches/element.hpp"
-#include "dalembert/batches/planar_marker.hpp"
+#include "dalembert/batches/make_frame_marker.hpp"
+#include "dalembert/batches/turning_body.hpp"
 #include "dalembert/model/errors.hpp"
 
 namespace dalembert {
@@ -14,7 +14,10 @@ template <class Body, class Record, class... Nodes>
 struct BodyPhysics final : ObjectPhysics {
   std::unique_ptr<Term> make_batch(std::span<const ItemType* const> nodes) const override {
     std::unique_ptr<Term> batch;
-    choose(nodes, [&]<class E>() { batch = std::make_unique<ElementBatch<E, Record>>(); });
+    choose(nodes, [&]<class E>() {
+      if constexpr (TurningBody<E>) batch = std::make_unique<TurningBodyBatch<E, Record>>();
+      else batch = std::make_unique<ElementBatch<E, Record>>();
+    });
     return batch;
   }
   std::unique_ptr<MarkerBatch> make_marker(FrameShape shape, std::span<const ItemType* const> nodes) const override {

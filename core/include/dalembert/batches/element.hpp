@@ -14,7 +14,7 @@
 namespace dalembert {
 
 template <class E, class Record>
-class ElementBatch final : public Term {
+class ElementBatch : public Term {
  public:
   static constexpr int n = E::size;
 
@@ -23,7 +23,7 @@ class ElementBatch final : public Term {
     Entry entry;
     take_parameters<E, Record>(entry.parameters, record, placement);
     entry.item = placement.item;
-    entry.rotation = placement.rotation;
+    entry.node = placement.rotating_node;
     for (int i = 0; i < n; ++i) {
       entry.dofs[i] = placement.dofs[i];
       entry.reference[i] = placement.reference[i];
@@ -58,11 +58,11 @@ class ElementBatch final : public Term {
         for (int k = 0; k < n; ++k) r[e.dofs[k]] += f[k];
       }
   }
-  void tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports, double* values) const override {
-    sweep(evaluation, weights, ports.rotations, values);
+  void tangent(const Evaluation& evaluation, const Weights& weights, Ports&, double* values) const override {
+    sweep(evaluation, weights, values);
   }
   void mass(const Evaluation& evaluation, Ports&, double* values) const override {
-    sweep(evaluation, {.q = 0, .v = 0, .a = 1, .y = 0, .y_t = 0}, {}, values);
+    sweep(evaluation, {.q = 0, .v = 0, .a = 1, .y = 0, .y_t = 0}, values);
   }
   bool has_mass() const override { return n > 0; }
   bool constant_mass() const override { return E::constant_mass; }
@@ -82,20 +82,27 @@ class ElementBatch final : public Term {
     return false;
   }
 
- private:
+ protected:
   struct Entry {
     typename E::Parameters parameters;
     int item = -1;
-    int rotation = -1;  // place in Ports::rotations
+    int node = -1;  // among the rotating nodes of the ports
     std::array<int, n> dofs{};
     Vec<double, n> reference{};
     [[no_unique_address]] typename PreparedOf<E>::Type constants;
   };
 
+  static void add(const Mat<double, n, n>& k, const int* slot, double* values) {
+    for (const double entry : k.x) values[*slot++] += entry;
+  }
+
+  std::vector<Entry> entries_;
+
+ private:
+
   static Context context(const Evaluation& evaluation, const Entry& e) { return Context::of(evaluation, e.item); }
 
-  // `rotations`: those of the ports, if they were found along the same weights.
-  void sweep(const Evaluation& evaluation, const Weights& weights, const std::vector<double>& rotations, double* values) const {
+  void sweep(const Evaluation& evaluation, const Weights& weights, double* values) const {
     if constexpr (n > 0) {
       for (std::size_t i = 0; i < entries_.size(); i += side_by_side(i)) {
         const int* slot = slots.data() + i * n * n;
@@ -107,10 +114,7 @@ class ElementBatch final : public Term {
           }
         const Entry& e = entries_[i];
         const auto x = gather<n>(evaluation, e.dofs.data());
-        if constexpr (TurningBody<E>) {
-          const SharedRotation<typename E::Turning> rotation(rotations, rotations.empty() ? -1 : e.rotation, x, weights);
-          add(inertia_tangent<typename E::Kernel, typename E::Turning>(e.parameters, x, *rotation, weights), slot, values);
-        } else if constexpr (TangentKernel<E>) {
+        if constexpr (TangentKernel<E>) {
           add(E::tangent(e.parameters, e.constants, context(evaluation, e), x, weights), slot, values);
         } else {
           const auto f = element_residual<E, Dual<n>>(e.parameters, e.constants, context(evaluation, e), seeded<E>(x, weights));
@@ -119,9 +123,6 @@ class ElementBatch final : public Term {
         }
       }
     }
-  }
-  static void add(const Mat<double, n, n>& k, const int* slot, double* values) {
-    for (const double entry : k.x) values[*slot++] += entry;
   }
 
   // ---- elements of one law, side by side ----
@@ -172,7 +173,6 @@ class ElementBatch final : public Term {
   }
 
   std::vector<char> one_law_;  // of each four elements
-  std::vector<Entry> entries_;
 };
 
 }  // namespace dalembert

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <type_traits>
 #include <vector>
 
 #include "dalembert/batches/element_parameters.hpp"
@@ -82,7 +81,7 @@ class FrameMarkerBatch : public MarkerBatch {
     if constexpr (!std::is_empty_v<typename E::Parameters>)
       take_parameters<E, OwnerRecord>(e.parameters, placement.owner, placement);
     e.marker = placement.item;
-    e.rotation = placement.rotation;
+    e.node = placement.rotating_node;
     e.port = ports.offsets(placement.item);
     for (int i = 0; i < n; ++i) e.dofs[i] = placement.dofs[i];
     entries_.push_back(std::move(e));
@@ -109,19 +108,10 @@ class FrameMarkerBatch : public MarkerBatch {
     if constexpr (n > 0)
       for (const Entry& e : entries_) {
         const auto x = gather<n>(evaluation, e.dofs.data());
-        if constexpr (closed_form) {
-          using Node = typename E::Turning;
-          const SharedRotation<Node> rotation(ports.rotations, e.rotation, x, weights);
-          const Vec3<double>& point = Shape::point(e.parameters, e.local);
-          if constexpr (Shape::values > 0)
-            write_frame_tangent<Shape::values, Node>(*rotation, point, weights, ports.derivative(e.marker));
-          write_force_map<Shape::forces, Node>(*rotation, point, Shape::scale(e.parameters), ports.jacobian(e.marker));
-        } else {
-          sweep(e, x, weights, ports);
-        }
+        sweep(e, x, weights, ports);
       }
   }
-  void pull_back(const Evaluation& evaluation, const Ports& ports, double* r) const override {
+  void pull_back(const Evaluation& evaluation, Ports& ports, double* r) const override {
     if constexpr (n > 0)
       for (const Entry& e : entries_) {
         const auto x = gather<n>(evaluation, e.dofs.data());
@@ -136,19 +126,9 @@ class FrameMarkerBatch : public MarkerBatch {
       for (const Entry& e : entries_) {
         const auto x = gather<n>(evaluation, e.dofs.data());
         const double* force = ports.force(e.marker);
-        if constexpr (closed_form) {
-          const SharedRotation<typename E::Turning> rotation(ports.rotations, e.rotation, x, weights);
-          const auto k = turning_geometric(e, x, *rotation, weights, force);
-          slot.skip(3 * n);
-          for (int i = 0; i < n - 3; ++i) {
-            slot.skip(3);
-            for (int j = 0; j < n - 3; ++j) slot.add(-k(i, j));
-          }
-        } else {
-          const auto q = Shape::template pull_back<Dual<n>>(e.parameters, seeded<E>(x, weights), e.local, force);
-          for (int i = 0; i < n; ++i)
-            for (int j = 0; j < n; ++j) slot.add(-q[i].d[j]);
-        }
+        const auto q = Shape::template pull_back<Dual<n>>(e.parameters, seeded<E>(x, weights), e.local, force);
+        for (int i = 0; i < n; ++i)
+          for (int j = 0; j < n; ++j) slot.add(-q[i].d[j]);
       }
     }
   }
@@ -166,7 +146,7 @@ class FrameMarkerBatch : public MarkerBatch {
     [[no_unique_address]] typename E::Parameters parameters;
     Vec3<double> local;
     int marker = -1;
-    int rotation = -1;  // place in Ports::rotations
+    int node = -1;  // among the rotating nodes of the ports
     PortOffsets port;
     std::array<int, n> dofs{};
   };
@@ -177,12 +157,6 @@ class FrameMarkerBatch : public MarkerBatch {
     if constexpr (requires { E::constant_jacobian; }) return n > 0 && !E::constant_jacobian;
     else return n > 0;
   }();
-  static constexpr bool closed_form = [] {
-    if constexpr (Shape::values > 0) return TurningElement<E>;
-    else if constexpr (TurningElement<E>) return SpinBody<typename E::Kernel>;
-    else return false;
-  }();
-
   static void sweep(const Entry& e, const Coordinates<double, n>& x, const Weights& weights, Ports& ports) {
     if constexpr (Shape::values > 0) {
       const auto frame = Shape::frame(E::template motion<Dual<n>>(e.parameters, seeded<E>(x, weights), e.local));
@@ -197,14 +171,6 @@ class FrameMarkerBatch : public MarkerBatch {
       const auto q = Shape::template pull_back<double>(e.parameters, x, e.local, unit.data());
       jacobian = std::copy(q.x.begin(), q.x.end(), jacobian);
     }
-  }
-  static auto turning_geometric(const Entry& e, const Coordinates<double, n>& x, const auto& rotation, const Weights& weights,
-                                const double* f) {
-    using Node = typename E::Turning;
-    const Vec3<double> force = Shape::scale(e.parameters) * Vec3<double>{f[0], f[1], f[2]};
-    Vec3<double> moment;
-    if constexpr (Shape::forces == 6) moment = {f[3], f[4], f[5]};
-    return force_map_tangent<Node>(x, rotation, Shape::point(e.parameters, e.local), force, moment, weights);
   }
 };
 

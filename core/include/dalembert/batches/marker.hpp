@@ -24,7 +24,7 @@ class CoordinateMarkerBatch : public MarkerBatch {
   void visit(BlockVisitor&, const Ports&) const override {}
   void evaluate(const Evaluation& evaluation, Ports& ports) const override;
   void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const override;
-  void pull_back(const Evaluation& evaluation, const Ports& ports, double* r) const override;
+  void pull_back(const Evaluation& evaluation, Ports& ports, double* r) const override;
   void geometric(const Evaluation&, const Weights&, const Ports&, double*) const override {}
 
  private:

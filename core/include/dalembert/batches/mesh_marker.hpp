@@ -22,7 +22,7 @@ class InnerMarkers {
   void evaluate(const Evaluation& evaluation);
   void evaluate_tangent(const Evaluation& evaluation, const Weights& weights);
   void clear_forces();
-  void pull_back(const Evaluation& evaluation, double* r) const;
+  void pull_back(const Evaluation& evaluation, double* r);
   // `slots` are those of the entries that `visit` named.
   void geometric(const Evaluation& evaluation, const Weights& weights, std::span<const int> slots, double* values);
   bool motion(int port, const Evaluation& evaluation, Motion<double>& m) const;

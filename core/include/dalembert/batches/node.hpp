@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "dalembert/batches/planar_marker.hpp"
+#include "dalembert/batches/make_frame_marker.hpp"
 #include "dalembert/system/physics.hpp"
 
 namespace dalembert {
@@ -63,29 +63,55 @@ class UnitLengthBatch final : public Term {
   std::vector<Entry> entries_;
 };
 
+// Nodes that bodies and markers turn with.
 template <RotatingNode Node>
-class NodeRotationBatch final : public RotationBatch {
+class TurningNodeBatch final : public RotatingNodeBatch {
  public:
-  using Tangent = RotationTangent<Node::size - 3>;
+  static constexpr int n = Node::size, turns = n - 3;
 
-  int add(std::span<const int> dofs, Ports& ports) override {
-    Entry e{static_cast<int>(ports.rotations.size()), {}};
-    std::copy_n(dofs.begin(), Node::size, e.dofs.begin());
+  void add(const void*, const Placement& placement, const Ports&) override {
+    Entry e{placement.rotating_node, {}};
+    std::copy_n(placement.dofs.begin(), n, e.dofs.begin());
     entries_.push_back(e);
-    ports.rotations.resize(ports.rotations.size() + sizeof(Tangent) / sizeof(double));
-    return e.place;
+  }
+  void refresh(int, const void*) override {}
+  void visit(BlockVisitor& visitor, const Ports&) const override {
+    for (const Entry& e : entries_) {
+      const auto rotation = std::span(e.dofs).template last<turns>();
+      visitor.block(rotation, rotation);
+    }
+  }
+  void evaluate(const Evaluation& evaluation, Ports& ports) const override {
+    for (const Entry& e : entries_) ports.node_motions[e.node] = node_motion<Node>(gather<n>(evaluation, e.dofs.data()));
   }
   void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const override {
+    for (const Entry& e : entries_)
+      ports.template rotation<turns>(e.node) = Node::rotation_tangent(gather<n>(evaluation, e.dofs.data()), weights);
+  }
+  void pull_back(const Evaluation& evaluation, const Ports& ports, double* r) const override {
     for (const Entry& e : entries_) {
-      Tangent& to = *reinterpret_cast<Tangent*>(ports.rotations.data() + e.place);
-      to = Node::rotation_tangent(gather<Node::size>(evaluation, e.dofs.data()), weights);
+      const NodeLoad& load = ports.node_loads[e.node];
+      const auto x = gather<n>(evaluation, e.dofs.data());
+      const Vec3<double> own = load.own_moment + load.moment_of_forces(ports.node_motions[e.node].spin_motion.rotation);
+      const auto q = Node::template pull_back<double>(x, load.force, load.moment);
+      const auto turn = Node::template pull_back_spin<double>(x, own);
+      for (int i = 0; i < 3; ++i) r[e.dofs[i]] -= q[i];
+      for (int i = 3; i < n; ++i) r[e.dofs[i]] -= q[i] + turn[i - 3];
+    }
+  }
+  void geometric(const Evaluation& evaluation, const Weights& weights, Ports& ports, double* values) const override {
+    SlotCursor slot(slots.data(), values);
+    for (const Entry& e : entries_) {
+      const auto x = gather<n>(evaluation, e.dofs.data());
+      const auto k = load_tangent<Node>(ports.node_loads[e.node], x, ports.template rotation<turns>(e.node), weights);
+      for (const double entry : k.x) slot.add(-entry);
     }
   }
 
  private:
   struct Entry {
-    int place = 0;
-    std::array<int, Node::size> dofs{};
+    int node = 0;
+    std::array<int, n> dofs{};
   };
   std::vector<Entry> entries_;
 };
@@ -129,8 +155,8 @@ struct MovingNodePhysics final : NodePhysics {
     if constexpr (equations() > 0) return std::make_unique<UnitLengthBatch<Node>>();
     return nullptr;
   }
-  std::unique_ptr<RotationBatch> make_rotations() const override {
-    if constexpr (RotatingNode<Node>) return std::make_unique<NodeRotationBatch<Node>>();
+  std::unique_ptr<RotatingNodeBatch> make_rotating() const override {
+    if constexpr (RotatingNode<Node>) return std::make_unique<TurningNodeBatch<Node>>();
     return nullptr;
   }
   std::unique_ptr<MarkerBatch> make_marker(FrameShape shape) const override {

@@ -54,7 +54,7 @@ class PlanarMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeOf>
       write_planar_force_map<Shape::forces, n>(a, Shape::scale(e.parameters), ports.jacobian(e.marker));
     }
   }
-  void pull_back(const Evaluation& evaluation, const Ports& ports, double* r) const override {
+  void pull_back(const Evaluation& evaluation, Ports& ports, double* r) const override {
     for (const Entry& e : entries_) {
       const Arm f = force(e, ports);
       r[e.dofs[0]] -= f[0];
@@ -101,24 +101,5 @@ class PlanarMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeOf>
     else return PlanarRotation::by(evaluation.q[e.dofs[2]]).arm(local);
   }
 };
-
-// `OwnerRecord` is void for nodes.
-template <class E, class OwnerRecord>
-std::unique_ptr<MarkerBatch> make_frame_marker(FrameShape shape) {
-  const auto make = [&]<template <class> class Shape>() -> std::unique_ptr<MarkerBatch> {
-    if constexpr (requires { requires E::planar; }) return std::make_unique<PlanarMarkerBatch<E, OwnerRecord, Shape>>();
-    else return std::make_unique<FrameMarkerBatch<E, OwnerRecord, Shape>>();
-  };
-  switch (shape) {
-    case FrameShape::point: return make.template operator()<PointShape>();
-    case FrameShape::rigid: return make.template operator()<RigidShape>();
-    case FrameShape::mass:
-      if constexpr (requires(const typename E::Parameters& p, const Coordinates<double, E::size>& x, const Vec3<double>& g) {
-                      E::template mass_load<double>(p, x, g);
-                    })
-        return make.template operator()<MassShape>();
-  }
-  return nullptr;
-}
 
 }  // namespace dalembert

@@ -98,7 +98,7 @@ class RelativeMarkerBatch final : public MarkerBatch {
       set_jacobian(e, columns, ports.jacobian(e.marker));
     }
   }
-  void pull_back(const Evaluation& evaluation, const Ports& ports, double* r) const override {
+  void pull_back(const Evaluation& evaluation, Ports& ports, double* r) const override {
     set_wrenches(ports);
     bodies_.pull_back(evaluation, r);
   }

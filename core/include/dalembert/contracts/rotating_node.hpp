@@ -6,9 +6,7 @@
 
 #include <array>
 #include <concepts>
-#include <optional>
 #include <type_traits>
-#include <vector>
 
 #include "dalembert/frames.hpp"
 #include "dalembert/math/fixed.hpp"
@@ -27,6 +25,29 @@ struct SpinMotion {
 template <class S>
 struct SpinWrench {
   Vec3<S> force, moment;
+};
+
+// What bodies and markers read of the node they are on, and what they leave there, once for all of them.
+struct NodeMotion {
+  Vec3<double> position{}, velocity{};
+  SpinMotion<double> spin_motion{};
+  Vec3<double> angular_velocity{};
+};
+// The sum of forces at points of the node, moments in global axes and moments in its own.
+struct NodeLoad {
+  Vec3<double> force{}, moment{}, own_moment{};
+  Mat3<double> lever{};  // sum of point force^T, points in own axes
+
+  void add(const Vec3<double>& point, const Vec3<double>& f) {
+    force += f;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) lever(i, j) += point[i] * f[j];
+  }
+  // Moment of the forces, in own axes of this rotation; linear in it.
+  Vec3<double> moment_of_forces(const Mat3<double>& rotation) const {
+    const Mat3<double> turned = lever * rotation;
+    return {turned(1, 2) - turned(2, 1), turned(2, 0) - turned(0, 2), turned(0, 1) - turned(1, 0)};
+  }
 };
 
 template <class N>
@@ -48,6 +69,7 @@ struct RotationTangent {
 template <class N>
 concept RotatingNode =
     SpinNode<N> && requires(const Coordinates<double, N::size>& x, const Vec3<double>& m, const Weights& w) {
+      { N::template motion<double>(x) } -> std::same_as<Motion<double>>;
       { N::rotation_tangent(x, w) } -> std::same_as<RotationTangent<N::size - 3>>;
       // of the pull-back of a moment in own axes and one in global axes, held fixed
       { N::moment_tangent(x, m, m, w) } -> std::same_as<Mat<double, N::size - 3, N::size - 3>>;
@@ -57,25 +79,9 @@ concept RotatingNode =
 struct InertiaTangent {
   double mass = 0;
   bool eccentric = false;  // else there is no swing, and the moment does not depend on the acceleration
-  Vec3<double> swing{}, moment{};
+  Vec3<double> swing{};
   Mat3<double> swing_by_spin{}, swing_by_spin_rate{};
   Mat3<double> moment_by_spin{}, moment_by_spin_rate{}, moment_by_acceleration{};  // the acceleration in own axes
-};
-
-// The derivatives of a node's rotation that were found for all that is on it, at `place` of the store; without a place: own.
-template <class Node>
-class SharedRotation {
- public:
-  using Tangent = RotationTangent<Node::size - 3>;
-  SharedRotation(const std::vector<double>& store, int place, const Coordinates<double, Node::size>& x, const Weights& w) {
-    if (place < 0) own_ = Node::rotation_tangent(x, w);
-    tangent_ = place < 0 ? &*own_ : reinterpret_cast<const Tangent*>(store.data() + place);
-  }
-  const Tangent& operator*() const { return *tangent_; }
-
- private:
-  std::optional<Tangent> own_;
-  const Tangent* tangent_;
 };
 
 template <class B>
@@ -86,12 +92,33 @@ concept SpinBody = requires(const typename B::Parameters& p, const SpinMotion<do
   { B::mass(p) } -> std::convertible_to<double>;
 };
 
-// ---- what follows for bodies ---------------------------------------------------------------------------------------
+// ---- what follows for nodes -----------------------------------------------------------------------------------------
+template <RotatingNode Node>
+NodeMotion node_motion(const Coordinates<double, Node::size>& x) {
+  return {.position = segment<3>(x.q, 0),
+          .velocity = segment<3>(x.v, 0),
+          .spin_motion = Node::template spin_motion<double>(x),
+          .angular_velocity = Node::template motion<double>(x).angular_velocity};
+}
+// Of the generalised forces of a load that is held fixed: by the rotation coordinates, in their rows.
+template <RotatingNode Node>
+Mat<double, Node::size - 3, Node::size - 3> load_tangent(const NodeLoad& load, const Coordinates<double, Node::size>& x,
+                                                         const RotationTangent<Node::size - 3>& t, const Weights& w) {
+  constexpr int r = Node::size - 3;
+  Mat<double, r, r> k = Node::moment_tangent(x, load.own_moment + load.moment_of_forces(t.rotation), load.moment, w);
+  for (int j = 0; j < r; ++j) {
+    const Vec3<double> turned = load.moment_of_forces(t.turn[j]);
+    for (int i = 0; i < r; ++i) k(i, j) += t.spin_map(0, i) * turned[0] + t.spin_map(1, i) * turned[1] + t.spin_map(2, i) * turned[2];
+  }
+  return k;
+}
+
+// ---- what follows for bodies ----------------------------------------------------------------------------------------
+// The wrench is held fixed in the maps to coordinates; see load_tangent.
 template <SpinBody Body, RotatingNode Node>
-Mat<double, Node::size, Node::size> inertia_tangent(const typename Body::Parameters& p, const Coordinates<double, Node::size>& x,
+Mat<double, Node::size, Node::size> inertia_tangent(const typename Body::Parameters& p, const SpinMotion<double>& motion,
                                                     const RotationTangent<Node::size - 3>& t, const Weights& w) {
   constexpr int n = Node::size, r = n - 3;
-  const SpinMotion<double> motion = Node::template spin_motion<double>(x);
   const InertiaTangent b = Body::inertia_tangent(p, motion);
   Mat<double, n, n> k;
   Mat<double, 3, n> moment = {};  // of the moment in own axes
@@ -113,12 +140,9 @@ Mat<double, Node::size, Node::size> inertia_tangent(const typename Body::Paramet
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) moment(i, j) = w.a * by_acceleration(i, j);
   }
-  const Mat<double, r, r> geometric = Node::moment_tangent(x, b.moment, {}, w);
-  for (int i = 0; i < r; ++i) {
+  for (int i = 0; i < r; ++i)
     for (int j = 0; j < n; ++j)
       k(3 + i, j) = t.spin_map(0, i) * moment(0, j) + t.spin_map(1, i) * moment(1, j) + t.spin_map(2, i) * moment(2, j);
-    for (int j = 0; j < r; ++j) k(3 + i, 3 + j) += geometric(i, j);
-  }
   return k;
 }
 
@@ -157,19 +181,6 @@ void write_force_map(const RotationTangent<Node::size - 3>& t, const Vec3<double
       if constexpr (Forces == 6) map[(3 + i) * n + 3 + j] = t.angular_map(i, j);
     }
   }
-}
-// Of the pull-back of a force at the point and a moment, held fixed: by the rotation coordinates, in their rows.
-template <RotatingNode Node>
-Mat<double, Node::size - 3, Node::size - 3> force_map_tangent(const Coordinates<double, Node::size>& x,
-                                                              const RotationTangent<Node::size - 3>& t, const Vec3<double>& local,
-                                                              const Vec3<double>& force, const Vec3<double>& moment, const Weights& w) {
-  constexpr int r = Node::size - 3;
-  Mat<double, r, r> k = Node::moment_tangent(x, cross(local, transposed_times(t.rotation, force)), moment, w);
-  for (int j = 0; j < r; ++j) {
-    const Vec3<double> turned = cross(local, transposed_times(t.turn[j], force));
-    for (int i = 0; i < r; ++i) k(i, j) += t.spin_map(0, i) * turned[0] + t.spin_map(1, i) * turned[1] + t.spin_map(2, i) * turned[2];
-  }
-  return k;
 }
 
 }  // namespace dalembert

@@ -27,7 +27,7 @@ struct NodePlace {
   Sizes sizes;
   int ode2 = -1, ode1 = -1, ae = -1, data = -1;
   int translations = 0;  // coordinates that are components of the position
-  int rotation = -1;     // place in Ports::rotations
+  int rotating = -1;     // among the rotating nodes of the ports
 };
 
 // Where an item went: which batch, and which of its entries.
@@ -111,7 +111,7 @@ struct SystemParts {
   // In the order of evaluation. Bodies come first: their order of entries fixes the order of sums.
   std::vector<std::unique_ptr<Term>> terms;
   std::vector<std::unique_ptr<MarkerBatch>> marker_batches;
-  std::vector<std::unique_ptr<RotationBatch>> rotation_batches;
+  std::vector<std::unique_ptr<RotatingNodeBatch>> rotating_nodes;
   std::vector<LoadDependency> load_dependencies;
   EvaluationPlan plan;
   std::vector<System::LieBlock> lie_blocks;

@@ -58,7 +58,7 @@ struct NodePhysics : Physics {
   // How many of the coordinates, which come first, are components of the position, the others being zero; 0: none.
   virtual int translations() const { return 0; }
   virtual std::unique_ptr<Term> make_condition() const { return nullptr; }
-  virtual std::unique_ptr<RotationBatch> make_rotations() const { return nullptr; }
+  virtual std::unique_ptr<RotatingNodeBatch> make_rotating() const { return nullptr; }
   virtual std::unique_ptr<MarkerBatch> make_marker(FrameShape) const { return nullptr; }
   virtual bool motion(const void* /*record*/, const NodeView&, Motion<double>&) const { return false; }
   // Outputs that are neither coordinates nor follow from `motion`.

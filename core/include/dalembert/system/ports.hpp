@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "dalembert/contracts/rotating_node.hpp"
+
 namespace dalembert {
 
 // One marker's stretch. Frames are `values` scalars; `n` coordinates move it.
@@ -26,7 +28,9 @@ class Ports {
   std::vector<PortLayout> ports;                // by marker number
   std::vector<double> values, forces;
   std::vector<double> derivatives, jacobians;   // empty before `differentiate`
-  std::vector<double> rotations;                // derivatives of nodes' rotations, which bodies and markers share
+  // By rotating node, for the bodies and markers on it.
+  std::vector<NodeMotion> node_motions;
+  std::vector<NodeLoad> node_loads;
   std::vector<int> dofs;
 
   // Append a marker's stretch; `n` dofs follow with the call.
@@ -45,12 +49,22 @@ class Ports {
   const double* derivative(int marker) const { return derivatives.data() + ports[marker].first_derivative; }
   double* jacobian(int marker) { return jacobians.data() + ports[marker].first_jacobian; }
   const double* jacobian(int marker) const { return jacobians.data() + ports[marker].first_jacobian; }
+  void add_rotating_node();
+  void clear_forces();
+  // The derivatives of a node's rotation by its R rotation coordinates.
+  template <int R>
+  RotationTangent<R>& rotation(int node) {
+    static_assert(sizeof(RotationTangent<R>) <= rotation_size * sizeof(double));
+    return *reinterpret_cast<RotationTangent<R>*>(rotations_.data() + static_cast<std::size_t>(node) * rotation_size);
+  }
   std::span<const int> marker_dofs(int marker) const {
     return {dofs.data() + ports[marker].first_dof, static_cast<std::size_t>(ports[marker].n)};
   }
 
  private:
   int derivative_count_ = 0, jacobian_count_ = 0;
+  static constexpr std::size_t rotation_size = sizeof(RotationTangent<4>) / sizeof(double);
+  std::vector<double> rotations_;
 };
 
 }  // namespace dalembert

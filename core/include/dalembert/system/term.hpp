@@ -73,7 +73,7 @@ struct Placement {
   std::vector<int> nodes;            // node numbers
   std::vector<const void*> node_records;
   std::vector<int> node_sizes;       // ODE2 coordinates per node
-  int rotation = -1;                 // of its only node, if it rotates: place in Ports::rotations
+  int rotating_node = -1;            // its only node, if that is one of the rotating nodes of the ports
   std::vector<int> markers;
   int first_data = -1;               // data coordinates, of its data node
   int data_count = 0;
@@ -88,7 +88,7 @@ struct Placement {
     node_records.clear();
     owner = nullptr;
     owner_type = nullptr;
-    item = first_data = first_ae = rotation = -1;
+    item = first_data = first_ae = rotating_node = -1;
     selected = data_count = ae_offset = ode1_offset = 0;
   }
 };
@@ -132,13 +132,14 @@ class Term : public Batch {
   }
 };
 
-// Nodes whose rotations have derivatives in closed form: they are found once for all that is on a node.
-class RotationBatch {
+// Nodes whose rotations have derivatives in closed form: what is on them shares their motion, and sums up its forces there.
+class RotatingNodeBatch : public Batch {
  public:
-  virtual ~RotationBatch() = default;
-  // Returns the place in Ports::rotations.
-  virtual int add(std::span<const int> dofs, Ports& ports) = 0;
+  virtual void evaluate(const Evaluation& evaluation, Ports& ports) const = 0;
   virtual void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const = 0;
+  // r -= generalised forces of the loads; values -= their derivatives with the loads held fixed.
+  virtual void pull_back(const Evaluation& evaluation, const Ports& ports, double* r) const = 0;
+  virtual void geometric(const Evaluation& evaluation, const Weights& weights, Ports& ports, double* values) const = 0;
 };
 
 class MarkerBatch : public Batch {
@@ -158,7 +159,7 @@ class MarkerBatch : public Batch {
   // Derivatives and Jacobians of the ports, for the terms' tangents.
   virtual void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const = 0;
   // r -= J^T force.
-  virtual void pull_back(const Evaluation& evaluation, const Ports& ports, double* r) const = 0;
+  virtual void pull_back(const Evaluation& evaluation, Ports& ports, double* r) const = 0;
   // values -= d(J^T force) with the force held fixed.
   virtual void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const = 0;
   // Whether `geometric` builds on what `evaluate_tangent` has left.

@@ -27,7 +27,7 @@ class ODE1CoordinateBatch final : public MarkerBatch {
     for (const Entry& e : entries_) ports.frame(e.marker)[0] = evaluation.y[e.place];
   }
   void evaluate_tangent(const Evaluation&, const Weights&, Ports&) const override {}
-  void pull_back(const Evaluation&, const Ports& ports, double* r) const override {
+  void pull_back(const Evaluation&, Ports& ports, double* r) const override {
     for (const Entry& e : entries_) r[e.row] += *ports.force(e.marker);
   }
   void geometric(const Evaluation&, const Weights&, const Ports&, double*) const override {}

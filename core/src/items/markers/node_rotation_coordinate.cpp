@@ -54,7 +54,7 @@ class RotationCoordinateBatch final : public MarkerBatch {
       std::copy_n(nodes_.ports.jacobian(k) + (3 + e.axis) * n, n, ports.jacobian(e.marker));
     }
   }
-  void pull_back(const Evaluation& evaluation, const Ports& ports, double* r) const override {
+  void pull_back(const Evaluation& evaluation, Ports& ports, double* r) const override {
     set_moments(ports);
     nodes_.pull_back(evaluation, r);
   }

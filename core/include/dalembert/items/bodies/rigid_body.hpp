@@ -24,7 +24,7 @@ struct ObjectRigidBody {
   static InertiaTangent inertia_tangent(const Parameters& p, const SpinMotion<double>& node) {
     const Vec3<double>&w = node.spin, &c = centre(p);
     const auto& j = p.physicsInertia;
-    InertiaTangent t{.mass = p.physicsMass, .eccentric = dot(c, c) != 0, .moment = inertia(p, node).moment};
+    InertiaTangent t{.mass = p.physicsMass, .eccentric = dot(c, c) != 0};
     t.moment_by_spin_rate = {j[0], j[5], j[4], j[5], j[1], j[3], j[4], j[3], j[2]};
     t.moment_by_spin = skew(w) * t.moment_by_spin_rate - skew(tensor(p, w));
     if (t.eccentric) {

@@ -1,0 +1,35 @@
+// The batch of a marker that passes on a frame: the closed form of its element where there is one.
+#pragma once
+
+#include <memory>
+
+#include "dalembert/batches/planar_marker.hpp"
+#include "dalembert/batches/turning_marker.hpp"
+
+namespace dalembert {
+
+// On a rotating node, where a force on the whole mass acts at one point.
+template <class Shape, class E>
+concept TurnsWith = TurningElement<E> && (Shape::values > 0 || TurningBody<E>);
+
+// `OwnerRecord` is void for nodes.
+template <class E, class OwnerRecord>
+std::unique_ptr<MarkerBatch> make_frame_marker(FrameShape shape) {
+  const auto make = [&]<template <class> class Shape>() -> std::unique_ptr<MarkerBatch> {
+    if constexpr (requires { requires E::planar; }) return std::make_unique<PlanarMarkerBatch<E, OwnerRecord, Shape>>();
+    else if constexpr (TurnsWith<Shape<E>, E>) return std::make_unique<TurningMarkerBatch<E, OwnerRecord, Shape>>();
+    else return std::make_unique<FrameMarkerBatch<E, OwnerRecord, Shape>>();
+  };
+  switch (shape) {
+    case FrameShape::point: return make.template operator()<PointShape>();
+    case FrameShape::rigid: return make.template operator()<RigidShape>();
+    case FrameShape::mass:
+      if constexpr (requires(const typename E::Parameters& p, const Coordinates<double, E::size>& x, const Vec3<double>& g) {
+                      E::template mass_load<double>(p, x, g);
+                    })
+        return make.template operator()<MassShape>();
+  }
+  return nullptr;
+}
+
+}  // namespace dalembert

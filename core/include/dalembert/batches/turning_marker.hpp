@@ -1,0 +1,65 @@
+// Markers on rotating nodes and bodies on them: the node finds its motion and its rotation's derivatives once, and takes the
+// sum of all forces.
+#pragma once
+
+#include "dalembert/batches/frame_marker.hpp"
+#include "dalembert/contracts/element.hpp"
+
+namespace dalembert {
+
+template <class E, class OwnerRecord, template <class> class ShapeOf>
+class TurningMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeOf> {
+  using Base = FrameMarkerBatch<E, OwnerRecord, ShapeOf>;
+  using typename Base::Entry, typename Base::Shape;
+  using Base::entries_;
+  using Node = typename E::Turning;
+  static constexpr int turns = Node::size - 3;
+
+ public:
+  void visit(BlockVisitor& visitor, const Ports& ports) const override {
+    if (apart()) Base::visit(visitor, ports);
+  }
+  void evaluate(const Evaluation& evaluation, Ports& ports) const override {
+    if (apart()) return Base::evaluate(evaluation, ports);
+    if constexpr (Shape::values > 0)
+      for (const Entry& e : entries_) {
+        const NodeMotion& m = ports.node_motions[static_cast<std::size_t>(e.node)];
+        const Mat3<double>& rotation = m.spin_motion.rotation;
+        auto& frame = *reinterpret_cast<typename Shape::template Frame<double>*>(ports.values.data() + e.port.value);
+        frame.position = m.position + rotation * e.local;
+        frame.velocity = m.velocity + rotation * cross(m.spin_motion.spin, e.local);
+        if constexpr (Shape::forces == 6) {
+          frame.rotation = rotation;
+          frame.angular_velocity = m.angular_velocity;
+        }
+      }
+  }
+  void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const override {
+    if (apart()) return Base::evaluate_tangent(evaluation, weights, ports);
+    for (const Entry& e : entries_) {
+      const RotationTangent<turns>& rotation = ports.template rotation<turns>(e.node);
+      const Vec3<double>& point = Shape::point(e.parameters, e.local);
+      if constexpr (Shape::values > 0)
+        write_frame_tangent<Shape::values, Node>(rotation, point, weights, ports.derivative(e.marker));
+      write_force_map<Shape::forces, Node>(rotation, point, Shape::scale(e.parameters), ports.jacobian(e.marker));
+    }
+  }
+  void pull_back(const Evaluation& evaluation, Ports& ports, double* r) const override {
+    if (apart()) return Base::pull_back(evaluation, ports, r);
+    for (const Entry& e : entries_) {
+      const double* f = ports.forces.data() + e.port.force;
+      NodeLoad& load = ports.node_loads[static_cast<std::size_t>(e.node)];
+      load.add(Shape::point(e.parameters, e.local), Shape::scale(e.parameters) * Vec3<double>{f[0], f[1], f[2]});
+      if constexpr (Shape::forces == 6) load.moment += Vec3<double>{f[3], f[4], f[5]};
+    }
+  }
+  void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const override {
+    if (apart()) Base::geometric(evaluation, weights, ports, values);
+  }
+
+ private:
+  // Markers inside of others keep to themselves.
+  bool apart() const { return entries_.empty() || entries_.front().node < 0; }
+};
+
+}  // namespace dalembert
