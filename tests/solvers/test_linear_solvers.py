@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 import scipy.sparse as sp
 
+import dalembert as exu
 from dalembert._core import testing
+from dalembert.utilities import InertiaCuboid
 
 EPS = np.finfo(float).eps
 INSTRUCTIONS = testing.instruction_sets()
@@ -142,6 +144,39 @@ def test_the_order_keeps_the_factors_of_a_chain_sparse() -> None:
         entries.append(solver.statistics["entries"] / bodies)
     assert entries[1] == pytest.approx(entries[0], rel=0.05)  # the ends differ from the rest
     assert entries[0] < 2 * 13 * 18  # at most twice the entries of a front of one body and the joint to the next one
+
+
+def rigid_chain(bodies: int) -> exu.MainSystem:
+    """Rigid bodies with Euler parameters and revolute joints, straight along the first axis."""
+    mbs = exu.SystemContainer().AddSystem()
+    previous = mbs.CreateGround()
+    for i in range(bodies):
+        body = mbs.CreateRigidBody(inertia=InertiaCuboid(1000, [1, 0.1, 0.1]), referencePosition=[i + 0.5, 0, 0])
+        axis = [0, 0, 1] if i % 2 else [0, 1, 0]
+        mbs.CreateRevoluteJoint(bodyNumbers=[previous, body], position=[i, 0, 0], axis=axis)
+        previous = body
+    mbs.Assemble()
+    return mbs
+
+
+def test_the_order_keeps_the_factors_of_an_aligned_chain_sparse() -> None:
+    """Where the bodies stand along the axes many entries are zero, among them the inertia of one Euler parameter."""
+    entries = []
+    for bodies in (50, 100):
+        mbs = rigid_chain(bodies)
+        still, moved = testing.State(mbs), testing.State(mbs)
+        rng = np.random.default_rng(bodies)
+        for name in ("q", "v", "a", "lam"):
+            value = getattr(moved, name)
+            setattr(moved, name, value + 0.1 * rng.normal(size=len(value)))
+        weights = {"cq": 1e-6, "cv": 1e-3, "ca": 1.0}
+        pattern = csc(testing.tangent(mbs, moved, **weights))
+        matrix = on_pattern(pattern, testing.tangent(mbs, still, **weights))
+        solver = solver_of(matrix)
+        assert solver.factorize(matrix.data) == -1
+        entries.append(solver.statistics["entries"] / bodies)
+    assert entries[1] == pytest.approx(entries[0], rel=0.05)
+    assert entries[0] < 2 * 13 * 20
 
 
 @pytest.mark.parametrize("scale", [1e-10, 1e-6, 1e6, 1e12])

@@ -3,6 +3,7 @@
 #include "elimination_order.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <numeric>
 
@@ -22,14 +23,14 @@ class QuotientGraph {
   struct Node {
     State state = State::vertex;
     int weight = 1;   // unknowns; of an element: of its vertices
-    int surplus = 0;  // unknowns with less unknowns without a diagonal entry; of an element: of all that it has eliminated
+    int surplus = 0;  // unknowns that bring a pivot less those that need one; of an element: of all that it has eliminated
     int degree = 0;
     int previous = -1, next = -1, key = -1;  // in the list of vertices with the same key
     std::vector<int> vertices, elements;     // neighbours
     std::vector<int> members;                // unknowns
   };
 
-  void group_equal_columns(const Pattern& pattern, std::span<const double> values);
+  void group_equal_columns(const Pattern& pattern, const std::vector<bool>& at_hand);
   void connect(const Pattern& pattern);
   void insert(int i);
   void remove(int i);
@@ -57,9 +58,30 @@ class QuotientGraph {
   EliminationOrder order_;
 };
 
+// Which unknowns bring a pivot: those with a diagonal entry. Of two without one that have their largest entries in common,
+// such as an Euler parameter without inertia and the condition of unit length, either is the other's pivot: one brings it.
+std::vector<bool> pivots_at_hand(const Pattern& pattern, std::span<const double> values) {
+  const auto starts = pattern.column_start(), rows = pattern.row_index();
+  std::vector<bool> at_hand(static_cast<std::size_t>(pattern.size()));
+  for (int j = 0; j < pattern.size(); ++j) at_hand[j] = values[pattern.slot(j, j)] != 0;
+  std::vector<int> partner(at_hand.size(), -1);
+  for (int j = 0; j < pattern.size(); ++j) {
+    if (at_hand[j]) continue;
+    double largest = 0;
+    for (int k = starts[j]; k < starts[j + 1]; ++k) {
+      if (at_hand[rows[k]] || !(std::abs(values[k]) > largest)) continue;
+      largest = std::abs(values[k]);
+      partner[j] = rows[k];
+    }
+  }
+  for (int j = 0; j < pattern.size(); ++j)
+    if (partner[j] > j && partner[partner[j]] == j) at_hand[j] = true;
+  return at_hand;
+}
+
 QuotientGraph::QuotientGraph(const Pattern& pattern, std::span<const double> values)
     : size_(pattern.size()), group_(size_), first_(2 * static_cast<std::size_t>(size_) + 1, -1), left_(size_) {
-  group_equal_columns(pattern, values);
+  group_equal_columns(pattern, pivots_at_hand(pattern, values));
   const auto count = nodes_.size();
   mark_.assign(count, 0);
   outside_.assign(count, 0);
@@ -69,7 +91,7 @@ QuotientGraph::QuotientGraph(const Pattern& pattern, std::span<const double> val
   order_.reserve(static_cast<std::size_t>(size_));
 }
 
-void QuotientGraph::group_equal_columns(const Pattern& pattern, std::span<const double> values) {
+void QuotientGraph::group_equal_columns(const Pattern& pattern, const std::vector<bool>& at_hand) {
   const auto starts = pattern.column_start(), rows = pattern.row_index();
   std::vector<std::uint64_t> hash(static_cast<std::size_t>(size_), 0);
   for (int j = 0; j < size_; ++j) {
@@ -83,7 +105,6 @@ void QuotientGraph::group_equal_columns(const Pattern& pattern, std::span<const 
   std::vector<int> leader(static_cast<std::size_t>(size_));
   for (int k = 0; k < size_; ++k) leader[sorted[k]] = k > 0 && same(sorted[k], sorted[k - 1]) ? leader[sorted[k - 1]] : sorted[k];
   for (int j = 0; j < size_; ++j) {
-    const bool has_diagonal = values[pattern.slot(j, j)] != 0;
     if (leader[j] == j) {
       group_[j] = static_cast<int>(nodes_.size());
       nodes_.emplace_back().weight = 0;
@@ -92,7 +113,7 @@ void QuotientGraph::group_equal_columns(const Pattern& pattern, std::span<const 
     }
     Node& node = nodes_[group_[j]];
     ++node.weight;
-    node.surplus += has_diagonal ? 1 : -1;
+    node.surplus += at_hand[j] ? 1 : -1;
     node.members.push_back(j);
   }
 }

@@ -92,10 +92,6 @@ class ElementBatch : public Term {
     [[no_unique_address]] typename PreparedOf<E>::Type constants;
   };
 
-  static void add(const Mat<double, n, n>& k, const int* slot, double* values) {
-    for (const double entry : k.x) values[*slot++] += entry;
-  }
-
   std::vector<Entry> entries_;
 
  private:
@@ -123,6 +119,10 @@ class ElementBatch : public Term {
         }
       }
     }
+  }
+
+  static void add(const Mat<double, n, n>& k, const int* slot, double* values) {
+    for (const double entry : k.x) values[*slot++] += entry;
   }
 
   // ---- elements of one law, side by side ----

@@ -30,13 +30,14 @@ class JointTangent {
   // multiplier_slots. The reaction of `multiplier` is varied along the way.
   void add(const JointEquation& e, double multiplier, double scale, const int* gap_slots, const int* multiplier_slots, double* values) {
     if (e.kind == JointEquation::Kind::displacement) {
-      add_displacement(e.first, scale, gap_slots, multiplier_slots, values);
+      for (int k = 0; k < 3; ++k)
+        if (e.first[k] != 0) add_component(k, e.first[k], scale, gap_slots, multiplier_slots, values);
     } else if constexpr (requires(Frame f) { f.rotation; }) {
       if (e.kind == JointEquation::Kind::product) {
         add_product(e, multiplier, scale, gap_slots, multiplier_slots, values);
       } else {
         const Vec3<double> axis = frames_[0].rotation * e.first;
-        add_displacement(axis, scale, gap_slots, multiplier_slots, values);
+        for (int k = 0; k < 3; ++k) add_component(k, axis[k], scale, gap_slots, multiplier_slots, values);
         add_turning_axis(e.first, axis, multiplier, scale, gap_slots, multiplier_slots, values);
       }
     }
@@ -88,12 +89,12 @@ class JointTangent {
       return d;
     }
 
+    Turns row(const double* of, int row) const { return load<double, most_turns>(of + row * n + t); }
+
    private:
-    Moving rows(const double* of, int row) const {
+    Moving rows(const double* of, int first) const {
       if (n == t) return {};
-      Moving m;
-      for (int i = 0; i < 3; ++i) m[i] = load<double, most_turns>(of + (row + i) * n + t);
-      return m;
+      return {row(of, first), row(of, first + 1), row(of, first + 2)};
     }
   };
 
@@ -102,16 +103,18 @@ class JointTangent {
     slots += first_column(side) + sides_[side].t;
     for (int c = 0; c < sides_[side].turns(); ++c) values[slots[c]] += factor * x[c];
   }
-  void add_displacement(const Vec3<double>& axis, double scale, const int* gap_slots, const int* multiplier_slots, double* values) const {
+  // A displacement along global axis k, times a factor.
+  void add_component(int k, double factor, double scale, const int* gap_slots, const int* multiplier_slots, double* values) const {
     for (int i = 0; i < 2; ++i) {
       const Side& side = sides_[i];
-      const double sign = i == 0 ? -1 : 1;
-      for (int c = 0; c < side.t; ++c) {
-        values[gap_slots[first_column(i) + c]] += sign * scale * side.weight * axis[c];
-        values[multiplier_slots[first_column(i) + c]] += sign * axis[c];
+      const double sign = i == 0 ? -factor : factor;
+      if (k < side.t) {
+        values[gap_slots[first_column(i) + k]] += sign * scale * side.weight;
+        values[multiplier_slots[first_column(i) + k]] += sign;
       }
-      add_turns(i, sign * scale, dot(axis, side.moved()), gap_slots, values);
-      add_turns(i, sign, dot(axis, side.jacobian_of_turns(0)), multiplier_slots, values);
+      if (side.turns() == 0) continue;
+      add_turns(i, sign * scale, side.row(side.derivative, k), gap_slots, values);
+      add_turns(i, sign, side.row(side.jacobian, k), multiplier_slots, values);
     }
   }
   void add_product(const JointEquation& e, double multiplier, double scale, const int* gap_slots, const int* multiplier_slots, double* values) {

@@ -63,6 +63,26 @@ class UnitLengthBatch final : public Term {
   std::vector<Entry> entries_;
 };
 
+template <RotatingNode Node>
+NodeMotion node_motion(const Coordinates<double, Node::size>& x) {
+  return {.position = segment<3>(x.q, 0),
+          .velocity = segment<3>(x.v, 0),
+          .spin_motion = Node::template spin_motion<double>(x),
+          .angular_velocity = Node::template motion<double>(x).angular_velocity};
+}
+// Of the generalised forces of a load that is held fixed: by the rotation coordinates, in their rows.
+template <RotatingNode Node>
+Mat<double, Node::size - 3, Node::size - 3> load_tangent(const NodeLoad& load, const Coordinates<double, Node::size>& x,
+                                                         const RotationTangent<Node::size - 3>& t, const Weights& w) {
+  constexpr int r = Node::size - 3;
+  Mat<double, r, r> k = Node::moment_tangent(x, load.own_moment + load.moment_of_forces(t.rotation), load.moment, w);
+  for (int j = 0; j < r; ++j) {
+    const Vec3<double> turned = load.moment_of_forces(t.turn[j]);
+    for (int i = 0; i < r; ++i) k(i, j) += t.spin_map(0, i) * turned[0] + t.spin_map(1, i) * turned[1] + t.spin_map(2, i) * turned[2];
+  }
+  return k;
+}
+
 // Nodes that bodies and markers turn with.
 template <RotatingNode Node>
 class TurningNodeBatch final : public RotatingNodeBatch {

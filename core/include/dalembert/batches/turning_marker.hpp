@@ -7,6 +7,43 @@
 
 namespace dalembert {
 
+// Derivatives of the frame at a point, `local` in own axes.
+// Rows: position, velocity and, of 18 Values, the rotation row by row and the angular velocity, all in global axes.
+// Writes what can differ from zero of a matrix row by row.
+template <int Values, RotatingNode Node>
+void write_frame_tangent(const RotationTangent<Node::size - 3>& t, const Vec3<double>& local, const Weights& w, double* d) {
+  constexpr int n = Node::size;
+  const auto put = [&](int row, int j, const Vec3<double>& v) {
+    for (int i = 0; i < 3; ++i) d[(row + i) * n + 3 + j] = v[i];
+  };
+  const Vec3<double> swing = cross(t.spin, local);
+  for (int i = 0; i < 3; ++i) {
+    d[i * n + i] = w.q;
+    d[(3 + i) * n + i] = w.v;
+  }
+  for (int j = 0; j < n - 3; ++j) {
+    put(0, j, t.turn[j] * local);
+    put(3, j, t.turn[j] * swing + t.rotation * cross(column(t.spin_tangent, j), local));
+    if constexpr (Values == 18) {
+      for (int i = 0; i < 9; ++i) d[(6 + i) * n + 3 + j] = t.turn[j].x[i];
+      put(15, j, column(t.angular_tangent, j));
+    }
+  }
+}
+// Rows: generalised force of forces of size `scale` and, of 6 Forces, of unit moments, in global axes; written likewise.
+template <int Forces, RotatingNode Node>
+void write_force_map(const RotationTangent<Node::size - 3>& t, const Vec3<double>& local, double scale, double* map) {
+  constexpr int n = Node::size;
+  for (int i = 0; i < 3; ++i) map[i * n + i] = scale;
+  for (int j = 0; j < n - 3; ++j) {
+    const Vec3<double> speed = t.rotation * cross(column(t.spin_map, j), local);
+    for (int i = 0; i < 3; ++i) {
+      map[i * n + 3 + j] = scale * speed[i];
+      if constexpr (Forces == 6) map[(3 + i) * n + 3 + j] = t.angular_map(i, j);
+    }
+  }
+}
+
 template <class E, class OwnerRecord, template <class> class ShapeOf>
 class TurningMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeOf> {
   using Base = FrameMarkerBatch<E, OwnerRecord, ShapeOf>;
