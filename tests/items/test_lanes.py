@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
 from typing import Any
 
 import numpy as np
@@ -68,3 +71,30 @@ def test_a_law_that_changes() -> None:
     assert not changed[16:].any()
     mbs.SetObjectParameter(1, "physicsAxialStiffness", LAW["physicsAxialStiffness"])
     assert np.array_equal(equations(mbs, q, v, a)[0], before)
+
+
+EQUATIONS_OF_CABLES = """
+import numpy as np
+from test_lanes import LAW, cables, equations
+q, v, a = np.random.default_rng(1).normal(scale=0.1, size=(3, 8, 8))
+for values in equations(cables([LAW] * 8), q, v, a):
+    print(values.tobytes().hex())
+"""
+
+
+def run_with_instructions(name: str) -> subprocess.CompletedProcess[str]:
+    environment = os.environ | {"DALEMBERT_INSTRUCTIONS": name, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
+    return subprocess.run([sys.executable, "-c", EQUATIONS_OF_CABLES], capture_output=True, text=True, env=environment)
+
+
+def test_registers_do_not_change_results() -> None:
+    """Forces and masses of the elements are the same in registers of any width."""
+    results = {run_with_instructions(name).stdout for name in ("portable", "avx2")}
+    assert len(results) == 1
+    assert len(results.pop()) > 16 * 64 * 65
+
+
+def test_unknown_instructions_are_refused() -> None:
+    run = run_with_instructions("sse9")
+    assert run.returncode != 0
+    assert "DALEMBERT_INSTRUCTIONS: received 'sse9'; expected portable, avx2 or avx512" in run.stderr

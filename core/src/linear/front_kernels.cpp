@@ -5,6 +5,7 @@
 #include <string>
 
 #include "dalembert/linear/linear_solver.hpp"
+#include "dalembert/math/processor.hpp"
 #include "elimination_list.hpp"
 
 #define INLINE [[gnu::always_inline]] inline
@@ -67,14 +68,12 @@ std::span<const FrontKernels* const> available_front_kernels() {
       &avx512::kernels, &avx2::kernels,
 #endif
       &portable::kernels};
-  std::size_t missing = 0;
 #ifdef DALEMBERT_DISPATCH
-  const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-  const bool has_avx512 = has_avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-                          __builtin_cpu_supports("avx512dq");
-  missing = has_avx512 ? 0 : has_avx2 ? 1 : 2;
-#endif
+  const auto missing = static_cast<std::size_t>(Instructions::avx512) - static_cast<std::size_t>(instructions());
   return std::span(sets).subspan(missing);
+#else
+  return sets;
+#endif
 }
 
 const FrontKernels& front_kernels(std::string_view name) {

@@ -39,6 +39,4 @@ void Ports::clear_forces() {
   std::fill(node_loads.begin(), node_loads.end(), NodeLoad{});
 }
 
-void Ports::clear() { *this = Ports(); }
-
 }  // namespace dalembert

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "dalembert/math/dual.hpp"
+#include "dalembert/math/processor.hpp"
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 #define DALEMBERT_WIDE [[gnu::target("avx2"), gnu::flatten]]
@@ -19,12 +20,8 @@ namespace dalembert {
 
 // Whether functions marked DALEMBERT_WIDE can run here.
 inline bool has_wide_registers() {
-#if defined(__x86_64__)
-  static const bool has = __builtin_cpu_supports("avx2") != 0;
+  static const bool has = instructions() >= Instructions::avx2;
   return has;
-#else
-  return false;
-#endif
 }
 
 // To be passed between inlined functions only: how a vector is passed to others depends on the processor.
