@@ -1,6 +1,8 @@
-"""Print how the time per step grows with the size of a model: python growth.py [FAMILY ...].
+"""Print how times grow with the size of a model: python growth.py [FAMILY ...].
 
-The exponent p is that of the fit time = c N^p between 100 and 10 000 bodies, nodes or elements: 1 is linear growth.
+Times are those of one iteration of Newton's method or, of explicit methods, of one step; what a solver does once,
+before its first step, is not part of them. The exponent p is that of the fit time = c N^p between 100 and 10 000
+bodies, nodes or elements: 1 is linear growth.
 """
 
 from __future__ import annotations
@@ -40,16 +42,19 @@ FAMILIES = {
 SIZES = (10, 100, 1000, 10_000)
 
 
-def time_per_step(package: Package, family: Family, size: int, repeat: int) -> float:
-    """Return the least time per step of all repetitions, in microseconds."""
-    steps = max(2, family.work // size)
-    times = []
-    for _ in range(repeat):
-        job: Any = family.build(package, size, steps)
-        start = time.perf_counter()
-        job.solve()
-        times.append(time.perf_counter() - start)
-    return 1e6 * min(times) / steps
+def solved(package: Package, family: Family, size: int, steps: int) -> tuple[float, int]:
+    """Return the time of one solution in seconds, and how many iterations or steps it has taken."""
+    job: Any = family.build(package, size, steps)
+    start = time.perf_counter()
+    job.solve()
+    return time.perf_counter() - start, job.iterations() or steps
+
+
+def time_of_iteration(package: Package, family: Family, size: int, repeat: int) -> float:
+    """Return the time of an iteration after the first step in microseconds, from the least times of all repetitions."""
+    steps = max(20, family.work // size)
+    (one, before), (more, after) = (min(solved(package, family, size, n) for _ in range(repeat)) for n in (1, steps))
+    return 1e6 * (more - one) / (after - before)
 
 
 def main() -> None:
@@ -60,10 +65,10 @@ def main() -> None:
     parser.add_argument("--repeat", type=int, default=3)
     arguments = parser.parse_args()
     package = Package.load(arguments.module)
-    print(f"{'microseconds per step, N =':40s}" + "".join(f"{size:>12d}" for size in SIZES) + f"{'exponent':>12s}")
+    print(f"{'microseconds, N =':40s}" + "".join(f"{size:>12d}" for size in SIZES) + f"{'exponent':>12s}")
     for name in arguments.families or FAMILIES:
         family = FAMILIES[name]
-        times = [time_per_step(package, family, size, arguments.repeat) for size in SIZES]
+        times = [time_of_iteration(package, family, size, arguments.repeat) for size in SIZES]
         exponent = np.polyfit(np.log(SIZES[1:]), np.log(times[1:]), 1)[0]
         print(f"{family.title:40s}" + "".join(f"{t:12.1f}" for t in times) + f"{exponent:12.2f}", flush=True)
 

@@ -26,10 +26,14 @@ class Package:
 
 @dataclass(frozen=True)
 class Job:
-    """A model that is assembled: `solve` is what is measured, `result` a number to compare."""
+    """A model that is assembled: `solve` is what is measured, `result` a number to compare.
+
+    `iterations` tells how many iterations of Newton's method a dynamic solution has taken.
+    """
 
     solve: Callable[[], Any]
     result: Callable[[], float]
+    iterations: Callable[[], int] = lambda: 0
 
 
 @dataclass(frozen=True)
@@ -59,6 +63,7 @@ def _job(p: Package, mbs: Any, settings: Any, solver: str = "GeneralizedAlpha") 
     return Job(
         solve=lambda: mbs.SolveDynamic(settings, solverType=solver_type),
         result=lambda: float(np.sum(mbs.systemData.GetODE2Coordinates())),
+        iterations=lambda: int(mbs.sys["dynamicSolver"].it.newtonStepsCount),
     )
 
 
