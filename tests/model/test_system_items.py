@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import dalembert as exu
+from dalembert.utilities import InertiaSphere
 
 
 def test_indices_and_default_names(mbs: exu.MainSystem) -> None:
@@ -282,3 +283,28 @@ def test_no_renderer_but_scripts_run() -> None:
     assert container.renderer.GetState()["zoom"] == 3
     container.renderer.DoIdleTasks()
     container.renderer.Stop()
+
+
+@pytest.mark.parametrize("load", ["LoadForceVector", "LoadTorqueVector"])
+def test_a_load_turns_with_its_body_from_the_next_assembly_on(mbs: exu.MainSystem, load: str) -> None:
+    """A quarter turn about z takes the first axis of the body into the second one."""
+    turned = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]
+    body = mbs.CreateRigidBody(inertia=InertiaSphere(2, 0.1), referenceRotationMatrix=turned)
+    marker = mbs.AddMarker(exu.MarkerBodyRigid(bodyNumber=body))
+    number = mbs.AddLoad(getattr(exu, load)(markerNumber=marker, loadVector=[3, 0, 0]))
+    mbs.Assemble()
+    node = mbs.GetObjectParameter(body, "nodeNumber")
+    mbs.SetLoadParameter(number, "bodyFixed", True)
+    with pytest.raises(RuntimeError, match=r"since mbs.Assemble\(\)\. Call mbs.Assemble\(\)"):
+        mbs.GetNodeOutput(node, exu.OutputVariableType.Position)
+    mbs.Assemble()
+    settings = exu.SimulationSettings()
+    settings.timeIntegration.numberOfSteps, settings.timeIntegration.endTime = 10, 1e-3
+    settings.timeIntegration.verboseMode = 0
+    settings.solutionSettings.writeSolutionToFile = False
+    mbs.SolveDynamic(settings)
+    kind = "Velocity" if load == "LoadForceVector" else "AngularVelocity"
+    rate = mbs.GetNodeOutput(node, getattr(exu.OutputVariableType, kind))
+    inertia = 2 if load == "LoadForceVector" else 0.4 * 2 * 0.1**2
+    # The force turns no further; the torque turns the body about its own axis: both are constant.
+    np.testing.assert_allclose(rate, [0, 3 * 1e-3 / inertia, 0], rtol=1e-7, atol=1e-12)

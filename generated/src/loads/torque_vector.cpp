@@ -25,7 +25,7 @@ constexpr std::array<Row, 6> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "markerNumber", .storage = Storage::marker, .offset = offsetof(Record, parameters.markerNumber), .role = Role::parameter, .needs_assemble = true},
     {.name = "loadVector", .storage = Storage::vector3, .offset = offsetof(Record, parameters.loadVector), .role = Role::parameter, .unit = "Nm"},
-    {.name = "bodyFixed", .storage = Storage::boolean, .offset = offsetof(Record, parameters.bodyFixed), .role = Role::parameter},
+    {.name = "bodyFixed", .storage = Storage::boolean, .offset = offsetof(Record, parameters.bodyFixed), .role = Role::parameter, .needs_assemble = true},
     {.name = "loadVectorUserFunction", .storage = Storage::user_function, .offset = offsetof(Record, parameters.loadVectorUserFunction), .role = Role::parameter, .signature = &loadVectorUserFunction_signature},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
 }};
