@@ -289,17 +289,16 @@ void SecondOrderSolver::scale_jacobian(double scale) {
   const auto multiply = [this](std::size_t begin, std::size_t end, double factor) {
     for (std::size_t k = begin; k < end; ++k) jacobian_[k] *= factor;
   };
-  for (int j = 0; j < first_ae && n < first_ae; ++j) {
-    const auto [begin, middle, end] = column_range(pattern(), j, n);
-    if (j < n) {
-      multiply(middle, column_range(pattern(), j, first_ae).middle, 1 / scale);
-    } else {
-      multiply(begin, middle, scale);
+  if (sizes_.ode1 > 0) {
+    for (int j = 0; j < n; ++j) multiply(column_range(pattern(), j, n).middle, column_range(pattern(), j, first_ae).middle, 1 / scale);
+    for (int j = n; j < first_ae; ++j) {
+      const ColumnRange column = column_range(pattern(), j, n);
+      multiply(column.begin, column.middle, scale);
     }
   }
   for (int j = first_ae; j < size; ++j) {
-    const auto [begin, middle, end] = column_range(pattern(), j, n);
-    multiply(middle, end, 1 / scale);
+    const ColumnRange column = column_range(pattern(), j, n);
+    multiply(column.middle, column.end, 1 / scale);
   }
 }
 

@@ -309,7 +309,8 @@ class Builder {
   }
   [[noreturn]] void refuse_combination(ItemKind kind, int number, std::string_view on) const {
     std::string nodes;
-    for (const int n : placement_.nodes) nodes += (nodes.empty() ? "" : ", ") + std::string(parts_.nodes[n].type->name);
+    for (const int n : placement_.nodes)
+      if (parts_.nodes[n].type->name != on) nodes += (nodes.empty() ? "" : ", ") + std::string(parts_.nodes[n].type->name);
     refuse(ErrorKind::value, {model_.describe(kind, number), "", "this combination is not available: " + std::string(on) +
                               (nodes.empty() ? "" : " with " + nodes), "", "", "See the pages of these items for what they accept"});
   }

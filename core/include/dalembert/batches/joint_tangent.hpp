@@ -48,7 +48,7 @@ class JointTangent {
       for (int i = 0; i < 2; ++i) {
         const Side& side = sides_[i];
         const double sign = i == 0 ? 1 : -1;
-        const Moving moments = side.jacobian_of_turns(3), forces = side.jacobian_of_turns(0);
+        const Moving moments = side.jacobian_of_turns(3), forces = turns_ ? side.jacobian_of_turns(0) : Moving{};
         for (int j = 0; j < side.turns(); ++j) {
           const Vec3<double> weight{sign * moments[0][j], sign * moments[1][j], sign * moments[2][j]};
           const int* row = slots + (first_column(i) + side.t + j) * total_;

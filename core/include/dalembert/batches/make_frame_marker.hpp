@@ -12,7 +12,11 @@ namespace dalembert {
 template <class Shape, class E>
 concept TurnsWith = TurningElement<E> && (Shape::values > 0 || TurningBody<E>);
 
-// `OwnerRecord` is void for nodes.
+// All coordinates are components of the position: there is no orientation.
+template <class E>
+concept PointMotion = E::size > 0 && requires { requires E::translations == E::size; };
+
+// `OwnerRecord` is void for nodes. None where the element has no such frame.
 template <class E, class OwnerRecord>
 std::unique_ptr<MarkerBatch> make_frame_marker(FrameShape shape) {
   const auto make = [&]<template <class> class Shape>() -> std::unique_ptr<MarkerBatch> {
@@ -22,7 +26,9 @@ std::unique_ptr<MarkerBatch> make_frame_marker(FrameShape shape) {
   };
   switch (shape) {
     case FrameShape::point: return make.template operator()<PointShape>();
-    case FrameShape::rigid: return make.template operator()<RigidShape>();
+    case FrameShape::rigid:
+      if constexpr (PointMotion<E>) return nullptr;
+      else return make.template operator()<RigidShape>();
     case FrameShape::mass:
       if constexpr (requires(const typename E::Parameters& p, const Coordinates<double, E::size>& x, const Vec3<double>& g) {
                       E::template mass_load<double>(p, x, g);
