@@ -347,3 +347,22 @@ def test_singular_dense_matrices() -> None:
     assert solver.factorize(matrix.data) == -1
     b = matrix @ np.array([1.0, -1, 2])
     np.testing.assert_allclose(matrix @ solver.solve(b), b, rtol=0, atol=50 * EPS)
+
+
+def test_zeros_of_the_pattern_take_no_part_before_they_change() -> None:
+    """The masses of a net on the pattern of its tangent, then the tangent itself."""
+    tangent = grid(20, 25)
+    masses = tangent.copy()
+    masses.data = np.where(np.abs(tangent.data) > 2, tangent.data, 0)
+    b = np.sin(np.arange(tangent.shape[0]))
+    solver = solver_of(tangent)
+    for factor in (1.0, 2.0):
+        assert solver.factorize(factor * masses.data) == -1
+        # One division each.
+        np.testing.assert_allclose(solver.solve(b), b / (factor * masses.diagonal()), rtol=2 * EPS)
+    assert solver.statistics["entries"] < 10 * tangent.shape[0]
+    assert solver.factorize(tangent.data) == -1
+    assert backward_error(tangent, solver.solve(b), b) < 200 * EPS
+    assert solver.statistics == {**solver.statistics, "factorizations": 3, "pivot_searches": 2}
+    assert solver.factorize(masses.data) == -1
+    assert backward_error(masses, solver.solve(b), b) < 200 * EPS

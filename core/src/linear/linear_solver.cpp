@@ -4,7 +4,7 @@
 
 #include "complete_pivoting_lu.hpp"
 #include "dense_lu.hpp"
-#include "multifrontal_lu.hpp"
+#include "occupied_lu.hpp"
 
 namespace dalembert {
 
@@ -20,7 +20,7 @@ std::unique_ptr<LinearSolver> make_linear_solver(const Pattern& pattern, LinearS
       if (options.ignore_singular) return std::make_unique<CompletePivotingLu>(pattern.size(), options);
       return std::make_unique<DenseLu>(pattern.size(), options);
     case LinearSolverType::EigenSparse:
-    case LinearSolverType::EigenSparseSymmetric: return std::make_unique<MultifrontalLu>(pattern, options);
+    case LinearSolverType::EigenSparseSymmetric: return std::make_unique<OccupiedLu>(pattern, options);
     default: break;
   }
   throw std::invalid_argument(
