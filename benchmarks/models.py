@@ -28,12 +28,15 @@ class Package:
 class Job:
     """A model that is assembled: `solve` is what is measured, `result` a number to compare.
 
-    `iterations` tells how many iterations of Newton's method a dynamic solution has taken.
+    `iterations` tells how many iterations of Newton's method a dynamic solution has taken, `timer` how long its parts
+    took. `settings` may be changed before.
     """
 
     solve: Callable[[], Any]
     result: Callable[[], float]
     iterations: Callable[[], int] = lambda: 0
+    timer: Callable[[], Any] = lambda: None
+    settings: Any = None
 
 
 @dataclass(frozen=True)
@@ -64,6 +67,8 @@ def _job(p: Package, mbs: Any, settings: Any, solver: str = "GeneralizedAlpha") 
         solve=lambda: mbs.SolveDynamic(settings, solverType=solver_type),
         result=lambda: float(np.sum(mbs.systemData.GetODE2Coordinates())),
         iterations=lambda: int(mbs.sys["dynamicSolver"].it.newtonStepsCount),
+        timer=lambda: mbs.sys["dynamicSolver"].timer,
+        settings=settings,
     )
 
 

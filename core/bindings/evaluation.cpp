@@ -143,6 +143,19 @@ void register_matrices(py::module_& module) {
              py::arg("mbs"), "True if M does not depend on the coordinates.");
 }
 
+void register_division(py::module_& module) {
+  module.def(
+      "divide",
+      [](MainSystem& main, int coordinates, int threads) {
+        main.assembled("divide");
+        main.system.assemble(main.model, {.coordinates = coordinates, .entries = 0});
+        main.system.use_threads(threads);
+        return main.system.threads();
+      },
+      py::arg("mbs"), py::arg("coordinates"), py::arg("threads"),
+      "Assemble again, in regions of so many ODE2 coordinates at least, which so many threads share; returns how many there are.");
+}
+
 void register_updates(py::module_& module) {
   module.def(
       "compose",
@@ -176,6 +189,7 @@ void register_evaluation(py::module_& module) {
   register_vectors(testing);
   register_matrices(testing);
   register_updates(testing);
+  register_division(testing);
 }
 
 }  // namespace dalembert

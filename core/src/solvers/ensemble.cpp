@@ -36,6 +36,7 @@ void keep_to_itself(SimulationSettings& settings, bool histories) {
   settings.timeIntegration.verboseMode = settings.timeIntegration.verboseModeFile = 0;
   settings.staticSolver.verboseMode = settings.staticSolver.verboseModeFile = 0;
   settings.timeIntegration.simulateInRealtime = false;
+  settings.parallel.numberOfThreads = 1;
 }
 
 bool belongs_to_node(const VariedParameter& parameter) { return parameter.kind == ItemKind::node; }

@@ -31,7 +31,7 @@ bool Solver::solve_system() {
     if (timer.total < 0) timer.total += SolverTimer::now();
     conv.stepReductionFailed = true;
     output.finishedSuccessfully = false;
-    close_files();
+    leave();
     throw;
   }
   output.finishedSuccessfully = success;
@@ -82,6 +82,8 @@ void Solver::initialize_data() {
                                            std::to_string(newton_settings.newtonResidualMode) +
                                            "; expected 0 (residual of equations) or 1 (size of the increment)");
   }
+  system_->use_threads(settings_->parallel.numberOfThreads);
+  output.numberOfThreadsUsed = system_->threads();
   output.lastNewtonStepsCount = output.lastNewtonJacobiCount = output.lastDiscontinuousIterationsCount = 0;
 }
 

@@ -194,7 +194,13 @@ void Solver::finalize() {
     solution_file_.write_footer(footer, it, conv);
     if (settings_->solutionSettings.sensorsWriteFileFooter) sensors_.write_footer(footer);
   }
+  leave();
+}
+
+// Threads go, too: none is there when the user's processes fork.
+void Solver::leave() {
   close_files();
+  system_->use_threads(1);
 }
 
 void Solver::summarize() {

@@ -1,6 +1,7 @@
 // Batches while items enter them, found by what their entries have in common.
 #pragma once
 
+#include <compare>
 #include <map>
 #include <memory>
 #include <vector>
@@ -10,13 +11,18 @@
 
 namespace dalembert {
 
-// The type of the items or what stands in for it, the type that they are about, and the types of the nodes below.
-using BatchKey = std::vector<const void*>;
+struct BatchKey {
+  int region = 0;
+  // The type of the items or what stands in for it, the type that they are about, and the types of the nodes below.
+  std::vector<const void*> types;
+  auto operator<=>(const BatchKey&) const = default;
+};
 
 template <class B>
 struct GrowingBatch {
   B* batch = nullptr;
   int entries = 0;
+  int region = 0;     // in which all of its entries lie
   bool acts = false;  // an entry has coordinates or markers
 };
 
@@ -31,13 +37,13 @@ class BatchTable {
   GrowingBatch<B>& find(const BatchKey& key, Make&& make) {
     if (const auto found = table_.find(key); found != table_.end()) return found->second;
     batches_.push_back(make());
-    return table_.emplace(key, GrowingBatch<B>{batches_.back().get()}).first->second;
+    return table_.emplace(key, GrowingBatch<B>{batches_.back().get(), 0, key.region}).first->second;
   }
 
   template <class F>
   void each_acting(F&& f) const {
     for (const auto& [key, growing] : table_)
-      if (growing.acts) f(growing.batch);
+      if (growing.acts) f(growing);
   }
 
  private:

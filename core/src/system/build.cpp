@@ -30,11 +30,12 @@ using TypeList = std::vector<const ItemType*>;
 
 class Builder {
  public:
-  Builder(SystemParts& parts, const Model& model) : parts_(parts), model_(model) {}
+  Builder(SystemParts& parts, const Model& model, const Division& division) : parts_(parts), model_(model), division_(division) {}
 
   void run() {
     reserve();
     name_items();
+    divide();
     for (int i = 0; i < model_.count(ItemKind::node); ++i) place_node(i);
     for (int i = 0; i < model_.count(ItemKind::object); ++i) register_object(i);
     for (int i = 0; i < model_.count(ItemKind::marker); ++i) place_marker(i);
@@ -70,16 +71,41 @@ class Builder {
   // Terms without an acting entry are left out: ground.
   void make_plan() {
     EvaluationPlan& plan = parts_.plan;
-    std::set<const Batch*> acting, loads;
-    marker_batches_.each_acting([&](const Batch* batch) { acting.insert(batch); });
-    terms_.each_acting([&](const Batch* batch) { acting.insert(batch); });
+    plan.regions.resize(static_cast<std::size_t>(regions_.count()));
+    std::map<const Batch*, RegionPlan*> acting;
+    const auto note = [&](const auto& growing) {
+      RegionPlan& region = plan.regions[static_cast<std::size_t>(growing.region)];
+      region.entries += growing.entries;
+      acting.emplace(growing.batch, &region);
+    };
+    const auto region_of = [&](const Batch* batch) {
+      const auto found = acting.find(batch);
+      return found == acting.end() ? nullptr : found->second;
+    };
+    marker_batches_.each_acting(note);
+    terms_.each_acting(note);
+    for (const auto& [key, batch] : rotating_)
+      if (batch != nullptr) plan.regions[static_cast<std::size_t>(key.first)].nodes.push_back(batch);
+    for (const auto& batch : parts_.marker_batches) {
+      RegionPlan* region = region_of(batch.get());
+      (region != nullptr ? region->moving : plan.resting).push_back(batch.get());
+      if (region != nullptr && (differentiated_.contains(batch.get()) || batch->geometric_follows_tangent()))
+        region->differentiated.push_back(batch.get());
+    }
+    std::set<const Batch*> loads;
     for (const LoadPlace& load : parts_.loads) loads.insert(load.member.batch);
-    for (const auto& batch : parts_.marker_batches)
-      (acting.contains(batch.get()) ? plan.moving : plan.resting).push_back(batch.get());
-    for (const MarkerBatch* batch : plan.moving)
-      if (differentiated_.contains(batch) || batch->geometric_follows_tangent()) plan.differentiated.push_back(batch);
     for (const auto& term : parts_.terms)
-      if (acting.contains(term.get())) (loads.contains(term.get()) ? plan.loads : plan.terms).push_back(term.get());
+      if (RegionPlan* region = region_of(term.get())) (loads.contains(term.get()) ? region->loads : region->terms).push_back(term.get());
+    list_sizes();
+  }
+  void list_sizes() {
+    const std::span<const RegionPlan> all = parts_.plan.regions;
+    for (std::size_t count = (all.size() + 1) / 2; count > 0; count /= 2) {
+      const auto regions = all.subspan(count - 1, count);
+      int entries = 0;
+      for (const RegionPlan& region : regions) entries += region.entries;
+      if (entries > 0) parts_.plan.sizes.push_back({regions, entries >= division_.entries});
+    }
   }
   static bool has_coordinates(const Placement& p) {
     return !p.dofs.empty() || !p.ode1.empty() || p.data_count > 0 || p.first_ae >= 0;
@@ -91,6 +117,31 @@ class Builder {
     if (growing.batch->has_tangent())
       for (const int marker : p.markers) differentiated_.insert(parts_.markers[marker].member.batch);
     return growing.entries++;
+  }
+
+  void divide() {
+    std::vector<int> sizes;
+    for (int i = 0; i < model_.count(ItemKind::node); ++i) {
+      const Item& item = model_.item(ItemKind::node, i);
+      sizes.push_back(physics<NodePhysics>(item, i).sizes(item.record.get()).ode2);
+    }
+    regions_ = Regions(sizes, division_.coordinates);
+  }
+  // In which region an item lies, whose placement is known. Whoever shares coordinates other than ODE2 coordinates, or
+  // calls functions of the user, comes last, on the thread of the solver.
+  int region_of(ItemKind kind, int number) const {
+    if (regions_.count() == 1) return Regions::whole;
+    const Item& item = model_.item(kind, number);
+    if (has_user_function(*item.type, item.record.get())) return Regions::whole;
+    int region = Regions::none;
+    for (const int n : placement_.nodes) {
+      const Sizes& sizes = parts_.nodes[n].sizes;
+      if (sizes.ode1 > 0 || (sizes.ae > 0 && sizes.ode2 == 0)) return Regions::whole;
+      region = Regions::around(region, regions_.of_node(n));
+    }
+    for (const int marker : placement_.markers)
+      if (kind != ItemKind::marker) region = Regions::around(region, marker_regions_[marker]);
+    return region;
   }
 
   void name_items() {
@@ -133,7 +184,7 @@ class Builder {
     place.ae = take(parts_.sizes.ae, place.sizes.ae);
     place.data = take(parts_.sizes.data, place.sizes.data);
     take_start_values(place);
-    place.rotating = place_rotating(place);
+    place.rotating = place_rotating(place, number);
     if (place.physics->lie_rotation() >= 0) parts_.lie_blocks.push_back({place.ode2 + place.physics->lie_rotation()});
     parts_.nodes.push_back(std::move(place));
   }
@@ -153,8 +204,8 @@ class Builder {
     append_values(initial.data, node_values_.data, sizes.data);
   }
 
-  int place_rotating(const NodePlace& node) {
-    auto [batch, is_new] = rotating_.try_emplace(node.type, nullptr);
+  int place_rotating(const NodePlace& node, int number) {
+    auto [batch, is_new] = rotating_.try_emplace({std::max(regions_.of_node(number), Regions::whole), node.type}, nullptr);
     if (is_new)
       if (auto made = node.physics->make_rotating(); made != nullptr)
         batch->second = parts_.rotating_nodes.emplace_back(std::move(made)).get();
@@ -259,6 +310,7 @@ class Builder {
     parts_.ports.append(batch.value_count(record, p), batch.force_count(record, p), p.dofs, batch.translations());
     growing->acts = growing->acts || has_coordinates(p);
     batch.add(record, p, parts_.ports);
+    marker_regions_.push_back(region_of(ItemKind::marker, number));
     place.member = {&batch, growing->entries++};
     parts_.markers.push_back(std::move(place));
   }
@@ -294,8 +346,9 @@ class Builder {
   // The batch for items of type `on`, or what else stands on the nodes of the placement.
   template <class B, class Make>
   GrowingBatch<B>& batch_of(BatchTable<B>& table, const void* variant, const ItemType& on, Make&& make, ItemKind kind, int number) {
-    key_.assign({variant, &on});
-    for (const int n : placement_.nodes) key_.push_back(parts_.nodes[n].type);
+    key_.region = std::max(region_of(kind, number), Regions::whole);
+    key_.types.assign({variant, &on});
+    for (const int n : placement_.nodes) key_.types.push_back(parts_.nodes[n].type);
     return table.find(key_, [&] {
       std::unique_ptr<B> batch = make();
       if (batch == nullptr) refuse_combination(kind, number, on.name);
@@ -407,9 +460,12 @@ class Builder {
 
   SystemParts& parts_;
   const Model& model_;
+  const Division division_;
   BatchTable<MarkerBatch> marker_batches_{parts_.marker_batches};
   BatchTable<Term> terms_{parts_.terms};
-  std::map<const ItemType*, RotatingNodeBatch*> rotating_;
+  std::map<std::pair<int, const ItemType*>, RotatingNodeBatch*> rotating_;  // by region
+  Regions regions_;
+  std::vector<int> marker_regions_;
   std::set<const Batch*> differentiated_;
   std::unordered_map<const ItemType*, int> counts_;  // of items
   std::vector<int> first_ae_;
@@ -421,8 +477,8 @@ class Builder {
 
 }  // namespace
 
-void build(SystemParts& parts, const Model& model) {
-  Builder(parts, model).run();
+void build(SystemParts& parts, const Model& model, const Division& division) {
+  Builder(parts, model, division).run();
   make_load_dependencies(parts);
 }
 

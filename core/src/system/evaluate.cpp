@@ -55,10 +55,16 @@ Evaluation view_of(const SystemParts& parts, const State& state, const Condition
 
 }  // namespace
 
-Evaluation SystemParts::evaluation(const State& state, const Conditions& conditions) {
+Evaluation SystemParts::evaluation(const State& state, const Conditions& conditions, std::span<double> cleared) {
   Evaluation e = view_of(*this, state, conditions);
-  const std::vector<double>& reference = this->state(ConfigurationType::Reference).q;
-  for (int i = 0; i < sizes.ode2; ++i) total[i] = reference[i] + e.u[i];
+  const double* reference = this->state(ConfigurationType::Reference).q.data();
+  each_share([&](const Share& share) {
+    std::ranges::fill(share.of(cleared), 0.0);
+    for (double& q : share.of(std::span(total))) {
+      const auto i = &q - total.data();
+      q = reference[i] + e.u[i];
+    }
+  });
   e.q = total.data();
   return e;
 }
@@ -80,11 +86,19 @@ Evaluation SystemParts::output_evaluation(const State& state) {
 }
 
 void SystemParts::update_ports(const Evaluation& e) {
-  const auto evaluate = [&](const MarkerBatch& batch) { batch.evaluate(e, ports); };
-  if (!plan.resting_evaluated) each(plan.resting, evaluate);
+  evaluate_resting(e);
+  each_region([&](const RegionPlan& region) { update_frames(region, e); });
+}
+
+void SystemParts::evaluate_resting(const Evaluation& e) {
+  if (!plan.resting_evaluated) each(plan.resting, [&](const MarkerBatch& batch) { batch.evaluate(e, ports); });
   plan.resting_evaluated = true;
-  each(rotating_nodes, [&](const RotatingNodeBatch& batch) { batch.evaluate(e, ports); });
-  each(plan.moving, evaluate);
+}
+
+void SystemParts::update_frames(const RegionPlan& region, const Evaluation& e) {
+  const auto evaluate = [&](const auto& batch) { batch.evaluate(e, ports); };
+  each(region.nodes, evaluate);
+  each(region.moving, evaluate);
 }
 
 void SystemParts::bind(const Pattern& pattern) {
@@ -126,13 +140,23 @@ class Flagged {
 
 void add_residual(SystemParts& parts, const Evaluation& e, double* r, bool loads = true) {
   const Flagged evaluating(parts.evaluating);
-  parts.update_ports(e);
-  parts.ports.clear_forces();
-  const auto add = [&](const Term& term) { term.residual(e, parts.ports, r); };
-  each(parts.plan.terms, add);
-  if (loads) each(parts.plan.loads, add);
-  each(parts.plan.moving, [&](const MarkerBatch& batch) { batch.pull_back(e, parts.ports, r); });
-  each(parts.rotating_nodes, [&](const RotatingNodeBatch& batch) { batch.pull_back(e, parts.ports, r); });
+  Ports& ports = parts.ports;
+  parts.evaluate_resting(e);
+  parts.each_share([&](const Share& share) {
+    std::ranges::fill(share.of(std::span(ports.forces)), 0.0);
+    std::ranges::fill(share.of(std::span(ports.node_loads)), NodeLoad{});
+  });
+  parts.each_region([&](const RegionPlan& region) {
+    parts.update_frames(region, e);
+    const auto add = [&](const Term& term) { term.residual(e, ports, r); };
+    each(region.terms, add);
+    if (loads) each(region.loads, add);
+  });
+  parts.each_region([&](const RegionPlan& region) {
+    const auto pull_back = [&](const auto& batch) { batch.pull_back(e, ports, r); };
+    each(region.moving, pull_back);
+    each(region.nodes, pull_back);
+  });
   for (int i = 0; i < parts.sizes.ode1; ++i) r[parts.sizes.ode2 + i] -= e.y_t[i];
 }
 
@@ -140,9 +164,8 @@ void add_residual(SystemParts& parts, const Evaluation& e, double* r, bool loads
 
 void System::residual(const State& state, const Conditions& conditions, std::span<double> r) {
   ++evaluations_;
-  std::fill(r.begin(), r.end(), 0.0);
   evaluated_ = nullptr;
-  add_residual(*parts_, parts_->evaluation(state, conditions), r.data(), conditions.loads);
+  add_residual(*parts_, parts_->evaluation(state, conditions, r), r.data(), conditions.loads);
   evaluated_ = &state;
 }
 
@@ -150,23 +173,26 @@ void System::tangent(const State& state, const Conditions& conditions, const Wei
                      std::span<double> values) {
   SystemParts& parts = *parts_;
   parts.bind(pattern);
-  std::fill(values.begin(), values.end(), 0.0);
-  Evaluation e = parts.evaluation(state, conditions);
+  Evaluation e = parts.evaluation(state, conditions, values);
   if (!conditions.follows_residual || evaluated_ != &state) {
     add_residual(parts, e, parts.work.data(), conditions.loads);  // the forces on markers, for the geometric part
     evaluated_ = nullptr;
   }
   e.same_state = true;
   const Flagged evaluating(parts.evaluating);
-  const EvaluationPlan& plan = parts.plan;
-  parts.ports.differentiate();
-  each(parts.rotating_nodes, [&](const RotatingNodeBatch& batch) { batch.evaluate_tangent(e, weights, parts.ports); });
-  each(plan.differentiated, [&](const MarkerBatch& batch) { batch.evaluate_tangent(e, weights, parts.ports); });
-  const auto add = [&](const Term& term) { term.tangent(e, weights, parts.ports, values.data()); };
-  each(plan.terms, add);
-  if (conditions.loads) each(plan.loads, add);
-  each(plan.moving, [&](const MarkerBatch& batch) { batch.geometric(e, weights, parts.ports, values.data()); });
-  each(parts.rotating_nodes, [&](const RotatingNodeBatch& batch) { batch.geometric(e, weights, parts.ports, values.data()); });
+  Ports& ports = parts.ports;
+  ports.differentiate();
+  parts.each_region([&](const RegionPlan& region) {
+    const auto differentiate = [&](const auto& batch) { batch.evaluate_tangent(e, weights, ports); };
+    each(region.nodes, differentiate);
+    each(region.differentiated, differentiate);
+    const auto add = [&](const Term& term) { term.tangent(e, weights, ports, values.data()); };
+    each(region.terms, add);
+    if (conditions.loads) each(region.loads, add);
+    const auto add_geometric = [&](const auto& batch) { batch.geometric(e, weights, ports, values.data()); };
+    each(region.moving, add_geometric);
+    each(region.nodes, add_geometric);
+  });
   for (const int slot : parts.rate_slots) values[slot] -= weights.y_t;
   if (conditions.load_dependencies > 0 && !parts.load_dependencies.empty())
     dalembert::add_load_dependencies(*this, parts, e, weights, conditions.load_dependencies > 1, values.data());
@@ -195,11 +221,13 @@ const Pattern& System::mass_pattern() {
 }
 
 void System::mass_matrix(const State& state, const Pattern& pattern, std::span<double> values) {
-  parts_->bind(pattern);
-  std::fill(values.begin(), values.end(), 0.0);
-  const Evaluation e = parts_->evaluation(state, {});
-  for (const auto& term : parts_->terms)
-    if (term->has_mass()) term->mass(e, parts_->ports, values.data());
+  SystemParts& parts = *parts_;
+  parts.bind(pattern);
+  const Evaluation e = parts.evaluation(state, {}, values);
+  parts.each_region([&](const RegionPlan& region) {
+    for (const Term* term : region.terms)
+      if (term->has_mass()) term->mass(e, parts.ports, values.data());
+  });
 }
 
 void System::forces(const State& state, const Conditions& conditions, std::span<double> rhs) {
@@ -214,13 +242,14 @@ void System::right_hand_sides(const State& state, const Conditions& conditions, 
   evaluated_ = nullptr;
   ++evaluations_;
   SystemParts& parts = *parts_;
-  Evaluation e = parts.evaluation(state, conditions);
+  const std::span<double> residual(parts.work.data(), static_cast<std::size_t>(sizes_.total()));
+  Evaluation e = parts.evaluation(state, conditions, residual);
   e.inertia = false;
-  const auto zeros = parts.work.begin() + sizes_.total();
-  e.lambda = &*zeros;
-  std::fill(parts.work.begin(), zeros, 0.0);
-  add_residual(parts, e, parts.work.data());
-  for (std::size_t i = 0; i < rhs.size(); ++i) rhs[i] = -parts.work[i];
+  e.lambda = residual.data() + residual.size();  // zeros
+  add_residual(parts, e, residual.data());
+  parts.each_share([&](const Share& share) {
+    for (double& force : share.of(rhs)) force = -residual[static_cast<std::size_t>(&force - rhs.data())];
+  });
   for (std::size_t i = 0; i < y_t.size(); ++i) y_t[i] = parts.work[sizes_.ode2 + i] + state.y_t[i];
 }
 

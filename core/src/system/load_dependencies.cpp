@@ -10,12 +10,6 @@
 namespace dalembert {
 namespace {
 
-bool has_user_function(const LoadPlace& load) {
-  return std::ranges::any_of(load.type->rows, [&](const Row& row) {
-    return row.storage == Storage::user_function && *static_cast<const UserFunction*>(member(load.record.get(), row));
-  });
-}
-
 LoadDependency& dependency_of(SystemParts& parts, int number) {
   const auto found = std::ranges::find(parts.load_dependencies, number, &LoadDependency::load);
   if (found != parts.load_dependencies.end()) return *found;
@@ -132,7 +126,7 @@ class LoadDifferences {
 
 void make_load_dependencies(SystemParts& parts) {
   for (std::size_t i = 0; i < parts.loads.size(); ++i)
-    if (has_user_function(parts.loads[i])) dependency_of(parts, static_cast<int>(i));
+    if (has_user_function(*parts.loads[i].type, parts.loads[i].record.get())) dependency_of(parts, static_cast<int>(i));
 }
 
 void add_load_dependencies(System& system, SystemParts& parts, Evaluation evaluation, const Weights& weights, bool by_velocities,

@@ -9,10 +9,10 @@ namespace dalembert {
 System::System() : parts_(std::make_unique<SystemParts>()), states_(parts_->states.data()) {}
 System::~System() = default;
 
-void System::assemble(const Model& model) {
+void System::assemble(const Model& model, const Division& division) {
   model.check();
   auto parts = std::make_unique<SystemParts>();
-  build(*parts, model);
+  build(*parts, model, division);
   parts->check_sensors();
   sizes_ = parts->sizes;
   parts->total.assign(sizes_.ode2, 0);
@@ -27,6 +27,15 @@ void System::assemble(const Model& model) {
   states_ = parts_->states.data();
   assembled_ = true;
 }
+
+void System::use_threads(int count) {
+  SystemParts& parts = *parts_;
+  count = std::min(count, static_cast<int>(parts.plan.regions.size() + 1) / 2);
+  if (count == threads()) return;
+  parts.workers.reset();
+  if (count > 1) parts.workers = std::make_unique<Workers>(count);
+}
+int System::threads() const { return parts_->workers ? parts_->workers->count() : 1; }
 
 bool System::assembled() const { return assembled_; }
 
@@ -47,6 +56,7 @@ void System::refresh(const Model& model) {
       case ItemKind::object:
         parts.objects[i].record = record;
         parts.objects[i].member.batch->refresh(parts.objects[i].member.entry, record.get());
+        parts.look_for_functions(parts.objects[i]);
         for (MarkerPlace& marker : parts.markers)
           for (std::size_t k = 0; k < marker.objects.count; ++k)
             if (marker.objects.of(parts.references)[k] == number)
@@ -64,6 +74,7 @@ void System::refresh(const Model& model) {
       case ItemKind::load:
         parts.loads[i].record = record;
         parts.loads[i].member.batch->refresh(parts.loads[i].member.entry, record.get());
+        parts.look_for_functions(parts.loads[i]);
         for (LoadDependency& dependency : parts.load_dependencies)
           if (dependency.load == number) dependency.term->refresh(0, record.get());
         break;

@@ -109,19 +109,19 @@ class ParallelSettings(_Settings):
     """computation with several threads"""
 
     multithreadedLLimitJacobians: int
-    """number of objects from which on Jacobians are computed in parallel; default: 20"""
+    """no effect: systems of at least 6000 ODE2 coordinates are evaluated in parallel, others by one thread; default: 20"""
     multithreadedLLimitLoads: int
-    """number of loads from which on loads are computed in parallel; default: 20"""
+    """no effect, see multithreadedLLimitJacobians; default: 20"""
     multithreadedLLimitMassMatrices: int
-    """number of bodies from which on mass matrices are computed in parallel; default: 20"""
+    """no effect, see multithreadedLLimitJacobians; default: 20"""
     multithreadedLLimitResiduals: int
-    """number of objects from which on residuals are computed in parallel; default: 20"""
+    """no effect, see multithreadedLLimitJacobians; default: 20"""
     numberOfThreads: int
-    """number of threads of the solver; 1: no parallel computation; more than the number of cores does not help; default: 1"""
+    """number of threads that share the evaluation of residuals, tangents and explicit right-hand sides; results are the same, bit for bit; more than the number of cores does not help; default: 1"""
     taskSplitMinItems: int
-    """number of items from which on the work is split into more tasks than threads; default: 50"""
+    """no effect: how the work is divided does not depend on the number of threads; default: 50"""
     taskSplitTasksPerThread: int
-    """number of tasks per thread when the work is split; about 1 to 100; default: 16"""
+    """no effect, see taskSplitMinItems; default: 16"""
     useLoadBalancing: bool
     """true: threads that are ready take over work of others; false: fixed share per thread; default: True"""
     def __init__(self) -> None: ...

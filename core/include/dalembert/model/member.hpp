@@ -1,6 +1,7 @@
 // Access to the members of a record through the rows of its type.
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 #include <stdexcept>
 #include <type_traits>
@@ -95,6 +96,12 @@ static_assert(!index_storage(Storage::output_variable).is_index && !index_storag
 // All item numbers in a member, as plain integers that may be changed. Every ItemIndex is one int.
 std::span<int> index_values(const Row& row, void* record);
 std::span<const int> index_values(const Row& row, const void* record);
+
+inline bool has_user_function(const ItemType& type, const void* record) {
+  return std::ranges::any_of(type.rows, [&](const Row& row) {
+    return row.storage == Storage::user_function && *static_cast<const UserFunction*>(member(record, row));
+  });
+}
 
 template <class T>
 constexpr bool is_vec = false;

@@ -128,6 +128,7 @@ class Solver {
   void wait_for_real_time();
   void summarize();
   void close_files();
+  void leave();
   std::string position_text() const;
   RunDescription run_description() const;
 

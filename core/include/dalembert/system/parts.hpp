@@ -1,6 +1,7 @@
 // The inside of a System: batches, index tables and work space.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>
@@ -12,10 +13,12 @@
 #include <vector>
 
 #include "dalembert/math/rotations.hpp"
+#include "dalembert/model/member.hpp"
 #include "dalembert/model/model.hpp"
 #include "dalembert/system/load_dependencies.hpp"
 #include "dalembert/system/physics.hpp"
 #include "dalembert/system/system.hpp"
+#include "dalembert/system/workers.hpp"
 
 namespace dalembert {
 
@@ -90,12 +93,36 @@ struct SensorPlace {
 // False: no item of this type ever has that output variable.
 bool may_have(const ItemType& type, OutputVariableType variable);
 
-// The batches that an evaluation visits, in this order. Markers without coordinates rest: their frames are evaluated once.
-struct EvaluationPlan {
-  std::vector<const MarkerBatch*> moving, resting;
+// The batches of a region that an evaluation visits, in this order.
+struct RegionPlan {
+  std::vector<const RotatingNodeBatch*> nodes;
+  std::vector<const MarkerBatch*> moving;
   std::vector<const MarkerBatch*> differentiated;  // moving ones whose derivatives are used
   std::vector<const Term*> terms, loads;
+  int entries = 0;  // of these batches
+};
+
+struct RegionsOfOneSize {
+  std::span<const RegionPlan> regions;
+  bool is_shared = false;  // among threads: there is enough to do
+};
+
+// Regions of one size share no coordinates. Markers without coordinates rest: their frames are evaluated once.
+struct EvaluationPlan {
+  std::vector<const MarkerBatch*> resting;
+  std::vector<RegionPlan> regions;
+  std::vector<RegionsOfOneSize> sizes;  // which have something to do, small ones first
   bool resting_evaluated = false;
+};
+
+// One of `count` stretches of about the same length that make up a list.
+struct Share {
+  std::size_t number, count;
+  template <class T>
+  std::span<T> of(std::span<T> all) const {
+    const std::size_t begin = all.size() * number / count, end = all.size() * (number + 1) / count;
+    return all.subspan(begin, end - begin);
+  }
 };
 
 struct SystemParts {
@@ -114,6 +141,8 @@ struct SystemParts {
   std::vector<std::unique_ptr<RotatingNodeBatch>> rotating_nodes;
   std::vector<LoadDependency> load_dependencies;
   EvaluationPlan plan;
+  std::unique_ptr<Workers> workers;  // null: one thread does it all
+  bool functions_in_regions = false;  // of the user, which only the thread of the solver may call
   std::vector<System::LieBlock> lie_blocks;
   Ports ports;
   std::vector<double> static_signs;  // of the algebraic variables
@@ -142,14 +171,43 @@ struct SystemParts {
   SensorPlace place_sensor(const Item& item) const;
   void check_sensors() const;  // refuses output variables that an item cannot have
   State& state(ConfigurationType c) { return states[static_cast<std::size_t>(c)]; }
-  Evaluation evaluation(const State& state, const Conditions& conditions);
+  // `cleared` are set to zero on the way.
+  Evaluation evaluation(const State& state, const Conditions& conditions, std::span<double> cleared = {});
   Evaluation output_evaluation(const State& state);
   Evaluation output_evaluation(const State& state, std::span<const int> dofs);  // q at these coordinates only
   void update_ports(const Evaluation& e);
+  void evaluate_resting(const Evaluation& e);
+  void update_frames(const RegionPlan& region, const Evaluation& e);
+  // Calls f(region) for all regions, small ones first, those of one size side by side.
+  template <class F>
+  void each_region(F&& f) const {
+    for (const auto& [regions, is_shared] : plan.sizes)
+      share(static_cast<int>(regions.size()), is_shared, [&](int i) { f(regions[static_cast<std::size_t>(i)]); });
+  }
+  // Calls f(share) for shares that make up everything, side by side.
+  template <class F>
+  void each_share(F&& f) const {
+    const auto count = static_cast<int>(plan.regions.size() + 1) / 2;
+    share(count, true, [&](int i) { f(Share{static_cast<std::size_t>(i), static_cast<std::size_t>(count)}); });
+  }
   void bind(const Pattern& pattern);
+  // Of an item that has been changed.
+  template <class Place>
+  void look_for_functions(const Place& place) {
+    const RegionPlan& whole = plan.regions[Regions::whole];
+    const auto is_in = [&](const std::vector<const Term*>& terms) { return std::ranges::find(terms, place.member.batch) != terms.end(); };
+    if (has_user_function(*place.type, place.record.get()) && !is_in(whole.terms) && !is_in(whole.loads)) functions_in_regions = true;
+  }
+
+ private:
+  template <class Task>
+  void share(int tasks, bool is_shared, Task&& task) const {
+    if (workers && is_shared && tasks > 1 && !functions_in_regions) return workers->run(tasks, task);
+    for (int i = 0; i < tasks; ++i) task(i);
+  }
 };
 
 // All batches of one assembly, built item by item.
-void build(SystemParts& parts, const Model& model);
+void build(SystemParts& parts, const Model& model, const Division& division);
 
 }  // namespace dalembert

@@ -16,6 +16,7 @@
 #include "dalembert/enums.hpp"
 #include "dalembert/system/evaluation.hpp"
 #include "dalembert/system/pattern.hpp"
+#include "dalembert/system/regions.hpp"
 #include "dalembert/system/state.hpp"
 
 namespace dalembert {
@@ -48,10 +49,15 @@ class System {
   System& operator=(const System&) = delete;
 
   // Build batches, index tables and all configurations from the model. Throws ModelError; the old system stays then.
-  void assemble(const Model& model);
+  void assemble(const Model& model, const Division& division = {});
   bool assembled() const;
   // Take over changed parameters of items (of the same structure) from the model.
   void refresh(const Model& model);
+
+  // So many threads share the evaluations from now on, until the next Assemble; fewer if the system is small. Results are
+  // the same, bit for bit.
+  void use_threads(int count);
+  int threads() const;
 
   const Sizes& sizes() const { return sizes_; }
   // Current, Initial, Reference (q and y only), StartOfStep, Visualization.

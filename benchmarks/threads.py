@@ -1,0 +1,77 @@
+"""Print what threads gain: python threads.py [--threads N].
+
+Evaluations of large models by one thread and by several (parallel.numberOfThreads), in turn, and the least times of all
+repetitions. Results are compared bit for bit.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import models
+from models import Job, Package
+
+# What the solver calls its parts.
+RHS, RESIDUAL, TANGENT = (
+    ("right-hand side", "ODE2RHS"),
+    ("residual", "ODE2RHS"),
+    ("tangent", "totalJacobian"),
+)
+
+
+@dataclass(frozen=True)
+class Model:
+    """A model of 10 000 items of the kind that its title says, and the parts of its solution to be measured."""
+
+    title: str
+    build: Callable[[Package], Job]
+    parts: tuple[tuple[str, str], ...]
+
+
+MODELS = (
+    Model("net of 10 000 points, velocity Verlet", lambda p: models.grid(p, 100, 150, "VelocityVerlet"), (RHS,)),
+    Model("net of 10 000 points, implicit", lambda p: models.grid(p, 100, 3, "GeneralizedAlpha"), (RESIDUAL, TANGENT)),
+    Model("chain of 10 000 rigid bodies, implicit", lambda p: models.chain(p, 10_000, 2), (RESIDUAL, TANGENT)),
+    Model("cable of 10 000 ANCF elements, implicit", lambda p: models.cable(p, 10_000, 10), (RESIDUAL, TANGENT)),
+)
+
+
+def measured(package: Package, model: Model, threads: int) -> tuple[list[float], float]:
+    """Return the seconds of all parts, and the result."""
+    job = model.build(package)
+    job.settings.parallel.numberOfThreads = threads
+    job.settings.displayComputationTime = True  # parts are timed only then
+    job.solve()
+    return [getattr(job.timer(), part) for _, part in model.parts], job.result()
+
+
+def main() -> None:
+    """Measure all models and print the table as it grows."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--threads", type=int, default=os.cpu_count())
+    parser.add_argument("--repeat", type=int, default=5)
+    arguments = parser.parse_args()
+    package = Package.load("dalembert")
+    print(f"{'milliseconds in all':58s}{'1 thread':>10s}{f'{arguments.threads} threads':>12s}{'ratio':>8s}")
+    for model in MODELS:
+        times: dict[int, list[list[float]]] = {1: [], arguments.threads: []}
+        results = set()
+        for _ in range(arguments.repeat):
+            for threads, runs in times.items():
+                seconds, result = measured(package, model, threads)
+                runs.append(seconds)
+                results.add(result)
+        if len(results) > 1:
+            raise RuntimeError(f"{model.title}: results differ: {results}")
+        for (part, _), one, more in zip(
+            model.parts, *([min(column) for column in zip(*runs, strict=True)] for runs in times.values()), strict=True
+        ):
+            title = f"{model.title}, {part}"
+            print(f"{title:58s}{1e3 * one:10.1f}{1e3 * more:12.1f}{one / more:8.2f}", flush=True)
+
+
+if __name__ == "__main__":
+    main()
