@@ -59,11 +59,9 @@ Evaluation SystemParts::evaluation(const State& state, const Conditions& conditi
   Evaluation e = view_of(*this, state, conditions);
   const double* reference = this->state(ConfigurationType::Reference).q.data();
   each_share([&](const Share& share) {
-    std::ranges::fill(share.of(cleared), 0.0);
-    for (double& q : share.of(std::span(total))) {
-      const auto i = &q - total.data();
-      q = reference[i] + e.u[i];
-    }
+    share.fill(cleared, 0.0);
+    const auto [begin, end] = share.of(total.size());
+    for (std::size_t i = begin; i < end; ++i) total[i] = reference[i] + e.u[i];
   });
   e.q = total.data();
   return e;
@@ -143,8 +141,8 @@ void add_residual(SystemParts& parts, const Evaluation& e, double* r, bool loads
   Ports& ports = parts.ports;
   parts.evaluate_resting(e);
   parts.each_share([&](const Share& share) {
-    std::ranges::fill(share.of(std::span(ports.forces)), 0.0);
-    std::ranges::fill(share.of(std::span(ports.node_loads)), NodeLoad{});
+    share.fill(std::span(ports.forces), 0.0);
+    share.fill(std::span(ports.node_loads), NodeLoad{});
   });
   parts.each_region([&](const RegionPlan& region) {
     parts.update_frames(region, e);
@@ -248,7 +246,8 @@ void System::right_hand_sides(const State& state, const Conditions& conditions, 
   e.lambda = residual.data() + residual.size();  // zeros
   add_residual(parts, e, residual.data());
   parts.each_share([&](const Share& share) {
-    for (double& force : share.of(rhs)) force = -residual[static_cast<std::size_t>(&force - rhs.data())];
+    const auto [begin, end] = share.of(rhs.size());
+    for (std::size_t i = begin; i < end; ++i) rhs[i] = -residual[i];
   });
   for (std::size_t i = 0; i < y_t.size(); ++i) y_t[i] = parts.work[sizes_.ode2 + i] + state.y_t[i];
 }

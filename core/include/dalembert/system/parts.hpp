@@ -118,10 +118,17 @@ struct EvaluationPlan {
 // One of `count` stretches of about the same length that make up a list.
 struct Share {
   std::size_t number, count;
+  struct Range {
+    std::size_t begin, end;
+  };
+  Range of(std::size_t size) const {
+    if (count == 1) return {0, size};
+    return {size * number / count, size * (number + 1) / count};
+  }
   template <class T>
-  std::span<T> of(std::span<T> all) const {
-    const std::size_t begin = all.size() * number / count, end = all.size() * (number + 1) / count;
-    return all.subspan(begin, end - begin);
+  void fill(std::span<T> list, const T& value) const {
+    const auto [begin, end] = of(list.size());
+    std::fill(list.data() + begin, list.data() + end, value);
   }
 };
 
@@ -203,6 +210,7 @@ struct SystemParts {
   template <class Task>
   void share(int tasks, bool is_shared, Task&& task) const {
     if (workers && is_shared && tasks > 1 && !functions_in_regions) return workers->run(tasks, task);
+    if (tasks == 1) return task(0);
     for (int i = 0; i < tasks; ++i) task(i);
   }
 };
