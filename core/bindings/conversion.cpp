@@ -254,14 +254,12 @@ int read_item_number(PyObject* value, ItemKind wanted) {
 bool quick_item_number(PyObject* value, ItemKind wanted, int& out) {
   ItemKind kind{};
   int number = -1;
-  if (read_index(value, kind, number)) {
-    if (kind != wanted) return false;
-  } else if (PyLong_CheckExact(value)) {
+  if (PyLong_CheckExact(value)) {
     int overflow = 0;
     const long wide = PyLong_AsLongAndOverflow(value, &overflow);
     if (overflow != 0 || wide < -1 || wide > 0x7fffffff) return false;
     number = static_cast<int>(wide);
-  } else {
+  } else if (!read_index(value, kind, number) || kind != wanted) {
     return false;
   }
   out = number;
@@ -328,9 +326,17 @@ void read(PyObject*, const Row&, std::uint32_t&) { throw std::logic_error("items
 
 void read(PyObject* value, const Row& row, UserFunction& out) { out = read_user_function(value, row); }
 
-void read(PyObject* value, const Row&, Opaque& out) {
+// Opaque rows hold lists of graphics data, user functions, or the sections of beams, whose class is told here.
+const char* section_class(const Row& row) {
+  return row.name == "sectionData" ? "BeamSection" : row.name == "sectionGeometry" ? "BeamSectionGeometry" : nullptr;
+}
+bool is_function(const Row& row) { return row.name.find("UserFunction") != std::string_view::npos; }
+
+void read(PyObject* value, const Row& row, Opaque& out) {
   // A list or dictionary that the user goes on to fill must not change the item.
-  if (PyList_CheckExact(value)) {
+  if (PyList_CheckExact(value) && PyList_GET_SIZE(value) == 0 && !is_function(row) && section_class(row) == nullptr) {
+    out = {};  // reads as an empty list
+  } else if (PyList_CheckExact(value)) {
     out = make_opaque(py::reinterpret_steal<py::object>(PyList_GetSlice(value, 0, PY_SSIZE_T_MAX)).ptr());
   } else if (PyList_Check(value) || PyDict_Check(value)) {
     out = make_opaque(py::object(py::handle(value).attr("copy")()).ptr());
@@ -410,8 +416,8 @@ py::object write(const Opaque& value, Form, PyObject*) {
 
 // What stands for an opaque parameter that was never set: what its users would have written.
 py::object empty_opaque(const Row& row) {
-  if (row.name.find("UserFunction") != std::string_view::npos) return py::int_(0);
-  const char* section = row.name == "sectionData" ? "BeamSection" : row.name == "sectionGeometry" ? "BeamSectionGeometry" : nullptr;
+  if (is_function(row)) return py::int_(0);
+  const char* section = section_class(row);
   if (section == nullptr) return py::list();
   return py::hasattr(core_module(), section) ? core_module().attr(section)() : py::object(py::none());
 }

@@ -152,27 +152,36 @@ py::dict item_dictionary(const ItemType& type, const void* record, const std::st
   return result;
 }
 
+namespace {
+
+// The entry of a key that is not interned; nullptr: there is nothing to set.
+const ItemClass::Argument* find_spelt(const ItemClass& item_class, PyObject* key, const Label& where, UnknownKeys unknown_keys) {
+  const ItemType& type = *item_class.type;
+  const std::string word = PyUnicode_Check(key) ? to_string(key) : show(key);
+  if (word == type_key(type.kind)) return nullptr;
+  for (const auto& entry : item_class.entries)
+    if (to_string(entry.name) == word) return &entry;
+  const Complaint text{where.text(), "", "there is no parameter " + quoted(word), "", "", suggest_parameter(type, word)};
+  if (unknown_keys == UnknownKeys::refuse) refuse(ErrorKind::value, text);
+  warn_of_ignored(text);
+  return nullptr;
+}
+
+}  // namespace
+
 void update_from_dictionary(const ItemClass& item_class, const py::dict& dictionary, void* record, const Label& where,
                             UnknownKeys unknown_keys) {
-  const ItemType& type = *item_class.type;
+  PyObject* const type_name = type_key_name(item_class.type->kind);
   for (const auto& [key, value] : dictionary) {
-    if (key.ptr() == type_key_name(type.kind)) continue;
+    if (key.ptr() == type_name) continue;
     const auto* entry = find_interned(item_class.entries, key.ptr());
-    const std::string word = entry != nullptr ? "" : PyUnicode_Check(key.ptr()) ? to_string(key.ptr()) : show(key.ptr());
-    if (word == type_key(type.kind)) continue;
-    if (entry != nullptr ? entry->row == nullptr : word == "visualization") {
+    if (entry == nullptr) entry = find_spelt(item_class, key.ptr(), where, unknown_keys);
+    if (entry == nullptr) continue;
+    if (entry->row == nullptr) {
       set_visualization(item_class, value.ptr(), record, where);
-      continue;
+    } else if (!entry->row->internal && !stands_for_graphics(*entry->row, value.ptr())) {
+      set_member(item_class, *entry->row, value.ptr(), record, where);
     }
-    const Row* row = entry != nullptr ? entry->row : find_row(type, word);
-    if (row == nullptr) {
-      const Complaint text{where.text(), "", "there is no parameter " + quoted(word), "", "", suggest_parameter(type, word)};
-      if (unknown_keys == UnknownKeys::refuse) refuse(ErrorKind::value, text);
-      warn_of_ignored(text);
-      continue;
-    }
-    if (row->internal || stands_for_graphics(*row, value.ptr())) continue;
-    set_member(item_class, *row, value.ptr(), record, where);
   }
 }
 

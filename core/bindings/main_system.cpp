@@ -99,6 +99,7 @@ void register_planned(Class& main_system) {
 
 void MainSystem::assemble() {
   system.assemble(model);
+  excerpts = {};
   assembled_structure_ = model.structure_changes();
   refreshed_values_ = model.value_changes();
 }
@@ -127,6 +128,7 @@ void MainSystem::reset() {
   sys = py::dict();
   user_functions.clear();
   sensor_storage.clear();
+  excerpts = {};
   set_consistent(false);
 }
 

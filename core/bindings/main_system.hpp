@@ -9,6 +9,7 @@
 
 #include "dalembert/model/model.hpp"
 #include "dalembert/output/sensor_recorder.hpp"
+#include "dalembert/system/excerpt.hpp"
 #include "dalembert/system/system.hpp"
 
 namespace dalembert {
@@ -22,6 +23,7 @@ class MainSystem : public std::enable_shared_from_this<MainSystem> {
  public:
   Model model;
   System system;
+  Excerpts excerpts;  // of the model, as long as it is not assembled
 
   py::dict variables, sys;  // free for the user; kept for utilities
   std::map<std::string, py::object> user_functions;  // PreStep, PostStep, PostNewton, PreNewtonResidual, SystemJacobian

@@ -4,7 +4,6 @@
 
 #include "conversion.hpp"
 #include "item_arguments.hpp"
-#include "dalembert/system/excerpt.hpp"
 #include "main_system.hpp"
 #include "python_errors.hpp"
 
@@ -36,7 +35,7 @@ py::object number_or_array(const std::vector<double>& values) {
 struct Source {
   Source(MainSystem& main, const char* method, ItemKind kind, int item, ConfigurationType configuration) {
     if (configuration == ConfigurationType::Reference && !main.consistent()) {
-      part = excerpt(main.model, kind, item);
+      const Excerpt& part = main.excerpts.of(main.model, kind, item);
       system = part.system.get();
       number = part.number;
     } else {
@@ -44,7 +43,6 @@ struct Source {
       number = item;
     }
   }
-  Excerpt part;
   System* system = nullptr;
   int number = -1;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -33,28 +34,49 @@ void PythonArguments::clear() {
   for (std::size_t i = first; i < objects_.size(); ++i) Py_CLEAR(objects_[i]);
 }
 
+void PythonArguments::fill(const Signature& signature, double time, int item, std::span<const Argument> arguments) {
+  if (arguments.size() + 2 > most) throw std::length_error("a user function has too many arguments");
+  end_ = first;
+  changed_ = false;
+  if (signature.takes_time) add(time);
+  if (signature.takes_item) add(static_cast<long>(item));
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const auto kind = i < signature.arguments.size() ? signature.arguments[i] : Signature::Kind::scalar;
+    kind == Signature::Kind::scalar ? add(*arguments[i].data) : add(kind, arguments[i]);
+  }
+}
+
+// Whether the next object is there and shows the same number; the number is noted.
+bool PythonArguments::repeated(std::uint64_t bits) {
+  return std::exchange(bits_[end_], bits) == bits && objects_[end_] != nullptr;
+}
+
 void PythonArguments::replace(PyObject* object) {
   if (object == nullptr) throw py::error_already_set();
   changed_ = true;
-  PyObject* before = std::exchange(objects_.at(end_++), object);
+  PyObject* before = std::exchange(objects_[end_++], object);
   Py_XDECREF(before);
 }
 
 void PythonArguments::add(double number) {
-  const auto bits = std::bit_cast<std::uint64_t>(number);
-  const bool same = objects_.at(end_) != nullptr && std::exchange(bits_[end_], bits) == bits;
-  bits_[end_] = bits;
-  same ? void(++end_) : replace(PyFloat_FromDouble(number));
+  PyObject* const kept = objects_[end_];
+  if (repeated(std::bit_cast<std::uint64_t>(number))) {
+    ++end_;
+  } else if (kept != nullptr && Py_REFCNT(kept) == 1) {
+    reinterpret_cast<PyFloatObject*>(kept)->ob_fval = number;
+    changed_ = true;
+    ++end_;
+  } else {
+    replace(PyFloat_FromDouble(number));
+  }
 }
 
 void PythonArguments::add(long number) {
-  PyObject* kept = objects_.at(end_);
-  const bool same = kept != nullptr && PyLong_AsLong(kept) == number;
-  same ? void(++end_) : replace(PyLong_FromLong(number));
+  repeated(static_cast<std::uint64_t>(number)) ? void(++end_) : replace(PyLong_FromLong(number));
 }
 
 void PythonArguments::add_array(const Argument& argument) {
-  if (PyObject* kept = objects_.at(end_); kept != nullptr) {
+  if (PyObject* kept = objects_[end_]; kept != nullptr) {
     auto array = py::reinterpret_borrow<py::array>(kept);
     if (can_be_filled(array, argument)) {
       auto* numbers = static_cast<double*>(array.mutable_data());

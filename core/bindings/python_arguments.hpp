@@ -13,8 +13,8 @@ namespace dalembert {
 
 namespace py = pybind11;
 
-// They are kept from call to call: numbers that have not changed are passed again, arrays are filled again unless the
-// function has kept them. The lock of the interpreter is held.
+// They are kept from call to call: numbers that have not changed are passed again, floats and arrays are filled again unless
+// the function has kept them. The lock of the interpreter is held.
 class PythonArguments {
  public:
   static constexpr std::size_t most = 24;
@@ -26,13 +26,8 @@ class PythonArguments {
 
   void clear();
 
-  void begin() {
-    end_ = first;
-    changed_ = false;
-  }
-  void add(double number);
-  void add(long number);
-  void add(Signature::Kind kind, const Argument& argument);
+  // Time and item number are left out where the signature does.
+  void fill(const Signature& signature, double time, int item, std::span<const Argument> arguments);
   // Whether they differ from those before, or were not kept.
   bool changed() const { return changed_; }
   // What the function returns for the system and the arguments; nullptr: it has raised an exception.
@@ -41,7 +36,11 @@ class PythonArguments {
   void abandon() { objects_ = {}; }
 
  private:
+  void add(double number);
+  void add(long number);
+  void add(Signature::Kind kind, const Argument& argument);
   void add_array(const Argument& argument);
+  bool repeated(std::uint64_t bits);
   void replace(PyObject* object);  // stolen
 
   static constexpr std::size_t first = 2;  // the place before belongs to the system, and one to the call itself

@@ -52,17 +52,20 @@ class PythonCallback final : public ItemCallback {
     const InterpreterLock lock(InterpreterLock::Afterwards::may_be_kept);
     const py::object result = invoke(time, item, arguments);
     try {
-      store(result.ptr(), results);
+      if (!read_plain_reals(result.ptr(), dimensions_, results)) store(result.ptr(), results);
     } catch (const Refusal& refusal) {
       refuse_result(result.ptr(), refusal, item);
     }
-    if (!running_) last_.assign(results.begin(), results.end());
+    if (running_) return;
+    last_.resize(results.size());
+    std::ranges::copy(results, last_.begin());
+    last_known_ = true;
   }
 
   void recall(double time, int item, std::span<const Argument> arguments, std::span<double> results) const override {
     const InterpreterLock lock(InterpreterLock::Afterwards::may_be_kept);
-    if (!running_ && last_.size() == results.size()) {
-      fill(kept_, time, item, arguments);
+    if (!running_ && last_known_ && last_.size() == results.size()) {
+      kept_.fill(shape_, time, item, arguments);
       if (!kept_.changed()) {
         std::ranges::copy(last_, results.begin());
         return;
@@ -75,7 +78,7 @@ class PythonCallback final : public ItemCallback {
     const InterpreterLock lock(InterpreterLock::Afterwards::may_be_kept);
     const py::object result = invoke(time, item, arguments);
     try {
-      if (signature().result == Kind::scalar || PyFloat_Check(result.ptr())) return {read_real(result.ptr())};
+      if (shape_.result == Kind::scalar || PyFloat_Check(result.ptr())) return {read_real(result.ptr())};
       return read_reals(result.ptr());
     } catch (const Refusal& refusal) {
       refuse_result(result.ptr(), refusal, item);
@@ -92,24 +95,19 @@ class PythonCallback final : public ItemCallback {
       return invoke(own, time, item, arguments);
     }
     const Running running(running_);
-    last_.clear();
+    last_known_ = false;
     return invoke(kept_, time, item, arguments);
   }
 
   py::object invoke(PythonArguments& objects, double time, int item, std::span<const Argument> arguments) const {
-    fill(objects, time, item, arguments);
+    objects.fill(shape_, time, item, arguments);
     PyObject* result = objects.call(function().ptr(), system().ptr());
-    if (result == nullptr) throw_python_error("in " + describe(item) + ", at time " + std::to_string(time));
+    if (result == nullptr) blame(time, item);
     return py::reinterpret_steal<py::object>(result);
   }
 
-  void fill(PythonArguments& objects, double time, int item, std::span<const Argument> arguments) const {
-    const Signature& shape = signature();
-    objects.begin();
-    if (shape.takes_time) objects.add(time);
-    if (shape.takes_item) objects.add(static_cast<long>(item));
-    for (std::size_t i = 0; i < arguments.size(); ++i)
-      objects.add(i < shape.arguments.size() ? shape.arguments[i] : Kind::scalar, arguments[i]);
+  [[noreturn]] void blame(double time, int item) const {
+    throw_python_error("in " + describe(item) + ", at time " + std::to_string(time));
   }
 
   // The Python object of the system, which owns this callback: only a weak reference to it is kept.
@@ -124,9 +122,9 @@ class PythonCallback final : public ItemCallback {
     return object;
   }
 
+  // Whatever else numbers may come as.
   void store(PyObject* result, std::span<double> results) const {
-    if (read_plain_reals(result, dimensions(signature().result), results)) return;
-    switch (signature().result) {
+    switch (shape_.result) {
       case Kind::scalar:
       case Kind::integer:
       case Kind::boolean: results[0] = read_real(result); return;
@@ -172,10 +170,12 @@ class PythonCallback final : public ItemCallback {
     bool& flag;
   };
 
+  const Signature& shape_ = signature();
+  const int dimensions_ = dimensions(shape_.result);
   mutable py::object system_;  // weak reference
   mutable PythonArguments kept_;
-  mutable std::vector<double> last_;  // results of the call with these
-  mutable bool running_ = false;
+  mutable std::vector<double> last_;  // results of the call with these, if known
+  mutable bool running_ = false, last_known_ = false;
 };
 
 }  // namespace

@@ -83,11 +83,12 @@ void register_plain_vectors(py::module_& module) {
 
 bool read_plain_reals(PyObject* value, int dimensions, std::span<double> out) {
   if (out.empty()) return false;
-  bool plain = false;
   if (PyFloat_CheckExact(value)) {
     out[0] = PyFloat_AS_DOUBLE(value);
-    plain = dimensions == 0;
-  } else if (PyList_CheckExact(value) || PyTuple_CheckExact(value)) {
+    return dimensions == 0 && std::isfinite(out[0]);
+  }
+  bool plain = false;
+  if (PyList_CheckExact(value) || PyTuple_CheckExact(value)) {
     plain = dimensions == 1 && static_cast<std::size_t>(Py_SIZE(value)) == out.size() &&
             read_plain_list(PySequence_Fast_ITEMS(value), out);
   } else if (dimensions > 0 && is_array(value)) {

@@ -52,16 +52,19 @@ class ImplicitWrapper final : public WrappedSolver<SecondOrderSolver> {
   // While a function runs, the same part called from it is the built-in one.
   template <class BuiltIn, class... Arguments>
   auto replaced(const char* part, BuiltIn&& built_in, Arguments... arguments) -> decltype(built_in()) {
-    using Result = decltype(built_in());
-    if (functions_.empty() || running_ == part) return built_in();
-    const auto found = functions_.find(part);
-    if (found == functions_.end()) return built_in();
+    if (functions_.empty() || !is_replaced(part)) [[likely]] return built_in();
+    return call_replacement<decltype(built_in())>(part, arguments...);
+  }
+  bool is_replaced(const char* part) const { return running_ != part && functions_.find(part) != functions_.end(); }
+
+  template <class Result, class... Arguments>
+  [[gnu::noinline]] Result call_replacement(const char* part, Arguments... arguments) {
     const InterpreterLock lock;
     const std::string_view before = std::exchange(running_, part);
     PyObject* raw = nullptr;
     {
       const py::tuple all = py::make_tuple(py::cast(shared()), main(), settings_object, arguments...);
-      raw = PyObject_Call(found->second.ptr(), all.ptr(), nullptr);
+      raw = PyObject_Call(functions_.find(part)->second.ptr(), all.ptr(), nullptr);
     }
     running_ = before;
     if (raw == nullptr) throw_python_error("in the user function " + std::string(part) + " of the solver");

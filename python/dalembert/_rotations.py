@@ -19,6 +19,12 @@ eulerParameters0: list[float] = [1.0, 0.0, 0.0, 0.0]  # rotation by the angle ze
 _GIMBAL = 1e-14  # below this, the two outer axes of a sequence of angles count as parallel
 
 
+def _cross(a: FloatArray, b: FloatArray) -> FloatArray:
+    """Return the cross product of two 3D vectors; np.cross takes longer for its many other cases."""
+    (a0, a1, a2), (b0, b1, b2) = a.tolist(), b.tolist()
+    return np.array([a1 * b2 - a2 * b1, a2 * b0 - a0 * b2, a0 * b1 - a1 * b0])
+
+
 def ComputeOrthonormalBasisVectors(vector0: npt.ArrayLike) -> list[FloatArray]:
     """Return the right-handed triad [vector0 normalized, normal1, normal2]; [zeros, e_x, e_y] for a zero vector."""
     v = as_vector("vector0", vector0, 3)
@@ -30,7 +36,7 @@ def ComputeOrthonormalBasisVectors(vector0: npt.ArrayLike) -> list[FloatArray]:
     helper = np.array([0.0, 1.0, 0.0]) if alongX else np.array([1.0, 0.0, 0.0])
     normal1 = helper - (helper @ v) * v
     normal1 /= np.linalg.norm(normal1)
-    return [v, normal1, np.cross(v, normal1)]
+    return [v, normal1, _cross(v, normal1)]
 
 
 def ComputeOrthonormalBasis(vector0: npt.ArrayLike) -> FloatArray:
@@ -50,7 +56,7 @@ def GramSchmidt(vector0: npt.ArrayLike, vector1: npt.ArrayLike) -> list[FloatArr
     if length == 0.0:
         raise shape_error("vector1", "a vector not parallel to vector0", vector1)
     e1 = e1 / length
-    return [e0, e1, np.cross(e0, e1)]
+    return [e0, e1, _cross(e0, e1)]
 
 
 def Skew(vector: npt.ArrayLike) -> FloatArray:
@@ -110,23 +116,30 @@ def RotationMatrix2EulerParameters(rotationMatrix: npt.ArrayLike) -> FloatArray:
     All products 4*p_i*p_j are linear in the matrix entries; the row of the largest p_i gives p without cancellation
     (Shepperd, J. Guidance and Control 1, 1978).
     """
-    A = as_matrix("rotationMatrix", rotationMatrix, (3, 3))
-    products = np.empty((4, 4))
-    products[1:, 1:] = A + A.T
-    products[0, 1:] = products[1:, 0] = A[2, 1] - A[1, 2], A[0, 2] - A[2, 0], A[1, 0] - A[0, 1]
-    diagonal = np.diag(A)
-    trace = diagonal.sum()
-    products[0, 0] = 1.0 + trace
-    products[[1, 2, 3], [1, 2, 3]] = 1.0 + 2.0 * diagonal - trace
-    p = products[np.argmax(np.diag(products))]
+    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = as_matrix("rotationMatrix", rotationMatrix, (3, 3)).tolist()
+    trace = xx + yy + zz
+    products = [
+        [1.0 + trace, zy - yz, xz - zx, yx - xy],
+        [zy - yz, 1.0 + 2.0 * xx - trace, xy + yx, xz + zx],
+        [xz - zx, xy + yx, 1.0 + 2.0 * yy - trace, yz + zy],
+        [yx - xy, xz + zx, yz + zy, 1.0 + 2.0 * zz - trace],
+    ]
+    largest = max(range(4), key=lambda i: products[i][i])
+    p = np.array(products[largest])
     p = p / np.linalg.norm(p)
     return -p if p[0] < 0.0 else p
 
 
 def AngularVelocity2EulerParameters_t(angularVelocity: npt.ArrayLike, eulerParameters: npt.ArrayLike) -> FloatArray:
     """Return the 4 rates of unit Euler parameters from the angular velocity in the global frame."""
-    omega = as_vector("angularVelocity", angularVelocity, 3)
-    return 0.25 * EulerParameters2G(eulerParameters).T @ omega
+    x, y, z = as_vector("angularVelocity", angularVelocity, 3).tolist()
+    s, u, v, w = as_vector("eulerParameters", eulerParameters, 4).tolist()
+    return 0.5 * np.array([
+        -u * x - v * y - w * z,
+        s * x + w * y - v * z,
+        -w * x + s * y + u * z,
+        v * x - u * y + s * z,
+    ])  # fmt: skip
 
 
 def RotationVector2RotationMatrix(rotationVector: npt.ArrayLike) -> FloatArray:

@@ -308,3 +308,23 @@ def test_a_load_turns_with_its_body_from_the_next_assembly_on(mbs: exu.MainSyste
     inertia = 2 if load == "LoadForceVector" else 0.4 * 2 * 0.1**2
     # The force turns no further; the torque turns the body about its own axis: both are constant.
     np.testing.assert_allclose(rate, [0, 3 * 1e-3 / inertia, 0], rtol=1e-7, atol=1e-12)
+
+
+def test_reference_outputs_before_assembly_follow_every_change(mbs: exu.MainSystem) -> None:
+    def position(body: Any) -> list[float]:
+        reference = exu.ConfigurationType.Reference
+        return mbs.GetObjectOutputBody(body, exu.OutputVariableType.Position, configuration=reference).tolist()
+
+    nodes = [mbs.AddNode(exu.NodePoint(referenceCoordinates=[x, 0, 0])) for x in range(3)]
+    bodies = [mbs.AddObject(exu.MassPoint(physicsMass=1, nodeNumber=node)) for node in nodes]
+    assert [position(body) for body in bodies] == [[0, 0, 0], [1, 0, 0], [2, 0, 0]]
+    mbs.SetNodeParameter(nodes[1], "referenceCoordinates", [5, 0, 0])
+    assert [position(body) for body in bodies] == [[0, 0, 0], [5, 0, 0], [2, 0, 0]]
+    mbs.ModifyObject(bodies[0], {"nodeNumber": nodes[2]})
+    assert [position(body) for body in bodies] == [[2, 0, 0], [5, 0, 0], [2, 0, 0]]
+    mbs.ModifyObject(bodies[0], {"nodeNumber": nodes[0]})
+    mbs.DeleteObject(bodies[0])  # the others and their nodes move up
+    assert [position(body) for body in bodies[:2]] == [[5, 0, 0], [2, 0, 0]]
+    mbs.Reset()
+    mbs.AddNode(exu.NodePoint(referenceCoordinates=[7, 0, 0]))
+    assert position(mbs.AddObject(exu.MassPoint(physicsMass=1, nodeNumber=0))) == [7, 0, 0]

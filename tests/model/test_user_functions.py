@@ -129,6 +129,21 @@ def test_arrays_that_a_function_keeps_stay_as_they_were(mbs: exu.MainSystem) -> 
     assert all(vector.tolist() == [1 + t, 2, 3] for t, vector in kept)
 
 
+def test_numbers_that_a_function_keeps_stay_as_they_were(mbs: exu.MainSystem) -> None:
+    kept, seen = [], []
+
+    def wind(system: exu.MainSystem, t: float, vector: Any) -> Any:
+        kept.append(t)
+        seen.append(f"{t:.17g}")
+        return vector
+
+    load(mbs, wind)
+    mbs.Assemble()
+    solve(mbs, 10)
+    assert len(set(seen)) > 10
+    assert [f"{t:.17g}" for t in kept] == seen
+
+
 def test_function_that_is_called_while_it_runs(mbs: exu.MainSystem) -> None:
     def wind(system: exu.MainSystem, t: float, vector: Any) -> Any:
         if t == 0:

@@ -111,8 +111,10 @@ int Model::add(Item item) {
   const ItemKind kind = item.type->kind;
   const int number = count(kind);
   if (item.type->physics == nullptr && kind != ItemKind::sensor) refuse_planned(*item.type);
-  adopt_name(kind, number, item);
-  register_name(kind, number, item.name());
+  if (!item.name().empty()) {
+    adopt_name(kind, number, item);
+    register_name(kind, number, item.name());
+  }
   items(kind).push_back(std::move(item));
   ++structure_changes_;
   return number;

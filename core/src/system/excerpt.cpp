@@ -1,5 +1,6 @@
 #include "dalembert/system/excerpt.hpp"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -17,6 +18,7 @@ class Copier {
     const auto found = numbers_.find({kind, number});
     if (found != numbers_.end()) return found->second;
     const Item& item = from_.item(kind, number);
+    sources.push_back({kind, number, item.record});
     const std::shared_ptr<void> record = item.type->record.copy(item.record.get());
     for (const Row& row : item.type->rows) {
       const IndexStorage storage = index_storage(row.storage);
@@ -29,19 +31,39 @@ class Copier {
   }
 
   Model to;
+  std::vector<Excerpt::Source> sources;
 
  private:
   const Model& from_;
   std::map<std::pair<ItemKind, int>, int> numbers_;
 };
 
+// Records never change, they are replaced.
+bool is_current(const Excerpt& excerpt, const Model& model) {
+  return std::ranges::all_of(excerpt.sources, [&](const Excerpt::Source& source) {
+    const Item* item = model.find_item(source.kind, source.number);
+    return item != nullptr && item->record == source.record;
+  });
+}
+
 }  // namespace
 
 Excerpt excerpt(const Model& model, ItemKind kind, int number) {
   Copier copier(model);
-  Excerpt part{std::make_unique<System>(), copier.copy(kind, number)};
+  Excerpt part{std::make_unique<System>(), copier.copy(kind, number), std::move(copier.sources)};
   part.system->assemble(copier.to);
   return part;
+}
+
+const Excerpt& Excerpts::of(const Model& model, ItemKind kind, int number) {
+  for (const Excerpt& known : kept_) {
+    if (known.sources.empty() || known.sources[0].kind != kind || known.sources[0].number != number) continue;
+    if (is_current(known, model)) return known;
+  }
+  Excerpt& place = kept_[next_];
+  place = excerpt(model, kind, number);
+  next_ = (next_ + 1) % kept_.size();
+  return place;
 }
 
 }  // namespace dalembert

@@ -5,8 +5,9 @@ from __future__ import annotations
 import difflib
 import functools
 import inspect
-from collections.abc import Callable, Iterable, Sequence
-from typing import Any, Literal, NamedTuple
+from collections.abc import Callable, Sequence
+from math import isfinite
+from typing import Any, Literal, NamedTuple, NoReturn
 
 import numpy as np
 import numpy.typing as npt
@@ -38,6 +39,8 @@ class Check(NamedTuple):
 
 
 def _is_number(value: Any) -> bool:
+    if type(value) is float:
+        return isfinite(value)
     return isinstance(value, (int, float, np.integer, np.floating)) and bool(np.isfinite(value))
 
 
@@ -115,24 +118,24 @@ def checked(function: Callable[..., Any], checks: dict[str, Check]) -> Callable[
     item has been added.
     """
     names = list(inspect.signature(function).parameters)
-    title = function.__name__
     table = {name: (COMMON | checks).get(name, ANYTHING) for name in names}
+    tests = {name: check.test for name, check in table.items()}
+    anything = ANYTHING.test
 
-    def check_all(given: Iterable[tuple[str, Any]]) -> None:
-        for name, value in given:
-            check = table.get(name)
-            if check is None:
-                near = difflib.get_close_matches(name, names, 1)
-                hint = f"; did you mean '{near[0]}'?" if near else f"; known are: {', '.join(names[1:])}"
-                raise TypeError(f"MainSystem.{title}(...): unknown argument '{name}'{hint}")
-            if check is not ANYTHING and not check.test(value):
-                raise argument_error(title, name, check.expected, value)
+    def refuse(name: str, value: Any) -> NoReturn:
+        if name in table:
+            raise argument_error(function.__name__, name, table[name].expected, value)
+        near = difflib.get_close_matches(name, names, 1)
+        hint = f"; did you mean '{near[0]}'?" if near else f"; known are: {', '.join(names[1:])}"
+        raise TypeError(f"MainSystem.{function.__name__}(...): unknown argument '{name}'{hint}")
 
     @functools.wraps(function)
     def call(*args: Any, **kwargs: Any) -> Any:
-        if len(args) > 1:
-            check_all(zip(names, args, strict=False))
-        check_all(kwargs.items())
+        given = kwargs if len(args) < 2 else dict(zip(names, args, strict=False)) | kwargs
+        for name, value in given.items():
+            test = tests.get(name)
+            if test is not anything and (test is None or not test(value)):
+                refuse(name, value)
         return function(*args, **kwargs)
 
     return call

@@ -58,6 +58,13 @@ def CreateGround(
     )
 
 
+def _node_view(show: bool, drawSize: float, color: Vector) -> dict[str, Any]:
+    """Return how a node is drawn, as far as it is not drawn by default. Graphics replaces its symbol: drawSize is 0."""
+    if show is True and drawSize == -1 and color is DEFAULT_COLOR:
+        return {}
+    return {"show": show, "drawSize": drawSize, "color": color}
+
+
 def _add_gravity(mbs: Any, node: Any, body: Any, gravity: Vector, returnDict: bool) -> Any:
     """Add the weight of a body, if there is gravity, and return what a Create function of a body returns."""
     weight = {}
@@ -94,25 +101,18 @@ def CreateMassPoint(
         node_type, body_type = items.NodePoint2D, items.ObjectMassPoint2D
         referencePosition, initialDisplacement = referencePosition[:2], initialDisplacement[:2]
         initialVelocity = initialVelocity[:2]
-    if graphicsDataList:
-        drawSize = 0  # the graphics replaces the node's symbol
+    node_view = _node_view(show, 0 if graphicsDataList else drawSize, color)
     node = mbs.AddNode(
         node_type(
             name=f"Node:{name}" if name else "",
             referenceCoordinates=referencePosition,
             initialCoordinates=initialDisplacement,
             initialVelocities=initialVelocity,
-            visualization={"show": show, "drawSize": drawSize, "color": color},
+            visualization=node_view,
         )
     )
-    body = mbs.AddObject(
-        body_type(
-            name=name,
-            physicsMass=physicsMass,
-            nodeNumber=node,
-            visualization={"show": bool(graphicsDataList), "graphicsData": graphicsDataList},
-        )
-    )
+    body_view = {"graphicsData": graphicsDataList} if graphicsDataList else {"show": False}
+    body = mbs.AddObject(body_type(name=name, physicsMass=physicsMass, nodeNumber=node, visualization=body_view))
     return _add_gravity(mbs, node, body, gravity, returnDict)
 
 
@@ -253,9 +253,7 @@ def CreateRigidBody(
 
     if not graphicsDataList:
         graphicsDataList = [shape] if (shape := inertia.GetGraphics(color)) else []
-    if graphicsDataList:
-        drawSize = 0  # the graphics replaces the node's symbol
-    node_view = getattr(items, "V" + node_type)(show=show, drawSize=drawSize, color=color)
+    node_view = _node_view(show, 0 if graphicsDataList else drawSize, color)
     node = mbs.AddNode(
         getattr(items, node_type)(name=f"Node:{name}" if name else "", visualization=node_view, **coordinates)
     )

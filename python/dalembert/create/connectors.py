@@ -174,7 +174,7 @@ def CreateRigidBodySpringDamper(
 def frame_with_z(axis: FloatArray) -> FloatArray:
     """Return a rotation matrix whose third column is along the axis."""
     along, first, second = ComputeOrthonormalBasisVectors(axis)
-    return np.column_stack([-second, first, along])
+    return np.array([-second, first, along]).T
 
 
 def CreateTorsionalSpringDamper(

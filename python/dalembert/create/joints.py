@@ -99,7 +99,7 @@ def CreatePrismaticJoint(
 
 def axis_given(function: str, axis: Vector) -> None:
     """Raise a ValueError if a joint has no axis, or one of zero length."""
-    if len(axis) != 3 or not np.any(np.asarray(axis, dtype=float) != 0):
+    if len(axis) != 3 or not any(axis):
         raise argument_error(function, "axis", "a vector with 3 components that is not zero", axis)
 
 

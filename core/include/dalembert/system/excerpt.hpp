@@ -1,7 +1,9 @@
 // One item and all that it stands on, as a system of their own: what an item tells before the whole model is assembled.
 #pragma once
 
+#include <array>
 #include <memory>
+#include <vector>
 
 #include "dalembert/model/model.hpp"
 #include "dalembert/system/system.hpp"
@@ -9,10 +11,28 @@
 namespace dalembert {
 
 struct Excerpt {
+  struct Source {
+    ItemKind kind;
+    int number;
+    std::shared_ptr<const void> record;
+  };
+
   std::unique_ptr<System> system;
-  int number = -1;  // of the item in it
+  int number = -1;              // of the item in it
+  std::vector<Source> sources;  // what was copied; the item comes first
 };
 
 Excerpt excerpt(const Model& model, ItemKind kind, int number);
+
+// Keeps the last ones: while a model is built, the same items are asked again and again.
+class Excerpts {
+ public:
+  // Valid until the next call.
+  const Excerpt& of(const Model& model, ItemKind kind, int number);
+
+ private:
+  std::array<Excerpt, 4> kept_;
+  std::size_t next_ = 0;
+};
 
 }  // namespace dalembert
