@@ -366,3 +366,43 @@ def test_zeros_of_the_pattern_take_no_part_before_they_change() -> None:
     assert solver.statistics == {**solver.statistics, "factorizations": 3, "pivot_searches": 2}
     assert solver.factorize(masses.data) == -1
     assert backward_error(masses, solver.solve(b), b) < 200 * EPS
+
+
+@pytest.mark.parametrize("instructions", INSTRUCTIONS)
+@pytest.mark.parametrize("multipliers", [0, 1])
+def test_blocks_of_all_sizes(multipliers: int, instructions: str) -> None:
+    """A star of dense blocks with 1 to 21 unknowns around 13 others: groups of pivots and rows below them of all lengths."""
+    rng = np.random.default_rng(26)
+    sizes = np.arange(1, 22)
+    centre, ends = 13, np.cumsum(sizes)
+    n = int(ends[-1]) + centre
+    matrix = np.zeros((n, n))
+    matrix[-centre:, -centre:] = rng.normal(size=(centre, centre)) + 30 * np.eye(centre)
+    for size, end in zip(sizes, ends, strict=True):
+        own, outer = slice(end - size, end), n - centre + np.arange(1 + size % centre)
+        matrix[own, own] = rng.normal(size=(size, size)) + 2 * size * np.eye(size)
+        matrix[own, outer] = rng.normal(size=(size, outer.size))
+        matrix[outer, own] = rng.normal(size=(outer.size, size))
+        if multipliers and size > 1:  # the last two are each other's pivots
+            matrix[end - 1, end - 1] = matrix[end - 2, end - 2] = 0
+            matrix[end - 1, end - 2] = matrix[end - 2, end - 1] = 5
+    whole = csc(matrix)
+    solver = solver_of(whole, instructions=instructions)
+    for factor in (1.0, -3.0):
+        assert solver.factorize(factor * whole.data) == -1
+        for b in (np.ones(n), rng.normal(size=n)):
+            assert backward_error(factor * whole, solver.solve(b), b) < 200 * EPS
+    assert solver.statistics["pivot_searches"] == 1
+
+
+def test_small_diagonal_entries_are_no_pivots() -> None:
+    """Constraints with a compliance near round-off: no diagonal entry is zero, yet pivots must be exchanged."""
+    matrix = chain(30, 27).toarray()
+    n = 30 * 7
+    matrix[range(n, matrix.shape[0]), range(n, matrix.shape[0])] = -1e-14
+    compliant = csc(matrix)
+    solver = solver_of(compliant)
+    b = np.sin(np.arange(matrix.shape[0]))
+    for _ in range(2):
+        assert solver.factorize(compliant.data) == -1
+        assert backward_error(compliant, solver.solve(b), b) < 200 * EPS

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
+#include <utility>
 
 namespace dalembert {
 
@@ -16,12 +18,15 @@ double cost(double p, double u) {
   return 60 + 0.25 * m * m + 0.7 * u * u + (m * m * m - u * u * u) * (2.0 / 3) / 20;
 }
 
+// Works with groups of unknowns that have the same columns and follow each other.
 class TreeBuilder {
  public:
   TreeBuilder(const Pattern& pattern, const EliminationOrder& order);
   std::vector<FrontStructure> build();
 
  private:
+  void group_equal_columns(const Pattern& pattern);
+  void connect(const Pattern& pattern);
   void find_parents();
   void sort_by_tree();
   std::vector<int> count_entries();
@@ -29,28 +34,71 @@ class TreeBuilder {
   void find_updates();
   void unite();
 
-  // Calls f with the position of each neighbour of the unknown at a position.
+  // Calls f with the position of each neighbour of the group at a position.
   template <class F>
   void neighbours(int position, F&& f) const {
-    const int j = order_[position];
-    for (int k = pattern_.column_start()[j]; k < pattern_.column_start()[j + 1]; ++k) f(position_[pattern_.row_index()[k]]);
+    const int g = order_[position];
+    for (int k = first_neighbour_[g]; k < first_neighbour_[g + 1]; ++k) f(position_[neighbours_[k]]);
   }
+  int unknowns_at(int position) const { return first_unknown_[order_[position] + 1] - first_unknown_[order_[position]]; }
+  int count_unknowns(const std::vector<int>& positions) const;
 
   struct Supernode {
     std::vector<int> pivots, updates, children;  // positions; supernodes
     int parent = -1;
+    int pivot_count = 0, update_count = 0;  // of unknowns
   };
 
-  const Pattern& pattern_;
-  int size_;
+  const EliminationOrder& unknowns_;
+  std::vector<int> first_unknown_, first_neighbour_, neighbours_;  // of each group, and the end
+  int size_;                                                       // number of groups
   std::vector<int> order_, position_, parent_;
   std::vector<Supernode> supernodes_;
 };
 
-TreeBuilder::TreeBuilder(const Pattern& pattern, const EliminationOrder& order)
-    : pattern_(pattern), size_(pattern.size()), order_(order), position_(size_), parent_(size_) {}
+TreeBuilder::TreeBuilder(const Pattern& pattern, const EliminationOrder& order) : unknowns_(order) {
+  group_equal_columns(pattern);
+  size_ = static_cast<int>(first_unknown_.size()) - 1;
+  connect(pattern);
+  order_.resize(static_cast<std::size_t>(size_));
+  std::iota(order_.begin(), order_.end(), 0);
+  position_ = parent_ = order_;
+}
 
-// The elimination tree: the parent of an unknown is the first one that its elimination couples with others.
+void TreeBuilder::group_equal_columns(const Pattern& pattern) {
+  const auto column = [&](int j) {
+    const int begin = pattern.column_start()[j];
+    return pattern.row_index().subspan(begin, pattern.column_start()[j + 1] - begin);
+  };
+  for (int k = 0; k < pattern.size(); ++k) {
+    if (k == 0 || !std::ranges::equal(column(unknowns_[k - 1]), column(unknowns_[k]))) first_unknown_.push_back(k);
+  }
+  first_unknown_.push_back(pattern.size());
+}
+
+void TreeBuilder::connect(const Pattern& pattern) {
+  std::vector<int> group(unknowns_.size()), mark(static_cast<std::size_t>(size_), -1);
+  for (int g = 0; g < size_; ++g) {
+    for (int k = first_unknown_[g]; k < first_unknown_[g + 1]; ++k) group[unknowns_[k]] = g;
+  }
+  for (int g = 0; g < size_; ++g) {
+    first_neighbour_.push_back(static_cast<int>(neighbours_.size()));
+    const int j = unknowns_[first_unknown_[g]];
+    for (int k = pattern.column_start()[j]; k < pattern.column_start()[j + 1]; ++k) {
+      const int other = group[pattern.row_index()[k]];
+      if (std::exchange(mark[other], g) != g) neighbours_.push_back(other);
+    }
+  }
+  first_neighbour_.push_back(static_cast<int>(neighbours_.size()));
+}
+
+int TreeBuilder::count_unknowns(const std::vector<int>& positions) const {
+  int count = 0;
+  for (const int k : positions) count += unknowns_at(k);
+  return count;
+}
+
+// The elimination tree: the parent of a group is the first one that its elimination couples with others.
 void TreeBuilder::find_parents() {
   for (int k = 0; k < size_; ++k) position_[order_[k]] = k;
   std::vector<int> root(static_cast<std::size_t>(size_), -1);
@@ -94,7 +142,7 @@ void TreeBuilder::sort_by_tree() {
   find_parents();
 }
 
-// Entries of each column of L, without the diagonal.
+// Entries of the last column of L of each group, without the diagonal.
 std::vector<int> TreeBuilder::count_entries() {
   std::vector<int> count(static_cast<std::size_t>(size_), 0), mark(static_cast<std::size_t>(size_), -1);
   for (int row = 0; row < size_; ++row) {
@@ -103,7 +151,7 @@ std::vector<int> TreeBuilder::count_entries() {
       if (k > row) return;
       for (; mark[k] != row; k = parent_[k]) {
         mark[k] = row;
-        ++count[k];
+        count[k] += unknowns_at(row);
       }
     });
   }
@@ -115,7 +163,7 @@ void TreeBuilder::find_supernodes() {
   const std::vector<int> count = count_entries();
   std::vector<int> of(static_cast<std::size_t>(size_));
   for (int k = 0; k < size_; ++k) {
-    const bool continues = k > 0 && parent_[k - 1] == k && count[k - 1] == count[k] + 1;
+    const bool continues = k > 0 && parent_[k - 1] == k && count[k - 1] == count[k] + unknowns_at(k);
     if (!continues) supernodes_.emplace_back();
     supernodes_.back().pivots.push_back(k);
     of[k] = static_cast<int>(supernodes_.size()) - 1;
@@ -141,21 +189,22 @@ void TreeBuilder::find_updates() {
     for (const int k : node.pivots) neighbours(k, add);
     for (const int child : node.children) std::ranges::for_each(supernodes_[child].updates, add);
     std::sort(node.updates.begin(), node.updates.end());
+    node.pivot_count = count_unknowns(node.pivots);
+    node.update_count = count_unknowns(node.updates);
   }
 }
 
 // From the leaves on, each front takes in the children that are cheaper as a part of it.
 void TreeBuilder::unite() {
-  const auto size = [](const std::vector<int>& list) { return static_cast<double>(list.size()); };
   for (Supernode& node : supernodes_) {
     for (;;) {
-      const double p = size(node.pivots), u = size(node.updates);
+      const double p = node.pivot_count, u = node.update_count;
       double best = 0;
       int taken = -1;
       for (const int c : node.children) {
         const Supernode& child = supernodes_[c];
-        const double more = size(child.pivots);
-        const double gain = cost(p, u) + cost(more, size(child.updates)) - cost(p + more, u);
+        const double more = child.pivot_count;
+        const double gain = cost(p, u) + cost(more, child.update_count) - cost(p + more, u);
         if (gain > best) {
           best = gain;
           taken = c;
@@ -163,6 +212,7 @@ void TreeBuilder::unite() {
       }
       if (taken < 0) break;
       Supernode& child = supernodes_[taken];
+      node.pivot_count += child.pivot_count;
       node.pivots.insert(node.pivots.begin(), child.pivots.begin(), child.pivots.end());
       std::erase(node.children, taken);
       node.children.insert(node.children.end(), child.children.begin(), child.children.end());
@@ -181,7 +231,10 @@ std::vector<FrontStructure> TreeBuilder::build() {
   std::vector<std::size_t> visited(supernodes_.size(), 0);
   const auto unknowns = [&](const std::vector<int>& positions) {
     std::vector<int> result;
-    for (const int k : positions) result.push_back(order_[k]);
+    for (const int k : positions) {
+      const auto first = unknowns_.begin() + first_unknown_[order_[k]];
+      result.insert(result.end(), first, first + unknowns_at(k));
+    }
     return result;
   };
   for (int root = 0; root < static_cast<int>(supernodes_.size()); ++root) {

@@ -3,12 +3,17 @@
 #include <bit>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 #include "dalembert/linear/linear_solver.hpp"
 #include "dalembert/math/processor.hpp"
 #include "elimination_list.hpp"
 
 #define INLINE [[gnu::always_inline]] inline
+// Registers instead of arrays.
+#define UNROLL _Pragma("GCC unroll 8")
+#define FRONT_KERNELS \
+  factorize, eliminate, substitute, add_columns, pack, forward, backward, take_listed, factorize_listed, solve_listed
 
 namespace dalembert {
 
@@ -18,11 +23,12 @@ namespace portable {
 #define TILE_ROWS 2
 #define TILE_COLUMNS 4
 #include "front_kernels.inc"
+#include "solution_sweeps.inc"
 #undef NARROW
 #undef WIDE
 #undef TILE_ROWS
 #undef TILE_COLUMNS
-constexpr FrontKernels kernels{"portable", factorize, eliminate, substitute, take_listed, factorize_listed, solve_listed};
+constexpr FrontKernels kernels{"portable", FRONT_KERNELS};
 }  // namespace portable
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
@@ -36,11 +42,12 @@ namespace avx2 {
 #define TILE_ROWS 3
 #define TILE_COLUMNS 4
 #include "front_kernels.inc"
+#include "solution_sweeps.inc"
 #undef NARROW
 #undef WIDE
 #undef TILE_ROWS
 #undef TILE_COLUMNS
-constexpr FrontKernels kernels{"avx2", factorize, eliminate, substitute, take_listed, factorize_listed, solve_listed};
+constexpr FrontKernels kernels{"avx2", FRONT_KERNELS};
 }  // namespace avx2
 #pragma GCC pop_options
 
@@ -52,11 +59,12 @@ namespace avx512 {
 #define TILE_ROWS 3
 #define TILE_COLUMNS 8
 #include "front_kernels.inc"
+#include "solution_sweeps.inc"
 #undef NARROW
 #undef WIDE
 #undef TILE_ROWS
 #undef TILE_COLUMNS
-constexpr FrontKernels kernels{"avx512", factorize, eliminate, substitute, take_listed, factorize_listed, solve_listed};
+constexpr FrontKernels kernels{"avx512", FRONT_KERNELS};
 }  // namespace avx512
 #pragma GCC pop_options
 

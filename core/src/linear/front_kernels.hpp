@@ -8,14 +8,22 @@
 #include <span>
 #include <string_view>
 
+#include "solution_sweeps.hpp"
+
 namespace dalembert {
 
 class EliminationList;
 
 inline constexpr int front_chunk = 4;
+inline constexpr int front_slack = 8;
 
 // Length of a column of `rows` numbers.
 constexpr int padded(int rows) { return (rows + front_chunk - 1) / front_chunk * front_chunk; }
+
+// Rows that stand one after the other in a child as well as in its parent.
+struct RowRun {
+  int from, to, length;
+};
 
 struct FrontKernels {
   const char* name;
@@ -29,7 +37,18 @@ struct FrontKernels {
   // many numbers of `inverse` are read.
   void (*substitute)(const double* panel, int pivots, int length, const double* inverse, const double* upper, int count,
                      const double* z, double* w);
-  // The same of listed operations, digit by digit: the factors' entries out of a matrix, false if others differ from zero;
+  // Adds columns of a child to those of its parent, which start at to + places[j]. What follows a run, up to front_slack numbers,
+  // is read and written as it is.
+  void (*add_columns)(const double* from, int length, int count, std::span<const RowRun> runs, const int* places, double* to);
+  // A factorized and eliminated front into the streams of solution_sweeps.hpp. Reads up to front_slack numbers more than the
+  // front has; `inverse` is read up to the last slot.
+  void (*pack)(const double* panel, const FrontSize& front, int length, const double* columns, const double* inverse,
+               double* lower, double* upper);
+  // x := L^-1 x and x := U^-1 x for all fronts, by slots. `rows` and `columns` are the slots of the updates of each front, `w`
+  // has room for the longest. The backward sweep is given the ends: of `columns`, and of the slots that belong to fronts.
+  void (*forward)(std::span<const FrontSize> fronts, const double* lower, const int* rows, double* x, double* w);
+  void (*backward)(std::span<const FrontSize> fronts, const double* upper, const int* columns_end, double* x, double* x_end);
+  // The three above of listed operations, digit by digit: the factors' entries out of a matrix, false if others differ from zero;
   // factors and reciprocals of the pivots in place of the entries, returning the largest of L; and w := U^-1 L^-1 w.
   bool (*take_listed)(const EliminationList& list, const double* values, double* a);
   double (*factorize_listed)(const EliminationList& list, double* a, double* inverse);

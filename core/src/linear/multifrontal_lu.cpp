@@ -35,19 +35,27 @@ int MultifrontalLu::start_again(std::span<const double> values) {
   ++statistics_.pivot_searches;
   if (tree_.empty()) tree_ = assembly_tree(pattern_, minimum_degree_order(pattern_, values));
   scaling_ = balance(pattern_, values);
-  planned_ = false;
+  // Without multipliers there is in general nothing to search.
+  planned_ = !options_.ignore_singular && std::ranges::none_of(scaling_.multiplier, [](char m) { return m != 0; }) &&
+             adopt(pivots_in_order(tree_), values) && growth_ <= harmless_growth && regular();
+  if (planned_) return success;
   int singular = success;
   for (const double ratio : smallest_ratios) {
     PivotSearch search = search_pivots(pattern_, tree_, values, scaling_, ratio, options_, kernels_);
     singular = search.singular_column;
     if (singular != success) continue;
-    plan(std::move(search));
-    repeat(values);
-    planned_growth_ = std::max(growth_, 1.0);
     planned_ = true;
-    if (residual_of_test(values) <= largest_residual) break;
+    if (adopt(std::move(search.fronts), values)) break;
   }
   return planned_ ? success : singular;
+}
+
+// Factorizes with these pivots. Whether they pass the test.
+bool MultifrontalLu::adopt(std::vector<PivotedFront> fronts, std::span<const double> values) {
+  plan(std::move(fronts));
+  repeat(values);
+  planned_growth_ = std::max(growth_, 1.0);
+  return residual_of_test(values) <= largest_residual;
 }
 
 // Of the solution for a right-hand side whose solution is known to be of the size one, by scaled unknowns and equations.
@@ -80,14 +88,11 @@ bool MultifrontalLu::repeat(std::span<const double> values) {
   growth_ = 0;
   for (const Front& front : fronts_) {
     assemble(front, values);
-    double* panel = factor(front.panel);
-    double* columns = right(front);
-    growth_ = std::max(growth_, kernels_.factorize(panel, front.pivots, front.length, inverse_pivot_.data() + front.first_step));
-    if (front.updates == 0) continue;
-    kernels_.eliminate(panel, front.pivots, front.length, columns, front.updates);
-    const int rows = padded(front.pivots);
-    double* upper = factor(front.upper);
-    for (int j = 0; j < front.updates; ++j, upper += rows, columns += front.length) std::copy_n(columns, rows, upper);
+    double* inverse = inverse_pivot_.data() + front.first_slot;
+    growth_ = std::max(growth_, kernels_.factorize(panel(), front.pivots, front.length, inverse));
+    kernels_.eliminate(panel(), front.pivots, front.length, right(front), front.updates);
+    kernels_.pack(panel(), {front.pivots, front.updates}, front.length, right(front), inverse, factor(front.lower),
+                  factor(front.upper));
   }
   return growth_ <= largest_growth * planned_growth_ && regular();
 }
@@ -95,17 +100,13 @@ bool MultifrontalLu::repeat(std::span<const double> values) {
 // All pivots are larger than the threshold.
 bool MultifrontalLu::regular() const {
   bool all = true;
-  for (int k = 0; k < size_ - left_out_; ++k) {
-    all &= std::isfinite(inverse_pivot_[k]) &&
-           std::abs(inverse_pivot_[k]) * options_.pivot_threshold * (row_scale_[k] * column_scale_[k]) < 1;
-  }
+  for (int k = 0; k < pivot_slots_; ++k) all &= std::abs(inverse_pivot_[k]) * least_pivot_[k] < 1;  // not if it is not finite
   return all;
 }
 
 void MultifrontalLu::assemble(const Front& front, std::span<const double> values) {
-  double* panel = factor(front.panel);
   double* columns = right(front);
-  std::fill_n(panel, static_cast<std::size_t>(front.length) * front.pivots, 0.0);
+  std::fill_n(panel(), static_cast<std::size_t>(front.length) * front.pivots, 0.0);
   std::fill_n(columns, static_cast<std::size_t>(front.length) * front.updates, 0.0);
   const auto place = [&](double* to, int begin, int end) {
     for (int k = begin; k < end; ++k) {
@@ -113,45 +114,30 @@ void MultifrontalLu::assemble(const Front& front, std::span<const double> values
       to[entry.target] = values[entry.slot] * scales_[entry.scale];
     }
   };
-  place(panel, front.panel_entries, front.right_entries);
+  place(panel(), front.panel_entries, front.right_entries);
   place(columns, front.right_entries, front.end_of_entries);
   for (int k = front.children; k < front.end_of_children; ++k) take_over(fronts_[children_[k]], front);
 }
 
 // Adds what a child leaves.
 void MultifrontalLu::take_over(const Front& child, const Front& front) {
-  const double* from = right(child) + child.pivots;
-  const Update* updates = updates_.data() + child.first_update;
-  for (int j = 0; j < child.updates; ++j, from += child.length) {
-    double* to = (j < child.updates_in_panel ? factor(front.panel) : right(front)) + updates[j].column;
-    for (int i = 0; i < child.updates; ++i) to[updates[i].row] += from[i];
-  }
+  const double* from = right(child);
+  const std::span runs = std::span(runs_).subspan(child.runs, child.end_of_runs - child.runs);
+  const int* places = places_.data() + child.first_update;
+  const int in_panel = child.updates_in_panel;
+  kernels_.add_columns(from, child.length, in_panel, runs, places, panel());
+  from += static_cast<std::ptrdiff_t>(child.length) * in_panel;
+  kernels_.add_columns(from, child.length, child.updates - in_panel, runs, places + in_panel, right(front));
 }
 
 void MultifrontalLu::solve(std::span<double> b) {
-  double* const x = steps_.data();
-  double* const w = work_.data();
-  for (int k = 0; k < size_; ++k) x[k] = b[row_of_step_[k]] * row_scale_[k];
-  for (const Front& front : fronts_) {
-    double* own = x + front.first_step;
-    std::copy_n(own, front.pivots, w);
-    std::fill(w + front.pivots, w + front.length, 0.0);
-    kernels_.eliminate(factor(front.panel), front.pivots, front.length, w, 1);
-    std::copy_n(w, front.pivots, own);
-    const Update* updates = updates_.data() + front.first_update;
-    for (int i = 0; i < front.updates; ++i) x[updates[i].row_step] += w[front.pivots + i];
-  }
-  std::fill(x + size_ - left_out_, x + size_, 0.0);
-  for (auto front = fronts_.rbegin(); front != fronts_.rend(); ++front) {
-    double* own = x + front->first_step;
-    std::copy_n(own, front->pivots, w);
-    const Update* updates = updates_.data() + front->first_update;
-    for (int i = 0; i < front->updates; ++i) others_[i] = x[updates[i].column_step];
-    kernels_.substitute(factor(front->panel), front->pivots, front->length, inverse_pivot_.data() + front->first_step,
-                        factor(front->upper), front->updates, others_.data(), w);
-    std::copy_n(w, front->pivots, own);
-  }
-  for (int k = 0; k < size_; ++k) b[column_of_step_[k]] = x[k] * column_scale_[k];
+  double* const x = unknowns_.data();
+  double* const end = x + pivot_slots_;
+  for (std::size_t k = 0; k < unknowns_.size(); ++k) x[k] = b[row_of_slot_[k]] * row_scale_[k];
+  kernels_.forward(sizes_, factor(0), row_slot_.data(), x, work_.data());
+  std::fill(end, x + unknowns_.size(), 0.0);
+  kernels_.backward(sizes_, factor(first_upper_), column_slot_.data() + column_slot_.size(), x, end);
+  for (int j = 0; j < size_; ++j) b[j] = x[slot_of_column_[j]] * column_scale_[j];
 }
 
 }  // namespace dalembert

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "assembly_tree.hpp"
@@ -24,12 +25,13 @@ class MultifrontalLu final : public LinearSolver {
 
  private:
   struct Front {
-    int pivots, updates, length;    // length: of a column
-    int first_step;                 // of the pivots
-    std::size_t panel, upper;       // where the pivot columns and the rest of the pivot rows are stored
-    std::size_t right;              // where the other columns are while the parent needs them
-    std::size_t first_update;       // of what is stored per update
-    int updates_in_panel;           // updates whose columns are pivots of the parent
+    int pivots, updates, length;  // length: of a column
+    int first_slot;               // of the pivots
+    std::size_t lower, upper;     // where its factors are
+    std::size_t right;            // where the columns right of the panel are while the parent needs them
+    std::size_t first_update;     // of what is stored per update
+    int updates_in_panel;         // updates whose columns are pivots of the parent
+    std::size_t runs, end_of_runs;
     int panel_entries, right_entries, end_of_entries;
     int children, end_of_children;
   };
@@ -39,28 +41,27 @@ class MultifrontalLu final : public LinearSolver {
     unsigned target : 30;  // in the panel or in the columns right of it
     unsigned scale : 2;    // as index into scales_: 1 in a row, 2 in a column of a multiplier
   };
-  // What is done with one row and column that a front leaves to its parent.
-  struct Update {
-    int row, column;              // its place in the parent; the column as offset in the panel or right of it
-    int row_step, column_step;
-  };
   struct alignas(64) Line {
     double values[8];
   };
 
   int start_again(std::span<const double> values);
-  void plan(PivotSearch search);
+  bool adopt(std::vector<PivotedFront> fronts, std::span<const double> values);
+  void plan(std::vector<PivotedFront> fronts);
   void sort_updates(std::vector<PivotedFront>& fronts, const std::vector<std::vector<int>>& children) const;
-  void number_steps(const std::vector<PivotedFront>& fronts);
+  void place_factors(const std::vector<PivotedFront>& fronts);
+  std::vector<int> number_slots(const std::vector<PivotedFront>& fronts);
   void place_entries(const std::vector<PivotedFront>& fronts);
-  void place_updates(const std::vector<PivotedFront>& fronts, const std::vector<std::vector<int>>& children);
+  void place_updates(const std::vector<PivotedFront>& fronts, const std::vector<std::vector<int>>& children,
+                     const std::vector<int>& slot_of_row);
   void place_columns();
   bool repeat(std::span<const double> values);
   bool regular() const;
   double residual_of_test(std::span<const double> values);
   void assemble(const Front& front, std::span<const double> values);
   void take_over(const Front& child, const Front& front);
-  double* factor(std::size_t place) { return factors_.data()->values + place; }
+  double* panel() { return panel_.data()->values; }
+  double* factor(std::size_t place) { return factors_[0].values + place; }
   double* right(const Front& front) { return columns_.data()->values + front.right; }
 
   const Pattern& pattern_;
@@ -72,16 +73,22 @@ class MultifrontalLu final : public LinearSolver {
   double planned_growth_ = 1;  // in the factorization that has chosen the pivots
   Scaling scaling_;
   double scales_[4] = {1, 1, 1, 1};
-  int left_out_ = 0;  // unknowns without pivot, the last steps; only if singular matrices are allowed
+  int pivot_slots_ = 0;  // behind them are unknowns without pivot, only if singular matrices are allowed
   std::vector<FrontStructure> tree_;
   std::vector<Front> fronts_;
   std::vector<Entry> entries_;
   std::vector<int> children_;
-  std::vector<Update> updates_;
-  std::vector<int> row_of_step_, column_of_step_;
-  std::vector<double> row_scale_, column_scale_;  // by steps
-  std::vector<Line> factors_, columns_;
-  std::vector<double> inverse_pivot_, steps_, work_, others_;
+  std::vector<int> places_;  // of each update's column in the parent, in the panel or right of it
+  std::vector<RowRun> runs_;
+  std::vector<FrontSize> sizes_;
+  std::vector<int> row_slot_, column_slot_;          // of each update
+  std::vector<int> row_of_slot_, slot_of_column_;    // slots without an unknown have any row
+  std::vector<double> row_scale_, column_scale_;     // by slots, by unknowns
+  std::vector<double> inverse_pivot_, least_pivot_;  // by slots; what is not larger counts as zero
+  std::vector<Line> panel_, columns_;                // of the front at work, of fronts with a parent
+  std::unique_ptr<Line[]> factors_;                  // of all fronts
+  std::size_t first_upper_ = 0;                      // upper factors in factors_
+  std::vector<double> unknowns_, work_;              // by slots, by updates of a front
   LinearSolverStatistics statistics_;
 };
 

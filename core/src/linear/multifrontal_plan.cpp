@@ -36,33 +36,43 @@ std::size_t lines(std::size_t numbers) { return (numbers + line - 1) / line; }
 
 }  // namespace
 
-void MultifrontalLu::plan(PivotSearch search) {
-  std::vector<PivotedFront>& fronts = search.fronts;
+void MultifrontalLu::plan(std::vector<PivotedFront> fronts) {
   std::vector<std::vector<int>> children(fronts.size());
   for (int f = 0; f < static_cast<int>(fronts.size()); ++f) {
     if (tree_[f].parent >= 0) children[tree_[f].parent].push_back(f);
   }
   sort_updates(fronts, children);
+  place_factors(fronts);
+  const std::vector<int> slot_of_row = number_slots(fronts);
+  place_entries(fronts);
+  place_updates(fronts, children, slot_of_row);
+  place_columns();
+}
+
+// Lower factors from the first front on, upper ones from the last front on.
+void MultifrontalLu::place_factors(const std::vector<PivotedFront>& fronts) {
   fronts_.assign(fronts.size(), {});
-  std::size_t end = 0;
-  int longest = 0;
+  sizes_.clear();
+  std::size_t end = 0, longest_panel = 0, most_updates = 0;
   for (std::size_t f = 0; f < fronts.size(); ++f) {
     Front& front = fronts_[f];
     front.pivots = fronts[f].pivots;
     front.updates = static_cast<int>(fronts[f].rows.size()) - front.pivots;
     front.length = padded(front.pivots + front.updates);
-    longest = std::max(longest, front.length);
-    front.panel = end;
-    front.upper = end + static_cast<std::size_t>(front.length) * front.pivots;
-    end = front.upper + static_cast<std::size_t>(padded(front.pivots)) * front.updates;
+    front.lower = end;
+    sizes_.push_back({front.pivots, front.updates});
+    end += stream_sizes(sizes_.back()).lower;
+    longest_panel = std::max(longest_panel, static_cast<std::size_t>(front.length) * front.pivots);
+    most_updates = std::max(most_updates, static_cast<std::size_t>(front.updates));
   }
-  number_steps(fronts);
-  place_entries(fronts);
-  place_updates(fronts, children);
-  place_columns();
-  factors_.resize(lines(end));
-  work_.resize(static_cast<std::size_t>(longest));
-  others_.resize(static_cast<std::size_t>(longest));
+  first_upper_ = end;
+  for (std::size_t f = fronts.size(); f-- > 0;) {
+    fronts_[f].upper = end;
+    end += stream_sizes(sizes_[f]).upper;
+  }
+  factors_ = std::make_unique_for_overwrite<Line[]>(lines(end));
+  panel_.resize(lines(longest_panel + front_slack));
+  work_.resize(most_updates + front_chunk);
   statistics_.entries = end;
 }
 
@@ -83,28 +93,40 @@ void MultifrontalLu::sort_updates(std::vector<PivotedFront>& fronts, const std::
   }
 }
 
-void MultifrontalLu::number_steps(const std::vector<PivotedFront>& fronts) {
-  row_of_step_.clear();
-  column_of_step_.clear();
+// Returns the slot of each row.
+std::vector<int> MultifrontalLu::number_slots(const std::vector<PivotedFront>& fronts) {
+  std::vector<int> slot_of_row(static_cast<std::size_t>(size_));
+  row_of_slot_.clear();
+  row_scale_.clear();
+  least_pivot_.clear();
+  slot_of_column_.resize(static_cast<std::size_t>(size_));
+  column_scale_.resize(static_cast<std::size_t>(size_));
+  const auto add = [&](int row, int column) {
+    slot_of_row[row] = slot_of_column_[column] = static_cast<int>(row_of_slot_.size());
+    row_of_slot_.push_back(row);
+    row_scale_.push_back(scaling_.row(row));
+    column_scale_[column] = scaling_.column(column);
+    least_pivot_.push_back(options_.pivot_threshold * (scaling_.row(row) * scaling_.column(column)));
+  };
   for (std::size_t f = 0; f < fronts.size(); ++f) {
     const PivotedFront& front = fronts[f];
-    fronts_[f].first_step = static_cast<int>(row_of_step_.size());
-    row_of_step_.insert(row_of_step_.end(), front.rows.begin(), front.rows.begin() + front.pivots);
-    column_of_step_.insert(column_of_step_.end(), front.columns.begin(), front.columns.begin() + front.pivots);
+    fronts_[f].first_slot = static_cast<int>(row_of_slot_.size());
+    for (int k = 0; k < front.pivots; ++k) add(front.rows[k], front.columns[k]);
+    const auto end = static_cast<std::size_t>(fronts_[f].first_slot + slots(front.pivots));
+    row_of_slot_.resize(end, 0);
+    row_scale_.resize(end, 0.0);
+    least_pivot_.resize(end, 0.0);
   }
-  inverse_pivot_.resize(row_of_step_.size() + front_chunk);
-  left_out_ = size_ - static_cast<int>(row_of_step_.size());
+  pivot_slots_ = static_cast<int>(row_of_slot_.size());
+  inverse_pivot_.assign(row_of_slot_.size(), 0.0);
   for (std::size_t f = 0; f < fronts.size(); ++f) {
     if (tree_[f].parent >= 0) continue;
-    const PivotedFront& front = fronts[f];
-    row_of_step_.insert(row_of_step_.end(), front.rows.begin() + front.pivots, front.rows.end());
-    column_of_step_.insert(column_of_step_.end(), front.columns.begin() + front.pivots, front.columns.end());
+    for (std::size_t k = static_cast<std::size_t>(fronts[f].pivots); k < fronts[f].rows.size(); ++k) {
+      add(fronts[f].rows[k], fronts[f].columns[k]);
+    }
   }
-  steps_.resize(static_cast<std::size_t>(size_));
-  row_scale_.clear();
-  column_scale_.clear();
-  for (const int row : row_of_step_) row_scale_.push_back(scaling_.row(row));
-  for (const int column : column_of_step_) column_scale_.push_back(scaling_.column(column));
+  unknowns_.resize(row_of_slot_.size());
+  return slot_of_row;
 }
 
 void MultifrontalLu::place_entries(const std::vector<PivotedFront>& fronts) {
@@ -134,20 +156,21 @@ void MultifrontalLu::place_entries(const std::vector<PivotedFront>& fronts) {
   }
 }
 
-void MultifrontalLu::place_updates(const std::vector<PivotedFront>& fronts, const std::vector<std::vector<int>>& children) {
-  std::vector<int> row_step(static_cast<std::size_t>(size_)), column_step(row_step), row_place(row_step), column_place(row_step);
-  for (int k = 0; k < size_; ++k) {
-    row_step[row_of_step_[k]] = k;
-    column_step[column_of_step_[k]] = k;
-  }
+void MultifrontalLu::place_updates(const std::vector<PivotedFront>& fronts, const std::vector<std::vector<int>>& children,
+                                   const std::vector<int>& slot_of_row) {
+  std::vector<int> row_place(static_cast<std::size_t>(size_)), column_place(row_place);
   children_.clear();
-  updates_.clear();
+  row_slot_.clear();
+  column_slot_.clear();
   for (std::size_t f = 0; f < fronts.size(); ++f) {
-    fronts_[f].first_update = updates_.size();
+    fronts_[f].first_update = row_slot_.size();
     for (std::size_t k = static_cast<std::size_t>(fronts[f].pivots); k < fronts[f].rows.size(); ++k) {
-      updates_.push_back({0, 0, row_step[fronts[f].rows[k]], column_step[fronts[f].columns[k]]});
+      row_slot_.push_back(slot_of_row[fronts[f].rows[k]]);
+      column_slot_.push_back(slot_of_column_[fronts[f].columns[k]]);
     }
   }
+  places_.resize(row_slot_.size());
+  runs_.clear();
   for (std::size_t f = 0; f < fronts.size(); ++f) {
     Front& front = fronts_[f];
     for (int k = 0; k < static_cast<int>(fronts[f].rows.size()); ++k) {
@@ -159,13 +182,16 @@ void MultifrontalLu::place_updates(const std::vector<PivotedFront>& fronts, cons
     front.end_of_children = static_cast<int>(children_.size());
     for (const int c : children[f]) {
       Front& child = fronts_[c];
-      for (int k = 0; k < child.updates; ++k) {
-        Update& update = updates_[child.first_update + k];
-        const int place = column_place[fronts[c].columns[child.pivots + k]];
-        child.updates_in_panel += place < front.pivots;
-        update.row = row_place[fronts[c].rows[child.pivots + k]];
-        update.column = (place < front.pivots ? place : place - front.pivots) * front.length;
+      child.runs = runs_.size();
+      for (int k = child.pivots; k < child.pivots + child.updates; ++k) {
+        const int row = row_place[fronts[c].rows[k]], column = column_place[fronts[c].columns[k]];
+        const bool continues = k > child.pivots && row == runs_.back().to + runs_.back().length;
+        if (!continues) runs_.push_back({k, row, 0});
+        ++runs_.back().length;
+        child.updates_in_panel += column < front.pivots;
+        places_[child.first_update + k - child.pivots] = (column < front.pivots ? column : column - front.pivots) * front.length;
       }
+      child.end_of_runs = runs_.size();
     }
   }
 }
@@ -179,7 +205,7 @@ void MultifrontalLu::place_columns() {
     }
     if (front.updates > 0 && tree_[&front - fronts_.data()].parent < 0) places.release(front.right / line);
   }
-  columns_.resize(places.size());
+  columns_.resize(places.size() + lines(front_slack));
 }
 
 }  // namespace dalembert

@@ -8,9 +8,8 @@ namespace dalembert {
 
 namespace {
 
-// In fronts with more pivots the order as it stands is tried first; it is good if no entry of L is larger than this.
+// In fronts with more pivots the order as it stands is tried first.
 constexpr int small_front = 16;
-constexpr double harmless_growth = 10;
 // Where singular matrices are allowed, what is smaller than this part of the column of the matrix is round-off.
 constexpr double round_off = 1e-14;
 
@@ -194,6 +193,17 @@ class Search {
 };
 
 }  // namespace
+
+std::vector<PivotedFront> pivots_in_order(const std::vector<FrontStructure>& tree) {
+  std::vector<PivotedFront> fronts;
+  fronts.reserve(tree.size());
+  for (const FrontStructure& front : tree) {
+    std::vector<int> unknowns = front.pivots;
+    unknowns.insert(unknowns.end(), front.updates.begin(), front.updates.end());
+    fronts.push_back({unknowns, std::move(unknowns), static_cast<int>(front.pivots.size())});
+  }
+  return fronts;
+}
 
 PivotSearch search_pivots(const Pattern& pattern, const std::vector<FrontStructure>& tree, std::span<const double> values,
                           const Scaling& scaling, double smallest_ratio, const LinearSolverOptions& options,

@@ -22,6 +22,12 @@ struct PivotSearch {
   int singular_column = LinearSolver::success;
 };
 
+// The order as it stands is good if no entry of L is larger than this.
+inline constexpr double harmless_growth = 10;
+
+// Each unknown with its own equation, in the order of the tree.
+std::vector<PivotedFront> pivots_in_order(const std::vector<FrontStructure>& tree);
+
 // Partial pivoting within the fronts. Columns without an acceptable pivot are handed to the parent: if it were smaller than
 // `smallest_ratio` times the largest entry of its column. If a front without parent
 // has such columns, the matrix is singular: they are left over there if the options allow it.
