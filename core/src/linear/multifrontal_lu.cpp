@@ -88,11 +88,12 @@ bool MultifrontalLu::repeat(std::span<const double> values) {
   growth_ = 0;
   for (const Front& front : fronts_) {
     assemble(front, values);
+    double* panel = columns(front);
+    double* right = panel + static_cast<std::ptrdiff_t>(front.length) * front.pivots;
     double* inverse = inverse_pivot_.data() + front.first_slot;
-    growth_ = std::max(growth_, kernels_.factorize(panel(), front.pivots, front.length, inverse));
-    kernels_.eliminate(panel(), front.pivots, front.length, right(front), front.updates);
-    kernels_.pack(panel(), {front.pivots, front.updates}, front.length, right(front), inverse, factor(front.lower),
-                  factor(front.upper));
+    growth_ = std::max(growth_, kernels_.factorize(panel, front.pivots, front.length, inverse));
+    kernels_.eliminate(panel, front.pivots, front.length, right, front.updates);
+    kernels_.pack(panel, {front.pivots, front.updates}, front.length, right, inverse, factor(front.lower), factor(front.upper));
   }
   return growth_ <= largest_growth * planned_growth_ && regular();
 }
@@ -105,29 +106,21 @@ bool MultifrontalLu::regular() const {
 }
 
 void MultifrontalLu::assemble(const Front& front, std::span<const double> values) {
-  double* columns = right(front);
-  std::fill_n(panel(), static_cast<std::size_t>(front.length) * front.pivots, 0.0);
-  std::fill_n(columns, static_cast<std::size_t>(front.length) * front.updates, 0.0);
-  const auto place = [&](double* to, int begin, int end) {
-    for (int k = begin; k < end; ++k) {
-      const Entry entry = entries_[k];
-      to[entry.target] = values[entry.slot] * scales_[entry.scale];
-    }
-  };
-  place(panel(), front.panel_entries, front.right_entries);
-  place(columns, front.right_entries, front.end_of_entries);
-  for (int k = front.children; k < front.end_of_children; ++k) take_over(fronts_[children_[k]], front);
+  double* to = columns(front);
+  std::fill_n(to, static_cast<std::size_t>(front.length) * (front.pivots + front.updates), 0.0);
+  for (int k = front.entries; k < front.end_of_entries; ++k) to[entries_[k].target] = values[entries_[k].slot];
+  for (int k = front.scaled_entries; k < front.end_of_scaled_entries; ++k) {
+    const ScaledEntry& entry = scaled_entries_[k];
+    to[entry.target] = values[entry.slot] * entry.scale;
+  }
+  for (int k = front.children; k < front.end_of_children; ++k) take_over(fronts_[children_[k]], to);
 }
 
 // Adds what a child leaves.
-void MultifrontalLu::take_over(const Front& child, const Front& front) {
-  const double* from = right(child);
+void MultifrontalLu::take_over(const Front& child, double* to) {
+  const double* from = columns(child) + static_cast<std::ptrdiff_t>(child.length) * child.pivots;
   const std::span runs = std::span(runs_).subspan(child.runs, child.end_of_runs - child.runs);
-  const int* places = places_.data() + child.first_update;
-  const int in_panel = child.updates_in_panel;
-  kernels_.add_columns(from, child.length, in_panel, runs, places, panel());
-  from += static_cast<std::ptrdiff_t>(child.length) * in_panel;
-  kernels_.add_columns(from, child.length, child.updates - in_panel, runs, places + in_panel, right(front));
+  kernels_.add_columns(from, child.length, child.updates, runs, places_.data() + child.first_update, to);
 }
 
 void MultifrontalLu::solve(std::span<double> b) {

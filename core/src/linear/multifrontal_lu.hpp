@@ -28,18 +28,20 @@ class MultifrontalLu final : public LinearSolver {
     int pivots, updates, length;  // length: of a column
     int first_slot;               // of the pivots
     std::size_t lower, upper;     // where its factors are
-    std::size_t right;            // where the columns right of the panel are while the parent needs them
+    std::size_t columns;          // where its columns are; those behind the pivots stay until the parent has taken them over
     std::size_t first_update;     // of what is stored per update
-    int updates_in_panel;         // updates whose columns are pivots of the parent
     std::size_t runs, end_of_runs;
-    int panel_entries, right_entries, end_of_entries;
+    int entries, end_of_entries, scaled_entries, end_of_scaled_entries;
     int children, end_of_children;
   };
   // Where an entry of the matrix goes.
   struct Entry {
-    int slot;              // in the values of the matrix
-    unsigned target : 30;  // in the panel or in the columns right of it
-    unsigned scale : 2;    // as index into scales_: 1 in a row, 2 in a column of a multiplier
+    int slot, target;  // in the values of the matrix, in the columns of the front
+  };
+  // In a row or a column of a multiplier.
+  struct ScaledEntry {
+    int slot, target;
+    double scale;
   };
   struct alignas(64) Line {
     double values[8];
@@ -59,10 +61,9 @@ class MultifrontalLu final : public LinearSolver {
   bool regular() const;
   double residual_of_test(std::span<const double> values);
   void assemble(const Front& front, std::span<const double> values);
-  void take_over(const Front& child, const Front& front);
-  double* panel() { return panel_.data()->values; }
+  void take_over(const Front& child, double* to);
   double* factor(std::size_t place) { return factors_[0].values + place; }
-  double* right(const Front& front) { return columns_.data()->values + front.right; }
+  double* columns(const Front& front) { return columns_.data()->values + front.columns; }
 
   const Pattern& pattern_;
   LinearSolverOptions options_;
@@ -72,20 +73,20 @@ class MultifrontalLu final : public LinearSolver {
   double growth_ = 0;          // largest entry of L
   double planned_growth_ = 1;  // in the factorization that has chosen the pivots
   Scaling scaling_;
-  double scales_[4] = {1, 1, 1, 1};
   int pivot_slots_ = 0;  // behind them are unknowns without pivot, only if singular matrices are allowed
   std::vector<FrontStructure> tree_;
   std::vector<Front> fronts_;
   std::vector<Entry> entries_;
+  std::vector<ScaledEntry> scaled_entries_;
   std::vector<int> children_;
-  std::vector<int> places_;  // of each update's column in the parent, in the panel or right of it
+  std::vector<int> places_;  // of each update's column in the parent
   std::vector<RowRun> runs_;
   std::vector<FrontSize> sizes_;
   std::vector<int> row_slot_, column_slot_;          // of each update
   std::vector<int> row_of_slot_, slot_of_column_;    // slots without an unknown have any row
   std::vector<double> row_scale_, column_scale_;     // by slots, by unknowns
   std::vector<double> inverse_pivot_, least_pivot_;  // by slots; what is not larger counts as zero
-  std::vector<Line> panel_, columns_;                // of the front at work, of fronts with a parent
+  std::vector<Line> columns_;                        // of the front at work, and what others leave
   std::unique_ptr<Line[]> factors_;                  // of all fronts
   std::size_t first_upper_ = 0;                      // upper factors in factors_
   std::vector<double> unknowns_, work_;              // by slots, by updates of a front

@@ -1,6 +1,5 @@
 // Where everything goes in a repeated factorization.
 #include <algorithm>
-#include <array>
 #include <map>
 #include <numeric>
 
@@ -22,6 +21,13 @@ class Places {
     taken_.emplace(place, place + size);
     size_ = std::max(size_, place + size);
     return place;
+  }
+  // Of what starts at a place, only the end is kept, if there is one.
+  void release(std::size_t place, std::size_t kept_from) {
+    const auto taken = taken_.find(place);
+    const std::size_t end = taken->second;
+    taken_.erase(taken);
+    if (kept_from < end) taken_.emplace(kept_from, end);
   }
   void release(std::size_t place) { taken_.erase(place); }
   std::size_t size() const { return size_; }
@@ -53,7 +59,7 @@ void MultifrontalLu::plan(std::vector<PivotedFront> fronts) {
 void MultifrontalLu::place_factors(const std::vector<PivotedFront>& fronts) {
   fronts_.assign(fronts.size(), {});
   sizes_.clear();
-  std::size_t end = 0, longest_panel = 0, most_updates = 0;
+  std::size_t end = 0, most_updates = 0;
   for (std::size_t f = 0; f < fronts.size(); ++f) {
     Front& front = fronts_[f];
     front.pivots = fronts[f].pivots;
@@ -62,7 +68,6 @@ void MultifrontalLu::place_factors(const std::vector<PivotedFront>& fronts) {
     front.lower = end;
     sizes_.push_back({front.pivots, front.updates});
     end += stream_sizes(sizes_.back()).lower;
-    longest_panel = std::max(longest_panel, static_cast<std::size_t>(front.length) * front.pivots);
     most_updates = std::max(most_updates, static_cast<std::size_t>(front.updates));
   }
   first_upper_ = end;
@@ -71,7 +76,6 @@ void MultifrontalLu::place_factors(const std::vector<PivotedFront>& fronts) {
     end += stream_sizes(sizes_[f]).upper;
   }
   factors_ = std::make_unique_for_overwrite<Line[]>(lines(end));
-  panel_.resize(lines(longest_panel + front_slack));
   work_.resize(most_updates + front_chunk);
   statistics_.entries = end;
 }
@@ -132,10 +136,8 @@ std::vector<int> MultifrontalLu::number_slots(const std::vector<PivotedFront>& f
 void MultifrontalLu::place_entries(const std::vector<PivotedFront>& fronts) {
   const FrontEntries all(pattern_, tree_);
   std::vector<int> row_place(static_cast<std::size_t>(size_)), column_place(row_place);
-  std::vector<Entry> others;
   entries_.clear();
-  const double r = scaling_.row_factor, c = scaling_.column_factor;
-  std::copy_n(std::array{1.0, r, c, r * c}.begin(), 4, scales_);
+  scaled_entries_.clear();
   for (int f = 0; f < static_cast<int>(fronts.size()); ++f) {
     const PivotedFront& order = fronts[f];
     for (int k = 0; k < static_cast<int>(order.rows.size()); ++k) {
@@ -143,16 +145,18 @@ void MultifrontalLu::place_entries(const std::vector<PivotedFront>& fronts) {
       column_place[order.columns[k]] = k;
     }
     Front& front = fronts_[f];
-    front.panel_entries = static_cast<int>(entries_.size());
-    others.clear();
+    front.entries = static_cast<int>(entries_.size());
+    front.scaled_entries = static_cast<int>(scaled_entries_.size());
     all.for_each(f, [&](int i, int j, int slot) {
-      const int target = column_place[j] * front.length + row_place[i], right = target - front.pivots * front.length;
-      const unsigned scale = (scaling_.multiplier[i] ? 1 : 0) + (scaling_.multiplier[j] ? 2 : 0);
-      (right < 0 ? entries_ : others).push_back({slot, static_cast<unsigned>(right < 0 ? target : right), scale});
+      const int target = column_place[j] * front.length + row_place[i];
+      if (scaling_.multiplier[i] || scaling_.multiplier[j]) {
+        scaled_entries_.push_back({slot, target, scaling_.row(i) * scaling_.column(j)});
+      } else {
+        entries_.push_back({slot, target});
+      }
     });
-    front.right_entries = static_cast<int>(entries_.size());
-    entries_.insert(entries_.end(), others.begin(), others.end());
     front.end_of_entries = static_cast<int>(entries_.size());
+    front.end_of_scaled_entries = static_cast<int>(scaled_entries_.size());
   }
 }
 
@@ -188,24 +192,27 @@ void MultifrontalLu::place_updates(const std::vector<PivotedFront>& fronts, cons
         const bool continues = k > child.pivots && row == runs_.back().to + runs_.back().length;
         if (!continues) runs_.push_back({k, row, 0});
         ++runs_.back().length;
-        child.updates_in_panel += column < front.pivots;
-        places_[child.first_update + k - child.pivots] = (column < front.pivots ? column : column - front.pivots) * front.length;
+        places_[child.first_update + k - child.pivots] = column * front.length;
       }
       child.end_of_runs = runs_.size();
     }
   }
 }
 
+// The columns of a front take their place before it takes over those of its children; afterwards its panel is free.
 void MultifrontalLu::place_columns() {
   Places places;
   for (Front& front : fronts_) {
-    if (front.updates > 0) front.right = line * places.take(lines(static_cast<std::size_t>(front.length) * front.updates));
+    const auto panel = static_cast<std::size_t>(front.length) * front.pivots;
+    front.columns = places.take(panel + static_cast<std::size_t>(front.length) * front.updates);
     for (int k = front.children; k < front.end_of_children; ++k) {
-      if (const Front& child = fronts_[children_[k]]; child.updates > 0) places.release(child.right / line);
+      const Front& child = fronts_[children_[k]];
+      places.release(child.columns + static_cast<std::size_t>(child.length) * child.pivots);
     }
-    if (front.updates > 0 && tree_[&front - fronts_.data()].parent < 0) places.release(front.right / line);
+    places.release(front.columns, front.columns + panel);
+    if (tree_[&front - fronts_.data()].parent < 0) places.release(front.columns + panel);
   }
-  columns_.resize(places.size() + lines(front_slack));
+  columns_.resize(lines(places.size() + front_slack));
 }
 
 }  // namespace dalembert
