@@ -303,23 +303,23 @@ void read(PyObject* value, const Row& row, std::vector<ItemIndex<K>>& out) {
   out = std::move(numbers);
 }
 
-std::uint32_t read_enum(PyObject* value, const char* name) {
-  const py::object type = py::getattr(core_module(), name);
-  if (PyObject_IsInstance(value, type.ptr()) != 1) {
-    PyErr_Clear();
-    throw Refusal{ErrorKind::type, "a member of exudyn." + std::string(name),
-                  PyUnicode_Check(value) ? "Write " + std::string(name) + "." + to_string(value) + " without quotes." : ""};
-  }
-  return static_cast<std::uint32_t>(py::int_(py::reinterpret_borrow<py::object>(value)).cast<std::int64_t>());
+template <class T>
+T read_enum(PyObject* value, const Enumeration& enumeration) {
+  if (enumeration.has(value)) return static_cast<T>(Enumeration::number(value));
+  const std::string name = enumeration.name;
+  throw Refusal{ErrorKind::type, "a member of exudyn." + name,
+                PyUnicode_Check(value) ? "Write " + name + "." + to_string(value) + " without quotes." : ""};
 }
 
 void read(PyObject* value, const Row&, OutputVariableType& out) {
-  out = static_cast<OutputVariableType>(read_enum(value, "OutputVariableType"));
+  static const Enumeration variables("OutputVariableType");
+  out = read_enum<OutputVariableType>(value, variables);
 }
 void read(PyObject* value, const Row&, std::vector<JointType>& out) {
+  static const Enumeration joints("JointType");
   const Items items(value, "a list of members of JointType");
   std::vector<JointType> types;
-  for (Py_ssize_t i = 0; i < items.size(); ++i) types.push_back(static_cast<JointType>(read_enum(items[i], "JointType")));
+  for (Py_ssize_t i = 0; i < items.size(); ++i) types.push_back(read_enum<JointType>(items[i], joints));
   out = std::move(types);
 }
 void read(PyObject*, const Row&, std::uint32_t&) { throw std::logic_error("items have no rows of other enumerations"); }
@@ -435,6 +435,9 @@ PyObject* to_python(const Row& row, const void* member, Form form, PyObject* own
     return write(*static_cast<const T*>(member), form, owner).release().ptr();
   });
 }
+
+Enumeration::Enumeration(const char* name)
+    : name(name), type_(reinterpret_cast<PyTypeObject*>(py::object(core_module().attr(name)).release().ptr())) {}
 
 py::object enum_member(const char* name, std::uint32_t value) { return core_module().attr(name)(value); }
 

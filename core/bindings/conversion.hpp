@@ -26,7 +26,19 @@ void from_python(PyObject* value, const Row& row, void* member);
 enum class Form { copy, view };
 PyObject* to_python(const Row& row, const void* member, Form form, PyObject* owner);  // new reference
 
-// A member of an enumeration that the module exports by that name, e.g. ("OutputVariableType", 2).
+// An enumeration that the module exports by that name, for arguments; kept for as long as the process lives.
+class Enumeration {
+ public:
+  explicit Enumeration(const char* name);
+  bool has(PyObject* value) const { return Py_TYPE(value) == type_ || PyObject_TypeCheck(value, type_); }
+  static std::uint32_t number(PyObject* member) { return static_cast<std::uint32_t>(PyLong_AsLongLong(member)); }
+  const char* const name;
+
+ private:
+  PyTypeObject* type_;
+};
+
+// A member of an enumeration, e.g. ("OutputVariableType", 2).
 py::object enum_member(const char* name, std::uint32_t value);
 // The module `_core` itself.
 py::handle core_module();

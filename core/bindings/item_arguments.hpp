@@ -3,18 +3,17 @@
 
 #include <pybind11/pybind11.h>
 
-#include <string>
-
 #include "dalembert/model/item.hpp"
+#include "label.hpp"
 
 namespace dalembert {
 
 class MainSystem;
 
 // The number of an existing item; `method` is named in errors, e.g. "GetNodeOutput".
-int item_number_argument(const MainSystem& main, ItemKind kind, PyObject* value, const std::string& method);
+int item_number_argument(const MainSystem& main, ItemKind kind, PyObject* value, const Label& method);
 
 // A configuration that has a state; numbers are refused. `where` begins errors, e.g. "mbs.GetNodeOutput(...)".
-ConfigurationType configuration_argument(const py::object& value, const std::string& where);
+ConfigurationType configuration_argument(const py::object& value, const Label& where);
 
 }  // namespace dalembert

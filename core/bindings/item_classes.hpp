@@ -3,29 +3,16 @@
 
 #include <pybind11/pybind11.h>
 
-#include <concepts>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "dalembert/model/item.hpp"
+#include "label.hpp"
 
 namespace dalembert {
 
 namespace py = pybind11;
-
-// How errors name the item at hand; put into words when an error needs them.
-class Label {
- public:
-  template <std::invocable Words>
-  Label(const Words& words) : words_(&words), speak_([](const void* w) { return std::string((*static_cast<const Words*>(w))()); }) {}
-  Label(const std::string& text) : words_(&text), speak_([](const void* t) { return *static_cast<const std::string*>(t); }) {}
-  std::string text() const { return speak_(words_); }
-
- private:
-  const void* words_;
-  std::string (*speak_)(const void*);
-};
 
 struct ItemClass {
   const ItemType* type = nullptr;

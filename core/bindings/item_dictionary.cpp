@@ -61,6 +61,22 @@ void warn_of_ignored(const Complaint& text) {
   if (PyErr_WarnEx(PyExc_UserWarning, message.c_str(), 1) != 0) throw py::error_already_set();
 }
 
+// What a dictionary shows for a row.
+py::object entry_of(const Row& row, const void* record, const std::string& name, bool graphics) {
+  if (row.role == Role::name) return py::str(name);
+  if (!graphics && is_graphics(row)) {
+    py::dict placeholder;
+    placeholder["graphicsData"] = not_requested;
+    py::list list;
+    list.append(placeholder);
+    return list;
+  }
+  py::object value = py::reinterpret_steal<py::object>(to_python(row, member(record, row), Form::copy, nullptr));
+  if (row.role == Role::visualization && row.storage >= Storage::vector2 && row.storage <= Storage::vector9)
+    return value.attr("tolist")();
+  return value;
+}
+
 void copy_default(const ItemClass& item_class, const Row& row, void* record) {
   with_type(row.storage, [&]<class T>(TypeTag<T>) {
     *static_cast<T*>(member(record, row)) = *static_cast<const T*>(member(item_class.defaults.get(), row));
@@ -128,26 +144,12 @@ void set_visualization(const ItemClass& item_class, PyObject* value, void* recor
 
 py::dict item_dictionary(const ItemType& type, const void* record, const std::string& name, bool graphics) {
   py::dict result;
-  result[py::str(std::string(type_key(type.kind)))] = py::str(std::string(type.type_name));
-  for (const Row& row : type.rows) {
-    if (row.internal) continue;
-    const py::str key((row.role == Role::visualization ? "V" : "") + std::string(row.name));
-    if (row.role == Role::name) {
-      result[key] = py::str(name);
-      continue;
-    }
-    if (!graphics && is_graphics(row)) {
-      py::dict placeholder;
-      placeholder["graphicsData"] = not_requested;
-      py::list list;
-      list.append(placeholder);
-      result[key] = list;
-      continue;
-    }
-    py::object value = py::reinterpret_steal<py::object>(to_python(row, member(record, row), Form::copy, nullptr));
-    if (row.role == Role::visualization && row.storage >= Storage::vector2 && row.storage <= Storage::vector9)
-      value = value.attr("tolist")();
-    result[key] = value;
+  result[py::handle(type_key_name(type.kind))] = py::str(std::string(type.type_name));
+  const Row* written = nullptr;
+  for (const auto& [row, key] : class_of(type).entries) {
+    const bool alias = row == written;
+    written = row;
+    if (row != nullptr && !row->internal && !alias) result[py::handle(key)] = entry_of(*row, record, name, graphics);
   }
   return result;
 }

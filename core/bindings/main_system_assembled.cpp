@@ -6,21 +6,38 @@
 #include "item_arguments.hpp"
 #include "main_system.hpp"
 #include "python_errors.hpp"
+#include "sequence.hpp"
 
 namespace dalembert {
 namespace {
 
 using Class = py::class_<MainSystem, std::shared_ptr<MainSystem>>;
 
+std::string called(const char* method) { return "mbs." + std::string(method) + "(...)"; }
+
 // Enumerations are checked here, so that the text can name method and argument.
-OutputVariableType variable_argument(const py::object& value, const std::string& method) {
-  if (!py::isinstance(value, core_module().attr("OutputVariableType")))
-    refuse(ErrorKind::type, {"mbs." + method + "(...)", "variableType", "", show(value.ptr()), "a member of exudyn.OutputVariableType", ""});
-  return static_cast<OutputVariableType>(value.cast<std::uint32_t>());
+OutputVariableType variable_argument(const py::object& value, const char* method) {
+  static const Enumeration variables("OutputVariableType");
+  if (!variables.has(value.ptr()))
+    refuse(ErrorKind::type, {called(method), "variableType", "", show(value.ptr()), "a member of exudyn.OutputVariableType", ""});
+  return static_cast<OutputVariableType>(Enumeration::number(value.ptr()));
 }
 
-ConfigurationType current_or(const py::object& value, const std::string& method) {
-  return value.is_none() ? ConfigurationType::Current : configuration_argument(value, "mbs." + method + "(...)");
+ConfigurationType current_or(const py::object& value, const char* method) {
+  return value.is_none() ? ConfigurationType::Current : configuration_argument(value, [&] { return called(method); });
+}
+
+std::array<double, 3> position_argument(const py::object& value, const char* method) {
+  std::array<double, 3> position{};
+  if (read_plain_reals(value.ptr(), 1, position)) return position;
+  try {
+    const std::vector<double> values = read_reals(value.ptr());
+    if (values.size() != position.size()) throw Refusal{ErrorKind::value, "3 numbers", ""};
+    std::ranges::copy(values, position.begin());
+  } catch (const Refusal& refusal) {
+    refuse(refusal.kind, {called(method), "localPosition", "", show(value.ptr()), "3 finite numbers (unit m)", ""});
+  }
+  return position;
 }
 
 py::object array(const std::vector<double>& values) {
@@ -87,18 +104,11 @@ void register_outputs(Class& main_system) {
       "GetObjectOutputBody",
       [](MainSystem& main, const py::object& object, const py::object& variable, const py::object& position,
          const py::object& configuration) {
-        const std::string method = "GetObjectOutputBody";
+        const char* const method = "GetObjectOutputBody";
         const int number = item_number_argument(main, ItemKind::object, object.ptr(), method);
-        std::array<double, 3> local{};
-        try {
-          const std::vector<double> values = read_reals(position.ptr());
-          if (values.size() != 3) throw Refusal{ErrorKind::value, "3 numbers", ""};
-          std::copy(values.begin(), values.end(), local.begin());
-        } catch (const Refusal& refusal) {
-          refuse(refusal.kind, {"mbs." + method + "(...)", "localPosition", "", show(position.ptr()), "3 finite numbers (unit m)", ""});
-        }
+        const auto local = position_argument(position, method);
         const ConfigurationType in = current_or(configuration, method);
-        const Source source(main, method.c_str(), ItemKind::object, number, in);
+        const Source source(main, method, ItemKind::object, number, in);
         std::vector<double> values;
         source.system->body_output(source.number, variable_argument(variable, method), local, in, values);
         return number_or_array(values);
@@ -108,10 +118,10 @@ void register_outputs(Class& main_system) {
   main_system.def(
       "GetObjectOutputSuperElement",
       [](MainSystem& main, const py::object& object, const py::object& variable, int mesh_node, const py::object& configuration) {
-        const std::string method = "GetObjectOutputSuperElement";
+        const char* const method = "GetObjectOutputSuperElement";
         const int number = item_number_argument(main, ItemKind::object, object.ptr(), method);
         std::vector<double> values;
-        main.assembled(method.c_str())
+        main.assembled(method)
             .super_element_output(number, variable_argument(variable, method), mesh_node,
                                   current_or(configuration, method), values);
         return number_or_array(values);
@@ -177,7 +187,7 @@ void register_indices(Class& main_system) {
           const int number = item_number_argument(main, ItemKind::node, node.ptr(), entry.method);
           const int index = main.assembled(entry.method).node_index(number, entry.kind);
           if (index < 0) {
-            refuse(ErrorKind::value, {"mbs." + std::string(entry.method) + "(...)", "",
+            refuse(ErrorKind::value, {called(entry.method), "",
                                       main.model.describe(ItemKind::node, number) + " has no " + entry.coordinates + " coordinates", "",
                                       "", "Ask for the coordinates that this type of node has."});
           }

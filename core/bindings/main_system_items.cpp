@@ -11,11 +11,11 @@
 
 namespace dalembert {
 
-int item_number_argument(const MainSystem& main, ItemKind kind, PyObject* value, const std::string& method) {
+int item_number_argument(const MainSystem& main, ItemKind kind, PyObject* value, const Label& method) {
   ItemKind given{};
   int number = -1;
   const auto complain = [&](const std::string& advice) {
-    refuse(ErrorKind::type, {"mbs." + method + "(...)", std::string(kind_name(kind)) + "Number", "", show(value),
+    refuse(ErrorKind::type, {"mbs." + method.text() + "(...)", std::string(kind_name(kind)) + "Number", "", show(value),
                              with_article(index_name(kind)) + " or an integer", advice});
   };
   if (read_index(value, given, number)) {
@@ -36,19 +36,20 @@ int item_number_argument(const MainSystem& main, ItemKind kind, PyObject* value,
   try {
     main.model.item(kind, number);
   } catch (const ModelError& error) {
-    throw ModelError(error.kind(), "mbs." + method + "(...): " + error.what());
+    throw ModelError(error.kind(), "mbs." + method.text() + "(...): " + error.what());
   }
   return number;
 }
 
-ConfigurationType configuration_argument(const py::object& value, const std::string& where) {
-  const bool is_member = py::isinstance(value, core_module().attr("ConfigurationType"));
+ConfigurationType configuration_argument(const py::object& value, const Label& where) {
+  static const Enumeration configurations("ConfigurationType");
+  const bool is_member = configurations.has(value.ptr());
   if (is_member) {
-    const auto configuration = static_cast<ConfigurationType>(value.cast<std::uint32_t>());
+    const auto configuration = static_cast<ConfigurationType>(Enumeration::number(value.ptr()));
     if (configuration != ConfigurationType::_None && configuration != ConfigurationType::EndOfEnumList) return configuration;
   }
   refuse(is_member ? ErrorKind::value : ErrorKind::type,
-         {.item = where,
+         {.item = where.text(),
           .parameter = "configuration",
           .received = show(value.ptr()),
           .expected = "ConfigurationType.Current, Initial, Reference, StartOfStep or Visualization"});
@@ -156,8 +157,8 @@ void take_over(MainSystem& main, const char* method) {
 void set_parameter(MainSystem& main, ItemKind kind, int number, const std::string& name, const py::object& value) {
   const Row& row = require_row(main, kind, number, name);
   const Item& item = main.model.item(kind, number);
-  const std::string where = main.model.describe(kind, number);
-  if (row.internal) refuse(ErrorKind::value, {where, name, "cannot be set", "", "", "It is computed by the system."});
+  const auto where = [&] { return main.model.describe(kind, number); };
+  if (row.internal) refuse(ErrorKind::value, {where(), name, "cannot be set", "", "", "It is computed by the system."});
   const ItemType& type = *item.type;
   main.model.edit(kind, number, row, [&](void* target) {
     // `target` is the member; the record begins at its offset before.
@@ -248,8 +249,8 @@ void register_reading(Class& main_system, ItemKind kind) {
       py::arg("typeName"), ("The default parameters of a type of " + noun + " as a dictionary.").c_str());
   main_system.def(
       (get + "Parameter").c_str(),
-      [kind, get](const MainSystem& main, const py::object& index, const std::string& name) {
-        return get_parameter(main, kind, item_number_argument(main, kind, index.ptr(), get + "Parameter"), name);
+      [kind, method = get + "Parameter"](const MainSystem& main, const py::object& index, const std::string& name) {
+        return get_parameter(main, kind, item_number_argument(main, kind, index.ptr(), method), name);
       },
       py::arg(number.c_str()), py::arg("parameterName"), "One parameter; visualization parameters begin with 'V'.");
 }

@@ -2,6 +2,9 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <array>
+
 #include "compiled_callback.hpp"
 #include "console.hpp"
 #include "conversion.hpp"
@@ -31,11 +34,10 @@ class SystemFunction {
   auto call(Read&& read, double time, Arguments... arguments) const {
     const InterpreterLock lock(InterpreterLock::Afterwards::may_be_kept);
     const auto main = main_.lock();
-    PyObject* raw = nullptr;
-    {
-      const py::tuple all = py::make_tuple(main, time, arguments...);
-      raw = PyObject_Call(function_.ptr(), all.ptr(), nullptr);
-    }
+    const std::array objects{py::cast(main), py::cast(time), py::cast(arguments)...};
+    std::array<PyObject*, std::tuple_size_v<decltype(objects)>> passed;
+    std::ranges::transform(objects, passed.begin(), [](const py::object& object) { return object.ptr(); });
+    PyObject* raw = PyObject_Vectorcall(function_.ptr(), passed.data(), passed.size(), nullptr);
     if (raw == nullptr) throw_python_error("in mbs." + name_ + "UserFunction, at time " + std::to_string(time));
     const py::object result = py::reinterpret_steal<py::object>(raw);
     main->assembled(name_.c_str());

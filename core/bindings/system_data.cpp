@@ -47,15 +47,15 @@ const Coordinates& coordinates_of(Member member) {
 // What GetSystemState lists, in this order.
 constexpr Member state_members[] = {&State::q, &State::v, &State::y, &State::lambda, &State::data};
 
-std::string full_name(const std::string& method) { return "mbs.systemData." + method; }
+std::string full_name(const Label& method) { return "mbs.systemData." + method.text(); }
 
-System& assembled(const SystemData& self, const std::string& method) {
+System& assembled(const SystemData& self, const Label& method) {
   if (self.main->consistent()) return self.main->system;
-  return self.main->assembled(("systemData." + method).c_str());
+  return self.main->assembled(("systemData." + method.text()).c_str());
 }
 
-Configuration read_configuration(const py::object& value, const std::string& method) {
-  return configuration_argument(value, full_name(method));
+Configuration read_configuration(const py::object& value, const Label& method) {
+  return configuration_argument(value, [&] { return full_name(method); });
 }
 
 bool has(const Coordinates& which, Configuration configuration) {
@@ -76,7 +76,7 @@ py::array_t<double> array_of(std::vector<double>& values, bool copy, const Syste
 }
 
 py::array_t<double> get(const py::object& self, const Coordinates& which, const py::object& where, bool copy) {
-  const std::string method = std::string("Get") + which.name;
+  const auto method = [&] { return std::string("Get") + which.name; };
   const auto& data = self.cast<const SystemData&>();
   System& system = assembled(data, method);
   const Configuration configuration = read_configuration(where, method);
@@ -86,12 +86,14 @@ py::array_t<double> get(const py::object& self, const Coordinates& which, const 
 
 // Numbers for one vector of a state, checked; nothing is written.
 std::vector<double> read_coordinates(const System& system, const Coordinates& which, Configuration configuration,
-                                     const py::object& value, const std::string& method) {
+                                     const py::object& value, const Label& method) {
   const int size = size_of(system, which, configuration);
+  std::vector<double> numbers(static_cast<std::size_t>(size));
+  if (read_plain_reals(value.ptr(), 1, numbers)) return numbers;
   const std::string expected =
       std::to_string(size) + " finite numbers, the " + std::string(which.name) + " of the assembled system";
   try {
-    std::vector<double> numbers = read_reals(value.ptr());
+    numbers = read_reals(value.ptr());
     if (static_cast<int>(numbers.size()) == size) return numbers;
   } catch (const Refusal& refusal) {
     refuse(refusal.kind,
@@ -101,7 +103,7 @@ std::vector<double> read_coordinates(const System& system, const Coordinates& wh
 }
 
 void set(const SystemData& self, const Coordinates& which, const py::object& value, const py::object& where) {
-  const std::string method = std::string("Set") + which.name;
+  const auto method = [&] { return std::string("Set") + which.name; };
   System& system = assembled(self, method);
   const Configuration configuration = read_configuration(where, method);
   const std::vector<double> numbers = read_coordinates(system, which, configuration, value, method);
@@ -125,7 +127,7 @@ py::list system_state(const py::object& self, const py::object& where) {
 }
 
 void set_system_state(const SystemData& self, const py::object& value, const py::object& where) {
-  const std::string method = "SetSystemState";
+  constexpr const char* method = "SetSystemState";
   System& system = assembled(self, method);
   const Configuration configuration = read_configuration(where, method);
   constexpr std::size_t n = std::size(state_members);
@@ -150,7 +152,7 @@ py::dict state_dictionary(const py::object& self, const py::object& where, bool 
 // ---- index tables
 // ------------------------------------------------------------------------------------------------------
 
-int item_number(const SystemData& self, ItemKind kind, const py::object& value, const std::string& method) {
+int item_number(const SystemData& self, ItemKind kind, const py::object& value, const Label& method) {
   ItemKind given = kind;
   int number = -1;
   const std::string noun(kind_name(kind));
@@ -208,7 +210,7 @@ void register_tables(Data& data) {
 // ------------------------------------------------------------------------------------
 
 void add_load_dependencies(const SystemData& self, const py::object& load, const py::object& value) {
-  const std::string method = "AddODE2LoadDependencies";
+  constexpr const char* method = "AddODE2LoadDependencies";
   System& system = assembled(self, method);
   const int number = item_number(self, ItemKind::load, load, method);
   const int size = system.sizes().ode2;

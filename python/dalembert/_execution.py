@@ -4,13 +4,14 @@
 from __future__ import annotations
 
 import difflib
+import functools
 import os
 import platform
 import sys
 import warnings
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from numbers import Real
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -116,11 +117,38 @@ def WriteToFile(
     return globalCnt + len(values)
 
 
+class _Raised(NamedTuple):
+    """Stands in place of a value if the function has raised an exception."""
+
+    error: Any  # with the traceback of its process
+
+
+def _outcomes(function: Function, sets: Sequence[ParameterSet]) -> list[Any]:
+    """Return the values of a portion of the sets, up to the first exception."""
+    from multiprocessing.pool import ExceptionWithTraceback  # type: ignore[attr-defined]
+
+    outcomes: list[Any] = []
+    for parameters in sets:
+        try:
+            outcomes.append(function(parameters))
+        except Exception as error:
+            outcomes.append(_Raised(ExceptionWithTraceback(error, error.__traceback__)))
+            break
+    return outcomes
+
+
 def _in_processes(function: Function, sets: Sequence[ParameterSet], threads: int) -> Iterator[Any]:
+    """Yield results in order. Processes take portions: passing one on may take as long as to evaluate a function."""
     from multiprocessing import Pool
 
+    size = max(1, len(sets) // (100 * threads))  # small enough to show progress and to end together
+    portions = [sets[i : i + size] for i in range(0, len(sets), size)]
     with Pool(processes=threads) as pool:
-        yield from pool.imap(function, sets)
+        for outcomes in pool.imap(functools.partial(_outcomes, function), portions):
+            for outcome in outcomes:
+                if isinstance(outcome, _Raised):
+                    raise outcome.error
+                yield outcome
 
 
 def _with_mpi(function: Function, sets: Sequence[ParameterSet]) -> Iterator[Any]:

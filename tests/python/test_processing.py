@@ -130,6 +130,24 @@ def test_exceptions_surface_as_themselves(parallel: bool) -> None:
     assert "evaluation 1 of 3 with parameters {'a': 2}" in error.value.__notes__[0]
 
 
+def test_what_was_evaluated_before_an_exception_counts(tmp_path: Path) -> None:
+    file = tmp_path / "variation.txt"
+    numbers = list(range(3, 403))
+    numbers[257] = 2  # not the first of those that are passed to a process together
+    with pytest.raises(ZeroDivisionError) as error:
+        processing.ParameterVariation(
+            failing,
+            {"a": numbers},
+            useMultiProcessing=True,
+            numberOfThreads=1,
+            showProgress=False,
+            resultsFile=str(file),
+        )
+    assert "evaluation 257 of 400 with parameters {'a': 2}" in error.value.__notes__[0]
+    assert "in failing" in str(error.value.__cause__)
+    assert len(np.loadtxt(file, delimiter=",")) == 257
+
+
 @pytest.mark.parametrize(
     ("parameters", "text"),
     [

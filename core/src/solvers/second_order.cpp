@@ -20,6 +20,16 @@ void subtract(std::vector<double>& x, double factor, const double* y) {
   for (std::size_t i = 0; i < x.size(); ++i) x[i] -= factor * y[i];
 }
 
+// q, v and a in one loop: most systems are small.
+void subtract_motion(std::size_t n, const double* __restrict x, double rate, double acceleration, double* __restrict q,
+                     double* __restrict v, double* __restrict a) {
+  for (std::size_t i = 0; i < n; ++i) {
+    q[i] -= x[i];
+    v[i] -= rate * x[i];
+    a[i] -= acceleration * x[i];
+  }
+}
+
 // The matrix of modified Newton has to serve many steps: reactions and inertia forces of the moment have no part in it.
 State without_momentary_forces(State state) {
   std::fill(state.lambda.begin(), state.lambda.end(), 0.0);
@@ -155,12 +165,13 @@ void SecondOrderSolver::compute_update(bool initial) {
 void SecondOrderSolver::predict() {
   State& now = current();
   const double h = it.currentStepSize, beta = newmark_beta, gamma = newmark_gamma;
+  const bool newmark = this->newmark();
   if (lie_) previous_q_ = start_of_step().q;
   for (std::size_t i = 0; i < now.q.size(); ++i) {
-    double aa = newmark() ? now.a[i] : algorithmic_[i];
+    double aa = newmark ? now.a[i] : algorithmic_[i];
     double q = h * now.v[i] + h * h * (0.5 - beta) * aa;
     double v = h * (1 - gamma) * aa;
-    if (!newmark()) {
+    if (!newmark) {
       aa = (alpha_f * now.a[i] - alpha_m * aa) / (1 - alpha_m);
       algorithmic_[i] = aa;
       q += h * h * beta * aa;
@@ -185,12 +196,12 @@ void SecondOrderSolver::correct() {
     previous_q_ = now.q;
     for (std::size_t i = 0; i < increment_of_q_.size(); ++i) increment_of_q_[i] = -increment_[i];
   }
-  subtract(now.q, 1, increment_.data());
-  subtract(now.v, gamma_prime(), increment_.data());
-  subtract(now.a, beta_prime(), increment_.data());
+  subtract_motion(now.q.size(), increment_.data(), gamma_prime(), beta_prime(), now.q.data(), now.v.data(), now.a.data());
   subtract(now.lambda, 1 / scale, increment_.data() + sizes_.first_ae());
-  subtract(now.y, 1, increment_.data() + sizes_.ode2);
-  subtract(now.y_t, 2 / it.currentStepSize, increment_.data() + sizes_.ode2);
+  if (!now.y.empty()) {
+    subtract(now.y, 1, increment_.data() + sizes_.ode2);
+    subtract(now.y_t, 2 / it.currentStepSize, increment_.data() + sizes_.ode2);
+  }
   if (lie_) correct_lie_rotations();
 }
 

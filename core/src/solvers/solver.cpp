@@ -10,6 +10,20 @@
 
 namespace dalembert {
 
+namespace {
+
+// In place: both are states of one system, so their vectors are of the same sizes, except where parts are left out.
+void copy(const State& from, State& to) {
+  for (const auto part : {&State::q, &State::v, &State::a, &State::y, &State::y_t, &State::lambda, &State::data}) {
+    const std::vector<double>& x = from.*part;
+    if ((to.*part).size() != x.size()) (to.*part).resize(x.size());
+    std::copy(x.begin(), x.end(), (to.*part).begin());
+  }
+  to.time = from.time;
+}
+
+}  // namespace
+
 void Solver::attach(System& system, const SimulationSettings& settings, const SolverEnvironment& environment) {
   system_ = &system;
   settings_ = &settings;
@@ -147,7 +161,7 @@ bool Solver::solve_steps() {
     while (!conv.stepReductionFailed && !end_reached && !stop_) {
       if (time_to_look()) poll();
       if (stop_) break;
-      start_of_step() = current();
+      copy(current(), start_of_step());
       save_start_of_step();
       while (!conv.stepReductionFailed) {
         if (try_step()) {

@@ -1,0 +1,23 @@
+// How errors name what they are about; put into words when an error needs them.
+#pragma once
+
+#include <concepts>
+#include <string>
+
+namespace dalembert {
+
+// As long as what it was made of.
+class Label {
+ public:
+  template <std::invocable Words>
+  Label(const Words& words) : words_(&words), speak_([](const void* w) { return std::string((*static_cast<const Words*>(w))()); }) {}
+  Label(const std::string& text) : words_(&text), speak_([](const void* t) { return *static_cast<const std::string*>(t); }) {}
+  Label(const char* text) : words_(text), speak_([](const void* t) { return std::string(static_cast<const char*>(t)); }) {}
+  std::string text() const { return speak_(words_); }
+
+ private:
+  const void* words_;
+  std::string (*speak_)(const void*);
+};
+
+}  // namespace dalembert
