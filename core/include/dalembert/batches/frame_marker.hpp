@@ -53,6 +53,8 @@ struct MassShape {
   static constexpr int values = 0, forces = 3;
   static decltype(auto) point(const typename E::Parameters& p, const Vec3<double>&) { return E::Kernel::centre(p); }
   static double scale(const typename E::Parameters& p) { return E::Kernel::mass(p); }
+  // What weighs the accelerations of coordinates weighs the load.
+  static constexpr bool constant_jacobian = E::constant_mass;
   template <class S>
   static auto pull_back(const typename E::Parameters& p, const Coordinates<S, E::size>& x, const Vec3<double>&,
                         const double* g) {
@@ -154,7 +156,7 @@ class FrameMarkerBatch : public MarkerBatch {
 
  private:
   static constexpr bool has_geometric = [] {
-    if constexpr (requires { E::constant_jacobian; }) return n > 0 && !E::constant_jacobian;
+    if constexpr (requires { requires Shape::constant_jacobian; } || requires { requires E::constant_jacobian; }) return false;
     else return n > 0;
   }();
   static void sweep(const Entry& e, const Coordinates<double, n>& x, const Weights& weights, Ports& ports) {
