@@ -1,5 +1,7 @@
 #include "main_system.hpp"
 
+#include <cctype>
+
 #include "compiled_callback.hpp"
 #include "conversion.hpp"
 #include "dalembert/model/member.hpp"
@@ -21,30 +23,34 @@ constexpr const char* list_key(ItemKind kind) {
   return keys[static_cast<std::size_t>(kind)];
 }
 
+std::string dictionary_key(std::string name) {
+  name[0] = static_cast<char>(std::tolower(name[0]));
+  return name + "Function";
+}
+
+// The function of a value that was given: itself, one in a dictionary with its type, or none for 0.
+py::object function_of(const std::string& name, const py::object& value) {
+  if (value.is_none() || (PyLong_Check(value.ptr()) && PyObject_IsTrue(value.ptr()) == 0)) return py::none();
+  py::object function = value;
+  if (py::isinstance<py::dict>(value) && value.contains("function")) function = value["function"];
+  const auto refuse_function = [&](const std::string& expected, const std::string& advice) {
+    refuse(ErrorKind::type, {"mbs.Set" + name + "UserFunction(...)", "value", "", show(value.ptr()), expected, advice});
+  };
+  try {
+    if (compiled_system_function(function.ptr(), name) == nullptr && PyCallable_Check(function.ptr()) == 0)
+      refuse_function("a function, or 0 for none", "Pass the function itself, without calling it.");
+  } catch (const Refusal& refusal) {
+    refuse_function(refusal.expected, refusal.advice);
+  }
+  return function;
+}
+
 void register_functions(Class& main_system) {
   for (const char* name : system_functions) {
     const std::string key(name);
     main_system.def(
         ("Set" + key + "UserFunction").c_str(),
-        [key](MainSystem& main, const py::object& value) {
-          if (value.is_none() || (PyLong_Check(value.ptr()) && PyObject_IsTrue(value.ptr()) == 0)) {
-            main.user_functions.erase(key);
-            return;
-          }
-          py::object function = value;
-          if (py::isinstance<py::dict>(value) && value.contains("function")) function = value["function"];
-          const auto refuse_function = [&](const std::string& expected, const std::string& advice) {
-            refuse(ErrorKind::type,
-                   {"mbs.Set" + key + "UserFunction(...)", "value", "", show(value.ptr()), expected, advice});
-          };
-          try {
-            if (compiled_system_function(function.ptr(), key) == nullptr && PyCallable_Check(function.ptr()) == 0)
-              refuse_function("a function, or 0 for none", "Pass the function itself, without calling it.");
-          } catch (const Refusal& refusal) {
-            refuse_function(refusal.expected, refusal.advice);
-          }
-          main.user_functions[key] = function;
-        },
+        [key](MainSystem& main, const py::object& value) { main.set_user_function(key, function_of(key, value)); },
         py::arg("value"), "Set the function that solvers call; 0 removes it.");
     main_system.def(
         ("Get" + key + "UserFunction").c_str(),
@@ -137,6 +143,14 @@ py::object MainSystem::user_function(const std::string& name) const {
   return found == user_functions.end() ? py::object(py::none()) : found->second;
 }
 
+void MainSystem::set_user_function(const std::string& name, const py::object& function) {
+  if (function.is_none()) {
+    user_functions.erase(name);
+  } else {
+    user_functions[name] = function;
+  }
+}
+
 py::dict system_dictionary(const MainSystem& main) {
   py::dict result;
   result["__version__"] = DALEMBERT_VERSION;
@@ -149,9 +163,14 @@ py::dict system_dictionary(const MainSystem& main) {
     }
     result[list_key(kind)] = list;
   }
-  py::dict functions;
-  for (const auto& [name, function] : main.user_functions) functions[name.c_str()] = function;
+  py::dict functions, settings;
+  for (const std::string name : system_functions) {
+    const py::object function = main.user_function(name);
+    functions[dictionary_key(name).c_str()] = function.is_none() ? py::object(py::int_(0)) : function;
+  }
   result["userFunctions"] = functions;
+  settings["interactiveMode"] = main.interactive;
+  result["settings"] = settings;
   result["variables"] = copy_of(main.variables);
   result["systemVariables"] = copy_of(main.sys);
   return result;
@@ -173,15 +192,19 @@ void set_system_dictionary(MainSystem& main, const py::dict& data) {
   const auto entries = [&](const char* key) {
     return data.contains(key) && py::isinstance<py::dict>(data[key]) ? copy_of(data[key]) : py::dict();
   };
-  const py::dict functions = entries("userFunctions");
+  const py::dict functions = entries("userFunctions"), settings = entries("settings");
+  std::map<std::string, py::object> user_functions;
+  for (const std::string name : system_functions)
+    if (const std::string key = dictionary_key(name); functions.contains(key)) user_functions[name] = function_of(name, functions[key.c_str()]);
+  const bool interactive = settings.contains("interactiveMode") && settings["interactiveMode"].cast<bool>();
   const py::dict variables = entries("variables"), sys = entries("systemVariables");
   main.reset();
   main.model = std::move(model);
   main.set_consistent(false);
   main.variables = variables;
   main.sys = sys;
-  for (const auto& [name, function] : functions)
-    main.user_functions[to_string(name.ptr())] = py::reinterpret_borrow<py::object>(function);
+  for (const auto& [name, function] : user_functions) main.set_user_function(name, function);
+  main.interactive = interactive;
 }
 
 std::string system_summary(const MainSystem& main) {

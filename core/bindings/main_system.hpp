@@ -43,6 +43,7 @@ class MainSystem : public std::enable_shared_from_this<MainSystem> {
 
   // None if no function was set.
   py::object user_function(const std::string& name) const;
+  void set_user_function(const std::string& name, const py::object& function);  // None removes it
 
  private:
   std::uint64_t assembled_structure_ = ~std::uint64_t{0}, refreshed_values_ = 0;

@@ -232,6 +232,7 @@ void add_load_dependencies(const SystemData& self, const py::object& load, const
                           .received = show(value.ptr()),
                           .expected = refusal.expected});
   }
+  self.main->model.add_load_dependencies(number, indices);
   system.add_load_dependencies(number, indices);
 }
 
@@ -366,7 +367,8 @@ void register_system_data(py::module_& module) {
   register_coordinates(data, current);
   register_tables(data);
   data.def("AddODE2LoadDependencies", &add_load_dependencies, py::arg("loadNumber"), py::arg("globalODE2coordinates"),
-           "Say that a load depends on ODE2 coordinates, e.g. in its user function.");
+           "Say that a load depends on ODE2 coordinates, e.g. in its user function. Known also after further Assemble(), until a "
+           "node is deleted or replaced.");
   data.def("Info", &info, "Print all items.");
   data.def("InfoLTG", &info_ltg, "Print the index tables of objects, and on what loads depend.");
 }

@@ -57,12 +57,13 @@ def ConvertDictToScipySparse(sparseDict: Mapping[str, Any]) -> Any:
     return csr_matrix(arrays, shape=(int(rows), int(columns)))
 
 
-def _is_user_function(value: Any) -> bool:
-    if not (isinstance(value, dict) and "function" in value and "type" in value):
-        return False
-    if value["type"] == "Symbolic":
-        raise ValueError("SaveDictToHDF5: symbolic user functions cannot be stored; use a Python function")
-    return value["type"] == "Python" and callable(value["function"])
+def _user_function(value: Any) -> Any:
+    """The Python function of a user function, given as itself or as a dictionary with its type; None otherwise."""
+    if isinstance(value, dict) and "function" in value and "type" in value:
+        if value["type"] == "Symbolic":
+            raise ValueError("SaveDictToHDF5: symbolic user functions cannot be stored; use a Python function")
+        value = value["function"] if value["type"] == "Python" else None
+    return value if hasattr(value, "__code__") else None
 
 
 def _store_group(parent: Any, key: str, datatype: str, members: Mapping[str, Any], path: str) -> None:
@@ -77,12 +78,11 @@ def _store(parent: Any, key: str, value: Any, path: str) -> None:
     from scipy.sparse import issparse
 
     name = type(value).__name__
-    if _is_user_function(value):
-        code = value["function"].__code__
+    if (called := _user_function(value)) is not None:
         function = {
-            "functionName": value["function"].__name__,
-            "functionVarNames": str(code.co_varnames),
-            "type": value["type"],
+            "functionName": called.__name__,
+            "functionVarNames": str(called.__code__.co_varnames),
+            "type": "Python",
         }
         _store_group(parent, key, "exuFunction", function, path)
     elif isinstance(value, dict):
@@ -109,7 +109,7 @@ def SaveDictToHDF5(fileName: str, dataDict: Mapping[str, Any]) -> None:
     """Write a dictionary to an HDF5 file; LoadDictFromHDF5 reads it.
 
     Values are numbers, None, str, numpy arrays, scipy sparse matrices, item indices, enumerations, and lists and
-    dictionaries of them; Python user functions of items are stored by name. Raises ValueError for other types.
+    dictionaries of them; Python functions are stored by name. Raises ValueError for other types.
     """
     with _h5py("SaveDictToHDF5").File(fileName, "w") as file:
         for key, value in dataDict.items():

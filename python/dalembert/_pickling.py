@@ -21,10 +21,10 @@ class _Pickler(cloudpickle.Pickler):  # type: ignore[misc]  # cloudpickle has no
 
     def __init__(self, file: io.BytesIO, mbs: MainSystem) -> None:
         super().__init__(file)
-        self._names = {id(mbs): "system", id(mbs.GetSystemContainer()): "container"}
+        self._left_out = {"system": mbs, "container": mbs.GetSystemContainer()}
 
     def persistent_id(self, thing: Any) -> str | None:
-        return self._names.get(id(thing))
+        return next((name for name, known in self._left_out.items() if thing is known), None)
 
 
 class _Unpickler(Unpickler):

@@ -148,24 +148,47 @@ def test_loads_depend_on_the_coordinates_that_they_act_on(node: exu.NodeType) ->
     assert mbs.sys["staticSolver"].it.newtonStepsCount <= 8
 
 
-def test_dependencies_are_added_before_the_first_solution() -> None:
-    mbs = new_system()
-    nodes = [mbs.AddNode(exu.NodePoint()) for _ in range(2)]
-    for node in nodes:
-        mbs.AddObject(exu.MassPoint(physicsMass=1, nodeNumber=node))
-    load = mbs.AddLoad(
-        exu.LoadCoordinate(
-            markerNumber=mbs.AddMarker(exu.MarkerNodeCoordinate(nodeNumber=nodes[0], coordinate=0)), load=1
-        )
-    )
-    mbs.Assemble()
-    chosen = settings(1, 2)
-    chosen.linearSolverType = exu.LinearSolverType.EigenSparse
+def fewer_iterations(mbs: exu.MainSystem, sparse: bool = False) -> int:
+    """Of the controlled pendulum with derivatives by all coordinates: about two a step, and four times as many without."""
+    chosen = settings(END, STEPS, tolerance=1e-9)
+    chosen.timeIntegration.computeLoadsJacobian = 2
+    if sparse:
+        chosen.linearSolverType = exu.LinearSolverType.EigenSparse
     mbs.SolveDynamic(chosen)
-    mbs.systemData.AddODE2LoadDependencies(load, [0])  # it acts there
-    with pytest.raises(ValueError, match=r"Add dependencies between mbs.Assemble\(\) and solving"):
-        mbs.systemData.AddODE2LoadDependencies(load, [3])
+    return int(mbs.sys["dynamicSolver"].it.newtonStepsCount)
+
+
+def test_dependencies_outlive_assemble_until_coordinates_are_numbered_anew() -> None:
+    mbs, _ = controlled_pendulum()
+    few = fewer_iterations(mbs)
+    assert few <= 3 * STEPS
+    mbs.AddObject(exu.MassPoint(physicsMass=1, nodeNumber=mbs.AddNode(exu.NodePoint())))
     mbs.Assemble()
-    mbs.systemData.AddODE2LoadDependencies(load, [3])
-    mbs.SolveDynamic(chosen)
-    np.testing.assert_allclose(mbs.systemData.GetODE2Coordinates(), [0.5, 0, 0, 0, 0, 0], rtol=0, atol=1e-12)
+    assert fewer_iterations(mbs) == few
+    spare = mbs.AddLoad(exu.LoadCoordinate(markerNumber=mbs.GetMarkerNumber("marker1"), load=0))
+    mbs.DeleteLoad(spare, deleteDependentMarkers=False)
+    mbs.Assemble()
+    assert fewer_iterations(mbs) == few
+    mbs.DeleteObject(mbs.systemData.NumberOfObjects() - 1)  # with its node
+    mbs.Assemble()
+    assert fewer_iterations(mbs) > 3 * STEPS
+
+
+@pytest.mark.parametrize("sparse", [False, True])
+def test_a_load_that_gets_its_function_after_assemble_is_differentiated(sparse: bool) -> None:
+    """Also after a first solution, when the entries of the system matrix are known."""
+    counts = []
+    for late in (False, True):
+        mbs, _ = controlled_pendulum()
+        functions = [mbs.GetLoadParameter(i, "loadVectorUserFunction") for i in range(2)]
+        if late:
+            for i in range(2):
+                mbs.SetLoadParameter(i, "loadVectorUserFunction", 0)
+            mbs.Assemble()
+            mbs.systemData.AddODE2LoadDependencies(0, [2])
+            assert fewer_iterations(mbs, sparse) <= 3 * STEPS
+            for i, function in enumerate(functions):
+                mbs.SetLoadParameter(i, "loadVectorUserFunction", function)
+                mbs.systemData.AddODE2LoadDependencies(i, [2, 5])
+        counts.append(fewer_iterations(mbs, sparse))
+    assert counts[0] == counts[1] <= 3 * STEPS

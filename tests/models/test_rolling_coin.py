@@ -45,14 +45,27 @@ def motion(_: float, state: np.ndarray) -> np.ndarray:
     return np.concatenate([-np.cross(omega, arm), np.cross(omega, turn.T).T.ravel(), alpha])
 
 
-def exact() -> np.ndarray:
-    """The contact point at the end."""
-    start = np.concatenate([CENTRE, TILT.ravel(), SPIN])
-    end = solve_ivp(motion, (0, END), start, method="DOP853", rtol=1e-12, atol=1e-14).y[:, -1]
-    return np.asarray(end[:3] + RADIUS * down(end[3:12].reshape(3, 3)[:, 0]))
+START = np.concatenate([CENTRE, TILT.ravel(), SPIN])
 
 
-def rolled(steps: int, node: exu.NodeType) -> np.ndarray:
+def contact(state: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The contact point, and the force there by Newton's law, in the axes (lateral, forward, up) of the contact."""
+    turn, omega, alpha = state[3:12].reshape(3, 3), state[12:], motion(0, state)[12:]
+    axis = turn[:, 0]
+    arm, arm_rate = RADIUS * down(axis), RADIUS * down_rate(axis, np.cross(omega, axis))
+    force = MASS * (-np.cross(alpha, arm) - np.cross(omega, arm_rate) - GRAVITY)
+    along = np.cross(axis, UP)
+    forward = along / np.linalg.norm(along)
+    return state[:3] + arm, np.array([np.cross(UP, forward), forward, UP]) @ force
+
+
+def exact() -> tuple[np.ndarray, np.ndarray]:
+    """Contact point and force at the end."""
+    return contact(solve_ivp(motion, (0, END), START, method="DOP853", rtol=1e-12, atol=1e-14).y[:, -1])
+
+
+def rolled(steps: int, node: exu.NodeType) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Contact point at the end; forces at the start and at the end."""
     mbs = new_system()
     coin = mbs.CreateRigidBody(
         referencePosition=CENTRE,
@@ -66,9 +79,15 @@ def rolled(steps: int, node: exu.NodeType) -> np.ndarray:
     ground = mbs.CreateGround()
     markers = [mbs.AddMarker(exu.MarkerBodyRigid(bodyNumber=b)) for b in (ground, coin)]
     joint = mbs.AddObject(exu.ObjectJointRollingDisc(markerNumbers=markers, discRadius=RADIUS))
+    force = mbs.AddSensor(
+        exu.SensorObject(
+            objectNumber=joint, outputVariableType=Variable.ForceLocal, storeInternal=True, writeToFile=False
+        )
+    )
     mbs.Assemble()
     mbs.SolveDynamic(settings(END, steps), solverType=exu.DynamicSolverType.TrapezoidalIndex2)
-    return np.asarray(mbs.GetObjectOutput(joint, Variable.Position))
+    stored = mbs.GetSensorStoredData(force)
+    return np.asarray(mbs.GetObjectOutput(joint, Variable.Position)), stored[0, 1:], stored[-1, 1:]
 
 
 # Of a thousand steps. Euler parameters drift off unit length meanwhile.
@@ -78,6 +97,18 @@ ERRORS = {exu.NodeType.RotationEulerParameters: 7.2e-7, exu.NodeType.RotationRxy
 @pytest.mark.parametrize("node", ERRORS, ids=str)
 def test_contact_point_after_half_a_second(node: exu.NodeType) -> None:
     """The trapezoidal rule is of second order: errors are as stated within 2 % and fall to a quarter."""
-    errors = [np.linalg.norm(rolled(steps, node) - exact()) for steps in (1000, 2000)]
+    errors = [np.linalg.norm(rolled(steps, node)[0] - exact()[0]) for steps in (1000, 2000)]
     np.testing.assert_allclose(errors[0], ERRORS[node], rtol=0.02)
     np.testing.assert_allclose(errors[0] / errors[1], 4, rtol=0.01)
+
+
+@pytest.mark.parametrize("node", ERRORS, ids=str)
+def test_contact_force(node: exu.NodeType) -> None:
+    """At the start to the precision of differences. The trapezoidal rule has no damping: forces that began with an error would
+    swing for ever."""
+    results = [rolled(steps, node) for steps in (1000, 2000)]
+    for _, start, _ in results:
+        np.testing.assert_allclose(start, contact(START)[1], rtol=0, atol=1e-6)
+    errors = [np.linalg.norm(end - exact()[1]) for _, _, end in results]
+    np.testing.assert_allclose(errors[0] / errors[1], 4, rtol=0.02)
+    assert 1e-5 < errors[0] < 1e-2

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from scipy.sparse import csr_matrix, random_array
 
+import dalembert as exu
 from dalembert import advancedUtilities as au
 
 
@@ -158,3 +159,30 @@ def test_hdf5_file_returns_the_dictionary(tmp_path):
         au.LoadDictFromHDF5(fileName)
     with pytest.raises(ValueError, match="SaveDictToHDF5: a/b: expected a number"):
         au.SaveDictToHDF5(fileName, {"a": {"b": object()}})
+
+
+def constant_force(mbs, t, loadVector):
+    return [0, 0, 2 * t]
+
+
+def before_step(mbs, t):
+    return True
+
+
+def test_hdf5_file_of_a_system(tmp_path):
+    """The system comes back with its user functions, those of items and those that solvers call."""
+    pytest.importorskip("h5py")
+    mbs = exu.SystemContainer().AddSystem()
+    body = mbs.CreateMassPoint(physicsMass=1)
+    mbs.CreateForce(bodyNumber=body, loadVectorUserFunction=constant_force)
+    mbs.SetPreStepUserFunction(before_step)
+    mbs.interactiveMode = True
+    fileName = str(tmp_path / "mbs.h5")
+    au.SaveDictToHDF5(fileName, mbs.GetDictionary())
+    again = exu.SystemContainer().AddSystem()
+    again.SetDictionary(au.LoadDictFromHDF5(fileName, globals()))
+    assert again.GetLoadParameter(0, "loadVectorUserFunction") is constant_force
+    assert again.GetPreStepUserFunction() is before_step
+    assert again.GetPostStepUserFunction() == 0
+    assert again.interactiveMode
+    assert repr(again) == repr(mbs)

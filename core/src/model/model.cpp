@@ -134,6 +134,7 @@ void Model::replace(ItemKind kind, int number, Item item) {
   items(kind)[static_cast<std::size_t>(number)] = std::move(item);
   index_names(kind);
   ++structure_changes_;
+  if (kind == ItemKind::node) load_dependencies_.clear();
 }
 
 void Model::edit(ItemKind kind, int number, const Row& row, const std::function<void(void*)>& write) {
@@ -148,6 +149,7 @@ void Model::edit(ItemKind kind, int number, const Row& row, const std::function<
   if (row.role == Role::visualization) return;
   if (row.needs_assemble || index_storage(row.storage).is_index) {
     ++structure_changes_;
+    if (kind == ItemKind::node) load_dependencies_.clear();
   } else {
     note_value_change(kind, number);
   }
@@ -164,7 +166,14 @@ void Model::clear() {
   for (auto& list : items_) list.clear();
   for (auto& names : numbers_) names.clear();
   changes_.clear();
+  load_dependencies_.clear();
   ++structure_changes_;
+}
+
+void Model::add_load_dependencies(int load, std::span<const int> coordinates) {
+  std::vector<int>& known = load_dependencies_[load];
+  for (const int i : coordinates)
+    if (std::ranges::find(known, i) == known.end()) known.push_back(i);
 }
 
 void Model::note_value_change(ItemKind kind, int number) {

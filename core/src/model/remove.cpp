@@ -51,6 +51,16 @@ void Model::shift_references(ItemKind kind, int removed, std::vector<std::string
   }
 }
 
+// Coordinates are numbered by nodes; the keys are numbers of loads.
+void Model::shift_load_dependencies(ItemKind kind, int removed) {
+  if (kind == ItemKind::node) load_dependencies_.clear();
+  if (kind != ItemKind::load) return;
+  load_dependencies_.erase(removed);
+  std::map<int, std::vector<int>> shifted;
+  for (auto& [load, coordinates] : load_dependencies_) shifted[load > removed ? load - 1 : load] = std::move(coordinates);
+  load_dependencies_ = std::move(shifted);
+}
+
 std::vector<std::string> Model::remove(ItemKind kind, int number, bool with_dependents) {
   const Item removed = item(kind, number);
   auto& list = items(kind);
@@ -60,6 +70,7 @@ std::vector<std::string> Model::remove(ItemKind kind, int number, bool with_depe
   changes_.clear();
   std::vector<std::string> lost;
   shift_references(kind, number, lost);
+  shift_load_dependencies(kind, number);
   if (!with_dependents) return lost;
 
   const auto take_along = [&](ItemKind dependent) {

@@ -9,7 +9,8 @@ namespace dalembert {
 
 namespace {
 
-// Second derivative of the gaps along the velocity: a central difference of their rates.
+// Derivative of the rates of the gaps along the velocity, by a central difference: with constant velocities these are the second
+// derivatives of gaps, the first of constraints of velocities.
 std::vector<double> gap_acceleration(System& system, const State& state, Conditions conditions) {
   const std::size_t n = state.lambda.size();
   std::vector<double> before(n), after(n), step(state.q.size());
@@ -36,6 +37,17 @@ std::vector<double> gap_acceleration(System& system, const State& state, Conditi
   return after;
 }
 
+// Whether the velocities at the start fulfil the constraints of velocities, within the digits that people type. If not, the first step
+// jumps, and nothing is known of derivatives along these velocities. `speeds`: sizes of the terms of each equation.
+bool fulfilled(System& system, const State& state, const Conditions& conditions, const std::vector<double>& speeds) {
+  constexpr double typed = 1e-3;
+  std::vector<double> gaps(speeds.size());
+  system.gaps(state, conditions, gaps);
+  for (std::size_t k = 0; k < speeds.size(); ++k)
+    if (speeds[k] > 0 && std::abs(gaps[k]) > typed * speeds[k]) return false;
+  return true;
+}
+
 }  // namespace
 
 InitialAccelerations initial_accelerations(System& system, const State& state, const Conditions& conditions,
@@ -52,24 +64,27 @@ InitialAccelerations initial_accelerations(System& system, const State& state, c
   system.tangent(still, position, {.q = 1, .v = 0, .a = 0, .y = 1, .y_t = 0}, pattern, matrix);
 
   // Gradients are those of the rates by the velocities: Euler parameters turn a frame without their own lengthening, which
-  // the gradient of a gap contains. Constraints of velocities are differentiated once, not twice; their own velocity terms
-  // are left out.
-  std::vector<char> of_velocities(static_cast<std::size_t>(s.ae), 0);
+  // the gradient of a gap contains. Constraints of velocities are their own rates, so they are differentiated once, not twice.
+  std::vector<double> speeds(static_cast<std::size_t>(s.ae), 0.0);
+  std::vector<char> of_velocities(speeds.size(), 0);
   if (s.ae > 0) {
     const auto by_velocity = [&](const Conditions& level) {
       system.tangent(still, level, {.q = 0, .v = 1, .a = 0, .y = 1, .y_t = 0}, pattern, velocity_part);
     };
     const auto each_gradient = [&](auto&& f) {
       for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
-        if (row >= s.first_ae() && column < s.ode2) f(static_cast<std::size_t>(row - s.first_ae()), slot);
+        if (row >= s.first_ae() && column < s.ode2) f(static_cast<std::size_t>(row - s.first_ae()), column, slot);
       });
     };
     by_velocity(position);
-    each_gradient([&](std::size_t k, std::size_t slot) { of_velocities[k] |= velocity_part[slot] != 0; });
+    each_gradient([&](std::size_t k, int column, std::size_t slot) {
+      of_velocities[k] |= velocity_part[slot] != 0;
+      speeds[k] += std::abs(velocity_part[slot] * still.v[column]);
+    });
     Conditions rates = position;
     rates.rate_level = true;
     by_velocity(rates);
-    each_gradient([&](std::size_t, std::size_t slot) { matrix[slot] = velocity_part[slot]; });
+    each_gradient([&](std::size_t, int, std::size_t slot) { matrix[slot] = velocity_part[slot]; });
   }
   for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
     if (row < s.first_ae() && column < s.first_ae()) {
@@ -80,7 +95,8 @@ InitialAccelerations initial_accelerations(System& system, const State& state, c
   });
   system.forces(still, position, std::span(x).first(static_cast<std::size_t>(s.ode2)));
   const std::vector<double> gap = gap_acceleration(system, still, position);
-  for (int i = 0; i < s.ae; ++i) x[s.first_ae() + i] = of_velocities[i] ? 0.0 : -gap[i];
+  const bool jumps = !fulfilled(system, still, position, speeds);
+  for (int i = 0; i < s.ae; ++i) x[s.first_ae() + i] = jumps && of_velocities[i] ? 0.0 : -gap[i];
 
   InitialAccelerations result;
   const auto solver = make_linear_solver(pattern, type, options);

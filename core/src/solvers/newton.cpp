@@ -62,6 +62,7 @@ struct NewtonSolver::Loop {
 
 void NewtonSolver::initialize_data() {
   Solver::initialize_data();
+  system().complete_pattern();
   const Pattern* pattern = &system().pattern(dense());
   const auto& s = settings().linearSolverSettings;
   linear_ = make_linear_solver(*pattern, settings().linearSolverType,

@@ -479,7 +479,7 @@ class Builder {
 
 void build(SystemParts& parts, const Model& model, const Division& division) {
   Builder(parts, model, division).run();
-  make_load_dependencies(parts);
+  make_load_dependencies(parts, model);
 }
 
 }  // namespace dalembert

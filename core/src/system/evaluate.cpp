@@ -111,12 +111,8 @@ void SystemParts::bind(const Pattern& pattern) {
     if (!mass_alone || term->has_mass()) collect(*term);
   if (!mass_alone) each(marker_batches, collect);
   if (!mass_alone) each(rotating_nodes, collect);
-  for (LoadDependency& dependency : load_dependencies) {
-    if (mass_alone) break;
-    SlotCollector collector(pattern);
-    collector.block(dependency.rows, dependency.columns);
-    dependency.slots = std::move(collector.slots);
-  }
+  if (!mass_alone)
+    for (LoadDependency& dependency : load_dependencies) find_slots(dependency, pattern);
   rate_slots.clear();
   for (int i = sizes.ode2; i < sizes.first_ae(); ++i) rate_slots.push_back(pattern.slot(i, i));
   bound = &pattern;

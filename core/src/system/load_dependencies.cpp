@@ -5,14 +5,31 @@
 
 #include "dalembert/model/errors.hpp"
 #include "dalembert/model/member.hpp"
+#include "dalembert/model/model.hpp"
 #include "dalembert/system/parts.hpp"
 
 namespace dalembert {
 namespace {
 
+void add_columns(LoadDependency& dependency, std::span<const int> coordinates) {
+  for (const int i : coordinates)
+    if (std::ranges::find(dependency.columns, i) == dependency.columns.end()) dependency.columns.push_back(i);
+}
+
+bool contains(const Pattern& pattern, const LoadDependency& dependency) {
+  return std::ranges::all_of(dependency.columns, [&](int column) {
+    return std::ranges::all_of(dependency.rows, [&](int row) { return pattern.contains(row, column); });
+  });
+}
+
+// In the order of the loads.
+auto place_of(SystemParts& parts, int number) {
+  return std::ranges::lower_bound(parts.load_dependencies, number, {}, &LoadDependency::load);
+}
+
 LoadDependency& dependency_of(SystemParts& parts, int number) {
-  const auto found = std::ranges::find(parts.load_dependencies, number, &LoadDependency::load);
-  if (found != parts.load_dependencies.end()) return *found;
+  const auto place = place_of(parts, number);
+  if (place != parts.load_dependencies.end() && place->load == number) return *place;
   const LoadPlace& load = parts.loads[static_cast<std::size_t>(number)];
   const auto& physics = static_cast<const LoadPhysics&>(*load.type->physics);
   LoadDependency made;
@@ -25,7 +42,8 @@ LoadDependency& dependency_of(SystemParts& parts, int number) {
   const auto rows = parts.ports.marker_dofs(load.marker);
   made.rows.assign(rows.begin(), rows.end());
   made.columns = made.rows;
-  return parts.load_dependencies.emplace_back(std::move(made));
+  parts.bound = nullptr;
+  return *parts.load_dependencies.insert(place, std::move(made));
 }
 
 // The current state, moved along one or more coordinates; it comes back also when a user function throws.
@@ -124,9 +142,28 @@ class LoadDifferences {
 
 }  // namespace
 
-void make_load_dependencies(SystemParts& parts) {
-  for (std::size_t i = 0; i < parts.loads.size(); ++i)
-    if (has_user_function(*parts.loads[i].type, parts.loads[i].record.get())) dependency_of(parts, static_cast<int>(i));
+void make_load_dependencies(SystemParts& parts, const Model& model) {
+  for (int i = 0; i < static_cast<int>(parts.loads.size()); ++i)
+    if (const LoadPlace& load = parts.loads[static_cast<std::size_t>(i)]; has_user_function(*load.type, load.record.get()))
+      dependency_of(parts, i);
+  for (const auto& [load, coordinates] : model.load_dependencies()) add_columns(dependency_of(parts, load), coordinates);
+}
+
+void refresh_load_dependency(SystemParts& parts, int number) {
+  const LoadPlace& load = parts.loads[static_cast<std::size_t>(number)];
+  const auto place = place_of(parts, number);
+  if (place != parts.load_dependencies.end() && place->load == number) {
+    place->term->refresh(0, load.record.get());
+  } else if (has_user_function(*load.type, load.record.get())) {
+    dependency_of(parts, number);
+  }
+}
+
+void find_slots(LoadDependency& dependency, const Pattern& pattern) {
+  dependency.slots.clear();
+  if (!contains(pattern, dependency)) return;
+  for (const int row : dependency.rows)
+    for (const int column : dependency.columns) dependency.slots.push_back(pattern.slot(row, column));
 }
 
 void add_load_dependencies(System& system, SystemParts& parts, Evaluation evaluation, const Weights& weights, bool by_velocities,
@@ -136,6 +173,7 @@ void add_load_dependencies(System& system, SystemParts& parts, Evaluation evalua
   const auto node_loads = parts.ports.node_loads;
   MovedState state(system, parts);
   for (const LoadDependency& dependency : parts.load_dependencies) {
+    if (dependency.slots.empty()) continue;
     LoadDifferences differences(parts, evaluation, dependency, state);
     differences.add(weights.q, false, values);
     if (by_velocities) differences.add(weights.v, true, values);
@@ -146,22 +184,23 @@ void add_load_dependencies(System& system, SystemParts& parts, Evaluation evalua
 
 void System::add_load_dependencies(int load, std::span<const int> coordinates) {
   SystemParts& parts = *parts_;
-  LoadDependency& dependency = dependency_of(parts, load);
-  for (const int i : coordinates) {
-    if (std::ranges::find(dependency.columns, i) != dependency.columns.end()) continue;
-    const auto known = [&](int row) { return parts.sparse_pattern->contains(row, i); };
-    if (parts.sparse_pattern && !std::ranges::all_of(dependency.rows, known))
-      refuse(ErrorKind::value, {parts.describe(ItemKind::load, load), "", "the entries of the system matrix are fixed since the first solution", "", "",
-                                "Add dependencies between mbs.Assemble() and solving."});
-    dependency.columns.push_back(i);
-  }
+  add_columns(dependency_of(parts, load), coordinates);
+  parts.bound = nullptr;
+}
+
+void System::complete_pattern() {
+  SystemParts& parts = *parts_;
+  if (!parts.sparse_pattern) return;
+  const auto known = [&](const LoadDependency& dependency) { return contains(*parts.sparse_pattern, dependency); };
+  if (std::ranges::all_of(parts.load_dependencies, known)) return;
+  parts.sparse_pattern.reset();
   parts.bound = nullptr;
 }
 
 std::span<const int> System::load_dependencies(int load) const {
-  const auto found = std::ranges::find(parts_->load_dependencies, load, &LoadDependency::load);
-  if (found == parts_->load_dependencies.end()) return {};
-  return found->columns;
+  const auto place = place_of(*parts_, load);
+  if (place == parts_->load_dependencies.end() || place->load != load) return {};
+  return place->columns;
 }
 
 }  // namespace dalembert

@@ -75,8 +75,7 @@ void System::refresh(const Model& model) {
         parts.loads[i].record = record;
         parts.loads[i].member.batch->refresh(parts.loads[i].member.entry, record.get());
         parts.look_for_functions(parts.loads[i]);
-        for (LoadDependency& dependency : parts.load_dependencies)
-          if (dependency.load == number) dependency.term->refresh(0, record.get());
+        refresh_load_dependency(parts, number);
         break;
       case ItemKind::sensor: parts.sensors[i] = parts.place_sensor(model.item(kind, number)); break;
     }

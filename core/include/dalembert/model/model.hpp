@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -44,6 +46,11 @@ class Model {
   // nodes and markers along, loads their marker. Returns a sentence for each reference that was lost.
   std::vector<std::string> remove(ItemKind kind, int number, bool with_dependents);
 
+  // The value of a load depends on these ODE2 coordinates of the assembled system, besides those that it acts on. The numbers keep
+  // their meaning when items are added; they are forgotten when a node is deleted or replaced.
+  void add_load_dependencies(int load, std::span<const int> coordinates);
+  const std::map<int, std::vector<int>>& load_dependencies() const { return load_dependencies_; }
+
   // Refuse a model that cannot be assembled: indices, types of nodes and markers, array lengths. Throws ModelError.
   void check() const;
 
@@ -60,9 +67,11 @@ class Model {
   void index_names(ItemKind kind);
   void note_value_change(ItemKind kind, int number);
   void shift_references(ItemKind kind, int removed, std::vector<std::string>& lost);
+  void shift_load_dependencies(ItemKind kind, int removed);
 
   std::array<std::vector<Item>, item_kinds> items_;
   std::array<std::unordered_map<std::string, int>, item_kinds> numbers_;
+  std::map<int, std::vector<int>> load_dependencies_;
   std::vector<ItemReference> changes_;                                    // the last of the value changes
   std::uint64_t structure_changes_ = 0, value_changes_ = 0;
 };

@@ -8,6 +8,8 @@
 
 namespace dalembert {
 
+class Model;
+class Pattern;
 class System;
 struct SystemParts;
 
@@ -15,11 +17,16 @@ struct LoadDependency {
   int load = -1;
   std::unique_ptr<Term> term;       // the load alone
   std::vector<int> rows, columns;   // ODE2 coordinates that it acts on, and that its value depends on
-  std::vector<int> slots;           // of the block, by rows
+  std::vector<int> slots;           // of the block, by rows; none: it is left out
 };
 
 // A load with a user function depends on the coordinates that it acts on, until others are added.
-void make_load_dependencies(SystemParts& parts);
+void make_load_dependencies(SystemParts& parts, const Model& model);
+// Takes over changed parameters of a load, which may have got a user function.
+void refresh_load_dependency(SystemParts& parts, int load);
+
+// No slots: the pattern is older than the dependency and lacks some of its entries.
+void find_slots(LoadDependency& dependency, const Pattern& pattern);
 
 // Adds the derivative of the loads' values, with the frames of their markers held fixed, to the tangent. Differences of what
 // user functions return, who read the current state; by the velocities only if wanted.

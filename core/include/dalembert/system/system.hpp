@@ -73,6 +73,8 @@ class System {
                std::span<double> values);
   // The pattern of the tangent, made on first use after Assemble.
   const Pattern& pattern(bool dense);
+  // For a solver that begins: gives up a pattern that lacks entries of load dependencies which were added after it was made.
+  void complete_pattern();
   // The pattern of the mass matrix alone, as sparse as it is; of the size of the system.
   const Pattern& mass_pattern();
   // M(q) alone, in the leading ode2 x ode2 block of `pattern`; everything else zero.
@@ -134,7 +136,7 @@ class System {
     System& system_;
   };
 
-  // The value of a load depends on these coordinates, besides those that it acts on; until the next Assemble.
+  // The value of a load depends on these coordinates, besides those that it acts on.
   void add_load_dependencies(int load, std::span<const int> coordinates);
   std::span<const int> load_dependencies(int load) const;
 
