@@ -75,6 +75,22 @@ def test_size_in_every_configuration(item: Item, output: Output) -> None:
         assert min(sizes) > 0
 
 
+def with_reference_coordinates(item: Item) -> bool:
+    return "referenceCoordinates" in {row.name for row in item.parameters} and item.name != "NodePointGround"
+
+
+@pytest.mark.parametrize("item", list(filter(with_reference_coordinates, READY)), ids=lambda item: item.name)
+def test_coordinates_of_the_reference_are_its_own(item: Item) -> None:
+    """In all other configurations they count from the reference."""
+    scene = scene_with(item)
+    read = reader(scene, item)
+    reference = scene.mbs.GetNode(find(scene, item))["referenceCoordinates"]
+    variable = exu.OutputVariableType
+    np.testing.assert_array_equal(read(variable.Coordinates, Configuration.Reference), np.squeeze(reference))
+    total = read(variable.CoordinatesTotal, Configuration.Current)
+    np.testing.assert_allclose(total - reference, read(variable.Coordinates, Configuration.Current), rtol=0, atol=1e-15)
+
+
 @pytest.mark.parametrize("item", [item for item in READY if item.outputs], ids=lambda item: item.name)
 def test_what_an_item_does_not_have_is_refused(item: Item) -> None:
     scene = scene_with(item)

@@ -50,19 +50,23 @@ bool frame_output(Variable variable, const Motion<double>& m, Reference&& refere
   }
 }
 
-bool coordinate_output(Variable variable, const Evaluation& e, std::span<const int> ode2, std::span<const int> ode1,
+// Coordinates count from the reference; those of the reference itself are its own.
+bool coordinate_output(Variable variable, const Evaluation& e, std::span<const int> ode2, std::span<const int> ode1, bool of_reference,
                        const State& reference, Values& values) {
   const auto pick = [&](const double* from, std::span<const int> dofs) {
     for (const int i : dofs) values.push_back(from[i]);
   };
   values.clear();
   switch (variable) {
-    case Variable::Coordinates: pick(e.u, ode2); pick(e.y, ode1); return true;
+    case Variable::Coordinates:
+      pick(of_reference ? reference.q.data() : e.u, ode2);
+      pick(e.y, ode1);
+      return true;
     case Variable::Coordinates_t: pick(e.v, ode2); pick(e.y_t, ode1); return true;
     case Variable::Coordinates_tt: pick(e.a, ode2); return true;
     case Variable::CoordinatesTotal:
       pick(e.q, ode2);
-      for (const int i : ode1) values.push_back(e.y[i] + reference.y[i]);
+      for (const int i : ode1) values.push_back(of_reference ? e.y[i] : e.y[i] + reference.y[i]);
       return true;
     default: return false;
   }
@@ -141,7 +145,7 @@ void System::node_output(int node, Variable variable, ConfigurationType configur
   const Evaluation e = parts.output_evaluation(state, dofs.all);
   const NodeView now = view(parts, place, state, e, y_total);
   if (place.physics->output(place.record.get(), variable, now, values)) return;
-  if (coordinate_output(variable, e, dofs.all, rates.all, rest, values)) return;
+  if (coordinate_output(variable, e, dofs.all, rates.all, &state == &rest, rest, values)) return;
   Motion<double> m;
   const auto reference = [&] {
     Motion<double> r;
@@ -166,7 +170,7 @@ void System::body_output(int object, Variable variable, std::array<double, 3> lo
   evaluated_ = parts.evaluating ? evaluated_ : nullptr;
   if (batch->output(entry, variable, at, e, parts.ports, values)) return;
   const State& rest = parts.state(ConfigurationType::Reference);
-  if (coordinate_output(variable, e, dofs, object_ltg(object, Coordinates::ode1), rest, values)) return;
+  if (coordinate_output(variable, e, dofs, object_ltg(object, Coordinates::ode1), &state == &rest, rest, values)) return;
   Motion<double> m;
   const auto reference = [&] {
     Motion<double> r;
@@ -223,7 +227,7 @@ void System::load_values(int load, double time, Values& values) {
 bool may_have(const ItemType& type, Variable variable) {
   if (std::ranges::find(type.outputs, variable) != type.outputs.end()) return true;
   Values values;
-  if (coordinate_output(variable, {}, {}, {}, {}, values)) return true;
+  if (coordinate_output(variable, {}, {}, {}, false, {}, values)) return true;
   const Motion<double> rest{};
   const bool moves = type.kind != ItemKind::object || type.category == "Body" || type.category == "FiniteElement" ||
                      type.category == "SuperElement";
