@@ -2,10 +2,10 @@
 
     python benchmarks/linear_solvers.py [--only TEXT] [--seconds S]
 
-For each matrix: microseconds per unknown of a repeated factorization and of a solution, for each instruction set of
-this processor, and for what else is installed: SuperLU (scipy), and KLU, UMFPACK and CHOLMOD (kvxopt), which are given
-the analysis of the pattern. CHOLMOD, which needs symmetric positive definite matrices, gets A + A' of grids. Times are
-the smallest of many; the machine should be quiet.
+For each matrix: microseconds per unknown of a repeated factorization and of a solution and bytes of the factors per
+unknown, for each instruction set of this processor, and for what else is installed: SuperLU (scipy), and KLU, UMFPACK
+and CHOLMOD (kvxopt), which are given the analysis of the pattern. CHOLMOD, which needs symmetric positive definite
+matrices, gets A + A' of grids. Times are the smallest of many; the machine should be quiet.
 """
 
 from __future__ import annotations
@@ -95,22 +95,26 @@ def complete(matrix: Matrix) -> Matrix:
     return pattern
 
 
-def own(matrix: Matrix, instructions: str) -> tuple[Callable[[], object], Callable[[], object]]:
+# Factorization, solution, and numbers in the factors.
+Candidate = tuple[Callable[[], object], Callable[[], object], int | None]
+
+
+def own(matrix: Matrix, instructions: str) -> Candidate:
     solver = testing.LinearSolver(matrix.indptr, matrix.indices, instructions=instructions)
     solver.factorize(matrix.data)
     b = np.ones(matrix.shape[0])
-    return lambda: solver.factorize(matrix.data), lambda: solver.solve(b)
+    return lambda: solver.factorize(matrix.data), lambda: solver.solve(b), solver.statistics["entries"]
 
 
-def superlu(matrix: Matrix) -> tuple[Callable[[], object], Callable[[], object]]:
+def superlu(matrix: Matrix) -> Candidate:
     def factorize() -> scipy.sparse.linalg.SuperLU:
         return scipy.sparse.linalg.splu(matrix, permc_spec="MMD_AT_PLUS_A", options={"SymmetricMode": True})
 
     lu, b = factorize(), np.ones(matrix.shape[0])
-    return factorize, lambda: lu.solve(b)
+    return factorize, lambda: lu.solve(b), lu.L.nnz + lu.U.nnz
 
 
-def suitesparse(matrix: Matrix, name: str) -> tuple[Callable[[], object], Callable[[], object]]:
+def suitesparse(matrix: Matrix, name: str) -> Candidate:
     import kvxopt
 
     module = importlib.import_module(f"kvxopt.{name}")
@@ -122,20 +126,20 @@ def suitesparse(matrix: Matrix, name: str) -> tuple[Callable[[], object], Callab
     symbolic = module.symbolic(a)
     if name == "cholmod":
         module.numeric(a, symbolic)
-        return lambda: module.numeric(a, symbolic), lambda: module.solve(symbolic, b)
+        return lambda: module.numeric(a, symbolic), lambda: module.solve(symbolic, b), None
     numeric = module.numeric(a, symbolic)
     solve = (lambda: module.solve(a, symbolic, numeric, b)) if name == "klu" else (lambda: module.solve(a, numeric, b))
-    return lambda: module.numeric(a, symbolic), solve
+    return lambda: module.numeric(a, symbolic), solve, None
 
 
-def candidates(matrix: Matrix, label: str) -> Iterator[tuple[str, Callable[[], object], Callable[[], object]]]:
+def candidates(matrix: Matrix, label: str) -> Iterator[tuple[str, Candidate]]:
     for instructions in testing.instruction_sets():
-        yield f"dalembert, {instructions}", *own(matrix, instructions)
-    yield "SuperLU", *superlu(matrix)
+        yield f"dalembert, {instructions}", own(matrix, instructions)
+    yield "SuperLU", superlu(matrix)
     if importlib.util.find_spec("kvxopt") is None:
         return
     for name in ("klu", "umfpack", *(["cholmod"] if "grid" in label else [])):
-        yield name.upper(), *suitesparse(matrix, name)
+        yield name.upper(), suitesparse(matrix, name)
 
 
 def shortest(call: Callable[[], object], seconds: float) -> float:
@@ -152,17 +156,18 @@ def main() -> None:
     parser.add_argument("--only", default="", help="matrices whose names contain this")
     parser.add_argument("--seconds", type=float, default=0.5, help="per measurement")
     arguments = parser.parse_args()
-    print(f"{'matrix':24}{'unknowns':>9}  {'solver':22}{'factorize':>10}{'solve':>8}  us per unknown, and ratios")
+    print(f"{'matrix':24}{'unknowns':>9}  {'solver':22}{'factorize':>10}{'solve':>8}  us per unknown, ratios; bytes")
     for label, build in MATRICES.items():
         if arguments.only not in label:
             continue
         matrix = complete(build())
         first = (0.0, 0.0)
-        for solver, factorize, solve in candidates(matrix, label):
+        for solver, (factorize, solve, entries) in candidates(matrix, label):
             times = tuple(shortest(call, arguments.seconds) / matrix.shape[0] * 1e6 for call in (factorize, solve))
             first = times if first[0] == 0 else first
             ratios = f"{times[0] / first[0]:8.1f}{times[1] / first[1]:8.1f}"
-            print(f"{label:24}{matrix.shape[0]:9}  {solver:22}{times[0]:10.3f}{times[1]:8.3f}{ratios}")
+            size = "" if entries is None else f"{8 * entries / matrix.shape[0]:8.0f}"
+            print(f"{label:24}{matrix.shape[0]:9}  {solver:22}{times[0]:10.3f}{times[1]:8.3f}{ratios}{size}")
 
 
 if __name__ == "__main__":

@@ -406,3 +406,35 @@ def test_small_diagonal_entries_are_no_pivots() -> None:
     for _ in range(2):
         assert solver.factorize(compliant.data) == -1
         assert backward_error(compliant, solver.solve(b), b) < 200 * EPS
+
+
+def sparse_on_dense_pattern(rng: np.random.Generator, n: int) -> sp.csc_array:
+    """Unknowns with neighbours between others without, most entries of the pattern being zero."""
+    matrix = np.diag(rng.uniform(1, 2, n))
+    coupled = np.arange(2, n, 5)
+    matrix[np.ix_(coupled, coupled)] += np.eye(coupled.size) * 3 + 0.2 * rng.normal(size=(coupled.size, coupled.size))
+    return on_pattern(csc(np.ones((n, n))), matrix)
+
+
+def test_unknowns_with_and_without_neighbours() -> None:
+    rng = np.random.default_rng(28)
+    matrix = sparse_on_dense_pattern(rng, 43)
+    solver = solver_of(matrix)
+    b = rng.normal(size=43)
+    for factor in (1.0, 0.1):
+        assert solver.factorize(factor * matrix.data) == -1
+        exact = np.linalg.solve(factor * matrix.toarray(), b)
+        np.testing.assert_allclose(solver.solve(b), exact, rtol=0, atol=100 * EPS * np.abs(exact).max())
+
+
+@pytest.mark.parametrize("loose", [0, 7, 40])
+def test_an_unknown_without_equation_or_neighbours(loose: int) -> None:
+    dense = sparse_on_dense_pattern(np.random.default_rng(29), 43).toarray()
+    dense[loose] = dense[:, loose] = 0
+    matrix = on_pattern(csc(np.ones((43, 43))), dense)
+    assert solver_of(matrix).factorize(matrix.data) == loose
+    solver = solver_of(matrix, ignore_singular=True)
+    assert solver.factorize(matrix.data) == -1
+    exact = np.cos(np.arange(43))
+    exact[loose] = 0
+    np.testing.assert_allclose(solver.solve(dense @ exact), exact, rtol=0, atol=100 * EPS)

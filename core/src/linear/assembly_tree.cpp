@@ -264,6 +264,11 @@ std::vector<FrontStructure> assembly_tree(const Pattern& pattern, const Eliminat
 
 FrontEntries::FrontEntries(const Pattern& pattern, const std::vector<FrontStructure>& tree)
     : pattern_(pattern), tree_(tree), owner_(static_cast<std::size_t>(pattern.size())) {
+  // Columns are visited in the order of the rows opposite to them.
+  const auto starts = pattern.column_start();
+  std::vector<int> next(starts.begin(), starts.end() - 1);
+  transposed_.reserve(pattern.row_index().size());
+  for (const int row : pattern.row_index()) transposed_.push_back(next[row]++);
   for (int f = 0; f < static_cast<int>(tree.size()); ++f) {
     for (const int j : tree[f].pivots) owner_[j] = f;
   }

@@ -31,7 +31,7 @@ class FrontEntries {
         const int i = pattern_.row_index()[k];
         if (owner_[i] < front) continue;
         f(i, j, k);
-        if (owner_[i] > front) f(j, i, pattern_.slot(j, i));
+        if (owner_[i] > front) f(j, i, transposed_[k]);
       }
     }
   }
@@ -40,6 +40,7 @@ class FrontEntries {
   const Pattern& pattern_;
   const std::vector<FrontStructure>& tree_;
   std::vector<int> owner_;
+  std::vector<int> transposed_;  // slot of the entry opposite to each one
 };
 
 }  // namespace dalembert

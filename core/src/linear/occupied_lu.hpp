@@ -1,5 +1,6 @@
-// A sparse matrix whose pattern is for the most part zeros, as a mass matrix on the pattern of a tangent: what is not zero is
-// analysed and factorized alone. Should another entry become nonzero, the whole pattern is taken.
+// A sparse matrix whose pattern is for the most part zeros, as a mass matrix on the pattern of a tangent: only what is not zero
+// is analysed and factorized, and unknowns without neighbours are divided by their diagonal entries. Should another entry become
+// nonzero, the whole pattern is taken.
 #pragma once
 
 #include <memory>
@@ -15,23 +16,32 @@ class OccupiedLu final : public LinearSolver {
   OccupiedLu(const Pattern& pattern, const LinearSolverOptions& options)
       : pattern_(pattern), options_(options), solver_(std::make_unique<MultifrontalLu>(pattern, options)) {}
   int factorize(std::span<const double> values) override;
-  void solve(std::span<double> x) override { solver_->solve(x); }
+  void solve(std::span<double> x) override;
   LinearSolverStatistics statistics() const override;
 
  private:
+  // An unknown without neighbours.
+  struct Lone {
+    int unknown, slot;
+    double inverse;
+  };
   bool mostly_zeros(std::span<const double> values) const;
   void select(std::span<const double> values);
-  bool gather(std::span<const double> values);
+  void find_neighbours(std::span<const double> values);
+  void select_slots();
+  int factorize_occupied(std::span<const double> values);
   void take_whole_pattern();
 
   const Pattern& pattern_;
   LinearSolverOptions options_;
   bool chosen_ = false;
-  std::optional<Pattern> occupied_;
-  std::vector<int> slots_, zeros_;  // in the whole pattern: of the occupied entries, and the others
-  std::vector<double> gathered_;
+  std::optional<Pattern> occupied_;  // of the unknowns with neighbours
+  std::vector<Lone> lone_;
+  std::vector<int> coupled_;        // the others
+  std::vector<int> slots_, zeros_;  // in the whole pattern: of the occupied entries, of those that must stay zero
+  std::vector<double> gathered_, x_;
   std::unique_ptr<MultifrontalLu> solver_;
-  LinearSolverStatistics earlier_;  // of the solver of what was occupied
+  LinearSolverStatistics earlier_;  // of what was occupied
 };
 
 }  // namespace dalembert
