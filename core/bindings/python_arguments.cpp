@@ -80,8 +80,8 @@ void PythonArguments::add_array(const Argument& argument) {
     auto array = py::reinterpret_borrow<py::array>(kept);
     if (can_be_filled(array, argument)) {
       auto* numbers = static_cast<double*>(array.mutable_data());
-      changed_ = changed_ || !std::equal(numbers, numbers + argument.size(), argument.data);
-      std::copy_n(argument.data, argument.size(), numbers);
+      changed_ = changed_ || !std::equal(numbers, numbers + array.size(), argument.data);
+      std::copy_n(argument.data, array.size(), numbers);
       ++end_;
       return;
     }

@@ -144,6 +144,27 @@ def test_numbers_that_a_function_keeps_stay_as_they_were(mbs: exu.MainSystem) ->
     assert [f"{t:.17g}" for t in kept] == seen
 
 
+def test_empty_vectors_are_passed_again(mbs: exu.MainSystem) -> None:
+    """A sensor of a sensor, both without factors."""
+    body = mbs.CreateMassPoint(physicsMass=1, initialVelocity=[1, 0, 0])
+    position = mbs.AddSensor(exu.SensorBody(bodyNumber=body, outputVariableType=exu.OutputVariableType.Position))
+    seen = []
+
+    def doubled(system: exu.MainSystem, t: float, numbers: Any, factors: Any, configuration: Any) -> Any:
+        seen.append((len(numbers), factors.tolist()))
+        return 2 * system.GetSensorValues(numbers[0])
+
+    sensors = [position]
+    for _ in range(2):
+        sensor = exu.SensorUserFunction(sensorNumbers=sensors[-1:], sensorUserFunction=doubled, writeToFile=False)
+        sensors.append(mbs.AddSensor(sensor))
+    mbs.Assemble()
+    solve(mbs, 100)
+    assert len(seen) > 20
+    assert all(call == (1, []) for call in seen)
+    assert mbs.GetSensorValues(sensors[-1]).tolist() == pytest.approx([0.4, 0, 0], rel=1e-12)
+
+
 def test_function_that_is_called_while_it_runs(mbs: exu.MainSystem) -> None:
     def wind(system: exu.MainSystem, t: float, vector: Any) -> Any:
         if t == 0:
