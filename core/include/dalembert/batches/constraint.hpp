@@ -14,6 +14,7 @@
 #include "dalembert/contracts/context.hpp"
 #include "dalembert/contracts/linear_equations.hpp"
 #include "dalembert/contracts/variation.hpp"
+#include "dalembert/math/lanes.hpp"
 #include "dalembert/system/physics.hpp"
 
 namespace dalembert {
@@ -35,10 +36,12 @@ class ConstraintBatch final : public Term {
     e.item = placement.item;
     e.first_ae = placement.first_ae;
     e.first_row = placement.ae_offset + placement.first_ae;
+    e.write_table();
     entries_.push_back(std::move(e));
   }
   void refresh(int entry, const void* record) override {
     entries_[entry].parameters = static_cast<const Record*>(record)->parameters;
+    entries_[entry].write_table();
   }
   void visit(BlockVisitor& visitor, const Ports& ports) const override {
     for (const Entry& e : entries_) {
@@ -63,8 +66,15 @@ class ConstraintBatch final : public Term {
         for (int k = 0; k < m; ++k) gap[k] += lambda[k];
         continue;
       }
-      const Context c = Context::of(evaluation, e.item);
       const auto frames = read(ports, e);
+      if constexpr (requires { K::is_table; })
+        if (!at_rate_level(e.parameters, evaluation.rate_level)) {
+          std::array<Wrench<double>, 2> forces{};
+          for (int k = 0; k < m; ++k) gap[k] += joint_gap(e.table[static_cast<std::size_t>(k)], frames[0], frames[1], lambda[k], &forces);
+          add_forces<Port, 2>(ports, e.markers, -1.0, forces);
+          continue;
+        }
+      const Context c = Context::of(evaluation, e.item);
       const auto g = equations<double>(e.parameters, c, frames, evaluation.rate_level);
       for (int k = 0; k < m; ++k) gap[k] += constrains(e.parameters, k) ? g[k] : lambda[k];
       add_forces<Port, 2>(ports, e.markers, -1.0, reaction<double>(e.parameters, c, frames, load<double, m>(lambda)));
@@ -90,7 +100,8 @@ class ConstraintBatch final : public Term {
       }
       if constexpr (TabulatedJoint<K>)
         if (!evaluation.rate_level && weights.q != 0 && in_closed_form(e, ports)) {
-          closed_form(e, evaluation, weights, ports, gap_slots, values);
+          has_wide_registers() ? wide_closed_form(e, evaluation, weights, ports, gap_slots, values)
+                               : closed_form(e, evaluation, weights, ports, gap_slots, values);
           continue;
         }
       const Context c = Context::of(evaluation, e.item);
@@ -127,10 +138,20 @@ class ConstraintBatch final : public Term {
   }
 
  private:
+  struct Table {
+    std::array<JointEquation, m> equations;
+    const JointEquation& operator[](std::size_t k) const { return equations[k]; }
+  };
+  struct NoTable {};
   struct Entry {
     Parameters parameters;
+    [[no_unique_address]] std::conditional_t<TabulatedJoint<K>, Table, NoTable> table;  // of these parameters
     std::array<int, 2> markers{};
     int item = -1, first_ae = -1, first_row = -1;
+
+    void write_table() {
+      if constexpr (TabulatedJoint<K>) table = {K::table(parameters)};
+    }
   };
 
   static bool active(const Parameters& p) {
@@ -192,17 +213,21 @@ class ConstraintBatch final : public Term {
     return Tangent::fits(ports, e.markers);
   }
   // Slots: gaps by coordinates, multipliers transposed, coordinates by coordinates.
-  static void closed_form(const Entry& e, const Evaluation& evaluation, const Weights& weights, const Ports& ports, const int* slots,
-                          double* values) {
+  [[gnu::flatten]] static void closed_form(const Entry& e, const Evaluation& evaluation, const Weights& weights, const Ports& ports,
+                                           const int* slots, double* values) {
     const Frames<double> frames = read(ports, e);
     Tangent tangent(ports, e.markers, frames);
     const int total = tangent.total();
-    const auto table = K::table(e.parameters);
     const double* lambda = evaluation.lambda + e.first_ae;
     for (int k = 0; k < m; ++k)
       if (constrains(e.parameters, k))
-        tangent.add(table[static_cast<std::size_t>(k)], lambda[k], 1 / weights.q, slots + k * total, slots + (m + k) * total, values);
+        tangent.add(e.table[static_cast<std::size_t>(k)], lambda[k], 1 / weights.q, slots + k * total, slots + (m + k) * total, values);
     tangent.add_forces(slots + 2 * m * total, values);
+  }
+
+  DALEMBERT_WIDE static void wide_closed_form(const Entry& e, const Evaluation& evaluation, const Weights& weights, const Ports& ports,
+                                              const int* slots, double* values) {
+    closed_form(e, evaluation, weights, ports, slots, values);
   }
 
   // Slots: gaps by coordinates, multipliers transposed. Forces do not change with the coordinates.

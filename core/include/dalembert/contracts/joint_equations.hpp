@@ -27,39 +27,44 @@ concept TabulatedJoint = requires(const typename K::Parameters& p) {
   { K::table(p) } -> std::same_as<std::array<JointEquation, K::equations>>;
 };
 
+// The gap; adds to `reaction`, if it is asked for, the forces on both frames that do the virtual work of the multiplier.
 template <class S>
-S joint_gap(const JointEquation& e, const RigidFrame<S>& m0, const RigidFrame<S>& m1) {
-  using enum JointEquation::Kind;
-  if (e.kind == product) return dot(m0.rotation * e.first, m1.rotation * e.second);
-  const Vec3<S> span = m1.position - m0.position;
-  if (e.kind == along) return dot(m0.rotation * e.first, span);
-  return dot(e.first, span);
-}
-
-// Adds the forces on both frames that do the virtual work of the equation's multiplier.
-template <class S>
-void add_joint_reaction(const JointEquation& e, const RigidFrame<S>& m0, const RigidFrame<S>& m1, double multiplier,
-                        std::array<Wrench<S>, 2>& forces) {
+S joint_gap(const JointEquation& e, const RigidFrame<S>& m0, const RigidFrame<S>& m1, double multiplier = 0,
+            std::array<Wrench<S>, 2>* reaction = nullptr) {
   using enum JointEquation::Kind;
   if (e.kind == product) {
-    const Vec3<S> moment = multiplier * cross(m0.rotation * e.first, m1.rotation * e.second);
-    forces[0].moment += moment;
-    forces[1].moment -= moment;
-  } else if (e.kind == along) {
-    const Vec3<S> force = multiplier * (m0.rotation * e.first);
-    forces[0].force -= force;
-    forces[0].moment -= cross(m1.position - m0.position, force);  // the axis turns under the displacement
-    forces[1].force += force;
-  } else {
-    const Vec3<double> force = multiplier * e.first;
-    forces[0].force -= force;
-    forces[1].force += force;
+    const Vec3<S> a = m0.rotation * e.first, b = m1.rotation * e.second;
+    if (reaction != nullptr) {
+      const Vec3<S> moment = multiplier * cross(a, b);
+      (*reaction)[0].moment += moment;
+      (*reaction)[1].moment -= moment;
+    }
+    return dot(a, b);
   }
+  const Vec3<S> span = m1.position - m0.position;
+  if (e.kind == displacement) {
+    if (reaction != nullptr) {
+      const Vec3<double> force = multiplier * e.first;
+      (*reaction)[0].force -= force;
+      (*reaction)[1].force += force;
+    }
+    return dot(e.first, span);
+  }
+  const Vec3<S> axis = m0.rotation * e.first;
+  if (reaction != nullptr) {
+    const Vec3<S> force = multiplier * axis;
+    (*reaction)[0].force -= force;
+    (*reaction)[0].moment -= cross(span, force);  // the axis turns under the displacement
+    (*reaction)[1].force += force;
+  }
+  return dot(axis, span);
 }
 
 // Gap and reaction of a joint that is nothing but its table.
 template <class K>
 struct JointOfTable {
+  static constexpr bool is_table = true;
+
   template <class S>
   static auto gap(const auto& p, const auto&, const RigidFrame<S>& m0, const RigidFrame<S>& m1) {
     const auto table = K::table(p);
@@ -72,7 +77,7 @@ struct JointOfTable {
                                            const auto& lambda) {
     const auto table = K::table(p);
     std::array<Wrench<S>, 2> forces{};
-    for (std::size_t k = 0; k < table.size(); ++k) add_joint_reaction(table[k], m0, m1, lambda[static_cast<int>(k)], forces);
+    for (std::size_t k = 0; k < table.size(); ++k) joint_gap(table[k], m0, m1, lambda[static_cast<int>(k)], &forces);
     return forces;
   }
 };
