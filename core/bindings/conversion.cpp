@@ -349,7 +349,7 @@ void read(PyObject* value, const Row& row, Opaque& out) {
 
 py::object array_of(std::vector<py::ssize_t> shape, const double* data, Form form, PyObject* owner) {
   if (form == Form::view) return py::array_t<double>(std::move(shape), data, py::handle(owner));
-  return py::array_t<double>(std::move(shape), data);
+  return new_array(std::move(shape), data);
 }
 
 py::object write(bool value, Form, PyObject*) { return py::bool_(value); }
@@ -434,6 +434,12 @@ PyObject* to_python(const Row& row, const void* member, Form form, PyObject* own
   return with_type(row.storage, [&]<class T>(TypeTag<T>) {
     return write(*static_cast<const T*>(member), form, owner).release().ptr();
   });
+}
+
+py::array_t<double> new_array(std::vector<py::ssize_t> shape, const double* numbers) {
+  py::array_t<double> array(std::move(shape));
+  std::copy_n(numbers, array.size(), array.mutable_data());
+  return array;
 }
 
 Enumeration::Enumeration(const char* name)

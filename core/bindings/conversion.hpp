@@ -1,9 +1,10 @@
 // Between Python objects and the members of records: one pair of converters per Storage.
 #pragma once
 
-#include <pybind11/pybind11.h>
+#include <pybind11/numpy.h>
 
 #include <string>
+#include <vector>
 
 #include "dalembert/model/errors.hpp"
 #include "dalembert/reflection/row.hpp"
@@ -43,6 +44,9 @@ py::object enum_member(const char* name, std::uint32_t value);
 // The module `_core` itself.
 py::handle core_module();
 void set_core_module(py::module_& module);
+
+// A new array of these numbers, by rows. The constructor of array_t makes a second one to copy from.
+py::array_t<double> new_array(std::vector<py::ssize_t> shape, const double* numbers);
 
 Opaque make_opaque(PyObject* object);         // keeps a reference
 PyObject* opaque_object(const Opaque& value);  // borrowed; nullptr if empty

@@ -65,7 +65,7 @@ EntryList<Entry> make_list(const py::object& value) {
 template <class Entry>
 py::array_t<double> entry_array(const Entry& entry) {
   std::vector<py::ssize_t> shape(rank<Entry>, rows_of<Entry>);
-  return py::array_t<double>(std::move(shape), entry.x.data());
+  return new_array(std::move(shape), entry.x.data());
 }
 
 template <class Entry>

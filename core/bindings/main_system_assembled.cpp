@@ -41,7 +41,7 @@ std::array<double, 3> position_argument(const py::object& value, const char* met
 }
 
 py::object array(const std::vector<double>& values) {
-  return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
+  return new_array({static_cast<py::ssize_t>(values.size())}, values.data());
 }
 // One value comes out as a number.
 py::object number_or_array(const std::vector<double>& values) {
@@ -167,7 +167,7 @@ void register_loads_and_sensors(Class& main_system) {
       [](MainSystem& main, const py::object& sensor) -> py::object {
         const int number = item_number_argument(main, ItemKind::sensor, sensor.ptr(), "GetSensorStoredData");
         const SensorTable table = main.sensor_storage.table(number);
-        return py::array_t<double>(std::vector<py::ssize_t>{table.rows(), table.columns}, table.values.data());
+        return new_array({table.rows(), table.columns}, table.values.data());
       },
       py::arg("sensorNumber"), "Rows of time and values that a sensor with storeInternal=True has recorded.");
 }

@@ -88,7 +88,7 @@ void PythonArguments::add_array(const Argument& argument) {
   }
   std::vector<py::ssize_t> shape{argument.rows};
   if (argument.columns != 0) shape.push_back(argument.columns);
-  replace(py::array_t<double>(std::move(shape), argument.data).release().ptr());
+  replace(new_array(std::move(shape), argument.data).release().ptr());
 }
 
 void PythonArguments::add(Signature::Kind kind, const Argument& argument) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "conversion.hpp"
 #include "dalembert/model/errors.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
 #include "interpreter_lock.hpp"
@@ -20,7 +21,7 @@ Array dense_matrix(const Pattern& pattern, std::span<const double> values, int s
 }
 
 Array vector_array(std::span<const double> values) {
-  return Array(static_cast<py::ssize_t>(values.size()), values.data());
+  return new_array({static_cast<py::ssize_t>(values.size())}, values.data());
 }
 
 namespace {

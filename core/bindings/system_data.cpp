@@ -69,7 +69,7 @@ int size_of(const System& system, const Coordinates& which, Configuration config
 // A copy, or a view: of the system until the next Assemble(), and of what was there before it from then on.
 py::array_t<double> array_of(std::vector<double>& values, bool copy, const System& system) {
   const auto n = static_cast<py::ssize_t>(values.size());
-  if (copy) return py::array_t<double>(n, values.data());
+  if (copy) return new_array({n}, values.data());
   using Held = std::shared_ptr<const void>;
   const py::capsule holder(new Held(system.hold_states()), [](void* held) { delete static_cast<Held*>(held); });
   return py::array_t<double>({n}, {static_cast<py::ssize_t>(sizeof(double))}, values.data(), holder);
@@ -117,7 +117,7 @@ py::array_t<double> total(const SystemData& self, const py::object& where) {
   std::vector<double> sum = system.state(Configuration::Reference).q;
   if (configuration != Configuration::Reference)
     std::ranges::transform(sum, system.state(configuration).q, sum.begin(), std::plus<>());
-  return py::array_t<double>(static_cast<py::ssize_t>(sum.size()), sum.data());
+  return new_array({static_cast<py::ssize_t>(sum.size())}, sum.data());
 }
 
 py::list system_state(const py::object& self, const py::object& where) {

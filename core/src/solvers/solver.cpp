@@ -14,11 +14,20 @@ namespace {
 
 // In place: both are states of one system, so their vectors are of the same sizes, except where parts are left out.
 void copy(const State& from, State& to) {
-  for (const auto part : {&State::q, &State::v, &State::a, &State::y, &State::y_t, &State::lambda, &State::data}) {
-    const std::vector<double>& x = from.*part;
-    if ((to.*part).size() != x.size()) (to.*part).resize(x.size());
-    std::copy(x.begin(), x.end(), (to.*part).begin());
-  }
+  const auto take = [](const std::vector<double>& x, std::vector<double>& y) {
+    if (x.size() == y.size()) [[likely]] {
+      if (!x.empty()) std::copy(x.begin(), x.end(), y.begin());
+    } else {
+      y = x;
+    }
+  };
+  take(from.q, to.q);
+  take(from.v, to.v);
+  take(from.a, to.a);
+  take(from.y, to.y);
+  take(from.y_t, to.y_t);
+  take(from.lambda, to.lambda);
+  take(from.data, to.data);
   to.time = from.time;
 }
 
