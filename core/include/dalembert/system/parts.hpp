@@ -188,14 +188,20 @@ struct SystemParts {
   // Calls f(region) for all regions, small ones first, those of one size side by side.
   template <class F>
   void each_region(F&& f) const {
-    for (const auto& [regions, is_shared] : plan.sizes)
-      share(static_cast<int>(regions.size()), is_shared, [&](int i) { f(regions[static_cast<std::size_t>(i)]); });
+    for (const auto& [regions, is_shared] : plan.sizes) {
+      if (workers && is_shared && regions.size() > 1 && !functions_in_regions) {
+        workers->run(static_cast<int>(regions.size()), [&](int i) { f(regions[static_cast<std::size_t>(i)]); });
+      } else {
+        for (const RegionPlan& region : regions) f(region);
+      }
+    }
   }
   // Calls f(share) for shares that make up everything, side by side.
   template <class F>
   void each_share(F&& f) const {
-    const auto count = static_cast<int>(plan.regions.size() + 1) / 2;
-    share(count, true, [&](int i) { f(Share{static_cast<std::size_t>(i), static_cast<std::size_t>(count)}); });
+    const std::size_t count = (plan.regions.size() + 1) / 2;
+    if (!workers || functions_in_regions || count == 1) return f(Share{0, 1});
+    workers->run(static_cast<int>(count), [&](int i) { f(Share{static_cast<std::size_t>(i), count}); });
   }
   void bind(const Pattern& pattern);
   // Of an item that has been changed.
@@ -204,14 +210,6 @@ struct SystemParts {
     const RegionPlan& whole = plan.regions[Regions::whole];
     const auto is_in = [&](const std::vector<const Term*>& terms) { return std::ranges::find(terms, place.member.batch) != terms.end(); };
     if (has_user_function(*place.type, place.record.get()) && !is_in(whole.terms) && !is_in(whole.loads)) functions_in_regions = true;
-  }
-
- private:
-  template <class Task>
-  void share(int tasks, bool is_shared, Task&& task) const {
-    if (workers && is_shared && tasks > 1 && !functions_in_regions) return workers->run(tasks, task);
-    if (tasks == 1) return task(0);
-    for (int i = 0; i < tasks; ++i) task(i);
   }
 };
 
