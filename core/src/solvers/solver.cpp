@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <thread>
 
 #include "dalembert/linear/linear_solver.hpp"
 #include "dalembert/model/errors.hpp"
@@ -105,7 +106,7 @@ void Solver::initialize_data() {
                                            std::to_string(newton_settings.newtonResidualMode) +
                                            "; expected 0 (residual of equations) or 1 (size of the increment)");
   }
-  system_->use_threads(settings_->parallel.numberOfThreads);
+  system_->use_threads(std::min(settings_->parallel.numberOfThreads, static_cast<int>(std::thread::hardware_concurrency())));
   output.numberOfThreadsUsed = system_->threads();
   output.lastNewtonStepsCount = output.lastNewtonJacobiCount = output.lastDiscontinuousIterationsCount = 0;
 }

@@ -117,7 +117,7 @@ class ParallelSettings(_Settings):
     multithreadedLLimitResiduals: int
     """no effect, see multithreadedLLimitJacobians; default: 20"""
     numberOfThreads: int
-    """number of threads that share the evaluation of residuals, tangents and explicit right-hand sides; results are the same, bit for bit; more than the number of cores does not help; default: 1"""
+    """number of threads that share the evaluation of residuals, tangents and explicit right-hand sides; as many as there are cores at most; results are the same, bit for bit; default: 1"""
     taskSplitMinItems: int
     """no effect: how the work is divided does not depend on the number of threads; default: 50"""
     taskSplitTasksPerThread: int
