@@ -108,12 +108,11 @@ bool MultifrontalLu::regular() const {
 void MultifrontalLu::assemble(const Front& front, std::span<const double> values) {
   double* to = columns(front);
   std::fill_n(to, static_cast<std::size_t>(front.length) * (front.pivots + front.updates), 0.0);
-  for (int k = front.entries; k < front.end_of_entries; ++k) to[entries_[k].target] = values[entries_[k].slot];
-  for (int k = front.scaled_entries; k < front.end_of_scaled_entries; ++k) {
-    const ScaledEntry& entry = scaled_entries_[k];
-    to[entry.target] = values[entry.slot] * entry.scale;
+  int k = front.first_entry;
+  for (std::size_t kind = 0; kind < scales_.size(); ++kind) {
+    for (; k < front.end_of_entries[kind]; ++k) to[entries_[k].target] = values[entries_[k].slot] * scales_[kind];
   }
-  for (int k = front.children; k < front.end_of_children; ++k) take_over(fronts_[children_[k]], to);
+  for (int c = front.children; c < front.end_of_children; ++c) take_over(fronts_[children_[c]], to);
 }
 
 // Adds what a child leaves.

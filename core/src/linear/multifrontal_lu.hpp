@@ -5,6 +5,7 @@
 // Duff, Reid: The multifrontal solution of indefinite sparse symmetric linear equations, ACM TOMS 9 (1983).
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -31,17 +32,13 @@ class MultifrontalLu final : public LinearSolver {
     std::size_t columns;          // where its columns are; those behind the pivots stay until the parent has taken them over
     std::size_t first_update;     // of what is stored per update
     std::size_t runs, end_of_runs;
-    int entries, end_of_entries, scaled_entries, end_of_scaled_entries;
+    int first_entry;
+    std::array<int, 4> end_of_entries;  // by their scale
     int children, end_of_children;
   };
   // Where an entry of the matrix goes.
   struct Entry {
     int slot, target;  // in the values of the matrix, in the columns of the front
-  };
-  // In a row or a column of a multiplier.
-  struct ScaledEntry {
-    int slot, target;
-    double scale;
   };
   struct alignas(64) Line {
     double values[8];
@@ -73,11 +70,11 @@ class MultifrontalLu final : public LinearSolver {
   double growth_ = 0;          // largest entry of L
   double planned_growth_ = 1;  // in the factorization that has chosen the pivots
   Scaling scaling_;
+  std::array<double, 4> scales_ = {};  // of entries: 1 and 2 stand for the row and the column of a multiplier
   int pivot_slots_ = 0;  // behind them are unknowns without pivot, only if singular matrices are allowed
   std::vector<FrontStructure> tree_;
   std::vector<Front> fronts_;
   std::vector<Entry> entries_;
-  std::vector<ScaledEntry> scaled_entries_;
   std::vector<int> children_;
   std::vector<int> places_;  // of each update's column in the parent
   std::vector<RowRun> runs_;

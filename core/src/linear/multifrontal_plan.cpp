@@ -1,5 +1,6 @@
 // Where everything goes in a repeated factorization.
 #include <algorithm>
+#include <array>
 #include <map>
 #include <numeric>
 
@@ -136,8 +137,9 @@ std::vector<int> MultifrontalLu::number_slots(const std::vector<PivotedFront>& f
 void MultifrontalLu::place_entries(const std::vector<PivotedFront>& fronts) {
   const FrontEntries all(pattern_, tree_);
   std::vector<int> row_place(static_cast<std::size_t>(size_)), column_place(row_place);
+  std::array<std::vector<Entry>, 4> by_scale;
   entries_.clear();
-  scaled_entries_.clear();
+  scales_ = {1, scaling_.row_factor, scaling_.column_factor, scaling_.row_factor * scaling_.column_factor};
   for (int f = 0; f < static_cast<int>(fronts.size()); ++f) {
     const PivotedFront& order = fronts[f];
     for (int k = 0; k < static_cast<int>(order.rows.size()); ++k) {
@@ -145,18 +147,16 @@ void MultifrontalLu::place_entries(const std::vector<PivotedFront>& fronts) {
       column_place[order.columns[k]] = k;
     }
     Front& front = fronts_[f];
-    front.entries = static_cast<int>(entries_.size());
-    front.scaled_entries = static_cast<int>(scaled_entries_.size());
     all.for_each(f, [&](int i, int j, int slot) {
-      const int target = column_place[j] * front.length + row_place[i];
-      if (scaling_.multiplier[i] || scaling_.multiplier[j]) {
-        scaled_entries_.push_back({slot, target, scaling_.row(i) * scaling_.column(j)});
-      } else {
-        entries_.push_back({slot, target});
-      }
+      const int scale = (scaling_.multiplier[i] ? 1 : 0) + (scaling_.multiplier[j] ? 2 : 0);
+      by_scale[scale].push_back({slot, column_place[j] * front.length + row_place[i]});
     });
-    front.end_of_entries = static_cast<int>(entries_.size());
-    front.end_of_scaled_entries = static_cast<int>(scaled_entries_.size());
+    front.first_entry = static_cast<int>(entries_.size());
+    for (std::size_t scale = 0; scale < by_scale.size(); ++scale) {
+      entries_.insert(entries_.end(), by_scale[scale].begin(), by_scale[scale].end());
+      front.end_of_entries[scale] = static_cast<int>(entries_.size());
+      by_scale[scale].clear();
+    }
   }
 }
 
