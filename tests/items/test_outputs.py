@@ -155,3 +155,21 @@ def test_every_ready_item_is_in_a_model() -> None:
     assert called <= with_functions
     assert all(any(v.item == item.name for v in ALL_VARIANTS) for item in READY if on_markers(item))
     assert set(ITEMS) >= {v.item for v in ALL_VARIANTS}
+
+
+def test_angles_that_are_coordinates_count_full_turns() -> None:
+    """Two seconds at 5 rad/s about an axis of symmetry; the rotation of the body is what its rotation matrix says."""
+    mbs = exu.SystemContainer().AddSystem()
+    body = mbs.CreateRigidBody(
+        inertia=exu.utilities.InertiaSphere(1, 1),
+        initialAngularVelocity=[5, 0, 0],
+        nodeType=exu.NodeType.RotationRxyz,
+    )
+    mbs.Assemble()
+    settings = exu.SimulationSettings()
+    settings.timeIntegration.endTime, settings.timeIntegration.numberOfSteps = 2, 100
+    settings.solutionSettings.writeSolutionToFile = False
+    mbs.SolveDynamic(settings)
+    variable = exu.OutputVariableType.Rotation
+    np.testing.assert_allclose(mbs.GetNodeOutput(0, variable), [10, 0, 0], rtol=0, atol=1e-12)
+    np.testing.assert_allclose(mbs.GetObjectOutputBody(body, variable), [10 - 4 * np.pi, 0, 0], rtol=0, atol=1e-12)

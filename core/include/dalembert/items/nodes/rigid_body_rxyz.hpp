@@ -33,6 +33,12 @@ struct NodeRigidBodyRxyz {
     const Vec3<S> m = transposed_times(tait_bryan_g(segment<3>(x.q, 3)), moment);
     return {force[0], force[1], force[2], m[0], m[1], m[2]};
   }
+  // The angles count full turns.
+  static bool output(OutputVariableType variable, const NodeView& view, std::vector<double>& values) {
+    if (variable != OutputVariableType::Rotation) return false;
+    values.assign(view.q.begin() + 3, view.q.end());
+    return true;
+  }
 };
 
 }  // namespace dalembert
