@@ -14,7 +14,7 @@
 #include "dalembert/contracts/context.hpp"
 #include "dalembert/contracts/linear_equations.hpp"
 #include "dalembert/contracts/variation.hpp"
-#include "dalembert/math/lanes.hpp"
+#include "dalembert/math/wide_registers.hpp"
 #include "dalembert/system/physics.hpp"
 
 namespace dalembert {
@@ -100,8 +100,7 @@ class ConstraintBatch final : public Term {
       }
       if constexpr (TabulatedJoint<K>)
         if (!evaluation.rate_level && weights.q != 0 && in_closed_form(e, ports)) {
-          has_wide_registers() ? wide_closed_form(e, evaluation, weights, ports, gap_slots, values)
-                               : closed_form(e, evaluation, weights, ports, gap_slots, values);
+          in_widest_registers([&] { closed_form(e, evaluation, weights, ports, gap_slots, values); });
           continue;
         }
       const Context c = Context::of(evaluation, e.item);
@@ -213,8 +212,8 @@ class ConstraintBatch final : public Term {
     return Tangent::fits(ports, e.markers);
   }
   // Slots: gaps by coordinates, multipliers transposed, coordinates by coordinates.
-  [[gnu::flatten]] static void closed_form(const Entry& e, const Evaluation& evaluation, const Weights& weights, const Ports& ports,
-                                           const int* slots, double* values) {
+  static void closed_form(const Entry& e, const Evaluation& evaluation, const Weights& weights, const Ports& ports, const int* slots,
+                          double* values) {
     const Frames<double> frames = read(ports, e);
     Tangent tangent(ports, e.markers, frames);
     const int total = tangent.total();
@@ -223,11 +222,6 @@ class ConstraintBatch final : public Term {
       if (constrains(e.parameters, k))
         tangent.add(e.table[static_cast<std::size_t>(k)], lambda[k], 1 / weights.q, slots + k * total, slots + (m + k) * total, values);
     tangent.add_forces(slots + 2 * m * total, values);
-  }
-
-  DALEMBERT_WIDE static void wide_closed_form(const Entry& e, const Evaluation& evaluation, const Weights& weights, const Ports& ports,
-                                              const int* slots, double* values) {
-    closed_form(e, evaluation, weights, ports, slots, values);
   }
 
   // Slots: gaps by coordinates, multipliers transposed. Forces do not change with the coordinates.

@@ -9,6 +9,7 @@
 
 #include "dalembert/batches/element_parameters.hpp"
 #include "dalembert/math/lanes.hpp"
+#include "dalembert/math/wide_registers.hpp"
 #include "dalembert/system/physics.hpp"
 
 namespace dalembert {
@@ -49,7 +50,7 @@ class ElementBatch : public Term {
       for (std::size_t i = 0; i < entries_.size(); i += side_by_side(i)) {
         if constexpr (LaneKernel<E>)
           if (side_by_side(i) == Lanes::count) {
-            has_wide_registers() ? wide_residuals(&entries_[i], evaluation, r) : four_residuals(&entries_[i], evaluation, r);
+            in_widest_registers([&] { four_residuals(&entries_[i], evaluation, r); });
             continue;
           }
         const Entry& e = entries_[i];
@@ -104,8 +105,7 @@ class ElementBatch : public Term {
         const int* slot = slots.data() + i * n * n;
         if constexpr (LaneKernel<E>)
           if (side_by_side(i) == Lanes::count) {
-            has_wide_registers() ? wide_tangents(&entries_[i], evaluation, weights, slot, values)
-                                 : four_tangents(&entries_[i], evaluation, weights, slot, values);
+            in_widest_registers([&] { four_tangents(&entries_[i], evaluation, weights, slot, values); });
             continue;
           }
         const Entry& e = entries_[i];
@@ -155,21 +155,16 @@ class ElementBatch : public Term {
     }
     return x;
   }
-  [[gnu::flatten]] static void four_residuals(const Entry* e, const Evaluation& evaluation, double* r) {
+  static void four_residuals(const Entry* e, const Evaluation& evaluation, double* r) {
     const auto f = element_residual<E, Lanes>(e->parameters, e->constants, context(evaluation, *e), gather_four(evaluation, e));
     for (int lane = 0; lane < Lanes::count; ++lane)
       for (int i = 0; i < n; ++i) r[e[lane].dofs[i]] += f[i][lane];
   }
-  DALEMBERT_WIDE static void wide_residuals(const Entry* e, const Evaluation& evaluation, double* r) { four_residuals(e, evaluation, r); }
-  [[gnu::flatten]] static void four_tangents(const Entry* e, const Evaluation& evaluation, const Weights& weights, const int* slot,
+  static void four_tangents(const Entry* e, const Evaluation& evaluation, const Weights& weights, const int* slot,
                                              double* values) {
     const auto k = E::tangent(e->parameters, e->constants, context(evaluation, *e), gather_four(evaluation, e), weights);
     for (int lane = 0; lane < Lanes::count; ++lane)
       for (const Lanes& entry : k.x) values[*slot++] += entry[lane];
-  }
-  DALEMBERT_WIDE static void wide_tangents(const Entry* e, const Evaluation& evaluation, const Weights& weights, const int* slot,
-                                           double* values) {
-    four_tangents(e, evaluation, weights, slot, values);
   }
 
   std::vector<char> one_law_;  // of each four elements

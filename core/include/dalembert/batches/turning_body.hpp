@@ -53,11 +53,13 @@ class TurningBodyBatch final : public ElementBatch<E, Record> {
   }
   void tangent(const Evaluation&, const Weights& weights, Ports& ports, double* values) const override {
     const int* slot = this->slots.data();
-    for (const Entry& e : entries_) {
-      add_inertia_tangent<Body, Node>(e.parameters, ports.node_motions[e.node].spin_motion, ports.template rotation<n - 3>(e.node), weights,
-                                      slot, values);
-      slot += n * n;
-    }
+    in_widest_registers([&] {
+      for (const Entry& e : entries_) {
+        add_inertia_tangent<Body, Node>(e.parameters, ports.node_motions[e.node].spin_motion, ports.template rotation<n - 3>(e.node),
+                                        weights, slot, values);
+        slot += n * n;
+      }
+    });
   }
   // Of any state: the nodes need not have been evaluated.
   void mass(const Evaluation& evaluation, Ports&, double* values) const override {

@@ -4,6 +4,7 @@
 
 #include "dalembert/batches/frame_marker.hpp"
 #include "dalembert/contracts/element.hpp"
+#include "dalembert/math/wide_registers.hpp"
 
 namespace dalembert {
 
@@ -73,13 +74,15 @@ class TurningMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeOf
   }
   void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const override {
     if (apart()) return Base::evaluate_tangent(evaluation, weights, ports);
-    for (const Entry& e : entries_) {
-      const RotationTangent<turns>& rotation = ports.template rotation<turns>(e.node);
-      const Vec3<double>& point = Shape::point(e.parameters, e.local);
-      if constexpr (Shape::values > 0)
-        write_frame_tangent<Shape::values, Node>(rotation, point, weights, ports.derivative(e.marker));
-      write_force_map<Shape::forces, Node>(rotation, point, Shape::scale(e.parameters), ports.jacobian(e.marker));
-    }
+    in_widest_registers([&] {
+      for (const Entry& e : entries_) {
+        const RotationTangent<turns>& rotation = ports.template rotation<turns>(e.node);
+        const Vec3<double>& point = Shape::point(e.parameters, e.local);
+        if constexpr (Shape::values > 0)
+          write_frame_tangent<Shape::values, Node>(rotation, point, weights, ports.derivative(e.marker));
+        write_force_map<Shape::forces, Node>(rotation, point, Shape::scale(e.parameters), ports.jacobian(e.marker));
+      }
+    });
   }
   void pull_back(const Evaluation& evaluation, Ports& ports, double* r) const override {
     if (apart()) return Base::pull_back(evaluation, ports, r);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dalembert/contracts/element.hpp"
+#include "dalembert/math/wide_registers.hpp"
 #include "dalembert/system/term.hpp"
 
 namespace dalembert {
@@ -53,8 +54,10 @@ class TurningNodeBatch final : public RotatingNodeBatch {
     for (const Entry& e : entries_) ports.node_motions[e.node] = node_motion<Node>(gather<n>(evaluation, e.dofs.data()));
   }
   void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const override {
-    for (const Entry& e : entries_)
-      ports.template rotation<turns>(e.node) = Node::rotation_tangent(gather<n>(evaluation, e.dofs.data()), weights);
+    in_widest_registers([&] {
+      for (const Entry& e : entries_)
+        ports.template rotation<turns>(e.node) = Node::rotation_tangent(gather<n>(evaluation, e.dofs.data()), weights);
+    });
   }
   void pull_back(const Evaluation& evaluation, const Ports& ports, double* r) const override {
     for (const Entry& e : entries_) {
@@ -69,11 +72,13 @@ class TurningNodeBatch final : public RotatingNodeBatch {
   }
   void geometric(const Evaluation& evaluation, const Weights& weights, Ports& ports, double* values) const override {
     SlotCursor slot(slots.data(), values);
-    for (const Entry& e : entries_) {
-      const auto x = gather<n>(evaluation, e.dofs.data());
-      const auto k = load_tangent<Node>(ports.node_loads[e.node], x, ports.template rotation<turns>(e.node), weights);
-      for (const double entry : k.x) slot.add(-entry);
-    }
+    in_widest_registers([&] {
+      for (const Entry& e : entries_) {
+        const auto x = gather<n>(evaluation, e.dofs.data());
+        const auto k = load_tangent<Node>(ports.node_loads[e.node], x, ports.template rotation<turns>(e.node), weights);
+        for (const double entry : k.x) slot.add(-entry);
+      }
+    });
   }
 
  private:

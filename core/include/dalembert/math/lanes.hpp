@@ -1,28 +1,16 @@
 // Four numbers side by side: kernels that are templates over the scalar compute four elements at once with it.
 //
-// The compiler knows such a vector on any processor; where it has registers for all four, functions marked DALEMBERT_WIDE
-// use them. They round as all others do: results are the same to the last bit.
+// The compiler knows such a vector on any processor; where it has registers for all four, loops that run in the widest
+// registers (math/wide_registers.hpp) use them.
 #pragma once
 
 #include <cmath>
 
 #include "dalembert/math/dual.hpp"
-#include "dalembert/math/processor.hpp"
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define DALEMBERT_WIDE [[gnu::target("avx2"), gnu::flatten]]
-#else
-#define DALEMBERT_WIDE
-#endif
 #define DALEMBERT_INLINE [[gnu::always_inline]]
 
 namespace dalembert {
-
-// Whether functions marked DALEMBERT_WIDE can run here.
-inline bool has_wide_registers() {
-  static const bool has = instructions() >= Instructions::avx2;
-  return has;
-}
 
 // To be passed between inlined functions only: how a vector is passed to others depends on the processor.
 struct Lanes {
