@@ -55,6 +55,7 @@ class ImplicitWrapper final : public WrappedSolver<SecondOrderSolver> {
     if (functions_.empty() || !is_replaced(part)) [[likely]] return built_in();
     return call_replacement<decltype(built_in())>(part, arguments...);
   }
+  bool has_replaced_parts() const override { return !functions_.empty(); }
   bool is_replaced(const char* part) const { return running_ != part && functions_.find(part) != functions_.end(); }
 
   template <class Result, class... Arguments>

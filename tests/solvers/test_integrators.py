@@ -53,6 +53,17 @@ def error_of(solver: Any, steps: int, damping: float, **options: Any) -> float:
     return float(np.hypot(model.position - position, (model.speed - speed) / frequency))
 
 
+@pytest.mark.parametrize("solver", [row[0] for row in ORDERS], ids=[str(row[0]).split(".")[1] for row in ORDERS])
+def test_views_of_coordinates_follow(solver: Any) -> None:
+    model = oscillator(damping=1.5)
+    model.mbs.Assemble()
+    data = model.mbs.systemData
+    readers = [data.GetODE2Coordinates, data.GetODE2Coordinates_t, data.GetODE2Coordinates_tt]
+    views = [read(copy=False) for read in readers]
+    model.mbs.SolveDynamic(dynamic_settings(0.1, 3), solverType=solver)
+    assert [view.tolist() for view in views] == [read().tolist() for read in readers]
+
+
 @pytest.mark.parametrize(("solver", "order", "steps"), ORDERS, ids=[str(row[0]).split(".")[1] for row in ORDERS])
 def test_order_of_convergence(solver: Any, order: int, steps: int) -> None:
     # The leap-frog method takes velocities of half steps into damping forces, which costs it an order: no damping there.

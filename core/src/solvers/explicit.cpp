@@ -203,7 +203,7 @@ void ExplicitSolver::compute_stage_rates(int stage) {
     if (!accelerations(stage_v_[s], stage_y_[s])) return;
     if (stage == 0) first_stage_known_ = nobody_interferes_;
   }
-  std::swap(stage_q_[s], current().v);  // the next stage writes all velocities
+  std::ranges::copy(current().v, stage_q_[s].begin());
   if (!lie_) return;
   for (const System::LieBlock& block : system().lie_blocks()) {
     const auto r = static_cast<std::size_t>(block.rotation);
@@ -251,7 +251,7 @@ void ExplicitSolver::end_of_step() {
     }
   } else {
     rates(now.y_t);
-    now.a = stage_v_.back();
+    std::ranges::copy(stage_v_.back(), now.a.begin());
   }
   eliminate(now.a);
 }

@@ -66,7 +66,7 @@ bool Solver::solve_system() {
 bool Solver::initialize() {
   output = SolverOutputData();
   diagnosis_ = Diagnosis();
-  stop_ = false;
+  stop_ = silent_ = false;
   output.cpuStartTime = output.cpuLastTimePrinted = output.cpuSolverStartTime = SolverTimer::now();
   pre_initialize();
   initialize_output();
@@ -163,6 +163,7 @@ bool Solver::solve_steps() {
   conv.jacobianUpdateRequested = true;
   last_look_ = SolverTimer::now();
   steps_taken_ = look_mask_ = 0;
+  silent_ = steps_end_silently();
   int steps_since_reduction = 0;
   try {
     finish_step(settings_->solutionSettings.writeInitialValues);
@@ -187,6 +188,7 @@ bool Solver::solve_steps() {
     current() = start_of_step();
     throw;
   }
+  silent_ = false;
   output.finishedSuccessfully = !conv.stepReductionFailed;
   return output.finishedSuccessfully;
 }

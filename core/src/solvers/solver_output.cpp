@@ -80,7 +80,17 @@ std::string Solver::position_text() const {
   return ", t = " + format_number(it.currentTime);
 }
 
+// No messages, no files, no pauses, and no functions that could ask for them.
+bool Solver::steps_end_silently() const {
+  const auto& s = settings_->solutionSettings;
+  const bool speaks = output.verboseMode != 0 || output.verboseModeFile != 0 || (output.stepInformation & step_information::every_step);
+  const bool writes = output.writeToSolutionFile || sensors_.active() || s.writeRestartFile || s.recordImagesInterval >= 0;
+  const bool waits = settings_->pauseAfterEachStep || settings_->timeIntegration.simulateInRealtime;
+  return !speaks && !writes && !waits && !hooks().pre_step && !hooks().post_step && !has_replaced_parts();
+}
+
 void Solver::finish_step(bool write) {
+  if (silent_) return;
   const double t = current().time;
   const bool end_reached = it.currentTime + 1e-10 >= it.endTime;
   const bool every_step = output.stepInformation & step_information::every_step;

@@ -104,6 +104,8 @@ class Solver {
   virtual void save_start_of_step() {}
   // What a restart needs besides the state.
   virtual std::span<const double> restart_values() const { return {}; }
+  // Whether the user has replaced a part of a step, which may change what the solver does.
+  virtual bool has_replaced_parts() const { return false; }
   virtual int recovery_steps() const { return settings_->timeIntegration.adaptiveStepRecoverySteps; }
   virtual int recovery_iterations() const { return settings_->timeIntegration.adaptiveStepRecoveryIterations; }
   void warn(std::string_view text);
@@ -124,6 +126,7 @@ class Solver {
   void step_succeeded(int& steps_since_reduction);
   void poll();
   bool time_to_look();
+  bool steps_end_silently() const;
   void print_progress(bool to_console, bool to_file);
   void wait_for_real_time();
   void summarize();
@@ -142,6 +145,7 @@ class Solver {
   std::uint32_t steps_taken_ = 0, look_mask_ = 0;
   double last_look_ = 0;
   double last_restart_ = 0;
+  bool silent_ = false;  // while all steps are solved: nothing happens at their ends
 };
 
 }  // namespace dalembert
