@@ -192,3 +192,32 @@ def test_a_load_that_gets_its_function_after_assemble_is_differentiated(sparse: 
                 mbs.systemData.AddODE2LoadDependencies(i, [2, 5])
         counts.append(fewer_iterations(mbs, sparse))
     assert counts[0] == counts[1] <= 3 * STEPS
+
+
+def test_a_solver_that_has_begun_goes_on_when_dependencies_are_added() -> None:
+    """It keeps its matrix; the new derivatives are those of the solver that begins then."""
+    angles = []
+    for interrupted in (False, True):
+        mbs, nodes = controlled_pendulum()
+        chosen = settings(END, STEPS, tolerance=1e-9)
+        chosen.linearSolverType = exu.LinearSolverType.EigenSparse
+        chosen.timeIntegration.computeLoadsJacobian = 2
+        functions = [mbs.GetLoadParameter(i, "loadVectorUserFunction") for i in range(2)]
+        for i in range(2):
+            mbs.SetLoadParameter(i, "loadVectorUserFunction", 0)
+        mbs.DeleteNode(mbs.AddNode(exu.NodePoint()))  # forgets the dependencies
+        mbs.Assemble()
+        solver = exu.MainSolverImplicitSecondOrder()
+        solver.InitializeSolver(mbs, chosen)
+        start, accelerations = mbs.systemData.GetSystemState(), mbs.systemData.GetODE2Coordinates_tt()
+        for i, function in enumerate(functions):
+            mbs.SetLoadParameter(i, "loadVectorUserFunction", function)
+            mbs.systemData.AddODE2LoadDependencies(i, [2, 5])
+        if interrupted:
+            assert fewer_iterations(mbs, sparse=True) <= 3 * STEPS
+            mbs.systemData.SetSystemState(start)
+            mbs.systemData.SetODE2Coordinates_tt(accelerations)
+        assert solver.SolveSteps(mbs, chosen)
+        solver.FinalizeSolver(mbs, chosen)
+        angles.append([mbs.GetNodeOutput(n, Variable.Rotation)[-1] for n in nodes])
+    np.testing.assert_allclose(angles[1], angles[0], rtol=0, atol=1e-8)

@@ -192,17 +192,21 @@ void System::tangent(const State& state, const Conditions& conditions, const Wei
     dalembert::add_load_dependencies(*this, parts, e, weights, conditions.load_dependencies > 1, values.data());
 }
 
+void SystemParts::add_sparse_pattern() {
+  PairCollector collector;
+  const auto visit = [&](const Batch& batch) { batch.visit(collector, ports); };
+  each(terms, visit);
+  each(marker_batches, visit);
+  each(rotating_nodes, visit);
+  for (const LoadDependency& dependency : load_dependencies) collector.block(dependency.rows, dependency.columns);
+  sparse_patterns.push_back(Pattern::sparse(sizes.total(), collector.pairs));
+}
+
 const Pattern& System::pattern(bool dense) {
   SystemParts& parts = *parts_;
-  std::optional<Pattern>& pattern = dense ? parts.dense_pattern : parts.sparse_pattern;
-  if (pattern) return *pattern;
-  if (dense) return pattern.emplace(Pattern::dense(sizes_.total()));
-  PairCollector collector;
-  each(parts.terms, [&](const Term& term) { term.visit(collector, parts.ports); });
-  each(parts.marker_batches, [&](const MarkerBatch& batch) { batch.visit(collector, parts.ports); });
-  each(parts.rotating_nodes, [&](const RotatingNodeBatch& batch) { batch.visit(collector, parts.ports); });
-  for (const LoadDependency& dependency : parts.load_dependencies) collector.block(dependency.rows, dependency.columns);
-  return pattern.emplace(Pattern::sparse(sizes_.total(), collector.pairs));
+  if (dense) return parts.dense_pattern ? *parts.dense_pattern : parts.dense_pattern.emplace(Pattern::dense(sizes_.total()));
+  if (parts.sparse_patterns.empty()) parts.add_sparse_pattern();
+  return parts.sparse_patterns.back();
 }
 
 const Pattern& System::mass_pattern() {

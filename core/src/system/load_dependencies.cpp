@@ -190,11 +190,9 @@ void System::add_load_dependencies(int load, std::span<const int> coordinates) {
 
 void System::complete_pattern() {
   SystemParts& parts = *parts_;
-  if (!parts.sparse_pattern) return;
-  const auto known = [&](const LoadDependency& dependency) { return contains(*parts.sparse_pattern, dependency); };
-  if (std::ranges::all_of(parts.load_dependencies, known)) return;
-  parts.sparse_pattern.reset();
-  parts.bound = nullptr;
+  if (parts.sparse_patterns.empty()) return;
+  const auto known = [&](const LoadDependency& dependency) { return contains(parts.sparse_patterns.back(), dependency); };
+  if (!std::ranges::all_of(parts.load_dependencies, known)) parts.add_sparse_pattern();
 }
 
 std::span<const int> System::load_dependencies(int load) const {

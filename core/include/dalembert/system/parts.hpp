@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <list>
 #include <memory>
 #include <optional>
 #include <span>
@@ -161,7 +162,8 @@ struct SystemParts {
   States& states = *kept_states;
   std::uint64_t structure = 0, values = 0;  // of the model, as assembled
 
-  std::optional<Pattern> dense_pattern, sparse_pattern, mass_pattern;  // made when asked for
+  std::optional<Pattern> dense_pattern, mass_pattern;  // made when asked for
+  std::list<Pattern> sparse_patterns;  // likewise; the last is that of solvers that begin, others may still use those before
   const Pattern* bound = nullptr;  // the pattern whose slots the batches hold
   std::vector<int> rate_slots;     // diagonal places of the ODE1 coordinates
 
@@ -203,6 +205,7 @@ struct SystemParts {
     if (!workers || functions_in_regions || count == 1) return f(Share{0, 1});
     workers->run(static_cast<int>(count), [&](int i) { f(Share{static_cast<std::size_t>(i), count}); });
   }
+  void add_sparse_pattern();
   void bind(const Pattern& pattern);
   // Of an item that has been changed.
   template <class Place>

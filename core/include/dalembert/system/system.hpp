@@ -73,7 +73,7 @@ class System {
                std::span<double> values);
   // The pattern of the tangent, made on first use after Assemble.
   const Pattern& pattern(bool dense);
-  // For a solver that begins: gives up a pattern that lacks entries of load dependencies which were added after it was made.
+  // For a solver that begins: another pattern, if entries of load dependencies were added after the last was made.
   void complete_pattern();
   // The pattern of the mass matrix alone, as sparse as it is; of the size of the system.
   const Pattern& mass_pattern();
