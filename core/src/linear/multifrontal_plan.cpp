@@ -210,7 +210,8 @@ void MultifrontalLu::place_columns() {
       places.release(child.columns + static_cast<std::size_t>(child.length) * child.pivots);
     }
     places.release(front.columns, front.columns + panel);
-    if (tree_[&front - fronts_.data()].parent < 0) places.release(front.columns + panel);
+    const bool left_out = tree_[&front - fronts_.data()].parent < 0 && front.updates > 0;
+    if (left_out) places.release(front.columns + panel);
   }
   columns_.resize(lines(places.size() + front_slack));
 }
