@@ -37,12 +37,12 @@ class CallArguments {
 
   // Calls with the given numbers in place of the arguments' values.
   void call(const UserFunction& f, const Context& c, const double* numbers, std::span<double> results) const {
-    std::array<Argument, 16> arguments;
+    std::array<Argument, most_arguments> arguments;
     f.callback->call(c.time, c.item, described(arguments, numbers), results);
   }
   // The same with what the last call has given, if nothing has changed since.
   void recall(const UserFunction& f, const Context& c, const double* numbers, std::span<double> results) const {
-    std::array<Argument, 16> arguments;
+    std::array<Argument, most_arguments> arguments;
     f.callback->recall(c.time, c.item, described(arguments, numbers), results);
   }
 
@@ -61,6 +61,8 @@ class CallArguments {
   const S& operator[](int i) const { return values_[i]; }
 
  private:
+  static constexpr std::size_t most_arguments = std::min(Capacity, 16);  // none is empty
+
   std::span<const Argument> described(std::span<Argument> arguments, const double* numbers) const {
     describe(arguments, numbers);
     return arguments.first(static_cast<std::size_t>(count_));
@@ -70,7 +72,7 @@ class CallArguments {
     int start = 0, rows = 0, columns = 0;
   };
   std::array<S, Capacity> values_{};
-  std::array<Shape, 16> shapes_{};
+  std::array<Shape, most_arguments> shapes_{};
   int size_ = 0, count_ = 0;
 };
 
