@@ -59,7 +59,7 @@ Evaluation SystemParts::evaluation(const State& state, const Conditions& conditi
   Evaluation e = view_of(*this, state, conditions);
   const double* reference = this->state(ConfigurationType::Reference).q.data();
   each_share([&](const Share& share) {
-    share.fill(cleared, 0.0);
+    share.clear(cleared);
     const auto [begin, end] = share.of(total.size());
     for (std::size_t i = begin; i < end; ++i) total[i] = reference[i] + e.u[i];
   });
@@ -137,8 +137,8 @@ void add_residual(SystemParts& parts, const Evaluation& e, double* r, bool loads
   Ports& ports = parts.ports;
   parts.evaluate_resting(e);
   parts.each_share([&](const Share& share) {
-    share.fill(std::span(ports.forces), 0.0);
-    share.fill(std::span(ports.node_loads), NodeLoad{});
+    share.clear(std::span(ports.forces));
+    share.clear(std::span(ports.node_loads));
   });
   parts.each_region([&](const RegionPlan& region) {
     parts.update_frames(region, e);

@@ -127,9 +127,9 @@ struct Share {
     return {size * number / count, size * (number + 1) / count};
   }
   template <class T>
-  void fill(std::span<T> list, const T& value) const {
+  void clear(std::span<T> list) const {
     const auto [begin, end] = of(list.size());
-    std::fill(list.data() + begin, list.data() + end, value);
+    std::fill(list.data() + begin, list.data() + end, T{});
   }
 };
 
@@ -190,6 +190,7 @@ struct SystemParts {
   // Calls f(region) for all regions, small ones first, those of one size side by side.
   template <class F>
   void each_region(F&& f) const {
+    if (plan.regions.size() == 1) return f(plan.regions.front());
     for (const auto& [regions, is_shared] : plan.sizes) {
       if (workers && is_shared && regions.size() > 1 && !functions_in_regions) {
         workers->run(static_cast<int>(regions.size()), [&](int i) { f(regions[static_cast<std::size_t>(i)]); });
