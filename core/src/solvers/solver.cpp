@@ -106,7 +106,8 @@ void Solver::initialize_data() {
                                            std::to_string(newton_settings.newtonResidualMode) +
                                            "; expected 0 (residual of equations) or 1 (size of the increment)");
   }
-  system_->use_threads(std::min(settings_->parallel.numberOfThreads, static_cast<int>(std::thread::hardware_concurrency())));
+  static const int cores = static_cast<int>(std::thread::hardware_concurrency());  // it takes a look into files
+  system_->use_threads(std::min(settings_->parallel.numberOfThreads, cores));
   output.numberOfThreadsUsed = system_->threads();
   output.lastNewtonStepsCount = output.lastNewtonJacobiCount = output.lastDiscontinuousIterationsCount = 0;
 }
