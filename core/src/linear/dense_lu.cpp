@@ -115,7 +115,7 @@ void DenseLu::solve(std::span<double> x) {
     kernels_.solve_listed(*list_, factors_.data(), inverse_pivot_.data(), w);
   } else {
     kernels_.eliminate(factors_.data(), size_, length_, w, 1);
-    kernels_.substitute(factors_.data(), size_, length_, inverse_pivot_.data(), nullptr, 0, nullptr, w);
+    kernels_.substitute(factors_.data(), size_, length_, inverse_pivot_.data(), w);
   }
   std::copy_n(w, size_, x.begin());
 }

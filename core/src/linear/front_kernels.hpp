@@ -33,10 +33,8 @@ struct FrontKernels {
   // Eliminates the pivots from `count` further columns: their first `pivots` rows become U, the others the Schur complement.
   // A right-hand side is such a column.
   void (*eliminate)(const double* panel, int pivots, int length, double* columns, int count);
-  // w := U^-1 (w - upper z), where `upper` holds `count` columns right of the pivot columns, as long as w: padded(pivots). As
-  // many numbers of `inverse` are read.
-  void (*substitute)(const double* panel, int pivots, int length, const double* inverse, const double* upper, int count,
-                     const double* z, double* w);
+  // w := U^-1 w. Of w and of `inverse`, padded(pivots) numbers are read.
+  void (*substitute)(const double* panel, int pivots, int length, const double* inverse, double* w);
   // Adds columns of a child to those of its parent, which start at to + places[j]. What follows a run, up to front_slack numbers,
   // is read and written as it is.
   void (*add_columns)(const double* from, int length, int count, std::span<const RowRun> runs, const int* places, double* to);

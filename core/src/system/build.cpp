@@ -120,12 +120,11 @@ class Builder {
   }
 
   void divide() {
-    std::vector<int> sizes;
     for (int i = 0; i < model_.count(ItemKind::node); ++i) {
       const Item& item = model_.item(ItemKind::node, i);
-      sizes.push_back(physics<NodePhysics>(item, i).sizes(item.record.get()).ode2);
+      node_sizes_.push_back(physics<NodePhysics>(item, i).sizes(item.record.get()));
     }
-    regions_ = Regions(sizes, division_.coordinates);
+    regions_ = Regions(node_sizes_, division_.coordinates);
   }
   // In which region an item lies, whose placement is known. Whoever shares coordinates other than ODE2 coordinates, or
   // calls functions of the user, comes last, on the thread of the solver.
@@ -176,7 +175,7 @@ class Builder {
   void place_node(int number) {
     const Item& item = model_.item(ItemKind::node, number);
     NodePlace place{item.type, &physics<NodePhysics>(item, number), item.record, {}};
-    place.sizes = place.physics->sizes(item.record.get());
+    place.sizes = node_sizes_[static_cast<std::size_t>(number)];
     place.translations = place.physics->translations();
     const auto take = [](int& next, int count) { return count == 0 ? -1 : std::exchange(next, next + count); };
     place.ode2 = take(parts_.sizes.ode2, place.sizes.ode2);
@@ -296,6 +295,7 @@ class Builder {
     p.owner = place.object >= 0 ? parts_.objects[place.object].record.get() : parts_.nodes[place.node].record.get();
     p.owner_type = place.object >= 0 ? parts_.objects[place.object].type : parts_.nodes[place.node].type;
     physics.check(record, p, parts_.ports, {model_, ItemKind::marker, number});
+    marker_regions_.push_back(region_of(ItemKind::marker, number));
     GrowingBatch<MarkerBatch>* growing = nullptr;
     if (physics.passes_frame(shape, local, record)) {
       record = &local;
@@ -310,7 +310,6 @@ class Builder {
     parts_.ports.append(batch.value_count(record, p), batch.force_count(record, p), p.dofs, batch.translations());
     growing->acts = growing->acts || has_coordinates(p);
     batch.add(record, p, parts_.ports);
-    marker_regions_.push_back(region_of(ItemKind::marker, number));
     place.member = {&batch, growing->entries++};
     parts_.markers.push_back(std::move(place));
   }
@@ -346,7 +345,7 @@ class Builder {
   // The batch for items of type `on`, or what else stands on the nodes of the placement.
   template <class B, class Make>
   GrowingBatch<B>& batch_of(BatchTable<B>& table, const void* variant, const ItemType& on, Make&& make, ItemKind kind, int number) {
-    key_.region = std::max(region_of(kind, number), Regions::whole);
+    key_.region = std::max(kind == ItemKind::marker ? marker_regions_.back() : region_of(kind, number), Regions::whole);
     key_.types.assign({variant, &on});
     for (const int n : placement_.nodes) key_.types.push_back(parts_.nodes[n].type);
     return table.find(key_, [&] {
@@ -465,6 +464,7 @@ class Builder {
   BatchTable<Term> terms_{parts_.terms};
   std::map<std::pair<int, const ItemType*>, RotatingNodeBatch*> rotating_;  // by region
   Regions regions_;
+  std::vector<Sizes> node_sizes_;
   std::vector<int> marker_regions_;
   std::set<const Batch*> differentiated_;
   std::unordered_map<const ItemType*, int> counts_;  // of items

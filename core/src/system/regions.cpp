@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
 
 namespace dalembert {
 namespace {
@@ -11,14 +10,14 @@ constexpr int most_regions = 64;
 
 }  // namespace
 
-Regions::Regions(std::span<const int> node_sizes, int coordinates) {
-  const std::int64_t total = std::accumulate(node_sizes.begin(), node_sizes.end(), std::int64_t{0});
+Regions::Regions(std::span<const Sizes> nodes, int coordinates) {
+  std::int64_t total = 0, before = 0;
+  for (const Sizes& node : nodes) total += node.ode2;
   while (smallest_ < most_regions && total >= 2 * smallest_ * coordinates) smallest_ *= 2;
-  of_node_.reserve(node_sizes.size());
-  std::int64_t before = 0;
-  for (const int size : node_sizes) {
-    of_node_.push_back(size == 0 ? none : smallest_ - 1 + static_cast<int>(before * smallest_ / total));
-    before += size;
+  of_node_.reserve(nodes.size());
+  for (const Sizes& node : nodes) {
+    of_node_.push_back(node.ode2 == 0 ? none : smallest_ - 1 + static_cast<int>(before * smallest_ / total));
+    before += node.ode2;
   }
 }
 

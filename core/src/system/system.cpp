@@ -30,7 +30,7 @@ void System::assemble(const Model& model, const Division& division) {
 
 void System::use_threads(int count) {
   SystemParts& parts = *parts_;
-  count = std::min(count, static_cast<int>(parts.plan.regions.size() + 1) / 2);
+  count = parts.functions_in_regions ? 1 : std::min(count, static_cast<int>(parts.plan.regions.size() + 1) / 2);
   if (count == threads()) return;
   parts.workers.reset();
   if (count > 1) parts.workers = std::make_unique<Workers>(count);

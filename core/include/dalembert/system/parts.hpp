@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <map>
 #include <list>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -149,8 +149,8 @@ struct SystemParts {
   std::vector<std::unique_ptr<RotatingNodeBatch>> rotating_nodes;
   std::vector<LoadDependency> load_dependencies;
   EvaluationPlan plan;
-  std::unique_ptr<Workers> workers;  // null: one thread does it all
-  bool functions_in_regions = false;  // of the user, which only the thread of the solver may call
+  bool functions_in_regions = false;  // of the user, which only the thread of the solver may call: it does it all
+  std::unique_ptr<Workers> workers;   // null: one thread does it all
   std::vector<System::LieBlock> lie_blocks;
   Ports ports;
   std::vector<double> static_signs;  // of the algebraic variables
@@ -192,7 +192,7 @@ struct SystemParts {
   void each_region(F&& f) const {
     if (plan.regions.size() == 1) return f(plan.regions.front());
     for (const auto& [regions, is_shared] : plan.sizes) {
-      if (workers && is_shared && regions.size() > 1 && !functions_in_regions) {
+      if (workers && is_shared && regions.size() > 1) {
         workers->run(static_cast<int>(regions.size()), [&](int i) { f(regions[static_cast<std::size_t>(i)]); });
       } else {
         for (const RegionPlan& region : regions) f(region);
@@ -202,9 +202,9 @@ struct SystemParts {
   // Calls f(share) for shares that make up everything, side by side.
   template <class F>
   void each_share(F&& f) const {
-    const std::size_t count = (plan.regions.size() + 1) / 2;
-    if (!workers || functions_in_regions || count == 1) return f(Share{0, 1});
-    workers->run(static_cast<int>(count), [&](int i) { f(Share{static_cast<std::size_t>(i), count}); });
+    if (!workers) return f(Share{0, 1});
+    const int count = workers->count();
+    workers->run(count, [&](int i) { f(Share{static_cast<std::size_t>(i), static_cast<std::size_t>(count)}); });
   }
   void add_sparse_pattern();
   void bind(const Pattern& pattern);
@@ -213,7 +213,9 @@ struct SystemParts {
   void look_for_functions(const Place& place) {
     const RegionPlan& whole = plan.regions[Regions::whole];
     const auto is_in = [&](const std::vector<const Term*>& terms) { return std::ranges::find(terms, place.member.batch) != terms.end(); };
-    if (has_user_function(*place.type, place.record.get()) && !is_in(whole.terms) && !is_in(whole.loads)) functions_in_regions = true;
+    if (!has_user_function(*place.type, place.record.get()) || is_in(whole.terms) || is_in(whole.loads)) return;
+    functions_in_regions = true;
+    workers.reset();
   }
 };
 

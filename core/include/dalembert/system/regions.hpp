@@ -9,6 +9,8 @@
 #include <span>
 #include <vector>
 
+#include "dalembert/system/state.hpp"
+
 namespace dalembert {
 
 // How far a system is divided. As it stands here, evaluations gain from it.
@@ -23,8 +25,8 @@ class Regions {
   static constexpr int none = -1;   // of what has no coordinates
 
   Regions() = default;
-  // By the numbers of ODE2 coordinates of all nodes; smallest regions have so many at least.
-  Regions(std::span<const int> node_sizes, int coordinates);
+  // Smallest regions have so many ODE2 coordinates at least.
+  Regions(std::span<const Sizes> nodes, int coordinates);
 
   // A binary tree, level by level: regions 2 i + 1 and 2 i + 2 lie in i.
   int count() const { return 2 * smallest_ - 1; }
