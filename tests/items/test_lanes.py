@@ -1,4 +1,4 @@
-"""Elements of one law are computed side by side: each gets to the last bit what it gets alone."""
+"""Elements of one law are computed side by side, up to as many as registers hold: each gets what it gets alone."""
 
 from __future__ import annotations
 
@@ -23,6 +23,7 @@ LAW = {
     "physicsAxialDamping": 5,
 }
 WEIGHTS = {"cq": 0.7, "cv": 1.3, "ca": 0.4}
+ROUNDING = 1e-13  # of the largest entry: wide registers fuse products and sums
 
 
 def cables(laws: list[dict[str, Any]]) -> exu.MainSystem:
@@ -41,9 +42,13 @@ def equations(mbs: exu.MainSystem, q: Any, v: Any, a: Any) -> tuple[np.ndarray, 
     return testing.residual(mbs, state), testing.tangent(mbs, state, **WEIGHTS)
 
 
-@pytest.mark.parametrize("count", [4, 7, 8], ids="{} elements".format)
+def difference(values: np.ndarray, others: np.ndarray) -> float:
+    return float(np.abs(values - others).max() / np.abs(others).max())
+
+
+@pytest.mark.parametrize("count", [2, 4, 7, 8, 11, 21], ids="{} elements".format)
 @pytest.mark.parametrize("rule", [0, 1, 2], ids="rule {}".format)
-@pytest.mark.parametrize("different", [None, 2], ids=["one law", "one of another law"])
+@pytest.mark.parametrize("different", [None, 1], ids=["one law", "one of another law"])
 def test_elements_side_by_side(count: int, rule: int, different: int | None) -> None:
     laws = [LAW | {"useReducedOrderIntegration": rule} for _ in range(count)]
     if different is not None:
@@ -53,8 +58,8 @@ def test_elements_side_by_side(count: int, rule: int, different: int | None) -> 
     for i, law in enumerate(laws):
         own = slice(8 * i, 8 * i + 8)
         alone = equations(cables([law]), q[i], v[i], a[i])
-        assert np.array_equal(residual[own], alone[0])
-        assert np.array_equal(tangent[own, own], alone[1])
+        assert difference(residual[own], alone[0]) < ROUNDING
+        assert difference(tangent[own, own], alone[1]) < ROUNDING
         assert np.abs(alone[0]).max() > 1
 
 
@@ -65,10 +70,9 @@ def test_a_law_that_changes() -> None:
     before, _ = equations(mbs, q, v, a)
     mbs.SetObjectParameter(1, "physicsAxialStiffness", 3e4)
     after, _ = equations(mbs, q, v, a)
-    changed = before != after
-    assert changed[8:16].any()
-    assert not changed[:8].any()
-    assert not changed[16:].any()
+    changes = [difference(after[8 * i : 8 * i + 8], before[8 * i : 8 * i + 8]) for i in range(4)]
+    assert changes.pop(1) > 0.1
+    assert max(changes) < ROUNDING
     mbs.SetObjectParameter(1, "physicsAxialStiffness", LAW["physicsAxialStiffness"])
     assert np.array_equal(equations(mbs, q, v, a)[0], before)
 
@@ -76,9 +80,9 @@ def test_a_law_that_changes() -> None:
 EQUATIONS_OF_CABLES = """
 import numpy as np
 from test_lanes import LAW, cables, equations
-q, v, a = np.random.default_rng(1).normal(scale=0.1, size=(3, 8, 8))
-for values in equations(cables([LAW] * 8), q, v, a):
-    print(values.tobytes().hex())
+q, v, a = np.random.default_rng(1).normal(scale=0.1, size=(3, 15, 8))
+for values in equations(cables([LAW] * 15), q, v, a):
+    print(*(value.hex() for value in values.ravel()))
 """
 
 
@@ -88,10 +92,15 @@ def run_with_instructions(name: str) -> subprocess.CompletedProcess[str]:
 
 
 def test_registers_do_not_change_results() -> None:
-    """Forces and masses of the elements are the same in registers of any width."""
-    results = {run_with_instructions(name).stdout for name in ("portable", "avx2")}
-    assert len(results) == 1
-    assert len(results.pop()) > 16 * 64 * 65
+    """Forces and derivatives of the elements are the same in registers of any width, but for rounding."""
+    results = []
+    for name in ("portable", "avx2", "avx512"):
+        lines = run_with_instructions(name).stdout.splitlines()
+        results.append([np.array([float.fromhex(x) for x in line.split()]) for line in lines])
+    for others in results[1:]:
+        for values, expected in zip(others, results[0], strict=True):
+            assert difference(values, expected) < ROUNDING
+    assert [values.size for values in results[0]] == [120, 120**2]
 
 
 def test_unknown_instructions_are_refused() -> None:

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -47,16 +48,17 @@ class ElementBatch : public Term {
   void residual(const Evaluation& evaluation, Ports&, double* r) const override {
     if (PureInertia<E> && !evaluation.inertia) return;
     if constexpr (n > 0)
-      for (std::size_t i = 0; i < entries_.size(); i += side_by_side(i)) {
-        if constexpr (LaneKernel<E>)
-          if (side_by_side(i) == Lanes::count) {
-            in_widest_registers([&] { four_residuals(&entries_[i], evaluation, r); });
-            continue;
-          }
-        const Entry& e = entries_[i];
-        const auto x = gather<n>(evaluation, e.dofs.data());
-        const auto f = element_residual<E, double>(e.parameters, e.constants, context(evaluation, e), x);
-        for (int k = 0; k < n; ++k) r[e.dofs[k]] += f[k];
+      for (std::size_t i = 0; i < entries_.size();) {
+        const int count = side_by_side(i);
+        if (count > 1) {
+          in_lanes(count, [&]<int L>() { residuals_in_lanes<L>(i, count, evaluation, r); });
+        } else {
+          const Entry& e = entries_[i];
+          const auto x = gather<n>(evaluation, e.dofs.data());
+          const auto f = element_residual<E, double>(e.parameters, e.constants, context(evaluation, e), x);
+          for (int k = 0; k < n; ++k) r[e.dofs[k]] += f[k];
+        }
+        i += static_cast<std::size_t>(count);
       }
   }
   void tangent(const Evaluation& evaluation, const Weights& weights, Ports&, double* values) const override {
@@ -101,22 +103,24 @@ class ElementBatch : public Term {
 
   void sweep(const Evaluation& evaluation, const Weights& weights, double* values) const {
     if constexpr (n > 0) {
-      for (std::size_t i = 0; i < entries_.size(); i += side_by_side(i)) {
-        const int* slot = slots.data() + i * n * n;
-        if constexpr (LaneKernel<E>)
-          if (side_by_side(i) == Lanes::count) {
-            in_widest_registers([&] { four_tangents(&entries_[i], evaluation, weights, slot, values); });
-            continue;
-          }
-        const Entry& e = entries_[i];
-        const auto x = gather<n>(evaluation, e.dofs.data());
-        if constexpr (TangentKernel<E>) {
-          add(E::tangent(e.parameters, e.constants, context(evaluation, e), x, weights), slot, values);
+      const int* slot = slots.data();
+      for (std::size_t i = 0; i < entries_.size();) {
+        const int count = side_by_side(i);
+        if (count > 1) {
+          in_lanes(count, [&]<int L>() { tangents_in_lanes<L>(i, count, evaluation, weights, slot, values); });
         } else {
-          const auto f = element_residual<E, Dual<n>>(e.parameters, e.constants, context(evaluation, e), seeded<E>(x, weights));
-          for (int row = 0; row < n; ++row)
-            for (int column = 0; column < n; ++column) values[*slot++] += f[row].d[column];
+          const Entry& e = entries_[i];
+          const auto x = gather<n>(evaluation, e.dofs.data());
+          if constexpr (TangentKernel<E>) {
+            add(E::tangent(e.parameters, e.constants, context(evaluation, e), x, weights), slot, values);
+          } else {
+            const auto f = element_residual<E, Dual<n>>(e.parameters, e.constants, context(evaluation, e), seeded<E>(x, weights));
+            for (int row = 0; row < n; ++row)
+              for (int column = 0; column < n; ++column) values[slot[row * n + column]] += f[row].d[column];
+          }
         }
+        slot += count * n * n;
+        i += static_cast<std::size_t>(count);
       }
     }
   }
@@ -126,48 +130,72 @@ class ElementBatch : public Term {
   }
 
   // ---- elements of one law, side by side ----
-  // How many elements from here on are computed at once.
-  std::size_t side_by_side(std::size_t first) const {
-    if constexpr (LaneKernel<E>)
-      if (first % Lanes::count == 0 && first / Lanes::count < one_law_.size() && one_law_[first / Lanes::count]) return Lanes::count;
-    return 1;
+  // How many elements from `first` on are computed at once.
+  int side_by_side(std::size_t first) const {
+    int count = 1;
+    if constexpr (LaneKernel<E>) {
+      const int most = numbers_in_register();
+      while (count < most && first + count < entries_.size() && like_previous_[first + count]) ++count;
+    }
+    return count;
   }
   void compare_laws(int changed) {
     if constexpr (LaneKernel<E>) {
-      const std::size_t four = static_cast<std::size_t>(changed) / Lanes::count, first = four * Lanes::count;
-      if (first + Lanes::count > entries_.size()) return;
-      one_law_.resize(std::max(one_law_.size(), four + 1));
-      const auto same = [&](const Entry& e) {
-        return E::same_law(entries_[first].parameters, entries_[first].constants, e.parameters, e.constants);
-      };
-      one_law_[four] = std::all_of(&entries_[first], &entries_[first] + Lanes::count, same);
+      const auto last = static_cast<int>(entries_.size()) - 1;
+      like_previous_.resize(entries_.size());
+      for (int i = std::max(changed, 1); i <= std::min(changed + 1, last); ++i) {
+        const Entry &e = entries_[i], &previous = entries_[i - 1];
+        like_previous_[i] = E::same_law(previous.parameters, previous.constants, e.parameters, e.constants);
+      }
     }
   }
-  static Coordinates<Lanes, n> gather_four(const Evaluation& evaluation, const Entry* e) {
-    Coordinates<Lanes, n> x;
-    const auto pick = [e](const double* from, int i) {
-      return Lanes(from[e[0].dofs[i]], from[e[1].dofs[i]], from[e[2].dofs[i]], from[e[3].dofs[i]]);
-    };
-    for (int i = 0; i < n; ++i) {
-      x.q[i] = pick(evaluation.q, i);
-      x.v[i] = pick(evaluation.v, i);
-      if (evaluation.inertia) x.a[i] = pick(evaluation.a, i);
+  template <class F>
+  static void in_lanes(int count, const F& f) {
+    if constexpr (LaneKernel<E>) {
+      if (numbers_in_register() == 2) run_in_any_registers([&] { f.template operator()<2>(); });
+      else if (count <= 4) run_in_wide_registers([&] { f.template operator()<4>(); });
+      else run_in_widest_registers([&] { f.template operator()<8>(); });
     }
-    return x;
   }
-  static void four_residuals(const Entry* e, const Evaluation& evaluation, double* r) {
-    const auto f = element_residual<E, Lanes>(e->parameters, e->constants, context(evaluation, *e), gather_four(evaluation, e));
-    for (int lane = 0; lane < Lanes::count; ++lane)
-      for (int i = 0; i < n; ++i) r[e[lane].dofs[i]] += f[i][lane];
+  // Where the coordinates of each lane's node begin in a vector; lanes without an element repeat the last one.
+  template <int L, class T>
+  static std::array<T*, L> places(T* vector, const Entry* e, int count, int node) {
+    std::array<T*, L> at;
+    for (int lane = 0; lane < L; ++lane) at[lane] = vector + e[std::min(lane, count - 1)].dofs[node * 4];
+    return at;
   }
-  static void four_tangents(const Entry* e, const Evaluation& evaluation, const Weights& weights, const int* slot,
-                                             double* values) {
-    const auto k = E::tangent(e->parameters, e->constants, context(evaluation, *e), gather_four(evaluation, e), weights);
-    for (int lane = 0; lane < Lanes::count; ++lane)
-      for (const Lanes& entry : k.x) values[*slot++] += entry[lane];
+  template <int L>
+  static Vec<Lanes<L>, n> gather_lanes(const double* from, const Entry* e, int count) {
+    const auto nodes = vector_of<n / 4>([&](int node) { return gather_fours<L>(places<L>(from, e, count, node)); });
+    return vector_of<n>([&nodes](int i) { return nodes[i / 4][i % 4]; });
+  }
+  template <int L>
+  static Coordinates<Lanes<L>, n> gather_lanes(const Evaluation& evaluation, const Entry* e, int count) {
+    const auto gathered = [&](const double* from) { return gather_lanes<L>(from, e, count); };
+    return {gathered(evaluation.q), gathered(evaluation.v), evaluation.inertia ? gathered(evaluation.a) : Vec<Lanes<L>, n>{}};
+  }
+  template <int L>
+  void residuals_in_lanes(std::size_t first, int count, const Evaluation& evaluation, double* r) const {
+    const Entry* e = &entries_[first];
+    const auto x = gather_lanes<L>(evaluation, e, count);
+    const auto f = element_residual<E, Lanes<L>>(e->parameters, e->constants, context(evaluation, *e), x);
+    for (int node = 0; node < n / 4; ++node)
+      scatter_fours<L>({f[4 * node], f[4 * node + 1], f[4 * node + 2], f[4 * node + 3]}, places<L>(r, e, count, node), count);
+  }
+  template <int L>
+  void tangents_in_lanes(std::size_t first, int count, const Evaluation& evaluation, const Weights& weights, const int* slot,
+                         double* values) const {
+    const Entry* e = &entries_[first];
+    const auto k = E::tangent(e->parameters, e->constants, context(evaluation, *e), gather_lanes<L>(evaluation, e, count), weights);
+    for (int row = 0; row < n; row += 4)
+      for (int column = 0; column < n; ++column) {
+        std::array<double*, L> at;  // the rows of one node lie side by side (system/pattern.hpp)
+        for (int lane = 0; lane < L; ++lane) at[lane] = values + slot[(std::min(lane, count - 1) * n + row) * n + column];
+        scatter_fours<L>({k(row, column), k(row + 1, column), k(row + 2, column), k(row + 3, column)}, at, count);
+      }
   }
 
-  std::vector<char> one_law_;  // of each four elements
+  std::vector<char> like_previous_;  // whether an element obeys the law of the one before
 };
 
 }  // namespace dalembert

@@ -27,6 +27,20 @@ struct Mat {
 template <class S>
 using Mat3 = Mat<S, 3, 3>;
 
+// Of entries f(i) and f(i, j): made at once, without zeros before.
+template <int N, class F>
+constexpr auto vector_of(const F& f) {
+  return [&f]<int... I>(std::integer_sequence<int, I...>) {
+    return Vec<decltype(f(0)), N>{f(I)...};
+  }(std::make_integer_sequence<int, N>{});
+}
+template <int R, int C, class F>
+constexpr auto matrix_of(const F& f) {
+  return [&f]<int... I>(std::integer_sequence<int, I...>) {
+    return Mat<decltype(f(0, 0)), R, C>{f(I / C, I % C)...};
+  }(std::make_integer_sequence<int, R * C>{});
+}
+
 // The scalar of a mixed expression, e.g. double * Dual<3> -> Dual<3>.
 template <class A, class B>
 using Mixed = decltype(std::declval<A>() * std::declval<B>());

@@ -1,10 +1,13 @@
-// Four numbers side by side: kernels that are templates over the scalar compute four elements at once with it.
+// Numbers side by side: kernels that are templates over the scalar compute several elements at once with them.
 //
-// The compiler knows such a vector on any processor; where it has registers for all four, loops that run in the widest
+// The compiler knows such a vector on any processor; where it has registers for all of it, loops that run in the widest
 // registers (math/wide_registers.hpp) use them.
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 #include "dalembert/math/dual.hpp"
 
@@ -12,16 +15,32 @@
 
 namespace dalembert {
 
+// The compiler wants sizes that do not depend on a template.
+template <int N>
+struct RegisterOf;
+template <>
+struct RegisterOf<2> {
+  using Type [[gnu::vector_size(2 * sizeof(double))]] = double;
+};
+template <>
+struct RegisterOf<4> {
+  using Type [[gnu::vector_size(4 * sizeof(double))]] = double;
+};
+template <>
+struct RegisterOf<8> {
+  using Type [[gnu::vector_size(8 * sizeof(double))]] = double;
+};
+
 // To be passed between inlined functions only: how a vector is passed to others depends on the processor.
+template <int N>
 struct Lanes {
-  static constexpr int count = 4;
-  using Register = double __attribute__((vector_size(count * sizeof(double))));
+  static constexpr int count = N;
+  using Register = typename RegisterOf<N>::Type;
   Register x{};
 
   DALEMBERT_INLINE Lanes() = default;
   DALEMBERT_INLINE Lanes(Register all) : x(all) {}
-  DALEMBERT_INLINE Lanes(double all) : x{all, all, all, all} {}
-  DALEMBERT_INLINE Lanes(double a, double b, double c, double d) : x{a, b, c, d} {}
+  DALEMBERT_INLINE Lanes(double all) : x(all - Register{}) {}
   DALEMBERT_INLINE double operator[](int lane) const { return x[lane]; }
 
   DALEMBERT_INLINE friend Lanes operator-(const Lanes& a) { return -a.x; }
@@ -29,19 +48,86 @@ struct Lanes {
   DALEMBERT_INLINE friend Lanes operator-(const Lanes& a, const Lanes& b) { return a.x - b.x; }
   DALEMBERT_INLINE friend Lanes operator*(const Lanes& a, const Lanes& b) { return a.x * b.x; }
   DALEMBERT_INLINE friend Lanes operator/(const Lanes& a, const Lanes& b) { return a.x / b.x; }
+  // A number that is not stored as a vector before fills a register at once.
+  DALEMBERT_INLINE friend Lanes operator+(const Lanes& a, double b) { return a.x + b; }
+  DALEMBERT_INLINE friend Lanes operator-(const Lanes& a, double b) { return a.x - b; }
+  DALEMBERT_INLINE friend Lanes operator*(double a, const Lanes& b) { return a * b.x; }
+  DALEMBERT_INLINE friend Lanes operator/(double a, const Lanes& b) { return a / b.x; }
   DALEMBERT_INLINE Lanes& operator+=(const Lanes& b) { return *this = *this + b; }
   DALEMBERT_INLINE Lanes& operator-=(const Lanes& b) { return *this = *this - b; }
   DALEMBERT_INLINE Lanes& operator*=(const Lanes& b) { return *this = *this * b; }
   DALEMBERT_INLINE friend Lanes sqrt(const Lanes& a) {
-    return {std::sqrt(a.x[0]), std::sqrt(a.x[1]), std::sqrt(a.x[2]), std::sqrt(a.x[3])};
+    return of_each([&a](int lane) { return std::sqrt(a.x[lane]); });
+  }
+
+  template <class F>
+  DALEMBERT_INLINE static Lanes of_each(const F& number) {
+    return [&number]<int... Lane>(std::integer_sequence<int, Lane...>) {
+      return Lanes(Register{number(Lane)...});
+    }(std::make_integer_sequence<int, N>{});
+  }
+  // Lane i of the result is number pick(i) of these and of those of `more`, which follow them.
+  template <auto pick>
+  DALEMBERT_INLINE Lanes picked(const Lanes& more) const {
+    return [&]<int... Lane>(std::integer_sequence<int, Lane...>) {
+      return Lanes(__builtin_shufflevector(x, more.x, pick(Lane)...));
+    }(std::make_integer_sequence<int, N>{});
   }
 };
+
+// Four numbers side by side in memory.
+using FourNumbers [[gnu::vector_size(4 * sizeof(double)), gnu::aligned(alignof(double)), gnu::may_alias]] = double;
+
+// Every four lanes of four vectors are a matrix: all of these transposed.
+template <int N>
+DALEMBERT_INLINE inline std::array<Lanes<N>, 4> transposed(const std::array<Lanes<N>, 4>& m) {
+  constexpr auto even = [](int i) { return i % 2 == 0 ? i : N + i - 1; };
+  constexpr auto odd = [](int i) { return i % 2 == 0 ? i + 1 : N + i; };
+  constexpr auto low = [](int i) { return i % 4 < 2 ? i : N + i - 2; };
+  constexpr auto high = [](int i) { return i % 4 < 2 ? i + 2 : N + i; };
+  const Lanes<N> even01 = m[0].template picked<even>(m[1]), odd01 = m[0].template picked<odd>(m[1]);
+  const Lanes<N> even23 = m[2].template picked<even>(m[3]), odd23 = m[2].template picked<odd>(m[3]);
+  return {even01.template picked<low>(even23), odd01.template picked<low>(odd23), even01.template picked<high>(even23),
+          odd01.template picked<high>(odd23)};
+}
+// Number j from all places, as vector j.
+template <int N>
+DALEMBERT_INLINE inline std::array<Lanes<N>, 4> gather_fours(const std::array<const double*, N>& places) {
+  std::array<Lanes<N>, 4> numbers;
+  if constexpr (N == 2) {
+    for (int j = 0; j < 4; ++j) numbers[j] = Lanes<N>::of_each([&](int lane) { return places[lane][j]; });
+    return numbers;
+  } else {
+    const auto row = [&places](int lane) -> const FourNumbers& { return *reinterpret_cast<const FourNumbers*>(places[lane]); };
+    for (int i = 0; i < 4; ++i) {
+      if constexpr (N == 4) numbers[i] = Lanes<N>(row(i));
+      else numbers[i] = Lanes<N>(__builtin_shufflevector(row(i), row(i + 4), 0, 1, 2, 3, 4, 5, 6, 7));
+    }
+    return transposed(numbers);
+  }
+}
+// Adds number j of the first `count` lanes at their places, one place after the other.
+template <int N>
+DALEMBERT_INLINE inline void scatter_fours(std::array<Lanes<N>, 4> numbers, const std::array<double*, N>& places, int count) {
+  if constexpr (N > 2) numbers = transposed(numbers);
+  for (int lane = 0; lane < N; ++lane) {
+    if (lane >= count) return;
+    if constexpr (N == 2) {
+      for (int j = 0; j < 4; ++j) places[lane][j] += numbers[j][lane];
+    } else {
+      const auto& row = numbers[lane % 4].x;
+      FourNumbers& place = *reinterpret_cast<FourNumbers*>(places[lane]);
+      if constexpr (N == 4) place += row;
+      else place += lane < 4 ? __builtin_shufflevector(row, row, 0, 1, 2, 3) : __builtin_shufflevector(row, row, 4, 5, 6, 7);
+    }
+  }
+}
 
 // Scalars that stand for one number and its derivatives: what a user function can be called with.
 template <class S>
 inline constexpr bool holds_lanes = false;
-template <>
-inline constexpr bool holds_lanes<Lanes> = true;
+template <int N>
+inline constexpr bool holds_lanes<Lanes<N>> = true;
 template <int N, class T>
 inline constexpr bool holds_lanes<Dual<N, T>> = holds_lanes<T>;
 template <class S>

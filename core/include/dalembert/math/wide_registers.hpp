@@ -1,17 +1,23 @@
-// Loops that are compiled twice: for any processor, and for those with registers that hold four numbers (AVX2). Both round
-// alike, without fused multiplications: results are the same to the last bit.
+// Loops that are compiled twice: for any processor, and for those with registers that hold four numbers (AVX2). There,
+// products and sums are fused: results differ by rounding. Loops over eight numbers at once are for AVX-512 alone.
 #pragma once
 
 #include "dalembert/math/processor.hpp"
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define DALEMBERT_WIDE gnu::target("avx2"),
+#define DALEMBERT_WIDE gnu::target("avx2,fma"),
+#define DALEMBERT_EIGHT gnu::target("avx2,fma,avx512f,avx512vl,avx512dq"),
 #else
 #define DALEMBERT_WIDE
+#define DALEMBERT_EIGHT
 #endif
 
 namespace dalembert {
 
+template <class Loop>
+[[DALEMBERT_EIGHT gnu::flatten]] void run_in_widest_registers(const Loop& loop) {
+  loop();
+}
 template <class Loop>
 [[DALEMBERT_WIDE gnu::flatten]] void run_in_wide_registers(const Loop& loop) {
   loop();
@@ -21,16 +27,18 @@ template <class Loop>
   loop();
 }
 
-inline bool has_wide_registers() {
-  static const bool has = instructions() >= Instructions::avx2;
-  return has;
+// How many numbers the widest registers hold.
+inline int numbers_in_register() {
+  static const int numbers = instructions() == Instructions::avx512 ? 8 : instructions() == Instructions::avx2 ? 4 : 2;
+  return numbers;
 }
 
 template <class Loop>
 void in_widest_registers(const Loop& loop) {
-  has_wide_registers() ? run_in_wide_registers(loop) : run_in_any_registers(loop);
+  numbers_in_register() > 2 ? run_in_wide_registers(loop) : run_in_any_registers(loop);
 }
 
 }  // namespace dalembert
 
 #undef DALEMBERT_WIDE
+#undef DALEMBERT_EIGHT

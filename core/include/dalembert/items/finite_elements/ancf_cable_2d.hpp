@@ -17,7 +17,7 @@ struct ObjectANCFCable2D {
   using Parameters = ObjectANCFCable2DParameters;
   using Rule = ANCFCable2DRule;
   using Sample = Rule::Sample;
-  static constexpr int size = 8;
+  static constexpr int size = 8, node_size = 4;
   static constexpr bool constant_mass = true;
 
   // Strains at which a cross section carries no force.
@@ -72,24 +72,24 @@ struct ObjectANCFCable2D {
     std::array<Vec<S, 2>, 3> work{};
     for (int i = 0; i < k.rule->stretching_points; ++i) {
       const Sample& at = k.rule->stretching[i];
-      const Vec<S, 2> n = stretching(p, c, at, k.stretching[i], axis(shape, rate, at, k.length));
-      for (int j = 0; j < 3; ++j) work[j] += at.weight * k.length * at.slope[j] * n;
+      const Axis<S> a = axis(shape, rate, at, k.length);
+      const Vec<S, 2> n = (at.weight * k.length * axial_force(p, c, at, k.stretching[i], a)) * strain_gradient(a).slope;
+      for (int j = 0; j < 3; ++j) work[j] += at.slope[j] * n;
     }
     for (int i = 0; i < k.rule->bending_points; ++i) {
       const Sample& at = k.rule->bending[i];
-      const Conjugates<S> m = bending(p, c, at, k.bending[i], axis(shape, rate, at, k.length));
-      for (int j = 0; j < 3; ++j) work[j] += at.weight * (k.length * at.slope[j] * m.slope + at.bend[j] * m.bend);
+      const Axis<S> a = axis(shape, rate, at, k.length);
+      const S moment = at.weight * bending_moment(p, c, at, k.bending[i], a);
+      const Gradient<S> g = curvature_gradient(a);
+      const Vec<S, 2> by_slope = (k.length * moment) * g.slope, by_bend = moment * g.bend;
+      for (int j = 0; j < 3; ++j) work[j] += at.slope[j] * by_slope + at.bend[j] * by_bend;
     }
-    Vec<S, size> r;
-    for (int i = 0; i < 4; ++i) {
-      const double factor = share(i, k.length);
-      for (int d = 0; d < 2; ++d) {
-        S sum = factor * work[part(i)][d];
-        for (int j = 0; j < 4; ++j) sum += k.mass(i, j) * x.a[2 * j + d];
-        r[2 * i + d] = sum;
-      }
-    }
-    return r;
+    return vector_of<size>([&](int row) {
+      const int i = row / 2, d = row % 2;
+      S sum = share(i, k.length) * work[part(i)][d];
+      for (int j = 0; j < 4; ++j) sum += k.mass(i, j) * x.a[2 * j + d];
+      return sum;
+    });
   }
 
   // The derivatives of the forces by r' and r'', found per point, times the shape functions.
@@ -106,15 +106,11 @@ struct ObjectANCFCable2D {
       }
       add_bending(p, k, c, shape, rate, w, blocks);
     }
-    Mat<T, size, size> m;
-    for (int i = 0; i < 4; ++i)
-      for (int j = 0; j < 4; ++j) {
-        const double factor = share(i, k.length) * share(j, k.length), inertia = w.a * k.mass(i, j);
-        const Mat<T, 2, 2>& block = blocks[part(i)][part(j)];
-        for (int d = 0; d < 2; ++d)
-          for (int e = 0; e < 2; ++e) m(2 * i + d, 2 * j + e) = factor * block(d, e) + (d == e ? inertia : 0.0);
-      }
-    return m;
+    return matrix_of<size, size>([&](int row, int column) {
+      const int i = row / 2, j = column / 2, d = row % 2, e = column % 2;
+      const T entry = share(i, k.length) * share(j, k.length) * blocks[part(i)][part(j)](d, e);
+      return d == e ? T(entry + w.a * k.mass(i, j)) : entry;
+    });
   }
 
   // The cross section at local[0], about the point local[1] away from the axis.
@@ -176,8 +172,8 @@ struct ObjectANCFCable2D {
       case OutputVariableType::Director1: values = {a.slope[0], a.slope[1], 0}; return true;
       case OutputVariableType::StrainLocal: values = {strain(a) - request.local[1] * curvature(a)}; return true;
       case OutputVariableType::CurvatureLocal: values = {curvature(a)}; return true;
-      case OutputVariableType::ForceLocal: values = {axial_force(p, c, at, free(), a, strain(a))}; return true;
-      case OutputVariableType::TorqueLocal: values = {bending_moment(p, c, at, free(), a, curvature(a))}; return true;
+      case OutputVariableType::ForceLocal: values = {axial_force(p, c, at, free(), a)}; return true;
+      case OutputVariableType::TorqueLocal: values = {bending_moment(p, c, at, free(), a)}; return true;
       default: return false;
     }
   }
@@ -194,12 +190,20 @@ struct ObjectANCFCable2D {
   // r', r'' and their rates at one point of the axis.
   template <class S>
   struct Axis {
+    using Scalar = S;
     Vec<S, 2> slope, bend, slope_rate, bend_rate;
   };
-  // Conjugates of r' and r''.
+  // The derivatives of a number by r' and r''.
   template <class S>
-  struct Conjugates {
-    Vec<S, 2> slope, bend;
+  struct Gradient {
+    Vec<S, 2> slope{}, bend{};
+  };
+  // An axis that moves along r'_x, r'_y, r''_x, r''_y, the first D of them; rates move along with their coordinates.
+  template <int D, class T>
+  struct MovingAxis {
+    using Scalar = Dual<D, T>;
+    const Axis<T>& at;
+    const Weights& weights;
   };
   template <class T>
   using Blocks = std::array<std::array<Mat<T, 2, 2>, 3>, 3>;
@@ -222,108 +226,145 @@ struct ObjectANCFCable2D {
     return norm(a.slope) - 1.0;
   }
   template <class S>
+  static Gradient<S> strain_gradient(const Axis<S>& a) {
+    return {.slope = (1.0 / norm(a.slope)) * a.slope};
+  }
+  template <class S>
   static S strain_rate(const Axis<S>& a) {
-    return dot(a.slope, a.slope_rate) / norm(a.slope);
+    return dot(strain_gradient(a).slope, a.slope_rate);
+  }
+  template <class S>
+  static Gradient<S> strain_rate_gradient(const Axis<S>& a) {
+    return {.slope = (1.0 / norm(a.slope)) * (a.slope_rate - strain_rate(a) * strain_gradient(a).slope)};
   }
   template <class S>
   static S curvature(const Axis<S>& a) {
-    return planar_cross(a.slope, a.bend) / dot(a.slope, a.slope);
+    return (1.0 / dot(a.slope, a.slope)) * planar_cross(a.slope, a.bend);
+  }
+  template <class S>
+  static Gradient<S> curvature_gradient(const Axis<S>& a) {
+    const S scale = 1.0 / dot(a.slope, a.slope), twice = 2.0 * curvature(a);
+    return {{scale * (a.bend[1] - twice * a.slope[0]), -scale * (a.bend[0] + twice * a.slope[1])},
+            {-scale * a.slope[1], scale * a.slope[0]}};
   }
   template <class S>
   static S curvature_rate(const Axis<S>& a) {
-    const S numerator = planar_cross(a.slope_rate, a.bend) + planar_cross(a.slope, a.bend_rate);
-    return (numerator - 2.0 * curvature(a) * dot(a.slope, a.slope_rate)) / dot(a.slope, a.slope);
+    const Gradient<S> g = curvature_gradient(a);
+    return dot(g.slope, a.slope_rate) + dot(g.bend, a.bend_rate);
+  }
+  template <class S>
+  static Gradient<S> curvature_rate_gradient(const Axis<S>& a) {
+    const Gradient<S> g = curvature_gradient(a);
+    const S scale = 1.0 / dot(a.slope, a.slope), twice = 2.0 * scale, swelling = dot(a.slope, a.slope_rate);
+    const Vec<S, 2> turned = swelling * g.slope + curvature_rate(a) * a.slope + curvature(a) * a.slope_rate;
+    return {scale * Vec<S, 2>{a.bend_rate[1], -a.bend_rate[0]} - twice * turned,
+            scale * Vec<S, 2>{-a.slope_rate[1], a.slope_rate[0]} - (twice * swelling) * g.bend};
   }
 
-  template <class S>
-  static S axial_force(const Parameters& p, const Context& c, const Sample& at, const StressFree& free,
-                       const Axis<S>& a, const S& strain) {
-    if constexpr (OneNumber<S>)
-      if (p.axialForceUserFunction)
-        return call_scalar(p.axialForceUserFunction, c, S(at.position), strain, strain_rate(a), free.strain,
-                         p.physicsAxialStiffness, p.physicsAxialDamping, curvature(a), curvature_rate(a),
-                         free.curvature);
-    const S force = p.physicsAxialStiffness * (strain - free.strain);
-    return p.physicsAxialDamping == 0 ? force : force + p.physicsAxialDamping * strain_rate(a);
-  }
-  template <class S>
-  static S bending_moment(const Parameters& p, const Context& c, const Sample& at, const StressFree& free,
-                          const Axis<S>& a, const S& curvature) {
-    if constexpr (OneNumber<S>)
-      if (p.bendingMomentUserFunction)
-        return call_scalar(p.bendingMomentUserFunction, c, S(at.position), curvature, curvature_rate(a), free.curvature,
-                         p.physicsBendingStiffness, p.physicsBendingDamping, strain(a), strain_rate(a), free.strain);
-    const S moment = p.physicsBendingStiffness * (curvature - free.curvature);
-    return p.physicsBendingDamping == 0 ? moment : moment + p.physicsBendingDamping * curvature_rate(a);
-  }
-
-  // Axial force along the tangent.
-  template <class S>
-  static Vec<S, 2> stretching(const Parameters& p, const Context& c, const Sample& at, const StressFree& free,
-                              const Axis<S>& a) {
-    const S length = norm(a.slope);
-    return (axial_force(p, c, at, free, a, S(length - 1.0)) / length) * a.slope;
-  }
-  // Bending moment times the derivatives of the curvature by r' and r''.
-  template <class S>
-  static Conjugates<S> bending(const Parameters& p, const Context& c, const Sample& at, const StressFree& free,
-                               const Axis<S>& a) {
-    const S scale = 1.0 / dot(a.slope, a.slope), curvature = scale * planar_cross(a.slope, a.bend);
-    const S moment = scale * bending_moment(p, c, at, free, a, curvature), twice = 2.0 * curvature;
-    return {{moment * (a.bend[1] - twice * a.slope[0]), -moment * (a.bend[0] + twice * a.slope[1])},
-            {-moment * a.slope[1], moment * a.slope[0]}};
-  }
-
-  // Directions r'_x, r'_y, r''_x, r''_y, the first D of them; rates move along with their coordinates.
   template <int D, class T>
-  static Axis<Dual<D, T>> directed(const Axis<T>& a, const Weights& w) {
-    using Moving = Dual<D, T>;
-    Axis<Moving> s;
-    for (int d = 0; d < 2; ++d) {
-      s.slope[d] = Moving::seed(a.slope[d], d, w.q);
-      s.slope_rate[d] = Moving::seed(a.slope_rate[d], d, w.v);
-      s.bend[d] = D > 2 ? Moving::seed(a.bend[d], (2 + d) % D, w.q) : Moving(a.bend[d]);
-      s.bend_rate[d] = D > 2 ? Moving::seed(a.bend_rate[d], (2 + d) % D, w.v) : Moving(a.bend_rate[d]);
-    }
+  static Dual<D, T> moving(const T& value, double by_first, const Gradient<T>& first, double by_second = 0, const Gradient<T>& second = {}) {
+    Dual<D, T> s(value);
+    for (int d = 0; d < D; ++d)
+      s.d[d] = d < 2 ? by_first * first.slope[d] + by_second * second.slope[d] : by_first * first.bend[d - 2] + by_second * second.bend[d - 2];
     return s;
   }
-  // The change of a force with the vector that has the factors `by_slope` in r' and `by_bend` in r''.
   template <int D, class T>
-  static Mat<T, 2, 2> along(const Vec<Dual<D, T>, 2>& force, double by_slope, double by_bend) {
-    Mat<T, 2, 2> m;
-    for (int d = 0; d < 2; ++d)
-      for (int e = 0; e < 2; ++e) {
-        m(d, e) = by_slope * force[d].d[e];
-        if constexpr (D > 2) m(d, e) += by_bend * force[d].d[2 + e];
-      }
-    return m;
+  static Dual<D, T> strain(const MovingAxis<D, T>& a) {
+    return moving<D>(strain(a.at), a.weights.q, strain_gradient(a.at));
+  }
+  template <int D, class T>
+  static Dual<D, T> strain_rate(const MovingAxis<D, T>& a) {
+    return moving<D>(strain_rate(a.at), a.weights.q, strain_rate_gradient(a.at), a.weights.v, strain_gradient(a.at));
+  }
+  template <int D, class T>
+  static Dual<D, T> curvature(const MovingAxis<D, T>& a) {
+    return moving<D>(curvature(a.at), a.weights.q, curvature_gradient(a.at));
+  }
+  template <int D, class T>
+  static Dual<D, T> curvature_rate(const MovingAxis<D, T>& a) {
+    return moving<D>(curvature_rate(a.at), a.weights.q, curvature_rate_gradient(a.at), a.weights.v, curvature_gradient(a.at));
+  }
+
+  // `A` is an axis that rests or moves.
+  template <class A>
+  static typename A::Scalar axial_force(const Parameters& p, const Context& c, const Sample& at, const StressFree& free, const A& a) {
+    using S = typename A::Scalar;
+    if constexpr (OneNumber<S>)
+      if (p.axialForceUserFunction)
+        return call_scalar(p.axialForceUserFunction, c, S(at.position), strain(a), strain_rate(a), free.strain,
+                           p.physicsAxialStiffness, p.physicsAxialDamping, curvature(a), curvature_rate(a), free.curvature);
+    const S force = p.physicsAxialStiffness * (strain(a) - free.strain);
+    return p.physicsAxialDamping == 0 ? force : S(force + p.physicsAxialDamping * strain_rate(a));
+  }
+  template <class A>
+  static typename A::Scalar bending_moment(const Parameters& p, const Context& c, const Sample& at, const StressFree& free, const A& a) {
+    using S = typename A::Scalar;
+    if constexpr (OneNumber<S>)
+      if (p.bendingMomentUserFunction)
+        return call_scalar(p.bendingMomentUserFunction, c, S(at.position), curvature(a), curvature_rate(a), free.curvature,
+                           p.physicsBendingStiffness, p.physicsBendingDamping, strain(a), strain_rate(a), free.strain);
+    const S moment = p.physicsBendingStiffness * (curvature(a) - free.curvature);
+    return p.physicsBendingDamping == 0 ? moment : S(moment + p.physicsBendingDamping * curvature_rate(a));
+  }
+
+  template <class T>
+  static Mat<T, 2, 2> outer(const Vec<T, 2>& a, const T& b0, const T& b1) {
+    return {a[0] * b0, a[0] * b1, a[1] * b0, a[1] * b1};
   }
   template <class T>
   static void add(Mat<T, 2, 2>& block, double factor, const Mat<T, 2, 2>& change) {
     for (int i = 0; i < 4; ++i) block.x[i] += factor * change.x[i];
   }
+  // The axial force acts along the tangent, which turns.
   template <int D, class T>
   static void add_stretching(const Parameters& p, const Prepared& k, const Context& c, const Shape<T>& shape, const Shape<T>& rate,
                              const Weights& w, Blocks<T>& blocks) {
     for (int s = 0; s < k.rule->stretching_points; ++s) {
       const Sample& at = k.rule->stretching[s];
-      const auto n = stretching(p, c, at, k.stretching[s], directed<D>(axis(shape, rate, at, k.length), w));
+      const Axis<T> a = axis(shape, rate, at, k.length);
+      const Dual<D, T> n = axial_force(p, c, at, k.stretching[s], MovingAxis<D, T>{a, w});
+      const Vec<T, 2> tangent = strain_gradient(a).slope;
+      const T turn = w.q * n.value * (1.0 / norm(a.slope));
+      Mat<T, 2, 2> by_slope = outer(tangent, n.d[0] - turn * tangent[0], n.d[1] - turn * tangent[1]);
+      by_slope(0, 0) += turn;
+      by_slope(1, 1) += turn;
       for (int j = 0; j < 3; ++j) {
-        const Mat<T, 2, 2> change = along(n, at.weight * k.length * at.slope[j], at.weight * at.bend[j]);
+        Mat<T, 2, 2> change{};
+        add(change, at.weight * k.length * at.slope[j], by_slope);
+        if constexpr (D > 2) add(change, at.weight * at.bend[j], outer(tangent, n.d[2], n.d[3]));
         for (int i = 0; i < 3; ++i) add(blocks[i][j], at.slope[i], change);
       }
     }
   }
+  // The bending moment acts along the gradient of the curvature, whose derivative is symmetric.
   template <class T>
   static void add_bending(const Parameters& p, const Prepared& k, const Context& c, const Shape<T>& shape, const Shape<T>& rate,
                           const Weights& w, Blocks<T>& blocks) {
     for (int s = 0; s < k.rule->bending_points; ++s) {
       const Sample& at = k.rule->bending[s];
-      const auto m = bending(p, c, at, k.bending[s], directed<4>(axis(shape, rate, at, k.length), w));
+      const Axis<T> a = axis(shape, rate, at, k.length);
+      const Dual<4, T> m = bending_moment(p, c, at, k.bending[s], MovingAxis<4, T>{a, w});
+      const Gradient<T> g = curvature_gradient(a);
+      const T turn = w.q * m.value * (1.0 / dot(a.slope, a.slope)), swell = 2.0 * turn * curvature(a);
+      const Vec<T, 2> drift = (2.0 * turn) * a.slope;
+      const T m0 = m.d[0] - drift[0], m1 = m.d[1] - drift[1];
+      Mat<T, 2, 2> slope_by_slope = outer(g.slope, m0, m1) - outer(drift, g.slope[0], g.slope[1]);
+      slope_by_slope(0, 0) -= swell;
+      slope_by_slope(1, 1) -= swell;
+      Mat<T, 2, 2> slope_by_bend = outer(g.slope, m.d[2], m.d[3]) - outer(drift, g.bend[0], g.bend[1]);
+      Mat<T, 2, 2> bend_by_slope = outer(g.bend, m0, m1);
+      slope_by_bend(0, 1) += turn;
+      slope_by_bend(1, 0) -= turn;
+      bend_by_slope(1, 0) += turn;
+      bend_by_slope(0, 1) -= turn;
+      const Mat<T, 2, 2> bend_by_bend = outer(g.bend, m.d[2], m.d[3]);
       for (int j = 0; j < 3; ++j) {
         const double by_slope = at.weight * at.slope[j], by_bend = at.weight / k.length * at.bend[j];
-        const Mat<T, 2, 2> slope = along(m.slope, k.length * by_slope, k.length * by_bend),
-                                bend = along(m.bend, by_slope, by_bend);
+        Mat<T, 2, 2> slope{}, bend{};
+        add(slope, k.length * by_slope, slope_by_slope);
+        add(slope, k.length * by_bend, slope_by_bend);
+        add(bend, by_slope, bend_by_slope);
+        add(bend, by_bend, bend_by_bend);
         for (int i = 0; i < 3; ++i) {
           add(blocks[i][j], at.slope[i], slope);
           add(blocks[i][j], at.bend[i], bend);
