@@ -10,6 +10,7 @@ import platform
 import sys
 import warnings
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import ExitStack
 from numbers import Real
 from typing import Any, NamedTuple
 
@@ -172,8 +173,9 @@ def _on_cluster(function: Function, sets: Sequence[ParameterSet], cluster: Any) 
         SSHCluster,
     )
 
-    address = cluster[0] if len(cluster) == 1 else SSHCluster(list(cluster))
-    with Client(address) as client:
+    with ExitStack() as stack:
+        address = cluster[0] if len(cluster) == 1 else stack.enter_context(SSHCluster(list(cluster)))
+        client = stack.enter_context(Client(address))
         yield from (future.result() for future in client.map(function, sets, pure=False))
 
 

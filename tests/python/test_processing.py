@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from dask.distributed import Client, LocalCluster
 
 from dalembert import processing
 from dalembert._result_files import ParseOutputFileHeader
@@ -86,26 +87,12 @@ def test_processes_give_the_same(tmp_path: Path) -> None:
     np.testing.assert_array_equal(table[:, 0], range(6))
 
 
-class Client:
-    """Stands for a dask.distributed.Client."""
-
-    class Future:
-        def __init__(self, value: Any) -> None:
-            self.value = value
-
-        def result(self) -> Any:
-            return self.value
-
-    def map(self, function: Any, sets: Any, pure: bool) -> list[Future]:
-        return [self.Future(function(each)) for each in sets]
-
-    def gather(self, futures: Any) -> Any:
-        raise NotImplementedError
-
-
 def test_cluster() -> None:
-    values = processing.ProcessParameterList(bumpy, [{"a": 1, "b": 2}], False, clusterHostNames=Client())
-    assert values == [bumpy({"a": 1, "b": 2})]
+    sets = [{"a": 1, "b": 2}, {"a": 0.5, "b": 1}]
+    with LocalCluster(n_workers=1, processes=False, dashboard_address=None) as cluster, Client(cluster) as client:
+        for named in (client, [cluster.scheduler_address]):
+            values = processing.ProcessParameterList(bumpy, sets, True, clusterHostNames=named)
+            assert values == [bumpy(each) for each in sets]
 
 
 def test_without_dask_processes_are_used(monkeypatch: pytest.MonkeyPatch) -> None:
