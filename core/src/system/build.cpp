@@ -1,14 +1,15 @@
 // From a model to batches: numbers the coordinates, places every item, collects items of one kind side by side.
 #include <algorithm>
-#include <map>
-#include <set>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "batch_table.hpp"
 #include "dalembert/model/errors.hpp"
 #include "dalembert/model/member.hpp"
 #include "dalembert/system/parts.hpp"
+#include "plan.hpp"
+#include "start_values.hpp"
 
 namespace dalembert {
 namespace {
@@ -17,13 +18,6 @@ constexpr std::size_t of(System::Coordinates kind) { return static_cast<std::siz
 
 void append_range(std::vector<int>& list, int first, int count) {
   for (int i = 0; i < count; ++i) list.push_back(first + i);
-}
-
-// Start values behind those of the nodes before; missing ones are zeros.
-void append_values(std::vector<double>& list, const std::vector<double>& values, int count) {
-  const std::size_t size = list.size() + static_cast<std::size_t>(count);
-  list.insert(list.end(), values.begin(), values.end());
-  list.resize(size);
 }
 
 using TypeList = std::vector<const ItemType*>;
@@ -49,8 +43,8 @@ class Builder {
       parts_.has_history = parts_.has_history || term->has_history();
     }
     for (const auto& batch : parts_.marker_batches) parts_.has_history = parts_.has_history || batch->has_history();
-    make_plan();
-    set_configurations();
+    make_plan(parts_, regions_.count(), {marker_batches_, terms_, rotating_, differentiated_}, division_);
+    complete_configurations(parts_);
     parts_.structure = model_.structure_changes();
     parts_.values = model_.value_changes();
   }
@@ -68,45 +62,6 @@ class Builder {
       for (const Item& item : model_.items(static_cast<ItemKind>(k))) ++counts_[item.type];
   }
 
-  // Terms without an acting entry are left out: ground.
-  void make_plan() {
-    EvaluationPlan& plan = parts_.plan;
-    plan.regions.resize(static_cast<std::size_t>(regions_.count()));
-    std::map<const Batch*, RegionPlan*> acting;
-    const auto note = [&](const auto& growing) {
-      RegionPlan& region = plan.regions[static_cast<std::size_t>(growing.region)];
-      region.entries += growing.entries;
-      acting.emplace(growing.batch, &region);
-    };
-    const auto region_of = [&](const Batch* batch) {
-      const auto found = acting.find(batch);
-      return found == acting.end() ? nullptr : found->second;
-    };
-    marker_batches_.each_acting(note);
-    terms_.each_acting(note);
-    for (const auto& [key, batch] : rotating_)
-      if (batch != nullptr) plan.regions[static_cast<std::size_t>(key.first)].nodes.push_back(batch);
-    for (const auto& batch : parts_.marker_batches) {
-      RegionPlan* region = region_of(batch.get());
-      (region != nullptr ? region->moving : plan.resting).push_back(batch.get());
-      if (region != nullptr && (differentiated_.contains(batch.get()) || batch->geometric_follows_tangent()))
-        region->differentiated.push_back(batch.get());
-    }
-    std::set<const Batch*> loads;
-    for (const LoadPlace& load : parts_.loads) loads.insert(load.member.batch);
-    for (const auto& term : parts_.terms)
-      if (RegionPlan* region = region_of(term.get())) (loads.contains(term.get()) ? region->loads : region->terms).push_back(term.get());
-    list_sizes();
-  }
-  void list_sizes() {
-    const std::span<const RegionPlan> all = parts_.plan.regions;
-    for (std::size_t count = (all.size() + 1) / 2; count > 0; count /= 2) {
-      const auto regions = all.subspan(count - 1, count);
-      int entries = 0;
-      for (const RegionPlan& region : regions) entries += region.entries;
-      if (entries > 0) parts_.plan.sizes.push_back({regions, entries >= division_.entries});
-    }
-  }
   static bool has_coordinates(const Placement& p) {
     return !p.dofs.empty() || !p.ode1.empty() || p.data_count > 0 || p.first_ae >= 0;
   }
@@ -182,25 +137,10 @@ class Builder {
     place.ode1 = take(parts_.sizes.ode1, place.sizes.ode1);
     place.ae = take(parts_.sizes.ae, place.sizes.ae);
     place.data = take(parts_.sizes.data, place.sizes.data);
-    take_start_values(place);
+    start_values_.take(place, parts_);
     place.rotating = place_rotating(place, number);
     if (place.physics->lie_rotation() >= 0) parts_.lie_blocks.push_back({place.ode2 + place.physics->lie_rotation()});
     parts_.nodes.push_back(std::move(place));
-  }
-
-  void take_start_values(const NodePlace& node) {
-    node_values_.clear();
-    node.physics->values(node.record.get(), node_values_);
-    State& reference = parts_.state(ConfigurationType::Reference);
-    State& initial = parts_.state(ConfigurationType::Initial);
-    const Sizes& sizes = node.sizes;
-    append_values(reference.q, node_values_.reference, sizes.ode2);
-    append_values(initial.q, node_values_.displacement, sizes.ode2);
-    append_values(initial.v, node_values_.velocity, sizes.ode2);
-    append_values(reference.y, node_values_.reference_ode1, sizes.ode1);
-    append_values(initial.y, node_values_.ode1, sizes.ode1);
-    append_values(initial.lambda, node_values_.algebraic, sizes.ae);
-    append_values(initial.data, node_values_.data, sizes.data);
   }
 
   int place_rotating(const NodePlace& node, int number) {
@@ -443,35 +383,21 @@ class Builder {
     parts_.loads.push_back({item.type, item.record, {growing.batch, enter_term(growing, item.record.get(), p)}, p.markers.front()});
   }
 
-  // Reference and initial values have come with the nodes.
-  void set_configurations() {
-    const Sizes& n = parts_.sizes;
-    for (State& state : parts_.states) {
-      if (&state == &parts_.state(ConfigurationType::_None)) continue;
-      for (auto* values : {&state.q, &state.v, &state.a}) values->resize(n.ode2);
-      for (auto* values : {&state.y, &state.y_t}) values->resize(n.ode1);
-      state.lambda.resize(n.ae);
-      state.data.resize(n.data);
-    }
-    for (const ConfigurationType c : {ConfigurationType::Current, ConfigurationType::StartOfStep, ConfigurationType::Visualization})
-      parts_.state(c) = parts_.state(ConfigurationType::Initial);
-  }
-
   SystemParts& parts_;
   const Model& model_;
   const Division division_;
   BatchTable<MarkerBatch> marker_batches_{parts_.marker_batches};
   BatchTable<Term> terms_{parts_.terms};
-  std::map<std::pair<int, const ItemType*>, RotatingNodeBatch*> rotating_;  // by region
+  RotatingBatches rotating_;
   Regions regions_;
   std::vector<Sizes> node_sizes_;
   std::vector<int> marker_regions_;
-  std::set<const Batch*> differentiated_;
+  std::unordered_set<const MarkerBatch*> differentiated_;
   std::unordered_map<const ItemType*, int> counts_;  // of items
   std::vector<int> first_ae_;
   // Used again for every item.
   Placement placement_;
-  NodeValues node_values_;
+  StartValues start_values_;
   BatchKey key_;
 };
 

@@ -1,0 +1,52 @@
+#include "plan.hpp"
+
+#include <unordered_map>
+
+namespace dalembert {
+namespace {
+
+// Regions of one size, which follow each other in the tree; the smallest come last there and first here.
+void list_sizes(EvaluationPlan& plan, const Division& division) {
+  const std::span<const RegionPlan> all = plan.regions;
+  for (std::size_t count = (all.size() + 1) / 2; count > 0; count /= 2) {
+    const auto regions = all.subspan(count - 1, count);
+    int entries = 0;
+    for (const RegionPlan& region : regions) entries += region.entries;
+    if (entries > 0) plan.sizes.push_back({regions, entries >= division.entries});
+  }
+}
+
+}  // namespace
+
+// Terms without an acting entry are left out: ground.
+void make_plan(SystemParts& parts, int regions, const GrownBatches& grown, const Division& division) {
+  EvaluationPlan& plan = parts.plan;
+  plan.regions.resize(static_cast<std::size_t>(regions));
+  std::unordered_map<const Batch*, RegionPlan*> acting;
+  const auto note = [&](const auto& growing) {
+    RegionPlan& region = plan.regions[static_cast<std::size_t>(growing.region)];
+    region.entries += growing.entries;
+    acting.emplace(growing.batch, &region);
+  };
+  const auto region_of = [&](const Batch* batch) {
+    const auto found = acting.find(batch);
+    return found == acting.end() ? nullptr : found->second;
+  };
+  grown.markers.each_acting(note);
+  grown.terms.each_acting(note);
+  for (const auto& [key, batch] : grown.rotating)
+    if (batch != nullptr) plan.regions[static_cast<std::size_t>(key.first)].nodes.push_back(batch);
+  for (const auto& batch : parts.marker_batches) {
+    RegionPlan* region = region_of(batch.get());
+    (region != nullptr ? region->moving : plan.resting).push_back(batch.get());
+    if (region != nullptr && (grown.differentiated.contains(batch.get()) || batch->geometric_follows_tangent()))
+      region->differentiated.push_back(batch.get());
+  }
+  std::unordered_set<const Batch*> loads;
+  for (const LoadPlace& load : parts.loads) loads.insert(load.member.batch);
+  for (const auto& term : parts.terms)
+    if (RegionPlan* region = region_of(term.get())) (loads.contains(term.get()) ? region->loads : region->terms).push_back(term.get());
+  list_sizes(plan, division);
+}
+
+}  // namespace dalembert

@@ -1,0 +1,25 @@
+// What an evaluation visits: the batches of each region, in their order.
+#pragma once
+
+#include <map>
+#include <unordered_set>
+#include <utility>
+
+#include "batch_table.hpp"
+#include "dalembert/system/parts.hpp"
+
+namespace dalembert {
+
+// By region and type of the nodes; null for types that do not rotate.
+using RotatingBatches = std::map<std::pair<int, const ItemType*>, RotatingNodeBatch*>;
+
+struct GrownBatches {
+  const BatchTable<MarkerBatch>& markers;
+  const BatchTable<Term>& terms;
+  const RotatingBatches& rotating;
+  const std::unordered_set<const MarkerBatch*>& differentiated;  // whose derivatives a term asks for
+};
+
+void make_plan(SystemParts& parts, int regions, const GrownBatches& grown, const Division& division);
+
+}  // namespace dalembert

@@ -1,0 +1,43 @@
+#include "start_values.hpp"
+
+namespace dalembert {
+namespace {
+
+// Missing values are zeros.
+void append(std::vector<double>& list, const std::vector<double>& values, int count) {
+  const std::size_t size = list.size() + static_cast<std::size_t>(count);
+  list.insert(list.end(), values.begin(), values.end());
+  list.resize(size);
+}
+
+}  // namespace
+
+void StartValues::take(const NodePlace& node, SystemParts& parts) {
+  values_.clear();
+  node.physics->values(node.record.get(), values_);
+  State& reference = parts.state(ConfigurationType::Reference);
+  State& initial = parts.state(ConfigurationType::Initial);
+  const Sizes& sizes = node.sizes;
+  append(reference.q, values_.reference, sizes.ode2);
+  append(initial.q, values_.displacement, sizes.ode2);
+  append(initial.v, values_.velocity, sizes.ode2);
+  append(reference.y, values_.reference_ode1, sizes.ode1);
+  append(initial.y, values_.ode1, sizes.ode1);
+  append(initial.lambda, values_.algebraic, sizes.ae);
+  append(initial.data, values_.data, sizes.data);
+}
+
+void complete_configurations(SystemParts& parts) {
+  const Sizes& n = parts.sizes;
+  for (State& state : parts.states) {
+    if (&state == &parts.state(ConfigurationType::_None)) continue;
+    for (auto* values : {&state.q, &state.v, &state.a}) values->resize(n.ode2);
+    for (auto* values : {&state.y, &state.y_t}) values->resize(n.ode1);
+    state.lambda.resize(n.ae);
+    state.data.resize(n.data);
+  }
+  for (const ConfigurationType c : {ConfigurationType::Current, ConfigurationType::StartOfStep, ConfigurationType::Visualization})
+    parts.state(c) = parts.state(ConfigurationType::Initial);
+}
+
+}  // namespace dalembert
