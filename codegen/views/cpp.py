@@ -163,6 +163,11 @@ def type_variable(item: Item) -> str:
     return f"{snake_case(item.name)}_type"
 
 
+def tables_namespace(item: Item) -> str:
+    """`object_mass_point`"""
+    return snake_case(item.name)
+
+
 def item_kind(item: Item) -> str:
     return f"ItemKind::{item.kind}"
 

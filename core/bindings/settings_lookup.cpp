@@ -88,7 +88,7 @@ void refuse_unknown(const SettingsView& view, std::string_view name) {
   paths_of(*view.tree->group, "", name, elsewhere);
   const bool near = !nearest(name, known).empty();
   const std::string advice =
-      !near && !elsewhere.empty() ? "Did you mean " + quoted(elsewhere.front()) + "?" : suggestion(name, known);
+      !near && !elsewhere.empty() ? "Did you mean " + dalembert::quoted(elsewhere.front()) + "?" : suggestion(name, known);
   refuse(ErrorKind::name, {.problem = problem, .advice = advice});
 }
 

@@ -13,9 +13,9 @@ namespace dalembert {
 
 namespace {
 
-std::string show(bool value) { return value ? "True" : "False"; }
-std::string show(int value) { return std::to_string(value); }
-std::string show(double value) { return format_number(value); }
+std::string as_text(bool value) { return value ? "True" : "False"; }
+std::string as_text(int value) { return std::to_string(value); }
+std::string as_text(double value) { return format_number(value); }
 
 // Makes attributes of members, and a repr that lists them all.
 template <class T>
@@ -27,7 +27,7 @@ class Fields {
   template <class Member>
   Fields& add(const char* name, Member T::*member) {
     class_.def_readwrite(name, member);
-    lines_->push_back([name, member](const T& object) { return std::string(name) + " = " + show(object.*member); });
+    lines_->push_back([name, member](const T& object) { return std::string(name) + " = " + as_text(object.*member); });
     return *this;
   }
   py::class_<T>& finish() {

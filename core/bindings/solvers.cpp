@@ -80,13 +80,13 @@ class ImplicitWrapper final : public WrappedSolver<SecondOrderSolver> {
 };
 
 template <class W>
-using Class = py::class_<W, std::shared_ptr<W>>;
+using SolverClass = py::class_<W, std::shared_ptr<W>>;
 
 const py::arg main_argument("mainSystem"), settings_argument("simulationSettings");
 
 // A method of (mainSystem, simulationSettings) that needs an initialized solver. The GIL is released while it works.
 template <class W, class F>
-void part(Class<W>& c, const char* name, F f, const char* doc) {
+void part(SolverClass<W>& c, const char* name, F f, const char* doc) {
   c.def(
       name,
       [name, f](W& w, const MainPointer& main, const py::object& settings) {
@@ -98,7 +98,7 @@ void part(Class<W>& c, const char* name, F f, const char* doc) {
 }
 
 template <class W>
-void register_solution(Class<W>& c) {
+void register_solution(SolverClass<W>& c) {
   c.def("InitializeSolver", [](W& w, const MainPointer& m, const py::object& s) { return w.initialize_for(m, s); },
         main_argument, settings_argument, "Open files, set all data and the initial conditions; True if it worked.");
   c.def("SolveSystem", [](W& w, const MainPointer& m, const py::object& s) { return w.solve_for(m, s); }, main_argument,
@@ -115,7 +115,7 @@ void register_solution(Class<W>& c) {
 }
 
 template <class W>
-void register_step(Class<W>& c) {
+void register_step(SolverClass<W>& c) {
   part<W>(c, "UpdateCurrentTime", [](W& w) { w.update_current_time(); }, "Set the time to the end of the step.");
   part<W>(c, "InitializeStep", [](W& w) { w.initialize_step(); }, "Begin a step: time, PreStep user function.");
   part<W>(c, "FinishStep", [](W& w) { w.finish_step(true); }, "End a step: PostStep user function, output.");
@@ -137,7 +137,7 @@ void register_step(Class<W>& c) {
 }
 
 template <class W>
-void register_information(Class<W>& c) {
+void register_information(SolverClass<W>& c) {
   c.def("IsStaticSolver", [](const W& w) { return w.is_static(); }, "Whether it solves static problems.");
   c.def("GetSolverName", [](const W& w) { return w.name(); }, "The name, as files and messages give it.");
   c.def("GetErrorString", [](const W& w) { return w.error_string(); }, "Why the solver failed; empty after success.");
@@ -170,7 +170,7 @@ void register_information(Class<W>& c) {
 }
 
 template <class W>
-void register_matrices(Class<W>& c) {
+void register_matrices(SolverClass<W>& c) {
   c.def("ComputeMassMatrix",
         [](W& w, const MainPointer& m, double factor) {
           w.require(m, "ComputeMassMatrix");
@@ -199,7 +199,7 @@ void register_matrices(Class<W>& c) {
 
 // Methods of solvers with Newton's method. Only `Base` is called: a replaced part may use the built-in one.
 template <class W, class Base>
-void register_newton(Class<W>& c) {
+void register_newton(SolverClass<W>& c) {
   part<W>(c, "ComputeNewtonResidual", [](W& w) { return w.compute_residual(); },
           "Compute the residual; returns the number that is compared with the tolerances.");
   part<W>(c, "ComputeNewtonJacobian", [](W& w) { w.compute_jacobian(); }, "Compute the system matrix.");
@@ -257,7 +257,7 @@ void register_newton(Class<W>& c) {
 }
 
 template <class W>
-void register_common(Class<W>& c) {
+void register_common(SolverClass<W>& c) {
   c.def(py::init<>());
   register_solution(c);
   register_step(c);
@@ -280,7 +280,7 @@ std::vector<double> read_restart(MainSystem& main, const std::string& name) {
 }
 
 void register_implicit(py::module_& module) {
-  Class<ImplicitWrapper> c(module, "MainSolverImplicitSecondOrder", "Generalized alpha, Newmark and trapezoidal rule.");
+  SolverClass<ImplicitWrapper> c(module, "MainSolverImplicitSecondOrder", "Generalized alpha, Newmark and trapezoidal rule.");
   register_common(c);
   register_newton<ImplicitWrapper, SecondOrderSolver>(c);
   c.def("GetAAlgorithmic", [](ImplicitWrapper& w) { return vector_array(w.algorithmic_accelerations()); },
@@ -310,7 +310,7 @@ void register_implicit(py::module_& module) {
 }
 
 void register_explicit(py::module_& module) {
-  Class<ExplicitWrapper> c(module, "MainSolverExplicit", "Explicit Runge-Kutta methods and velocity Verlet.");
+  SolverClass<ExplicitWrapper> c(module, "MainSolverExplicit", "Explicit Runge-Kutta methods and velocity Verlet.");
   register_common(c);
   c.def("GetMethodOrder", [](const ExplicitWrapper& w) { return w.method_order(); }, "Order of the method.");
   c.def("GetNumberOfStages", [](const ExplicitWrapper& w) { return w.number_of_stages(); }, "Stages of the method.");
@@ -325,7 +325,7 @@ void register_explicit(py::module_& module) {
 
 void register_solvers(py::module_& module) {
   register_solver_data(module);
-  Class<StaticWrapper> c(module, "MainSolverStatic", "Static equilibrium under loads that grow in steps.");
+  SolverClass<StaticWrapper> c(module, "MainSolverStatic", "Static equilibrium under loads that grow in steps.");
   register_common(c);
   register_newton<StaticWrapper, StaticSolver>(c);
   register_implicit(module);

@@ -6,7 +6,7 @@
 namespace dalembert {
 namespace {
 
-using Class = py::class_<SystemContainer, std::shared_ptr<SystemContainer>>;
+using ContainerClass = py::class_<SystemContainer, std::shared_ptr<SystemContainer>>;
 
 py::object new_visualization_settings() {
   return py::hasattr(core_module(), "VisualizationSettings") ? core_module().attr("VisualizationSettings")() : py::object(py::none());
@@ -88,7 +88,7 @@ std::shared_ptr<MainSystem> SystemContainer::system(int number) const {
 
 void register_system_container(py::module_& module) {
   register_renderer(module);
-  Class container(module, "SystemContainer", "The systems of a script and what they share.");
+  ContainerClass container(module, "SystemContainer", "The systems of a script and what they share.");
   container.def(py::init(&new_container));
   container.def("Reset", &SystemContainer::reset, "Remove all systems and restore the default settings.");
   container.def("AddSystem", &SystemContainer::add_system, "Add a new system and return it.");

@@ -168,10 +168,7 @@ def _on_cluster(function: Function, sets: Sequence[ParameterSet], cluster: Any) 
     if _is_client(cluster):
         yield from (future.result() for future in cluster.map(function, sets, pure=False))
         return
-    from dask.distributed import (  # type: ignore[import-not-found,import-untyped,unused-ignore]
-        Client,
-        SSHCluster,
-    )
+    from dask.distributed import Client, SSHCluster
 
     with ExitStack() as stack:
         address = cluster[0] if len(cluster) == 1 else stack.enter_context(SSHCluster(list(cluster)))

@@ -13,7 +13,8 @@ namespace dalembert {
 // By hand: it has as many coordinates as its nodes
 const Physics& object_generic_ode1_physics();
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_generic_ode1 {
 
 using Record = ObjectGenericODE1Record;
 
@@ -44,7 +45,7 @@ constexpr std::array<OutputVariableType, 3> outputs{
 
 const auto& physics = object_generic_ode1_physics();
 
-}  // namespace
+}  // namespace object_generic_ode1
 
 extern const ItemType object_generic_ode1_type;
 const ItemType object_generic_ode1_type{
@@ -52,14 +53,14 @@ const ItemType object_generic_ode1_type{
     .name = "ObjectGenericODE1",
     .type_name = "GenericODE1",
     .category = "Object",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_generic_ode1::short_names,
+    .provides = object_generic_ode1::provides,
+    .rows = object_generic_ode1::rows,
+    .outputs = object_generic_ode1::outputs,
+    .record = record_operations<object_generic_ode1::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &object_generic_ode1::physics,
     .spec = "specs/bodies/generic_ode1.toml",
 };
 

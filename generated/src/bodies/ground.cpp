@@ -11,7 +11,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_ground {
 
 using Record = ObjectGroundRecord;
 
@@ -36,7 +37,7 @@ constexpr std::array<OutputVariableType, 5> outputs{
 
 const auto& physics = BodyPhysics<ObjectGround, ObjectGroundRecord>{};
 
-}  // namespace
+}  // namespace object_ground
 
 extern const ItemType object_ground_type;
 const ItemType object_ground_type{
@@ -44,14 +45,14 @@ const ItemType object_ground_type{
     .name = "ObjectGround",
     .type_name = "Ground",
     .category = "Body",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_ground::short_names,
+    .provides = object_ground::provides,
+    .rows = object_ground::rows,
+    .outputs = object_ground::outputs,
+    .record = record_operations<object_ground::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &object_ground::physics,
     .spec = "specs/bodies/ground.toml",
 };
 

@@ -13,7 +13,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_mass_point {
 
 using Record = ObjectMassPointRecord;
 
@@ -40,7 +41,7 @@ constexpr std::array<OutputVariableType, 8> outputs{
 
 const auto& physics = BodyPhysics<ObjectMassPoint, ObjectMassPointRecord, NodePoint, NodePointGround>{};
 
-}  // namespace
+}  // namespace object_mass_point
 
 extern const ItemType object_mass_point_type;
 const ItemType object_mass_point_type{
@@ -48,14 +49,14 @@ const ItemType object_mass_point_type{
     .name = "ObjectMassPoint",
     .type_name = "MassPoint",
     .category = "Body",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_mass_point::short_names,
+    .provides = object_mass_point::provides,
+    .rows = object_mass_point::rows,
+    .outputs = object_mass_point::outputs,
+    .record = record_operations<object_mass_point::Record>(),
     .requested_node = Capability::position,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &object_mass_point::physics,
     .spec = "specs/bodies/mass_point.toml",
 };
 

@@ -12,7 +12,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_mass_point_2d {
 
 using Record = ObjectMassPoint2DRecord;
 
@@ -39,7 +40,7 @@ constexpr std::array<OutputVariableType, 8> outputs{
 
 const auto& physics = BodyPhysics<ObjectMassPoint2D, ObjectMassPoint2DRecord, NodePoint2D>{};
 
-}  // namespace
+}  // namespace object_mass_point_2d
 
 extern const ItemType object_mass_point_2d_type;
 const ItemType object_mass_point_2d_type{
@@ -47,14 +48,14 @@ const ItemType object_mass_point_2d_type{
     .name = "ObjectMassPoint2D",
     .type_name = "MassPoint2D",
     .category = "Body",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_mass_point_2d::short_names,
+    .provides = object_mass_point_2d::provides,
+    .rows = object_mass_point_2d::rows,
+    .outputs = object_mass_point_2d::outputs,
+    .record = record_operations<object_mass_point_2d::Record>(),
     .requested_node = Capability::position_2d | Capability::position,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &object_mass_point_2d::physics,
     .spec = "specs/bodies/mass_point_2d.toml",
 };
 

@@ -14,7 +14,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_rigid_body {
 
 using Record = ObjectRigidBodyRecord;
 
@@ -48,7 +49,7 @@ constexpr std::array<OutputVariableType, 12> outputs{
 
 const auto& physics = BodyPhysics<ObjectRigidBody, ObjectRigidBodyRecord, NodeRigidBodyEP, NodeRigidBodyRxyz, NodeRigidBodyRotVecLG>{};
 
-}  // namespace
+}  // namespace object_rigid_body
 
 extern const ItemType object_rigid_body_type;
 const ItemType object_rigid_body_type{
@@ -56,14 +57,14 @@ const ItemType object_rigid_body_type{
     .name = "ObjectRigidBody",
     .type_name = "RigidBody",
     .category = "Body",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_rigid_body::short_names,
+    .provides = object_rigid_body::provides,
+    .rows = object_rigid_body::rows,
+    .outputs = object_rigid_body::outputs,
+    .record = record_operations<object_rigid_body::Record>(),
     .requested_node = Capability::position | Capability::orientation,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &object_rigid_body::physics,
     .spec = "specs/bodies/rigid_body.toml",
 };
 

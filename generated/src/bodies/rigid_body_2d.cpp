@@ -12,7 +12,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_rigid_body_2d {
 
 using Record = ObjectRigidBody2DRecord;
 
@@ -46,7 +47,7 @@ constexpr std::array<OutputVariableType, 12> outputs{
 
 const auto& physics = BodyPhysics<ObjectRigidBody2D, ObjectRigidBody2DRecord, NodeRigidBody2D>{};
 
-}  // namespace
+}  // namespace object_rigid_body_2d
 
 extern const ItemType object_rigid_body_2d_type;
 const ItemType object_rigid_body_2d_type{
@@ -54,14 +55,14 @@ const ItemType object_rigid_body_2d_type{
     .name = "ObjectRigidBody2D",
     .type_name = "RigidBody2D",
     .category = "Body",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_rigid_body_2d::short_names,
+    .provides = object_rigid_body_2d::provides,
+    .rows = object_rigid_body_2d::rows,
+    .outputs = object_rigid_body_2d::outputs,
+    .record = record_operations<object_rigid_body_2d::Record>(),
     .requested_node = Capability::position_2d | Capability::orientation_2d | Capability::position | Capability::orientation,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &object_rigid_body_2d::physics,
     .spec = "specs/bodies/rigid_body_2d.toml",
 };
 

@@ -13,7 +13,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_rotational_mass_1d {
 
 using Record = ObjectRotationalMass1DRecord;
 
@@ -41,7 +42,7 @@ constexpr std::array<OutputVariableType, 7> outputs{
 
 const auto& physics = BodyPhysics<ObjectRotationalMass1D, ObjectRotationalMass1DRecord, Node1D, NodeGenericODE2>{};
 
-}  // namespace
+}  // namespace object_rotational_mass_1d
 
 extern const ItemType object_rotational_mass_1d_type;
 const ItemType object_rotational_mass_1d_type{
@@ -49,14 +50,14 @@ const ItemType object_rotational_mass_1d_type{
     .name = "ObjectRotationalMass1D",
     .type_name = "RotationalMass1D",
     .category = "Body",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_rotational_mass_1d::short_names,
+    .provides = object_rotational_mass_1d::provides,
+    .rows = object_rotational_mass_1d::rows,
+    .outputs = object_rotational_mass_1d::outputs,
+    .record = record_operations<object_rotational_mass_1d::Record>(),
     .requested_node = Capability::generic_ode2,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &object_rotational_mass_1d::physics,
     .spec = "specs/bodies/rotational_mass_1d.toml",
 };
 

@@ -12,7 +12,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_connector_cartesian_spring_damper {
 
 using Record = ObjectConnectorCartesianSpringDamperRecord;
 
@@ -49,7 +50,7 @@ constexpr std::array<OutputVariableType, 4> outputs{
 
 const auto& physics = PairPhysics<ObjectConnectorCartesianSpringDamper, ObjectConnectorCartesianSpringDamperRecord>{};
 
-}  // namespace
+}  // namespace object_connector_cartesian_spring_damper
 
 extern const ItemType object_connector_cartesian_spring_damper_type;
 const ItemType object_connector_cartesian_spring_damper_type{
@@ -57,14 +58,14 @@ const ItemType object_connector_cartesian_spring_damper_type{
     .name = "ObjectConnectorCartesianSpringDamper",
     .type_name = "ConnectorCartesianSpringDamper",
     .category = "Connector",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_connector_cartesian_spring_damper::short_names,
+    .provides = object_connector_cartesian_spring_damper::provides,
+    .rows = object_connector_cartesian_spring_damper::rows,
+    .outputs = object_connector_cartesian_spring_damper::outputs,
+    .record = record_operations<object_connector_cartesian_spring_damper::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::position,
-    .physics = &physics,
+    .physics = &object_connector_cartesian_spring_damper::physics,
     .spec = "specs/connectors/cartesian_spring_damper.toml",
 };
 

@@ -12,7 +12,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_connector_coordinate_spring_damper_ext {
 
 using Record = ObjectConnectorCoordinateSpringDamperExtRecord;
 
@@ -70,7 +71,7 @@ constexpr std::array<OutputVariableType, 3> outputs{
 
 const auto& physics = PairPhysics<ObjectConnectorCoordinateSpringDamperExt, ObjectConnectorCoordinateSpringDamperExtRecord>{};
 
-}  // namespace
+}  // namespace object_connector_coordinate_spring_damper_ext
 
 extern const ItemType object_connector_coordinate_spring_damper_ext_type;
 const ItemType object_connector_coordinate_spring_damper_ext_type{
@@ -78,14 +79,14 @@ const ItemType object_connector_coordinate_spring_damper_ext_type{
     .name = "ObjectConnectorCoordinateSpringDamperExt",
     .type_name = "ConnectorCoordinateSpringDamperExt",
     .category = "Connector",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_connector_coordinate_spring_damper_ext::short_names,
+    .provides = object_connector_coordinate_spring_damper_ext::provides,
+    .rows = object_connector_coordinate_spring_damper_ext::rows,
+    .outputs = object_connector_coordinate_spring_damper_ext::outputs,
+    .record = record_operations<object_connector_coordinate_spring_damper_ext::Record>(),
     .requested_node = Capability::generic_data,
     .requested_marker = Capability::coordinate,
-    .physics = &physics,
+    .physics = &object_connector_coordinate_spring_damper_ext::physics,
     .spec = "specs/connectors/coordinate_spring_damper_ext.toml",
 };
 

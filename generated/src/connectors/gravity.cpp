@@ -11,7 +11,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_connector_gravity {
 
 using Record = ObjectConnectorGravityRecord;
 
@@ -38,7 +39,7 @@ constexpr std::array<OutputVariableType, 3> outputs{
 
 const auto& physics = PairPhysics<ObjectConnectorGravity, ObjectConnectorGravityRecord>{};
 
-}  // namespace
+}  // namespace object_connector_gravity
 
 extern const ItemType object_connector_gravity_type;
 const ItemType object_connector_gravity_type{
@@ -46,14 +47,14 @@ const ItemType object_connector_gravity_type{
     .name = "ObjectConnectorGravity",
     .type_name = "ConnectorGravity",
     .category = "Connector",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_connector_gravity::short_names,
+    .provides = object_connector_gravity::provides,
+    .rows = object_connector_gravity::rows,
+    .outputs = object_connector_gravity::outputs,
+    .record = record_operations<object_connector_gravity::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::position,
-    .physics = &physics,
+    .physics = &object_connector_gravity::physics,
     .spec = "specs/connectors/gravity.toml",
 };
 

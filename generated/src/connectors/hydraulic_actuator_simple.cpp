@@ -12,7 +12,8 @@ namespace dalembert {
 // By hand: it adds to first order equations as well
 const Physics& object_connector_hydraulic_actuator_simple_physics();
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_connector_hydraulic_actuator_simple {
 
 using Record = ObjectConnectorHydraulicActuatorSimpleRecord;
 
@@ -61,7 +62,7 @@ constexpr std::array<OutputVariableType, 5> outputs{
 
 const auto& physics = object_connector_hydraulic_actuator_simple_physics();
 
-}  // namespace
+}  // namespace object_connector_hydraulic_actuator_simple
 
 extern const ItemType object_connector_hydraulic_actuator_simple_type;
 const ItemType object_connector_hydraulic_actuator_simple_type{
@@ -69,14 +70,14 @@ const ItemType object_connector_hydraulic_actuator_simple_type{
     .name = "ObjectConnectorHydraulicActuatorSimple",
     .type_name = "ConnectorHydraulicActuatorSimple",
     .category = "Connector",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_connector_hydraulic_actuator_simple::short_names,
+    .provides = object_connector_hydraulic_actuator_simple::provides,
+    .rows = object_connector_hydraulic_actuator_simple::rows,
+    .outputs = object_connector_hydraulic_actuator_simple::outputs,
+    .record = record_operations<object_connector_hydraulic_actuator_simple::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::position,
-    .physics = &physics,
+    .physics = &object_connector_hydraulic_actuator_simple::physics,
     .spec = "specs/connectors/hydraulic_actuator_simple.toml",
 };
 

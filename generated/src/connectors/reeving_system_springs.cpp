@@ -12,7 +12,8 @@ namespace dalembert {
 // By hand: it acts on any number of markers
 const Physics& object_connector_reeving_system_springs_physics();
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_connector_reeving_system_springs {
 
 using Record = ObjectConnectorReevingSystemSpringsRecord;
 
@@ -45,7 +46,7 @@ constexpr std::array<OutputVariableType, 3> outputs{
 
 const auto& physics = object_connector_reeving_system_springs_physics();
 
-}  // namespace
+}  // namespace object_connector_reeving_system_springs
 
 extern const ItemType object_connector_reeving_system_springs_type;
 const ItemType object_connector_reeving_system_springs_type{
@@ -53,14 +54,14 @@ const ItemType object_connector_reeving_system_springs_type{
     .name = "ObjectConnectorReevingSystemSprings",
     .type_name = "ConnectorReevingSystemSprings",
     .category = "Connector",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_connector_reeving_system_springs::short_names,
+    .provides = object_connector_reeving_system_springs::provides,
+    .rows = object_connector_reeving_system_springs::rows,
+    .outputs = object_connector_reeving_system_springs::outputs,
+    .record = record_operations<object_connector_reeving_system_springs::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &object_connector_reeving_system_springs::physics,
     .spec = "specs/connectors/reeving_system_springs.toml",
 };
 

@@ -11,7 +11,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_connector_rolling_disc_penalty {
 
 using Record = ObjectConnectorRollingDiscPenaltyRecord;
 
@@ -48,7 +49,7 @@ constexpr std::array<OutputVariableType, 5> outputs{
 
 const auto& physics = PairPhysics<ObjectConnectorRollingDiscPenalty, ObjectConnectorRollingDiscPenaltyRecord>{};
 
-}  // namespace
+}  // namespace object_connector_rolling_disc_penalty
 
 extern const ItemType object_connector_rolling_disc_penalty_type;
 const ItemType object_connector_rolling_disc_penalty_type{
@@ -56,14 +57,14 @@ const ItemType object_connector_rolling_disc_penalty_type{
     .name = "ObjectConnectorRollingDiscPenalty",
     .type_name = "ConnectorRollingDiscPenalty",
     .category = "Connector",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_connector_rolling_disc_penalty::short_names,
+    .provides = object_connector_rolling_disc_penalty::provides,
+    .rows = object_connector_rolling_disc_penalty::rows,
+    .outputs = object_connector_rolling_disc_penalty::outputs,
+    .record = record_operations<object_connector_rolling_disc_penalty::Record>(),
     .requested_node = Capability::generic_data,
     .requested_marker = Capability::position | Capability::orientation,
-    .physics = &physics,
+    .physics = &object_connector_rolling_disc_penalty::physics,
     .spec = "specs/connectors/rolling_disc_penalty.toml",
 };
 

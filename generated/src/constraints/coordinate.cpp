@@ -12,7 +12,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_connector_coordinate {
 
 using Record = ObjectConnectorCoordinateRecord;
 
@@ -51,7 +52,7 @@ constexpr std::array<OutputVariableType, 4> outputs{
 
 const auto& physics = ConstraintPhysics<ObjectConnectorCoordinate, ObjectConnectorCoordinateRecord>{};
 
-}  // namespace
+}  // namespace object_connector_coordinate
 
 extern const ItemType object_connector_coordinate_type;
 const ItemType object_connector_coordinate_type{
@@ -59,14 +60,14 @@ const ItemType object_connector_coordinate_type{
     .name = "ObjectConnectorCoordinate",
     .type_name = "ConnectorCoordinate",
     .category = "Constraint",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_connector_coordinate::short_names,
+    .provides = object_connector_coordinate::provides,
+    .rows = object_connector_coordinate::rows,
+    .outputs = object_connector_coordinate::outputs,
+    .record = record_operations<object_connector_coordinate::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::coordinate,
-    .physics = &physics,
+    .physics = &object_connector_coordinate::physics,
     .spec = "specs/constraints/coordinate.toml",
 };
 

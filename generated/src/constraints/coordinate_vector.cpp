@@ -13,7 +13,8 @@ namespace dalembert {
 // By hand: it has as many equations as its matrices have rows
 const Physics& object_connector_coordinate_vector_physics();
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_connector_coordinate_vector {
 
 using Record = ObjectConnectorCoordinateVectorRecord;
 
@@ -58,7 +59,7 @@ constexpr std::array<OutputVariableType, 4> outputs{
 
 const auto& physics = object_connector_coordinate_vector_physics();
 
-}  // namespace
+}  // namespace object_connector_coordinate_vector
 
 extern const ItemType object_connector_coordinate_vector_type;
 const ItemType object_connector_coordinate_vector_type{
@@ -66,14 +67,14 @@ const ItemType object_connector_coordinate_vector_type{
     .name = "ObjectConnectorCoordinateVector",
     .type_name = "ConnectorCoordinateVector",
     .category = "Constraint",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_connector_coordinate_vector::short_names,
+    .provides = object_connector_coordinate_vector::provides,
+    .rows = object_connector_coordinate_vector::rows,
+    .outputs = object_connector_coordinate_vector::outputs,
+    .record = record_operations<object_connector_coordinate_vector::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::coordinate,
-    .physics = &physics,
+    .physics = &object_connector_coordinate_vector::physics,
     .spec = "specs/constraints/coordinate_vector.toml",
 };
 

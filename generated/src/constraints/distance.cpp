@@ -11,7 +11,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_connector_distance {
 
 using Record = ObjectConnectorDistanceRecord;
 
@@ -36,7 +37,7 @@ constexpr std::array<OutputVariableType, 4> outputs{
 
 const auto& physics = ConstraintPhysics<ObjectConnectorDistance, ObjectConnectorDistanceRecord>{};
 
-}  // namespace
+}  // namespace object_connector_distance
 
 extern const ItemType object_connector_distance_type;
 const ItemType object_connector_distance_type{
@@ -44,14 +45,14 @@ const ItemType object_connector_distance_type{
     .name = "ObjectConnectorDistance",
     .type_name = "ConnectorDistance",
     .category = "Constraint",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_connector_distance::short_names,
+    .provides = object_connector_distance::provides,
+    .rows = object_connector_distance::rows,
+    .outputs = object_connector_distance::outputs,
+    .record = record_operations<object_connector_distance::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::position,
-    .physics = &physics,
+    .physics = &object_connector_distance::physics,
     .spec = "specs/constraints/distance.toml",
 };
 

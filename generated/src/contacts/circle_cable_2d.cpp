@@ -9,7 +9,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_contact_circle_cable_2d {
 
 using Record = ObjectContactCircleCable2DRecord;
 
@@ -34,7 +35,7 @@ constexpr std::array<std::string_view, 1> provides{"Connector"};
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
-}  // namespace
+}  // namespace object_contact_circle_cable_2d
 
 extern const ItemType object_contact_circle_cable_2d_type;
 const ItemType object_contact_circle_cable_2d_type{
@@ -42,11 +43,11 @@ const ItemType object_contact_circle_cable_2d_type{
     .name = "ObjectContactCircleCable2D",
     .type_name = "ContactCircleCable2D",
     .category = "Connector",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_contact_circle_cable_2d::short_names,
+    .provides = object_contact_circle_cable_2d::provides,
+    .rows = object_contact_circle_cable_2d::rows,
+    .outputs = object_contact_circle_cable_2d::outputs,
+    .record = record_operations<object_contact_circle_cable_2d::Record>(),
     .requested_node = Capability::generic_data,
     .requested_marker = Capability::none,
     .physics = nullptr,

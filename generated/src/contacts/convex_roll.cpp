@@ -9,7 +9,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_contact_convex_roll {
 
 using Record = ObjectContactConvexRollRecord;
 
@@ -44,7 +45,7 @@ constexpr std::array<OutputVariableType, 4> outputs{
     OutputVariableType::Torque,
 };
 
-}  // namespace
+}  // namespace object_contact_convex_roll
 
 extern const ItemType object_contact_convex_roll_type;
 const ItemType object_contact_convex_roll_type{
@@ -52,11 +53,11 @@ const ItemType object_contact_convex_roll_type{
     .name = "ObjectContactConvexRoll",
     .type_name = "ContactConvexRoll",
     .category = "Connector",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_contact_convex_roll::short_names,
+    .provides = object_contact_convex_roll::provides,
+    .rows = object_contact_convex_roll::rows,
+    .outputs = object_contact_convex_roll::outputs,
+    .record = record_operations<object_contact_convex_roll::Record>(),
     .requested_node = Capability::generic_data,
     .requested_marker = Capability::position | Capability::orientation,
     .physics = nullptr,

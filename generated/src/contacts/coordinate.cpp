@@ -11,7 +11,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_contact_coordinate {
 
 using Record = ObjectContactCoordinateRecord;
 
@@ -35,7 +36,7 @@ constexpr std::array<OutputVariableType, 0> outputs{
 
 const auto& physics = PairPhysics<ObjectContactCoordinate, ObjectContactCoordinateRecord>{};
 
-}  // namespace
+}  // namespace object_contact_coordinate
 
 extern const ItemType object_contact_coordinate_type;
 const ItemType object_contact_coordinate_type{
@@ -43,14 +44,14 @@ const ItemType object_contact_coordinate_type{
     .name = "ObjectContactCoordinate",
     .type_name = "ContactCoordinate",
     .category = "Connector",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_contact_coordinate::short_names,
+    .provides = object_contact_coordinate::provides,
+    .rows = object_contact_coordinate::rows,
+    .outputs = object_contact_coordinate::outputs,
+    .record = record_operations<object_contact_coordinate::Record>(),
     .requested_node = Capability::generic_data,
     .requested_marker = Capability::coordinate,
-    .physics = &physics,
+    .physics = &object_contact_coordinate::physics,
     .spec = "specs/contacts/coordinate.toml",
 };
 

@@ -9,7 +9,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_contact_curve_circles {
 
 using Record = ObjectContactCurveCirclesRecord;
 
@@ -43,7 +44,7 @@ constexpr std::array<OutputVariableType, 3> outputs{
     OutputVariableType::ForceLocal,
 };
 
-}  // namespace
+}  // namespace object_contact_curve_circles
 
 extern const ItemType object_contact_curve_circles_type;
 const ItemType object_contact_curve_circles_type{
@@ -51,11 +52,11 @@ const ItemType object_contact_curve_circles_type{
     .name = "ObjectContactCurveCircles",
     .type_name = "ContactCurveCircles",
     .category = "Connector",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_contact_curve_circles::short_names,
+    .provides = object_contact_curve_circles::provides,
+    .rows = object_contact_curve_circles::rows,
+    .outputs = object_contact_curve_circles::outputs,
+    .record = record_operations<object_contact_curve_circles::Record>(),
     .requested_node = Capability::generic_data,
     .requested_marker = Capability::position | Capability::orientation,
     .physics = nullptr,

@@ -9,7 +9,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_contact_friction_circle_cable_2d {
 
 using Record = ObjectContactFrictionCircleCable2DRecord;
 
@@ -40,7 +41,7 @@ constexpr std::array<OutputVariableType, 3> outputs{
     OutputVariableType::ForceLocal,
 };
 
-}  // namespace
+}  // namespace object_contact_friction_circle_cable_2d
 
 extern const ItemType object_contact_friction_circle_cable_2d_type;
 const ItemType object_contact_friction_circle_cable_2d_type{
@@ -48,11 +49,11 @@ const ItemType object_contact_friction_circle_cable_2d_type{
     .name = "ObjectContactFrictionCircleCable2D",
     .type_name = "ContactFrictionCircleCable2D",
     .category = "Connector",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_contact_friction_circle_cable_2d::short_names,
+    .provides = object_contact_friction_circle_cable_2d::provides,
+    .rows = object_contact_friction_circle_cable_2d::rows,
+    .outputs = object_contact_friction_circle_cable_2d::outputs,
+    .record = record_operations<object_contact_friction_circle_cable_2d::Record>(),
     .requested_node = Capability::generic_data,
     .requested_marker = Capability::none,
     .physics = nullptr,

@@ -9,7 +9,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_contact_sphere_sphere {
 
 using Record = ObjectContactSphereSphereRecord;
 
@@ -48,7 +49,7 @@ constexpr std::array<OutputVariableType, 7> outputs{
     OutputVariableType::Torque,
 };
 
-}  // namespace
+}  // namespace object_contact_sphere_sphere
 
 extern const ItemType object_contact_sphere_sphere_type;
 const ItemType object_contact_sphere_sphere_type{
@@ -56,11 +57,11 @@ const ItemType object_contact_sphere_sphere_type{
     .name = "ObjectContactSphereSphere",
     .type_name = "ContactSphereSphere",
     .category = "Connector",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_contact_sphere_sphere::short_names,
+    .provides = object_contact_sphere_sphere::provides,
+    .rows = object_contact_sphere_sphere::rows,
+    .outputs = object_contact_sphere_sphere::outputs,
+    .record = record_operations<object_contact_sphere_sphere::Record>(),
     .requested_node = Capability::generic_data,
     .requested_marker = Capability::position | Capability::orientation,
     .physics = nullptr,

@@ -11,7 +11,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_contact_sphere_torus {
 
 using Record = ObjectContactSphereTorusRecord;
 
@@ -51,7 +52,7 @@ constexpr std::array<OutputVariableType, 8> outputs{
 
 const auto& physics = PairPhysics<ObjectContactSphereTorus, ObjectContactSphereTorusRecord>{};
 
-}  // namespace
+}  // namespace object_contact_sphere_torus
 
 extern const ItemType object_contact_sphere_torus_type;
 const ItemType object_contact_sphere_torus_type{
@@ -59,14 +60,14 @@ const ItemType object_contact_sphere_torus_type{
     .name = "ObjectContactSphereTorus",
     .type_name = "ContactSphereTorus",
     .category = "Connector",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_contact_sphere_torus::short_names,
+    .provides = object_contact_sphere_torus::provides,
+    .rows = object_contact_sphere_torus::rows,
+    .outputs = object_contact_sphere_torus::outputs,
+    .record = record_operations<object_contact_sphere_torus::Record>(),
     .requested_node = Capability::generic_data,
     .requested_marker = Capability::position | Capability::orientation,
-    .physics = &physics,
+    .physics = &object_contact_sphere_torus::physics,
     .spec = "specs/contacts/sphere_torus.toml",
 };
 

@@ -9,7 +9,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_contact_sphere_triangle {
 
 using Record = ObjectContactSphereTriangleRecord;
 
@@ -44,7 +45,7 @@ constexpr std::array<OutputVariableType, 6> outputs{
     OutputVariableType::Torque,
 };
 
-}  // namespace
+}  // namespace object_contact_sphere_triangle
 
 extern const ItemType object_contact_sphere_triangle_type;
 const ItemType object_contact_sphere_triangle_type{
@@ -52,11 +53,11 @@ const ItemType object_contact_sphere_triangle_type{
     .name = "ObjectContactSphereTriangle",
     .type_name = "ContactSphereTriangle",
     .category = "Connector",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_contact_sphere_triangle::short_names,
+    .provides = object_contact_sphere_triangle::provides,
+    .rows = object_contact_sphere_triangle::rows,
+    .outputs = object_contact_sphere_triangle::outputs,
+    .record = record_operations<object_contact_sphere_triangle::Record>(),
     .requested_node = Capability::generic_data,
     .requested_marker = Capability::position | Capability::orientation,
     .physics = nullptr,

@@ -9,7 +9,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_ale_ancf_cable_2d {
 
 using Record = ObjectALEANCFCable2DRecord;
 
@@ -49,7 +50,7 @@ constexpr std::array<OutputVariableType, 10> outputs{
     OutputVariableType::TorqueLocal,
 };
 
-}  // namespace
+}  // namespace object_ale_ancf_cable_2d
 
 extern const ItemType object_ale_ancf_cable_2d_type;
 const ItemType object_ale_ancf_cable_2d_type{
@@ -57,11 +58,11 @@ const ItemType object_ale_ancf_cable_2d_type{
     .name = "ObjectALEANCFCable2D",
     .type_name = "ALEANCFCable2D",
     .category = "FiniteElement",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_ale_ancf_cable_2d::short_names,
+    .provides = object_ale_ancf_cable_2d::provides,
+    .rows = object_ale_ancf_cable_2d::rows,
+    .outputs = object_ale_ancf_cable_2d::outputs,
+    .record = record_operations<object_ale_ancf_cable_2d::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
     .physics = nullptr,

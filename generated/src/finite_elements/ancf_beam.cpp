@@ -9,7 +9,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_ancf_beam {
 
 using Record = ObjectANCFBeamRecord;
 
@@ -39,7 +40,7 @@ constexpr std::array<OutputVariableType, 9> outputs{
     OutputVariableType::RotationMatrix,
 };
 
-}  // namespace
+}  // namespace object_ancf_beam
 
 extern const ItemType object_ancf_beam_type;
 const ItemType object_ancf_beam_type{
@@ -47,11 +48,11 @@ const ItemType object_ancf_beam_type{
     .name = "ObjectANCFBeam",
     .type_name = "ANCFBeam",
     .category = "FiniteElement",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_ancf_beam::short_names,
+    .provides = object_ancf_beam::provides,
+    .rows = object_ancf_beam::rows,
+    .outputs = object_ancf_beam::outputs,
+    .record = record_operations<object_ancf_beam::Record>(),
     .requested_node = Capability::position | Capability::orientation,
     .requested_marker = Capability::none,
     .physics = nullptr,

@@ -9,7 +9,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_ancf_cable {
 
 using Record = ObjectANCFCableRecord;
 
@@ -44,7 +45,7 @@ constexpr std::array<OutputVariableType, 9> outputs{
     OutputVariableType::Acceleration,
 };
 
-}  // namespace
+}  // namespace object_ancf_cable
 
 extern const ItemType object_ancf_cable_type;
 const ItemType object_ancf_cable_type{
@@ -52,11 +53,11 @@ const ItemType object_ancf_cable_type{
     .name = "ObjectANCFCable",
     .type_name = "ANCFCable",
     .category = "FiniteElement",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_ancf_cable::short_names,
+    .provides = object_ancf_cable::provides,
+    .rows = object_ancf_cable::rows,
+    .outputs = object_ancf_cable::outputs,
+    .record = record_operations<object_ancf_cable::Record>(),
     .requested_node = Capability::position,
     .requested_marker = Capability::none,
     .physics = nullptr,

@@ -13,7 +13,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_ancf_cable_2d {
 
 using Record = ObjectANCFCable2DRecord;
 
@@ -83,7 +84,7 @@ constexpr std::array<OutputVariableType, 13> outputs{
 
 const auto& physics = BodyPhysics<ObjectANCFCable2D, ObjectANCFCable2DRecord, NodePoint2DSlope1>{};
 
-}  // namespace
+}  // namespace object_ancf_cable_2d
 
 extern const ItemType object_ancf_cable_2d_type;
 const ItemType object_ancf_cable_2d_type{
@@ -91,14 +92,14 @@ const ItemType object_ancf_cable_2d_type{
     .name = "ObjectANCFCable2D",
     .type_name = "ANCFCable2D",
     .category = "FiniteElement",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_ancf_cable_2d::short_names,
+    .provides = object_ancf_cable_2d::provides,
+    .rows = object_ancf_cable_2d::rows,
+    .outputs = object_ancf_cable_2d::outputs,
+    .record = record_operations<object_ancf_cable_2d::Record>(),
     .requested_node = Capability::position_2d | Capability::orientation_2d | Capability::position | Capability::orientation,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &object_ancf_cable_2d::physics,
     .spec = "specs/finite_elements/ancf_cable_2d.toml",
 };
 

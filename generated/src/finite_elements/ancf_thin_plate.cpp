@@ -9,7 +9,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_ancf_thin_plate {
 
 using Record = ObjectANCFThinPlateRecord;
 
@@ -45,7 +46,7 @@ constexpr std::array<OutputVariableType, 11> outputs{
     OutputVariableType::Acceleration,
 };
 
-}  // namespace
+}  // namespace object_ancf_thin_plate
 
 extern const ItemType object_ancf_thin_plate_type;
 const ItemType object_ancf_thin_plate_type{
@@ -53,11 +54,11 @@ const ItemType object_ancf_thin_plate_type{
     .name = "ObjectANCFThinPlate",
     .type_name = "ANCFThinPlate",
     .category = "FiniteElement",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_ancf_thin_plate::short_names,
+    .provides = object_ancf_thin_plate::provides,
+    .rows = object_ancf_thin_plate::rows,
+    .outputs = object_ancf_thin_plate::outputs,
+    .record = record_operations<object_ancf_thin_plate::Record>(),
     .requested_node = Capability::position,
     .requested_marker = Capability::none,
     .physics = nullptr,

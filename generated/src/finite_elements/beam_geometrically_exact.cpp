@@ -9,7 +9,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_beam_geometrically_exact {
 
 using Record = ObjectBeamGeometricallyExactRecord;
 
@@ -34,7 +35,7 @@ constexpr std::array<OutputVariableType, 6> outputs{
     OutputVariableType::CurvatureLocal,
 };
 
-}  // namespace
+}  // namespace object_beam_geometrically_exact
 
 extern const ItemType object_beam_geometrically_exact_type;
 const ItemType object_beam_geometrically_exact_type{
@@ -42,11 +43,11 @@ const ItemType object_beam_geometrically_exact_type{
     .name = "ObjectBeamGeometricallyExact",
     .type_name = "BeamGeometricallyExact",
     .category = "FiniteElement",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_beam_geometrically_exact::short_names,
+    .provides = object_beam_geometrically_exact::provides,
+    .rows = object_beam_geometrically_exact::rows,
+    .outputs = object_beam_geometrically_exact::outputs,
+    .record = record_operations<object_beam_geometrically_exact::Record>(),
     .requested_node = Capability::position | Capability::orientation,
     .requested_marker = Capability::none,
     .physics = nullptr,

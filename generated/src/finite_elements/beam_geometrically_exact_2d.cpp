@@ -9,7 +9,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_beam_geometrically_exact_2d {
 
 using Record = ObjectBeamGeometricallyExact2DRecord;
 
@@ -45,7 +46,7 @@ constexpr std::array<OutputVariableType, 8> outputs{
     OutputVariableType::TorqueLocal,
 };
 
-}  // namespace
+}  // namespace object_beam_geometrically_exact_2d
 
 extern const ItemType object_beam_geometrically_exact_2d_type;
 const ItemType object_beam_geometrically_exact_2d_type{
@@ -53,11 +54,11 @@ const ItemType object_beam_geometrically_exact_2d_type{
     .name = "ObjectBeamGeometricallyExact2D",
     .type_name = "BeamGeometricallyExact2D",
     .category = "FiniteElement",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_beam_geometrically_exact_2d::short_names,
+    .provides = object_beam_geometrically_exact_2d::provides,
+    .rows = object_beam_geometrically_exact_2d::rows,
+    .outputs = object_beam_geometrically_exact_2d::outputs,
+    .record = record_operations<object_beam_geometrically_exact_2d::Record>(),
     .requested_node = Capability::position_2d | Capability::orientation_2d | Capability::position | Capability::orientation,
     .requested_marker = Capability::none,
     .physics = nullptr,

@@ -9,7 +9,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_joint_ale_moving_2d {
 
 using Record = ObjectJointALEMoving2DRecord;
 
@@ -39,7 +40,7 @@ constexpr std::array<OutputVariableType, 6> outputs{
     OutputVariableType::Force,
 };
 
-}  // namespace
+}  // namespace object_joint_ale_moving_2d
 
 extern const ItemType object_joint_ale_moving_2d_type;
 const ItemType object_joint_ale_moving_2d_type{
@@ -47,11 +48,11 @@ const ItemType object_joint_ale_moving_2d_type{
     .name = "ObjectJointALEMoving2D",
     .type_name = "JointALEMoving2D",
     .category = "Joint",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_joint_ale_moving_2d::short_names,
+    .provides = object_joint_ale_moving_2d::provides,
+    .rows = object_joint_ale_moving_2d::rows,
+    .outputs = object_joint_ale_moving_2d::outputs,
+    .record = record_operations<object_joint_ale_moving_2d::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
     .physics = nullptr,

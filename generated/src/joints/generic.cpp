@@ -12,7 +12,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_joint_generic {
 
 using Record = ObjectJointGenericRecord;
 
@@ -58,7 +59,7 @@ constexpr std::array<OutputVariableType, 8> outputs{
 
 const auto& physics = ConstraintPhysics<ObjectJointGeneric, ObjectJointGenericRecord>{};
 
-}  // namespace
+}  // namespace object_joint_generic
 
 extern const ItemType object_joint_generic_type;
 const ItemType object_joint_generic_type{
@@ -66,14 +67,14 @@ const ItemType object_joint_generic_type{
     .name = "ObjectJointGeneric",
     .type_name = "JointGeneric",
     .category = "Joint",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_joint_generic::short_names,
+    .provides = object_joint_generic::provides,
+    .rows = object_joint_generic::rows,
+    .outputs = object_joint_generic::outputs,
+    .record = record_operations<object_joint_generic::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::position | Capability::orientation,
-    .physics = &physics,
+    .physics = &object_joint_generic::physics,
     .spec = "specs/joints/generic.toml",
 };
 

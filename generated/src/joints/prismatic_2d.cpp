@@ -11,7 +11,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_joint_prismatic_2d {
 
 using Record = ObjectJointPrismatic2DRecord;
 
@@ -34,7 +35,7 @@ constexpr std::array<OutputVariableType, 0> outputs{
 
 const auto& physics = ConstraintPhysics<ObjectJointPrismatic2D, ObjectJointPrismatic2DRecord>{};
 
-}  // namespace
+}  // namespace object_joint_prismatic_2d
 
 extern const ItemType object_joint_prismatic_2d_type;
 const ItemType object_joint_prismatic_2d_type{
@@ -42,14 +43,14 @@ const ItemType object_joint_prismatic_2d_type{
     .name = "ObjectJointPrismatic2D",
     .type_name = "JointPrismatic2D",
     .category = "Joint",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_joint_prismatic_2d::short_names,
+    .provides = object_joint_prismatic_2d::provides,
+    .rows = object_joint_prismatic_2d::rows,
+    .outputs = object_joint_prismatic_2d::outputs,
+    .record = record_operations<object_joint_prismatic_2d::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::position | Capability::orientation,
-    .physics = &physics,
+    .physics = &object_joint_prismatic_2d::physics,
     .spec = "specs/joints/prismatic_2d.toml",
 };
 

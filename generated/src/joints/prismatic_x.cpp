@@ -11,7 +11,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_joint_prismatic_x {
 
 using Record = ObjectJointPrismaticXRecord;
 
@@ -42,7 +43,7 @@ constexpr std::array<OutputVariableType, 8> outputs{
 
 const auto& physics = ConstraintPhysics<ObjectJointPrismaticX, ObjectJointPrismaticXRecord>{};
 
-}  // namespace
+}  // namespace object_joint_prismatic_x
 
 extern const ItemType object_joint_prismatic_x_type;
 const ItemType object_joint_prismatic_x_type{
@@ -50,14 +51,14 @@ const ItemType object_joint_prismatic_x_type{
     .name = "ObjectJointPrismaticX",
     .type_name = "JointPrismaticX",
     .category = "Joint",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_joint_prismatic_x::short_names,
+    .provides = object_joint_prismatic_x::provides,
+    .rows = object_joint_prismatic_x::rows,
+    .outputs = object_joint_prismatic_x::outputs,
+    .record = record_operations<object_joint_prismatic_x::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::position | Capability::orientation,
-    .physics = &physics,
+    .physics = &object_joint_prismatic_x::physics,
     .spec = "specs/joints/prismatic_x.toml",
 };
 

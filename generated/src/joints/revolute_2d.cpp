@@ -11,7 +11,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_joint_revolute_2d {
 
 using Record = ObjectJointRevolute2DRecord;
 
@@ -31,7 +32,7 @@ constexpr std::array<OutputVariableType, 0> outputs{
 
 const auto& physics = ConstraintPhysics<ObjectJointRevolute2D, ObjectJointRevolute2DRecord>{};
 
-}  // namespace
+}  // namespace object_joint_revolute_2d
 
 extern const ItemType object_joint_revolute_2d_type;
 const ItemType object_joint_revolute_2d_type{
@@ -39,14 +40,14 @@ const ItemType object_joint_revolute_2d_type{
     .name = "ObjectJointRevolute2D",
     .type_name = "JointRevolute2D",
     .category = "Joint",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_joint_revolute_2d::short_names,
+    .provides = object_joint_revolute_2d::provides,
+    .rows = object_joint_revolute_2d::rows,
+    .outputs = object_joint_revolute_2d::outputs,
+    .record = record_operations<object_joint_revolute_2d::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::position,
-    .physics = &physics,
+    .physics = &object_joint_revolute_2d::physics,
     .spec = "specs/joints/revolute_2d.toml",
 };
 

@@ -11,7 +11,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_joint_revolute_z {
 
 using Record = ObjectJointRevoluteZRecord;
 
@@ -42,7 +43,7 @@ constexpr std::array<OutputVariableType, 8> outputs{
 
 const auto& physics = ConstraintPhysics<ObjectJointRevoluteZ, ObjectJointRevoluteZRecord>{};
 
-}  // namespace
+}  // namespace object_joint_revolute_z
 
 extern const ItemType object_joint_revolute_z_type;
 const ItemType object_joint_revolute_z_type{
@@ -50,14 +51,14 @@ const ItemType object_joint_revolute_z_type{
     .name = "ObjectJointRevoluteZ",
     .type_name = "JointRevoluteZ",
     .category = "Joint",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_joint_revolute_z::short_names,
+    .provides = object_joint_revolute_z::provides,
+    .rows = object_joint_revolute_z::rows,
+    .outputs = object_joint_revolute_z::outputs,
+    .record = record_operations<object_joint_revolute_z::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::position | Capability::orientation,
-    .physics = &physics,
+    .physics = &object_joint_revolute_z::physics,
     .spec = "specs/joints/revolute_z.toml",
 };
 

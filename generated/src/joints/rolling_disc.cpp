@@ -11,7 +11,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_joint_rolling_disc {
 
 using Record = ObjectJointRollingDiscRecord;
 
@@ -39,7 +40,7 @@ constexpr std::array<OutputVariableType, 4> outputs{
 
 const auto& physics = ConstraintPhysics<ObjectJointRollingDisc, ObjectJointRollingDiscRecord>{};
 
-}  // namespace
+}  // namespace object_joint_rolling_disc
 
 extern const ItemType object_joint_rolling_disc_type;
 const ItemType object_joint_rolling_disc_type{
@@ -47,14 +48,14 @@ const ItemType object_joint_rolling_disc_type{
     .name = "ObjectJointRollingDisc",
     .type_name = "JointRollingDisc",
     .category = "Joint",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_joint_rolling_disc::short_names,
+    .provides = object_joint_rolling_disc::provides,
+    .rows = object_joint_rolling_disc::rows,
+    .outputs = object_joint_rolling_disc::outputs,
+    .record = record_operations<object_joint_rolling_disc::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::position | Capability::orientation,
-    .physics = &physics,
+    .physics = &object_joint_rolling_disc::physics,
     .spec = "specs/joints/rolling_disc.toml",
 };
 

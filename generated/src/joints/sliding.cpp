@@ -9,7 +9,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_joint_sliding {
 
 using Record = ObjectJointSlidingRecord;
 
@@ -37,7 +38,7 @@ constexpr std::array<OutputVariableType, 4> outputs{
     OutputVariableType::Force,
 };
 
-}  // namespace
+}  // namespace object_joint_sliding
 
 extern const ItemType object_joint_sliding_type;
 const ItemType object_joint_sliding_type{
@@ -45,11 +46,11 @@ const ItemType object_joint_sliding_type{
     .name = "ObjectJointSliding",
     .type_name = "JointSliding",
     .category = "Joint",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_joint_sliding::short_names,
+    .provides = object_joint_sliding::provides,
+    .rows = object_joint_sliding::rows,
+    .outputs = object_joint_sliding::outputs,
+    .record = record_operations<object_joint_sliding::Record>(),
     .requested_node = Capability::generic_data,
     .requested_marker = Capability::none,
     .physics = nullptr,

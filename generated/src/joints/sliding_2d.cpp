@@ -9,7 +9,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_joint_sliding_2d {
 
 using Record = ObjectJointSliding2DRecord;
 
@@ -37,7 +38,7 @@ constexpr std::array<OutputVariableType, 4> outputs{
     OutputVariableType::Force,
 };
 
-}  // namespace
+}  // namespace object_joint_sliding_2d
 
 extern const ItemType object_joint_sliding_2d_type;
 const ItemType object_joint_sliding_2d_type{
@@ -45,11 +46,11 @@ const ItemType object_joint_sliding_2d_type{
     .name = "ObjectJointSliding2D",
     .type_name = "JointSliding2D",
     .category = "Joint",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_joint_sliding_2d::short_names,
+    .provides = object_joint_sliding_2d::provides,
+    .rows = object_joint_sliding_2d::rows,
+    .outputs = object_joint_sliding_2d::outputs,
+    .record = record_operations<object_joint_sliding_2d::Record>(),
     .requested_node = Capability::generic_data,
     .requested_marker = Capability::none,
     .physics = nullptr,

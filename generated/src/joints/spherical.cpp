@@ -11,7 +11,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_joint_spherical {
 
 using Record = ObjectJointSphericalRecord;
 
@@ -36,7 +37,7 @@ constexpr std::array<OutputVariableType, 4> outputs{
 
 const auto& physics = ConstraintPhysics<ObjectJointSpherical, ObjectJointSphericalRecord>{};
 
-}  // namespace
+}  // namespace object_joint_spherical
 
 extern const ItemType object_joint_spherical_type;
 const ItemType object_joint_spherical_type{
@@ -44,14 +45,14 @@ const ItemType object_joint_spherical_type{
     .name = "ObjectJointSpherical",
     .type_name = "JointSpherical",
     .category = "Joint",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_joint_spherical::short_names,
+    .provides = object_joint_spherical::provides,
+    .rows = object_joint_spherical::rows,
+    .outputs = object_joint_spherical::outputs,
+    .record = record_operations<object_joint_spherical::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::position,
-    .physics = &physics,
+    .physics = &object_joint_spherical::physics,
     .spec = "specs/joints/spherical.toml",
 };
 

@@ -12,7 +12,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace load_coordinate {
 
 using Record = LoadCoordinateRecord;
 
@@ -36,7 +37,7 @@ constexpr std::array<OutputVariableType, 0> outputs{
 
 const auto& physics = LoadPhysicsOf<LoadCoordinate, LoadCoordinateRecord>{};
 
-}  // namespace
+}  // namespace load_coordinate
 
 extern const ItemType load_coordinate_type;
 const ItemType load_coordinate_type{
@@ -44,14 +45,14 @@ const ItemType load_coordinate_type{
     .name = "LoadCoordinate",
     .type_name = "Coordinate",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = load_coordinate::short_names,
+    .provides = load_coordinate::provides,
+    .rows = load_coordinate::rows,
+    .outputs = load_coordinate::outputs,
+    .record = record_operations<load_coordinate::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::coordinate,
-    .physics = &physics,
+    .physics = &load_coordinate::physics,
     .spec = "specs/loads/coordinate.toml",
 };
 

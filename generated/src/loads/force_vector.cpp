@@ -12,7 +12,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace load_force_vector {
 
 using Record = LoadForceVectorRecord;
 
@@ -37,7 +38,7 @@ constexpr std::array<OutputVariableType, 0> outputs{
 
 const auto& physics = LoadPhysicsOf<LoadForceVector, LoadForceVectorRecord>{};
 
-}  // namespace
+}  // namespace load_force_vector
 
 extern const ItemType load_force_vector_type;
 const ItemType load_force_vector_type{
@@ -45,14 +46,14 @@ const ItemType load_force_vector_type{
     .name = "LoadForceVector",
     .type_name = "ForceVector",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = load_force_vector::short_names,
+    .provides = load_force_vector::provides,
+    .rows = load_force_vector::rows,
+    .outputs = load_force_vector::outputs,
+    .record = record_operations<load_force_vector::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::position,
-    .physics = &physics,
+    .physics = &load_force_vector::physics,
     .spec = "specs/loads/force_vector.toml",
 };
 

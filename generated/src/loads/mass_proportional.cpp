@@ -12,7 +12,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace load_mass_proportional {
 
 using Record = LoadMassProportionalRecord;
 
@@ -36,7 +37,7 @@ constexpr std::array<OutputVariableType, 0> outputs{
 
 const auto& physics = LoadPhysicsOf<LoadMassProportional, LoadMassProportionalRecord>{};
 
-}  // namespace
+}  // namespace load_mass_proportional
 
 extern const ItemType load_mass_proportional_type;
 const ItemType load_mass_proportional_type{
@@ -44,14 +45,14 @@ const ItemType load_mass_proportional_type{
     .name = "LoadMassProportional",
     .type_name = "MassProportional",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = load_mass_proportional::short_names,
+    .provides = load_mass_proportional::provides,
+    .rows = load_mass_proportional::rows,
+    .outputs = load_mass_proportional::outputs,
+    .record = record_operations<load_mass_proportional::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::body_mass,
-    .physics = &physics,
+    .physics = &load_mass_proportional::physics,
     .spec = "specs/loads/mass_proportional.toml",
 };
 

@@ -12,7 +12,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace load_torque_vector {
 
 using Record = LoadTorqueVectorRecord;
 
@@ -37,7 +38,7 @@ constexpr std::array<OutputVariableType, 0> outputs{
 
 const auto& physics = LoadPhysicsOf<LoadTorqueVector, LoadTorqueVectorRecord>{};
 
-}  // namespace
+}  // namespace load_torque_vector
 
 extern const ItemType load_torque_vector_type;
 const ItemType load_torque_vector_type{
@@ -45,14 +46,14 @@ const ItemType load_torque_vector_type{
     .name = "LoadTorqueVector",
     .type_name = "TorqueVector",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = load_torque_vector::short_names,
+    .provides = load_torque_vector::provides,
+    .rows = load_torque_vector::rows,
+    .outputs = load_torque_vector::outputs,
+    .record = record_operations<load_torque_vector::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::orientation,
-    .physics = &physics,
+    .physics = &load_torque_vector::physics,
     .spec = "specs/loads/torque_vector.toml",
 };
 

@@ -11,7 +11,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace marker_bodies_relative_rotation_coordinate {
 
 using Record = MarkerBodiesRelativeRotationCoordinateRecord;
 
@@ -33,7 +34,7 @@ constexpr std::array<OutputVariableType, 0> outputs{
 
 const auto& physics = MarkerPhysicsOf<MarkerBodiesRelativeRotationCoordinate, MarkerBodiesRelativeRotationCoordinateRecord>{};
 
-}  // namespace
+}  // namespace marker_bodies_relative_rotation_coordinate
 
 extern const ItemType marker_bodies_relative_rotation_coordinate_type;
 const ItemType marker_bodies_relative_rotation_coordinate_type{
@@ -41,14 +42,14 @@ const ItemType marker_bodies_relative_rotation_coordinate_type{
     .name = "MarkerBodiesRelativeRotationCoordinate",
     .type_name = "BodiesRelativeRotationCoordinate",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = marker_bodies_relative_rotation_coordinate::short_names,
+    .provides = marker_bodies_relative_rotation_coordinate::provides,
+    .rows = marker_bodies_relative_rotation_coordinate::rows,
+    .outputs = marker_bodies_relative_rotation_coordinate::outputs,
+    .record = record_operations<marker_bodies_relative_rotation_coordinate::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &marker_bodies_relative_rotation_coordinate::physics,
     .spec = "specs/markers/bodies_relative_rotation_coordinate.toml",
 };
 

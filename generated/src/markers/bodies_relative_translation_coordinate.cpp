@@ -11,7 +11,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace marker_bodies_relative_translation_coordinate {
 
 using Record = MarkerBodiesRelativeTranslationCoordinateRecord;
 
@@ -32,7 +33,7 @@ constexpr std::array<OutputVariableType, 0> outputs{
 
 const auto& physics = MarkerPhysicsOf<MarkerBodiesRelativeTranslationCoordinate, MarkerBodiesRelativeTranslationCoordinateRecord>{};
 
-}  // namespace
+}  // namespace marker_bodies_relative_translation_coordinate
 
 extern const ItemType marker_bodies_relative_translation_coordinate_type;
 const ItemType marker_bodies_relative_translation_coordinate_type{
@@ -40,14 +41,14 @@ const ItemType marker_bodies_relative_translation_coordinate_type{
     .name = "MarkerBodiesRelativeTranslationCoordinate",
     .type_name = "BodiesRelativeTranslationCoordinate",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = marker_bodies_relative_translation_coordinate::short_names,
+    .provides = marker_bodies_relative_translation_coordinate::provides,
+    .rows = marker_bodies_relative_translation_coordinate::rows,
+    .outputs = marker_bodies_relative_translation_coordinate::outputs,
+    .record = record_operations<marker_bodies_relative_translation_coordinate::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &marker_bodies_relative_translation_coordinate::physics,
     .spec = "specs/markers/bodies_relative_translation_coordinate.toml",
 };
 

@@ -9,7 +9,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace marker_body_beam_shape {
 
 using Record = MarkerBodyBeamShapeRecord;
 
@@ -24,7 +25,7 @@ constexpr std::array<std::string_view, 2> provides{"Object", "Body"};
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
-}  // namespace
+}  // namespace marker_body_beam_shape
 
 extern const ItemType marker_body_beam_shape_type;
 const ItemType marker_body_beam_shape_type{
@@ -32,11 +33,11 @@ const ItemType marker_body_beam_shape_type{
     .name = "MarkerBodyBeamShape",
     .type_name = "BodyBeamShape",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = marker_body_beam_shape::short_names,
+    .provides = marker_body_beam_shape::provides,
+    .rows = marker_body_beam_shape::rows,
+    .outputs = marker_body_beam_shape::outputs,
+    .record = record_operations<marker_body_beam_shape::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
     .physics = nullptr,

@@ -9,7 +9,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace marker_body_cable_2d_coordinates {
 
 using Record = MarkerBodyCable2DCoordinatesRecord;
 
@@ -24,7 +25,7 @@ constexpr std::array<std::string_view, 3> provides{"Object", "Body", "Coordinate
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
-}  // namespace
+}  // namespace marker_body_cable_2d_coordinates
 
 extern const ItemType marker_body_cable_2d_coordinates_type;
 const ItemType marker_body_cable_2d_coordinates_type{
@@ -32,11 +33,11 @@ const ItemType marker_body_cable_2d_coordinates_type{
     .name = "MarkerBodyCable2DCoordinates",
     .type_name = "BodyCable2DCoordinates",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = marker_body_cable_2d_coordinates::short_names,
+    .provides = marker_body_cable_2d_coordinates::provides,
+    .rows = marker_body_cable_2d_coordinates::rows,
+    .outputs = marker_body_cable_2d_coordinates::outputs,
+    .record = record_operations<marker_body_cable_2d_coordinates::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
     .physics = nullptr,

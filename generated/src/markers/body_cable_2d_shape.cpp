@@ -9,7 +9,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace marker_body_cable_2d_shape {
 
 using Record = MarkerBodyCable2DShapeRecord;
 
@@ -26,7 +27,7 @@ constexpr std::array<std::string_view, 3> provides{"Object", "Body", "Coordinate
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
-}  // namespace
+}  // namespace marker_body_cable_2d_shape
 
 extern const ItemType marker_body_cable_2d_shape_type;
 const ItemType marker_body_cable_2d_shape_type{
@@ -34,11 +35,11 @@ const ItemType marker_body_cable_2d_shape_type{
     .name = "MarkerBodyCable2DShape",
     .type_name = "BodyCable2DShape",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = marker_body_cable_2d_shape::short_names,
+    .provides = marker_body_cable_2d_shape::provides,
+    .rows = marker_body_cable_2d_shape::rows,
+    .outputs = marker_body_cable_2d_shape::outputs,
+    .record = record_operations<marker_body_cable_2d_shape::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
     .physics = nullptr,

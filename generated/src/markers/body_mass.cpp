@@ -11,7 +11,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace marker_body_mass {
 
 using Record = MarkerBodyMassRecord;
 
@@ -28,7 +29,7 @@ constexpr std::array<OutputVariableType, 0> outputs{
 
 const auto& physics = MarkerPhysicsOf<MarkerBodyMass, MarkerBodyMassRecord>{};
 
-}  // namespace
+}  // namespace marker_body_mass
 
 extern const ItemType marker_body_mass_type;
 const ItemType marker_body_mass_type{
@@ -36,14 +37,14 @@ const ItemType marker_body_mass_type{
     .name = "MarkerBodyMass",
     .type_name = "BodyMass",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = marker_body_mass::short_names,
+    .provides = marker_body_mass::provides,
+    .rows = marker_body_mass::rows,
+    .outputs = marker_body_mass::outputs,
+    .record = record_operations<marker_body_mass::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &marker_body_mass::physics,
     .spec = "specs/markers/body_mass.toml",
 };
 

@@ -11,7 +11,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace marker_body_position {
 
 using Record = MarkerBodyPositionRecord;
 
@@ -29,7 +30,7 @@ constexpr std::array<OutputVariableType, 0> outputs{
 
 const auto& physics = MarkerPhysicsOf<MarkerBodyPosition, MarkerBodyPositionRecord>{};
 
-}  // namespace
+}  // namespace marker_body_position
 
 extern const ItemType marker_body_position_type;
 const ItemType marker_body_position_type{
@@ -37,14 +38,14 @@ const ItemType marker_body_position_type{
     .name = "MarkerBodyPosition",
     .type_name = "BodyPosition",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = marker_body_position::short_names,
+    .provides = marker_body_position::provides,
+    .rows = marker_body_position::rows,
+    .outputs = marker_body_position::outputs,
+    .record = record_operations<marker_body_position::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &marker_body_position::physics,
     .spec = "specs/markers/body_position.toml",
 };
 

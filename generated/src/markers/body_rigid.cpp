@@ -11,7 +11,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace marker_body_rigid {
 
 using Record = MarkerBodyRigidRecord;
 
@@ -29,7 +30,7 @@ constexpr std::array<OutputVariableType, 0> outputs{
 
 const auto& physics = MarkerPhysicsOf<MarkerBodyRigid, MarkerBodyRigidRecord>{};
 
-}  // namespace
+}  // namespace marker_body_rigid
 
 extern const ItemType marker_body_rigid_type;
 const ItemType marker_body_rigid_type{
@@ -37,14 +38,14 @@ const ItemType marker_body_rigid_type{
     .name = "MarkerBodyRigid",
     .type_name = "BodyRigid",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = marker_body_rigid::short_names,
+    .provides = marker_body_rigid::provides,
+    .rows = marker_body_rigid::rows,
+    .outputs = marker_body_rigid::outputs,
+    .record = record_operations<marker_body_rigid::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &marker_body_rigid::physics,
     .spec = "specs/markers/body_rigid.toml",
 };
 

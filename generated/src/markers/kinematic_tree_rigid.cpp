@@ -9,7 +9,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace marker_kinematic_tree_rigid {
 
 using Record = MarkerKinematicTreeRigidRecord;
 
@@ -26,7 +27,7 @@ constexpr std::array<std::string_view, 4> provides{"Object", "Body", "Position",
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
-}  // namespace
+}  // namespace marker_kinematic_tree_rigid
 
 extern const ItemType marker_kinematic_tree_rigid_type;
 const ItemType marker_kinematic_tree_rigid_type{
@@ -34,11 +35,11 @@ const ItemType marker_kinematic_tree_rigid_type{
     .name = "MarkerKinematicTreeRigid",
     .type_name = "KinematicTreeRigid",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = marker_kinematic_tree_rigid::short_names,
+    .provides = marker_kinematic_tree_rigid::provides,
+    .rows = marker_kinematic_tree_rigid::rows,
+    .outputs = marker_kinematic_tree_rigid::outputs,
+    .record = record_operations<marker_kinematic_tree_rigid::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
     .physics = nullptr,

@@ -11,7 +11,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace marker_node_coordinate {
 
 using Record = MarkerNodeCoordinateRecord;
 
@@ -29,7 +30,7 @@ constexpr std::array<OutputVariableType, 0> outputs{
 
 const auto& physics = MarkerPhysicsOf<MarkerNodeCoordinate, MarkerNodeCoordinateRecord>{};
 
-}  // namespace
+}  // namespace marker_node_coordinate
 
 extern const ItemType marker_node_coordinate_type;
 const ItemType marker_node_coordinate_type{
@@ -37,14 +38,14 @@ const ItemType marker_node_coordinate_type{
     .name = "MarkerNodeCoordinate",
     .type_name = "NodeCoordinate",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = marker_node_coordinate::short_names,
+    .provides = marker_node_coordinate::provides,
+    .rows = marker_node_coordinate::rows,
+    .outputs = marker_node_coordinate::outputs,
+    .record = record_operations<marker_node_coordinate::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &marker_node_coordinate::physics,
     .spec = "specs/markers/node_coordinate.toml",
 };
 

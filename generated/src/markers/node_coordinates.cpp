@@ -11,7 +11,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace marker_node_coordinates {
 
 using Record = MarkerNodeCoordinatesRecord;
 
@@ -28,7 +29,7 @@ constexpr std::array<OutputVariableType, 0> outputs{
 
 const auto& physics = MarkerPhysicsOf<MarkerNodeCoordinates, MarkerNodeCoordinatesRecord>{};
 
-}  // namespace
+}  // namespace marker_node_coordinates
 
 extern const ItemType marker_node_coordinates_type;
 const ItemType marker_node_coordinates_type{
@@ -36,14 +37,14 @@ const ItemType marker_node_coordinates_type{
     .name = "MarkerNodeCoordinates",
     .type_name = "NodeCoordinates",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = marker_node_coordinates::short_names,
+    .provides = marker_node_coordinates::provides,
+    .rows = marker_node_coordinates::rows,
+    .outputs = marker_node_coordinates::outputs,
+    .record = record_operations<marker_node_coordinates::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &marker_node_coordinates::physics,
     .spec = "specs/markers/node_coordinates.toml",
 };
 

@@ -12,7 +12,8 @@ namespace dalembert {
 // By hand: it sits on a coordinate of first order
 const Physics& marker_node_ode1_coordinate_physics();
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace marker_node_ode1_coordinate {
 
 using Record = MarkerNodeODE1CoordinateRecord;
 
@@ -30,7 +31,7 @@ constexpr std::array<OutputVariableType, 0> outputs{
 
 const auto& physics = marker_node_ode1_coordinate_physics();
 
-}  // namespace
+}  // namespace marker_node_ode1_coordinate
 
 extern const ItemType marker_node_ode1_coordinate_type;
 const ItemType marker_node_ode1_coordinate_type{
@@ -38,14 +39,14 @@ const ItemType marker_node_ode1_coordinate_type{
     .name = "MarkerNodeODE1Coordinate",
     .type_name = "NodeODE1Coordinate",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = marker_node_ode1_coordinate::short_names,
+    .provides = marker_node_ode1_coordinate::provides,
+    .rows = marker_node_ode1_coordinate::rows,
+    .outputs = marker_node_ode1_coordinate::outputs,
+    .record = record_operations<marker_node_ode1_coordinate::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &marker_node_ode1_coordinate::physics,
     .spec = "specs/markers/node_ode1_coordinate.toml",
 };
 

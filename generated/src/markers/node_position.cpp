@@ -11,7 +11,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace marker_node_position {
 
 using Record = MarkerNodePositionRecord;
 
@@ -28,7 +29,7 @@ constexpr std::array<OutputVariableType, 0> outputs{
 
 const auto& physics = MarkerPhysicsOf<MarkerNodePosition, MarkerNodePositionRecord>{};
 
-}  // namespace
+}  // namespace marker_node_position
 
 extern const ItemType marker_node_position_type;
 const ItemType marker_node_position_type{
@@ -36,14 +37,14 @@ const ItemType marker_node_position_type{
     .name = "MarkerNodePosition",
     .type_name = "NodePosition",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = marker_node_position::short_names,
+    .provides = marker_node_position::provides,
+    .rows = marker_node_position::rows,
+    .outputs = marker_node_position::outputs,
+    .record = record_operations<marker_node_position::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &marker_node_position::physics,
     .spec = "specs/markers/node_position.toml",
 };
 

@@ -11,7 +11,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace marker_node_rigid {
 
 using Record = MarkerNodeRigidRecord;
 
@@ -28,7 +29,7 @@ constexpr std::array<OutputVariableType, 0> outputs{
 
 const auto& physics = MarkerPhysicsOf<MarkerNodeRigid, MarkerNodeRigidRecord>{};
 
-}  // namespace
+}  // namespace marker_node_rigid
 
 extern const ItemType marker_node_rigid_type;
 const ItemType marker_node_rigid_type{
@@ -36,14 +37,14 @@ const ItemType marker_node_rigid_type{
     .name = "MarkerNodeRigid",
     .type_name = "NodeRigid",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = marker_node_rigid::short_names,
+    .provides = marker_node_rigid::provides,
+    .rows = marker_node_rigid::rows,
+    .outputs = marker_node_rigid::outputs,
+    .record = record_operations<marker_node_rigid::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &marker_node_rigid::physics,
     .spec = "specs/markers/node_rigid.toml",
 };
 

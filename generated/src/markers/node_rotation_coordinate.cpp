@@ -12,7 +12,8 @@ namespace dalembert {
 // By hand: it reads the rotation of nodes of any type
 const Physics& marker_node_rotation_coordinate_physics();
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace marker_node_rotation_coordinate {
 
 using Record = MarkerNodeRotationCoordinateRecord;
 
@@ -30,7 +31,7 @@ constexpr std::array<OutputVariableType, 0> outputs{
 
 const auto& physics = marker_node_rotation_coordinate_physics();
 
-}  // namespace
+}  // namespace marker_node_rotation_coordinate
 
 extern const ItemType marker_node_rotation_coordinate_type;
 const ItemType marker_node_rotation_coordinate_type{
@@ -38,14 +39,14 @@ const ItemType marker_node_rotation_coordinate_type{
     .name = "MarkerNodeRotationCoordinate",
     .type_name = "NodeRotationCoordinate",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = marker_node_rotation_coordinate::short_names,
+    .provides = marker_node_rotation_coordinate::provides,
+    .rows = marker_node_rotation_coordinate::rows,
+    .outputs = marker_node_rotation_coordinate::outputs,
+    .record = record_operations<marker_node_rotation_coordinate::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &marker_node_rotation_coordinate::physics,
     .spec = "specs/markers/node_rotation_coordinate.toml",
 };
 

@@ -11,7 +11,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace marker_object_ode2_coordinates {
 
 using Record = MarkerObjectODE2CoordinatesRecord;
 
@@ -28,7 +29,7 @@ constexpr std::array<OutputVariableType, 0> outputs{
 
 const auto& physics = MarkerPhysicsOf<MarkerObjectODE2Coordinates, MarkerObjectODE2CoordinatesRecord>{};
 
-}  // namespace
+}  // namespace marker_object_ode2_coordinates
 
 extern const ItemType marker_object_ode2_coordinates_type;
 const ItemType marker_object_ode2_coordinates_type{
@@ -36,14 +37,14 @@ const ItemType marker_object_ode2_coordinates_type{
     .name = "MarkerObjectODE2Coordinates",
     .type_name = "ObjectODE2Coordinates",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = marker_object_ode2_coordinates::short_names,
+    .provides = marker_object_ode2_coordinates::provides,
+    .rows = marker_object_ode2_coordinates::rows,
+    .outputs = marker_object_ode2_coordinates::outputs,
+    .record = record_operations<marker_object_ode2_coordinates::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &marker_object_ode2_coordinates::physics,
     .spec = "specs/markers/object_ode2_coordinates.toml",
 };
 

@@ -12,7 +12,8 @@ namespace dalembert {
 // By hand: it rests on any number of mesh nodes of any types
 const Physics& marker_super_element_position_physics();
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace marker_super_element_position {
 
 using Record = MarkerSuperElementPositionRecord;
 
@@ -32,7 +33,7 @@ constexpr std::array<OutputVariableType, 0> outputs{
 
 const auto& physics = marker_super_element_position_physics();
 
-}  // namespace
+}  // namespace marker_super_element_position
 
 extern const ItemType marker_super_element_position_type;
 const ItemType marker_super_element_position_type{
@@ -40,14 +41,14 @@ const ItemType marker_super_element_position_type{
     .name = "MarkerSuperElementPosition",
     .type_name = "SuperElementPosition",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = marker_super_element_position::short_names,
+    .provides = marker_super_element_position::provides,
+    .rows = marker_super_element_position::rows,
+    .outputs = marker_super_element_position::outputs,
+    .record = record_operations<marker_super_element_position::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &marker_super_element_position::physics,
     .spec = "specs/markers/super_element_position.toml",
 };
 

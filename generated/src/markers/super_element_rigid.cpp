@@ -12,7 +12,8 @@ namespace dalembert {
 // By hand: it rests on any number of mesh nodes of any types
 const Physics& marker_super_element_rigid_physics();
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace marker_super_element_rigid {
 
 using Record = MarkerSuperElementRigidRecord;
 
@@ -35,7 +36,7 @@ constexpr std::array<OutputVariableType, 0> outputs{
 
 const auto& physics = marker_super_element_rigid_physics();
 
-}  // namespace
+}  // namespace marker_super_element_rigid
 
 extern const ItemType marker_super_element_rigid_type;
 const ItemType marker_super_element_rigid_type{
@@ -43,14 +44,14 @@ const ItemType marker_super_element_rigid_type{
     .name = "MarkerSuperElementRigid",
     .type_name = "SuperElementRigid",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = marker_super_element_rigid::short_names,
+    .provides = marker_super_element_rigid::provides,
+    .rows = marker_super_element_rigid::rows,
+    .outputs = marker_super_element_rigid::outputs,
+    .record = record_operations<marker_super_element_rigid::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &marker_super_element_rigid::physics,
     .spec = "specs/markers/super_element_rigid.toml",
 };
 

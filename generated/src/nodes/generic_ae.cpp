@@ -9,7 +9,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace node_generic_ae {
 
 using Record = NodeGenericAERecord;
 
@@ -27,7 +28,7 @@ constexpr std::array<OutputVariableType, 1> outputs{
     OutputVariableType::Coordinates,
 };
 
-}  // namespace
+}  // namespace node_generic_ae
 
 extern const ItemType node_generic_ae_type;
 const ItemType node_generic_ae_type{
@@ -35,11 +36,11 @@ const ItemType node_generic_ae_type{
     .name = "NodeGenericAE",
     .type_name = "GenericAE",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = node_generic_ae::short_names,
+    .provides = node_generic_ae::provides,
+    .rows = node_generic_ae::rows,
+    .outputs = node_generic_ae::outputs,
+    .record = record_operations<node_generic_ae::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
     .physics = nullptr,

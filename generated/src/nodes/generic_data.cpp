@@ -12,7 +12,8 @@ namespace dalembert {
 // By hand: it has as many coordinates as its parameters say
 const Physics& node_generic_data_physics();
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace node_generic_data {
 
 using Record = NodeGenericDataRecord;
 
@@ -31,7 +32,7 @@ constexpr std::array<OutputVariableType, 1> outputs{
 
 const auto& physics = node_generic_data_physics();
 
-}  // namespace
+}  // namespace node_generic_data
 
 extern const ItemType node_generic_data_type;
 const ItemType node_generic_data_type{
@@ -39,14 +40,14 @@ const ItemType node_generic_data_type{
     .name = "NodeGenericData",
     .type_name = "GenericData",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = node_generic_data::short_names,
+    .provides = node_generic_data::provides,
+    .rows = node_generic_data::rows,
+    .outputs = node_generic_data::outputs,
+    .record = record_operations<node_generic_data::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &node_generic_data::physics,
     .spec = "specs/nodes/generic_data.toml",
 };
 

@@ -12,7 +12,8 @@ namespace dalembert {
 // By hand: it has as many coordinates as its parameters say
 const Physics& node_generic_ode1_physics();
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace node_generic_ode1 {
 
 using Record = NodeGenericODE1Record;
 
@@ -34,7 +35,7 @@ constexpr std::array<OutputVariableType, 3> outputs{
 
 const auto& physics = node_generic_ode1_physics();
 
-}  // namespace
+}  // namespace node_generic_ode1
 
 extern const ItemType node_generic_ode1_type;
 const ItemType node_generic_ode1_type{
@@ -42,14 +43,14 @@ const ItemType node_generic_ode1_type{
     .name = "NodeGenericODE1",
     .type_name = "GenericODE1",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = node_generic_ode1::short_names,
+    .provides = node_generic_ode1::provides,
+    .rows = node_generic_ode1::rows,
+    .outputs = node_generic_ode1::outputs,
+    .record = record_operations<node_generic_ode1::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &node_generic_ode1::physics,
     .spec = "specs/nodes/generic_ode1.toml",
 };
 

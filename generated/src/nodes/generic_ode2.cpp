@@ -12,7 +12,8 @@ namespace dalembert {
 // By hand: it has as many coordinates as its parameters say
 const Physics& node_generic_ode2_physics();
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace node_generic_ode2 {
 
 using Record = NodeGenericODE2Record;
 
@@ -36,7 +37,7 @@ constexpr std::array<OutputVariableType, 4> outputs{
 
 const auto& physics = node_generic_ode2_physics();
 
-}  // namespace
+}  // namespace node_generic_ode2
 
 extern const ItemType node_generic_ode2_type;
 const ItemType node_generic_ode2_type{
@@ -44,14 +45,14 @@ const ItemType node_generic_ode2_type{
     .name = "NodeGenericODE2",
     .type_name = "GenericODE2",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = node_generic_ode2::short_names,
+    .provides = node_generic_ode2::provides,
+    .rows = node_generic_ode2::rows,
+    .outputs = node_generic_ode2::outputs,
+    .record = record_operations<node_generic_ode2::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &node_generic_ode2::physics,
     .spec = "specs/nodes/generic_ode2.toml",
 };
 

@@ -11,7 +11,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace node_1d {
 
 using Record = Node1DRecord;
 
@@ -34,7 +35,7 @@ constexpr std::array<OutputVariableType, 4> outputs{
 
 const auto& physics = NodePhysicsOf<Node1D, Node1DRecord>{};
 
-}  // namespace
+}  // namespace node_1d
 
 extern const ItemType node_1d_type;
 const ItemType node_1d_type{
@@ -42,14 +43,14 @@ const ItemType node_1d_type{
     .name = "Node1D",
     .type_name = "1D",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = node_1d::short_names,
+    .provides = node_1d::provides,
+    .rows = node_1d::rows,
+    .outputs = node_1d::outputs,
+    .record = record_operations<node_1d::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &node_1d::physics,
     .spec = "specs/nodes/one_d.toml",
 };
 

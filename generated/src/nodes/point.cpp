@@ -11,7 +11,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace node_point {
 
 using Record = NodePointRecord;
 
@@ -44,7 +45,7 @@ constexpr std::array<OutputVariableType, 12> outputs{
 
 const auto& physics = NodePhysicsOf<NodePoint, NodePointRecord>{};
 
-}  // namespace
+}  // namespace node_point
 
 extern const ItemType node_point_type;
 const ItemType node_point_type{
@@ -52,14 +53,14 @@ const ItemType node_point_type{
     .name = "NodePoint",
     .type_name = "Point",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = node_point::short_names,
+    .provides = node_point::provides,
+    .rows = node_point::rows,
+    .outputs = node_point::outputs,
+    .record = record_operations<node_point::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &node_point::physics,
     .spec = "specs/nodes/point.toml",
 };
 

@@ -11,7 +11,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace node_point_2d {
 
 using Record = NodePoint2DRecord;
 
@@ -44,7 +45,7 @@ constexpr std::array<OutputVariableType, 12> outputs{
 
 const auto& physics = NodePhysicsOf<NodePoint2D, NodePoint2DRecord>{};
 
-}  // namespace
+}  // namespace node_point_2d
 
 extern const ItemType node_point_2d_type;
 const ItemType node_point_2d_type{
@@ -52,14 +53,14 @@ const ItemType node_point_2d_type{
     .name = "NodePoint2D",
     .type_name = "Point2D",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = node_point_2d::short_names,
+    .provides = node_point_2d::provides,
+    .rows = node_point_2d::rows,
+    .outputs = node_point_2d::outputs,
+    .record = record_operations<node_point_2d::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &node_point_2d::physics,
     .spec = "specs/nodes/point_2d.toml",
 };
 

@@ -11,7 +11,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace node_point_2d_slope1 {
 
 using Record = NodePoint2DSlope1Record;
 
@@ -40,7 +41,7 @@ constexpr std::array<OutputVariableType, 8> outputs{
 
 const auto& physics = NodePhysicsOf<NodePoint2DSlope1, NodePoint2DSlope1Record>{};
 
-}  // namespace
+}  // namespace node_point_2d_slope1
 
 extern const ItemType node_point_2d_slope1_type;
 const ItemType node_point_2d_slope1_type{
@@ -48,14 +49,14 @@ const ItemType node_point_2d_slope1_type{
     .name = "NodePoint2DSlope1",
     .type_name = "Point2DSlope1",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = node_point_2d_slope1::short_names,
+    .provides = node_point_2d_slope1::provides,
+    .rows = node_point_2d_slope1::rows,
+    .outputs = node_point_2d_slope1::outputs,
+    .record = record_operations<node_point_2d_slope1::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &node_point_2d_slope1::physics,
     .spec = "specs/nodes/point_2d_slope1.toml",
 };
 

@@ -11,7 +11,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace node_point_ground {
 
 using Record = NodePointGroundRecord;
 
@@ -40,7 +41,7 @@ constexpr std::array<OutputVariableType, 10> outputs{
 
 const auto& physics = NodePhysicsOf<NodePointGround, NodePointGroundRecord>{};
 
-}  // namespace
+}  // namespace node_point_ground
 
 extern const ItemType node_point_ground_type;
 const ItemType node_point_ground_type{
@@ -48,14 +49,14 @@ const ItemType node_point_ground_type{
     .name = "NodePointGround",
     .type_name = "PointGround",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = node_point_ground::short_names,
+    .provides = node_point_ground::provides,
+    .rows = node_point_ground::rows,
+    .outputs = node_point_ground::outputs,
+    .record = record_operations<node_point_ground::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &node_point_ground::physics,
     .spec = "specs/nodes/point_ground.toml",
 };
 

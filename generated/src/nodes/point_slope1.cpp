@@ -9,7 +9,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace node_point_slope1 {
 
 using Record = NodePointSlope1Record;
 
@@ -36,7 +37,7 @@ constexpr std::array<OutputVariableType, 8> outputs{
     OutputVariableType::Coordinates_tt,
 };
 
-}  // namespace
+}  // namespace node_point_slope1
 
 extern const ItemType node_point_slope1_type;
 const ItemType node_point_slope1_type{
@@ -44,11 +45,11 @@ const ItemType node_point_slope1_type{
     .name = "NodePointSlope1",
     .type_name = "PointSlope1",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = node_point_slope1::short_names,
+    .provides = node_point_slope1::provides,
+    .rows = node_point_slope1::rows,
+    .outputs = node_point_slope1::outputs,
+    .record = record_operations<node_point_slope1::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
     .physics = nullptr,

@@ -9,7 +9,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace node_point_slope12 {
 
 using Record = NodePointSlope12Record;
 
@@ -40,7 +41,7 @@ constexpr std::array<OutputVariableType, 12> outputs{
     OutputVariableType::AngularVelocityLocal,
 };
 
-}  // namespace
+}  // namespace node_point_slope12
 
 extern const ItemType node_point_slope12_type;
 const ItemType node_point_slope12_type{
@@ -48,11 +49,11 @@ const ItemType node_point_slope12_type{
     .name = "NodePointSlope12",
     .type_name = "PointSlope12",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = node_point_slope12::short_names,
+    .provides = node_point_slope12::provides,
+    .rows = node_point_slope12::rows,
+    .outputs = node_point_slope12::outputs,
+    .record = record_operations<node_point_slope12::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
     .physics = nullptr,

@@ -9,7 +9,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace node_point_slope23 {
 
 using Record = NodePointSlope23Record;
 
@@ -40,7 +41,7 @@ constexpr std::array<OutputVariableType, 12> outputs{
     OutputVariableType::AngularVelocityLocal,
 };
 
-}  // namespace
+}  // namespace node_point_slope23
 
 extern const ItemType node_point_slope23_type;
 const ItemType node_point_slope23_type{
@@ -48,11 +49,11 @@ const ItemType node_point_slope23_type{
     .name = "NodePointSlope23",
     .type_name = "PointSlope23",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = node_point_slope23::short_names,
+    .provides = node_point_slope23::provides,
+    .rows = node_point_slope23::rows,
+    .outputs = node_point_slope23::outputs,
+    .record = record_operations<node_point_slope23::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
     .physics = nullptr,

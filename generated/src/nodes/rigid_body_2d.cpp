@@ -11,7 +11,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace node_rigid_body_2d {
 
 using Record = NodeRigidBody2DRecord;
 
@@ -45,7 +46,7 @@ constexpr std::array<OutputVariableType, 13> outputs{
 
 const auto& physics = NodePhysicsOf<NodeRigidBody2D, NodeRigidBody2DRecord>{};
 
-}  // namespace
+}  // namespace node_rigid_body_2d
 
 extern const ItemType node_rigid_body_2d_type;
 const ItemType node_rigid_body_2d_type{
@@ -53,14 +54,14 @@ const ItemType node_rigid_body_2d_type{
     .name = "NodeRigidBody2D",
     .type_name = "RigidBody2D",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = node_rigid_body_2d::short_names,
+    .provides = node_rigid_body_2d::provides,
+    .rows = node_rigid_body_2d::rows,
+    .outputs = node_rigid_body_2d::outputs,
+    .record = record_operations<node_rigid_body_2d::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &node_rigid_body_2d::physics,
     .spec = "specs/nodes/rigid_body_2d.toml",
 };
 

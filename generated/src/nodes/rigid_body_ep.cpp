@@ -11,7 +11,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace node_rigid_body_ep {
 
 using Record = NodeRigidBodyEPRecord;
 
@@ -46,7 +47,7 @@ constexpr std::array<OutputVariableType, 13> outputs{
 
 const auto& physics = NodePhysicsOf<NodeRigidBodyEP, NodeRigidBodyEPRecord>{};
 
-}  // namespace
+}  // namespace node_rigid_body_ep
 
 extern const ItemType node_rigid_body_ep_type;
 const ItemType node_rigid_body_ep_type{
@@ -54,14 +55,14 @@ const ItemType node_rigid_body_ep_type{
     .name = "NodeRigidBodyEP",
     .type_name = "RigidBodyEP",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = node_rigid_body_ep::short_names,
+    .provides = node_rigid_body_ep::provides,
+    .rows = node_rigid_body_ep::rows,
+    .outputs = node_rigid_body_ep::outputs,
+    .record = record_operations<node_rigid_body_ep::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &node_rigid_body_ep::physics,
     .spec = "specs/nodes/rigid_body_ep.toml",
 };
 

@@ -11,7 +11,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace node_rigid_body_rot_vec_lg {
 
 using Record = NodeRigidBodyRotVecLGRecord;
 
@@ -43,7 +44,7 @@ constexpr std::array<OutputVariableType, 11> outputs{
 
 const auto& physics = NodePhysicsOf<NodeRigidBodyRotVecLG, NodeRigidBodyRotVecLGRecord>{};
 
-}  // namespace
+}  // namespace node_rigid_body_rot_vec_lg
 
 extern const ItemType node_rigid_body_rot_vec_lg_type;
 const ItemType node_rigid_body_rot_vec_lg_type{
@@ -51,14 +52,14 @@ const ItemType node_rigid_body_rot_vec_lg_type{
     .name = "NodeRigidBodyRotVecLG",
     .type_name = "RigidBodyRotVecLG",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = node_rigid_body_rot_vec_lg::short_names,
+    .provides = node_rigid_body_rot_vec_lg::provides,
+    .rows = node_rigid_body_rot_vec_lg::rows,
+    .outputs = node_rigid_body_rot_vec_lg::outputs,
+    .record = record_operations<node_rigid_body_rot_vec_lg::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &node_rigid_body_rot_vec_lg::physics,
     .spec = "specs/nodes/rigid_body_rot_vec_lg.toml",
 };
 

@@ -11,7 +11,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace node_rigid_body_rxyz {
 
 using Record = NodeRigidBodyRxyzRecord;
 
@@ -45,7 +46,7 @@ constexpr std::array<OutputVariableType, 13> outputs{
 
 const auto& physics = NodePhysicsOf<NodeRigidBodyRxyz, NodeRigidBodyRxyzRecord>{};
 
-}  // namespace
+}  // namespace node_rigid_body_rxyz
 
 extern const ItemType node_rigid_body_rxyz_type;
 const ItemType node_rigid_body_rxyz_type{
@@ -53,14 +54,14 @@ const ItemType node_rigid_body_rxyz_type{
     .name = "NodeRigidBodyRxyz",
     .type_name = "RigidBodyRxyz",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = node_rigid_body_rxyz::short_names,
+    .provides = node_rigid_body_rxyz::provides,
+    .rows = node_rigid_body_rxyz::rows,
+    .outputs = node_rigid_body_rxyz::outputs,
+    .record = record_operations<node_rigid_body_rxyz::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &node_rigid_body_rxyz::physics,
     .spec = "specs/nodes/rigid_body_rxyz.toml",
 };
 

@@ -10,7 +10,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace sensor_body {
 
 using Record = SensorBodyRecord;
 
@@ -32,7 +33,7 @@ constexpr std::array<OutputVariableType, 0> outputs{
 
 const auto& physics = SensorPhysics{};
 
-}  // namespace
+}  // namespace sensor_body
 
 extern const ItemType sensor_body_type;
 const ItemType sensor_body_type{
@@ -40,14 +41,14 @@ const ItemType sensor_body_type{
     .name = "SensorBody",
     .type_name = "Body",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = sensor_body::short_names,
+    .provides = sensor_body::provides,
+    .rows = sensor_body::rows,
+    .outputs = sensor_body::outputs,
+    .record = record_operations<sensor_body::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &sensor_body::physics,
     .spec = "specs/sensors/body.toml",
 };
 

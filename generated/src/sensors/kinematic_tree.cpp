@@ -9,7 +9,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace sensor_kinematic_tree {
 
 using Record = SensorKinematicTreeRecord;
 
@@ -30,7 +31,7 @@ constexpr std::array<std::string_view, 0> provides{};
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
-}  // namespace
+}  // namespace sensor_kinematic_tree
 
 extern const ItemType sensor_kinematic_tree_type;
 const ItemType sensor_kinematic_tree_type{
@@ -38,11 +39,11 @@ const ItemType sensor_kinematic_tree_type{
     .name = "SensorKinematicTree",
     .type_name = "KinematicTree",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = sensor_kinematic_tree::short_names,
+    .provides = sensor_kinematic_tree::provides,
+    .rows = sensor_kinematic_tree::rows,
+    .outputs = sensor_kinematic_tree::outputs,
+    .record = record_operations<sensor_kinematic_tree::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
     .physics = nullptr,

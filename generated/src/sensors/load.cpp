@@ -10,7 +10,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace sensor_load {
 
 using Record = SensorLoadRecord;
 
@@ -30,7 +31,7 @@ constexpr std::array<OutputVariableType, 0> outputs{
 
 const auto& physics = SensorPhysics{};
 
-}  // namespace
+}  // namespace sensor_load
 
 extern const ItemType sensor_load_type;
 const ItemType sensor_load_type{
@@ -38,14 +39,14 @@ const ItemType sensor_load_type{
     .name = "SensorLoad",
     .type_name = "Load",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = sensor_load::short_names,
+    .provides = sensor_load::provides,
+    .rows = sensor_load::rows,
+    .outputs = sensor_load::outputs,
+    .record = record_operations<sensor_load::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &sensor_load::physics,
     .spec = "specs/sensors/load.toml",
 };
 

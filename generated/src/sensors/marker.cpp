@@ -10,7 +10,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace sensor_marker {
 
 using Record = SensorMarkerRecord;
 
@@ -31,7 +32,7 @@ constexpr std::array<OutputVariableType, 0> outputs{
 
 const auto& physics = SensorPhysics{};
 
-}  // namespace
+}  // namespace sensor_marker
 
 extern const ItemType sensor_marker_type;
 const ItemType sensor_marker_type{
@@ -39,14 +40,14 @@ const ItemType sensor_marker_type{
     .name = "SensorMarker",
     .type_name = "Marker",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = sensor_marker::short_names,
+    .provides = sensor_marker::provides,
+    .rows = sensor_marker::rows,
+    .outputs = sensor_marker::outputs,
+    .record = record_operations<sensor_marker::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &sensor_marker::physics,
     .spec = "specs/sensors/marker.toml",
 };
 

@@ -10,7 +10,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace sensor_node {
 
 using Record = SensorNodeRecord;
 
@@ -31,7 +32,7 @@ constexpr std::array<OutputVariableType, 0> outputs{
 
 const auto& physics = SensorPhysics{};
 
-}  // namespace
+}  // namespace sensor_node
 
 extern const ItemType sensor_node_type;
 const ItemType sensor_node_type{
@@ -39,14 +40,14 @@ const ItemType sensor_node_type{
     .name = "SensorNode",
     .type_name = "Node",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = sensor_node::short_names,
+    .provides = sensor_node::provides,
+    .rows = sensor_node::rows,
+    .outputs = sensor_node::outputs,
+    .record = record_operations<sensor_node::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &sensor_node::physics,
     .spec = "specs/sensors/node.toml",
 };
 

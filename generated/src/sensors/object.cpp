@@ -10,7 +10,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace sensor_object {
 
 using Record = SensorObjectRecord;
 
@@ -31,7 +32,7 @@ constexpr std::array<OutputVariableType, 0> outputs{
 
 const auto& physics = SensorPhysics{};
 
-}  // namespace
+}  // namespace sensor_object
 
 extern const ItemType sensor_object_type;
 const ItemType sensor_object_type{
@@ -39,14 +40,14 @@ const ItemType sensor_object_type{
     .name = "SensorObject",
     .type_name = "Object",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = sensor_object::short_names,
+    .provides = sensor_object::provides,
+    .rows = sensor_object::rows,
+    .outputs = sensor_object::outputs,
+    .record = record_operations<sensor_object::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &sensor_object::physics,
     .spec = "specs/sensors/object.toml",
 };
 

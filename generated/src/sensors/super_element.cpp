@@ -10,7 +10,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace sensor_super_element {
 
 using Record = SensorSuperElementRecord;
 
@@ -32,7 +33,7 @@ constexpr std::array<OutputVariableType, 0> outputs{
 
 const auto& physics = SensorPhysics{};
 
-}  // namespace
+}  // namespace sensor_super_element
 
 extern const ItemType sensor_super_element_type;
 const ItemType sensor_super_element_type{
@@ -40,14 +41,14 @@ const ItemType sensor_super_element_type{
     .name = "SensorSuperElement",
     .type_name = "SuperElement",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = sensor_super_element::short_names,
+    .provides = sensor_super_element::provides,
+    .rows = sensor_super_element::rows,
+    .outputs = sensor_super_element::outputs,
+    .record = record_operations<sensor_super_element::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &sensor_super_element::physics,
     .spec = "specs/sensors/super_element.toml",
 };
 

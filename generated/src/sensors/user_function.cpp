@@ -10,7 +10,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace sensor_user_function {
 
 using Record = SensorUserFunctionRecord;
 
@@ -39,7 +40,7 @@ constexpr std::array<OutputVariableType, 0> outputs{
 
 const auto& physics = SensorPhysics{};
 
-}  // namespace
+}  // namespace sensor_user_function
 
 extern const ItemType sensor_user_function_type;
 const ItemType sensor_user_function_type{
@@ -47,14 +48,14 @@ const ItemType sensor_user_function_type{
     .name = "SensorUserFunction",
     .type_name = "UserFunction",
     .category = "",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = sensor_user_function::short_names,
+    .provides = sensor_user_function::provides,
+    .rows = sensor_user_function::rows,
+    .outputs = sensor_user_function::outputs,
+    .record = record_operations<sensor_user_function::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &sensor_user_function::physics,
     .spec = "specs/sensors/user_function.toml",
 };
 

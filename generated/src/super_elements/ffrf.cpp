@@ -10,7 +10,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_ffrf {
 
 using Record = ObjectFFRFRecord;
 
@@ -63,7 +64,7 @@ constexpr std::array<OutputVariableType, 4> outputs{
     OutputVariableType::Force,
 };
 
-}  // namespace
+}  // namespace object_ffrf
 
 extern const ItemType object_ffrf_type;
 const ItemType object_ffrf_type{
@@ -71,11 +72,11 @@ const ItemType object_ffrf_type{
     .name = "ObjectFFRF",
     .type_name = "FFRF",
     .category = "SuperElement",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_ffrf::short_names,
+    .provides = object_ffrf::provides,
+    .rows = object_ffrf::rows,
+    .outputs = object_ffrf::outputs,
+    .record = record_operations<object_ffrf::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
     .physics = nullptr,

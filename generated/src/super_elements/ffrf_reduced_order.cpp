@@ -10,7 +10,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_ffrf_reduced_order {
 
 using Record = ObjectFFRFreducedOrderRecord;
 
@@ -65,7 +66,7 @@ constexpr std::array<OutputVariableType, 3> outputs{
     OutputVariableType::Force,
 };
 
-}  // namespace
+}  // namespace object_ffrf_reduced_order
 
 extern const ItemType object_ffrf_reduced_order_type;
 const ItemType object_ffrf_reduced_order_type{
@@ -73,11 +74,11 @@ const ItemType object_ffrf_reduced_order_type{
     .name = "ObjectFFRFreducedOrder",
     .type_name = "FFRFreducedOrder",
     .category = "SuperElement",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_ffrf_reduced_order::short_names,
+    .provides = object_ffrf_reduced_order::provides,
+    .rows = object_ffrf_reduced_order::rows,
+    .outputs = object_ffrf_reduced_order::outputs,
+    .record = record_operations<object_ffrf_reduced_order::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
     .physics = nullptr,

@@ -13,7 +13,8 @@ namespace dalembert {
 // By hand: it has as many coordinates as its nodes
 const Physics& object_generic_ode2_physics();
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_generic_ode2 {
 
 using Record = ObjectGenericODE2Record;
 
@@ -70,7 +71,7 @@ constexpr std::array<OutputVariableType, 5> outputs{
 
 const auto& physics = object_generic_ode2_physics();
 
-}  // namespace
+}  // namespace object_generic_ode2
 
 extern const ItemType object_generic_ode2_type;
 const ItemType object_generic_ode2_type{
@@ -78,14 +79,14 @@ const ItemType object_generic_ode2_type{
     .name = "ObjectGenericODE2",
     .type_name = "GenericODE2",
     .category = "SuperElement",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_generic_ode2::short_names,
+    .provides = object_generic_ode2::provides,
+    .rows = object_generic_ode2::rows,
+    .outputs = object_generic_ode2::outputs,
+    .record = record_operations<object_generic_ode2::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &physics,
+    .physics = &object_generic_ode2::physics,
     .spec = "specs/super_elements/generic_ode2.toml",
 };
 

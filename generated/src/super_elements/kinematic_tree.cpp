@@ -10,7 +10,8 @@
 
 namespace dalembert {
 
-namespace {
+// Named, for several of these files may be compiled at once.
+namespace object_kinematic_tree {
 
 using Record = ObjectKinematicTreeRecord;
 
@@ -56,7 +57,7 @@ constexpr std::array<OutputVariableType, 4> outputs{
     OutputVariableType::Force,
 };
 
-}  // namespace
+}  // namespace object_kinematic_tree
 
 extern const ItemType object_kinematic_tree_type;
 const ItemType object_kinematic_tree_type{
@@ -64,11 +65,11 @@ const ItemType object_kinematic_tree_type{
     .name = "ObjectKinematicTree",
     .type_name = "KinematicTree",
     .category = "SuperElement",
-    .short_names = short_names,
-    .provides = provides,
-    .rows = rows,
-    .outputs = outputs,
-    .record = record_operations<Record>(),
+    .short_names = object_kinematic_tree::short_names,
+    .provides = object_kinematic_tree::provides,
+    .rows = object_kinematic_tree::rows,
+    .outputs = object_kinematic_tree::outputs,
+    .record = record_operations<object_kinematic_tree::Record>(),
     .requested_node = Capability::generic_ode2,
     .requested_marker = Capability::none,
     .physics = nullptr,
