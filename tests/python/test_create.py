@@ -186,6 +186,39 @@ def test_wrong_arguments_are_named_and_leave_the_system_alone(mbs, name):
     assert sum(create_cases.counts(mbs).values()) == 0
 
 
+AXIS = {"axis": [0, 0, 1]}
+PLACE = {"position": [0, 0, 0]}
+NEEDS_PLACES = {
+    "CreateRevoluteJoint": PLACE | AXIS,
+    "CreatePrismaticJoint": PLACE | AXIS,
+    "CreateSphericalJoint": PLACE,
+    "CreateGenericJoint": PLACE,
+    "CreateSpringDamper": {},
+    "CreateRigidBodySpringDamper": {},
+    "CreateTorsionalSpringDamper": PLACE | AXIS,
+    "CreateDistanceConstraint": {},
+}
+
+
+@pytest.mark.parametrize("function", NEEDS_PLACES)
+@pytest.mark.parametrize("number", [2, -1, exu.ObjectIndex(7)])
+def test_bodies_that_do_not_exist_are_named_by_function_and_argument(mbs, function, number):
+    ground, _ = mbs.CreateGround(), mbs.CreateRigidBody(inertia=create_cases.BAR)
+    before = create_cases.counts(mbs)
+    expected = rf"MainSystem\.{function}\(.*'bodyNumbers\[1\]'.*an object of this MainSystem, which has 2"
+    with pytest.raises(ValueError, match=expected):
+        getattr(mbs, function)(bodyNumbers=[ground, number], **NEEDS_PLACES[function])
+    assert create_cases.counts(mbs) == before
+
+
+def test_nodes_and_markers_that_do_not_exist_are_named(mbs):
+    ground = mbs.CreateGround()
+    with pytest.raises(ValueError, match=r"CreateSphericalJoint\(.*bodyNumbers\[0\].*a marker of this .* has 0"):
+        mbs.CreateSphericalJoint(bodyNumbers=[exu.MarkerIndex(0), ground])
+    with pytest.raises(ValueError, match=r"CreateSpringDamper\(.*bodyOrNodeList\[1\].*a node of this .* has 0"):
+        mbs.CreateSpringDamper(bodyOrNodeList=[ground, exu.NodeIndex(3)])
+
+
 def test_a_coordinate_that_a_body_does_not_have_is_refused(mbs):
     body = mbs.CreateMassPoint(physicsMass=1)
     with pytest.raises(ValueError, match=r"coordinates\[1\].*less than 3"):

@@ -9,7 +9,7 @@ import numpy as np
 
 from dalembert import itemInterface as items
 from dalembert._checks import FloatArray
-from dalembert._core import ConfigurationType, MarkerIndex, NodeIndex, OutputVariableType, Print
+from dalembert._core import ConfigurationType, MarkerIndex, NodeIndex, ObjectIndex, OutputVariableType, Print
 from dalembert.create._arguments import ZERO3, Vector, argument_error, is_body
 
 
@@ -36,6 +36,26 @@ def reference_rotation(mbs: Any, item: Any) -> FloatArray:
     return reference_output(mbs, item, OutputVariableType.RotationMatrix).reshape(3, 3)
 
 
+# By the type of the number: what it counts, and the method of SystemData that tells how many there are.
+_COUNTERS = {
+    ObjectIndex: ("an object", "NumberOfObjects"),
+    NodeIndex: ("a node", "NumberOfNodes"),
+    MarkerIndex: ("a marker", "NumberOfMarkers"),
+}
+
+
+def require_items(mbs: Any, function: str, argument: str, numbers: Sequence[Any]) -> None:
+    """Raise the ValueError that names function and argument if an item does not exist; None may stand."""
+    for i, number in enumerate(numbers):
+        if number is None:
+            continue
+        noun, counter = _COUNTERS.get(type(number), _COUNTERS[ObjectIndex])
+        count = getattr(mbs.systemData, counter)()
+        if not 0 <= int(number) < count:
+            expected = f"{noun} of this MainSystem, which has {count}"
+            raise argument_error(function, f"{argument}[{i}]", expected, number)
+
+
 def marker_names(name: str) -> tuple[str, str]:
     """Return the names of the two markers of a connector; empty if the connector has no name."""
     return (f"Marker0:{name}", f"Marker1:{name}") if name else ("", "")
@@ -47,6 +67,7 @@ def marker_names(name: str) -> tuple[str, str]:
 class Ends(NamedTuple):
     """The two items that a connector joins, with the local positions on them (bodies only)."""
 
+    argument: str  # that names them
     numbers: list[Any]
     localPositions: list[Vector]
 
@@ -78,7 +99,7 @@ def connector_ends(
         if np.any(np.asarray(local) != 0):
             expected = f"[0,0,0], because {name}[{i}] is the number of a node or marker"
             raise argument_error(function, f"localPosition{i}", expected, local)
-    return Ends(numbers, localPositions)
+    return Ends(name, numbers, localPositions)
 
 
 def add_end_marker(mbs: Any, number: Any, localPosition: Vector, name: str, rigid: bool) -> Any:
@@ -100,8 +121,9 @@ def add_end_markers(mbs: Any, ends: Ends, name: str, rigid: bool = False) -> lis
     ]
 
 
-def end_distance(mbs: Any, ends: Ends) -> float:
-    """Return the distance (m) of the two ends in the reference configuration."""
+def end_distance(mbs: Any, function: str, ends: Ends) -> float:
+    """Return the distance (m) of the two ends in the reference configuration; ValueError if one does not exist."""
+    require_items(mbs, function, ends.argument, ends.numbers)
     p0, p1 = (reference_position(mbs, *end) for end in zip(ends.numbers, ends.localPositions, strict=True))
     return float(np.linalg.norm(p1 - p0))
 
@@ -145,6 +167,7 @@ def joint_place(
         expected = "[], because a marker sets the position" if has_marker else "a vector with 3 components"
         raise argument_error(function, "position", expected, position)
 
+    require_items(mbs, function, "bodyNumbers", bodyNumbers)
     positions = [reference_position(mbs, number) for number in bodyNumbers]
     rotations = [reference_rotation(mbs, number) for number in bodyNumbers]
     if has_marker:

@@ -58,21 +58,27 @@ def CreateGround(
     )
 
 
+# How items are drawn; read only.
+_AS_EVER: dict[str, Any] = {}
+_HIDDEN = {"show": False}
+
+
 def _node_view(show: bool, drawSize: float, color: Vector) -> dict[str, Any]:
     """Return how a node is drawn, as far as it is not drawn by default. Graphics replaces its symbol: drawSize is 0."""
     if show is True and drawSize == -1 and color is DEFAULT_COLOR:
-        return {}
+        return _AS_EVER
     return {"show": show, "drawSize": drawSize, "color": color}
 
 
 def _add_gravity(mbs: Any, node: Any, body: Any, gravity: Vector, returnDict: bool) -> Any:
     """Add the weight of a body, if there is gravity, and return what a Create function of a body returns."""
-    weight = {}
-    if any(gravity):
-        marker = mbs.AddMarker(items.MarkerBodyMass(bodyNumber=body))
-        load = mbs.AddLoad(items.LoadMassProportional(markerNumber=marker, loadVector=gravity))
-        weight = {"markerBodyMass": marker, "loadNumber": load}
-    return {"nodeNumber": node, "bodyNumber": body} | weight if returnDict else body
+    if not any(gravity):
+        return {"nodeNumber": node, "bodyNumber": body} if returnDict else body
+    marker = mbs.AddMarker(items.MarkerBodyMass(bodyNumber=body))
+    load = mbs.AddLoad(items.LoadMassProportional(markerNumber=marker, loadVector=gravity))
+    if not returnDict:
+        return body
+    return {"nodeNumber": node, "bodyNumber": body, "markerBodyMass": marker, "loadNumber": load}
 
 
 def CreateMassPoint(
@@ -111,7 +117,7 @@ def CreateMassPoint(
             visualization=node_view,
         )
     )
-    body_view = {"graphicsData": graphicsDataList} if graphicsDataList else {"show": False}
+    body_view = {"graphicsData": graphicsDataList} if graphicsDataList else _HIDDEN
     body = mbs.AddObject(body_type(name=name, physicsMass=physicsMass, nodeNumber=node, visualization=body_view))
     return _add_gravity(mbs, node, body, gravity, returnDict)
 

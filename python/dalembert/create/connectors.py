@@ -37,6 +37,7 @@ from dalembert.create._frames import (
     joint_place,
     marker_names,
     reference_rotation,
+    require_items,
 )
 from dalembert.rigidBodyUtilities import ComputeOrthonormalBasisVectors
 
@@ -65,12 +66,13 @@ def CreateSpringDamper(
     referenceLength (m), the distance in the reference configuration is the unstretched length.
     """
     ends = connector_ends("CreateSpringDamper", bodyNumbers, localPosition0, localPosition1, bodyOrNodeList, bodyList)
-    markers = add_end_markers(mbs, ends, name)
+    if referenceLength is None:
+        referenceLength = end_distance(mbs, "CreateSpringDamper", ends)
     return mbs.AddObject(
         items.ObjectConnectorSpringDamper(
             name=name,
-            markerNumbers=markers,
-            referenceLength=end_distance(mbs, ends) if referenceLength is None else referenceLength,
+            markerNumbers=add_end_markers(mbs, ends, name),
+            referenceLength=referenceLength,
             stiffness=stiffness,
             damping=damping,
             force=force,
@@ -145,6 +147,7 @@ def CreateRigidBodySpringDamper(
     ends = connector_ends(
         "CreateRigidBodySpringDamper", bodyNumbers, localPosition0, localPosition1, bodyOrNodeList, bodyList
     )
+    require_items(mbs, "CreateRigidBodySpringDamper", ends.argument, ends.numbers)
     axes = np.asarray(rotationMatrixJoint, dtype=float)
     rotations = [reference_rotation(mbs, number) for number in ends.numbers]
     if not useGlobalFrame:
@@ -246,9 +249,9 @@ def CreateDistanceConstraint(
     ends = connector_ends(
         "CreateDistanceConstraint", bodyNumbers, localPosition0, localPosition1, bodyOrNodeList, bodyList
     )
-    markers = add_end_markers(mbs, ends, name)
     if distance is None:
-        distance = end_distance(mbs, ends)
+        distance = end_distance(mbs, "CreateDistanceConstraint", ends)
+    markers = add_end_markers(mbs, ends, name)
     if distance != 0:
         view = items.VObjectConnectorDistance(show=show, drawSize=drawSize, color=color)
         return mbs.AddObject(
@@ -315,9 +318,7 @@ def CreateCoordinateConstraint(
     for i, body in enumerate(bodyNumbers):
         if body is not None and not isinstance(body, ObjectIndex):
             raise argument_error(function, f"bodyNumbers[{i}]", "an ObjectIndex, or None for ground", body)
-        if body is not None and int(body) >= mbs.systemData.NumberOfObjects():
-            expected = f"an object of this MainSystem, which has {mbs.systemData.NumberOfObjects()}"
-            raise argument_error(function, f"bodyNumbers[{i}]", expected, body)
+    require_items(mbs, function, "bodyNumbers", bodyNumbers)
     if all(_is_grounded(mbs, body) for body in bodyNumbers):
         raise argument_error(function, "bodyNumbers", "at least one body that is not ground", bodyNumbers)
 
