@@ -20,12 +20,15 @@ class PatternSolver {
  public:
   PatternSolver(const Integers& column_start, const Integers& row_index, bool dense, const LinearSolverOptions& options) {
     const int size = static_cast<int>(column_start.size()) - 1;
-    std::vector<std::pair<int, int>> entries;
-    for (int j = 0; j < size; ++j) {
-      for (int k = column_start.at(j); k < column_start.at(j + 1); ++k) entries.emplace_back(row_index.at(k), j);
-    }
-    pattern_ = dense ? Pattern::dense(size) : Pattern::sparse(size, entries);
-    for (const auto& [row, column] : entries) slots_.push_back(pattern_.slot(row, column));
+    const auto for_each_entry = [&](auto&& f) {
+      for (int j = 0; j < size; ++j) {
+        for (int k = column_start.at(j); k < column_start.at(j + 1); ++k) f(row_index.at(k), j);
+      }
+    };
+    Couplings couplings;
+    for_each_entry([&](int row, int column) { couplings.add(column, row); });
+    pattern_ = dense ? Pattern::dense(size) : Pattern::sparse(size, couplings);
+    for_each_entry([&](int row, int column) { slots_.push_back(pattern_.slot(row, column)); });
     complete_ = static_cast<int>(slots_.size()) == pattern_.values() && std::is_sorted(slots_.begin(), slots_.end());
     values_.assign(static_cast<std::size_t>(pattern_.values()), 0.0);
     solver_ = make_linear_solver(pattern_, dense ? LinearSolverType::EXUdense : LinearSolverType::EigenSparse, options);

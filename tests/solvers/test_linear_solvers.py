@@ -66,7 +66,7 @@ def grid(side: int, seed: int) -> sp.csc_array:
 
 @pytest.mark.parametrize("instructions", INSTRUCTIONS)
 @pytest.mark.parametrize(
-    "matrix", [chain(1, 1), chain(2, 2), chain(40, 3), chain(25, 4, 4, 2), grid(4, 5), grid(24, 6)]
+    "matrix", [chain(1, 1), chain(2, 2), chain(40, 3), chain(25, 4, 4, 2), grid(4, 5), grid(24, 6), grid(52, 7)]
 )
 def test_solutions_are_backward_stable(matrix: sp.csc_array, instructions: str) -> None:
     solver = solver_of(matrix, instructions=instructions)
@@ -145,6 +145,20 @@ def test_the_order_of_the_unknowns_does_not_matter(seed: int) -> None:
     assert solver.factorize(shuffled.data) == -1
     bound = 200 * EPS * np.linalg.cond(matrix.toarray()) * np.abs(expected).max()
     np.testing.assert_allclose(solver.solve(b[p]), expected[p], rtol=0, atol=bound)
+
+
+def test_patterns_are_completed() -> None:
+    """Rows in any order, entries without those opposite to them, a diagonal with gaps: as the dense matrix solves it."""
+    rng = np.random.default_rng(33)
+    n = 40
+    dense = np.where(rng.uniform(size=(n, n)) < 0.1, rng.normal(size=(n, n)), 0) + np.diag([4.0, 0] * (n // 2))
+    dense += np.diag(np.full(n - 1, 3.0), 1)
+    columns = [rng.permutation(np.flatnonzero(dense[:, j])) for j in range(n)]
+    starts = np.cumsum([0, *map(len, columns)])
+    solver = testing.LinearSolver(starts, np.concatenate(columns))
+    assert solver.factorize(np.concatenate([dense[rows, j] for j, rows in enumerate(columns)])) == -1
+    b = np.cos(np.arange(n))
+    assert backward_error(csc(dense), solver.solve(b), b) < 200 * EPS
 
 
 def test_the_order_keeps_the_factors_of_a_chain_sparse() -> None:

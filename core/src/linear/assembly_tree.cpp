@@ -27,15 +27,28 @@ class TreeBuilder {
   std::vector<FrontStructure> build();
 
  private:
+  struct Supernode {
+    int first_pivot, end_of_pivots;            // positions
+    int first_update = 0, end_of_updates = 0;  // in updates_
+    int parent = -1;
+    int first_child = -1, last_child = -1, next_sibling = -1;
+    int first_part, next_part = -1;         // supernodes whose pivots make up a front
+    int pivot_count = 0, update_count = 0;  // of unknowns
+    double left = 0, peak = 0;  // memory, of what the parent takes over, and the most that the elimination of the subtree needs
+  };
+
   void group_equal_columns(const Pattern& pattern);
   void connect(const Pattern& pattern);
   void find_parents();
   void sort_by_tree();
   std::vector<int> count_entries();
   void find_supernodes();
+  void append_children(Supernode& node, int first, int last);
   void find_updates();
   void unite();
+  void take_in(int s, int child);
   void sort_children();
+  FrontStructure front(const Supernode& node) const;
 
   // Calls f with the position of each neighbour of the group at a position.
   template <class F>
@@ -44,20 +57,18 @@ class TreeBuilder {
     for (int k = first_neighbour_[g]; k < first_neighbour_[g + 1]; ++k) f(position_[neighbours_[k]]);
   }
   int unknowns_at(int position) const { return first_unknown_[order_[position] + 1] - first_unknown_[order_[position]]; }
-  int count_unknowns(const std::vector<int>& positions) const;
 
-  struct Supernode {
-    std::vector<int> pivots, updates, children;  // positions; supernodes
-    int parent = -1;
-    int pivot_count = 0, update_count = 0;  // of unknowns
-    double left = 0, peak = 0;  // memory, of what the parent takes over, and the most that the elimination of the subtree needs
-  };
+  template <class F>
+  void for_each_child(const Supernode& node, F&& f) const {
+    for (int c = node.first_child; c >= 0; c = supernodes_[c].next_sibling) f(c);
+  }
 
   const EliminationOrder& unknowns_;
   std::vector<int> first_unknown_, first_neighbour_, neighbours_;  // of each group, and the end
   int size_;                                                       // number of groups
   std::vector<int> order_, position_, parent_;
   std::vector<Supernode> supernodes_;
+  std::vector<int> updates_;  // positions
 };
 
 TreeBuilder::TreeBuilder(const Pattern& pattern, const EliminationOrder& order) : unknowns_(order) {
@@ -94,12 +105,6 @@ void TreeBuilder::connect(const Pattern& pattern) {
     }
   }
   first_neighbour_.push_back(static_cast<int>(neighbours_.size()));
-}
-
-int TreeBuilder::count_unknowns(const std::vector<int>& positions) const {
-  int count = 0;
-  for (const int k : positions) count += unknowns_at(k);
-  return count;
 }
 
 // The elimination tree: the parent of a group is the first one that its elimination couples with others.
@@ -168,69 +173,99 @@ void TreeBuilder::find_supernodes() {
   std::vector<int> of(static_cast<std::size_t>(size_));
   for (int k = 0; k < size_; ++k) {
     const bool continues = k > 0 && parent_[k - 1] == k && count[k - 1] == count[k] + unknowns_at(k);
-    if (!continues) supernodes_.emplace_back();
-    supernodes_.back().pivots.push_back(k);
+    const int next = static_cast<int>(supernodes_.size());
+    if (!continues) supernodes_.push_back({.first_pivot = k, .end_of_pivots = k, .first_part = next});
+    Supernode& node = supernodes_.back();
+    ++node.end_of_pivots;
+    node.pivot_count += unknowns_at(k);
     of[k] = static_cast<int>(supernodes_.size()) - 1;
   }
   for (int s = 0; s < static_cast<int>(supernodes_.size()); ++s) {
-    const int above = parent_[supernodes_[s].pivots.back()];
+    const int above = parent_[supernodes_[s].end_of_pivots - 1];
     if (above < 0) continue;
     supernodes_[s].parent = of[above];
-    supernodes_[of[above]].children.push_back(s);
+    append_children(supernodes_[of[above]], s, s);
   }
+}
+
+// A list of siblings.
+void TreeBuilder::append_children(Supernode& node, int first, int last) {
+  if (first < 0) return;
+  (node.last_child >= 0 ? supernodes_[node.last_child].next_sibling : node.first_child) = first;
+  node.last_child = last;
 }
 
 void TreeBuilder::find_updates() {
   std::vector<int> mark(static_cast<std::size_t>(size_), -1);
   for (int s = 0; s < static_cast<int>(supernodes_.size()); ++s) {
     Supernode& node = supernodes_[s];
-    const int last = node.pivots.back();
+    const int last = node.end_of_pivots - 1;
     const auto add = [&](int k) {
       if (k <= last || mark[k] == s) return;
       mark[k] = s;
-      node.updates.push_back(k);
+      node.update_count += unknowns_at(k);
+      updates_.push_back(k);
     };
-    for (const int k : node.pivots) neighbours(k, add);
-    for (const int child : node.children) std::ranges::for_each(supernodes_[child].updates, add);
-    std::sort(node.updates.begin(), node.updates.end());
-    node.pivot_count = count_unknowns(node.pivots);
-    node.update_count = count_unknowns(node.updates);
+    node.first_update = static_cast<int>(updates_.size());
+    for (int k = node.first_pivot; k <= last; ++k) neighbours(k, add);
+    for_each_child(node, [&](int child) {
+      for (int k = supernodes_[child].first_update; k < supernodes_[child].end_of_updates; ++k) add(updates_[k]);
+    });
+    node.end_of_updates = static_cast<int>(updates_.size());
+    std::sort(updates_.begin() + node.first_update, updates_.end());
   }
 }
 
 // From the leaves on, each front takes in the children that are cheaper as a part of it.
 void TreeBuilder::unite() {
-  for (Supernode& node : supernodes_) {
+  for (int s = 0; s < static_cast<int>(supernodes_.size()); ++s) {
+    Supernode& node = supernodes_[s];
     for (;;) {
       const double p = node.pivot_count, u = node.update_count;
       double best = 0;
       int taken = -1;
-      for (const int c : node.children) {
-        const Supernode& child = supernodes_[c];
-        const double more = child.pivot_count;
-        const double gain = cost(p, u) + cost(more, child.update_count) - cost(p + more, u);
+      for_each_child(node, [&](int c) {
+        const double more = supernodes_[c].pivot_count;
+        const double gain = cost(p, u) + cost(more, supernodes_[c].update_count) - cost(p + more, u);
         if (gain > best) {
           best = gain;
           taken = c;
         }
-      }
+      });
       if (taken < 0) break;
-      Supernode& child = supernodes_[taken];
-      node.pivot_count += child.pivot_count;
-      node.pivots.insert(node.pivots.begin(), child.pivots.begin(), child.pivots.end());
-      std::erase(node.children, taken);
-      node.children.insert(node.children.end(), child.children.begin(), child.children.end());
+      take_in(s, taken);
     }
   }
+}
+
+// The pivots of the child come first, its children last.
+void TreeBuilder::take_in(int s, int child) {
+  Supernode &node = supernodes_[s], &taken = supernodes_[child];
+  node.pivot_count += taken.pivot_count;
+  taken.next_part = node.first_part;
+  node.first_part = taken.first_part;
+  int before = -1;
+  for_each_child(node, [&](int c) {
+    if (supernodes_[c].next_sibling == child) before = c;
+  });
+  (before >= 0 ? supernodes_[before].next_sibling : node.first_child) = taken.next_sibling;
+  if (node.last_child == child) node.last_child = before;
+  append_children(node, std::exchange(taken.first_child, -1), std::exchange(taken.last_child, -1));
 }
 
 // Children in the order that needs the least memory for what waits for the parent. Liu: On the storage requirement in the
 // out-of-core multifrontal method for sparse factorization, ACM TOMS 12 (1986).
 void TreeBuilder::sort_children() {
+  std::vector<int> children;
   for (Supernode& node : supernodes_) {
-    std::ranges::sort(node.children, std::greater(), [&](int c) { return supernodes_[c].peak - supernodes_[c].left; });
+    children.clear();
+    for_each_child(node, [&](int c) { children.push_back(c); });
+    std::ranges::sort(children, std::greater(), [&](int c) { return supernodes_[c].peak - supernodes_[c].left; });
+    node.first_child = node.last_child = -1;
     double waiting = 0;
-    for (const int c : node.children) {
+    for (const int c : children) {
+      supernodes_[c].next_sibling = -1;
+      append_children(node, c, c);
       node.peak = std::max(node.peak, waiting + supernodes_[c].peak);
       waiting += supernodes_[c].left;
     }
@@ -238,6 +273,21 @@ void TreeBuilder::sort_children() {
     node.left = size * node.update_count;
     node.peak = std::max(node.peak, waiting + size * size);
   }
+}
+
+FrontStructure TreeBuilder::front(const Supernode& node) const {
+  FrontStructure front;
+  front.pivots.reserve(static_cast<std::size_t>(node.pivot_count));
+  front.updates.reserve(static_cast<std::size_t>(node.update_count));
+  const auto add = [&](std::vector<int>& to, int position) {
+    const auto first = unknowns_.begin() + first_unknown_[order_[position]];
+    to.insert(to.end(), first, first + unknowns_at(position));
+  };
+  for (int part = node.first_part; part >= 0; part = supernodes_[part].next_part) {
+    for (int k = supernodes_[part].first_pivot; k < supernodes_[part].end_of_pivots; ++k) add(front.pivots, k);
+  }
+  for (int k = node.first_update; k < node.end_of_updates; ++k) add(front.updates, updates_[k]);
+  return front;
 }
 
 std::vector<FrontStructure> TreeBuilder::build() {
@@ -248,30 +298,22 @@ std::vector<FrontStructure> TreeBuilder::build() {
   unite();
   sort_children();
   std::vector<FrontStructure> fronts;
-  std::vector<int> front_of(supernodes_.size(), -1), stack;
-  std::vector<std::size_t> visited(supernodes_.size(), 0);
-  const auto unknowns = [&](const std::vector<int>& positions) {
-    std::vector<int> result;
-    for (const int k : positions) {
-      const auto first = unknowns_.begin() + first_unknown_[order_[k]];
-      result.insert(result.end(), first, first + unknowns_at(k));
-    }
-    return result;
-  };
+  std::vector<int> front_of(supernodes_.size(), -1), stack, next_child;
+  for (const Supernode& node : supernodes_) next_child.push_back(node.first_child);
   for (int root = 0; root < static_cast<int>(supernodes_.size()); ++root) {
     if (supernodes_[root].parent >= 0) continue;
     stack.push_back(root);
     while (!stack.empty()) {
       const int s = stack.back();
-      const Supernode& node = supernodes_[s];
-      if (visited[s] < node.children.size()) {
-        stack.push_back(node.children[visited[s]++]);
+      if (const int child = next_child[s]; child >= 0) {
+        stack.push_back(child);
+        next_child[s] = supernodes_[child].next_sibling;
         continue;
       }
       stack.pop_back();
       front_of[s] = static_cast<int>(fronts.size());
-      for (const int child : node.children) fronts[front_of[child]].parent = front_of[s];
-      fronts.push_back({unknowns(node.pivots), unknowns(node.updates), -1});
+      for_each_child(supernodes_[s], [&](int child) { fronts[front_of[child]].parent = front_of[s]; });
+      fronts.push_back(front(supernodes_[s]));
     }
   }
   return fronts;
@@ -284,12 +326,8 @@ std::vector<FrontStructure> assembly_tree(const Pattern& pattern, const Eliminat
 }
 
 FrontEntries::FrontEntries(const Pattern& pattern, const std::vector<FrontStructure>& tree)
-    : pattern_(pattern), tree_(tree), owner_(static_cast<std::size_t>(pattern.size())) {
-  // Columns are visited in the order of the rows opposite to them.
-  const auto starts = pattern.column_start();
-  std::vector<int> next(starts.begin(), starts.end() - 1);
-  transposed_.reserve(pattern.row_index().size());
-  for (const int row : pattern.row_index()) transposed_.push_back(next[row]++);
+    : pattern_(pattern), tree_(tree), owner_(static_cast<std::size_t>(pattern.size())), transposed_(pattern.row_index().size()) {
+  pattern.for_each_transposed([to = transposed_.data()](int slot, int transposed) { to[slot] = transposed; });
   for (int f = 0; f < static_cast<int>(tree.size()); ++f) {
     for (const int j : tree[f].pivots) owner_[j] = f;
   }

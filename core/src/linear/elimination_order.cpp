@@ -3,13 +3,15 @@
 #include "elimination_order.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 
 namespace dalembert {
 
 namespace {
+
+constexpr std::uint64_t mixing_factor = 0x9E3779B97F4A7C15u;  // of hashes
 
 // The quotient graph: vertices are groups of unknowns with the same neighbours, elements are groups that have been
 // eliminated, with the vertices they have made neighbours of each other.
@@ -20,14 +22,21 @@ class QuotientGraph {
 
  private:
   enum class State : char { vertex, element, gone };
+  // Part of a list of numbers that all nodes share.
+  struct Stretch {
+    int first = 0, count = 0;
+    std::span<const int> of(const std::vector<int>& numbers) const {
+      return {numbers.data() + first, static_cast<std::size_t>(count)};
+    }
+  };
   struct Node {
     State state = State::vertex;
-    int weight = 1;   // unknowns; of an element: of its vertices
+    int weight = 0;   // unknowns; of an element: of its vertices
     int surplus = 0;  // unknowns that bring a pivot less those that need one; of an element: of all that it has eliminated
     int degree = 0;
     int previous = -1, next = -1, key = -1;  // in the list of vertices with the same key
-    std::vector<int> vertices, elements;     // neighbours
-    std::vector<int> members;                // unknowns
+    Stretch vertices, elements;              // neighbours, in vertices_ and elements_
+    int first_member = -1, last_member = -1;  // unknowns
   };
 
   void group_equal_columns(const Pattern& pattern, const std::vector<bool>& at_hand);
@@ -43,10 +52,29 @@ class QuotientGraph {
   void merge_equal();
   bool equal(int i, int j);
   bool eligible(const Node& node) const;
-  void forget_gone(std::vector<int>& list) const;
+  bool is_gone(int i) const { return nodes_[i].state == State::gone; }
+  // Keeps the others in their order.
+  template <class F>
+  static void erase_if(std::vector<int>& numbers, Stretch& list, F&& f) {
+    const auto begin = numbers.begin() + list.first;
+    list.count = static_cast<int>(std::remove_if(begin, begin + list.count, f) - begin);
+  }
+  void forget_gone_elements(Node& node) {
+    erase_if(elements_, node.elements, [&](int e) { return is_gone(e); });
+  }
+  void forget_gone_of_reach() {
+    std::erase_if(reach_, [&](int i) { return is_gone(i); });
+  }
+  template <class F>
+  void for_each_member(const Node& node, F&& f) const {
+    for (int j = node.first_member; j >= 0; j = next_member_[j]) f(j);
+  }
 
   int size_;
   std::vector<Node> nodes_;
+  // Neighbours of all nodes. A vertex has no more elements than it has lost vertices: they take as much room at most.
+  std::vector<int> vertices_, elements_;
+  std::vector<int> next_member_;  // of each unknown: the next one of its node
   std::vector<int> group_;        // of each unknown: its node
   std::vector<int> first_;        // vertices by key: the degree, and `size_` more if not eligible
   int lowest_ = 0;                // no smaller key is in use
@@ -80,7 +108,7 @@ std::vector<bool> pivots_at_hand(const Pattern& pattern, std::span<const double>
 }
 
 QuotientGraph::QuotientGraph(const Pattern& pattern, std::span<const double> values)
-    : size_(pattern.size()), group_(size_), first_(2 * static_cast<std::size_t>(size_) + 1, -1), left_(size_) {
+    : size_(pattern.size()), next_member_(size_, -1), group_(size_), first_(2 * static_cast<std::size_t>(size_) + 1, -1), left_(size_) {
   group_equal_columns(pattern, pivots_at_hand(pattern, values));
   const auto count = nodes_.size();
   mark_.assign(count, 0);
@@ -91,30 +119,39 @@ QuotientGraph::QuotientGraph(const Pattern& pattern, std::span<const double> val
   order_.reserve(static_cast<std::size_t>(size_));
 }
 
-void QuotientGraph::group_equal_columns(const Pattern& pattern, const std::vector<bool>& at_hand) {
+// The first unknown with the same column as each one.
+std::vector<int> equal_columns(const Pattern& pattern) {
   const auto starts = pattern.column_start(), rows = pattern.row_index();
-  std::vector<std::uint64_t> hash(static_cast<std::size_t>(size_), 0);
-  for (int j = 0; j < size_; ++j) {
-    for (int k = starts[j]; k < starts[j + 1]; ++k) hash[j] += static_cast<std::uint64_t>(rows[k]) * 0x9E3779B97F4A7C15u + 1;
-  }
-  std::vector<int> sorted(static_cast<std::size_t>(size_));
-  std::iota(sorted.begin(), sorted.end(), 0);
-  std::stable_sort(sorted.begin(), sorted.end(), [&](int a, int b) { return hash[a] < hash[b]; });
   const auto column = [&](int j) { return rows.subspan(starts[j], starts[j + 1] - starts[j]); };
-  const auto same = [&](int a, int b) { return hash[a] == hash[b] && std::ranges::equal(column(a), column(b)); };
-  std::vector<int> leader(static_cast<std::size_t>(size_));
-  for (int k = 0; k < size_; ++k) leader[sorted[k]] = k > 0 && same(sorted[k], sorted[k - 1]) ? leader[sorted[k - 1]] : sorted[k];
+  const auto size = static_cast<std::size_t>(pattern.size());
+  const int bits = std::bit_width(2 * size);
+  std::vector<int> table(std::size_t{1} << bits, -1), leader(size);
+  std::vector<std::uint64_t> hash(size, 0);
+  for (int j = 0; j < pattern.size(); ++j) {
+    for (const int i : column(j)) hash[j] = (std::rotl(hash[j], 5) ^ static_cast<std::uint64_t>(i)) * mixing_factor;
+    const auto same = [&](int k) { return hash[k] == hash[j] && std::ranges::equal(column(k), column(j)); };
+    std::size_t place = hash[j] * mixing_factor >> (64 - bits);
+    while (table[place] >= 0 && !same(table[place])) place = (place + 1) % table.size();
+    if (table[place] < 0) table[place] = j;
+    leader[j] = table[place];
+  }
+  return leader;
+}
+
+void QuotientGraph::group_equal_columns(const Pattern& pattern, const std::vector<bool>& at_hand) {
+  const std::vector<int> leader = equal_columns(pattern);
   for (int j = 0; j < size_; ++j) {
     if (leader[j] == j) {
       group_[j] = static_cast<int>(nodes_.size());
-      nodes_.emplace_back().weight = 0;
+      nodes_.emplace_back().first_member = j;
     } else {
       group_[j] = group_[leader[j]];
+      next_member_[nodes_[group_[j]].last_member] = j;
     }
     Node& node = nodes_[group_[j]];
     ++node.weight;
     node.surplus += at_hand[j] ? 1 : -1;
-    node.members.push_back(j);
+    node.last_member = j;
   }
 }
 
@@ -124,21 +161,24 @@ void QuotientGraph::connect(const Pattern& pattern) {
     ++stamp_;
     mark_[i] = stamp_;
     Node& node = nodes_[i];
-    const int j = node.members.front();
+    node.vertices.first = node.elements.first = static_cast<int>(vertices_.size());
+    const int j = node.first_member;
     for (int k = starts[j]; k < starts[j + 1]; ++k) {
       const int other = group_[rows[k]];
       if (mark_[other] == stamp_) continue;
       mark_[other] = stamp_;
-      node.vertices.push_back(other);
+      vertices_.push_back(other);
       node.degree += nodes_[other].weight;
     }
+    node.vertices.count = static_cast<int>(vertices_.size()) - node.vertices.first;
   }
+  elements_.resize(vertices_.size());
 }
 
 // Pivots for all unknowns of the vertex can come from itself and from what has been eliminated around it.
 bool QuotientGraph::eligible(const Node& node) const {
   int surplus = node.surplus;
-  for (const int e : node.elements) surplus += nodes_[e].surplus;
+  for (const int e : node.elements.of(elements_)) surplus += nodes_[e].surplus;
   return surplus >= 0;
 }
 
@@ -176,7 +216,8 @@ EliminationOrder QuotientGraph::order() {
     eliminate_inner(pivot);
     merge_equal();
     Node& element = nodes_[pivot];
-    element.vertices = reach_;
+    element.vertices = {static_cast<int>(vertices_.size()), static_cast<int>(reach_.size())};
+    vertices_.insert(vertices_.end(), reach_.begin(), reach_.end());
     for (const int i : reach_) {
       Node& node = nodes_[i];
       node.degree = std::min(node.degree + element.weight, left_) - node.weight;
@@ -188,13 +229,9 @@ EliminationOrder QuotientGraph::order() {
 
 void QuotientGraph::eliminate(int i) {
   Node& node = nodes_[i];
-  order_.insert(order_.end(), node.members.begin(), node.members.end());
+  for_each_member(node, [&](int j) { order_.push_back(j); });
   left_ -= node.weight;
   node.state = State::gone;
-}
-
-void QuotientGraph::forget_gone(std::vector<int>& list) const {
-  std::erase_if(list, [&](int i) { return nodes_[i].state == State::gone; });
 }
 
 // The vertices that the elimination of the pivot makes neighbours; the elements around it are part of the new one.
@@ -207,23 +244,22 @@ void QuotientGraph::gather(int pivot) {
     reach_.push_back(i);
   };
   Node& node = nodes_[pivot];
-  for (const int e : node.elements) {
+  for (const int e : node.elements.of(elements_)) {
     Node& element = nodes_[e];
     if (element.state != State::element) continue;
-    std::for_each(element.vertices.begin(), element.vertices.end(), add);
+    std::ranges::for_each(element.vertices.of(vertices_), add);
     node.surplus += element.surplus;
     element.state = State::gone;
-    element.vertices = {};
   }
-  std::for_each(node.vertices.begin(), node.vertices.end(), add);
-  node.elements = {};
+  std::ranges::for_each(node.vertices.of(vertices_), add);
+  node.elements.count = 0;
   for (const int i : reach_) remove(i);
 }
 
 // Unknowns of each element around the new one that are not in the new one.
 void QuotientGraph::measure_elements() {
   for (const int i : reach_) {
-    for (const int e : nodes_[i].elements) {
+    for (const int e : nodes_[i].elements.of(elements_)) {
       if (nodes_[e].state != State::element) continue;
       if (outside_mark_[e] != stamp_) {
         outside_mark_[e] = stamp_;
@@ -238,7 +274,7 @@ void QuotientGraph::measure_elements() {
 void QuotientGraph::update_vertex(int i, int pivot) {
   Node& node = nodes_[i];
   node.degree = 0;
-  for (const int e : node.elements) {
+  for (const int e : node.elements.of(elements_)) {
     if (nodes_[e].state != State::element) continue;
     if (outside_[e] == 0) {  // all of it is in the new element
       nodes_[pivot].surplus += nodes_[e].surplus;
@@ -247,10 +283,10 @@ void QuotientGraph::update_vertex(int i, int pivot) {
       node.degree += outside_[e];
     }
   }
-  forget_gone(node.elements);
-  node.elements.push_back(pivot);
-  std::erase_if(node.vertices, [&](int j) { return nodes_[j].state == State::gone || mark_[j] == stamp_; });
-  for (const int j : node.vertices) node.degree += nodes_[j].weight;
+  forget_gone_elements(node);
+  elements_[node.elements.first + node.elements.count++] = pivot;
+  erase_if(vertices_, node.vertices, [&](int j) { return is_gone(j) || mark_[j] == stamp_; });
+  for (const int j : node.vertices.of(vertices_)) node.degree += nodes_[j].weight;
 }
 
 // Vertices without other neighbours follow the pivot at once.
@@ -260,15 +296,15 @@ void QuotientGraph::eliminate_inner(int pivot) {
     again = false;
     for (const int i : reach_) {
       Node& node = nodes_[i];
-      forget_gone(node.elements);
-      const bool inner = node.vertices.empty() && node.elements.size() == 1;
+      forget_gone_elements(node);
+      const bool inner = node.vertices.count == 0 && node.elements.count == 1;
       if (node.state != State::vertex || !inner || element.surplus + node.surplus < 0) continue;
       element.surplus += node.surplus;
       eliminate(i);
       again = true;
     }
   }
-  forget_gone(reach_);
+  forget_gone_of_reach();
   element.weight = 0;
   for (const int i : reach_) element.weight += nodes_[i].weight;
 }
@@ -277,8 +313,8 @@ void QuotientGraph::merge_equal() {
   hashes_.clear();
   for (const int i : reach_) {
     std::uint64_t hash = 0;
-    for (const int e : nodes_[i].elements) hash += static_cast<std::uint64_t>(e) + 1;
-    for (const int j : nodes_[i].vertices) hash += (static_cast<std::uint64_t>(j) + 1) * 0x9E3779B97F4A7C15u;
+    for (const int e : nodes_[i].elements.of(elements_)) hash += static_cast<std::uint64_t>(e) + 1;
+    for (const int j : nodes_[i].vertices.of(vertices_)) hash += (static_cast<std::uint64_t>(j) + 1) * mixing_factor;
     hashes_.emplace_back(hash, i);
   }
   std::sort(hashes_.begin(), hashes_.end());
@@ -291,22 +327,23 @@ void QuotientGraph::merge_equal() {
       Node &to = nodes_[i], &from = nodes_[j];
       to.weight += from.weight;
       to.surplus += from.surplus;
-      to.members.insert(to.members.end(), from.members.begin(), from.members.end());
-      from = Node{};
+      next_member_[to.last_member] = from.first_member;
+      to.last_member = from.last_member;
+      from.weight = from.surplus = 0;
       from.state = State::gone;
     }
   }
-  forget_gone(reach_);
+  forget_gone_of_reach();
 }
 
 bool QuotientGraph::equal(int i, int j) {
   const Node &a = nodes_[i], &b = nodes_[j];
-  if (a.elements.size() != b.elements.size() || a.vertices.size() != b.vertices.size()) return false;
+  if (a.elements.count != b.elements.count || a.vertices.count != b.vertices.count) return false;
   ++stamp_;
-  for (const int e : a.elements) mark_[e] = stamp_;
-  for (const int v : a.vertices) mark_[v] = stamp_;
+  for (const int e : a.elements.of(elements_)) mark_[e] = stamp_;
+  for (const int v : a.vertices.of(vertices_)) mark_[v] = stamp_;
   const auto marked = [&](int k) { return mark_[k] == stamp_; };
-  return std::all_of(b.elements.begin(), b.elements.end(), marked) && std::all_of(b.vertices.begin(), b.vertices.end(), marked);
+  return std::ranges::all_of(b.elements.of(elements_), marked) && std::ranges::all_of(b.vertices.of(vertices_), marked);
 }
 
 }  // namespace

@@ -19,25 +19,29 @@ constexpr double largest_growth = 1e3;
 
 }  // namespace
 
-MultifrontalLu::MultifrontalLu(const Pattern& pattern, const LinearSolverOptions& options)
-    : pattern_(pattern), options_(options), kernels_(front_kernels(options.instructions)), size_(pattern.size()) {}
+MultifrontalLu::MultifrontalLu(const Pattern& pattern, const LinearSolverOptions& options, std::vector<int> slots)
+    : pattern_(pattern), options_(options), slots_(std::move(slots)), kernels_(front_kernels(options.instructions)),
+      size_(pattern.size()) {}
 
 LinearSolverStatistics MultifrontalLu::statistics() const { return statistics_; }
 
-int MultifrontalLu::factorize(std::span<const double> values) {
+int MultifrontalLu::factorize(std::span<const double> given) {
   ++statistics_.factorizations;
   // Which unknowns are left out depends on the values.
-  if (planned_ && !options_.ignore_singular && repeat(values)) return success;
-  return start_again(values);
+  if (planned_ && !options_.ignore_singular && repeat(given)) return success;
+  return start_again(given);
 }
 
-int MultifrontalLu::start_again(std::span<const double> values) {
+int MultifrontalLu::start_again(std::span<const double> given) {
   ++statistics_.pivot_searches;
+  std::vector<double> gathered(slots_.size());
+  std::ranges::transform(slots_, gathered.begin(), [&](int slot) { return given[slot]; });
+  const std::span<const double> values = slots_.empty() ? given : gathered;
   if (tree_.empty()) tree_ = assembly_tree(pattern_, minimum_degree_order(pattern_, values));
   scaling_ = balance(pattern_, values);
   // Without multipliers there is in general nothing to search.
   planned_ = !options_.ignore_singular && std::ranges::none_of(scaling_.multiplier, [](char m) { return m != 0; }) &&
-             adopt(pivots_in_order(tree_), values) && growth_ <= harmless_growth && regular();
+             adopt(pivots_in_order(tree_), values, given) && growth_ <= harmless_growth && regular();
   if (planned_) return success;
   int singular = success;
   for (const double ratio : smallest_ratios) {
@@ -45,15 +49,15 @@ int MultifrontalLu::start_again(std::span<const double> values) {
     singular = search.singular_column;
     if (singular != success) continue;
     planned_ = true;
-    if (adopt(std::move(search.fronts), values)) break;
+    if (adopt(std::move(search.fronts), values, given)) break;
   }
   return planned_ ? success : singular;
 }
 
 // Factorizes with these pivots. Whether they pass the test.
-bool MultifrontalLu::adopt(std::vector<PivotedFront> fronts, std::span<const double> values) {
+bool MultifrontalLu::adopt(std::vector<PivotedFront> fronts, std::span<const double> values, std::span<const double> given) {
   plan(std::move(fronts));
-  repeat(values);
+  repeat(given);
   planned_growth_ = std::max(growth_, 1.0);
   return residual_of_test(values) <= largest_residual;
 }
@@ -61,33 +65,34 @@ bool MultifrontalLu::adopt(std::vector<PivotedFront> fronts, std::span<const dou
 // Of the solution for a right-hand side whose solution is known to be of the size one, by scaled unknowns and equations.
 double MultifrontalLu::residual_of_test(std::span<const double> values) {
   const auto starts = pattern_.column_start(), rows = pattern_.row_index();
-  std::vector<double> x(static_cast<std::size_t>(size_), 0.0), b(x), size(x);
-  const auto add_product = [&](double sign, const auto& factor) {
+  std::vector<double> x(static_cast<std::size_t>(size_), 0.0), size(x);
+  const auto for_each_entry = [&](auto&& f) {
     for (int j = 0; j < size_; ++j) {
-      for (int k = starts[j]; k < starts[j + 1]; ++k) b[rows[k]] += sign * values[k] * factor(j);
+      for (int k = starts[j]; k < starts[j + 1]; ++k) f(rows[k], j, values[k]);
     }
   };
-  add_product(1, [&](int j) { return scaling_.column(j) * (j % 2 == 0 ? 1 : -1); });
-  x = b;
+  for_each_entry([&](int i, int j, double value) {
+    const double term = value * scaling_.column(j);
+    x[i] += j % 2 == 0 ? term : -term;
+    size[i] += std::abs(term);
+  });
+  std::vector<double> b = x;
   solve(x);
-  add_product(-1, [&](int j) { return x[j]; });
+  for_each_entry([&](int i, int j, double value) { b[i] -= value * x[j]; });
   double largest_x = 1, residual = 0, largest = 0;
   for (int j = 0; j < size_; ++j) {
     largest_x = std::max(largest_x, std::abs(x[j]) / scaling_.column(j));
     residual = std::max(residual, std::abs(b[j]) * scaling_.row(j));
-    for (int k = starts[j]; k < starts[j + 1]; ++k) {
-      size[rows[k]] += std::abs(values[k]) * scaling_.row(rows[k]) * scaling_.column(j);
-    }
+    largest = std::max(largest, size[j] * scaling_.row(j));
   }
-  for (const double s : size) largest = std::max(largest, s);
   return residual / (largest * largest_x);
 }
 
 // The same steps with other values. False: entries of the factors are too large, or a pivot is too small.
-bool MultifrontalLu::repeat(std::span<const double> values) {
+bool MultifrontalLu::repeat(std::span<const double> given) {
   growth_ = 0;
   for (const Front& front : fronts_) {
-    assemble(front, values);
+    assemble(front, given);
     double* panel = columns(front);
     double* right = panel + static_cast<std::ptrdiff_t>(front.length) * front.pivots;
     double* inverse = inverse_pivot_.data() + front.first_slot;
@@ -105,12 +110,14 @@ bool MultifrontalLu::regular() const {
   return all;
 }
 
-void MultifrontalLu::assemble(const Front& front, std::span<const double> values) {
+void MultifrontalLu::assemble(const Front& front, std::span<const double> given) {
   double* to = columns(front);
   std::fill_n(to, static_cast<std::size_t>(front.length) * (front.pivots + front.updates), 0.0);
-  int k = front.first_entry;
+  const Entry* entry = entries_.data() + front.first_entry;
   for (std::size_t kind = 0; kind < scales_.size(); ++kind) {
-    for (; k < front.end_of_entries[kind]; ++k) to[entries_[k].target] = values[entries_[k].slot] * scales_[kind];
+    const double scale = scales_[kind];
+    for (const Entry* end = entries_.data() + front.end_of_entries[kind]; entry != end; ++entry)
+      to[entry->target] = given[static_cast<std::size_t>(entry->slot)] * scale;
   }
   for (int c = front.children; c < front.end_of_children; ++c) take_over(fronts_[children_[c]], to);
 }

@@ -7,20 +7,21 @@
 
 #include <array>
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 #include "assembly_tree.hpp"
 #include "dalembert/linear/linear_solver.hpp"
 #include "front_kernels.hpp"
+#include "number_storage.hpp"
 #include "pivot_search.hpp"
 
 namespace dalembert {
 
 class MultifrontalLu final : public LinearSolver {
  public:
-  MultifrontalLu(const Pattern& pattern, const LinearSolverOptions& options);
-  int factorize(std::span<const double> values) override;
+  // `slots`: where the values of the pattern stand among those that are given; none: these are the values.
+  MultifrontalLu(const Pattern& pattern, const LinearSolverOptions& options, std::vector<int> slots = {});
+  int factorize(std::span<const double> given) override;
   void solve(std::span<double> x) override;
   LinearSolverStatistics statistics() const override;
 
@@ -38,14 +39,11 @@ class MultifrontalLu final : public LinearSolver {
   };
   // Where an entry of the matrix goes.
   struct Entry {
-    int slot, target;  // in the values of the matrix, in the columns of the front
-  };
-  struct alignas(64) Line {
-    double values[8];
+    int slot, target;  // in the given values, in the columns of the front
   };
 
-  int start_again(std::span<const double> values);
-  bool adopt(std::vector<PivotedFront> fronts, std::span<const double> values);
+  int start_again(std::span<const double> given);
+  bool adopt(std::vector<PivotedFront> fronts, std::span<const double> values, std::span<const double> given);
   void plan(std::vector<PivotedFront> fronts);
   void sort_updates(std::vector<PivotedFront>& fronts, const std::vector<std::vector<int>>& children) const;
   void place_factors(const std::vector<PivotedFront>& fronts);
@@ -54,16 +52,17 @@ class MultifrontalLu final : public LinearSolver {
   void place_updates(const std::vector<PivotedFront>& fronts, const std::vector<std::vector<int>>& children,
                      const std::vector<int>& slot_of_row);
   void place_columns();
-  bool repeat(std::span<const double> values);
+  bool repeat(std::span<const double> given);
   bool regular() const;
   double residual_of_test(std::span<const double> values);
-  void assemble(const Front& front, std::span<const double> values);
+  void assemble(const Front& front, std::span<const double> given);
   void take_over(const Front& child, double* to);
-  double* factor(std::size_t place) { return factors_[0].values + place; }
-  double* columns(const Front& front) { return columns_.data()->values + front.columns; }
+  double* factor(std::size_t place) { return factors_.data() + place; }
+  double* columns(const Front& front) { return columns_.data() + front.columns; }
 
   const Pattern& pattern_;
   LinearSolverOptions options_;
+  std::vector<int> slots_;
   const FrontKernels& kernels_;
   int size_;
   bool planned_ = false;
@@ -83,8 +82,8 @@ class MultifrontalLu final : public LinearSolver {
   std::vector<int> row_of_slot_, slot_of_column_;    // slots without an unknown have any row
   std::vector<double> row_scale_, column_scale_;     // by slots, by unknowns
   std::vector<double> inverse_pivot_, least_pivot_;  // by slots; what is not larger counts as zero
-  std::vector<Line> columns_;                        // of the front at work, and what others leave
-  std::unique_ptr<Line[]> factors_;                  // of all fronts
+  NumberStorage columns_;                            // of the front at work, and what others leave
+  NumberStorage factors_;                            // of all fronts
   std::size_t first_upper_ = 0;                      // upper factors in factors_
   std::vector<double> unknowns_, work_;              // by slots, by updates of a front
   LinearSolverStatistics statistics_;

@@ -38,9 +38,6 @@ class Places {
   std::size_t size_ = 0;
 };
 
-constexpr std::size_t line = 8;  // numbers per line of a cache
-std::size_t lines(std::size_t numbers) { return (numbers + line - 1) / line; }
-
 }  // namespace
 
 void MultifrontalLu::plan(std::vector<PivotedFront> fronts) {
@@ -76,7 +73,7 @@ void MultifrontalLu::place_factors(const std::vector<PivotedFront>& fronts) {
     fronts_[f].upper = end;
     end += stream_sizes(sizes_[f]).upper;
   }
-  factors_ = std::make_unique_for_overwrite<Line[]>(lines(end));
+  factors_ = NumberStorage(end);
   work_.resize(most_updates + front_chunk);
   statistics_.entries = end;
 }
@@ -88,8 +85,9 @@ void MultifrontalLu::sort_updates(std::vector<PivotedFront>& fronts, const std::
     const std::vector<int>& order = fronts[parent].*list;
     for (std::size_t k = 0; k < order.size(); ++k) place[order[k]] = static_cast<int>(k);
     for (const int c : children[parent]) {
-      std::vector<int>& sorted = fronts[c].*list;
-      std::sort(sorted.begin() + fronts[c].pivots, sorted.end(), [&](int a, int b) { return place[a] < place[b]; });
+      const std::span updates = std::span(fronts[c].*list).subspan(static_cast<std::size_t>(fronts[c].pivots));
+      const auto place_of = [&](int k) { return place[k]; };
+      if (!std::ranges::is_sorted(updates, {}, place_of)) std::ranges::sort(updates, {}, place_of);
     }
   };
   for (std::size_t f = fronts.size(); f-- > 0;) {
@@ -139,20 +137,23 @@ void MultifrontalLu::place_entries(const std::vector<PivotedFront>& fronts) {
   std::vector<int> row_place(static_cast<std::size_t>(size_)), column_place(row_place);
   std::array<std::vector<Entry>, 4> by_scale;
   entries_.clear();
+  entries_.reserve(static_cast<std::size_t>(pattern_.values()));
   scales_ = {1, scaling_.row_factor, scaling_.column_factor, scaling_.row_factor * scaling_.column_factor};
   for (int f = 0; f < static_cast<int>(fronts.size()); ++f) {
     const PivotedFront& order = fronts[f];
+    Front& front = fronts_[f];
     for (int k = 0; k < static_cast<int>(order.rows.size()); ++k) {
       row_place[order.rows[k]] = k;
-      column_place[order.columns[k]] = k;
+      column_place[order.columns[k]] = k * front.length;
     }
-    Front& front = fronts_[f];
+    front.first_entry = static_cast<int>(entries_.size());
     all.for_each(f, [&](int i, int j, int slot) {
       const int scale = (scaling_.multiplier[i] ? 1 : 0) + (scaling_.multiplier[j] ? 2 : 0);
-      by_scale[scale].push_back({slot, column_place[j] * front.length + row_place[i]});
+      const int given = slots_.empty() ? slot : slots_[slot];
+      (scale == 0 ? entries_ : by_scale[scale]).push_back({given, column_place[j] + row_place[i]});
     });
-    front.first_entry = static_cast<int>(entries_.size());
-    for (std::size_t scale = 0; scale < by_scale.size(); ++scale) {
+    front.end_of_entries[0] = static_cast<int>(entries_.size());
+    for (std::size_t scale = 1; scale < by_scale.size(); ++scale) {
       entries_.insert(entries_.end(), by_scale[scale].begin(), by_scale[scale].end());
       front.end_of_entries[scale] = static_cast<int>(entries_.size());
       by_scale[scale].clear();
@@ -213,7 +214,7 @@ void MultifrontalLu::place_columns() {
     const bool left_out = tree_[&front - fronts_.data()].parent < 0 && front.updates > 0;
     if (left_out) places.release(front.columns + panel);
   }
-  columns_.resize(lines(places.size() + front_slack));
+  columns_ = NumberStorage(places.size() + front_slack);
 }
 
 }  // namespace dalembert

@@ -13,8 +13,13 @@ constexpr double largest_share = 0.5;
 }  // namespace
 
 int OccupiedLu::factorize(std::span<const double> values) {
-  if (!chosen_ && mostly_zeros(values)) select(values);
-  chosen_ = true;
+  if (!chosen_) {
+    chosen_ = true;
+    if (mostly_zeros(values)) {
+      select(values);
+      return factorize_occupied(values);
+    }
+  }
   if (!occupied_) return solver_->factorize(values);
   if (std::ranges::none_of(zeros_, [&](int slot) { return values[slot] != 0; })) return factorize_occupied(values);
   take_whole_pattern();
@@ -28,8 +33,7 @@ int OccupiedLu::factorize_occupied(std::span<const double> values) {
     if (singular && !options_.ignore_singular) return lone.unknown;
     lone.inverse = singular ? 0 : 1 / pivot;
   }
-  std::ranges::transform(slots_, gathered_.begin(), [&](int slot) { return values[slot]; });
-  const int singular = solver_->factorize(gathered_);
+  const int singular = solver_->factorize(values);
   return singular == success ? success : coupled_[singular];
 }
 
@@ -55,54 +59,48 @@ bool OccupiedLu::mostly_zeros(std::span<const double> values) const {
 }
 
 void OccupiedLu::select(std::span<const double> values) {
-  find_neighbours(values);
+  const std::vector<char> occupied = occupied_slots(values);
+  find_neighbours(occupied);
+  const auto starts = pattern_.column_start(), rows = pattern_.row_index();
   std::vector<int> place(static_cast<std::size_t>(pattern_.size()), -1);
   for (std::size_t k = 0; k < coupled_.size(); ++k) place[coupled_[k]] = static_cast<int>(k);
-  std::vector<std::pair<int, int>> entries;
+  std::vector<int> occupied_starts{0}, occupied_rows, slots;
   for (const int j : coupled_) {
-    for (int k = pattern_.column_start()[j]; k < pattern_.column_start()[j + 1]; ++k) {
-      if (values[k] != 0) entries.emplace_back(place[pattern_.row_index()[k]], place[j]);
+    for (int slot = starts[j]; slot < starts[j + 1]; ++slot) {
+      if (!occupied[slot]) continue;
+      slots.push_back(slot);
+      occupied_rows.push_back(place[rows[slot]]);
     }
+    occupied_starts.push_back(static_cast<int>(occupied_rows.size()));
   }
-  occupied_ = Pattern::sparse(static_cast<int>(coupled_.size()), entries);
-  select_slots();
-  solver_ = std::make_unique<MultifrontalLu>(*occupied_, options_);
-}
-
-void OccupiedLu::find_neighbours(std::span<const double> values) {
-  const auto starts = pattern_.column_start(), rows = pattern_.row_index();
-  std::vector<bool> coupled(static_cast<std::size_t>(pattern_.size()));
-  for (int j = 0; j < pattern_.size(); ++j) {
-    for (int k = starts[j]; k < starts[j + 1]; ++k) {
-      if (rows[k] != j && values[k] != 0) coupled[j] = coupled[rows[k]] = true;
-    }
-  }
-  for (int j = 0; j < pattern_.size(); ++j) {
-    if (coupled[j]) {
-      coupled_.push_back(j);
-    } else {
-      lone_.push_back({j, pattern_.slot(j, j), 0});
-    }
+  zeros_.reserve(values.size() - slots.size() - lone_.size());
+  for (int slot = 0; slot < pattern_.values(); ++slot) {
+    if (!occupied[slot]) zeros_.push_back(slot);
   }
   x_.resize(coupled_.size());
+  occupied_ = Pattern::sparse(std::move(occupied_starts), std::move(occupied_rows));
+  solver_ = std::make_unique<MultifrontalLu>(*occupied_, options_, std::move(slots));
 }
 
-// Both patterns have their rows in the same order.
-void OccupiedLu::select_slots() {
-  std::vector<bool> kept(static_cast<std::size_t>(pattern_.values()));
-  for (const Lone& lone : lone_) kept[lone.slot] = true;
-  for (int j = 0; j < occupied_->size(); ++j) {
-    int slot = pattern_.column_start()[coupled_[j]];
-    for (int k = occupied_->column_start()[j]; k < occupied_->column_start()[j + 1]; ++k, ++slot) {
-      while (pattern_.row_index()[slot] != coupled_[occupied_->row_index()[k]]) ++slot;
-      slots_.push_back(slot);
-      kept[slot] = true;
+// Those of entries that differ from zero, of the entries opposite to them, and of the diagonal.
+std::vector<char> OccupiedLu::occupied_slots(std::span<const double> values) const {
+  std::vector<char> occupied(values.size(), 0);
+  pattern_.for_each_transposed([&, to = occupied.data()](int slot, int transposed) {
+    if (values[slot] != 0 || slot == transposed) to[slot] = to[transposed] = 1;
+  });
+  return occupied;
+}
+
+void OccupiedLu::find_neighbours(const std::vector<char>& occupied) {
+  const auto starts = pattern_.column_start();
+  for (int j = 0; j < pattern_.size(); ++j) {
+    const auto begin = occupied.begin() + starts[j], end = occupied.begin() + starts[j + 1];
+    if (std::count(begin, end, 1) > 1) {
+      coupled_.push_back(j);
+    } else {
+      lone_.push_back({j, static_cast<int>(std::find(begin, end, 1) - occupied.begin()), 0});
     }
   }
-  for (int slot = 0; slot < pattern_.values(); ++slot) {
-    if (!kept[slot]) zeros_.push_back(slot);
-  }
-  gathered_.resize(slots_.size());
 }
 
 void OccupiedLu::take_whole_pattern() {
@@ -110,8 +108,8 @@ void OccupiedLu::take_whole_pattern() {
   solver_ = std::make_unique<MultifrontalLu>(pattern_, options_);
   occupied_.reset();
   lone_ = {};
-  coupled_ = slots_ = zeros_ = {};
-  gathered_ = x_ = {};
+  coupled_ = zeros_ = {};
+  x_ = {};
 }
 
 }  // namespace dalembert

@@ -27,8 +27,8 @@ class OccupiedLu final : public LinearSolver {
   };
   bool mostly_zeros(std::span<const double> values) const;
   void select(std::span<const double> values);
-  void find_neighbours(std::span<const double> values);
-  void select_slots();
+  std::vector<char> occupied_slots(std::span<const double> values) const;
+  void find_neighbours(const std::vector<char>& occupied);
   int factorize_occupied(std::span<const double> values);
   void take_whole_pattern();
 
@@ -38,8 +38,8 @@ class OccupiedLu final : public LinearSolver {
   std::optional<Pattern> occupied_;  // of the unknowns with neighbours
   std::vector<Lone> lone_;
   std::vector<int> coupled_;        // the others
-  std::vector<int> slots_, zeros_;  // in the whole pattern: of the occupied entries, of those that must stay zero
-  std::vector<double> gathered_, x_;
+  std::vector<int> zeros_;          // slots in the whole pattern that must stay zero
+  std::vector<double> x_;
   std::unique_ptr<MultifrontalLu> solver_;
   LinearSolverStatistics earlier_;  // of what was occupied
 };

@@ -37,14 +37,12 @@ class DenseFront {
     kernels.eliminate(values_.data(), pivots_, length_, column(candidates_), size_ - candidates_);
   }
 
-  int size() const { return size_; }
-  int pivots() const { return pivots_; }
   int left() const { return candidates_ - pivots_; }  // candidates without pivot
-  const std::vector<int>& rows() const { return rows_; }
-  const std::vector<int>& columns() const { return columns_; }
+  double* column(int j) { return values_.data() + static_cast<std::size_t>(j) * length_; }
+  // The front, which keeps its values alone.
+  PivotedFront take_order() { return {std::move(rows_), std::move(columns_), pivots_}; }
 
  private:
-  double* column(int j) { return values_.data() + static_cast<std::size_t>(j) * length_; }
 
   // Without exchanges. False, and nothing has happened, if one is called for.
   template <class Usable>
@@ -124,8 +122,7 @@ class Search {
   }
 
   PivotSearch run() {
-    PivotSearch result;
-    result.fronts.reserve(tree_.size());
+    fronts_.reserve(tree_.size());
     for (int f = 0; f < static_cast<int>(tree_.size()); ++f) {
       DenseFront front = assemble(f);
       front.eliminate(
@@ -135,27 +132,34 @@ class Search {
           },
           kernels_);
       const int parent = tree_[f].parent;
+      fronts_.push_back(front.take_order());
       if (parent < 0 && front.left() > 0 && !ignore_singular_) {
-        result.singular_column = front.columns()[front.pivots()];
-        return result;
+        const int singular = fronts_.back().columns[fronts_.back().pivots];
+        return {std::move(fronts_), singular};
       }
-      result.fronts.push_back({front.rows(), front.columns(), front.pivots()});
-      if (parent >= 0) waiting_[parent].push_back(std::move(front));
+      if (parent >= 0) waiting_[parent].push_back({f, std::move(front)});
     }
-    return result;
+    return {std::move(fronts_), LinearSolver::success};
   }
 
  private:
+  // What a front leaves to its parent.
+  struct Child {
+    int front;
+    DenseFront values;
+  };
+
   DenseFront assemble(int f) {
     const FrontStructure& structure = tree_[f];
-    std::vector<DenseFront>& children = waiting_[f];
+    std::vector<Child>& children = waiting_[f];
     std::vector<int> rows = structure.pivots, columns = structure.pivots;
-    for (const DenseFront& child : children) {
+    for (const Child& child : children) {
+      const PivotedFront& order = fronts_[child.front];
       const auto add = [&](std::vector<int>& to, const std::vector<int>& from) {
-        to.insert(to.end(), from.begin() + child.pivots(), from.begin() + child.pivots() + child.left());
+        to.insert(to.end(), from.begin() + order.pivots, from.begin() + order.pivots + child.values.left());
       };
-      add(rows, child.rows());
-      add(columns, child.columns());
+      add(rows, order.rows);
+      add(columns, order.columns);
     }
     const int candidates = static_cast<int>(rows.size());
     rows.insert(rows.end(), structure.updates.begin(), structure.updates.end());
@@ -168,11 +172,12 @@ class Search {
     entries_.for_each(f, [&](int i, int j, int slot) { 
       front.at(row_place_[i], column_place_[j]) = values_[slot] * (scaling_.row(i) * scaling_.column(j));
     });
-    for (DenseFront& child : children) {
-      for (int j = child.pivots(); j < child.size(); ++j) {
-        for (int i = child.pivots(); i < child.size(); ++i) {
-          front.at(row_place_[child.rows()[i]], column_place_[child.columns()[j]]) += child.at(i, j);
-        }
+    for (Child& child : children) {
+      const PivotedFront& order = fronts_[child.front];
+      for (std::size_t j = order.pivots; j < order.columns.size(); ++j) {
+        double* to = front.column(column_place_[order.columns[j]]);
+        const double* from = child.values.column(static_cast<int>(j));
+        for (std::size_t i = order.pivots; i < order.rows.size(); ++i) to[row_place_[order.rows[i]]] += from[i];
       }
     }
     children = {};
@@ -185,7 +190,8 @@ class Search {
   double smallest_ratio_;
   const FrontKernels& kernels_;
   FrontEntries entries_;
-  std::vector<std::vector<DenseFront>> waiting_;  // children of each front, until it takes over what they leave
+  std::vector<PivotedFront> fronts_;
+  std::vector<std::vector<Child>> waiting_;       // children of each front, until it takes over what they leave
   std::vector<int> row_place_, column_place_;     // in the front that is being assembled
   double threshold_;
   std::vector<double> smallest_;

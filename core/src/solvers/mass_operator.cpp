@@ -77,14 +77,14 @@ void MassOperator::build_blocks() {
     const int n = static_cast<int>(block.coordinates.size());
     for (const int i : block.coordinates) entries[k].push_back({i, i, diagonal_[i]});
     const bool dense = is_dense(type_) || n <= dense_limit;
-    std::vector<std::pair<int, int>> pairs;
-    for (const Entry& e : entries[k]) pairs.emplace_back(place[e.row], place[e.column]);
-    block.pattern = std::make_unique<Pattern>(dense ? Pattern::dense(n) : Pattern::sparse(n, pairs));
+    Couplings couplings;
+    for (const Entry& e : entries[k]) couplings.add(place[e.row], place[e.column]);
+    block.pattern = std::make_unique<Pattern>(dense ? Pattern::dense(n) : Pattern::sparse(n, couplings));
     block.values.assign(static_cast<std::size_t>(block.pattern->values()), 0.0);
     block.x.resize(static_cast<std::size_t>(n));
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      block.from.push_back(entries[k][i].slot);
-      block.to.push_back(static_cast<std::size_t>(block.pattern->slot(pairs[i].first, pairs[i].second)));
+    for (const Entry& e : entries[k]) {
+      block.from.push_back(e.slot);
+      block.to.push_back(static_cast<std::size_t>(block.pattern->slot(place[e.row], place[e.column])));
     }
     block.solver = make_linear_solver(*block.pattern, dense ? LinearSolverType::EXUdense : type_, options_);
   }

@@ -8,31 +8,10 @@
 namespace dalembert {
 namespace {
 
-class PairCollector final : public BlockVisitor {
- public:
-  void entry(int row, int column) override { pairs.emplace_back(row, column); }
-  std::vector<std::pair<int, int>> pairs;
-};
-
-class SlotCollector final : public BlockVisitor {
- public:
-  explicit SlotCollector(const Pattern& pattern) : pattern_(pattern) {}
-  void entry(int row, int column) override { slots.push_back(pattern_.slot(row, column)); }
-  void zero() override { slots.push_back(-1); }
-  std::vector<int> slots;
-
- private:
-  const Pattern& pattern_;
-};
-
 template <class Batches, class F>
 void each(const Batches& batches, F&& f) {
   for (const auto& batch : batches) f(*batch);
 }
-
-}  // namespace
-
-namespace {
 
 // The pointers and conditions of an evaluation; q, the totals, is left to the caller.
 Evaluation view_of(const SystemParts& parts, const State& state, const Conditions& conditions) {
@@ -97,25 +76,6 @@ void SystemParts::update_frames(const RegionPlan& region, const Evaluation& e) {
   const auto evaluate = [&](const auto& batch) { batch.evaluate(e, ports); };
   each(region.nodes, evaluate);
   each(region.moving, evaluate);
-}
-
-void SystemParts::bind(const Pattern& pattern) {
-  if (bound == &pattern) return;
-  const auto collect = [&](Batch& batch) {
-    SlotCollector collector(pattern);
-    batch.visit(collector, ports);
-    batch.slots = std::move(collector.slots);
-  };
-  const bool mass_alone = mass_pattern && &pattern == &*mass_pattern;
-  for (const auto& term : terms)
-    if (!mass_alone || term->has_mass()) collect(*term);
-  if (!mass_alone) each(marker_batches, collect);
-  if (!mass_alone) each(rotating_nodes, collect);
-  if (!mass_alone)
-    for (LoadDependency& dependency : load_dependencies) find_slots(dependency, pattern);
-  rate_slots.clear();
-  for (int i = sizes.ode2; i < sizes.first_ae(); ++i) rate_slots.push_back(pattern.slot(i, i));
-  bound = &pattern;
 }
 
 namespace {
@@ -190,32 +150,6 @@ void System::tangent(const State& state, const Conditions& conditions, const Wei
   for (const int slot : parts.rate_slots) values[slot] -= weights.y_t;
   if (conditions.load_dependencies > 0 && !parts.load_dependencies.empty())
     dalembert::add_load_dependencies(*this, parts, e, weights, conditions.load_dependencies > 1, values.data());
-}
-
-void SystemParts::add_sparse_pattern() {
-  PairCollector collector;
-  const auto visit = [&](const Batch& batch) { batch.visit(collector, ports); };
-  each(terms, visit);
-  each(marker_batches, visit);
-  each(rotating_nodes, visit);
-  for (const LoadDependency& dependency : load_dependencies) collector.block(dependency.rows, dependency.columns);
-  sparse_patterns.push_back(Pattern::sparse(sizes.total(), collector.pairs));
-}
-
-const Pattern& System::pattern(bool dense) {
-  SystemParts& parts = *parts_;
-  if (dense) return parts.dense_pattern ? *parts.dense_pattern : parts.dense_pattern.emplace(Pattern::dense(sizes_.total()));
-  if (parts.sparse_patterns.empty()) parts.add_sparse_pattern();
-  return parts.sparse_patterns.back();
-}
-
-const Pattern& System::mass_pattern() {
-  SystemParts& parts = *parts_;
-  if (parts.mass_pattern) return *parts.mass_pattern;
-  PairCollector collector;
-  for (const auto& term : parts.terms)
-    if (term->has_mass()) term->visit(collector, parts.ports);
-  return parts.mass_pattern.emplace(Pattern::sparse(sizes_.total(), collector.pairs));
 }
 
 void System::mass_matrix(const State& state, const Pattern& pattern, std::span<double> values) {

@@ -2,8 +2,57 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace dalembert {
+
+void Couplings::add(std::span<const int> rows, std::span<const int> columns) {
+  if (rows.empty() || columns.empty()) return;
+  open_ = false;
+  const std::size_t begin = unknowns_.size();
+  if (!std::ranges::equal(rows, columns)) unknowns_.insert(unknowns_.end(), rows.begin(), rows.end());
+  blocks_.push_back({begin, unknowns_.size()});
+  unknowns_.insert(unknowns_.end(), columns.begin(), columns.end());
+}
+
+void Couplings::add(int row, int column) {
+  if (!open_ || unknowns_[blocks_.back().rows] != row) {
+    blocks_.push_back({unknowns_.size(), unknowns_.size() + 1});
+    unknowns_.push_back(row);
+    open_ = true;
+  }
+  unknowns_.push_back(column);
+}
+
+namespace {
+
+// The unknowns that each unknown is coupled with.
+class Neighbours {
+ public:
+  Neighbours(int size, const Couplings& couplings) : first_(static_cast<std::size_t>(size) + 2, 0) {
+    couplings.for_each([&](auto unknowns, auto) {
+      for (const int i : unknowns) ++first_[static_cast<std::size_t>(i) + 2];
+    });
+    for (std::size_t i = 2; i < first_.size(); ++i) first_[i] += first_[i - 1];
+    lists_.resize(static_cast<std::size_t>(first_.back()));
+    couplings.for_each([&](auto unknowns, auto others) {
+      for (const int i : unknowns) lists_[static_cast<std::size_t>(first_[static_cast<std::size_t>(i) + 1]++)] = others;
+    });
+  }
+  // Calls f with each of them, itself among them, once or more often.
+  template <class F>
+  void for_each(int i, F&& f) const {
+    f(i);
+    for (int k = first_[i]; k < first_[i + 1]; ++k)
+      for (const int other : lists_[k]) f(other);
+  }
+
+ private:
+  std::vector<int> first_;  // in lists_, and the end
+  std::vector<std::span<const int>> lists_;
+};
+
+}  // namespace
 
 Pattern Pattern::dense(int size) {
   Pattern p;
@@ -11,32 +60,31 @@ Pattern Pattern::dense(int size) {
   return p;
 }
 
-Pattern Pattern::sparse(int size, std::span<const std::pair<int, int>> entries) {
-  // Both triangles and the diagonal, bucketed by column, then sorted and made unique within each column.
+// Each column is appended to its rows: since columns come in ascending order, so do the entries of each row, which are by symmetry
+// those of a column.
+Pattern Pattern::sparse(int size, const Couplings& couplings) {
+  const Neighbours neighbours(size, couplings);
+  std::vector<int> start(static_cast<std::size_t>(size) + 1, 0), last(static_cast<std::size_t>(size), -1);
+  const auto for_each_entry = [&](auto&& f) {
+    std::ranges::fill(last, -1);
+    for (int j = 0; j < size; ++j) {
+      neighbours.for_each(j, [&](int i) {
+        if (std::exchange(last[i], j) != j) f(i, j);
+      });
+    }
+  };
+  for_each_entry([&](int, int j) { ++start[j + 1]; });
+  for (int j = 0; j < size; ++j) start[j + 1] += start[j];
+  std::vector<int> next(start.begin(), start.end() - 1), rows(static_cast<std::size_t>(start[size]));
+  for_each_entry([&](int i, int j) { rows[next[i]++] = j; });
+  return sparse(std::move(start), std::move(rows));
+}
+
+Pattern Pattern::sparse(std::vector<int> column_start, std::vector<int> row_index) {
   Pattern p;
-  p.size_ = size;
-  std::vector<int> start(static_cast<std::size_t>(size) + 1, 0);
-  const auto count = [&](int column) { ++start[static_cast<std::size_t>(column) + 1]; };
-  for (const auto& [row, column] : entries) {
-    count(column);
-    if (row != column) count(row);
-  }
-  for (int i = 0; i < size; ++i) count(i);
-  for (int i = 0; i < size; ++i) start[i + 1] += start[i];
-  std::vector<int> rows(static_cast<std::size_t>(start[size])), next(start.begin(), start.end() - 1);
-  for (const auto& [row, column] : entries) {
-    rows[next[column]++] = row;
-    if (row != column) rows[next[row]++] = column;
-  }
-  for (int i = 0; i < size; ++i) rows[next[i]++] = i;
-  p.column_start_.assign(1, 0);
-  p.column_start_.reserve(static_cast<std::size_t>(size) + 1);
-  for (int i = 0; i < size; ++i) {
-    const auto begin = rows.begin() + start[i], end = rows.begin() + start[i + 1];
-    std::sort(begin, end);
-    p.row_index_.insert(p.row_index_.end(), begin, std::unique(begin, end));
-    p.column_start_.push_back(static_cast<int>(p.row_index_.size()));
-  }
+  p.size_ = static_cast<int>(column_start.size()) - 1;
+  p.column_start_ = std::move(column_start);
+  p.row_index_ = std::move(row_index);
   return p;
 }
 

@@ -1,16 +1,55 @@
 // Where an entry of the system matrix lives: fixed at Assemble, for dense and for compressed-column storage alike.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
 namespace dalembert {
 
+// Which unknowns have entries with which others: what sparse patterns are made from.
+class Couplings {
+ public:
+  // Each of the rows with each of the columns.
+  void add(std::span<const int> rows, std::span<const int> columns);
+  // Best one row after the other.
+  void add(int row, int column);
+
+  // Calls f(unknowns, others) with lists that couple each of the unknowns with each of the others, until both directions have
+  // been told.
+  template <class F>
+  void for_each(F&& f) const {
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      const std::size_t end = b + 1 < blocks_.size() ? blocks_[b + 1].rows : unknowns_.size();
+      const std::span all(unknowns_);
+      const auto rows = all.subspan(blocks_[b].rows, blocks_[b].columns - blocks_[b].rows);
+      const auto columns = all.subspan(blocks_[b].columns, end - blocks_[b].columns);
+      if (rows.empty()) {
+        f(columns, columns);
+      } else {
+        f(rows, columns);
+        f(columns, rows);
+      }
+    }
+  }
+
+ private:
+  // Where they begin; rows that are the columns as well are stored once.
+  struct Block {
+    std::size_t rows, columns;
+  };
+  std::vector<int> unknowns_;
+  std::vector<Block> blocks_;
+  bool open_ = false;  // the last block has one row, and columns may follow
+};
+
 class Pattern {
  public:
   static Pattern dense(int size);
-  // `entries`: (row, column) pairs, repeated as they come; the pattern is made structurally symmetric and has the full diagonal.
-  static Pattern sparse(int size, std::span<const std::pair<int, int>> entries);
+  // Structurally symmetric and with the full diagonal.
+  static Pattern sparse(int size, const Couplings& couplings);
+  // The same from what is so already, rows in ascending order.
+  static Pattern sparse(std::vector<int> column_start, std::vector<int> row_index);
 
   bool is_dense() const { return column_start_.empty(); }
   int size() const { return size_; }
@@ -18,6 +57,27 @@ class Pattern {
   bool contains(int row, int column) const;
   // Index into the values; the entry must be in the pattern. Dense storage is by columns.
   int slot(int row, int column) const;
+  // Calls f(slot) for rows of one column. Rows that follow each other take no search.
+  template <class F>
+  void for_each_slot(std::span<const int> rows, int column, F&& f) const {
+    int next = 0, end = 0;
+    for (const int row : rows) {
+      const int found = next < end && row_index_[next] == row ? next : slot(row, column);
+      f(found);
+      if (is_dense()) continue;
+      next = found + 1;
+      end = column_start_[column + 1];
+    }
+  }
+  // Calls f(slot, transposed) for each slot of a sparse pattern, with that of the entry whose row and column are exchanged.
+  template <class F>
+  void for_each_transposed(F&& f) const {
+    // Columns are visited in the order of the rows opposite to them.
+    std::vector<int> next(column_start_.begin(), column_start_.end() - 1);
+    int* const slots = next.data();
+    const int* const rows = row_index_.data();
+    for (int slot = 0, end = values(); slot < end; ++slot) f(slot, slots[rows[slot]]++);
+  }
 
   std::span<const int> column_start() const { return column_start_; }
   std::span<const int> row_index() const { return row_index_; }

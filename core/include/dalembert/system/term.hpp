@@ -24,12 +24,12 @@ class BlockVisitor {
   // In the place of an entry that is always zero; its slot is -1.
   virtual void zero() {}
 
-  void block(std::span<const int> rows, std::span<const int> columns) {
+  virtual void block(std::span<const int> rows, std::span<const int> columns) {
     for (const int row : rows)
       for (const int column : columns) entry(row, column);
   }
   // The transposed block, in the order of the block itself.
-  void mirror(std::span<const int> rows, std::span<const int> columns) {
+  virtual void mirror(std::span<const int> rows, std::span<const int> columns) {
     for (const int row : rows)
       for (const int column : columns) entry(column, row);
   }
