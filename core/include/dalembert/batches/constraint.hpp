@@ -59,7 +59,14 @@ class ConstraintBatch final : public Term {
   }
 
   void residual(const Evaluation& evaluation, Ports& ports, double* r) const override {
+    if constexpr (requires { K::is_table; }) {
+      in_widest_registers([&] {
+        for (const Entry& e : entries_)
+          if (by_table(e, evaluation)) add_table(e, evaluation, ports, r);
+      });
+    }
     for (const Entry& e : entries_) {
+      if (by_table(e, evaluation)) continue;
       const double* lambda = evaluation.lambda + e.first_ae;
       double* gap = r + e.first_row;
       if (!active(e.parameters)) {
@@ -67,13 +74,6 @@ class ConstraintBatch final : public Term {
         continue;
       }
       const auto frames = read(ports, e);
-      if constexpr (requires { K::is_table; })
-        if (!at_rate_level(e.parameters, evaluation.rate_level)) {
-          std::array<Wrench<double>, 2> forces{};
-          for (int k = 0; k < m; ++k) gap[k] += joint_gap(e.table[static_cast<std::size_t>(k)], frames[0], frames[1], lambda[k], &forces);
-          add_forces<Port, 2>(ports, e.markers, -1.0, forces);
-          continue;
-        }
       const Context c = Context::of(evaluation, e.item);
       const auto g = equations<double>(e.parameters, c, frames, evaluation.rate_level);
       for (int k = 0; k < m; ++k) gap[k] += constrains(e.parameters, k) ? g[k] : lambda[k];
@@ -152,6 +152,19 @@ class ConstraintBatch final : public Term {
       if constexpr (TabulatedJoint<K>) table = {K::table(parameters)};
     }
   };
+
+  // Of a joint that is nothing but its table, gap and reaction come together.
+  static bool by_table(const Entry& e, const Evaluation& evaluation) {
+    if constexpr (requires { K::is_table; }) return active(e.parameters) && !at_rate_level(e.parameters, evaluation.rate_level);
+    return false;
+  }
+  static void add_table(const Entry& e, const Evaluation& evaluation, Ports& ports, double* r) {
+    const double* lambda = evaluation.lambda + e.first_ae;
+    const auto &m0 = read_frame<Port>(ports, e.markers[0]), &m1 = read_frame<Port>(ports, e.markers[1]);
+    const auto sums = joint_sums(e.table.equations, m0, m1, lambda);
+    for (int k = 0; k < m; ++k) r[e.first_row + k] += sums.gap[k];
+    add_forces<Port, 2>(ports, e.markers, -1.0, sums.reaction);
+  }
 
   static bool active(const Parameters& p) {
     if constexpr (requires { p.activeConnector; }) return p.activeConnector;

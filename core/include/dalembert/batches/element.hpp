@@ -51,7 +51,7 @@ class ElementBatch : public Term {
       for (std::size_t i = 0; i < entries_.size();) {
         const int count = side_by_side(i);
         if (count > 1) {
-          in_lanes(count, [&]<int L>() { residuals_in_lanes<L>(i, count, evaluation, r); });
+          in_lanes([&]<int L>() { residuals_in_lanes<L>(i, count, evaluation, r); });
         } else {
           const Entry& e = entries_[i];
           const auto x = gather<n>(evaluation, e.dofs.data());
@@ -107,7 +107,7 @@ class ElementBatch : public Term {
       for (std::size_t i = 0; i < entries_.size();) {
         const int count = side_by_side(i);
         if (count > 1) {
-          in_lanes(count, [&]<int L>() { tangents_in_lanes<L>(i, count, evaluation, weights, slot, values); });
+          in_lanes([&]<int L>() { tangents_in_lanes<L>(i, count, evaluation, weights, slot, values); });
         } else {
           const Entry& e = entries_[i];
           const auto x = gather<n>(evaluation, e.dofs.data());
@@ -150,10 +150,10 @@ class ElementBatch : public Term {
     }
   }
   template <class F>
-  static void in_lanes(int count, const F& f) {
+  static void in_lanes(const F& f) {
     if constexpr (LaneKernel<E>) {
       if (numbers_in_register() == 2) run_in_any_registers([&] { f.template operator()<2>(); });
-      else if (count <= 4) run_in_wide_registers([&] { f.template operator()<4>(); });
+      else if (numbers_in_register() == 4) run_in_wide_registers([&] { f.template operator()<4>(); });
       else run_in_widest_registers([&] { f.template operator()<8>(); });
     }
   }

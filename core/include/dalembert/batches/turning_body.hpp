@@ -44,12 +44,14 @@ class TurningBodyBatch final : public ElementBatch<E, Record> {
 
  public:
   void residual(const Evaluation&, Ports& ports, double*) const override {
-    for (const Entry& e : entries_) {
-      const auto w = Body::template inertia<double>(e.parameters, ports.node_motions[e.node].spin_motion);
-      NodeLoad& load = ports.node_loads[e.node];
-      load.force -= w.force;
-      load.own_moment -= w.moment;
-    }
+    in_widest_registers([&] {
+      for (const Entry& e : entries_) {
+        const auto w = Body::template inertia<double>(e.parameters, ports.node_motions[e.node].spin_motion);
+        NodeLoad& load = ports.node_loads[e.node];
+        load.force -= w.force;
+        load.own_moment -= w.moment;
+      }
+    });
   }
   void tangent(const Evaluation&, const Weights& weights, Ports& ports, double* values) const override {
     const int* slot = this->slots.data();

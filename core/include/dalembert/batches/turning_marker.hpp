@@ -60,17 +60,19 @@ class TurningMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeOf
   void evaluate(const Evaluation& evaluation, Ports& ports) const override {
     if (apart()) return Base::evaluate(evaluation, ports);
     if constexpr (Shape::values > 0)
-      for (const Entry& e : entries_) {
-        const NodeMotion& m = ports.node_motions[static_cast<std::size_t>(e.node)];
-        const Mat3<double>& rotation = m.spin_motion.rotation;
-        auto& frame = *reinterpret_cast<typename Shape::template Frame<double>*>(ports.values.data() + e.port.value);
-        frame.position = m.position + rotation * e.local;
-        frame.velocity = m.velocity + rotation * cross(m.spin_motion.spin, e.local);
-        if constexpr (Shape::forces == 6) {
-          frame.rotation = rotation;
-          frame.angular_velocity = m.angular_velocity;
+      in_widest_registers([&] {
+        for (const Entry& e : entries_) {
+          const NodeMotion& m = ports.node_motions[static_cast<std::size_t>(e.node)];
+          const Mat3<double>& rotation = m.spin_motion.rotation;
+          auto& frame = *reinterpret_cast<typename Shape::template Frame<double>*>(ports.values.data() + e.port.value);
+          frame.position = m.position + rotation * e.local;
+          frame.velocity = m.velocity + rotation * cross(m.spin_motion.spin, e.local);
+          if constexpr (Shape::forces == 6) {
+            frame.rotation = rotation;
+            frame.angular_velocity = m.angular_velocity;
+          }
         }
-      }
+      });
   }
   void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const override {
     if (apart()) return Base::evaluate_tangent(evaluation, weights, ports);
@@ -86,12 +88,14 @@ class TurningMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeOf
   }
   void pull_back(const Evaluation& evaluation, Ports& ports, double* r) const override {
     if (apart()) return Base::pull_back(evaluation, ports, r);
-    for (const Entry& e : entries_) {
-      const double* f = ports.forces.data() + e.port.force;
-      NodeLoad& load = ports.node_loads[static_cast<std::size_t>(e.node)];
-      load.add(Shape::point(e.parameters, e.local), Shape::scale(e.parameters) * Vec3<double>{f[0], f[1], f[2]});
-      if constexpr (Shape::forces == 6) load.moment += Vec3<double>{f[3], f[4], f[5]};
-    }
+    in_widest_registers([&] {
+      for (const Entry& e : entries_) {
+        const double* f = ports.forces.data() + e.port.force;
+        NodeLoad& load = ports.node_loads[static_cast<std::size_t>(e.node)];
+        load.add(Shape::point(e.parameters, e.local), Shape::scale(e.parameters) * Vec3<double>{f[0], f[1], f[2]});
+        if constexpr (Shape::forces == 6) load.moment += Vec3<double>{f[3], f[4], f[5]};
+      }
+    });
   }
   void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const override {
     if (apart()) Base::geometric(evaluation, weights, ports, values);

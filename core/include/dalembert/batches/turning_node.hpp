@@ -51,7 +51,9 @@ class TurningNodeBatch final : public RotatingNodeBatch {
     }
   }
   void evaluate(const Evaluation& evaluation, Ports& ports) const override {
-    for (const Entry& e : entries_) ports.node_motions[e.node] = node_motion<Node>(gather<n>(evaluation, e.dofs.data()));
+    in_widest_registers([&] {
+      for (const Entry& e : entries_) ports.node_motions[e.node] = node_motion<Node>(gather<n>(evaluation, e.dofs.data()));
+    });
   }
   void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const override {
     in_widest_registers([&] {
@@ -60,15 +62,17 @@ class TurningNodeBatch final : public RotatingNodeBatch {
     });
   }
   void pull_back(const Evaluation& evaluation, const Ports& ports, double* r) const override {
-    for (const Entry& e : entries_) {
-      const NodeLoad& load = ports.node_loads[e.node];
-      const auto x = gather<n>(evaluation, e.dofs.data());
-      const Vec3<double> own = load.own_moment + load.moment_of_forces(ports.node_motions[e.node].spin_motion.rotation);
-      const auto q = Node::template pull_back<double>(x, load.force, load.moment);
-      const auto turn = Node::template pull_back_spin<double>(x, own);
-      for (int i = 0; i < 3; ++i) r[e.dofs[i]] -= q[i];
-      for (int i = 3; i < n; ++i) r[e.dofs[i]] -= q[i] + turn[i - 3];
-    }
+    in_widest_registers([&] {
+      for (const Entry& e : entries_) {
+        const NodeLoad& load = ports.node_loads[e.node];
+        const auto x = gather<n>(evaluation, e.dofs.data());
+        const Vec3<double> own = load.own_moment + load.moment_of_forces(ports.node_motions[e.node].spin_motion.rotation);
+        const auto q = Node::template pull_back<double>(x, load.force, load.moment);
+        const auto turn = Node::template pull_back_spin<double>(x, own);
+        for (int i = 0; i < 3; ++i) r[e.dofs[i]] -= q[i];
+        for (int i = 3; i < n; ++i) r[e.dofs[i]] -= q[i] + turn[i - 3];
+      }
+    });
   }
   void geometric(const Evaluation& evaluation, const Weights& weights, Ports& ports, double* values) const override {
     SlotCursor slot(slots.data(), values);

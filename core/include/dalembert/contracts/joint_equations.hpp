@@ -4,6 +4,7 @@
 
 #include <array>
 #include <concepts>
+#include <cstddef>
 
 #include "dalembert/frames.hpp"
 #include "dalembert/math/rotations.hpp"
@@ -27,37 +28,39 @@ concept TabulatedJoint = requires(const typename K::Parameters& p) {
   { K::table(p) } -> std::same_as<std::array<JointEquation, K::equations>>;
 };
 
-// The gap; adds to `reaction`, if it is asked for, the forces on both frames that do the virtual work of the multiplier.
-template <class S>
-S joint_gap(const JointEquation& e, const RigidFrame<S>& m0, const RigidFrame<S>& m1, double multiplier = 0,
-            std::array<Wrench<S>, 2>* reaction = nullptr) {
+// Gaps of a table, and the forces on both frames that do the virtual work of the multipliers.
+template <class S, std::size_t M>
+struct JointSums {
+  Vec<S, static_cast<int>(M)> gap;
+  std::array<Wrench<S>, 2> reaction;
+};
+template <class S, std::size_t M>
+JointSums<S, M> joint_sums(const std::array<JointEquation, M>& table, const RigidFrame<S>& m0, const RigidFrame<S>& m1,
+                           const double* multipliers) {
   using enum JointEquation::Kind;
-  if (e.kind == product) {
-    const Vec3<S> a = m0.rotation * e.first, b = m1.rotation * e.second;
-    if (reaction != nullptr) {
-      const Vec3<S> moment = multiplier * cross(a, b);
-      (*reaction)[0].moment += moment;
-      (*reaction)[1].moment -= moment;
-    }
-    return dot(a, b);
-  }
   const Vec3<S> span = m1.position - m0.position;
-  if (e.kind == displacement) {
-    if (reaction != nullptr) {
-      const Vec3<double> force = multiplier * e.first;
-      (*reaction)[0].force -= force;
-      (*reaction)[1].force += force;
+  Vec<S, static_cast<int>(M)> gap;
+  Vec3<S> force{}, turning{}, moment{};  // forces along axes that turn under the displacement, in addition
+  for (std::size_t k = 0; k < M;) {
+    const JointEquation& e = table[k];
+    const Vec3<S> axis = e.kind == displacement ? Vec3<S>{S(e.first[0]), S(e.first[1]), S(e.first[2])} : m0.rotation * e.first;
+    if (e.kind == product) {  // those with the same first axis together, in the axes of the second frame
+      const Vec3<S> seen = transposed_times(m1.rotation, axis);
+      Vec3<double> sum{};
+      do {
+        gap[static_cast<int>(k)] = dot(table[k].second, seen);
+        sum += multipliers[k] * table[k].second;
+      } while (++k < M && table[k].kind == product && table[k].first.x == e.first.x);
+      moment += cross(axis, m1.rotation * sum);
+    } else {
+      gap[static_cast<int>(k)] = dot(axis, span);
+      const Vec3<S> along_axis = multipliers[k] * axis;
+      force += along_axis;
+      if (e.kind == along) turning += along_axis;
+      ++k;
     }
-    return dot(e.first, span);
   }
-  const Vec3<S> axis = m0.rotation * e.first;
-  if (reaction != nullptr) {
-    const Vec3<S> force = multiplier * axis;
-    (*reaction)[0].force -= force;
-    (*reaction)[0].moment -= cross(span, force);  // the axis turns under the displacement
-    (*reaction)[1].force += force;
-  }
-  return dot(axis, span);
+  return {gap, {Wrench<S>{-force, moment - cross(span, turning)}, Wrench<S>{force, -moment}}};
 }
 
 // Gap and reaction of a joint that is nothing but its table.
@@ -68,17 +71,13 @@ struct JointOfTable {
   template <class S>
   static auto gap(const auto& p, const auto&, const RigidFrame<S>& m0, const RigidFrame<S>& m1) {
     const auto table = K::table(p);
-    Vec<S, static_cast<int>(table.size())> g;
-    for (std::size_t k = 0; k < table.size(); ++k) g[static_cast<int>(k)] = joint_gap(table[k], m0, m1);
-    return g;
+    constexpr std::array<double, table.size()> none{};
+    return joint_sums(table, m0, m1, none.data()).gap;
   }
   template <class S>
   static std::array<Wrench<S>, 2> reaction(const auto& p, const auto&, const RigidFrame<S>& m0, const RigidFrame<S>& m1,
                                            const auto& lambda) {
-    const auto table = K::table(p);
-    std::array<Wrench<S>, 2> forces{};
-    for (std::size_t k = 0; k < table.size(); ++k) joint_gap(table[k], m0, m1, lambda[static_cast<int>(k)], &forces);
-    return forces;
+    return joint_sums(K::table(p), m0, m1, lambda.x.data()).reaction;
   }
 };
 

@@ -16,15 +16,18 @@ struct ObjectRigidBody {
   // Newton-Euler equations about the node, for any rotation coordinates of the node.
   template <class S>
   static SpinWrench<S> inertia(const Parameters& p, const SpinMotion<S>& node) {
-    const Vec3<S>& w = node.spin;
-    const Vec3<S> a = transposed_times(node.rotation, node.acceleration);
-    return {.force = p.physicsMass * node.acceleration + node.rotation * swing(p, node),
-            .moment = tensor(p, node.spin_rate) + cross(w, tensor(p, w)) + p.physicsMass * cross(centre(p), a)};
+    SpinWrench<S> w{.force = p.physicsMass * node.acceleration,
+                    .moment = tensor(p, node.spin_rate) + cross(node.spin, tensor(p, node.spin))};
+    if (eccentric(p)) {
+      w.force += node.rotation * swing(p, node);
+      w.moment += p.physicsMass * cross(centre(p), transposed_times(node.rotation, node.acceleration));
+    }
+    return w;
   }
   static InertiaTangent inertia_tangent(const Parameters& p, const SpinMotion<double>& node) {
     const Vec3<double>&w = node.spin, &c = centre(p);
     const auto& j = p.physicsInertia;
-    InertiaTangent t{.mass = p.physicsMass, .eccentric = dot(c, c) != 0};
+    InertiaTangent t{.mass = p.physicsMass, .eccentric = eccentric(p)};
     t.moment_by_spin_rate = {j[0], j[5], j[4], j[5], j[1], j[3], j[4], j[3], j[2]};
     t.moment_by_spin = skew(w) * t.moment_by_spin_rate - skew(tensor(p, w));
     if (t.eccentric) {
@@ -38,6 +41,7 @@ struct ObjectRigidBody {
   }
 
  private:
+  static bool eccentric(const Parameters& p) { return dot(centre(p), centre(p)) != 0; }
   // Inertia force of an eccentric centre of mass, in own axes, without the acceleration of the node.
   template <class S>
   static Vec3<S> swing(const Parameters& p, const SpinMotion<S>& node) {
