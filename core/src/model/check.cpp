@@ -57,10 +57,10 @@ bool is_body(const ItemType& type) {
 class Checker {
  public:
   Checker(const Model& model, Provisions& provisions, ItemKind kind, int number)
-      : model_(model), provisions_(provisions), kind_(kind), number_(number) {}
+      : model_(model), provisions_(provisions), kind_(kind), number_(number), item_(model.item(kind, number)) {}
 
   void run() const {
-    const ItemType& type = *item().type;
+    const ItemType& type = *item_.type;
     for (const Row& row : type.rows) {
       if (row.role != Role::parameter) continue;
       if (index_storage(row.storage).is_index) check_indices(row);
@@ -70,10 +70,9 @@ class Checker {
   }
 
  private:
-  const Item& item() const { return model_.item(kind_, number_); }
   bool works_without_data() const {
-    const Physics* physics = item().type->physics;
-    return physics != nullptr && physics->works_without_data(item().record.get());
+    const Physics* physics = item_.type->physics;
+    return physics != nullptr && physics->works_without_data(item_.record.get());
   }
 
   [[noreturn]] void complain(const Row& row, std::string received, std::string expected, std::string advice) const {
@@ -83,17 +82,17 @@ class Checker {
 
   void check_indices(const Row& row) const {
     const ItemKind target = index_storage(row.storage).kind;
-    const std::string noun(kind_name(target));
-    for (const int value : index_values(row, item().record.get())) {
+    for (const int value : index_values(row, item_.record.get())) {
       if (value == -1 && (row.optional || (row.storage == Storage::node && works_without_data()))) continue;
       if (value == -1) {
-        complain(row, "the invalid index -1", "the number of " + with_article(noun),
+        complain(row, "the invalid index -1", "the number of " + with_article(kind_name(target)),
                  "Pass the index that Add" + std::string(kind_title(target)) +
                      "(...) returned; if that item was deleted, set another one or delete this item as well.");
       }
       const Item* found = model_.find_item(target, value);
       if (found == nullptr) {
         const int count = model_.count(target);
+        const std::string noun(kind_name(target));
         complain(row, std::to_string(value),
                  count == 0 ? "an existing " + noun + ", and there is none" : "a number from 0 to " + std::to_string(count - 1),
                  "Add the " + noun + " first and pass the index that Add" + std::string(kind_title(target)) + "(...) returned.");
@@ -104,7 +103,7 @@ class Checker {
 
   // Does the item that a row refers to provide what this item requests?
   void check_target(const Row& row, ItemKind target, int value, const ItemType& found) const {
-    const ItemType& type = *item().type;
+    const ItemType& type = *item_.type;
     Capability requested = Capability::none;
     if (target == ItemKind::node) requested = type.requested_node;
     if (target == ItemKind::marker) requested = type.requested_marker;
@@ -121,7 +120,7 @@ class Checker {
 
   template <class Expected>
   void check_length(const Row& row, Expected expected, const std::string& why) const {
-    visit(row, item().record.get(), [&](const auto& value) {
+    visit(row, item_.record.get(), [&](const auto& value) {
       if constexpr (requires { value.size(); value.begin(); }) {
         if (static_cast<int>(value.size()) != static_cast<int>(expected))
           complain(row, std::to_string(value.size()) + " values", std::to_string(expected) + " values" + why,
@@ -132,11 +131,11 @@ class Checker {
 
   // Generic nodes state how many coordinates they have; their start values have as many, or none for zeros.
   void check_coordinates() const {
-    const void* record = item().record.get();
-    for (const Row& count : item().type->rows) {
+    const void* record = item_.record.get();
+    for (const Row& count : item_.type->rows) {
       if (count.storage != Storage::integer || !count.name.starts_with("numberOf")) continue;
       const int n = *static_cast<const int*>(member(record, count));
-      for (const Row& row : item().type->rows) {
+      for (const Row& row : item_.type->rows) {
         if (row.storage != Storage::vector || row.role != Role::parameter) continue;
         if (static_cast<const std::vector<double>*>(member(record, row))->empty()) continue;
         check_length(row, n, " as " + std::string(count.name) + " is " + std::to_string(n));
@@ -148,6 +147,7 @@ class Checker {
   Provisions& provisions_;
   ItemKind kind_;
   int number_;
+  const Item& item_;
 };
 
 }  // namespace

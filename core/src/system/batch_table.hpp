@@ -35,9 +35,12 @@ class BatchTable {
   // `make` gives the batch when the first of its entries comes.
   template <class Make>
   GrowingBatch<B>& find(const BatchKey& key, Make&& make) {
-    if (const auto found = table_.find(key); found != table_.end()) return found->second;
+    if (last_ != table_.end() && last_->first == key) return last_->second;  // neighbours mostly have the same key
+    last_ = table_.find(key);
+    if (last_ != table_.end()) return last_->second;
     batches_.push_back(make());
-    return table_.emplace(key, GrowingBatch<B>{batches_.back().get(), 0, key.region}).first->second;
+    last_ = table_.emplace(key, GrowingBatch<B>{batches_.back().get(), 0, key.region}).first;
+    return last_->second;
   }
 
   template <class F>
@@ -49,6 +52,7 @@ class BatchTable {
  private:
   std::vector<std::unique_ptr<B>>& batches_;
   std::map<BatchKey, GrowingBatch<B>> table_;
+  typename std::map<BatchKey, GrowingBatch<B>>::iterator last_ = table_.end();
 };
 
 }  // namespace dalembert

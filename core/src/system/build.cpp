@@ -9,6 +9,7 @@
 #include "dalembert/model/member.hpp"
 #include "dalembert/system/parts.hpp"
 #include "plan.hpp"
+#include "naming_rows.hpp"
 #include "start_values.hpp"
 
 namespace dalembert {
@@ -30,6 +31,7 @@ class Builder {
     reserve();
     name_items();
     divide();
+    make_room_for_numbers();
     for (int i = 0; i < model_.count(ItemKind::node); ++i) place_node(i);
     for (int i = 0; i < model_.count(ItemKind::object); ++i) register_object(i);
     for (int i = 0; i < model_.count(ItemKind::marker); ++i) place_marker(i);
@@ -62,6 +64,20 @@ class Builder {
       for (const Item& item : model_.items(static_cast<ItemKind>(k))) ++counts_[item.type];
   }
 
+  // Vectors that grew item by item would be copied, and take twice their memory. How much markers need is not known yet: so
+  // many numbers fit points.
+  void make_room_for_numbers() {
+    const auto make_room = [](auto& list, int count) { list.reserve(static_cast<std::size_t>(count)); };
+    const int markers = model_.count(ItemKind::marker), objects = model_.count(ItemKind::object);
+    make_room(parts_.references, objects + markers + model_.count(ItemKind::load));
+    make_room(parts_.coordinates, start_values_.make_room(node_sizes_, parts_).ode2);
+    make_room(parts_.ports.values, 6 * markers);
+    make_room(parts_.ports.forces, 3 * markers);
+    make_room(parts_.ports.dofs, 3 * markers);
+    make_room(marker_regions_, markers);
+    make_room(first_ae_, objects);
+  }
+
   static bool has_coordinates(const Placement& p) {
     return !p.dofs.empty() || !p.ode1.empty() || p.data_count > 0 || p.first_ae >= 0;
   }
@@ -75,17 +91,16 @@ class Builder {
   }
 
   void divide() {
-    for (int i = 0; i < model_.count(ItemKind::node); ++i) {
-      const Item& item = model_.item(ItemKind::node, i);
-      node_sizes_.push_back(physics<NodePhysics>(item, i).sizes(item.record.get()));
-    }
+    node_sizes_.reserve(parts_.nodes.capacity());
+    for (const Item& item : model_.items(ItemKind::node))
+      node_sizes_.push_back(physics<NodePhysics>(item, static_cast<int>(node_sizes_.size())).sizes(item.record.get()));
     regions_ = Regions(node_sizes_, division_.coordinates);
   }
   // In which region an item lies, whose placement is known. Whoever shares coordinates other than ODE2 coordinates, or
   // calls functions of the user, comes last, on the thread of the solver.
   int region_of(ItemKind kind, int number) const {
     if (regions_.count() == 1) return Regions::whole;
-    const Item& item = model_.item(kind, number);
+    const Item& item = item_of(kind, number);
     if (has_user_function(*item.type, item.record.get())) return Regions::whole;
     int region = Regions::none;
     for (const int n : placement_.nodes) {
@@ -103,6 +118,8 @@ class Builder {
       for (const auto& [name, number] : model_.names(static_cast<ItemKind>(k))) parts_.given_names[k].emplace(number, name);
   }
 
+  const Item& item_of(ItemKind kind, int number) const { return model_.items(kind)[static_cast<std::size_t>(number)]; }
+
   // The kind of an item decides the class of its physics.
   template <class P>
   const P& physics(const Item& item, int number) const {
@@ -117,18 +134,15 @@ class Builder {
   Stretch refer(const Item& item, ItemKind kind) {
     auto& numbers = parts_.references;
     Stretch named{numbers.size(), 0};
-    for (const Row& row : item.type->rows) {
-      const IndexStorage storage = index_storage(row.storage);
-      if (!storage.is_index || storage.kind != kind || row.role != Role::parameter) continue;
-      for (const int number : index_values(row, item.record.get()))
+    for (const Row* row : naming_rows_.of(*item.type, kind))
+      for (const int number : index_values(*row, item.record.get()))
         if (number >= 0) numbers.push_back(number);
-    }
     named.count = numbers.size() - named.first;
     return named;
   }
 
   void place_node(int number) {
-    const Item& item = model_.item(ItemKind::node, number);
+    const Item& item = item_of(ItemKind::node, number);
     NodePlace place{item.type, &physics<NodePhysics>(item, number), item.record, {}};
     place.sizes = node_sizes_[static_cast<std::size_t>(number)];
     place.translations = place.physics->translations();
@@ -159,7 +173,7 @@ class Builder {
 
   // An object's nodes and markers, before its markers' coordinates are known.
   void register_object(int number) {
-    const Item& item = model_.item(ItemKind::object, number);
+    const Item& item = item_of(ItemKind::object, number);
     physics<ObjectPhysics>(item, number);
     const Stretch nodes = refer(item, ItemKind::node), markers = refer(item, ItemKind::marker);
     parts_.objects.push_back({item.type, item.record, {}, {}, nodes, markers});
@@ -219,7 +233,7 @@ class Builder {
   }
 
   void place_marker(int number) {
-    const Item& item = model_.item(ItemKind::marker, number);
+    const Item& item = item_of(ItemKind::marker, number);
     const auto& physics = this->physics<MarkerPhysics>(item, number);
     const Stretch named_nodes = refer(item, ItemKind::node), named_objects = refer(item, ItemKind::object);
     const auto nodes = named_nodes.of(parts_.references), objects = named_objects.of(parts_.references);
@@ -291,7 +305,7 @@ class Builder {
     return table.find(key_, [&] {
       std::unique_ptr<B> batch = make();
       if (batch == nullptr) refuse_combination(kind, number, on.name);
-      batch->reserve(counts_[model_.item(kind, number).type]);
+      batch->reserve(counts_[item_of(kind, number).type]);
       return batch;
     });
   }
@@ -369,7 +383,7 @@ class Builder {
   }
 
   void place_load(int number) {
-    const Item& item = model_.item(ItemKind::load, number);
+    const Item& item = item_of(ItemKind::load, number);
     const auto& physics = this->physics<LoadPhysics>(item, number);
     const Stretch named = refer(item, ItemKind::marker);
     const auto markers = named.of(parts_.references);
@@ -398,6 +412,7 @@ class Builder {
   // Used again for every item.
   Placement placement_;
   StartValues start_values_;
+  NamingRows naming_rows_;
   BatchKey key_;
 };
 

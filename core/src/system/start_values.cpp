@@ -12,6 +12,23 @@ void append(std::vector<double>& list, const std::vector<double>& values, int co
 
 }  // namespace
 
+Sizes StartValues::make_room(std::span<const Sizes> nodes, SystemParts& parts) {
+  Sizes sum;
+  for (const Sizes& node : nodes) {
+    sum.ode2 += node.ode2;
+    sum.ode1 += node.ode1;
+    sum.ae += node.ae;
+    sum.data += node.data;
+  }
+  State& reference = parts.state(ConfigurationType::Reference);
+  State& initial = parts.state(ConfigurationType::Initial);
+  for (auto* list : {&reference.q, &initial.q, &initial.v}) list->reserve(static_cast<std::size_t>(sum.ode2));
+  for (auto* list : {&reference.y, &initial.y}) list->reserve(static_cast<std::size_t>(sum.ode1));
+  initial.lambda.reserve(static_cast<std::size_t>(sum.ae));
+  initial.data.reserve(static_cast<std::size_t>(sum.data));
+  return sum;
+}
+
 void StartValues::take(const NodePlace& node, SystemParts& parts) {
   values_.clear();
   node.physics->values(node.record.get(), values_);

@@ -7,6 +7,8 @@ namespace dalembert {
 
 class StartValues {
  public:
+  // Makes room for the values of nodes of these sizes, and returns their sum.
+  static Sizes make_room(std::span<const Sizes> nodes, SystemParts& parts);
   // Puts reference and initial values of a node behind those of the nodes before.
   void take(const NodePlace& node, SystemParts& parts);
 
