@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "dalembert/math/few_numbers.hpp"
+
 namespace dalembert {
 
 struct WeightedVector {
@@ -18,12 +20,11 @@ template <std::size_t N>
 void add_weighted(double* sum, const double* base, const WeightedVector* terms, std::size_t size) {
   std::array<WeightedVector, N> t;
   std::copy_n(terms, N, t.begin());
-#pragma GCC ivdep
-  for (std::size_t i = 0; i < size; ++i) {
+  each_number(size, [&](std::size_t i) {
     double s = base[i];
     for (std::size_t k = 0; k < N; ++k) s += t[k].factor * t[k].x[i];
     sum[i] = s;
-  }
+  });
 }
 
 // sum = base + all terms, none of which is `sum`.
@@ -33,7 +34,7 @@ inline void combine(std::vector<double>& sum, const std::vector<double>& base, s
   do {
     const std::size_t count = std::min<std::size_t>(terms.size(), 4);
     switch (count) {
-      case 0: std::copy_n(from, n, sum.begin()); break;
+      case 0: copy_numbers(from, n, sum.data()); break;
       case 1: add_weighted<1>(sum.data(), from, terms.data(), n); break;
       case 2: add_weighted<2>(sum.data(), from, terms.data(), n); break;
       case 3: add_weighted<3>(sum.data(), from, terms.data(), n); break;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dalembert/math/few_numbers.hpp"
 #include "dalembert/model/errors.hpp"
 #include "dalembert/output/numbers.hpp"
 #include "combination.hpp"
@@ -32,10 +33,10 @@ void add(std::vector<double>& x, double factor, const std::vector<double>& y) {
   combine(x, x, {&term, 1});
 }
 void kick_and_drift(std::size_t n, double h, const double* __restrict a, double* __restrict v, double* __restrict q) {
-  for (std::size_t i = 0; i < n; ++i) {
+  each_number(n, [=](std::size_t i) {
     v[i] += 0.5 * h * a[i];
     q[i] += h * v[i];
-  }
+  });
 }
 
 }  // namespace
@@ -56,10 +57,11 @@ void ExplicitSolver::pre_initialize() {
                                            format_number(settings().timeIntegration.absoluteTolerance) +
                                            "; expected a positive number");
   }
-  rows_.assign(static_cast<std::size_t>(method_.stages), {});
-  for (int i = 0; i < method_.stages; ++i) {
-    for (int j = 0; j < i; ++j) rows_[i].push_back(method_.coefficient(i, j));
-  }
+  rows_.clear();
+  const auto stages = static_cast<std::size_t>(method_.stages);
+  for (std::size_t i = 0; i < stages; ++i) rows_.push_back(that_count({method_.a.data() + i * stages, i}));
+  result_ = that_count(method_.b);
+  second_ = that_count(method_.b_error);
   warned_minimum_ = end_known_ = first_stage_known_ = false;
   conditions_ = {.rate_level = false, .inertia = true};
 }
@@ -175,7 +177,7 @@ void ExplicitSolver::runge_kutta_step() {
     if (conv.linearSolverFailed) return;
   }
   State& now = current();
-  move_from_start(method_.b, now.q, now.v, now.y);
+  move_from_start(result_, now.q, now.v, now.y);
   eliminate(now.q);
   eliminate(now.v);
   now.time = it.currentTime;
@@ -203,7 +205,8 @@ void ExplicitSolver::compute_stage_rates(int stage) {
     if (!accelerations(stage_v_[s], stage_y_[s])) return;
     if (stage == 0) first_stage_known_ = nobody_interferes_;
   }
-  std::ranges::copy(current().v, stage_q_[s].begin());
+  if (!lie_ && stage == 0) return;
+  copy_numbers(current().v.data(), stage_q_[s].size(), stage_q_[s].data());
   if (!lie_) return;
   for (const System::LieBlock& block : system().lie_blocks()) {
     const auto r = static_cast<std::size_t>(block.rotation);
@@ -218,25 +221,39 @@ void ExplicitSolver::compute_stage_rates(int stage) {
   }
 }
 
+ExplicitSolver::StageWeights ExplicitSolver::that_count(std::span<const double> weights) {
+  StageWeights found;
+  for (std::size_t stage = 0; stage < weights.size(); ++stage) {
+    if (weights[stage] != 0) found.push_back({stage, weights[stage]});
+  }
+  return found;
+}
+
+const double* ExplicitSolver::position_rates(std::size_t stage) {
+  return stage == 0 && !lie_ ? start_of_step().v.data() : stage_q_[stage].data();
+}
+
 // Start of the step plus weighted derivatives of the stages.
-void ExplicitSolver::move_from_start(const Vector& weights, Vector& q, Vector& v, Vector& y) {
+void ExplicitSolver::move_from_start(const StageWeights& weights, Vector& q, Vector& v, Vector& y) {
   const State& start = start_of_step();
   const double h = it.currentStepSize;
-  const auto advance = [&](Vector& x, const Vector& from, const std::vector<Vector>& rates) {
+  const auto advance = [&](Vector& x, const Vector& from, auto&& rates) {
     if (x.empty()) return;
     std::array<WeightedVector, RungeKuttaMethod::max_stages> terms;
     std::size_t count = 0;
-    for (std::size_t j = 0; j < weights.size(); ++j) {
-      if (weights[j] != 0) terms[count++] = {weights[j] * h, rates[j].data()};
+    for (const StageWeight& w : weights) {
+      terms[count++] = {w.weight * h, rates(w.stage)};
+      keep_loop();
     }
     combine(x, from, std::span(terms.data(), count));
   };
-  advance(q, start.q, stage_q_);
-  advance(v, start.v, stage_v_);
-  advance(y, start.y, stage_y_);
+  const auto of_positions = [this](std::size_t stage) { return position_rates(stage); };
+  advance(q, start.q, of_positions);
+  advance(v, start.v, [this](std::size_t stage) { return stage_v_[stage].data(); });
+  advance(y, start.y, [this](std::size_t stage) { return stage_y_[stage].data(); });
   if (!lie_) return;
   std::fill(turn_.begin(), turn_.end(), 0.0);
-  advance(turn_, turn_, stage_q_);
+  advance(turn_, turn_, of_positions);
   system().compose(start.q, turn_, q);
 }
 
@@ -251,7 +268,7 @@ void ExplicitSolver::end_of_step() {
     }
   } else {
     rates(now.y_t);
-    std::ranges::copy(stage_v_.back(), now.a.begin());
+    copy_numbers(stage_v_.back().data(), now.a.size(), now.a.data());
   }
   eliminate(now.a);
 }
@@ -310,7 +327,7 @@ void ExplicitSolver::mass_failed(int row) {
 double ExplicitSolver::estimated_error() {
   const double absolute = settings().timeIntegration.absoluteTolerance;
   const double relative = settings().timeIntegration.relativeTolerance;
-  move_from_start(method_.b_error, second_q_, second_v_, second_y_);
+  move_from_start(second_, second_q_, second_v_, second_y_);
   eliminate(second_q_);
   eliminate(second_v_);
   const State &now = current(), &start = start_of_step();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "dalembert/math/few_numbers.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
 
 namespace dalembert {
@@ -113,7 +114,7 @@ int MassOperator::update(System& system, const State& state) {
 
 void MassOperator::solve(std::span<double> x) {
   if (blocks_.empty()) {
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] *= inverse_[i];
+    each_number(x.size(), [numbers = x.data(), factors = inverse_.data()](std::size_t i) { numbers[i] *= factors[i]; });
     return;
   }
   for (Block& block : blocks_) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "dalembert/math/few_numbers.hpp"
 #include "dalembert/model/errors.hpp"
 #include "dalembert/output/numbers.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
@@ -14,20 +15,46 @@ namespace dalembert {
 namespace {
 
 void add(std::vector<double>& x, double factor, const std::vector<double>& y) {
-  for (std::size_t i = 0; i < x.size(); ++i) x[i] += factor * y[i];
+  each_number(x.size(), [=, sum = x.data(), term = y.data()](std::size_t i) { sum[i] += factor * term[i]; });
 }
 void subtract(std::vector<double>& x, double factor, const double* y) {
-  for (std::size_t i = 0; i < x.size(); ++i) x[i] -= factor * y[i];
+  each_number(x.size(), [=, rest = x.data()](std::size_t i) { rest[i] -= factor * y[i]; });
 }
 
 // q, v and a in one loop: most systems are small.
 void subtract_motion(std::size_t n, const double* __restrict x, double rate, double acceleration, double* __restrict q,
                      double* __restrict v, double* __restrict a) {
-  for (std::size_t i = 0; i < n; ++i) {
+  each_number(n, [=](std::size_t i) {
     q[i] -= x[i];
     v[i] -= rate * x[i];
     a[i] -= acceleration * x[i];
-  }
+  });
+}
+
+// What the prediction of generalized alpha needs of the scheme.
+struct Prediction {
+  double h, beta, gamma, alpha_m, alpha_f;
+};
+
+// Without algorithmic accelerations (null), Newmark's.
+void predict_motion(std::size_t n, const Prediction& scheme, double* __restrict increment, double* __restrict algorithmic,
+                    double* __restrict q, double* __restrict v, double* __restrict a) {
+  const double h = scheme.h, beta = scheme.beta, gamma = scheme.gamma, alpha_m = scheme.alpha_m, alpha_f = scheme.alpha_f;
+  each_number(n, [=](std::size_t i) {
+    double aa = algorithmic == nullptr ? a[i] : algorithmic[i];
+    double dq = h * v[i] + h * h * (0.5 - beta) * aa;
+    double dv = h * (1 - gamma) * aa;
+    if (algorithmic != nullptr) {
+      aa = (alpha_f * a[i] - alpha_m * aa) / (1 - alpha_m);
+      algorithmic[i] = aa;
+      dq += h * h * beta * aa;
+      dv += h * gamma * aa;
+    }
+    increment[i] = dq;
+    q[i] += dq;
+    v[i] += dv;
+    a[i] = 0;
+  });
 }
 
 // The matrix of modified Newton has to serve many steps: reactions and inertia forces of the moment have no part in it.
@@ -140,7 +167,9 @@ void SecondOrderSolver::increase_step_size() {
   it.currentStepSize = std::min(it.maxStepSize, settings().timeIntegration.adaptiveStepIncrease * it.currentStepSize);
 }
 
-void SecondOrderSolver::save_start_of_step() { algorithmic_at_start_ = algorithmic_; }
+void SecondOrderSolver::save_start_of_step() {
+  copy_numbers(algorithmic_.data(), algorithmic_.size(), algorithmic_at_start_.data());
+}
 
 void SecondOrderSolver::reset_to_start_of_step() {
   Solver::reset_to_start_of_step();
@@ -153,7 +182,7 @@ double SecondOrderSolver::compute_residual() {
   system().residual(current(), conditions_, residual_);
   const double norm = norm_of_residual();
   const double scale = newmark_beta * it.currentStepSize * it.currentStepSize;
-  for (int i = 0; i < sizes_.ode2; ++i) residual_[static_cast<std::size_t>(i)] *= scale;
+  each_number(static_cast<std::size_t>(sizes_.ode2), [=, r = residual_.data()](std::size_t i) { r[i] *= scale; });
   return norm;
 }
 
@@ -164,24 +193,10 @@ void SecondOrderSolver::compute_update(bool initial) {
 
 void SecondOrderSolver::predict() {
   State& now = current();
-  const double h = it.currentStepSize, beta = newmark_beta, gamma = newmark_gamma;
-  const bool newmark = this->newmark();
+  const double h = it.currentStepSize;
   if (lie_) previous_q_ = start_of_step().q;
-  for (std::size_t i = 0; i < now.q.size(); ++i) {
-    double aa = newmark ? now.a[i] : algorithmic_[i];
-    double q = h * now.v[i] + h * h * (0.5 - beta) * aa;
-    double v = h * (1 - gamma) * aa;
-    if (!newmark) {
-      aa = (alpha_f * now.a[i] - alpha_m * aa) / (1 - alpha_m);
-      algorithmic_[i] = aa;
-      q += h * h * beta * aa;
-      v += h * gamma * aa;
-    }
-    increment_of_q_[i] = q;
-    now.q[i] += q;
-    now.v[i] += v;
-    now.a[i] = 0;
-  }
+  predict_motion(now.q.size(), {h, newmark_beta, newmark_gamma, alpha_m, alpha_f}, increment_of_q_.data(),
+                 newmark() ? nullptr : algorithmic_.data(), now.q.data(), now.v.data(), now.a.data());
   for (std::size_t i = 0; i < now.y.size(); ++i) {
     now.y[i] += 0.5 * h * now.y_t[i];
     now.y_t[i] = 0;

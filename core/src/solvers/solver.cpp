@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "dalembert/linear/linear_solver.hpp"
+#include "dalembert/math/few_numbers.hpp"
 #include "dalembert/model/errors.hpp"
 #include "dalembert/output/numbers.hpp"
 
@@ -17,7 +18,7 @@ namespace {
 void copy(const State& from, State& to) {
   const auto take = [](const std::vector<double>& x, std::vector<double>& y) {
     if (x.size() == y.size()) [[likely]] {
-      if (!x.empty()) std::copy(x.begin(), x.end(), y.begin());
+      copy_numbers(x.data(), x.size(), y.data());
     } else {
       y = x;
     }
@@ -225,36 +226,41 @@ void Solver::step_failed(int& steps_since_reduction) {
 }
 
 void Solver::step_succeeded(int& steps_since_reduction) {
-  finish_step(true);
+  if (!silent_) finish_step(true);
   ++steps_since_reduction;
   if (steps_since_reduction >= recovery_steps() && it.newtonSteps + it.discontinuousIteration <= recovery_iterations()) {
     const double before = it.currentStepSize;
     increase_step_size();
     steps_since_reduction = 0;
-    if (it.currentStepSize > before && it.currentTime != it.endTime && verbose(1) &&
-        ((output.stepInformation & step_information::step_increases) || verbose(2))) {
-      say(1, "  step size increased to " + format_number(it.currentStepSize) + position_text() + "\n");
-    }
+    if (it.currentStepSize > before && it.currentTime != it.endTime && verbose(1)) announce_increase();
   }
+}
+
+void Solver::announce_increase() {
+  if (!(output.stepInformation & step_information::step_increases) && !verbose(2)) return;
+  say(1, "  step size increased to " + format_number(it.currentStepSize) + position_text() + "\n");
 }
 
 void Solver::initialize_step() {
   update_current_time();
   current().time = it.currentTime;
   conditions_.step_size = it.currentStepSize;
-  if (verbose(2)) {
-    std::string text = "+++++++++++++++ COMPUTE STEP +++++++++++++++\nSTEP" + std::to_string(it.currentStepIndex) +
-                       position_text();
-    if (it.adaptiveStep) text += ", step size = " + format_number(it.currentStepSize);
-    say(2, text + "\n");
-  }
-  if (hooks().pre_step) {
-    const TimedPart time(timer, timer.python);
-    if (!hooks().pre_step(it.currentTime)) {
-      say(1, "PreStepUserFunction returned False: the solver stops after this step\n");
-      stop_ = output.simulationStoppedByUserFunction = true;
-    }
-  }
+  if (verbose(2)) announce_step();
+  if (hooks().pre_step) call_pre_step();
+}
+
+void Solver::announce_step() {
+  std::string text = "+++++++++++++++ COMPUTE STEP +++++++++++++++\nSTEP" + std::to_string(it.currentStepIndex) +
+                     position_text();
+  if (it.adaptiveStep) text += ", step size = " + format_number(it.currentStepSize);
+  say(2, text + "\n");
+}
+
+void Solver::call_pre_step() {
+  const TimedPart time(timer, timer.python);
+  if (hooks().pre_step(it.currentTime)) return;
+  say(1, "PreStepUserFunction returned False: the solver stops after this step\n");
+  stop_ = output.simulationStoppedByUserFunction = true;
 }
 
 void Solver::reset_to_start_of_step() {
@@ -282,11 +288,7 @@ bool Solver::discontinuous_iteration() {
     conv.discontinuousIterationError = post_newton();
     ++it.discontinuousIteration;
     ++it.discontinuousIterationsCount;
-    if (verbose(2)) {
-      say(2, "  discontinuous iteration " + std::to_string(it.discontinuousIteration) +
-                 ": error = " + format_number(conv.discontinuousIterationError) +
-                 ", tolerance = " + format_number(discontinuous.iterationTolerance) + "\n");
-    }
+    if (verbose(2)) announce_discontinuous_iteration();
     if (conv.discontinuousIterationError <= discontinuous.iterationTolerance) {
       conv.discontinuousIterationSuccessful = true;
     } else if (it.discontinuousIteration < discontinuous.maxIterations) {
@@ -302,6 +304,12 @@ bool Solver::discontinuous_iteration() {
   }
   if (discontinuous.maxIterations == 0) conv.discontinuousIterationSuccessful = true;
   return conv.discontinuousIterationSuccessful;
+}
+
+void Solver::announce_discontinuous_iteration() {
+  say(2, "  discontinuous iteration " + std::to_string(it.discontinuousIteration) +
+             ": error = " + format_number(conv.discontinuousIterationError) +
+             ", tolerance = " + format_number(discontinuous.iterationTolerance) + "\n");
 }
 
 double Solver::post_newton() {

@@ -40,7 +40,7 @@ Evaluation SystemParts::evaluation(const State& state, const Conditions& conditi
   each_share([&](const Share& share) {
     share.clear(cleared);
     const auto [begin, end] = share.of(total.size());
-    for (std::size_t i = begin; i < end; ++i) total[i] = reference[i] + e.u[i];
+    each_number(end - begin, [sum = total.data() + begin, from = reference + begin, u = e.u + begin](std::size_t i) { sum[i] = from[i] + u[i]; });
   });
   e.q = total.data();
   return e;
@@ -181,9 +181,9 @@ void System::right_hand_sides(const State& state, const Conditions& conditions, 
   add_residual(parts, e, residual.data());
   parts.each_share([&](const Share& share) {
     const auto [begin, end] = share.of(rhs.size());
-    for (std::size_t i = begin; i < end; ++i) rhs[i] = -residual[i];
+    each_number(end - begin, [to = rhs.data() + begin, from = residual.data() + begin](std::size_t i) { to[i] = -from[i]; });
   });
-  for (std::size_t i = 0; i < y_t.size(); ++i) y_t[i] = parts.work[sizes_.ode2 + i] + state.y_t[i];
+  for (std::size_t i = 0; i < y_t.size(); ++i) y_t[i] = residual[sizes_.ode2 + i] + state.y_t[i];
 }
 
 void System::gaps(const State& state, const Conditions& conditions, std::span<double> g) {

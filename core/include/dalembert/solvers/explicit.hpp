@@ -4,6 +4,8 @@
 // stages add up in the Lie algebra and are composed with the start of the step.
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "dalembert/solvers/mass_operator.hpp"
@@ -36,7 +38,16 @@ class ExplicitSolver : public Solver {
   void runge_kutta_step();
   void verlet_step();
   void compute_stage(int stage);
-  void move_from_start(const Vector& weights, Vector& q, Vector& v, Vector& y);
+  // Stages that count in a sum of derivatives.
+  struct StageWeight {
+    std::size_t stage;
+    double weight;
+  };
+  using StageWeights = std::vector<StageWeight>;
+  static StageWeights that_count(std::span<const double> weights);
+  void move_from_start(const StageWeights& weights, Vector& q, Vector& v, Vector& y);
+  // Derivative of the positions at a stage: at the first, the velocities at the start are not copied.
+  const double* position_rates(std::size_t stage);
   void compute_stage_rates(int stage);
   // With `y_t`, also the rates of ODE1 coordinates.
   bool accelerations(Vector& a, std::span<double> y_t = {});
@@ -50,7 +61,8 @@ class ExplicitSolver : public Solver {
 
   DynamicSolverType type_ = DynamicSolverType::ExplicitEuler;
   RungeKuttaMethod method_;
-  std::vector<Vector> rows_;  // rows of the coefficients, for move_from_start
+  std::vector<StageWeights> rows_;  // of the coefficients
+  StageWeights result_, second_;    // of the solution, and of the one that it is compared with
   bool verlet_ = false, lie_ = false, constant_mass_ = false, warned_minimum_ = false;
   // What was computed at the end of a step is the first stage of the next, if nobody changes the system in between.
   bool nobody_interferes_ = false, end_known_ = false, first_stage_known_ = false;

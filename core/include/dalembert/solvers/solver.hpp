@@ -124,6 +124,11 @@ class Solver {
   bool try_step();
   void step_failed(int& steps_since_reduction);
   void step_succeeded(int& steps_since_reduction);
+  // Out of the way of steps that need none of them.
+  void announce_step();
+  void announce_discontinuous_iteration();
+  void announce_increase();
+  void call_pre_step();
   void poll();
   bool time_to_look();
   bool steps_end_silently() const;

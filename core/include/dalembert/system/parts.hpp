@@ -10,9 +10,11 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <unordered_map>
 #include <vector>
 
+#include "dalembert/math/few_numbers.hpp"
 #include "dalembert/math/rotations.hpp"
 #include "dalembert/model/member.hpp"
 #include "dalembert/model/model.hpp"
@@ -129,7 +131,11 @@ struct Share {
   template <class T>
   void clear(std::span<T> list) const {
     const auto [begin, end] = of(list.size());
-    std::fill(list.data() + begin, list.data() + end, T{});
+    if constexpr (std::is_same_v<T, double>) {
+      clear_numbers(list.data() + begin, end - begin);
+    } else if (begin != end) {
+      std::fill(list.data() + begin, list.data() + end, T{});
+    }
   }
 };
 
