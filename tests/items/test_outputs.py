@@ -157,6 +157,24 @@ def test_every_ready_item_is_in_a_model() -> None:
     assert set(ITEMS) >= {v.item for v in ALL_VARIANTS}
 
 
+def test_the_angle_of_planar_bodies_counts_from_the_reference_and_is_its_own_there() -> None:
+    """The initial angle differs from the reference by 0.05 rad; both are given, so that nothing is rounded but their sum."""
+    mbs = exu.SystemContainer().AddSystem()
+    node = mbs.AddNode(
+        exu.itemInterface.NodeRigidBody2D(referenceCoordinates=[1, 2, 0.3], initialCoordinates=[0.1, 0.2, 0.05])
+    )
+    body = mbs.AddObject(exu.itemInterface.ObjectRigidBody2D(nodeNumber=node, physicsMass=1, physicsInertia=1))
+    mbs.Assemble()
+    configurations = exu.ConfigurationType
+    for configuration, angle in (
+        (configurations.Reference, 0.3),
+        (configurations.Initial, 0.05),
+        (configurations.Current, 0.05),
+    ):
+        found = mbs.GetObjectOutputBody(body, exu.OutputVariableType.Rotation, [0, 0, 0], configuration)
+        assert found == pytest.approx(angle, rel=0, abs=1e-16)
+
+
 def test_angles_that_are_coordinates_count_full_turns() -> None:
     """Two seconds at 5 rad/s about an axis of symmetry; the rotation of the body is what its rotation matrix says."""
     mbs = exu.SystemContainer().AddSystem()

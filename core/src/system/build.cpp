@@ -8,8 +8,8 @@
 #include "dalembert/model/errors.hpp"
 #include "dalembert/model/member.hpp"
 #include "dalembert/system/parts.hpp"
-#include "plan.hpp"
 #include "naming_rows.hpp"
+#include "plan.hpp"
 #include "start_values.hpp"
 
 namespace dalembert {

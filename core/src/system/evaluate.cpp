@@ -29,6 +29,7 @@ Evaluation view_of(const SystemParts& parts, const State& state, const Condition
   e.step_size = conditions.step_size;
   e.rate_level = conditions.rate_level;
   e.inertia = conditions.inertia;
+  e.of_reference = rests;
   return e;
 }
 

@@ -79,7 +79,7 @@ class ElementBatch : public Term {
               std::vector<double>& values) const override {
     const Entry& e = entries_[entry];
     const auto x = gather<n>(evaluation, e.dofs.data());
-    const OutputRequest request{variable, local, e.reference.x};
+    const OutputRequest request{variable, local, e.reference.x, evaluation.of_reference};
     if constexpr (requires { E::output(e.parameters, Context{}, x, request, values); })
       return E::output(e.parameters, context(evaluation, e), x, request, values);
     return false;

@@ -23,6 +23,7 @@ struct OutputRequest {
   OutputVariableType variable{};
   Vec3<double> local;
   std::span<const double> reference;
+  bool of_reference = false;  // the reference configuration itself is asked for
 };
 
 template <class N>

@@ -22,6 +22,7 @@ struct Evaluation {
   bool rate_level = false;         // constraints as time derivatives of their gaps (index 2)
   bool inertia = true;             // false: static, accelerations and velocities play no part
   bool same_state = false;         // as in the evaluation before
+  bool of_reference = false;       // of the reference configuration, for outputs
 };
 
 // Directions of a tangent: dq = q, dv = v, da = a per unit of the increment of an ODE2 coordinate.

@@ -46,11 +46,11 @@ struct ObjectRigidBody2D {
     const Vec3<S> weight = p.physicsMass * g;
     return {.force = weight, .moment = cross(node.rotation * centre(p), weight)};
   }
-  // The angle as a coordinate: it counts full turns, from the reference configuration on.
+  // The angle as a coordinate: it counts full turns, from the reference configuration on; there it is that of the reference.
   static bool output(const Parameters&, const Context&, const Coordinates<double, 3>& x, const OutputRequest& request,
                      std::vector<double>& values) {
     if (request.variable != OutputVariableType::Rotation) return false;
-    values = {x.q[2] - request.reference[2]};
+    values = {request.of_reference ? request.reference[2] : x.q[2] - request.reference[2]};
     return true;
   }
 
