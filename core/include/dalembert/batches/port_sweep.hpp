@@ -76,6 +76,7 @@ struct Columns {
 template <int M>
 std::vector<int> all_dofs(const Ports& ports, const std::array<int, M>& markers) {
   std::vector<int> dofs;
+  dofs.reserve(static_cast<std::size_t>(Columns<M>(ports, markers).total));
   for (const int marker : markers) {
     const auto own = ports.marker_dofs(marker);
     dofs.insert(dofs.end(), own.begin(), own.end());

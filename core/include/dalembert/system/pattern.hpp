@@ -60,13 +60,16 @@ class Pattern {
   // Calls f(slot) for rows of one column. Rows that follow each other take no search.
   template <class F>
   void for_each_slot(std::span<const int> rows, int column, F&& f) const {
-    int next = 0, end = 0;
+    if (is_dense()) {
+      for (const int row : rows) f(column * size_ + row);
+      return;
+    }
+    const int* const stored = row_index_.data();
+    const int end = column_start_[column + 1];
+    int next = column_start_[column];
     for (const int row : rows) {
-      const int found = next < end && row_index_[next] == row ? next : slot(row, column);
-      f(found);
-      if (is_dense()) continue;
-      next = found + 1;
-      end = column_start_[column + 1];
+      if (next == end || stored[next] != row) next = slot(row, column);
+      f(next++);
     }
   }
   // Calls f(slot, transposed) for each slot of a sparse pattern, with that of the entry whose row and column are exchanged.
