@@ -24,6 +24,7 @@ class VariationResults:
     """What SolveVariations found: arrays with a row per variation, NaN where a variation has no value.
 
     success: whether each variation was solved, K x bool; messages: why not, '' if it was.
+    sideBySide: whether it was solved together with others in the lanes of registers, K x bool.
     endTimes: time that was reached, K, in s.
     sensorValues: values of all sensors at the end, side by side, K x n.
     sensorHistories: with storeHistories, time and these values at every time of writing, K x rows x (1 + n); a history
@@ -33,6 +34,7 @@ class VariationResults:
     """
 
     success: NDArray[np.bool_]
+    sideBySide: NDArray[np.bool_]
     messages: list[str]
     endTimes: NDArray[np.float64]
     sensorValues: NDArray[np.float64]

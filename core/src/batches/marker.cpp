@@ -14,10 +14,11 @@ void CoordinateMarkerBatch::add(const void*, const Placement& placement, const P
   entries_.push_back({placement.item, ports.offsets(placement.item), dofs_.size(), placement.dofs.size()});
   dofs_.insert(dofs_.end(), placement.dofs.begin(), placement.dofs.end());
 }
-void CoordinateMarkerBatch::evaluate(const Evaluation& evaluation, Ports& ports) const {
-  const double* q = totals_ ? evaluation.q : evaluation.u;
+template <class S>
+void CoordinateMarkerBatch::find_values(const EvaluationOf<S>& evaluation, PortsOf<S>& ports) const {
+  const S* q = totals_ ? evaluation.q : evaluation.u;
   for (const Entry& e : entries_) {
-    double* values = ports.values.data() + e.port.value;
+    S* values = ports.values.data() + e.port.value;
     const int* dofs = dofs_.data() + e.first;
     for (std::size_t i = 0; i < e.count; ++i) {
       values[i] = q[dofs[i]];
@@ -25,10 +26,11 @@ void CoordinateMarkerBatch::evaluate(const Evaluation& evaluation, Ports& ports)
     }
   }
 }
-void CoordinateMarkerBatch::evaluate_tangent(const Evaluation&, const Weights& weights, Ports& ports) const {
+template <class S>
+void CoordinateMarkerBatch::differentiate(const Weights& weights, PortsOf<S>& ports) const {
   for (const Entry& e : entries_) {
-    double* derivative = ports.derivative(e.marker);
-    double* jacobian = ports.jacobian(e.marker);
+    S* derivative = ports.derivative(e.marker);
+    S* jacobian = ports.jacobian(e.marker);
     const std::size_t n = e.count;
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j) {
@@ -38,12 +40,28 @@ void CoordinateMarkerBatch::evaluate_tangent(const Evaluation&, const Weights& w
       }
   }
 }
-void CoordinateMarkerBatch::pull_back(const Evaluation&, Ports& ports, double* r) const {
+template <class S>
+void CoordinateMarkerBatch::subtract_forces(const PortsOf<S>& ports, S* r) const {
   for (const Entry& e : entries_) {
-    const double* force = ports.forces.data() + e.port.force;
+    const S* force = ports.forces.data() + e.port.force;
     const int* dofs = dofs_.data() + e.first;
     for (std::size_t i = 0; i < e.count; ++i) r[dofs[i]] -= force[i];
   }
+}
+
+void CoordinateMarkerBatch::evaluate(const Evaluation& evaluation, Ports& ports) const { find_values(evaluation, ports); }
+void CoordinateMarkerBatch::evaluate_tangent(const Evaluation&, const Weights& weights, Ports& ports) const {
+  differentiate(weights, ports);
+}
+void CoordinateMarkerBatch::pull_back(const Evaluation&, Ports& ports, double* r) const { subtract_forces(ports, r); }
+void CoordinateMarkerBatch::trace_evaluate(const TracedEvaluation& evaluation, TracedPorts& ports) const {
+  find_values(evaluation, ports);
+}
+void CoordinateMarkerBatch::trace_evaluate_tangent(const TracedEvaluation&, const Weights& weights, TracedPorts& ports) const {
+  differentiate(weights, ports);
+}
+void CoordinateMarkerBatch::trace_pull_back(const TracedEvaluation&, TracedPorts& ports, Traced* r) const {
+  subtract_forces(ports, r);
 }
 
 }  // namespace dalembert

@@ -10,9 +10,6 @@ namespace dalembert {
 
 namespace {
 
-// No entry of L is larger if each pivot is the largest entry of its column.
-constexpr double largest_growth = 1 + 4 * std::numeric_limits<double>::epsilon();
-
 // Up to this size a search costs no more than the kernels take to start.
 constexpr int tiny = 3;
 
@@ -40,6 +37,8 @@ int DenseLu::factorize(std::span<const double> values) {
   }
   return failed;
 }
+
+bool DenseLu::may_be_listed() const { return size_ > tiny && size_ <= EliminationList::largest_size; }
 
 void DenseLu::list_operations(std::span<const double> values) {
   listed_ = true;

@@ -3,6 +3,7 @@
 // In small matrices with many zeros, only the other entries are looked at.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -18,6 +19,12 @@ class DenseLu final : public LinearSolver {
   int factorize(std::span<const double> values) override;
   void solve(std::span<double> x) override;
   LinearSolverStatistics statistics() const override { return statistics_; }
+  bool may_be_listed() const override;
+  std::span<const int> listed_rows() const override { return row_of_step_; }
+  double largest_inverse() const override { return largest_inverse_; }
+
+  // No entry of L is larger if each pivot is the largest entry of its column.
+  static constexpr double largest_growth = 1 + 4 * std::numeric_limits<double>::epsilon();
 
  private:
   int search(std::span<const double> values);

@@ -9,6 +9,7 @@
 #include <thread>
 #include <utility>
 
+#include "../lockstep/lockstep.hpp"
 #include "dalembert/model/errors.hpp"
 #include "dalembert/model/member.hpp"
 
@@ -83,11 +84,33 @@ class Workplace {
     VariationResult result;
     try {
       prepare(variation);
-      run(result);
+      result.solved = solver_->solve_system();
+      collect(result);
     } catch (const std::exception& error) {
       result.solved = false;
       result.message = error.what();
     }
+    return result;
+  }
+
+  // The solver of a variation, about to take its first step. Null: it has to be solved alone.
+  SecondOrderSolver* begin(int variation) {
+    try {
+      prepare(variation);
+      auto* solver = dynamic_cast<SecondOrderSolver*>(solver_.get());
+      if (!solver || !solver->initialize() || !Lockstep::possible(*solver)) return nullptr;
+      solver->timer.reset(settings_.displayComputationTime);
+      return solver;
+    } catch (const std::exception&) {
+      return nullptr;  // which will tell
+    }
+  }
+  // After its last step.
+  VariationResult end() {
+    VariationResult result;
+    result.solved = result.side_by_side = true;
+    solver_->finalize();
+    collect(result);
     return result;
   }
 
@@ -114,20 +137,19 @@ class Workplace {
     char* settings = reinterpret_cast<char*>(&settings_);
     for (const VariedSetting& s : ensemble_.settings) s.values->write(variation, settings + s.offset);
     keep_to_itself(settings_, ensemble_.histories);
+    solver_ = ensemble_.make_solver();
+    solver_->attach(system_, settings_, environment_);
   }
 
-  void run(VariationResult& result) {
-    const std::unique_ptr<Solver> solver = ensemble_.make_solver();
-    solver->attach(system_, settings_, environment_);
-    result.solved = solver->solve_system();
+  void collect(VariationResult& result) {
     const State& end = system_.state(ConfigurationType::Current);
     result.time = end.time;
     if (ensemble_.histories)
       for (int i = 0; i < model_.count(ItemKind::sensor); ++i) result.histories.push_back(storage_.table(i));
     if (!result.solved) {
-      const Diagnosis& diagnosis = solver->diagnosis();
-      result.message = diagnosis.reason == FailureReason::none ? solver->error_string() : diagnosis.text();
-    } else if (solver->output.simulationTimeout) {
+      const Diagnosis& diagnosis = solver_->diagnosis();
+      result.message = diagnosis.reason == FailureReason::none ? solver_->error_string() : diagnosis.text();
+    } else if (solver_->output.simulationTimeout) {
       result.solved = false;
       result.message = "the time limit is reached";
     } else {
@@ -147,14 +169,65 @@ class Workplace {
   SolverEnvironment environment_;
   SensorStorage storage_;
   std::vector<double> sensor_values_;
+  std::unique_ptr<Solver> solver_;
   bool reassembles_ = false, starts_from_nodes_ = false;
 };
 
-// Threads that take one variation after the other until none is left.
+// One thread's workplaces for variations that take their steps together.
+class Group {
+ public:
+  Group(const Ensemble& ensemble, const Model& model, const State& initial, const std::atomic<bool>& stop)
+      : make_workplace_([&] { return std::make_unique<Workplace>(ensemble, model, initial, stop); }) {}
+
+  // Variations from `first` on, into their results.
+  void solve(int first, std::span<VariationResult> results) {
+    const bool together = goes_together_ && results.size() > 1;
+    const std::vector<bool> solved = together ? solve_together(first, results.size()) : std::vector<bool>(results.size());
+    for (std::size_t i = 0; i < results.size(); ++i)
+      results[i] = solved[i] ? workplace(i).end() : workplace(i).solve(first + static_cast<int>(i));
+  }
+
+ private:
+  // False for those that have to be solved alone, where errors are told as well.
+  std::vector<bool> solve_together(int first, std::size_t count) {
+    std::vector<SecondOrderSolver*> solvers;
+    std::vector<std::size_t> who;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (SecondOrderSolver* solver = workplace(i).begin(first + static_cast<int>(i))) {
+        solvers.push_back(solver);
+        who.push_back(i);
+      }
+    }
+    goes_together_ = !solvers.empty();
+    std::vector<bool> solved(count);
+    if (goes_together_) {
+      try {
+        const std::vector<bool> together = lockstep_.solve_steps(solvers);
+        for (std::size_t k = 0; k < who.size(); ++k) solved[who[k]] = together[k];
+      } catch (const std::exception&) {
+        lockstep_ = {};
+      }
+    }
+    return solved;
+  }
+
+  Workplace& workplace(std::size_t i) {
+    while (workplaces_.size() <= i) workplaces_.push_back(make_workplace_());
+    return *workplaces_[i];
+  }
+
+  std::function<std::unique_ptr<Workplace>()> make_workplace_;
+  std::vector<std::unique_ptr<Workplace>> workplaces_;
+  Lockstep lockstep_;
+  bool goes_together_ = true;
+};
+
+// Threads that take some variations after the others until none is left.
 class Crew {
  public:
   Crew(const Ensemble& ensemble, const Model& model, const State& initial, int threads)
-      : results(static_cast<std::size_t>(ensemble.variations)), working_(threads) {
+      : results(static_cast<std::size_t>(ensemble.variations)),
+        at_once_(std::clamp((ensemble.variations + threads - 1) / threads, 1, Lockstep::most)), working_(threads) {
     for (int i = 0; i < threads; ++i) threads_.emplace_back([&, this] { work(ensemble, model, initial); });
   }
 
@@ -177,9 +250,11 @@ class Crew {
  private:
   void work(const Ensemble& ensemble, const Model& model, const State& initial) {
     try {
-      Workplace workplace(ensemble, model, initial, stop_);
-      for (int i = next_++; i < ensemble.variations && !stop_; i = next_++)
-        results[static_cast<std::size_t>(i)] = workplace.solve(i);
+      Group group(ensemble, model, initial, stop_);
+      for (int i = next_.fetch_add(at_once_); i < ensemble.variations && !stop_; i = next_.fetch_add(at_once_)) {
+        const int count = std::min(at_once_, ensemble.variations - i);
+        group.solve(i, std::span(results).subspan(static_cast<std::size_t>(i), static_cast<std::size_t>(count)));
+      }
     } catch (...) {
       fail(std::current_exception());
     }
@@ -193,6 +268,7 @@ class Crew {
     if (!error_) error_ = std::move(error);
   }
 
+  const int at_once_;
   std::atomic<int> next_{0};
   std::atomic<bool> stop_{false};
   std::mutex mutex_;

@@ -1,7 +1,6 @@
 #include "dalembert/solvers/newton.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -13,16 +12,6 @@
 namespace dalembert {
 
 namespace {
-
-// Eight sums that do not wait for each other, in an order that depends on the size alone.
-double square_sum(std::span<const double> x) {
-  std::array<double, 8> sums{};
-  const std::size_t whole = x.size() - x.size() % sums.size();
-  for (std::size_t i = 0; i < whole; i += sums.size())
-    for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += x[i + k] * x[i + k];
-  for (std::size_t i = whole; i < x.size(); ++i) sums[i - whole] += x[i] * x[i];
-  return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
-}
 
 // One line per item, with its equations: their descriptions differ in what follows the last blank.
 std::vector<std::string> describe_equations(const System& system, std::span<const int> rows) {
@@ -57,14 +46,6 @@ constexpr double rounding_errors = 1000;
 
 }  // namespace
 
-struct NewtonSolver::Loop {
-  double initial_residual = 0;
-  double best_residual = 0;
-  int idle = 0;
-  bool restarted = false;      // modified Newton has been started again from the beginning of the step
-  bool one_more_step = false;  // after a restart, convergence counts only if confirmed by another iteration
-};
-
 void NewtonSolver::initialize_data() {
   Solver::initialize_data();
   system().complete_pattern();
@@ -80,10 +61,6 @@ void NewtonSolver::initialize_data() {
   full_newton_ = !newton_settings.useModifiedNewton;
 }
 
-double NewtonSolver::norm_of_residual() const {
-  return std::sqrt(square_sum(residual_)) / conv.errorCoordinateFactor;
-}
-
 double NewtonSolver::evaluate_residual() {
   if (hooks().pre_newton_residual) {
     const TimedPart time(timer, timer.python);
@@ -93,38 +70,45 @@ double NewtonSolver::evaluate_residual() {
 }
 
 bool NewtonSolver::newton() {
-  conv.linearSolverFailed = conv.newtonConverged = conv.newtonSolutionDiverged = conv.stopNewton = false;
-  conv.newtonStagnated = false;
-  conv.linearSolverCausingRow = -1;
-  full_newton_ = !newton_settings.useModifiedNewton;
-  Loop loop;
-  start(loop);
-  while (!conv.linearSolverFailed && !conv.newtonConverged && !conv.stopNewton &&
-         it.newtonSteps < newton_settings.maxIterations) {
+  begin_newton();
+  judge_start(evaluate_residual());
+  while (goes_on()) {
     if (sizes_.total() > 200) {
       poll_interrupt();
     }
-    iterate(loop);
+    iterate();
   }
-  if (conv.newtonConverged && !conv.stopNewton) return true;
-  report_failure(loop);
+  if (succeeded()) return true;
+  report_failure();
   return false;
 }
 
 // Multipliers start from zero, coordinates from the prediction of the integrator.
-void NewtonSolver::start(Loop& loop) {
+void NewtonSolver::begin_newton() {
+  conv.linearSolverFailed = conv.newtonConverged = conv.newtonSolutionDiverged = conv.stopNewton = false;
+  conv.newtonStagnated = false;
+  conv.linearSolverCausingRow = -1;
+  full_newton_ = !newton_settings.useModifiedNewton;
+  loop_ = Loop();
   std::fill(current().lambda.begin(), current().lambda.end(), 0.0);
   std::fill(increment_.begin(), increment_.end(), 0.0);
   compute_update(true);
   it.newtonSteps = 0;
-  loop.initial_residual = evaluate_residual();
-  if (newton_settings.newtonResidualMode == 1) loop.initial_residual = 2 * newton_settings.relativeTolerance;
-  if (loop.initial_residual <= newton_settings.absoluteTolerance) {
-    loop.initial_residual = 2 * newton_settings.absoluteTolerance;  // at least one iteration, no division by zero
+}
+
+void NewtonSolver::judge_start(double residual) {
+  loop_.initial_residual = residual;
+  if (newton_settings.newtonResidualMode == 1) loop_.initial_residual = 2 * newton_settings.relativeTolerance;
+  if (loop_.initial_residual <= newton_settings.absoluteTolerance) {
+    loop_.initial_residual = 2 * newton_settings.absoluteTolerance;  // at least one iteration, no division by zero
   }
-  conv.residual = conv.lastResidual = loop.best_residual = initial_residual_ = loop.initial_residual;
+  conv.residual = conv.lastResidual = loop_.best_residual = initial_residual_ = loop_.initial_residual;
   conv.contractivity = 0;
-  if (verbose(2)) say(2, "  Newton: initial residual = " + format_number(loop.initial_residual) + "\n");
+  if (verbose(2)) say(2, "  Newton: initial residual = " + format_number(loop_.initial_residual) + "\n");
+}
+
+bool NewtonSolver::goes_on() const {
+  return !conv.linearSolverFailed && !conv.newtonConverged && !conv.stopNewton && it.newtonSteps < newton_settings.maxIterations;
 }
 
 bool NewtonSolver::factorize() {
@@ -134,11 +118,21 @@ bool NewtonSolver::factorize() {
   return !conv.linearSolverFailed;
 }
 
-void NewtonSolver::iterate(Loop& loop) {
+bool NewtonSolver::begin_iteration() {
   ++it.newtonSteps;
   ++it.newtonStepsCount;
   const bool requested = hooks().jacobian_update_requested && hooks().jacobian_update_requested();
-  if (conv.jacobianUpdateRequested || full_newton_ || requested) {
+  return conv.jacobianUpdateRequested || full_newton_ || requested;
+}
+
+void NewtonSolver::jacobian_renewed() {
+  ++it.newtonJacobiCount;
+  conv.jacobianUpdateRequested = false;
+  if (verbose(2)) say(2, "    Jacobian updated\n");
+}
+
+void NewtonSolver::iterate() {
+  if (begin_iteration()) {
     {
       const TimedPart time(timer, timer.totalJacobian);
       compute_jacobian();
@@ -147,9 +141,7 @@ void NewtonSolver::iterate(Loop& loop) {
       conv.stopNewton = true;
       return;
     }
-    ++it.newtonJacobiCount;
-    conv.jacobianUpdateRequested = false;
-    if (verbose(2)) say(2, "    Jacobian updated\n");
+    jacobian_renewed();
   }
   {
     const TimedPart time(timer, timer.newtonIncrement);
@@ -157,39 +149,43 @@ void NewtonSolver::iterate(Loop& loop) {
     linear_->solve(increment_);
   }
   compute_update(false);
-  conv.residual = evaluate_residual();
+  judge(evaluate_residual());
+}
+
+void NewtonSolver::judge(double residual) {
+  conv.residual = residual;
   if (newton_settings.newtonResidualMode == 1) {
     const std::span<const double> all(increment_);
-    conv.residual = (std::sqrt(square_sum(all.first(static_cast<std::size_t>(sizes_.ode2)))) +
-                     std::sqrt(square_sum(all.subspan(static_cast<std::size_t>(sizes_.ode2),
+    conv.residual = (std::sqrt(sum_of_squares<double>(all.first(static_cast<std::size_t>(sizes_.ode2)))) +
+                     std::sqrt(sum_of_squares<double>(all.subspan(static_cast<std::size_t>(sizes_.ode2),
                                                       static_cast<std::size_t>(sizes_.ode1))))) /
                     conv.errorCoordinateFactor;
   }
   if (verbose(2)) {
     say(2, "    Newton iteration " + std::to_string(it.newtonSteps) + ": residual = " + format_number(conv.residual) +
-               ", relative = " + format_number(conv.residual / loop.initial_residual) +
+               ", relative = " + format_number(conv.residual / loop_.initial_residual) +
                ", contractivity = " + format_number(conv.residual / conv.lastResidual) + "\n");
   }
-  conv.newtonConverged = check_convergence(loop);
-  if (loop.one_more_step && conv.newtonConverged) {
-    loop.one_more_step = conv.newtonConverged = false;
+  conv.newtonConverged = check_convergence();
+  if (loop_.one_more_step && conv.newtonConverged) {
+    loop_.one_more_step = conv.newtonConverged = false;
   } else if (!conv.newtonConverged) {
-    loop.one_more_step = false;
-    treat_slow_convergence(loop);
+    loop_.one_more_step = false;
+    treat_slow_convergence();
   }
 }
 
-bool NewtonSolver::check_convergence(Loop& loop) {
-  if (newton_settings.adaptInitialResidual && conv.residual > loop.initial_residual && it.newtonSteps <= 1) {
-    loop.initial_residual = initial_residual_ = conv.lastResidual = conv.residual;
+bool NewtonSolver::check_convergence() {
+  if (newton_settings.adaptInitialResidual && conv.residual > loop_.initial_residual && it.newtonSteps <= 1) {
+    loop_.initial_residual = initial_residual_ = conv.lastResidual = conv.residual;
   }
-  if (conv.residual / loop.initial_residual <= newton_settings.relativeTolerance || !newton_settings.useNewtonSolver ||
+  if (conv.residual / loop_.initial_residual <= newton_settings.relativeTolerance || !newton_settings.useNewtonSolver ||
       conv.residual <= newton_settings.absoluteTolerance) {
     return true;
   }
-  loop.idle = conv.residual < 0.9 * loop.best_residual ? 0 : loop.idle + 1;
-  loop.best_residual = std::min(loop.best_residual, conv.residual);
-  if (!stagnated(loop) || !(relative_increment() < negligible_increment) ||
+  loop_.idle = conv.residual < 0.9 * loop_.best_residual ? 0 : loop_.idle + 1;
+  loop_.best_residual = std::min(loop_.best_residual, conv.residual);
+  if (!stagnated() || !(relative_increment() < negligible_increment) ||
       !(conv.residual <= rounding_errors * round_off_level())) {
     return false;
   }
@@ -199,8 +195,8 @@ bool NewtonSolver::check_convergence(Loop& loop) {
   return true;
 }
 
-bool NewtonSolver::stagnated(const Loop& loop) const {
-  return loop.idle >= idle_iterations && conv.residual <= 10 * loop.best_residual &&
+bool NewtonSolver::stagnated() const {
+  return loop_.idle >= idle_iterations && conv.residual <= 10 * loop_.best_residual &&
          newton_settings.newtonResidualMode == 0;
 }
 
@@ -208,13 +204,13 @@ bool NewtonSolver::stagnated(const Loop& loop) const {
 double NewtonSolver::relative_increment() {
   const State& now = current();
   const State& reference = system().state(ConfigurationType::Reference);
-  double total = square_sum(now.y);
+  double total = sum_of_squares<double>(now.y);
   for (std::size_t i = 0; i < now.q.size(); ++i) {
     const double q = now.q[i] + (i < reference.q.size() ? reference.q[i] : 0.0);
     total += q * q;
   }
   const std::span<const double> all(increment_);
-  const double moved = square_sum(all.first(static_cast<std::size_t>(sizes_.first_ae())));
+  const double moved = sum_of_squares<double>(all.first(static_cast<std::size_t>(sizes_.first_ae())));
   return std::sqrt(moved) / std::max(std::sqrt(total), 1e-5);
 }
 
@@ -241,19 +237,19 @@ double NewtonSolver::round_off_level() {
       if (row < n && column < n) size[row] += std::abs(values[k] * now.a[column]);
     });
   }
-  return std::numeric_limits<double>::epsilon() * std::sqrt(square_sum(size)) / conv.errorCoordinateFactor;
+  return std::numeric_limits<double>::epsilon() * std::sqrt(sum_of_squares<double>(size)) / conv.errorCoordinateFactor;
 }
 
 // Squares of norms are compared with maximumSolutionNorm, as users of this setting are used to.
 bool NewtonSolver::diverged() {
   const State& now = current();
   const double limit = newton_settings.maximumSolutionNorm;
-  const double q = square_sum(now.q), v = is_static() ? 0 : square_sum(now.v), lambda = square_sum(now.lambda);
+  const double q = sum_of_squares<double>(now.q), v = is_static() ? 0 : sum_of_squares<double>(now.v), lambda = sum_of_squares<double>(now.lambda);
   return q >= limit || v >= limit || std::isnan(q) || std::isnan(v) || std::isnan(lambda);
 }
 
 // Modified Newton first asks for a new Jacobian, then for full Newton; if it diverges, it starts again.
-void NewtonSolver::treat_slow_convergence(Loop& loop) {
+void NewtonSolver::treat_slow_convergence() {
   conv.newtonSolutionDiverged = false;
   if (diverged()) {
     if (full_newton_) {
@@ -277,27 +273,27 @@ void NewtonSolver::treat_slow_convergence(Loop& loop) {
   const bool bad_contractivity = conv.contractivity > s.modifiedNewtonContractivity && it.newtonSteps > 2;
   if (full_newton_ || !(conv.newtonSolutionDiverged || bad_contractivity)) return;
   conv.jacobianUpdateRequested = true;
-  if (loop.restarted) {
+  if (loop_.restarted) {
     full_newton_ = true;
     ++it.rejectedModifiedNewtonSteps;
   }
-  if (!conv.stopNewton && (conv.newtonSolutionDiverged || conv.contractivity > 2 || full_newton_)) restart(loop);
+  if (!conv.stopNewton && (conv.newtonSolutionDiverged || conv.contractivity > 2 || full_newton_)) restart();
 }
 
-void NewtonSolver::restart(Loop& loop) {
-  loop.restarted = true;
-  conv.residual = conv.lastResidual = loop.initial_residual;
+void NewtonSolver::restart() {
+  loop_.restarted = true;
+  conv.residual = conv.lastResidual = loop_.initial_residual;
   reset_to_start_of_step();
   std::fill(current().lambda.begin(), current().lambda.end(), 0.0);
   std::fill(increment_.begin(), increment_.end(), 0.0);
   compute_update(true);
   evaluate_residual();
-  loop.one_more_step = true;
-  loop.idle = 0;
+  loop_.one_more_step = true;
+  loop_.idle = 0;
   if (verbose(2)) say(2, "    Newton started again from the beginning of the step\n");
 }
 
-void NewtonSolver::report_failure(const Loop& loop) {
+void NewtonSolver::report_failure() {
   if (conv.linearSolverFailed) {
     diagnose(FailureReason::singular_matrix);
     diagnosis_.dependent = describe_equations(system(), dependent_equations(*pattern_, jacobian_));
@@ -308,7 +304,7 @@ void NewtonSolver::report_failure(const Loop& loop) {
   if ((output.stepInformation & step_information::step_reductions) || verbose(2)) {
     say(1, "  Newton (step " + std::to_string(it.currentStepIndex) + ", t = " + format_number(it.currentTime) +
                ") did not converge in " + std::to_string(it.newtonSteps) +
-               " iterations; relative error = " + format_number(conv.residual / loop.initial_residual) + "\n");
+               " iterations; relative error = " + format_number(conv.residual / loop_.initial_residual) + "\n");
   }
 }
 

@@ -8,6 +8,7 @@
 #include "dalembert/model/errors.hpp"
 #include "dalembert/output/numbers.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
+#include "dalembert/system/traced_equations.hpp"
 #include "rotation_increments.hpp"
 
 namespace dalembert {
@@ -176,13 +177,18 @@ void SecondOrderSolver::reset_to_start_of_step() {
   algorithmic_ = algorithmic_at_start_;
 }
 
-// The number for the tolerances is taken before the ODE2 equations are scaled, so that it does not depend on the step size.
 double SecondOrderSolver::compute_residual() {
   const TimedPart time(timer, timer.ODE2RHS);
   system().residual(current(), conditions_, residual_);
-  const double norm = norm_of_residual();
+  return scale_residual(residual_);
+}
+
+// The number for the tolerances is taken before the ODE2 equations are scaled, so that it does not depend on the step size.
+template <class S>
+S SecondOrderSolver::scale_residual(std::vector<S>& residual) const {
+  const S norm = norm_of(residual);
   const double scale = newmark_beta * it.currentStepSize * it.currentStepSize;
-  each_number(static_cast<std::size_t>(sizes_.ode2), [=, r = residual_.data()](std::size_t i) { r[i] *= scale; });
+  each_number(static_cast<std::size_t>(sizes_.ode2), [=, r = residual.data()](std::size_t i) { r[i] *= scale; });
   return norm;
 }
 
@@ -247,19 +253,28 @@ void SecondOrderSolver::correct_lie_rotations() {
 
 void SecondOrderSolver::finalize_newton() { add(algorithmic_, (1 - alpha_f) / (1 - alpha_m), current().a); }
 
-void SecondOrderSolver::compute_jacobian() {
+Weights SecondOrderSolver::jacobian_weights() const {
   const double h = it.currentStepSize, scale = newmark_beta * h * h;
-  const Weights weights{.q = scale, .v = scale * gamma_prime(), .a = scale * beta_prime(), .y = 1, .y_t = 2 / h};
+  return {.q = scale, .v = scale * gamma_prime(), .a = scale * beta_prime(), .y = 1, .y_t = 2 / h};
+}
+
+Conditions SecondOrderSolver::jacobian_conditions(bool momentary) const {
   Conditions conditions = conditions_;
   conditions.load_dependencies = settings().timeIntegration.computeLoadsJacobian;
+  conditions.follows_residual = momentary;
+  conditions.loads = momentary || settings().timeIntegration.computeLoadsJacobian > 0;
+  return conditions;
+}
+
+void SecondOrderSolver::compute_jacobian() {
+  const double scale = newmark_beta * it.currentStepSize * it.currentStepSize;
+  const Conditions conditions = jacobian_conditions(full_newton_);
   if (full_newton_) {
-    conditions.follows_residual = true;
-    evaluate_jacobian(current(), conditions, weights);
+    evaluate_jacobian(current(), conditions, jacobian_weights());
   } else {
-    conditions.loads = settings().timeIntegration.computeLoadsJacobian > 0;
-    evaluate_jacobian(without_momentary_forces(current()), conditions, weights);
+    evaluate_jacobian(without_momentary_forces(current()), conditions, jacobian_weights());
   }
-  scale_jacobian(scale);
+  scale_jacobian(jacobian_);
   add_user_jacobian(-scale, -gamma_prime() * scale, -scale);
 }
 
@@ -310,10 +325,12 @@ void SecondOrderSolver::apply_tangent_operator() {
 
 // ODE2 equations are multiplied by beta h^2 and multipliers divided by it: the condition number does not depend on h. The
 // weights of the ODE2 coordinates are scaled for that, which leaves constraints alone; the rest is set right here.
-void SecondOrderSolver::scale_jacobian(double scale) {
+template <class S>
+void SecondOrderSolver::scale_jacobian(std::vector<S>& values) const {
+  const double scale = newmark_beta * it.currentStepSize * it.currentStepSize;
   const int n = sizes_.ode2, first_ae = sizes_.first_ae(), size = sizes_.total();
-  const auto multiply = [this](std::size_t begin, std::size_t end, double factor) {
-    for (std::size_t k = begin; k < end; ++k) jacobian_[k] *= factor;
+  const auto multiply = [&](std::size_t begin, std::size_t end, double factor) {
+    for (std::size_t k = begin; k < end; ++k) values[k] *= factor;
   };
   if (sizes_.ode1 > 0) {
     for (int j = 0; j < n; ++j) multiply(column_range(pattern(), j, n).middle, column_range(pattern(), j, first_ae).middle, 1 / scale);
@@ -326,6 +343,42 @@ void SecondOrderSolver::scale_jacobian(double scale) {
     const ColumnRange column = column_range(pattern(), j, n);
     multiply(column.middle, column.end, 1 / scale);
   }
+}
+
+bool SecondOrderSolver::goes_in_lockstep() const {
+  const auto& s = settings();
+  return !verbose(1) && !hooks().take_part_in_steps() && hooks().timeout < 0 && !has_replaced_parts() && !s.displayComputationTime &&
+         !wants_differences(newton_settings.numericalDifferentiation) && s.timeIntegration.computeLoadsJacobian == 0 &&
+         newton_settings.useNewtonSolver && discontinuous.maxIterations > 0 && discontinuous.iterationTolerance >= 0 &&
+         linear_->may_be_listed();
+}
+
+void SecondOrderSolver::trace(Trace& trace) {
+  TracedEquations equations(system());
+  TracedState state;
+  const State& now = current();
+  const auto inputs = [&](std::vector<Traced>& to, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) to.push_back(trace.input());
+  };
+  inputs(state.q, now.q.size());
+  inputs(state.v, now.v.size());
+  inputs(state.a, now.a.size());
+  inputs(state.lambda, now.lambda.size());
+  std::vector<Traced> numbers(residual_.size());
+  equations.residual(state, conditions_, numbers);
+  numbers.push_back(scale_residual(numbers));
+  trace.output(numbers);
+  trace.end_part();
+  const bool full = !newton_settings.useModifiedNewton;
+  if (!full) {
+    std::ranges::fill(state.a, Traced());
+    std::ranges::fill(state.lambda, Traced());
+  }
+  numbers.resize(jacobian_.size());
+  equations.tangent(state, jacobian_conditions(full), jacobian_weights(), pattern(), numbers);
+  scale_jacobian(numbers);
+  trace.output(numbers);
+  trace.end_part();
 }
 
 }  // namespace dalembert

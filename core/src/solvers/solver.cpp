@@ -156,7 +156,7 @@ void Solver::initial_conditions() {
   write_solution_header();
 }
 
-bool Solver::solve_steps() {
+void Solver::start_steps() {
   it.currentStepSize = it.automaticStepSize ? it.initialStepSize : it.maxStepSize;
   it.currentStepIndex = 0;
   output.lastVerboseStepIndex = 0;
@@ -166,43 +166,58 @@ bool Solver::solve_steps() {
   last_look_ = SolverTimer::now();
   steps_taken_ = look_mask_ = 0;
   silent_ = steps_end_silently();
-  int steps_since_reduction = 0;
+  steps_since_reduction_ = 0;
+  end_reached_ = false;
+  finish_step(settings_->solutionSettings.writeInitialValues);
+  ++it.currentStepIndex;
+}
+
+bool Solver::solve_steps() {
   try {
-    finish_step(settings_->solutionSettings.writeInitialValues);
-    ++it.currentStepIndex;
-    bool end_reached = false;
-    while (!conv.stepReductionFailed && !end_reached && !stop_) {
-      if (time_to_look()) poll();
-      if (stop_) break;
+    start_steps();
+    while (next_step()) {
       copy(current(), start_of_step());
       save_start_of_step();
       while (!conv.stepReductionFailed) {
         if (try_step()) {
-          step_succeeded(steps_since_reduction);
+          step_succeeded();
           break;
         }
-        step_failed(steps_since_reduction);
+        step_failed();
       }
-      if (!conv.stepReductionFailed) ++it.currentStepIndex;
-      end_reached = it.currentTime >= it.endTime - 1e-10;
     }
   } catch (...) {
     current() = start_of_step();
     throw;
   }
-  silent_ = false;
-  output.finishedSuccessfully = !conv.stepReductionFailed;
+  end_steps();
   return output.finishedSuccessfully;
 }
 
+// False: there is none, or the solver was stopped.
+bool Solver::next_step() {
+  if (conv.stepReductionFailed || end_reached_ || stop_) return false;
+  if (time_to_look()) poll();
+  return !stop_;
+}
+
+void Solver::end_steps() {
+  silent_ = false;
+  output.finishedSuccessfully = !conv.stepReductionFailed;
+}
+
 bool Solver::try_step() {
-  initialize_step();
-  if (newton_settings.modifiedNewtonJacUpdatePerStep) conv.jacobianUpdateRequested = true;
-  it.lastStepSize = it.currentStepSize;
+  begin_step();
   return discontinuous_iteration();
 }
 
-void Solver::step_failed(int& steps_since_reduction) {
+void Solver::begin_step() {
+  initialize_step();
+  if (newton_settings.modifiedNewtonJacUpdatePerStep) conv.jacobianUpdateRequested = true;
+  it.lastStepSize = it.currentStepSize;
+}
+
+void Solver::step_failed() {
   if (conv.linearSolverFailed) {  // smaller steps do not mend a singular matrix
     conv.stepReductionFailed = true;
     current() = start_of_step();
@@ -218,22 +233,24 @@ void Solver::step_failed(int& steps_since_reduction) {
     say(1, "Step size reached its minimum; the solver stops\n");
     return;
   }
-  steps_since_reduction = 0;
+  steps_since_reduction_ = 0;
   const bool rejected_by_error_control = it.automaticStepSize && conv.newtonConverged && !conv.stopNewton;
   if (verbose(1) && (output.stepInformation & step_information::step_reductions) && !rejected_by_error_control) {
     say(1, "  step size reduced to " + format_number(it.currentStepSize) + position_text() + "\n");
   }
 }
 
-void Solver::step_succeeded(int& steps_since_reduction) {
+void Solver::step_succeeded() {
   if (!silent_) finish_step(true);
-  ++steps_since_reduction;
-  if (steps_since_reduction >= recovery_steps() && it.newtonSteps + it.discontinuousIteration <= recovery_iterations()) {
+  ++steps_since_reduction_;
+  if (steps_since_reduction_ >= recovery_steps() && it.newtonSteps + it.discontinuousIteration <= recovery_iterations()) {
     const double before = it.currentStepSize;
     increase_step_size();
-    steps_since_reduction = 0;
+    steps_since_reduction_ = 0;
     if (it.currentStepSize > before && it.currentTime != it.endTime && verbose(1)) announce_increase();
   }
+  ++it.currentStepIndex;
+  end_reached_ = it.currentTime >= it.endTime - 1e-10;
 }
 
 void Solver::announce_increase() {
@@ -274,21 +291,29 @@ void Solver::reset_to_start_of_step() {
   now.lambda = start.lambda;
 }
 
-bool Solver::discontinuous_iteration() {
+void Solver::begin_discontinuous_iteration() {
   conv.discontinuousIterationError = 0;
   conv.discontinuousIterationSuccessful = false;
   it.discontinuousIteration = 0;
+}
+
+void Solver::accept_newton() {
+  finalize_newton();
+  conv.discontinuousIterationError = post_newton();
+  ++it.discontinuousIteration;
+  ++it.discontinuousIterationsCount;
+  if (verbose(2)) announce_discontinuous_iteration();
+}
+
+bool Solver::discontinuous_iteration() {
+  begin_discontinuous_iteration();
   while (it.discontinuousIteration < discontinuous.maxIterations && !conv.discontinuousIterationSuccessful) {
     if (!newton()) {
       conv.discontinuousIterationError = 2 * discontinuous.iterationTolerance;
       conv.discontinuousIterationSuccessful = true;  // Newton is to blame
       return false;
     }
-    finalize_newton();
-    conv.discontinuousIterationError = post_newton();
-    ++it.discontinuousIteration;
-    ++it.discontinuousIterationsCount;
-    if (verbose(2)) announce_discontinuous_iteration();
+    accept_newton();
     if (conv.discontinuousIterationError <= discontinuous.iterationTolerance) {
       conv.discontinuousIterationSuccessful = true;
     } else if (it.discontinuousIteration < discontinuous.maxIterations) {

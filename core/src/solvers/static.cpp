@@ -97,7 +97,7 @@ double StaticSolver::compute_residual() {
       residual_[static_cast<std::size_t>(row)] += factor * mass_[slot] * (now.q[i] - start.q[i]);
     });
   }
-  return norm_of_residual();
+  return norm_of(residual_);
 }
 
 void StaticSolver::compute_update(bool initial) {

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "dalembert/system/parts.hpp"
+#include "dalembert/system/traced_equations.hpp"
 
 namespace dalembert {
 namespace {

@@ -23,11 +23,6 @@ void Ports::append(int value_count, int force_count, std::span<const int> coordi
   dofs.insert(dofs.end(), coordinate_dofs.begin(), coordinate_dofs.end());
 }
 
-void Ports::differentiate() {
-  derivatives.resize(static_cast<std::size_t>(derivative_count_));
-  jacobians.resize(static_cast<std::size_t>(jacobian_count_ + margin));
-}
-
 void Ports::add_rotating_node() {
   node_motions.emplace_back();
   node_loads.emplace_back();

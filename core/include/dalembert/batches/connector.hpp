@@ -54,7 +54,7 @@ class PortBatch final : public Term {
   }
 
   void residual(const Evaluation& evaluation, Ports& ports, double*) const override {
-    add_all_forces(evaluation, ports, std::make_index_sequence<M>());
+    add_all_forces<double>(evaluation, ports, std::make_index_sequence<M>());
   }
   void tangent(const Evaluation& evaluation, const Weights&, Ports& ports, double* values) const override {
     if constexpr (is_constant) return;
@@ -74,6 +74,23 @@ class PortBatch final : public Term {
   }
 
   bool has_tangent() const override { return !is_constant; }
+
+  bool traceable() const override {
+    return is_traced && std::ranges::all_of(entries_, [](const Entry& e) { return has_closed_form(e.parameters); });
+  }
+  void trace_residual(const TracedEvaluation& evaluation, TracedPorts& ports, Traced*) const override {
+    if constexpr (is_traced) add_all_forces<Traced>(evaluation, ports, std::make_index_sequence<M>());
+  }
+  void trace_tangent(const TracedEvaluation&, const Weights&, TracedPorts& ports, Traced* values) const override {
+    if constexpr (is_traced && !is_constant) {
+      const int* slot = slots.data();
+      for (const Entry& e : entries_) {
+        if (active(e.parameters)) add_in_closed_form(e, ports, slot, values);
+        const int total = Columns<M>(ports, e.markers).total;
+        slot += total * total;
+      }
+    }
+  }
 
   // K::update(p, c, m0, m1, start, data): new history from the frames; returns the error and a recommended step size.
   PostNewton post_newton(const Evaluation& evaluation, const Ports& ports, const double* start, double* data) override {
@@ -104,15 +121,15 @@ class PortBatch final : public Term {
 
  private:
   // Markers are spelt out, not looped over, so that frames and forces stay in registers.
-  template <std::size_t... m>
-  void add_all_forces(const Evaluation& evaluation, Ports& ports, std::index_sequence<m...>) const {
-    const double* values = ports.values.data();
-    double* sums = ports.forces.data();
+  template <class S, std::size_t... m>
+  void add_all_forces(const EvaluationOf<S>& evaluation, PortsOf<S>& ports, std::index_sequence<m...>) const {
+    const S* values = ports.values.data();
+    S* sums = ports.forces.data();
     Context c = Context::of(evaluation, -1);
     for (const Entry& e : entries_) {
       if (!active(e.parameters)) continue;
       e.place(c, evaluation);
-      const auto forces = kernel_forces<K, M, double>(e.parameters, c, {read_frame<Port>(values + e.offsets[m].value)...});
+      const auto forces = kernel_forces<K, M, S>(e.parameters, c, {read_frame<Port>(values + e.offsets[m].value)...});
       (add_force(sums + e.offsets[m].force, 1.0, forces[m]), ...);
     }
   }
@@ -123,6 +140,11 @@ class PortBatch final : public Term {
   // A load that does not read its marker has no tangent of its own.
   static constexpr bool is_constant = requires { requires K::is_constant; };
 
+  // Whether its arithmetic may be noted, where `has_closed_form` says so as well.
+  static constexpr bool is_traced = !has_update && (LinearSpanConnector<K> || is_constant || requires(const typename K::Parameters& p) {
+    K::reads_marker(p);
+  });
+
   struct Entry {
     typename K::Parameters parameters;
     std::array<int, M> markers{};
@@ -130,7 +152,8 @@ class PortBatch final : public Term {
     int item = -1, first_data = -1, data_count = 0;
 
     // What differs between the contexts of the entries.
-    void place(Context& c, const Evaluation& evaluation) const {
+    template <class S>
+    void place(Context& c, const EvaluationOf<S>& evaluation) const {
       c.item = item;
       if constexpr (has_data) {
         c.data = first_data < 0 ? nullptr : evaluation.data + first_data;
@@ -148,22 +171,27 @@ class PortBatch final : public Term {
     e.place(c, evaluation);
     return c;
   }
-  static std::array<typename Port::template Frame<double>, M> read(const Ports& ports, const Entry& e) {
-    std::array<typename Port::template Frame<double>, M> frames;
+  template <class S>
+  static std::array<typename Port::template Frame<S>, M> read(const PortsOf<S>& ports, const Entry& e) {
+    std::array<typename Port::template Frame<S>, M> frames;
     for (int m = 0; m < M; ++m) frames[m] = read_frame<Port>(ports, e.markers[m]);
     return frames;
   }
 
   // A load that does not read its marker adds nothing.
-  static bool add_in_closed_form(const Entry& e, const Ports& ports, const int* slots, double* values) {
-    if constexpr (requires { K::reads_marker(e.parameters); }) return !K::reads_marker(e.parameters);
+  static bool has_closed_form(const typename K::Parameters& p) {
+    if constexpr (requires { K::reads_marker(p); }) return !K::reads_marker(p);
+    if constexpr (SpanConnector<K>) return K::has_tangent(p);
+    return is_constant;
+  }
+  template <class S>
+  static bool add_in_closed_form(const Entry& e, const PortsOf<S>& ports, const int* slots, S* values) {
+    if (!has_closed_form(e.parameters)) return false;
     if constexpr (SpanConnector<K>) {
-      if (!K::has_tangent(e.parameters)) return false;
       const auto frames = read(ports, e);
       add_span_tangent(ports, e.markers, K::tangent(e.parameters, frames[0], frames[1]), slots, values);
-      return true;
     }
-    return false;
+    return true;
   }
 
   std::vector<Entry> entries_;

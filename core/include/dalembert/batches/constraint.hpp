@@ -65,37 +65,35 @@ class ConstraintBatch final : public Term {
           if (by_table(e, evaluation)) add_table(e, evaluation, ports, r);
       });
     }
-    for (const Entry& e : entries_) {
-      if (by_table(e, evaluation)) continue;
-      const double* lambda = evaluation.lambda + e.first_ae;
-      double* gap = r + e.first_row;
-      if (!active(e.parameters)) {
-        for (int k = 0; k < m; ++k) gap[k] += lambda[k];
-        continue;
+    add_residuals<double>(evaluation, ports, r);
+  }
+  bool traceable() const override { return LinearConstraint<K>; }
+  void trace_residual(const TracedEvaluation& evaluation, TracedPorts& ports, Traced* r) const override {
+    if constexpr (LinearConstraint<K>) add_residuals<Traced>(evaluation, ports, r);
+  }
+  void trace_tangent(const TracedEvaluation& evaluation, const Weights& weights, TracedPorts& ports, Traced* values) const override {
+    if constexpr (LinearConstraint<K>) {
+      const int* slot = slots.data();
+      for (const Entry& e : entries_) {
+        const BlockSlots blocks(slot, Columns<2>(ports, e.markers).total);
+        slot = blocks.end();
+        if (add_diagonal(e, blocks, values))
+          add_linear(e, ports, at_rate_level(e.parameters, evaluation.rate_level), row_scale(weights), blocks.gaps, values);
       }
-      const auto frames = read(ports, e);
-      const Context c = Context::of(evaluation, e.item);
-      const auto g = equations<double>(e.parameters, c, frames, evaluation.rate_level);
-      for (int k = 0; k < m; ++k) gap[k] += constrains(e.parameters, k) ? g[k] : lambda[k];
-      add_forces<Port, 2>(ports, e.markers, -1.0, reaction<double>(e.parameters, c, frames, load<double, m>(lambda)));
     }
   }
 
   void tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports, double* values) const override {
     const int* slot = slots.data();
-    const double row_scale = 1 / (weights.q != 0 ? weights.q : weights.v);
+    const double scale = row_scale(weights);
     for (const Entry& e : entries_) {
       const Columns<2> columns(ports, e.markers);
-      const int* gap_slots = slot;
-      const int* multiplier_slots = gap_slots + m * columns.total;
-      const int* force_slots = multiplier_slots + m * columns.total;
-      const int* diagonal = force_slots + columns.total * columns.total;
-      slot = diagonal + m;
-      for (int k = 0; k < m; ++k)
-        if (!constrains(e.parameters, k) || !active(e.parameters)) values[diagonal[k]] += 1;
-      if (!active(e.parameters)) continue;
+      const BlockSlots blocks(slot, columns.total);
+      const auto [gap_slots, multiplier_slots, force_slots, diagonal] = blocks;
+      slot = blocks.end();
+      if (!add_diagonal(e, blocks, values)) continue;
       if constexpr (LinearConstraint<K>) {
-        add_linear(e, ports, columns, at_rate_level(e.parameters, evaluation.rate_level), row_scale, gap_slots, values);
+        add_linear(e, ports, at_rate_level(e.parameters, evaluation.rate_level), scale, gap_slots, values);
         continue;
       }
       if constexpr (TabulatedJoint<K>)
@@ -113,7 +111,7 @@ class ConstraintBatch final : public Term {
         const int count = std::min(sweep_width, columns.total - first);
         for (int k = 0; k < m; ++k)
           if (constrains(e.parameters, k))
-            for (int j = 0; j < count; ++j) values[gap_slots[k * columns.total + first + j]] += row_scale * g[k].d[j];
+            for (int j = 0; j < count; ++j) values[gap_slots[k * columns.total + first + j]] += scale * g[k].d[j];
         const auto forces = reaction<SweepDual>(e.parameters, c, frames, lambda);
         scatter_forces<Port, 2>(ports, e.markers, columns, first, 1.0, forces, force_slots, values);
       }
@@ -154,7 +152,8 @@ class ConstraintBatch final : public Term {
   };
 
   // Of a joint that is nothing but its table, gap and reaction come together.
-  static bool by_table(const Entry& e, const Evaluation& evaluation) {
+  template <class S>
+  static bool by_table(const Entry& e, const EvaluationOf<S>& evaluation) {
     if constexpr (requires { K::is_table; }) return active(e.parameters) && !at_rate_level(e.parameters, evaluation.rate_level);
     return false;
   }
@@ -178,8 +177,45 @@ class ConstraintBatch final : public Term {
     if constexpr (requires { p.velocityLevel; }) return rate_level || p.velocityLevel;
     return rate_level;
   }
-  static Frames<double> read(const Ports& ports, const Entry& e) {
+  static double row_scale(const Weights& weights) { return 1 / (weights.q != 0 ? weights.q : weights.v); }
+  template <class S>
+  static Frames<S> read(const PortsOf<S>& ports, const Entry& e) {
     return {read_frame<Port>(ports, e.markers[0]), read_frame<Port>(ports, e.markers[1])};
+  }
+
+  // Of all constraints that are not done by their tables.
+  template <class S>
+  void add_residuals(const EvaluationOf<S>& evaluation, PortsOf<S>& ports, S* r) const {
+    for (const Entry& e : entries_) {
+      if (by_table(e, evaluation)) continue;
+      const S* lambda = evaluation.lambda + e.first_ae;
+      S* gap = r + e.first_row;
+      if (!active(e.parameters)) {
+        for (int k = 0; k < m; ++k) gap[k] += lambda[k];
+        continue;
+      }
+      const auto frames = read(ports, e);
+      const Context c = Context::of(evaluation, e.item);
+      const auto g = equations<S>(e.parameters, c, frames, evaluation.rate_level);
+      for (int k = 0; k < m; ++k) gap[k] += constrains(e.parameters, k) ? g[k] : lambda[k];
+      add_forces<Port, 2>(ports, e.markers, -1.0, reaction<S>(e.parameters, c, frames, load<S, m>(lambda)));
+    }
+  }
+
+  // Where the blocks of one constraint begin: gaps by coordinates, multipliers transposed, coordinates by coordinates.
+  struct BlockSlots {
+    const int *gaps, *multipliers, *forces, *diagonal;
+    BlockSlots(const int* first, int coordinates)
+        : gaps(first), multipliers(gaps + m * coordinates), forces(multipliers + m * coordinates),
+          diagonal(forces + coordinates * coordinates) {}
+    const int* end() const { return diagonal + m; }
+  };
+  // For multipliers that constrain nothing. False: none does.
+  template <class S>
+  static bool add_diagonal(const Entry& e, const BlockSlots& slots, S* values) {
+    for (int k = 0; k < m; ++k)
+      if (!constrains(e.parameters, k) || !active(e.parameters)) values[slots.diagonal[k]] += 1;
+    return active(e.parameters);
   }
 
   template <class S>
@@ -190,10 +226,10 @@ class ConstraintBatch final : public Term {
       return at_rate_level(p, rate_level) ? gap_rate<K, S>(p, c, f[0], f[1]) : gap<K, S>(p, c, f[0], f[1]);
     }
   }
-  template <class S>
+  template <class S, class L>
   static std::array<typename Port::template Force<S>, 2> reaction(const Parameters& p, const Context& c, const Frames<S>& f,
-                                                                  const Vec<double, m>& multipliers) {
-    Vec<double, m> lambda = multipliers;
+                                                                  const Vec<L, m>& multipliers) {
+    Vec<L, m> lambda = multipliers;
     for (int k = 0; k < m; ++k)
       if (!constrains(p, k)) lambda[k] = 0;
     if constexpr (requires { K::template reaction<S>(p, c, f[0], f[1], lambda); }) {
@@ -238,8 +274,9 @@ class ConstraintBatch final : public Term {
   }
 
   // Slots: gaps by coordinates, multipliers transposed. Forces do not change with the coordinates.
-  static void add_linear(const Entry& e, const Ports& ports, const Columns<2>& columns, bool rate, double row_scale, const int* slots,
-                         double* values) {
+  template <class S>
+  static void add_linear(const Entry& e, const PortsOf<S>& ports, bool rate, double row_scale, const int* slots, S* values) {
+    const Columns<2> columns(ports, e.markers);
     const auto equations = K::linear(e.parameters);
     for (int k = 0; k < m; ++k) {
       const auto& [component, factor] = equations[static_cast<std::size_t>(k)];
@@ -247,8 +284,8 @@ class ConstraintBatch final : public Term {
         const auto [n, translations] = std::pair(ports.ports[e.markers[i]].n, ports.ports[e.markers[i]].translations);
         const int* gap = slots + k * columns.total + columns.offset[i];
         const int* multiplier = gap + m * columns.total;
-        const double* derivative = ports.derivative(e.markers[i]) + (component + (rate ? Port::forces : 0)) * n;
-        const double* jacobian = ports.jacobian(e.markers[i]) + component * n;
+        const S* derivative = ports.derivative(e.markers[i]) + (component + (rate ? Port::forces : 0)) * n;
+        const S* jacobian = ports.jacobian(e.markers[i]) + component * n;
         const auto add = [&](int j) {
           values[gap[j]] += row_scale * factor[i] * derivative[j];
           values[multiplier[j]] += factor[i] * jacobian[j];

@@ -53,10 +53,7 @@ class ElementBatch : public Term {
         if (count > 1) {
           in_lanes([&]<int L>() { residuals_in_lanes<L>(i, count, evaluation, r); });
         } else {
-          const Entry& e = entries_[i];
-          const auto x = gather<n>(evaluation, e.dofs.data());
-          const auto f = element_residual<E, double>(e.parameters, e.constants, context(evaluation, e), x);
-          for (int k = 0; k < n; ++k) r[e.dofs[k]] += f[k];
+          add_residual(entries_[i], evaluation, r);
         }
         i += static_cast<std::size_t>(count);
       }
@@ -66,6 +63,15 @@ class ElementBatch : public Term {
   }
   void mass(const Evaluation& evaluation, Ports&, double* values) const override {
     sweep(evaluation, {.q = 0, .v = 0, .a = 1, .y = 0, .y_t = 0}, values);
+  }
+  bool traceable() const override { return TracedElement<E>; }
+  void trace_residual(const TracedEvaluation& evaluation, TracedPorts&, Traced* r) const override {
+    if constexpr (TracedElement<E>)
+      for (const Entry& e : entries_) add_residual(e, evaluation, r);
+  }
+  void trace_tangent(const TracedEvaluation& evaluation, const Weights& weights, TracedPorts&, Traced* values) const override {
+    if constexpr (TracedElement<E>)
+      for (std::size_t i = 0; i < entries_.size(); ++i) add_tangent(entries_[i], evaluation, weights, slots.data() + i * n * n, values);
   }
   bool has_mass() const override { return n > 0; }
   bool constant_mass() const override { return E::constant_mass; }
@@ -98,8 +104,27 @@ class ElementBatch : public Term {
   std::vector<Entry> entries_;
 
  private:
-
-  static Context context(const Evaluation& evaluation, const Entry& e) { return Context::of(evaluation, e.item); }
+  template <class S>
+  static Context context(const EvaluationOf<S>& evaluation, const Entry& e) {
+    return Context::of(evaluation, e.item);
+  }
+  template <class S>
+  static void add_residual(const Entry& e, const EvaluationOf<S>& evaluation, S* r) {
+    const auto x = gather<n>(evaluation, e.dofs.data());
+    const auto f = element_residual<E, S>(e.parameters, e.constants, context(evaluation, e), x);
+    for (int k = 0; k < n; ++k) r[e.dofs[k]] += f[k];
+  }
+  template <class S>
+  static void add_tangent(const Entry& e, const EvaluationOf<S>& evaluation, const Weights& weights, const int* slot, S* values) {
+    const auto x = gather<n>(evaluation, e.dofs.data());
+    if constexpr (TangentKernel<E>) {
+      add(E::tangent(e.parameters, e.constants, context(evaluation, e), x, weights), slot, values);
+    } else {
+      const auto f = element_residual<E, Dual<n, S>>(e.parameters, e.constants, context(evaluation, e), seeded<E>(x, weights));
+      for (int row = 0; row < n; ++row)
+        for (int column = 0; column < n; ++column) values[*slot++] += f[row].d[column];
+    }
+  }
 
   void sweep(const Evaluation& evaluation, const Weights& weights, double* values) const {
     if constexpr (n > 0) {
@@ -109,15 +134,7 @@ class ElementBatch : public Term {
         if (count > 1) {
           in_lanes([&]<int L>() { tangents_in_lanes<L>(i, count, evaluation, weights, slot, values); });
         } else {
-          const Entry& e = entries_[i];
-          const auto x = gather<n>(evaluation, e.dofs.data());
-          if constexpr (TangentKernel<E>) {
-            add(E::tangent(e.parameters, e.constants, context(evaluation, e), x, weights), slot, values);
-          } else {
-            const auto f = element_residual<E, Dual<n>>(e.parameters, e.constants, context(evaluation, e), seeded<E>(x, weights));
-            for (int row = 0; row < n; ++row)
-              for (int column = 0; column < n; ++column) values[slot[row * n + column]] += f[row].d[column];
-          }
+          add_tangent(entries_[i], evaluation, weights, slot, values);
         }
         slot += count * n * n;
         i += static_cast<std::size_t>(count);
@@ -125,8 +142,9 @@ class ElementBatch : public Term {
     }
   }
 
-  static void add(const Mat<double, n, n>& k, const int* slot, double* values) {
-    for (const double entry : k.x) values[*slot++] += entry;
+  template <class S>
+  static void add(const Mat<S, n, n>& k, const int* slot, S* values) {
+    for (const S& entry : k.x) values[*slot++] += entry;
   }
 
   // ---- elements of one law, side by side ----

@@ -26,8 +26,18 @@ class CoordinateMarkerBatch : public MarkerBatch {
   void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const override;
   void pull_back(const Evaluation& evaluation, Ports& ports, double* r) const override;
   void geometric(const Evaluation&, const Weights&, const Ports&, double*) const override {}
+  bool traceable() const override { return true; }
+  void trace_evaluate(const TracedEvaluation& evaluation, TracedPorts& ports) const override;
+  void trace_evaluate_tangent(const TracedEvaluation& evaluation, const Weights& weights, TracedPorts& ports) const override;
+  void trace_pull_back(const TracedEvaluation& evaluation, TracedPorts& ports, Traced* r) const override;
 
  private:
+  template <class S>
+  void find_values(const EvaluationOf<S>& evaluation, PortsOf<S>& ports) const;
+  template <class S>
+  void differentiate(const Weights& weights, PortsOf<S>& ports) const;
+  template <class S>
+  void subtract_forces(const PortsOf<S>& ports, S* r) const;
   struct Entry {
     int marker = -1;
     PortOffsets port;

@@ -17,67 +17,92 @@ class PlanarMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeOf>
     if constexpr (turns)
       for (const Entry& e : entries_) visitor.entry(e.dofs[2], e.dofs[2]);
   }
-  void evaluate(const Evaluation& evaluation, Ports& ports) const override {
+  void evaluate(const Evaluation& evaluation, Ports& ports) const override { find_frames(evaluation, ports); }
+  void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const override {
+    differentiate(evaluation, weights, ports);
+  }
+  void pull_back(const Evaluation& evaluation, Ports& ports, double* r) const override { subtract_forces(evaluation, ports, r); }
+  void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const override {
+    add_geometric(evaluation, weights, ports, values);
+  }
+  bool traceable() const override { return true; }
+  void trace_evaluate(const TracedEvaluation& evaluation, TracedPorts& ports) const override { find_frames(evaluation, ports); }
+  void trace_evaluate_tangent(const TracedEvaluation& evaluation, const Weights& weights, TracedPorts& ports) const override {
+    differentiate(evaluation, weights, ports);
+  }
+  void trace_pull_back(const TracedEvaluation& evaluation, TracedPorts& ports, Traced* r) const override {
+    subtract_forces(evaluation, ports, r);
+  }
+  void trace_geometric(const TracedEvaluation& evaluation, const Weights& weights, const TracedPorts& ports,
+                       Traced* values) const override {
+    add_geometric(evaluation, weights, ports, values);
+  }
+
+ private:
+  template <class S>
+  void find_frames(const EvaluationOf<S>& evaluation, PortsOf<S>& ports) const {
     if constexpr (Shape::values > 0) {
       int angle = -1;  // of the marker before: several on one body follow each other
-      PlanarRotation r;
+      PlanarRotation<S> r;
       for (const Entry& e : entries_) {
-        Coordinates<double, n> x;  // accelerations play no part
+        Coordinates<S, n> x;  // accelerations play no part
         for (int i = 0; i < n; ++i) {
           x.q[i] = evaluation.q[e.dofs[i]];
           x.v[i] = evaluation.v[e.dofs[i]];
         }
         const Vec3<double> local = point(e);
-        auto* frame = reinterpret_cast<typename Shape::template Frame<double>*>(ports.values.data() + e.port.value);
+        auto* frame = reinterpret_cast<typename Shape::template Frame<S>*>(ports.values.data() + e.port.value);
         if constexpr (Shape::values == 6) {
           *frame = planar_point(x, arm(e, evaluation, ports), local[2]);
         } else {
           if constexpr (n == 3)
             if (angle != e.dofs[2]) {
               angle = e.dofs[2];
-              r = PlanarRotation::by(x.q[2]);
+              r = PlanarRotation<S>::by(x.q[2]);
             }
           *frame = planar_frame(x, r, r.arm(local), local[2]);
         }
       }
     }
   }
-  void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const override {
+  template <class S>
+  void differentiate(const EvaluationOf<S>& evaluation, const Weights& weights, PortsOf<S>& ports) const {
     for (const Entry& e : entries_) {
-      const Arm a = arm(e, evaluation, ports);
+      const Arm<S> a = arm(e, evaluation, ports);
       if constexpr (Shape::values > 0) {
         const auto x = gather<n>(evaluation, e.dofs.data());
-        PlanarRotation r;
+        PlanarRotation<S> r;
         if constexpr (keeps_rotation) r = kept_rotation(e, ports);
         write_planar_frame_tangent<Shape::values>(x, r, a, weights, ports.derivative(e.marker));
       }
       write_planar_force_map<Shape::forces, n>(a, Shape::scale(e.parameters), ports.jacobian(e.marker));
     }
   }
-  void pull_back(const Evaluation& evaluation, Ports& ports, double* r) const override {
+  template <class S>
+  void subtract_forces(const EvaluationOf<S>& evaluation, const PortsOf<S>& ports, S* r) const {
     for (const Entry& e : entries_) {
-      const Arm f = force(e, ports);
+      const Arm<S> f = force(e, ports);
       r[e.dofs[0]] -= f[0];
       r[e.dofs[1]] -= f[1];
       if constexpr (n == 3) {
-        double moment = 0;
+        S moment = 0;
         if constexpr (Shape::forces == 6) moment = ports.forces[static_cast<std::size_t>(e.port.force) + 5];
         if constexpr (turns) {
-          const Arm a = arm(e, evaluation, ports);
+          const Arm<S> a = arm(e, evaluation, ports);
           moment += a[0] * f[1] - a[1] * f[0];
         }
         r[e.dofs[2]] -= moment;
       }
     }
   }
-  void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const override {
+  template <class S>
+  void add_geometric(const EvaluationOf<S>& evaluation, const Weights& weights, const PortsOf<S>& ports, S* values) const {
     if constexpr (turns) {
-      SlotCursor slot(this->slots.data(), values);
+      SlotCursorOf slot(this->slots.data(), values);
       for (const Entry& e : entries_) slot.add(weights.q * dot(arm(e, evaluation, ports), force(e, ports)));
     }
   }
 
- private:
   static constexpr bool on_node = requires { requires E::constant_jacobian; };  // without an arm
   static constexpr bool turns = n == 3 && !on_node;
   static constexpr bool keeps_rotation = Shape::values == 18;  // in the port
@@ -86,19 +111,22 @@ class PlanarMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeOf>
     if constexpr (on_node) return {};
     else return Shape::point(e.parameters, e.local);
   }
-  static Arm force(const Entry& e, const Ports& ports) {
-    const double* f = ports.forces.data() + e.port.force;
-    return Shape::scale(e.parameters) * Arm{f[0], f[1]};
+  template <class S>
+  static Arm<S> force(const Entry& e, const PortsOf<S>& ports) {
+    const S* f = ports.forces.data() + e.port.force;
+    return Shape::scale(e.parameters) * Arm<S>{f[0], f[1]};
   }
-  static PlanarRotation kept_rotation(const Entry& e, const Ports& ports) {
-    return PlanarRotation::of(*reinterpret_cast<const RigidFrame<double>*>(ports.values.data() + e.port.value));
+  template <class S>
+  static PlanarRotation<S> kept_rotation(const Entry& e, const PortsOf<S>& ports) {
+    return PlanarRotation<S>::of(*reinterpret_cast<const RigidFrame<S>*>(ports.values.data() + e.port.value));
   }
-  static Arm arm(const Entry& e, const Evaluation& evaluation, const Ports& ports) {
+  template <class S>
+  static Arm<S> arm(const Entry& e, const EvaluationOf<S>& evaluation, const PortsOf<S>& ports) {
     const Vec3<double> local = point(e);
     if constexpr (!turns) return {local[0], local[1]};
     else if (local[0] == 0 && local[1] == 0) return {};
     else if constexpr (keeps_rotation) return kept_rotation(e, ports).arm(local);
-    else return PlanarRotation::by(evaluation.q[e.dofs[2]]).arm(local);
+    else return PlanarRotation<S>::by(evaluation.q[e.dofs[2]]).arm(local);
   }
 };
 

@@ -31,12 +31,12 @@ void check_markers(const Placement& placement, const Ports& ports, const ItemLab
 }
 
 // Ports keep frames as they are laid out.
-template <class Port>
-const typename Port::template Frame<double>& read_frame(const double* from) {
-  return *reinterpret_cast<const typename Port::template Frame<double>*>(from);
+template <class Port, class S>
+const typename Port::template Frame<S>& read_frame(const S* from) {
+  return *reinterpret_cast<const typename Port::template Frame<S>*>(from);
 }
-template <class Port>
-const typename Port::template Frame<double>& read_frame(const Ports& ports, int marker) {
+template <class Port, class S>
+const typename Port::template Frame<S>& read_frame(const PortsOf<S>& ports, int marker) {
   return read_frame<Port>(ports.frame(marker));
 }
 
@@ -65,7 +65,7 @@ struct Columns {
   std::array<int, M> offset{};
   int total = 0;
 
-  Columns(const Ports& ports, const std::array<int, M>& markers) {
+  Columns(const PortTable& ports, const std::array<int, M>& markers) {
     for (int m = 0; m < M; ++m) {
       offset[m] = total;
       total += ports.ports[markers[m]].n;
@@ -107,20 +107,28 @@ void scatter_forces(const Ports& ports, const std::array<int, M>& markers, const
 }
 
 // Component by component: a loop would keep the vector out of registers.
-inline void add_vector(double* to, double sign, const Vec3<double>& v) {
+template <class S>
+void add_vector(S* to, double sign, const Vec3<S>& v) {
   to[0] += sign * v[0];
   to[1] += sign * v[1];
   to[2] += sign * v[2];
 }
-inline void add_force(double* to, double sign, const ScalarForce<double>& f) { to[0] += sign * f.force; }
-inline void add_force(double* to, double sign, const Force<double>& f) { add_vector(to, sign, f.force); }
-inline void add_force(double* to, double sign, const Wrench<double>& w) {
+template <class S>
+void add_force(S* to, double sign, const ScalarForce<S>& f) {
+  to[0] += sign * f.force;
+}
+template <class S>
+void add_force(S* to, double sign, const Force<S>& f) {
+  add_vector(to, sign, f.force);
+}
+template <class S>
+void add_force(S* to, double sign, const Wrench<S>& w) {
   add_vector(to, sign, w.force);
   add_vector(to + 3, sign, w.moment);
 }
-template <class Port, int M>
-void add_forces(Ports& ports, const std::array<int, M>& markers, double sign,
-                const std::array<typename Port::template Force<double>, M>& forces) {
+template <class Port, int M, class S>
+void add_forces(PortsOf<S>& ports, const std::array<int, M>& markers, double sign,
+                const std::array<typename Port::template Force<S>, M>& forces) {
   for (int m = 0; m < M; ++m) add_force(ports.force(markers[m]), sign, forces[m]);
 }
 

@@ -9,25 +9,25 @@
 namespace dalembert {
 
 // Adds to values[slots[row * total + column]]. Frames begin with the vector whose span counts, and its rate.
-template <int N>
-void add_span_tangent(const Ports& ports, const std::array<int, 2>& markers, const SpanTangent<N>& t, const int* slots, double* values) {
+template <int N, class S>
+void add_span_tangent(const PortsOf<S>& ports, const std::array<int, 2>& markers, const SpanTangent<N>& t, const int* slots, S* values) {
   const std::array<int, 2> n{ports.ports[markers[0]].n, ports.ports[markers[1]].n};
   const int total = n[0] + n[1];
   for (int j = 0; j < 2; ++j) {
-    const double* derivative = ports.derivative(markers[j]);
+    const S* derivative = ports.derivative(markers[j]);
     for (int c = 0; c < n[j]; ++c) {
-      Vec<double, N> span, rate;
+      Vec<S, N> span, rate;
       for (int i = 0; i < N; ++i) {
         span[i] = derivative[i * n[j] + c];
         rate[i] = derivative[(N + i) * n[j] + c];
       }
-      const Vec<double, N> force = t.by_span * span + t.by_rate * rate;
+      const Vec<S, N> force = t.by_span * span + t.by_rate * rate;
       const int* slot = slots + (j == 0 ? 0 : n[0]) + c;
       for (int i = 0; i < 2; ++i) {
         const double sign = i == j ? 1 : -1;
-        const double* jacobian = ports.jacobian(markers[i]);
+        const S* jacobian = ports.jacobian(markers[i]);
         for (int row = 0; row < n[i]; ++row, slot += total) {
-          double sum = 0;
+          S sum = 0;
           for (int f = 0; f < N; ++f) sum += jacobian[f * n[i] + row] * force[f];
           values[*slot] += sign * sum;
         }

@@ -105,6 +105,10 @@ concept LaneKernel = requires(const typename E::Parameters& p, const typename Pr
 template <class E>
 concept PureInertia = requires { requires E::pure_inertia; };
 
+// Bodies without closed forms that only doubles have: their arithmetic may be noted (math/traced.hpp).
+template <class E>
+concept TracedElement = E::size > 0 && !TurningElement<E> && (PureInertia<E> || requires { requires E::planar; });
+
 template <class E>
 concept ElementKernel = requires(const typename E::Parameters& p, const typename PreparedOf<E>::Type& constants,
                                  const Context& c, const Coordinates<double, E::size>& x, const Vec3<double>& local) {
@@ -174,8 +178,9 @@ struct OnNode {
       return Node::template pull_back<S>(x, w.force, w.moment);
     }
   }
-  static Mat<double, size, size> tangent(const Parameters& p, const NothingPrepared&, const Context&,
-                                         const Coordinates<double, size>& x, const Weights& w)
+  template <class S>
+  static Mat<S, size, size> tangent(const Parameters& p, const NothingPrepared&, const Context&, const Coordinates<S, size>& x,
+                                    const Weights& w)
     requires PlanarBody<Body, Node>
   {
     return Body::planar_tangent(p, x, w);
@@ -277,26 +282,27 @@ constexpr int lie_rotation_of() {
 }
 
 // The coordinates of an element out of the system's vectors.
-template <int N>
-Coordinates<double, N> gather(const Evaluation& e, const int* dofs) {
-  Coordinates<double, N> x;
+template <int N, class S>
+Coordinates<S, N> gather(const EvaluationOf<S>& e, const int* dofs) {
+  Coordinates<S, N> x;
   for (int i = 0; i < N; ++i) {
     x.q[i] = e.q[dofs[i]];
     x.v[i] = e.v[dofs[i]];
-    x.a[i] = e.inertia ? e.a[dofs[i]] : 0.0;
+    x.a[i] = e.inertia ? e.a[dofs[i]] : S(0);
   }
   return x;
 }
 
 // The same with directions: one derivative per coordinate, along the weights. Increments of a rotation vector on the
 // group turn into rates of its components by the inverse tangent map.
-template <class E, int N>
-Coordinates<Dual<N>, N> seeded(const Coordinates<double, N>& x, const Weights& w) {
-  Coordinates<Dual<N>, N> s;
+template <class E, class S, int N>
+Coordinates<Dual<N, S>, N> seeded(const Coordinates<S, N>& x, const Weights& w) {
+  using D = Dual<N, S>;
+  Coordinates<D, N> s;
   for (int i = 0; i < N; ++i) {
-    s.q[i] = Dual<N>::seed(x.q[i], i, w.q);
-    s.v[i] = Dual<N>::seed(x.v[i], i, w.v);
-    s.a[i] = Dual<N>::seed(x.a[i], i, w.a);
+    s.q[i] = D::seed(x.q[i], i, w.q);
+    s.v[i] = D::seed(x.v[i], i, w.v);
+    s.a[i] = D::seed(x.a[i], i, w.a);
   }
   if constexpr (lie_rotation_of<E>() >= 0) {
     constexpr int r = lie_rotation_of<E>();

@@ -4,6 +4,7 @@
 #include <concepts>
 
 #include "dalembert/math/fixed.hpp"
+#include "dalembert/math/traced.hpp"
 
 namespace dalembert {
 
@@ -17,6 +18,12 @@ struct SpanTangent {
 template <class K>
 concept SpanConnector = requires(const typename K::Parameters& p, const typename K::Port::template Frame<double>& m) {
   { K::has_tangent(p) } -> std::same_as<bool>;
+  { K::tangent(p, m, m) } -> std::same_as<SpanTangent<K::Port::forces>>;
+};
+
+// The derivatives do not depend on the frames: `tangent` takes frames of any scalar.
+template <class K>
+concept LinearSpanConnector = SpanConnector<K> && requires(const typename K::Parameters& p, const typename K::Port::template Frame<Traced>& m) {
   { K::tangent(p, m, m) } -> std::same_as<SpanTangent<K::Port::forces>>;
 };
 

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "dalembert/contracts/context.hpp"
 #include "dalembert/math/dual.hpp"
 #include "dalembert/math/fixed.hpp"
+#include "dalembert/math/traced.hpp"
 
 namespace dalembert {
 
@@ -106,6 +108,14 @@ Vec<Dual<N, T>, Results> evaluate(const UserFunction& f, const Context& c,
     }
   }
   return r;
+}
+
+// What a user function does cannot be noted: such traces are of no use.
+template <int Results, int Capacity>
+Vec<Traced, Results> evaluate(const UserFunction&, const Context&, const CallArguments<Traced, Capacity>&) {
+  Vec<Traced, Results> unknown;
+  unknown.x.fill(std::numeric_limits<double>::quiet_NaN());
+  return unknown;
 }
 
 // The common case: all arguments scalar, one result.

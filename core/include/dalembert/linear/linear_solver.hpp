@@ -34,6 +34,12 @@ class LinearSolver {
   // The right-hand side becomes the solution.
   virtual void solve(std::span<double> x) = 0;
   virtual LinearSolverStatistics statistics() const = 0;
+
+  // Whether factors may as well be made by listed operations (elimination_list.hpp), digit by digit; then also the rows of the
+  // pivots that the last factorization has chosen, and what the reciprocal of none may reach.
+  virtual bool may_be_listed() const { return false; }
+  virtual std::span<const int> listed_rows() const { return {}; }
+  virtual double largest_inverse() const { return 0; }
 };
 
 bool is_dense(LinearSolverType type);

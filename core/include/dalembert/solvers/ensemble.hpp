@@ -57,6 +57,7 @@ struct Ensemble {
 
 struct VariationResult {
   bool solved = false;
+  bool side_by_side = false;           // with others, in the lanes of registers
   std::string message;                 // why it was not solved
   double time = 0;                     // that was reached
   std::vector<double> values;          // of the sensors, one after the other; empty if not solved
@@ -64,8 +65,8 @@ struct VariationResult {
   State state;                         // at the end; empty if not wanted or not solved
 };
 
-// Solves all variations of `model` on so many threads; results do not depend on how many. They start from `initial`, or from
-// the values of the nodes if parameters of nodes vary. The caller waits and calls `poll` now and then; what it
+// Solves all variations of `model` on so many threads; results do not depend on how many, nor on what is side by side. They
+// start from `initial`, or from the values of the nodes if parameters of nodes vary. The caller waits and calls `poll` now and then; what it
 // throws ends the work and passes through.
 std::vector<VariationResult> solve_ensemble(const Ensemble& ensemble, const Model& model, const State& initial, int threads,
                                             const std::function<void()>& poll);

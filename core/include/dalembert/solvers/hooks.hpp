@@ -36,6 +36,11 @@ struct SolverHooks {
   std::function<void()> pause;
 
   double timeout = -1;  // seconds; negative: none
+
+  // Whether the user has a say in single steps.
+  bool take_part_in_steps() const {
+    return pre_step || post_step || post_newton || pre_newton_residual || system_jacobian || jacobian_update_requested || show;
+  }
 };
 
 }  // namespace dalembert

@@ -1,11 +1,13 @@
 // Solvers that find the state at the end of a step by Newton's method, full or modified.
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "dalembert/linear/linear_solver.hpp"
+#include "dalembert/math/sum_of_squares.hpp"
 #include "dalembert/solvers/solver.hpp"
 
 namespace dalembert {
@@ -30,7 +32,12 @@ class NewtonSolver : public Solver {
  protected:
   // Adds what the user's system Jacobian function gives.
   void add_user_jacobian(double q, double v, double y);
-  double norm_of_residual() const;
+  // As it is compared with the tolerances.
+  template <class S>
+  S norm_of(const std::vector<S>& residual) const {
+    using std::sqrt;
+    return sqrt(sum_of_squares<S>(residual)) / conv.errorCoordinateFactor;
+  }
   // Make the factors of the matrix in `jacobian_`; false, with the flags set, if it is singular.
   bool factorize();
 
@@ -40,20 +47,38 @@ class NewtonSolver : public Solver {
   bool full_newton_ = true;  // a new Jacobian in every iteration
 
  private:
-  struct Loop;
-  void start(Loop& loop);
-  void iterate(Loop& loop);
-  bool check_convergence(Loop& loop);
-  bool stagnated(const Loop& loop) const;
-  void treat_slow_convergence(Loop& loop);
-  void restart(Loop& loop);
+  friend class Lockstep;
+  struct Loop {
+    double initial_residual = 0;
+    double best_residual = 0;
+    int idle = 0;
+    bool restarted = false;      // modified Newton has been started again from the beginning of the step
+    bool one_more_step = false;  // after a restart, convergence counts only if confirmed by another iteration
+  };
+
+  // ---- the parts of newton ---------------------------------------------------------------------------------------
+  void begin_newton();
+  void judge_start(double residual);
+  bool goes_on() const;
+  bool begin_iteration();  // true: a new Jacobian is due
+  void jacobian_renewed();
+  void judge(double residual);
+  bool succeeded() const { return conv.newtonConverged && !conv.stopNewton; }
+
+  void iterate();
+  bool check_convergence();
+  bool stagnated() const;
+  void treat_slow_convergence();
+  void restart();
   bool diverged();
   double evaluate_residual();
   double relative_increment();
   double round_off_level();
-  void report_failure(const Loop& loop);
+  void report_failure();
   // Refuses entries of the user's Jacobian that the system matrix has no place for.
   void check_entry(const MatrixEntry& entry) const;
+
+  Loop loop_;
 };
 
 }  // namespace dalembert

@@ -13,6 +13,8 @@
 
 namespace dalembert {
 
+class Trace;
+
 class SecondOrderSolver : public NewtonSolver {
  public:
   std::string name() const override { return "implicit second order time integration"; }
@@ -43,6 +45,12 @@ class SecondOrderSolver : public NewtonSolver {
   std::span<const double> restart_values() const override { return algorithmic_; }
 
  private:
+  friend class Lockstep;
+  // ---- steps together with solvers of the same model (lockstep/lockstep.hpp) ---------------------------------------
+  bool goes_in_lockstep() const;
+  // Notes the residual with its norm, and the Jacobian, as two parts, by the vectors q, v, a and lambda of the state.
+  void trace(Trace& trace);
+
   bool newmark() const;
   double beta_prime() const;   // acceleration per increment of a coordinate
   double gamma_prime() const;  // velocity per increment of a coordinate
@@ -53,7 +61,13 @@ class SecondOrderSolver : public NewtonSolver {
   void evaluate_jacobian(const State& state, const Conditions& conditions, const Weights& weights);
   void simplified_lie_jacobian(const State& state, const Conditions& conditions, const Weights& weights);
   void apply_tangent_operator();
-  void scale_jacobian(double scale);
+  Weights jacobian_weights() const;
+  // `momentary`: with reactions and inertia forces of the moment.
+  Conditions jacobian_conditions(bool momentary) const;
+  template <class S>
+  S scale_residual(std::vector<S>& residual) const;  // returns the number that is compared with the tolerances
+  template <class S>
+  void scale_jacobian(std::vector<S>& values) const;
 
   std::vector<double> algorithmic_, algorithmic_at_start_, continued_;
   std::vector<double> lie_increment_;        // sum of increments since the start of the step (simplified relations)

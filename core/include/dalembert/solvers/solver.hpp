@@ -121,9 +121,17 @@ class Solver {
   double initial_residual_ = 0;
 
  private:
+  friend class Lockstep;
+  // ---- the parts of solve_steps ------------------------------------------------------------------------------------
+  void start_steps();
+  bool next_step();
   bool try_step();
-  void step_failed(int& steps_since_reduction);
-  void step_succeeded(int& steps_since_reduction);
+  void begin_step();
+  void begin_discontinuous_iteration();
+  void accept_newton();  // it has converged: what follows in a discontinuous iteration
+  void step_failed();
+  void step_succeeded();
+  void end_steps();
   // Out of the way of steps that need none of them.
   void announce_step();
   void announce_discontinuous_iteration();
@@ -150,6 +158,8 @@ class Solver {
   std::uint32_t steps_taken_ = 0, look_mask_ = 0;
   double last_look_ = 0;
   double last_restart_ = 0;
+  int steps_since_reduction_ = 0;
+  bool end_reached_ = false;
   bool silent_ = false;  // while all steps are solved: nothing happens at their ends
 };
 

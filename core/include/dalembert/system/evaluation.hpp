@@ -7,14 +7,15 @@
 namespace dalembert {
 
 // One state, as the batches see it. Pointers into vectors of the whole system.
-struct Evaluation {
-  const double* q = nullptr;       // ODE2 totals: reference + displacement
-  const double* u = nullptr;       // ODE2 displacements
-  const double* v = nullptr;
-  const double* a = nullptr;
-  const double* y = nullptr;       // ODE1
-  const double* y_t = nullptr;
-  const double* lambda = nullptr;
+template <class S>
+struct EvaluationOf {
+  const S* q = nullptr;            // ODE2 totals: reference + displacement
+  const S* u = nullptr;            // ODE2 displacements
+  const S* v = nullptr;
+  const S* a = nullptr;
+  const S* y = nullptr;            // ODE1
+  const S* y_t = nullptr;
+  const S* lambda = nullptr;
   const double* data = nullptr;
   double time = 0;
   double load_factor = 1;          // static solver: loads grow with it
@@ -24,6 +25,7 @@ struct Evaluation {
   bool same_state = false;         // as in the evaluation before
   bool of_reference = false;       // of the reference configuration, for outputs
 };
+using Evaluation = EvaluationOf<double>;
 
 // Directions of a tangent: dq = q, dv = v, da = a per unit of the increment of an ODE2 coordinate.
 // Rows of constraints are divided by `q` (by `v` if q is 0), so that scaling all three scales the ODE2 rows only.

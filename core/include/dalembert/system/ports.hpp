@@ -23,32 +23,59 @@ struct PortOffsets {
   int value = 0, force = 0;
 };
 
-class Ports {
+// What the ports of all markers look like, whatever is kept in them.
+class PortTable {
  public:
-  std::vector<PortLayout> ports;                // by marker number
-  std::vector<double> values, forces;
-  std::vector<double> derivatives, jacobians;   // empty before `differentiate`
-  // By rotating node, for the bodies and markers on it.
-  std::vector<NodeMotion> node_motions;
-  std::vector<NodeLoad> node_loads;
+  std::vector<PortLayout> ports;  // by marker number
   std::vector<int> dofs;
 
-  // Append a marker's stretch; `n` dofs follow with the call.
-  void append(int value_count, int force_count, std::span<const int> coordinate_dofs, int translations = 0);
-  // Make room for derivatives and Jacobians: evaluations without a tangent do without.
-  void differentiate();
+  PortOffsets offsets(int marker) const { return {ports[marker].first_value, ports[marker].first_force}; }
+  std::span<const int> marker_dofs(int marker) const {
+    return {dofs.data() + ports[marker].first_dof, static_cast<std::size_t>(ports[marker].n)};
+  }
   // Rows of a matrix may be read up to so many entries beyond its end.
   static constexpr int margin = 4;
 
-  PortOffsets offsets(int marker) const { return {ports[marker].first_value, ports[marker].first_force}; }
-  const double* frame(int marker) const { return values.data() + ports[marker].first_value; }
-  double* frame(int marker) { return values.data() + ports[marker].first_value; }
-  const double* force(int marker) const { return forces.data() + ports[marker].first_force; }
-  double* force(int marker) { return forces.data() + ports[marker].first_force; }
-  double* derivative(int marker) { return derivatives.data() + ports[marker].first_derivative; }
-  const double* derivative(int marker) const { return derivatives.data() + ports[marker].first_derivative; }
-  double* jacobian(int marker) { return jacobians.data() + ports[marker].first_jacobian; }
-  const double* jacobian(int marker) const { return jacobians.data() + ports[marker].first_jacobian; }
+ protected:
+  int derivative_count_ = 0, jacobian_count_ = 0;
+};
+
+template <class S>
+class PortsOf : public PortTable {
+ public:
+  PortsOf() = default;
+  // A copy, whose numbers are constants.
+  template <class T>
+  explicit PortsOf(const PortsOf<T>& from)
+      : PortTable(from), values(from.values.begin(), from.values.end()), forces(from.forces.size()) {}
+
+  std::vector<S> values, forces;
+  std::vector<S> derivatives, jacobians;   // empty before `differentiate`
+
+  // Make room for derivatives and Jacobians: evaluations without a tangent do without.
+  void differentiate() {
+    derivatives.resize(static_cast<std::size_t>(derivative_count_));
+    jacobians.resize(static_cast<std::size_t>(jacobian_count_ + margin));
+  }
+
+  const S* frame(int marker) const { return values.data() + ports[marker].first_value; }
+  S* frame(int marker) { return values.data() + ports[marker].first_value; }
+  const S* force(int marker) const { return forces.data() + ports[marker].first_force; }
+  S* force(int marker) { return forces.data() + ports[marker].first_force; }
+  S* derivative(int marker) { return derivatives.data() + ports[marker].first_derivative; }
+  const S* derivative(int marker) const { return derivatives.data() + ports[marker].first_derivative; }
+  S* jacobian(int marker) { return jacobians.data() + ports[marker].first_jacobian; }
+  const S* jacobian(int marker) const { return jacobians.data() + ports[marker].first_jacobian; }
+};
+
+class Ports : public PortsOf<double> {
+ public:
+  // By rotating node, for the bodies and markers on it.
+  std::vector<NodeMotion> node_motions;
+  std::vector<NodeLoad> node_loads;
+
+  // Append a marker's stretch; `n` dofs follow with the call.
+  void append(int value_count, int force_count, std::span<const int> coordinate_dofs, int translations = 0);
   void add_rotating_node();
   void clear_forces();
   // The derivatives of a node's rotation by its R rotation coordinates.
@@ -57,12 +84,8 @@ class Ports {
     static_assert(sizeof(RotationTangent<R>) <= rotation_size * sizeof(double));
     return *reinterpret_cast<RotationTangent<R>*>(rotations_.data() + static_cast<std::size_t>(node) * rotation_size);
   }
-  std::span<const int> marker_dofs(int marker) const {
-    return {dofs.data() + ports[marker].first_dof, static_cast<std::size_t>(ports[marker].n)};
-  }
 
  private:
-  int derivative_count_ = 0, jacobian_count_ = 0;
   static constexpr std::size_t rotation_size = sizeof(RotationTangent<4>) / sizeof(double);
   std::vector<double> rotations_;
 };

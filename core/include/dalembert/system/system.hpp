@@ -149,6 +149,8 @@ class System {
   int evaluations() const { return evaluations_; }
 
  private:
+  friend class TracedEquations;
+
   std::unique_ptr<SystemParts> parts_;
   State* states_;  // of the parts, by ConfigurationType
   Sizes sizes_;

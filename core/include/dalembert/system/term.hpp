@@ -7,6 +7,7 @@
 
 #include "dalembert/enums.hpp"
 #include "dalembert/frames.hpp"
+#include "dalembert/math/traced.hpp"
 #include "dalembert/system/evaluation.hpp"
 #include "dalembert/system/ports.hpp"
 #include "dalembert/system/state.hpp"
@@ -36,16 +37,21 @@ class BlockVisitor {
 };
 
 // The slots of a batch, consumed in the order in which the blocks were visited.
-class SlotCursor {
+template <class S>
+class SlotCursorOf {
  public:
-  SlotCursor(const int* slots, double* values) : slot_(slots), values_(values) {}
-  void add(double x) { values_[*slot_++] += x; }
+  SlotCursorOf(const int* slots, S* values) : slot_(slots), values_(values) {}
+  void add(const S& x) { values_[*slot_++] += x; }
   void skip(int count) { slot_ += count; }
 
  private:
   const int* slot_;
-  double* values_;
+  S* values_;
 };
+using SlotCursor = SlotCursorOf<double>;
+
+using TracedEvaluation = EvaluationOf<Traced>;
+using TracedPorts = PortsOf<Traced>;
 
 struct PostNewton {
   double error = 0;
@@ -102,6 +108,8 @@ class Batch {
   virtual void refresh(int entry, const void* record) = 0;
   // Entries of the tangent, in the order in which `tangent` writes.
   virtual void visit(BlockVisitor& visitor, const Ports& ports) const = 0;
+  // Whether its functions named trace_... note what the others compute (math/traced.hpp).
+  virtual bool traceable() const { return false; }
 
   std::vector<int> slots;  // bound to the pattern in use by the system
 };
@@ -113,6 +121,8 @@ class Term : public Batch {
   virtual void residual(const Evaluation& evaluation, Ports& ports, double* r) const = 0;
   // The derivative of what `residual` adds, with the ports' forces turned into generalised forces.
   virtual void tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports, double* values) const = 0;
+  virtual void trace_residual(const TracedEvaluation&, TracedPorts&, Traced* /*r*/) const {}
+  virtual void trace_tangent(const TracedEvaluation&, const Weights&, TracedPorts&, Traced* /*values*/) const {}
   // False: what `residual` adds is constant, and no derivatives of markers are asked for.
   virtual bool has_tangent() const { return true; }
   // Adds the mass matrix alone; writes the same blocks as `tangent`.
@@ -162,6 +172,10 @@ class MarkerBatch : public Batch {
   virtual void pull_back(const Evaluation& evaluation, Ports& ports, double* r) const = 0;
   // values -= d(J^T force) with the force held fixed.
   virtual void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const = 0;
+  virtual void trace_evaluate(const TracedEvaluation&, TracedPorts&) const {}
+  virtual void trace_evaluate_tangent(const TracedEvaluation&, const Weights&, TracedPorts&) const {}
+  virtual void trace_pull_back(const TracedEvaluation&, TracedPorts&, Traced* /*r*/) const {}
+  virtual void trace_geometric(const TracedEvaluation&, const Weights&, const TracedPorts&, Traced* /*values*/) const {}
   // Whether `geometric` builds on what `evaluate_tangent` has left.
   virtual bool geometric_follows_tangent() const { return true; }
   // History: new data coordinates after Newton, from the ports.

@@ -18,7 +18,8 @@ struct ObjectMassPoint2D {
   static Wrench<S> residual(const Parameters& p, const Context&, const Motion<S>& node) {
     return {.force = p.physicsMass * node.acceleration};
   }
-  static Mat<double, 2, 2> planar_tangent(const Parameters& p, const Coordinates<double, 2>&, const Weights& w) {
+  template <class S>
+  static Mat<S, 2, 2> planar_tangent(const Parameters& p, const Coordinates<S, 2>&, const Weights& w) {
     return {w.a * p.physicsMass, 0, 0, w.a * p.physicsMass};
   }
   template <class S>

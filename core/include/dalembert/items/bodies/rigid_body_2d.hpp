@@ -27,13 +27,14 @@ struct ObjectRigidBody2D {
     r.moment[2] += p.physicsMass * (c[0] * a[1] - c[1] * a[0]);
     return r;
   }
-  static Mat3<double> planar_tangent(const Parameters& p, const Coordinates<double, 3>& x, const Weights& w) {
+  template <class S>
+  static Mat3<S> planar_tangent(const Parameters& p, const Coordinates<S, 3>& x, const Weights& w) {
     const double m = p.physicsMass, ma = w.a * m;
-    Mat3<double> k{ma, 0, 0, 0, ma, 0, 0, 0, w.a * p.physicsInertia};
+    Mat3<S> k{ma, 0, 0, 0, ma, 0, 0, 0, w.a * p.physicsInertia};
     if (!eccentric(p)) return k;
-    const Arm c = PlanarRotation::by(x.q[2]).arm(centre(p));
-    const double spin = x.v[2], spin_rate = x.a[2];
-    const double along = w.q * spin_rate + 2 * w.v * spin, across = w.q * spin * spin - w.a;
+    const Arm<S> c = PlanarRotation<S>::by(x.q[2]).arm(centre(p));
+    const S &spin = x.v[2], &spin_rate = x.a[2];
+    const S along = w.q * spin_rate + 2 * w.v * spin, across = w.q * spin * spin - w.a;
     k(0, 2) = m * (across * c[1] - along * c[0]);
     k(1, 2) = -m * (across * c[0] + along * c[1]);
     k(2, 0) = -ma * c[1];

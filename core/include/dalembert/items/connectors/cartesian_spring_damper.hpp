@@ -20,7 +20,8 @@ struct ObjectConnectorCartesianSpringDamper {
     return {Force<S>{f}, Force<S>{-f}};
   }
   static bool has_tangent(const Parameters& p) { return !p.springForceUserFunction; }
-  static SpanTangent<3> tangent(const Parameters& p, const PointFrame<double>&, const PointFrame<double>&) {
+  template <class S>
+  static SpanTangent<3> tangent(const Parameters& p, const PointFrame<S>&, const PointFrame<S>&) {
     SpanTangent<3> t;
     for (int i = 0; i < 3; ++i) t.by_span(i, i) = p.stiffness[i], t.by_rate(i, i) = p.damping[i];
     return t;

@@ -20,7 +20,8 @@ struct ObjectConnectorCoordinateSpringDamper {
     return {ScalarForce<S>{f}, ScalarForce<S>{-f}};
   }
   static bool has_tangent(const Parameters& p) { return !p.springForceUserFunction; }
-  static SpanTangent<1> tangent(const Parameters& p, const ScalarFrame<double>&, const ScalarFrame<double>&) {
+  template <class S>
+  static SpanTangent<1> tangent(const Parameters& p, const ScalarFrame<S>&, const ScalarFrame<S>&) {
     return {{p.stiffness}, {p.damping}};
   }
 

@@ -26,9 +26,9 @@ struct ObjectConnectorCoordinate {
     if (p.offsetUserFunction_t) speed = call_scalar(p.offsetUserFunction_t, c, p.offset);
     return {p.factorValue1 * m1.rate - m0.rate - speed};
   }
-  template <class S>
+  template <class S, class L>
   static std::array<ScalarForce<S>, 2> reaction(const Parameters& p, const Context&, const ScalarFrame<S>&, const ScalarFrame<S>&,
-                                                const Vec<double, 1>& lambda) {
+                                                const Vec<L, 1>& lambda) {
     return {ScalarForce<S>{S(-lambda[0])}, ScalarForce<S>{S(p.factorValue1 * lambda[0])}};
   }
   static std::array<LinearEquation, 1> linear(const Parameters& p) { return {LinearEquation{0, {-1, p.factorValue1}}}; }

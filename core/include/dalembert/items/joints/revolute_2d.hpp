@@ -23,9 +23,9 @@ struct ObjectJointRevolute2D {
   static Vec<S, 2> gap_rate(const Parameters&, const Context&, const PointFrame<S>& m0, const PointFrame<S>& m1) {
     return {m1.velocity[0] - m0.velocity[0], m1.velocity[1] - m0.velocity[1]};
   }
-  template <class S>
+  template <class S, class L>
   static std::array<Force<S>, 2> reaction(const Parameters&, const Context&, const PointFrame<S>&, const PointFrame<S>&,
-                                          const Vec<double, 2>& lambda) {
+                                          const Vec<L, 2>& lambda) {
     const Vec3<S> f{S(lambda[0]), S(lambda[1]), S(0)};
     return {Force<S>{-f}, Force<S>{f}};
   }

@@ -1,0 +1,37 @@
+// The equations of a system as lists of operations: what `System` computes with numbers is noted here (math/traced.hpp).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "dalembert/math/traced.hpp"
+#include "dalembert/system/system.hpp"
+#include "dalembert/system/term.hpp"
+
+namespace dalembert {
+
+// What noted equations depend on; everything else is constant, time among it.
+struct TracedState {
+  std::vector<Traced> q, v, a, lambda;
+};
+
+class TracedEquations {
+ public:
+  // Every batch can be noted, and there are no functions of the user, no coordinates of first order and no history.
+  static bool possible(const System& system);
+  explicit TracedEquations(System& system);
+
+  // As the functions of System; the tangent follows the residual of the same state if the conditions say so.
+  void residual(const TracedState& state, const Conditions& conditions, std::span<Traced> r);
+  void tangent(const TracedState& state, const Conditions& conditions, const Weights& weights, const Pattern& pattern,
+               std::span<Traced> values);
+
+ private:
+  TracedEvaluation evaluation(const TracedState& state, const Conditions& conditions);
+
+  SystemParts& parts_;
+  TracedPorts ports_;
+  std::vector<Traced> total_;
+};
+
+}  // namespace dalembert

@@ -1,0 +1,68 @@
+// Solvers of variations of one model that take their steps together: the logic of each is its own, what takes time is computed
+// for all of them at once (lane_program.hpp). Results are those of solving each alone, bit for bit.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "../linear/lane_factors.hpp"
+#include "dalembert/math/lane_block.hpp"
+#include "dalembert/math/traced.hpp"
+#include "dalembert/solvers/second_order.hpp"
+#include "lane_program.hpp"
+
+namespace dalembert {
+
+class Lockstep {
+ public:
+  static constexpr int most = block_lanes;
+
+  // Whether a solver that has been initialized can go with others. Settings that change what its steps do, hooks, history and
+  // items whose arithmetic cannot be noted are in the way.
+  static bool possible(SecondOrderSolver& solver);
+
+  // Solves the steps of up to `most` initialized solvers. False for those that met something unusual: they are of no use
+  // any more, and their systems are in the middle of it.
+  std::vector<bool> solve_steps(std::span<SecondOrderSolver* const> solvers);
+
+ private:
+  struct Lane {
+    SecondOrderSolver* solver = nullptr;
+    bool here = false;
+    double step_size = 0;           // that the constants are for
+    std::vector<double> constants;  // of its trace
+    LaneFactors* factors = nullptr;
+    double norm = 0;                // of the residual
+  };
+  using Lanes = std::array<bool, most>;
+
+  template <class F>
+  void each(const Lanes& wanted, F&& f);
+  template <class F>
+  Lanes those(const Lanes& among, F&& f);
+  Lanes all_here() const;
+  bool note(Lane& lane);
+  static bool is_usual(const SecondOrderSolver& solver);  // after an iteration
+  void compile();
+  void take_step(const Lanes& lanes);
+  void iterate(const Lanes& lanes);
+  void find_residuals(const Lanes& lanes);
+  void renew_factors(const Lanes& lanes);
+  void search_pivots(int lane);
+  void factorize(const Lanes& lanes);
+  void find_increments(const Lanes& lanes);
+  int matrix_output(int k) const;
+  LaneFactors& factors_for(std::span<const int> row_of_step);
+
+  Trace trace_;
+  ConstantClasses classes_;
+  LaneProgram program_;
+  std::vector<std::unique_ptr<LaneFactors>> factors_;
+  std::array<Lane, most> lanes_;
+  std::vector<LaneBlock> right_hand_sides_;
+  bool compiled_ = false;
+};
+
+}  // namespace dalembert

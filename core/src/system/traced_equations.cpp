@@ -1,0 +1,74 @@
+#include "dalembert/system/traced_equations.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "dalembert/system/parts.hpp"
+
+namespace dalembert {
+
+bool TracedEquations::possible(const System& system) {
+  const SystemParts& parts = *system.parts_;
+  const auto calls_user = [](const auto& places) {
+    return std::ranges::any_of(places, [](const auto& place) { return has_user_function(*place.type, place.record.get()); });
+  };
+  if (parts.sizes.ode1 > 0 || parts.has_history || !parts.lie_blocks.empty() || parts.plan.regions.size() != 1) return false;
+  if (calls_user(parts.nodes) || calls_user(parts.objects) || calls_user(parts.loads)) return false;
+  const RegionPlan& plan = parts.plan.regions.front();
+  const auto can = [](const auto& batches) { return std::ranges::all_of(batches, [](const auto* batch) { return batch->traceable(); }); };
+  return plan.nodes.empty() && can(plan.moving) && can(plan.terms) && can(plan.loads);
+}
+
+// Markers at rest have been evaluated, or are now: their frames are constants.
+TracedEquations::TracedEquations(System& system) : parts_(*system.parts_), total_(static_cast<std::size_t>(parts_.sizes.ode2)) {
+  parts_.evaluate_resting(parts_.evaluation(parts_.state(ConfigurationType::Current), {}));
+  ports_ = TracedPorts(parts_.ports);
+}
+
+TracedEvaluation TracedEquations::evaluation(const TracedState& state, const Conditions& conditions) {
+  const std::vector<double>& reference = parts_.state(ConfigurationType::Reference).q;
+  for (std::size_t i = 0; i < total_.size(); ++i) total_[i] = reference[i] + state.q[i];
+  TracedEvaluation e;
+  e.q = total_.data();
+  e.u = state.q.data();
+  e.v = state.v.data();
+  e.a = state.a.data();
+  e.lambda = state.lambda.data();
+  e.time = std::numeric_limits<double>::quiet_NaN();  // what comes of it is of no use, and shows
+  e.load_factor = conditions.load_factor;
+  e.step_size = conditions.step_size;
+  e.rate_level = conditions.rate_level;
+  e.inertia = conditions.inertia;
+  return e;
+}
+
+void TracedEquations::residual(const TracedState& state, const Conditions& conditions, std::span<Traced> r) {
+  const TracedEvaluation e = evaluation(state, conditions);
+  const RegionPlan& plan = parts_.plan.regions.front();
+  std::ranges::fill(r, Traced());
+  std::ranges::fill(ports_.forces, Traced());
+  for (const MarkerBatch* batch : plan.moving) batch->trace_evaluate(e, ports_);
+  for (const Term* term : plan.terms) term->trace_residual(e, ports_, r.data());
+  if (conditions.loads)
+    for (const Term* load : plan.loads) load->trace_residual(e, ports_, r.data());
+  for (const MarkerBatch* batch : plan.moving) batch->trace_pull_back(e, ports_, r.data());
+}
+
+void TracedEquations::tangent(const TracedState& state, const Conditions& conditions, const Weights& weights, const Pattern& pattern,
+                              std::span<Traced> values) {
+  parts_.bind(pattern);
+  std::vector<Traced> unused(static_cast<std::size_t>(parts_.sizes.total()));
+  if (!conditions.follows_residual) residual(state, conditions, unused);
+  TracedEvaluation e = evaluation(state, conditions);
+  e.same_state = true;
+  const RegionPlan& plan = parts_.plan.regions.front();
+  std::ranges::fill(values, Traced());
+  ports_.differentiate();
+  for (const MarkerBatch* batch : plan.differentiated) batch->trace_evaluate_tangent(e, weights, ports_);
+  for (const Term* term : plan.terms) term->trace_tangent(e, weights, ports_, values.data());
+  if (conditions.loads)
+    for (const Term* load : plan.loads) load->trace_tangent(e, weights, ports_, values.data());
+  for (const MarkerBatch* batch : plan.moving) batch->trace_geometric(e, weights, ports_, values.data());
+}
+
+}  // namespace dalembert

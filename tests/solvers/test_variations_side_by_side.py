@@ -1,0 +1,187 @@
+"""Variations whose steps are computed together, in the lanes of registers: bit for bit what each gives by itself."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from ensembles import Result, Variable, alone, assert_equal, crank, settings
+
+import dalembert as exu
+from dalembert.itemInterface import (
+    LoadCoordinate,
+    MarkerNodeCoordinate,
+    Mass1D,
+    Node1D,
+    NodePointGround,
+    ObjectConnectorCoordinateSpringDamper,
+    SensorNode,
+)
+
+CRANK = 0.1  # m
+LANES = 8  # variations that go together
+
+
+def rods(count: int) -> np.ndarray:
+    return np.linspace(0.25, 0.35, count)
+
+
+def torques(count: int) -> np.ndarray:
+    return np.column_stack([np.zeros((count, 2)), np.geomspace(0.01, 30, count)])
+
+
+def vary_crank(solver_settings: Any, count: int, **options: Any) -> Any:
+    """Rods, inertias and torques that differ in every variation; large torques take more iterations."""
+    mbs, nodes, bodies, (left, right) = crank(0.3)
+    rod, zero = rods(count), np.zeros(count)
+    return mbs.SolveVariations(
+        {
+            (nodes[1], "referenceCoordinates"): np.column_stack([CRANK + rod / 2, zero, zero]),
+            (nodes[2], "referenceCoordinates"): np.column_stack([CRANK + rod, zero, zero]),
+            (left, "localPosition"): np.column_stack([-rod / 2, zero, zero]),
+            (right, "localPosition"): np.column_stack([rod / 2, zero, zero]),
+            (bodies[1], "physicsInertia"): rod**2 / 24,
+            (exu.LoadIndex(0), "loadVector"): torques(count),
+        },
+        solver_settings,
+        storeHistories=True,
+        storeCoordinates=True,
+        **options,
+    )
+
+
+def cranks_alone(solver_settings: Any, count: int) -> list[Result]:
+    wanted = []
+    for rod, torque in zip(rods(count), torques(count), strict=True):
+        mbs, _, bodies, _ = crank(rod)
+        mbs.SetObjectParameter(bodies[1], "physicsInertia", rod**2 / 24)
+        mbs.SetLoadParameter(0, "loadVector", torque)
+        wanted.append(alone(mbs, lambda mbs=mbs: mbs.SolveDynamic(solver_settings)))
+    return wanted
+
+
+@pytest.mark.parametrize("threads", [1, 2])
+@pytest.mark.parametrize("modified", [False, True], ids=["full", "modified"])
+@pytest.mark.parametrize("count", [3, LANES, 21])
+def test_cranks_are_what_each_gives_by_itself(count: int, modified: bool, threads: int) -> None:
+    s = settings(0.1, 100)
+    s.timeIntegration.newton.useModifiedNewton = modified
+    results = vary_crank(s, count, numberOfThreads=threads)
+    assert_equal(results, cranks_alone(s, count))
+    assert modified or threads > 1 or results.sideBySide.all()
+
+
+@pytest.mark.parametrize(
+    ("adaptive", "index2", "radius", "mode"), [(True, False, 0.9, 0), (False, True, 1, 0), (False, False, 0.5, 1)]
+)
+def test_integrators_and_settings(adaptive: bool, index2: bool, radius: float, mode: int) -> None:
+    s = settings(0.0937, 41)  # the last step is shorter where steps are summed up
+    s.timeIntegration.adaptiveStep = adaptive
+    s.timeIntegration.newton.newtonResidualMode = mode
+    s.timeIntegration.generalizedAlpha.spectralRadius = radius
+    s.timeIntegration.generalizedAlpha.useIndex2Constraints = index2
+    s.timeIntegration.generalizedAlpha.useNewmark = index2
+    results = vary_crank(s, 11, numberOfThreads=1)
+    assert_equal(results, cranks_alone(s, 11))
+    assert results.sideBySide.all()
+
+
+def chain(masses: int = 6) -> Any:
+    """Masses along one axis, with springs and dampers between them and to the ground; one is pulled."""
+    mbs = exu.SystemContainer().AddSystem()
+    rest = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=mbs.AddNode(NodePointGround()), coordinate=0))
+    ends = [rest]
+    for k in range(masses):
+        node = mbs.AddNode(Node1D(referenceCoordinates=[0.1 * k], initialVelocities=[0.2 * (-1) ** k]))
+        mbs.AddObject(Mass1D(nodeNumber=node, physicsMass=0.5 + 0.1 * k))
+        ends.append(mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=node, coordinate=0)))
+        mbs.AddObject(
+            ObjectConnectorCoordinateSpringDamper(markerNumbers=ends[-2:], stiffness=200 + 10 * k, damping=0.3)
+        )
+        mbs.AddSensor(SensorNode(nodeNumber=node, outputVariableType=Variable.Coordinates, storeInternal=True))
+    mbs.AddLoad(LoadCoordinate(markerNumber=ends[-1], load=1.5))
+    mbs.Assemble()
+    return mbs
+
+
+def first_spring() -> Any:
+    return exu.ObjectIndex(1)
+
+
+def test_chains_of_masses() -> None:
+    stiffness = np.geomspace(1, 1e5, 13)
+    stiffness[4] = 0
+    wanted = []
+    for k in stiffness:
+        mbs = chain()
+        mbs.SetObjectParameter(first_spring(), "stiffness", k)
+        wanted.append(alone(mbs, lambda mbs=mbs: mbs.SolveDynamic(settings())))
+    results = chain().SolveVariations(
+        {(first_spring(), "stiffness"): stiffness},
+        settings(),
+        storeHistories=True,
+        storeCoordinates=True,
+        numberOfThreads=1,
+    )
+    assert_equal(results, wanted)
+    assert results.sideBySide.all()
+
+
+def test_a_variation_that_fails_leaves_those_beside_it_alone() -> None:
+    """Without mass, springs and dampers a coordinate is singular; a tolerance below round-off takes iterations."""
+    count, singular, hasty, strict = 11, 2, 5, 7
+    masses, stiffness = np.linspace(1, 2, count), np.full(count, 200.0)
+    masses[singular] = 0
+    iterations, tolerances = np.full(count, 25), np.full(count, 1e-13)
+    iterations[hasty], tolerances[[hasty, strict]] = 2, 1e-25
+    mbs = chain(4)
+    mbs.SetObjectParameter(exu.ObjectIndex(7), "stiffness", 0)  # the last mass is free
+    mbs.SetObjectParameter(exu.ObjectIndex(7), "damping", 0)
+    s = settings()
+    varied = {(exu.ObjectIndex(6), "physicsMass"): masses, (first_spring(), "stiffness"): stiffness}
+    newton = "timeIntegration.newton"
+    varied_settings = {
+        f"{newton}.maxIterations": iterations,
+        f"{newton}.relativeTolerance": tolerances,
+        f"{newton}.absoluteTolerance": tolerances,
+    }
+    results = mbs.SolveVariations(
+        varied,
+        s,
+        settings=varied_settings,
+        storeCoordinates=True,
+        numberOfThreads=1,
+    )
+    failed = np.isin(np.arange(count), [singular, hasty])
+    np.testing.assert_array_equal(results.success, ~failed)
+    np.testing.assert_array_equal(results.sideBySide, ~failed)
+    assert "the system matrix is singular" in results.messages[singular]
+    assert "Newton's method did not converge" in results.messages[hasty]
+    good = {key: values[~failed] for key, values in varied.items()}
+    without = mbs.SolveVariations(
+        good,
+        s,
+        settings={name: values[~failed] for name, values in varied_settings.items()},
+        storeCoordinates=True,
+        numberOfThreads=1,
+    )
+    np.testing.assert_array_equal(results.sensorValues[~failed], without.sensorValues)
+    np.testing.assert_array_equal(results.coordinates["ODE2_tt"][~failed], without.coordinates["ODE2_tt"])
+
+
+def test_variations_with_other_operations_are_solved_alone() -> None:
+    """An eccentric body has terms that others lack."""
+    mbs, _, bodies, _ = crank(0.3)
+    centres = np.zeros((10, 2))
+    centres[3] = [0.01, -0.02]
+    s = settings(0.05, 50)
+    results = mbs.SolveVariations(
+        {(bodies[1], "physicsCenterOfMass"): centres}, s, storeCoordinates=True, numberOfThreads=1
+    )
+    np.testing.assert_array_equal(results.sideBySide, centres[:, 0] == 0)
+    for k in (0, 3):
+        mbs.SetObjectParameter(bodies[1], "physicsCenterOfMass", centres[k])
+        mbs.SolveDynamic(s)
+        np.testing.assert_array_equal(results.coordinates["ODE2"][k], mbs.systemData.GetODE2Coordinates())
+        np.testing.assert_array_equal(results.coordinates["AE"][k], mbs.systemData.GetAECoordinates())
