@@ -49,7 +49,8 @@ LaneFactors::LaneFactors(std::span<const int> row_of_step, std::span<const char>
       work_(static_cast<std::size_t>(list_.size)) {}
 
 void LaneFactors::eliminate() {
-  in_block_registers([&] { eliminate_all(list_, vectors(next_), vectors(next_) + list_.entries, reinterpret_cast<LaneVector*>(&growth_)); });
+  LaneVector* const factors = vectors(next_);
+  in_block_registers([&] { eliminate_all(list_, factors, factors + list_.entries, reinterpret_cast<LaneVector*>(&growth_)); });
 }
 
 void LaneFactors::take(std::span<const bool> wanted) {

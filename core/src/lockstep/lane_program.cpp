@@ -92,7 +92,8 @@ class LaneProgram::Compiler {
       }
       if (note.operation == Operation::add || note.operation == Operation::multiply)
         if (a > b) std::swap(a, b);
-      const auto key = static_cast<std::uint64_t>(note.operation) << 60 | static_cast<std::uint64_t>(a) << 30 | static_cast<std::uint64_t>(b);
+      const auto wide = [](auto x) { return static_cast<std::uint64_t>(x); };
+      const auto key = wide(note.operation) << 60 | wide(a) << 30 | wide(b);
       const auto [entry, is_new] = known.try_emplace(key, static_cast<int>(values_.size()));
       if (is_new) values_.push_back({note.operation, a, b});
       results_.push_back(entry->second);

@@ -183,7 +183,8 @@ LaneFactors& Lockstep::factors_for(std::span<const int> row_of_step) {
   std::vector<char> occupied(static_cast<std::size_t>(n * n));
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i)
-      if (!program_.is_zero(matrix_output(j * n + i))) occupied[static_cast<std::size_t>(j * n + i)] = occupied[static_cast<std::size_t>(i * n + j)] = 1;
+      if (!program_.is_zero(matrix_output(j * n + i)))
+        for (const int place : {j * n + i, i * n + j}) occupied[static_cast<std::size_t>(place)] = 1;
   return *factors_.emplace_back(std::make_unique<LaneFactors>(row_of_step, occupied));
 }
 
