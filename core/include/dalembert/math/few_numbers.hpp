@@ -8,7 +8,7 @@ namespace dalembert {
 
 // So many numbers are done one by one. To sort out which of them fill registers, or to call memcpy, would take longer; and
 // what has just been written number by number cannot be read at once in wide registers.
-constexpr std::size_t few_numbers = 16;
+constexpr std::size_t few_numbers = 8;
 
 // Keeps the compiler from turning the loop around it into another one.
 [[gnu::always_inline]] inline void keep_loop() { asm volatile(""); }

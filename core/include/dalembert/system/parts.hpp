@@ -128,14 +128,12 @@ struct Share {
     if (count == 1) return {0, size};
     return {size * number / count, size * (number + 1) / count};
   }
+  // `T` consists of numbers.
   template <class T>
   void clear(std::span<T> list) const {
+    static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % sizeof(double) == 0);
     const auto [begin, end] = of(list.size());
-    if constexpr (std::is_same_v<T, double>) {
-      clear_numbers(list.data() + begin, end - begin);
-    } else if (begin != end) {
-      std::fill(list.data() + begin, list.data() + end, T{});
-    }
+    clear_numbers(reinterpret_cast<double*>(list.data() + begin), (end - begin) * (sizeof(T) / sizeof(double)));
   }
 };
 
