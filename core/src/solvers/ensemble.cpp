@@ -93,12 +93,17 @@ class Workplace {
     return result;
   }
 
-  // The solver of a variation, about to take its first step. Null: it has to be solved alone.
-  SecondOrderSolver* begin(int variation) {
+  // The solver of a variation, about to take its first step. Null: it has to be solved alone; `others` tells whether those of
+  // other variations may go together nevertheless.
+  SecondOrderSolver* begin(int variation, bool& others) {
+    others = true;
     try {
       prepare(variation);
       auto* solver = dynamic_cast<SecondOrderSolver*>(solver_.get());
-      if (!solver || !solver->initialize() || !Lockstep::possible(*solver)) return nullptr;
+      others = solver != nullptr;
+      if (!solver || !solver->initialize()) return nullptr;
+      others = Lockstep::possible(*solver);
+      if (!others) return nullptr;
       solver->timer.reset(settings_.displayComputationTime);
       return solver;
     } catch (const std::exception&) {
@@ -183,8 +188,12 @@ class Group {
   void solve(int first, std::span<VariationResult> results) {
     const bool together = goes_together_ && results.size() > 1;
     const std::vector<bool> solved = together ? solve_together(first, results.size()) : std::vector<bool>(results.size());
-    for (std::size_t i = 0; i < results.size(); ++i)
-      results[i] = solved[i] ? workplace(i).end() : workplace(i).solve(first + static_cast<int>(i));
+    for (std::size_t i = 0; i < results.size(); ++i) {
+      if (solved[i]) results[i] = workplace(i).end();
+    }
+    for (std::size_t i = 0; i < results.size(); ++i) {  // one workplace is enough: systems may be large
+      if (!solved[i]) results[i] = workplace(0).solve(first + static_cast<int>(i));
+    }
   }
 
  private:
@@ -193,14 +202,14 @@ class Group {
     std::vector<SecondOrderSolver*> solvers;
     std::vector<std::size_t> who;
     for (std::size_t i = 0; i < count; ++i) {
-      if (SecondOrderSolver* solver = workplace(i).begin(first + static_cast<int>(i))) {
-        solvers.push_back(solver);
-        who.push_back(i);
-      }
+      SecondOrderSolver* solver = workplace(i).begin(first + static_cast<int>(i), goes_together_);
+      if (!goes_together_) return std::vector<bool>(count);
+      if (!solver) continue;
+      solvers.push_back(solver);
+      who.push_back(i);
     }
-    goes_together_ = !solvers.empty();
     std::vector<bool> solved(count);
-    if (goes_together_) {
+    if (!solvers.empty()) {
       try {
         const std::vector<bool> together = lockstep_.solve_steps(solvers);
         for (std::size_t k = 0; k < who.size(); ++k) solved[who[k]] = together[k];
@@ -227,7 +236,7 @@ class Crew {
  public:
   Crew(const Ensemble& ensemble, const Model& model, const State& initial, int threads)
       : results(static_cast<std::size_t>(ensemble.variations)),
-        at_once_(std::clamp((ensemble.variations + threads - 1) / threads, 1, Lockstep::most)), working_(threads) {
+        at_once_(even_share(ensemble.variations, threads)), working_(threads) {
     for (int i = 0; i < threads; ++i) threads_.emplace_back([&, this] { work(ensemble, model, initial); });
   }
 
@@ -266,6 +275,13 @@ class Crew {
     stop_ = true;
     const std::scoped_lock lock(mutex_);
     if (!error_) error_ = std::move(error);
+  }
+
+  // As many variations as go together at most, so that all threads take as many turns.
+  static int even_share(int variations, int threads) {
+    const auto rounded_up = [](int a, int b) { return (a + b - 1) / b; };
+    const int turns = std::max(1, rounded_up(variations, threads * Lockstep::most));
+    return std::max(1, rounded_up(variations, threads * turns));
   }
 
   const int at_once_;

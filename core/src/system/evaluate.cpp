@@ -4,7 +4,6 @@
 #include <stdexcept>
 
 #include "dalembert/system/parts.hpp"
-#include "dalembert/system/traced_equations.hpp"
 
 namespace dalembert {
 namespace {

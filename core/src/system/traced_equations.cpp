@@ -57,8 +57,10 @@ void TracedEquations::residual(const TracedState& state, const Conditions& condi
 void TracedEquations::tangent(const TracedState& state, const Conditions& conditions, const Weights& weights, const Pattern& pattern,
                               std::span<Traced> values) {
   parts_.bind(pattern);
-  std::vector<Traced> unused(static_cast<std::size_t>(parts_.sizes.total()));
-  if (!conditions.follows_residual) residual(state, conditions, unused);
+  if (!conditions.follows_residual) {
+    std::vector<Traced> unused(static_cast<std::size_t>(parts_.sizes.total()));
+    residual(state, conditions, unused);
+  }
   TracedEvaluation e = evaluation(state, conditions);
   e.same_state = true;
   const RegionPlan& plan = parts_.plan.regions.front();

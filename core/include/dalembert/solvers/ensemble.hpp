@@ -66,8 +66,8 @@ struct VariationResult {
 };
 
 // Solves all variations of `model` on so many threads; results do not depend on how many, nor on what is side by side. They
-// start from `initial`, or from the values of the nodes if parameters of nodes vary. The caller waits and calls `poll` now and then; what it
-// throws ends the work and passes through.
+// start from `initial`, or from the values of the nodes if parameters of nodes vary. The caller waits and calls `poll` now and
+// then; what it throws ends the work and passes through.
 std::vector<VariationResult> solve_ensemble(const Ensemble& ensemble, const Model& model, const State& initial, int threads,
                                             const std::function<void()>& poll);
 
