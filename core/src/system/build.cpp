@@ -72,7 +72,7 @@ class Builder {
     make_room(parts_.references, objects + markers + model_.count(ItemKind::load));
     make_room(parts_.coordinates, start_values_.make_room(node_sizes_, parts_).ode2);
     make_room(parts_.ports.values, 6 * markers);
-    make_room(parts_.ports.forces, 3 * markers);
+    make_room(parts_.ports.forces, 4 * markers);
     make_room(parts_.ports.dofs, 3 * markers);
     make_room(marker_regions_, markers);
     make_room(first_ae_, objects);

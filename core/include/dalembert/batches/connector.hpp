@@ -3,8 +3,10 @@
 
 #include <concepts>
 #include <memory>
+#include <ranges>
 #include <utility>
 
+#include "dalembert/batches/lawful_spans.hpp"
 #include "dalembert/batches/port_sweep.hpp"
 #include "dalembert/batches/span_tangent.hpp"
 #include "dalembert/contracts/context.hpp"
@@ -29,7 +31,10 @@ class PortBatch final : public Term {
  public:
   using Port = typename K::Port;
 
-  void reserve(int entries) override { entries_.reserve(static_cast<std::size_t>(entries)); }
+  void reserve(int entries) override {
+    entries_.reserve(static_cast<std::size_t>(entries));
+    if constexpr (LawfulConnector<K>) spans_.reserve(static_cast<std::size_t>(entries));
+  }
   void add(const void* record, const Placement& placement, const Ports& ports) override {
     Entry e;
     e.parameters = static_cast<const Record*>(record)->parameters;
@@ -41,9 +46,14 @@ class PortBatch final : public Term {
     e.first_data = placement.first_data;
     e.data_count = placement.data_count;
     entries_.push_back(std::move(e));
+    if constexpr (LawfulConnector<K>) {
+      spans_.add(entries_.back().offsets);
+      take_law(static_cast<int>(entries_.size()) - 1);
+    }
   }
   void refresh(int entry, const void* record) override {
     entries_[entry].parameters = static_cast<const Record*>(record)->parameters;
+    if constexpr (LawfulConnector<K>) take_law(entry);
   }
   void visit(BlockVisitor& visitor, const Ports& ports) const override {
     if constexpr (is_constant) return;
@@ -54,7 +64,13 @@ class PortBatch final : public Term {
   }
 
   void residual(const Evaluation& evaluation, Ports& ports, double*) const override {
-    add_all_forces<double>(evaluation, ports, std::make_index_sequence<M>());
+    if constexpr (LawfulConnector<K>) {
+      spans_.add_forces(ports.values.data(), ports.forces.data());
+      const auto lawless = spans_.lawless() | std::views::transform([this](int entry) -> const Entry& { return entries_[entry]; });
+      add_forces_of(lawless, evaluation, ports, std::make_index_sequence<M>());
+    } else {
+      add_forces_of(entries_, evaluation, ports, std::make_index_sequence<M>());
+    }
   }
   void tangent(const Evaluation& evaluation, const Weights&, Ports& ports, double* values) const override {
     if constexpr (is_constant) return;
@@ -79,7 +95,7 @@ class PortBatch final : public Term {
     return is_traced && std::ranges::all_of(entries_, [](const Entry& e) { return has_closed_form(e.parameters); });
   }
   void trace_residual(const TracedEvaluation& evaluation, TracedPorts& ports, Traced*) const override {
-    if constexpr (is_traced) add_all_forces<Traced>(evaluation, ports, std::make_index_sequence<M>());
+    if constexpr (is_traced) add_forces_of(entries_, evaluation, ports, std::make_index_sequence<M>());
   }
   void trace_tangent(const TracedEvaluation&, const Weights&, TracedPorts& ports, Traced* values) const override {
     if constexpr (is_traced && !is_constant) {
@@ -122,11 +138,11 @@ class PortBatch final : public Term {
  private:
   // Markers are spelt out, not looped over, so that frames and forces stay in registers.
   template <class S, std::size_t... m>
-  void add_all_forces(const EvaluationOf<S>& evaluation, PortsOf<S>& ports, std::index_sequence<m...>) const {
+  static void add_forces_of(const auto& entries, const EvaluationOf<S>& evaluation, PortsOf<S>& ports, std::index_sequence<m...>) {
     const S* values = ports.values.data();
     S* sums = ports.forces.data();
     Context c = Context::of(evaluation, -1);
-    for (const Entry& e : entries_) {
+    for (const Entry& e : entries) {
       if (!active(e.parameters)) continue;
       e.place(c, evaluation);
       const auto forces = kernel_forces<K, M, S>(e.parameters, c, {read_frame<Port>(values + e.offsets[m].value)...});
@@ -194,7 +210,15 @@ class PortBatch final : public Term {
     return true;
   }
 
+  // Connectors with user functions have no law; what is switched off obeys one that gives no force.
+  void take_law(int entry) requires LawfulConnector<K> {
+    const typename K::Parameters& p = entries_[entry].parameters;
+    if (!has_closed_form(p)) spans_.leave(entry);
+    else spans_.obey(entry, active(p) ? K::law(p) : spans_.no_force);
+  }
+
   std::vector<Entry> entries_;
+  [[no_unique_address]] typename SpansOf<K>::Type spans_;
 };
 
 // A kernel with history says how many `data_coordinates` its node has to have, and may say by needs_data(p) when it does

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -50,11 +49,10 @@ class ElementBatch : public Term {
     if constexpr (n > 0)
       for (std::size_t i = 0; i < entries_.size();) {
         const int count = side_by_side(i);
-        if (count > 1) {
-          in_lanes([&]<int L>() { residuals_in_lanes<L>(i, count, evaluation, r); });
-        } else {
-          add_residual(entries_[i], evaluation, r);
+        if constexpr (LaneKernel<E>) {
+          if (count > 1) in_lanes([&]<int L>() { residuals_in_lanes<L>(i, count, evaluation, r); });
         }
+        if (count == 1) add_residual(entries_[i], evaluation, r);
         i += static_cast<std::size_t>(count);
       }
   }
@@ -131,11 +129,10 @@ class ElementBatch : public Term {
       const int* slot = slots.data();
       for (std::size_t i = 0; i < entries_.size();) {
         const int count = side_by_side(i);
-        if (count > 1) {
-          in_lanes([&]<int L>() { tangents_in_lanes<L>(i, count, evaluation, weights, slot, values); });
-        } else {
-          add_tangent(entries_[i], evaluation, weights, slot, values);
+        if constexpr (LaneKernel<E>) {
+          if (count > 1) in_lanes([&]<int L>() { tangents_in_lanes<L>(i, count, evaluation, weights, slot, values); });
         }
+        if (count == 1) add_tangent(entries_[i], evaluation, weights, slot, values);
         slot += count * n * n;
         i += static_cast<std::size_t>(count);
       }
@@ -165,14 +162,6 @@ class ElementBatch : public Term {
         const Entry &e = entries_[i], &previous = entries_[i - 1];
         like_previous_[i] = E::same_law(previous.parameters, previous.constants, e.parameters, e.constants);
       }
-    }
-  }
-  template <class F>
-  static void in_lanes(const F& f) {
-    if constexpr (LaneKernel<E>) {
-      if (numbers_in_register() == 2) run_in_any_registers([&] { f.template operator()<2>(); });
-      else if (numbers_in_register() == 4) run_in_wide_registers([&] { f.template operator()<4>(); });
-      else run_in_widest_registers([&] { f.template operator()<8>(); });
     }
   }
   // Where the coordinates of each lane's node begin in a vector; lanes without an element repeat the last one.

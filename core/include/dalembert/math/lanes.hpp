@@ -4,6 +4,7 @@
 // registers (math/wide_registers.hpp) use them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -42,6 +43,10 @@ struct Lanes {
   DALEMBERT_INLINE Lanes(Register all) : x(all) {}
   DALEMBERT_INLINE Lanes(double all) : x(all - Register{}) {}
   DALEMBERT_INLINE double operator[](int lane) const { return x[lane]; }
+  DALEMBERT_INLINE static Lanes of_place(const double* place) {
+    using Unaligned [[gnu::vector_size(N * sizeof(double)), gnu::aligned(alignof(double)), gnu::may_alias]] = double;
+    return Lanes(Register(*reinterpret_cast<const Unaligned*>(place)));
+  }
 
   DALEMBERT_INLINE friend Lanes operator-(const Lanes& a) { return -a.x; }
   DALEMBERT_INLINE friend Lanes operator+(const Lanes& a, const Lanes& b) { return a.x + b.x; }
@@ -59,6 +64,8 @@ struct Lanes {
   DALEMBERT_INLINE friend Lanes sqrt(const Lanes& a) {
     return of_each([&a](int lane) { return std::sqrt(a.x[lane]); });
   }
+  // A divisor where there would be none.
+  DALEMBERT_INLINE friend Lanes one_for_zero(const Lanes& a) { return a.x == 0.0 ? 1.0 - Register{} : a.x; }
 
   template <class F>
   DALEMBERT_INLINE static Lanes of_each(const F& number) {
@@ -90,15 +97,15 @@ DALEMBERT_INLINE inline std::array<Lanes<N>, 4> transposed(const std::array<Lane
   return {even01.template picked<low>(even23), odd01.template picked<low>(odd23), even01.template picked<high>(even23),
           odd01.template picked<high>(odd23)};
 }
-// Number j from all places, as vector j.
-template <int N>
-DALEMBERT_INLINE inline std::array<Lanes<N>, 4> gather_fours(const std::array<const double*, N>& places) {
+// Number j of row(lane), which has four, in lane `lane` of vector j.
+template <int N, class Row>
+DALEMBERT_INLINE inline std::array<Lanes<N>, 4> columns_of(const Row& row) {
   std::array<Lanes<N>, 4> numbers;
   if constexpr (N == 2) {
-    for (int j = 0; j < 4; ++j) numbers[j] = Lanes<N>::of_each([&](int lane) { return places[lane][j]; });
+    const FourNumbers rows[2] = {row(0), row(1)};
+    for (int j = 0; j < 4; ++j) numbers[j] = Lanes<N>::of_each([&](int lane) { return rows[lane][j]; });
     return numbers;
   } else {
-    const auto row = [&places](int lane) -> const FourNumbers& { return *reinterpret_cast<const FourNumbers*>(places[lane]); };
     for (int i = 0; i < 4; ++i) {
       if constexpr (N == 4) numbers[i] = Lanes<N>(row(i));
       else numbers[i] = Lanes<N>(__builtin_shufflevector(row(i), row(i + 4), 0, 1, 2, 3, 4, 5, 6, 7));
@@ -106,23 +113,34 @@ DALEMBERT_INLINE inline std::array<Lanes<N>, 4> gather_fours(const std::array<co
     return transposed(numbers);
   }
 }
-// Adds number j of the first `count` lanes at their places, one place after the other.
+DALEMBERT_INLINE inline FourNumbers& four_numbers(double* place) { return *reinterpret_cast<FourNumbers*>(place); }
+DALEMBERT_INLINE inline const FourNumbers& four_numbers(const double* place) {
+  return *reinterpret_cast<const FourNumbers*>(place);
+}
+// Number j from all places, as vector j.
 template <int N>
-DALEMBERT_INLINE inline void scatter_fours(std::array<Lanes<N>, 4> numbers, const std::array<double*, N>& places, int count) {
+DALEMBERT_INLINE inline std::array<Lanes<N>, 4> gather_fours(const std::array<const double*, N>& places) {
+  return columns_of<N>([&places](int lane) -> const FourNumbers& { return four_numbers(places[lane]); });
+}
+// The inverse of columns_of: what lane i of the vectors holds, as row i.
+template <int N>
+DALEMBERT_INLINE inline std::array<Lanes<4>, N> rows_of(std::array<Lanes<N>, 4> numbers) {
+  std::array<Lanes<4>, N> rows;
   if constexpr (N > 2) numbers = transposed(numbers);
   for (int lane = 0; lane < N; ++lane) {
-    if (lane >= count) return;
-    if constexpr (N == 2) {
-      for (int j = 0; j < 4; ++j) places[lane][j] += numbers[j][lane];
-    } else {
-      const auto& row = numbers[lane % 4].x;
-      FourNumbers& place = *reinterpret_cast<FourNumbers*>(places[lane]);
-      if constexpr (N == 4) place += row;
-      else place += lane < 4 ? __builtin_shufflevector(row, row, 0, 1, 2, 3) : __builtin_shufflevector(row, row, 4, 5, 6, 7);
-    }
+    const auto& four = numbers[lane % 4].x;
+    if constexpr (N == 2) rows[lane] = Lanes<4>::of_each([&](int j) { return numbers[j][lane]; });
+    else if constexpr (N == 4) rows[lane] = numbers[lane];
+    else rows[lane] = lane < 4 ? __builtin_shufflevector(four, four, 0, 1, 2, 3) : __builtin_shufflevector(four, four, 4, 5, 6, 7);
   }
+  return rows;
 }
-
+// Adds number j of the first `count` lanes at their places, one place after the other.
+template <int N>
+DALEMBERT_INLINE inline void scatter_fours(const std::array<Lanes<N>, 4>& numbers, const std::array<double*, N>& places, int count) {
+  const std::array<Lanes<4>, N> rows = rows_of(numbers);
+  for (int lane = 0; lane < std::min(N, count); ++lane) four_numbers(places[lane]) += rows[lane].x;
+}
 // Scalars that stand for one number and its derivatives: what a user function can be called with.
 template <class S>
 inline constexpr bool holds_lanes = false;
@@ -132,5 +150,9 @@ template <int N, class T>
 inline constexpr bool holds_lanes<Dual<N, T>> = holds_lanes<T>;
 template <class S>
 concept OneNumber = !holds_lanes<S>;
+template <OneNumber S>
+const S& one_for_zero(const S& a) {  // kernels ask a single number before they divide
+  return a;
+}
 
 }  // namespace dalembert

@@ -21,6 +21,25 @@ struct ObjectConnectorSpringDamper {
     return {Force<S>{f}, Force<S>{-f}};
   }
   static bool has_tangent(const Parameters& p) { return !p.springForceUserFunction; }
+
+  template <class S>
+  struct Law {
+    S stiffness, damping, reference_length, force_at_rest;
+
+    template <class T>
+    T tension(const T& length, const T& rate) const {
+      return stiffness * (length - reference_length) + damping * rate + force_at_rest;
+    }
+  };
+  static Law<double> law(const Parameters& p) {
+    return {p.stiffness, p.damping, p.referenceLength, p.force - p.damping * p.velocityOffset};
+  }
+  template <class S>
+  static Vec3<S> force(const Law<S>& law, const Vec3<S>& span, const Vec3<S>& rate) {
+    const Line<S> line(span, rate);
+    return law.tension(line.length, line.rate) * line.axis;
+  }
+
   // The tension changes along the line, the line turns with what moves across it.
   static SpanTangent<3> tangent(const Parameters& p, const PointFrame<double>& m0, const PointFrame<double>& m1) {
     const Line<double> line(m0, m1);
@@ -59,22 +78,24 @@ struct ObjectConnectorSpringDamper {
     Vec3<S> span, axis{};
     S length{}, rate{};
 
-    Line(const PointFrame<S>& m0, const PointFrame<S>& m1) : span(m1.position - m0.position) {
+    Line(const PointFrame<S>& m0, const PointFrame<S>& m1) : Line(m1.position - m0.position, m1.velocity - m0.velocity) {}
+    Line(const Vec3<S>& from_0_to_1, const Vec3<S>& velocity) : span(from_0_to_1) {
       const S square = dot(span, span);
-      if (value_of(square) == 0) return;
+      if constexpr (OneNumber<S>) {
+        if (value_of(square) == 0) return;  // derivatives have no value there
+      }
       using std::sqrt;
       length = sqrt(square);
-      axis = (1.0 / length) * span;
-      rate = dot(axis, m1.velocity - m0.velocity);
+      axis = (1.0 / one_for_zero(length)) * span;
+      rate = dot(axis, velocity);
     }
   };
 
   template <class S>
   static S tension(const Parameters& p, const Context& c, const Line<S>& line) {
-    const S elongation = line.length - p.referenceLength;
     if (p.springForceUserFunction)
-      return call_scalar(p.springForceUserFunction, c, elongation, line.rate, p.stiffness, p.damping, p.force);
-    return p.stiffness * elongation + p.damping * (line.rate - p.velocityOffset) + p.force;
+      return call_scalar(p.springForceUserFunction, c, line.length - p.referenceLength, line.rate, p.stiffness, p.damping, p.force);
+    return law(p).tension(line.length, line.rate);
   }
 };
 

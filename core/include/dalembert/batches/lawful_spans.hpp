@@ -1,0 +1,103 @@
+// Connectors with a law, side by side: all that their forces depend on in blocks of eight, and the loop over the blocks.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <set>
+#include <type_traits>
+#include <vector>
+
+#include "dalembert/contracts/span_forces.hpp"
+#include "dalembert/frames.hpp"
+#include "dalembert/math/lane_block.hpp"
+#include "dalembert/math/lanes.hpp"
+#include "dalembert/system/ports.hpp"
+
+namespace dalembert {
+
+template <LawfulConnector K>
+class LawfulSpans {
+ public:
+  using Law = typename K::template Law<double>;
+
+  static constexpr Law no_force{};
+
+  void reserve(std::size_t entries) { blocks_.reserve((entries + block_lanes - 1) / block_lanes); }
+  void add(const std::array<PortOffsets, 2>& ports) {
+    const int lane = static_cast<int>(count_++ % block_lanes);
+    if (lane == 0) blocks_.emplace_back();
+    for (int m = 0; m < 2; ++m) {  // lanes that no entry follows add their nothing to the last one
+      std::fill(blocks_.back().values[m].begin() + lane, blocks_.back().values[m].end(), ports[m].value);
+      std::fill(blocks_.back().forces[m].begin() + lane, blocks_.back().forces[m].end(), ports[m].force);
+    }
+  }
+  void obey(int entry, const Law& law) {
+    lawless_.erase(entry);
+    place(entry, law);
+  }
+  void leave(int entry) {
+    lawless_.insert(entry);
+    place(entry, no_force);
+  }
+  // Entries that are not computed here.
+  const std::set<int>& lawless() const { return lawless_; }
+
+  // To the forces on the markers, one connector after the other. Frames and forces are taken in fours.
+  void add_forces(const double* values, double* forces) const {
+    in_lanes<4>([&]<int L>() {
+      for (const Block& block : blocks_)
+        for (int first = 0; first < block_lanes; first += L) add_some<L>(block, first, values, forces);
+    });
+  }
+
+ private:
+  static_assert(std::is_same_v<typename K::Port, PointPort>, "a frame is taken as the six numbers of a point");
+  static constexpr int law_size = sizeof(Law) / sizeof(double);
+
+  struct Block {
+    std::array<LaneBlock, law_size> law{};
+    std::array<std::array<int, block_lanes>, 2> values{}, forces{};  // offsets, by marker
+  };
+
+  void place(int entry, const Law& law) {
+    const auto* numbers = reinterpret_cast<const double*>(&law);
+    Block& block = blocks_[static_cast<std::size_t>(entry) / block_lanes];
+    for (int i = 0; i < law_size; ++i) block.law[i][entry % block_lanes] = numbers[i];
+  }
+
+  template <int L>
+  static void add_some(const Block& block, int first, const double* values, double* forces) {
+    typename K::template Law<Lanes<L>> law;
+    for (int i = 0; i < law_size; ++i) reinterpret_cast<Lanes<L>*>(&law)[i] = Lanes<L>::of_place(block.law[i].x + first);
+    const auto differences = [&](int number) {  // of four numbers of the frames
+      return columns_of<L>([&](int lane) -> FourNumbers {
+        const auto frame = [&](int m) { return four_numbers(values + block.values[m][first + lane] + number); };
+        return frame(1) - frame(0);
+      });
+    };
+    const auto span = differences(0), rate = differences(2);  // which begins with the last number of the span
+    const Vec3<Lanes<L>> f = K::force(law, Vec3<Lanes<L>>{span[0], span[1], span[2]}, Vec3<Lanes<L>>{rate[1], rate[2], rate[3]});
+    const auto rows = rows_of<L>({f[0], f[1], f[2], Lanes<L>()});
+    for (int lane = 0; lane < L; ++lane) {
+      four_numbers(forces + block.forces[0][first + lane]) += rows[lane].x;
+      four_numbers(forces + block.forces[1][first + lane]) -= rows[lane].x;
+    }
+  }
+
+  std::vector<Block> blocks_;
+  std::size_t count_ = 0;
+  std::set<int> lawless_;
+};
+
+// What a batch of connectors keeps besides: nothing, if its kernel has no laws.
+template <class K>
+struct SpansOf {
+  struct Type {};
+};
+template <LawfulConnector K>
+struct SpansOf<K> {
+  using Type = LawfulSpans<K>;
+};
+
+}  // namespace dalembert

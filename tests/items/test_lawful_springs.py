@@ -1,0 +1,164 @@
+"""Spring-dampers are computed side by side; those with user functions go alone: each gives what its formula says."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from typing import Any
+
+import numpy as np
+import pytest
+
+import dalembert as exu
+from dalembert._core import testing
+from dalembert.itemInterface import MarkerNodePosition, NodePoint, ObjectConnectorSpringDamper, ObjectMassPoint
+
+ROUNDING = 1e-13  # of the largest force: wide registers fuse products and sums
+
+
+def law(i: int) -> dict[str, float]:
+    """Each spring has numbers of its own."""
+    return {
+        "stiffness": 100 + 7 * i,
+        "damping": 3 + 0.1 * i,
+        "referenceLength": 0.5 + 0.01 * i,
+        "force": 0.3 * i,
+        "velocityOffset": 0.2 - 0.05 * i,
+    }
+
+
+def star(laws: list[dict[str, Any]]) -> exu.MainSystem:
+    """Springs from one free point, node 0, to as many others."""
+    mbs = exu.SystemContainer().AddSystem()
+    markers = []
+    for i in range(len(laws) + 1):
+        node = mbs.AddNode(NodePoint(referenceCoordinates=[np.cos(i), np.sin(i), 0.3 * i] if i else [0, 0, 0]))
+        mbs.AddObject(ObjectMassPoint(nodeNumber=node, physicsMass=1))
+        markers.append(mbs.AddMarker(MarkerNodePosition(nodeNumber=node)))
+    for marker, one in zip(markers[1:], laws, strict=True):
+        mbs.AddObject(ObjectConnectorSpringDamper(markerNumbers=[markers[0], marker], **one))
+    mbs.Assemble()
+    return mbs
+
+
+def residual(mbs: exu.MainSystem, q: np.ndarray, v: np.ndarray) -> np.ndarray:
+    state = testing.State(mbs)
+    state.q, state.v = q.ravel(), v.ravel()
+    return testing.residual(mbs, state).reshape(-1, 3)
+
+
+def expected(laws: list[dict[str, Any]], points: np.ndarray, v: np.ndarray) -> np.ndarray:
+    """Minus the forces on the points."""
+    r = np.zeros_like(points)
+    for i, one in enumerate(laws, start=1):
+        span = points[i] - points[0]
+        length = np.linalg.norm(span)
+        axis = span / length if length > 0 else 0 * span
+        rate = axis @ (v[i] - v[0]) - one["velocityOffset"]
+        force = one["stiffness"] * (length - one["referenceLength"]) + one["damping"] * rate + one["force"]
+        r[0] -= force * axis
+        r[i] += force * axis
+    return r
+
+
+def motion(count: int) -> tuple[np.ndarray, np.ndarray]:
+    q, v = np.random.default_rng(count).normal(scale=0.1, size=(2, count + 1, 3))
+    return q, v
+
+
+def reference(mbs: exu.MainSystem) -> np.ndarray:
+    return np.array(mbs.systemData.GetODE2Coordinates(exu.ConfigurationType.Reference)).reshape(-1, 3)
+
+
+def agree(values: np.ndarray, others: np.ndarray) -> bool:
+    return bool(np.abs(values - others).max() < ROUNDING * np.abs(others).max())
+
+
+@pytest.mark.parametrize("count", [1, 2, 7, 8, 9, 21], ids="{} springs".format)
+def test_springs_side_by_side(count: int) -> None:
+    laws = [law(i) for i in range(count)]
+    mbs = star(laws)
+    q, v = motion(count)
+    assert agree(residual(mbs, q, v), expected(laws, reference(mbs) + q, v))
+
+
+def test_user_functions_among_them() -> None:
+    """A force that grows with the square of the elongation, by two of eleven; its formula has no law."""
+    laws = [law(i) for i in range(11)]
+    given: list[dict[str, Any]] = [dict(one) for one in laws]
+
+    def square(mbs: Any, t: float, i: int, elongation: float, rate: float, k: float, d: float, f: float) -> float:
+        return k * elongation * elongation
+
+    for i in (2, 8):
+        given[i]["springForceUserFunction"] = square
+    mbs = star(given)
+    q, v = motion(11)
+    points = reference(mbs) + q
+    r = expected([one if i not in (2, 8) else dict.fromkeys(one, 0.0) for i, one in enumerate(laws)], points, v)
+    for i in (2, 8):
+        span = points[i + 1] - points[0]
+        length = np.linalg.norm(span)
+        force = laws[i]["stiffness"] * (length - laws[i]["referenceLength"]) ** 2 * span / length
+        r[0] -= force
+        r[i + 1] += force
+    assert agree(residual(mbs, q, v), r)
+
+
+def test_laws_that_change() -> None:
+    """After assembly one gets another stiffness, one is switched off and on, one gets a user function and loses it."""
+    laws = [law(i) for i in range(9)]
+    mbs = star(laws)
+    q, v = motion(9)
+    points = reference(mbs) + q
+    first_spring = 10  # after the mass points
+
+    mbs.SetObjectParameter(first_spring + 3, "stiffness", 500)
+    laws[3]["stiffness"] = 500
+    assert agree(residual(mbs, q, v), expected(laws, points, v))
+
+    without = [one if i != 8 else dict.fromkeys(one, 0.0) for i, one in enumerate(laws)]
+    mbs.SetObjectParameter(first_spring + 8, "activeConnector", False)
+    assert agree(residual(mbs, q, v), expected(without, points, v))
+    mbs.SetObjectParameter(first_spring + 8, "activeConnector", True)
+    assert agree(residual(mbs, q, v), expected(laws, points, v))
+
+    mbs.SetObjectParameter(first_spring + 8, "springForceUserFunction", lambda *_: 0.0)
+    assert agree(residual(mbs, q, v), expected(without, points, v))
+    mbs.SetObjectParameter(first_spring + 8, "springForceUserFunction", 0)
+    assert agree(residual(mbs, q, v), expected(laws, points, v))
+
+
+def test_points_that_coincide() -> None:
+    """There is no line between them, and no force; the others pull as before."""
+    laws = [law(i) for i in range(5)]
+    mbs = star(laws)
+    q, v = motion(5)
+    points = reference(mbs)
+    q[0], q[3] = 0, -points[3]  # both in the origin, exactly
+    assert agree(residual(mbs, q, v), expected(laws, points + q, v))
+
+
+FORCES = """
+from test_lawful_springs import law, motion, residual, star
+for value in residual(star([law(i) for i in range(21)]), *motion(21)).ravel():
+    print(value.hex())
+"""
+
+
+def test_registers_do_not_change_results() -> None:
+    """The forces are the same in registers of any width, but for rounding."""
+    results = []
+    for name in ("portable", "avx2", "avx512"):
+        environment = os.environ | {
+            "DALEMBERT_INSTRUCTIONS": name,
+            "PYTHONPATH": os.pathsep.join(filter(None, sys.path)),
+        }
+        run = subprocess.run(
+            [sys.executable, "-c", FORCES], capture_output=True, text=True, env=environment, check=True
+        )
+        results.append(np.array([float.fromhex(x) for x in run.stdout.split()]))
+    assert results[0].size == 66
+    for others in results[1:]:
+        assert agree(others, results[0])
