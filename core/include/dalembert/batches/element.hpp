@@ -114,6 +114,7 @@ class ElementBatch : public Term {
   }
   template <class S>
   static void add_tangent(const Entry& e, const EvaluationOf<S>& evaluation, const Weights& weights, const int* slot, S* values) {
+    if constexpr (PureInertia<E>) return add_mass(e, evaluation, weights.a, slot, values);
     const auto x = gather<n>(evaluation, e.dofs.data());
     if constexpr (TangentKernel<E>) {
       add(E::tangent(e.parameters, e.constants, context(evaluation, e), x, weights), slot, values);
@@ -121,6 +122,17 @@ class ElementBatch : public Term {
       const auto f = element_residual<E, Dual<n, S>>(e.parameters, e.constants, context(evaluation, e), seeded<E>(x, weights));
       for (int row = 0; row < n; ++row)
         for (int column = 0; column < n; ++column) values[*slot++] += f[row].d[column];
+    }
+  }
+
+  // Column by column: what it takes to accelerate one coordinate.
+  template <class S>
+  static void add_mass(const Entry& e, const EvaluationOf<S>& evaluation, double weight, const int* slot, S* values) {
+    for (int column = 0; column < n; ++column) {
+      Coordinates<S, n> x{};
+      x.a[column] = weight;
+      const auto f = element_residual<E, S>(e.parameters, e.constants, context(evaluation, e), x);
+      for (int row = 0; row < n; ++row) values[slot[row * n + column]] += f[row];
     }
   }
 

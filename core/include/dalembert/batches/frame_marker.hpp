@@ -109,8 +109,12 @@ class FrameMarkerBatch : public MarkerBatch {
   void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const override {
     if constexpr (n > 0)
       for (const Entry& e : entries_) {
-        const auto x = gather<n>(evaluation, e.dofs.data());
-        sweep(e, x, weights, ports);
+        if constexpr (translates) {
+          translate(e, weights, ports);
+        } else {
+          const auto x = gather<n>(evaluation, e.dofs.data());
+          sweep(e, x, weights, ports);
+        }
       }
   }
   void pull_back(const Evaluation& evaluation, Ports& ports, double* r) const override {
@@ -159,6 +163,21 @@ class FrameMarkerBatch : public MarkerBatch {
     if constexpr (requires { requires Shape::constant_jacobian; } || requires { requires E::constant_jacobian; }) return false;
     else return n > 0;
   }();
+  // Coordinates that are components of the position: derivatives are those of the identity.
+  static constexpr bool translates = [] {
+    if constexpr (requires { E::translations; }) return E::translations == n && Shape::values == PointShape<E>::values;
+    else return false;
+  }();
+  static void translate(const Entry& e, const Weights& weights, Ports& ports) {
+    double *derivative = ports.derivative(e.marker), *jacobian = ports.jacobian(e.marker);
+    std::fill_n(derivative, Shape::values * n, 0.0);
+    std::fill_n(jacobian, Shape::forces * n, 0.0);
+    for (int i = 0; i < n; ++i) {
+      derivative[i * n + i] = weights.q;
+      derivative[(3 + i) * n + i] = weights.v;
+      jacobian[i * n + i] = 1;
+    }
+  }
   static void sweep(const Entry& e, const Coordinates<double, n>& x, const Weights& weights, Ports& ports) {
     if constexpr (Shape::values > 0) {
       const auto frame = Shape::frame(E::template motion<Dual<n>>(e.parameters, seeded<E>(x, weights), e.local));
