@@ -82,12 +82,13 @@ void register_linear_solver(py::module_& module) {
                             "Solver of A x = b for matrices with one pattern, in compressed columns as scipy.sparse.csc_array "
                             "has them. instructions: one of instruction_sets(), by default the first.")
       .def(py::init([](const Integers& column_start, const Integers& row_index, bool dense, double pivot_threshold,
-                       bool ignore_singular, const std::string& instructions) {
-             return std::make_unique<PatternSolver>(column_start, row_index, dense,
-                                                    LinearSolverOptions{pivot_threshold, ignore_singular, instructions});
+                       bool ignore_singular, int unsettled_matrices, const std::string& instructions) {
+             return std::make_unique<PatternSolver>(
+                 column_start, row_index, dense,
+                 LinearSolverOptions{pivot_threshold, ignore_singular, unsettled_matrices, instructions});
            }),
            py::arg("indptr"), py::arg("indices"), py::kw_only(), py::arg("dense") = false, py::arg("pivot_threshold") = 0.0,
-           py::arg("ignore_singular") = false, py::arg("instructions") = "")
+           py::arg("ignore_singular") = false, py::arg("unsettled_matrices") = 0, py::arg("instructions") = "")
       .def("factorize", &PatternSolver::factorize, py::arg("data"),
            "Factors of the matrix with these values, which stand in the order of indices. Returns -1, or the column at "
            "which no pivot was left.")

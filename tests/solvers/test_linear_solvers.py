@@ -395,6 +395,25 @@ def test_zeros_of_the_pattern_take_no_part_before_they_change() -> None:
     assert backward_error(masses, solver.solve(b), b) < 200 * EPS
 
 
+@pytest.mark.parametrize("stays", [True, False])
+def test_zeros_of_unsettled_matrices_take_part(stays: bool) -> None:
+    """The whole net, then its masses: zeros are left out when they are those of the third matrix."""
+    tangent = grid(20, 25)
+    masses = tangent.copy()
+    masses.data = np.where(np.abs(tangent.data) > 2, tangent.data, 0)
+    b = np.sin(np.arange(tangent.shape[0]))
+    solver = solver_of(tangent, unsettled_matrices=2)
+    entries = []
+    for matrix in (masses, tangent, masses if stays else tangent, tangent):
+        assert solver.factorize(matrix.data) == -1
+        assert backward_error(matrix, solver.solve(b), b) < 200 * EPS
+        entries.append(solver.statistics["entries"])
+    whole, fewer = entries[0], entries[2] < 0.2 * entries[0]
+    assert entries == [whole, whole, entries[2], whole]
+    assert fewer == stays
+    assert solver.statistics == {**solver.statistics, "factorizations": 4, "pivot_searches": 3 if stays else 1}
+
+
 @pytest.mark.parametrize("instructions", INSTRUCTIONS)
 @pytest.mark.parametrize("multipliers", [0, 1])
 def test_blocks_of_all_sizes(multipliers: int, instructions: str) -> None:

@@ -13,7 +13,7 @@ constexpr double largest_share = 0.5;
 }  // namespace
 
 int OccupiedLu::factorize(std::span<const double> values) {
-  if (!chosen_) {
+  if (!chosen_ && unsettled_-- == 0) {
     chosen_ = true;
     if (mostly_zeros(values)) {
       select(values);
@@ -53,6 +53,13 @@ LinearSolverStatistics OccupiedLu::statistics() const {
   return all;
 }
 
+// Before another solver takes over.
+void OccupiedLu::count_as_earlier() {
+  const LinearSolverStatistics last = solver_->statistics();
+  earlier_.factorizations += last.factorizations;
+  earlier_.pivot_searches += last.pivot_searches;
+}
+
 bool OccupiedLu::mostly_zeros(std::span<const double> values) const {
   const auto occupied = std::ranges::count_if(values, [](double x) { return x != 0; });
   return static_cast<double>(occupied) <= largest_share * static_cast<double>(values.size());
@@ -79,6 +86,7 @@ void OccupiedLu::select(std::span<const double> values) {
   }
   x_.resize(coupled_.size());
   occupied_ = Pattern::sparse(std::move(occupied_starts), std::move(occupied_rows));
+  count_as_earlier();
   solver_ = std::make_unique<MultifrontalLu>(*occupied_, options_, std::move(slots));
 }
 
@@ -104,7 +112,7 @@ void OccupiedLu::find_neighbours(const std::vector<char>& occupied) {
 }
 
 void OccupiedLu::take_whole_pattern() {
-  earlier_ = solver_->statistics();
+  count_as_earlier();
   solver_ = std::make_unique<MultifrontalLu>(pattern_, options_);
   occupied_.reset();
   lone_ = {};

@@ -1,6 +1,6 @@
 // A sparse matrix whose pattern is for the most part zeros, as a mass matrix on the pattern of a tangent: only what is not zero
 // is analysed and factorized, and unknowns without neighbours are divided by their diagonal entries. Should another entry become
-// nonzero, the whole pattern is taken.
+// nonzero, the whole pattern is taken, as it is for the first matrices if they may be unlike those that follow.
 #pragma once
 
 #include <memory>
@@ -14,7 +14,7 @@ namespace dalembert {
 class OccupiedLu final : public LinearSolver {
  public:
   OccupiedLu(const Pattern& pattern, const LinearSolverOptions& options)
-      : pattern_(pattern), options_(options), solver_(std::make_unique<MultifrontalLu>(pattern, options)) {}
+      : pattern_(pattern), options_(options), unsettled_(options.unsettled_matrices), solver_(std::make_unique<MultifrontalLu>(pattern, options)) {}
   int factorize(std::span<const double> values) override;
   void solve(std::span<double> x) override;
   LinearSolverStatistics statistics() const override;
@@ -31,9 +31,11 @@ class OccupiedLu final : public LinearSolver {
   void find_neighbours(const std::vector<char>& occupied);
   int factorize_occupied(std::span<const double> values);
   void take_whole_pattern();
+  void count_as_earlier();
 
   const Pattern& pattern_;
   LinearSolverOptions options_;
+  int unsettled_;
   bool chosen_ = false;
   std::optional<Pattern> occupied_;  // of the unknowns with neighbours
   std::vector<Lone> lone_;
@@ -41,7 +43,7 @@ class OccupiedLu final : public LinearSolver {
   std::vector<int> zeros_;          // slots in the whole pattern that must stay zero
   std::vector<double> x_;
   std::unique_ptr<MultifrontalLu> solver_;
-  LinearSolverStatistics earlier_;  // of what was occupied
+  LinearSolverStatistics earlier_;  // of solvers before this one
 };
 
 }  // namespace dalembert

@@ -44,6 +44,9 @@ constexpr double negligible_increment = 1e-9;
 // ... and the residual is at most so many times the rounding errors of the terms that cancel in it.
 constexpr double rounding_errors = 1000;
 
+// Springs and bodies that start along the axes leave most of their Jacobian zero until they have moved.
+constexpr int first_jacobians = 8;
+
 }  // namespace
 
 void NewtonSolver::initialize_data() {
@@ -51,14 +54,16 @@ void NewtonSolver::initialize_data() {
   system().complete_pattern();
   const Pattern* pattern = &system().pattern(dense());
   const auto& s = settings().linearSolverSettings;
+  full_newton_ = !newton_settings.useModifiedNewton;
   linear_ = make_linear_solver(*pattern, settings().linearSolverType,
-                               {.pivot_threshold = s.pivotThreshold, .ignore_singular = s.ignoreSingularJacobian});
+                               {.pivot_threshold = s.pivotThreshold,
+                                .ignore_singular = s.ignoreSingularJacobian,
+                                .unsettled_matrices = full_newton_ ? first_jacobians : 0});
   pattern_ = pattern;
   const auto n = static_cast<std::size_t>(sizes_.total());
   residual_.assign(n, 0.0);
   increment_.assign(n, 0.0);
   jacobian_.assign(static_cast<std::size_t>(pattern->values()), 0.0);
-  full_newton_ = !newton_settings.useModifiedNewton;
 }
 
 double NewtonSolver::evaluate_residual() {

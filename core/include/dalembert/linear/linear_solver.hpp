@@ -15,6 +15,7 @@ namespace dalembert {
 struct LinearSolverOptions {
   double pivot_threshold = 0;     // a pivot that is not larger counts as zero
   bool ignore_singular = false;   // leave out the equations that depend on others instead of failing
+  int unsettled_matrices = 0;     // what is zero in the first ones may well be something else in the next
   std::string instructions = {};  // one of instruction_sets(); empty: the first
 };
 
