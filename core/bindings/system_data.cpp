@@ -192,8 +192,7 @@ void register_tables(Data& data) {
         object_method.c_str(),
         [object_method, kind = table.kind](const SystemData& self, const py::object& number) {
           System& system = assembled(self, object_method);
-          const auto indices = system.object_ltg(item_number(self, ItemKind::object, number, object_method), kind);
-          return std::vector<int>(indices.begin(), indices.end());
+          return system.object_ltg(item_number(self, ItemKind::object, number, object_method), kind);
         },
         py::arg("objectNumber"), "Global numbers of the object's coordinates.");
     data.def(

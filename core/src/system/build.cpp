@@ -15,12 +15,6 @@
 namespace dalembert {
 namespace {
 
-constexpr std::size_t of(System::Coordinates kind) { return static_cast<std::size_t>(kind); }
-
-void append_range(std::vector<int>& list, int first, int count) {
-  for (int i = 0; i < count; ++i) list.push_back(first + i);
-}
-
 using TypeList = std::vector<const ItemType*>;
 
 class Builder {
@@ -70,12 +64,11 @@ class Builder {
     const auto make_room = [](auto& list, int count) { list.reserve(static_cast<std::size_t>(count)); };
     const int markers = model_.count(ItemKind::marker), objects = model_.count(ItemKind::object);
     make_room(parts_.references, objects + markers + model_.count(ItemKind::load));
-    make_room(parts_.coordinates, start_values_.make_room(node_sizes_, parts_).ode2);
+    start_values_.make_room(node_sizes_, parts_);
     make_room(parts_.ports.values, 6 * markers);
     make_room(parts_.ports.forces, 4 * markers);
     make_room(parts_.ports.dofs, 3 * markers);
     make_room(marker_regions_, markers);
-    make_room(first_ae_, objects);
   }
 
   static bool has_coordinates(const Placement& p) {
@@ -133,11 +126,11 @@ class Builder {
   // Numbers that an item's parameters name, of one kind, in the order of the spec.
   Stretch refer(const Item& item, ItemKind kind) {
     auto& numbers = parts_.references;
-    Stretch named{numbers.size(), 0};
+    Stretch named{static_cast<std::uint32_t>(numbers.size()), 0};
     for (const Row* row : naming_rows_.of(*item.type, kind))
       for (const int number : index_values(*row, item.record.get()))
         if (number >= 0) numbers.push_back(number);
-    named.count = numbers.size() - named.first;
+    named.count = static_cast<std::uint32_t>(numbers.size()) - named.first;
     return named;
   }
 
@@ -176,7 +169,7 @@ class Builder {
     const Item& item = item_of(ItemKind::object, number);
     physics<ObjectPhysics>(item, number);
     const Stretch nodes = refer(item, ItemKind::node), markers = refer(item, ItemKind::marker);
-    parts_.objects.push_back({item.type, item.record, {}, {}, nodes, markers});
+    parts_.objects.push_back({item.type, item.record, {}, nodes, markers});
   }
 
   TypeList node_types(std::span<const int> nodes) const {
@@ -305,7 +298,7 @@ class Builder {
     return table.find(key_, [&] {
       std::unique_ptr<B> batch = make();
       if (batch == nullptr) refuse_combination(kind, number, on.name);
-      batch->reserve(counts_[item_of(kind, number).type]);
+      batch->reserve(regions_.expected(key_.region, counts_[item_of(kind, number).type]));
       return batch;
     });
   }
@@ -321,37 +314,17 @@ class Builder {
                               (nodes.empty() ? "" : " with " + nodes), "", "", "See the pages of these items for what they accept"});
   }
 
-  // Multipliers of the constraints follow those of the nodes; then all coordinates of the objects are known.
+  // Multipliers of the constraints follow those of the nodes.
   void number_constraints() {
     std::vector<int> marker_coordinates;
     for (ObjectPlace& place : parts_.objects) {
       marker_coordinates.clear();
       for (const int marker : place.markers.of(parts_.references)) marker_coordinates.push_back(parts_.ports.ports[marker].forces);
       const int equations = physics(place).algebraic_equations(place.record.get(), marker_coordinates);
-      first_ae_.push_back(equations == 0 ? -1 : parts_.sizes.ae);
-      list_coordinates(place, equations);
+      place.equations = equations;
+      if (equations > 0) place.first_ae = parts_.sizes.ae;
       parts_.sizes.ae += equations;
     }
-  }
-
-  void list_coordinates(ObjectPlace& place, int equations) {
-    const auto list = [&](System::Coordinates kind, int NodePlace::* first, int Sizes::* count, auto&& add_own) {
-      Stretch& stretch = place.ltg[of(kind)];
-      stretch.first = parts_.coordinates.size();
-      for (const int n : place.nodes.of(parts_.references))
-        append_range(parts_.coordinates, parts_.nodes[n].*first, parts_.nodes[n].sizes.*count);
-      add_own();
-      stretch.count = parts_.coordinates.size() - stretch.first;
-    };
-    list(System::Coordinates::ode2, &NodePlace::ode2, &Sizes::ode2, [&] {
-      for (const int marker : place.markers.of(parts_.references)) {
-        const auto dofs = parts_.ports.marker_dofs(marker);
-        parts_.coordinates.insert(parts_.coordinates.end(), dofs.begin(), dofs.end());
-      }
-    });
-    list(System::Coordinates::ode1, &NodePlace::ode1, &Sizes::ode1, [] {});
-    list(System::Coordinates::ae, &NodePlace::ae, &Sizes::ae, [&] { append_range(parts_.coordinates, parts_.sizes.ae, equations); });
-    list(System::Coordinates::data, &NodePlace::data, &Sizes::data, [] {});
   }
 
   void place_object(int number) {
@@ -361,7 +334,7 @@ class Builder {
     p.item = number;
     const auto markers = place.markers.of(parts_.references);
     p.markers.assign(markers.begin(), markers.end());
-    p.first_ae = first_ae_[number];
+    p.first_ae = place.first_ae;
     for (const int marker : p.markers)
       if (!static_cast<const MarkerPhysics&>(*parts_.markers[marker].type->physics).has_rate())
         refuse(ErrorKind::value, {model_.describe(ItemKind::object, number), "markerNumbers", model_.describe(ItemKind::marker, marker) + " gives no velocity", "",
@@ -408,7 +381,6 @@ class Builder {
   std::vector<int> marker_regions_;
   std::unordered_set<const MarkerBatch*> differentiated_;
   std::unordered_map<const ItemType*, int> counts_;  // of items
-  std::vector<int> first_ae_;
   // Used again for every item.
   Placement placement_;
   StartValues start_values_;

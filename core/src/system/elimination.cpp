@@ -5,15 +5,15 @@
 namespace dalembert {
 
 std::optional<std::vector<int>> System::fixed_coordinates() const {
-  std::vector<int> fixed;
+  std::vector<int> fixed, tied;
   for (const NodePlace& node : parts_->nodes)
     if (node.sizes.ae > 0) return std::nullopt;
   for (const ObjectPlace& object : parts_->objects) {
-    if (object.ltg[static_cast<std::size_t>(Coordinates::ae)].count == 0) continue;
+    if (object.equations == 0) continue;
     if (object.type->name != "ObjectConnectorCoordinate") return std::nullopt;
     const auto& p = static_cast<const ObjectConnectorCoordinateRecord*>(object.record.get())->parameters;
     if (!p.activeConnector) continue;
-    const auto tied = object.ltg[static_cast<std::size_t>(Coordinates::ode2)].of(parts_->coordinates);
+    parts_->list_coordinates(object, Coordinates::ode2, tied);
     if (tied.size() != 1 || p.offset != 0 || p.offsetUserFunction || p.offsetUserFunction_t) return std::nullopt;
     fixed.push_back(tied.front());
   }

@@ -50,6 +50,7 @@ Evaluation SystemParts::evaluation(const State& state, const Conditions& conditi
 Evaluation SystemParts::output_evaluation(const State& state, std::span<const int> dofs) {
   Evaluation e = view_of(*this, state, {});
   const std::vector<double>& reference = this->state(ConfigurationType::Reference).q;
+  output_total.resize(reference.size());
   for (const int i : dofs) output_total[i] = reference[i] + e.u[i];
   e.q = output_total.data();
   return e;
@@ -58,6 +59,7 @@ Evaluation SystemParts::output_evaluation(const State& state, std::span<const in
 Evaluation SystemParts::output_evaluation(const State& state) {
   Evaluation e = view_of(*this, state, {});
   const std::vector<double>& reference = this->state(ConfigurationType::Reference).q;
+  output_total.resize(reference.size());
   for (int i = 0; i < sizes.ode2; ++i) output_total[i] = reference[i] + e.u[i];
   e.q = output_total.data();
   return e;

@@ -156,13 +156,31 @@ void System::node_output(int node, Variable variable, ConfigurationType configur
   no_output(parts.describe(ItemKind::node, node), variable, place.type->outputs);
 }
 
+namespace {
+
+// A list in memory that is given back: outputs may be asked for while others are found.
+struct NumberList {
+  explicit NumberList(std::vector<int>& memory) : numbers(std::move(memory)), memory_(memory) {}
+  ~NumberList() { memory_ = std::move(numbers); }
+  NumberList(const NumberList&) = delete;
+  NumberList& operator=(const NumberList&) = delete;
+  std::vector<int> numbers;
+
+ private:
+  std::vector<int>& memory_;
+};
+
+}  // namespace
+
 void System::body_output(int object, Variable variable, std::array<double, 3> local, ConfigurationType configuration,
                          Values& values) {
   SystemParts& parts = *parts_;
   const ObjectPlace& place = parts.objects.at(static_cast<std::size_t>(object));
   const Vec3<double> at{local[0], local[1], local[2]};
   const State& state = parts.state(configuration);
-  const auto dofs = object_ltg(object, Coordinates::ode2);
+  NumberList list(parts.free_numbers);
+  const std::vector<int>& dofs = list.numbers;
+  parts.list_coordinates(place, Coordinates::ode2, list.numbers);
   const auto& [batch, entry] = place.member;
   std::optional<PortsFor> ports;
   if (place.markers.count > 0) ports.emplace(parts, configuration);

@@ -46,15 +46,16 @@ void StartValues::take(const NodePlace& node, SystemParts& parts) {
 
 void complete_configurations(SystemParts& parts) {
   const Sizes& n = parts.sizes;
-  for (State& state : parts.states) {
-    if (&state == &parts.state(ConfigurationType::_None)) continue;
+  for (const ConfigurationType c : {ConfigurationType::Reference, ConfigurationType::Initial}) {
+    State& state = parts.state(c);
     for (auto* values : {&state.q, &state.v, &state.a}) values->resize(n.ode2);
     for (auto* values : {&state.y, &state.y_t}) values->resize(n.ode1);
     state.lambda.resize(n.ae);
     state.data.resize(n.data);
   }
-  for (const ConfigurationType c : {ConfigurationType::Current, ConfigurationType::StartOfStep, ConfigurationType::Visualization})
-    parts.state(c) = parts.state(ConfigurationType::Initial);
+  parts.state(ConfigurationType::Current) = parts.state(ConfigurationType::Initial);
+  for (const ConfigurationType c : {ConfigurationType::StartOfStep, ConfigurationType::Visualization})
+    parts.states[static_cast<std::size_t>(c)].waits = true;
 }
 
 }  // namespace dalembert

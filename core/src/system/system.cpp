@@ -16,7 +16,6 @@ void System::assemble(const Model& model, const Division& division) {
   parts->check_sensors();
   sizes_ = parts->sizes;
   parts->total.assign(sizes_.ode2, 0);
-  parts->output_total = parts->total;
   parts->static_signs.assign(sizes_.ae, -1);
   for (const auto& term : parts->terms)
     if (const auto* coordinates = dynamic_cast<const AlgebraicCoordinates*>(term.get())) coordinates->mark(parts->static_signs);
@@ -94,26 +93,38 @@ std::span<const System::LieBlock> System::lie_blocks() const { return parts_->li
 std::span<const double> System::static_signs() const { return parts_->static_signs; }
 bool System::has_discontinuities() const { return parts_->has_history; }
 
-std::span<const int> System::object_ltg(int object, Coordinates kind) const {
-  return parts_->objects.at(static_cast<std::size_t>(object)).ltg[static_cast<std::size_t>(kind)].of(parts_->coordinates);
+namespace {
+
+int count_of(const Sizes& sizes, System::Coordinates kind) {
+  return std::array{sizes.ode2, sizes.ode1, sizes.ae, sizes.data}[static_cast<std::size_t>(kind)];
+}
+
+}  // namespace
+
+void SystemParts::list_coordinates(const ObjectPlace& object, System::Coordinates kind, std::vector<int>& list) const {
+  list.clear();
+  for (const int n : object.nodes.of(references)) append_range(list, nodes[n].first(kind), count_of(nodes[n].sizes, kind));
+  if (kind == System::Coordinates::ae) append_range(list, object.first_ae, object.equations);
+  if (kind == System::Coordinates::ode2)
+    for (const int marker : object.markers.of(references)) {
+      const auto dofs = ports.marker_dofs(marker);
+      list.insert(list.end(), dofs.begin(), dofs.end());
+    }
+}
+
+std::vector<int> System::object_ltg(int object, Coordinates kind) const {
+  std::vector<int> list;
+  parts_->list_coordinates(parts_->objects.at(static_cast<std::size_t>(object)), kind, list);
+  return list;
 }
 
 int System::node_index(int node, Coordinates kind) const {
-  const NodePlace& place = parts_->nodes.at(static_cast<std::size_t>(node));
-  switch (kind) {
-    case Coordinates::ode2: return place.ode2;
-    case Coordinates::ode1: return place.ode1;
-    case Coordinates::ae: return place.ae;
-    case Coordinates::data: return place.data;
-  }
-  return -1;
+  return parts_->nodes.at(static_cast<std::size_t>(node)).first(kind);
 }
 
 std::vector<int> System::node_ltg(int node, Coordinates kind) const {
-  const Sizes& sizes = parts_->nodes.at(static_cast<std::size_t>(node)).sizes;
-  const int counts[] = {sizes.ode2, sizes.ode1, sizes.ae, sizes.data};
   std::vector<int> ltg;
-  for (int i = 0; i < counts[static_cast<std::size_t>(kind)]; ++i) ltg.push_back(node_index(node, kind) + i);
+  append_range(ltg, node_index(node, kind), count_of(parts_->nodes[static_cast<std::size_t>(node)].sizes, kind));
   return ltg;
 }
 
@@ -149,9 +160,9 @@ std::string System::describe_row(int row) const {
              std::to_string(index - first);
   }
   for (std::size_t i = 0; i < parts.objects.size(); ++i) {
-    const auto ae = object_ltg(static_cast<int>(i), Coordinates::ae);
-    if (algebraic && !ae.empty() && within(index, ae.front(), static_cast<int>(ae.size())))
-      return parts.describe(ItemKind::object, static_cast<int>(i)) + ", equation " + std::to_string(index - ae.front());
+    const ObjectPlace& object = parts.objects[i];
+    if (algebraic && within(index, object.first_ae, object.equations))
+      return parts.describe(ItemKind::object, static_cast<int>(i)) + ", equation " + std::to_string(index - object.first_ae);
   }
   return "row " + std::to_string(row);
 }

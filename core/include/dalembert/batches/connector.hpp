@@ -37,7 +37,7 @@ class PortBatch final : public Term {
   }
   void add(const void* record, const Placement& placement, const Ports& ports) override {
     Entry e;
-    e.parameters = static_cast<const Record*>(record)->parameters;
+    e.parameters = parameters_between_markers<typename K::Parameters, Record>(record);
     for (int m = 0; m < M; ++m) {
       e.markers[m] = placement.markers[m];
       e.offsets[m] = ports.offsets(placement.markers[m]);
@@ -52,7 +52,7 @@ class PortBatch final : public Term {
     }
   }
   void refresh(int entry, const void* record) override {
-    entries_[entry].parameters = static_cast<const Record*>(record)->parameters;
+    entries_[entry].parameters = parameters_between_markers<typename K::Parameters, Record>(record);
     if constexpr (LawfulConnector<K>) take_law(entry);
   }
   void visit(BlockVisitor& visitor, const Ports& ports) const override {

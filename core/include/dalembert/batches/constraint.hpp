@@ -31,7 +31,7 @@ class ConstraintBatch final : public Term {
   void reserve(int entries) override { entries_.reserve(static_cast<std::size_t>(entries)); }
   void add(const void* record, const Placement& placement, const Ports&) override {
     Entry e;
-    e.parameters = static_cast<const Record*>(record)->parameters;
+    e.parameters = parameters_between_markers<Parameters, Record>(record);
     e.markers = {placement.markers[0], placement.markers[1]};
     e.item = placement.item;
     e.first_ae = placement.first_ae;
@@ -40,7 +40,7 @@ class ConstraintBatch final : public Term {
     entries_.push_back(std::move(e));
   }
   void refresh(int entry, const void* record) override {
-    entries_[entry].parameters = static_cast<const Record*>(record)->parameters;
+    entries_[entry].parameters = parameters_between_markers<Parameters, Record>(record);
     entries_[entry].write_table();
   }
   void visit(BlockVisitor& visitor, const Ports& ports) const override {

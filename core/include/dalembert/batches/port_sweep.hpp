@@ -59,6 +59,14 @@ typename Port::template Frame<SweepDual> read_moving_frame(const Ports& ports, i
   return frame;
 }
 
+// The parameters of a record, without the list of markers: entries keep that themselves, where it takes no memory of its own.
+template <class Parameters, class Record>
+Parameters parameters_between_markers(const void* record) {
+  Parameters parameters = static_cast<const Record*>(record)->parameters;
+  if constexpr (requires { parameters.markerNumbers; }) parameters.markerNumbers = {};
+  return parameters;
+}
+
 // Coordinates that move the markers of one item, one marker after the other.
 template <int M>
 struct Columns {

@@ -34,6 +34,8 @@ struct NodePlace {
   int ode2 = -1, ode1 = -1, ae = -1, data = -1;
   int translations = 0;  // coordinates that are components of the position
   int rotating = -1;     // among the rotating nodes of the ports
+
+  int first(System::Coordinates kind) const { return std::array{ode2, ode1, ae, data}[static_cast<std::size_t>(kind)]; }
 };
 
 // Where an item went: which batch, and which of its entries.
@@ -43,9 +45,13 @@ struct Membership {
   int entry = -1;
 };
 
+inline void append_range(std::vector<int>& list, int first, int count) {
+  for (int i = 0; i < count; ++i) list.push_back(first + i);
+}
+
 // A part of a list of numbers that all items share.
 struct Stretch {
-  std::size_t first = 0, count = 0;
+  std::uint32_t first = 0, count = 0;
   std::span<const int> of(const std::vector<int>& numbers) const { return {numbers.data() + first, count}; }
 };
 
@@ -53,8 +59,8 @@ struct ObjectPlace {
   const ItemType* type = nullptr;
   std::shared_ptr<const void> record;
   Membership<Term> member;
-  std::array<Stretch, 4> ltg;  // of SystemParts::coordinates; by System::Coordinates
-  Stretch nodes, markers;      // of SystemParts::references
+  Stretch nodes, markers;  // of SystemParts::references
+  int first_ae = -1, equations = 0;  // algebraic ones, counted in the AE vector
 };
 
 struct MarkerPlace {
@@ -144,7 +150,7 @@ struct SystemParts {
   std::vector<MarkerPlace> markers;
   std::vector<LoadPlace> loads;
   std::vector<SensorPlace> sensors;
-  std::vector<int> references, coordinates;  // what items refer to, and the global coordinates of objects
+  std::vector<int> references;  // what items refer to
   std::array<std::unordered_map<int, std::string>, item_kinds> given_names;  // of those that have one
 
   // In the order of evaluation. Bodies come first: their order of entries fixes the order of sums.
@@ -172,7 +178,8 @@ struct SystemParts {
   std::vector<int> rate_slots;     // diagonal places of the ODE1 coordinates
 
   std::vector<double> total;     // reference + displacement, of the state being evaluated
-  std::vector<double> output_total;  // the same for outputs, which user functions ask for in the middle of an evaluation
+  std::vector<double> output_total;  // the same for outputs, which user functions ask for in the middle of an evaluation; empty before
+  std::vector<int> free_numbers;     // memory for lists of outputs
   std::vector<double> work;
   bool evaluating = false;
   bool current_moved = false;       // away from what is being evaluated, to see what user functions make of it
@@ -183,7 +190,9 @@ struct SystemParts {
   const ItemType& type_of(ItemKind kind, int number) const;
   SensorPlace place_sensor(const Item& item) const;
   void check_sensors() const;  // refuses output variables that an item cannot have
-  State& state(ConfigurationType c) { return states[static_cast<std::size_t>(c)]; }
+  State& state(ConfigurationType c) { return state_of(states.data(), c); }
+  // The global coordinates of an object's nodes, and those that its markers move.
+  void list_coordinates(const ObjectPlace& object, System::Coordinates kind, std::vector<int>& list) const;
   // `cleared` are set to zero on the way.
   Evaluation evaluation(const State& state, const Conditions& conditions, std::span<double> cleared = {});
   Evaluation output_evaluation(const State& state);

@@ -31,6 +31,8 @@ class Regions {
   // A binary tree, level by level: regions 2 i + 1 and 2 i + 2 lie in i.
   int count() const { return 2 * smallest_ - 1; }
   int of_node(int node) const { return of_node_[static_cast<std::size_t>(node)]; }
+  // About how many of so many items lie in a region: they spread over the smallest ones, but for a few on the seams.
+  int expected(int region, int items) const { return region < smallest_ - 1 ? 0 : items / smallest_ + 1; }
   // The smallest region that holds two others.
   static int around(int a, int b);
 

@@ -15,7 +15,15 @@ struct State {
   std::vector<double> lambda;   // algebraic: Lagrange multipliers
   std::vector<double> data;     // history: friction, contact, ...
   double time = 0;
+  bool waits = false;           // nobody has asked for it since assembling: its vectors take no memory yet
 };
+
+// By configuration, the initial one among them: what has waited begins with the initial values.
+inline State& state_of(State* states, ConfigurationType configuration) {
+  State& state = states[static_cast<std::size_t>(configuration)];
+  if (state.waits) [[unlikely]] state = states[static_cast<std::size_t>(ConfigurationType::Initial)];
+  return state;
+}
 
 struct Sizes {
   int ode2 = 0, ode1 = 0, ae = 0, data = 0;

@@ -61,8 +61,8 @@ class System {
 
   const Sizes& sizes() const { return sizes_; }
   // Current, Initial, Reference (q and y only), StartOfStep, Visualization.
-  State& state(ConfigurationType configuration) { return states_[static_cast<std::size_t>(configuration)]; }
-  const State& state(ConfigurationType configuration) const { return states_[static_cast<std::size_t>(configuration)]; }
+  State& state(ConfigurationType configuration) { return state_of(states_, configuration); }
+  const State& state(ConfigurationType configuration) const { return state_of(states_, configuration); }
   // Holds the vectors of all states where they are, also after the next assembling, which makes others.
   std::shared_ptr<const void> hold_states() const;
 
@@ -142,7 +142,7 @@ class System {
 
   // ---- index tables: global coordinate numbers ------------------------------------------------------------------
   enum class Coordinates { ode2, ode1, ae, data };
-  std::span<const int> object_ltg(int object, Coordinates kind) const;
+  std::vector<int> object_ltg(int object, Coordinates kind) const;
   std::vector<int> node_ltg(int node, Coordinates kind) const;
   int node_index(int node, Coordinates kind) const;  // -1: the node has none of that kind
 
