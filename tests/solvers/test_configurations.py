@@ -38,7 +38,7 @@ def test_initial_values(name: str) -> None:
 def test_reference_values() -> None:
     data = two_coordinates().systemData
     assert np.array_equal(data.GetODE2Coordinates(Configuration.Reference), [1, 2])
-    assert np.array_equal(data.GetODE2Coordinates_t(Configuration.Reference), [0, 0])
+    assert data.GetODE2Coordinates_t(Configuration.Reference).size == 0
 
 
 @pytest.mark.parametrize("name", BEGIN_WITH_INITIAL_VALUES)

@@ -17,9 +17,10 @@ void each(const Batches& batches, F&& f) {
 Evaluation view_of(const SystemParts& parts, const State& state, const Conditions& conditions) {
   const bool rests = &state == &parts.states[static_cast<std::size_t>(ConfigurationType::Reference)];
   Evaluation e;
-  e.u = rests ? parts.work.data() + parts.sizes.total() : state.q.data();  // zeros, or displacements
-  e.v = state.v.data();
-  e.a = state.a.data();
+  const double* zeros = parts.work.data() + parts.sizes.total();
+  e.u = rests ? zeros : state.q.data();
+  e.v = rests ? zeros : state.v.data();
+  e.a = rests ? zeros : state.a.data();
   e.y = state.y.data();
   e.y_t = state.y_t.data();
   e.lambda = state.lambda.data();

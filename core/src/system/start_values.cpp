@@ -46,14 +46,14 @@ void StartValues::take(const NodePlace& node, SystemParts& parts) {
 
 void complete_configurations(SystemParts& parts) {
   const Sizes& n = parts.sizes;
-  for (const ConfigurationType c : {ConfigurationType::Reference, ConfigurationType::Initial}) {
-    State& state = parts.state(c);
-    for (auto* values : {&state.q, &state.v, &state.a}) values->resize(n.ode2);
-    for (auto* values : {&state.y, &state.y_t}) values->resize(n.ode1);
-    state.lambda.resize(n.ae);
-    state.data.resize(n.data);
+  State &reference = parts.state(ConfigurationType::Reference), &initial = parts.state(ConfigurationType::Initial);
+  for (State* state : {&reference, &initial}) {
+    state->y_t.resize(n.ode1);
+    state->lambda.resize(n.ae);
+    state->data.resize(n.data);
   }
-  parts.state(ConfigurationType::Current) = parts.state(ConfigurationType::Initial);
+  initial.a.resize(n.ode2);
+  parts.state(ConfigurationType::Current) = initial;
   for (const ConfigurationType c : {ConfigurationType::StartOfStep, ConfigurationType::Visualization})
     parts.states[static_cast<std::size_t>(c)].waits = true;
 }
