@@ -73,11 +73,13 @@ void ExplicitSolver::initialize_data() {
   stage_q_.assign(stages, Vector(n));
   stage_v_.assign(stages, Vector(n));
   stage_y_.assign(stages, Vector(n1));
-  second_q_.assign(n, 0.0);
-  second_v_.assign(n, 0.0);
-  second_y_.assign(n1, 0.0);
-  end_a_.assign(n, 0.0);
-  end_y_t_.assign(n1, 0.0);
+  const bool compares = controls_step_size(),
+             evaluates_end = !verlet_ && settings().timeIntegration.explicitIntegration.computeEndOfStepAccelerations;
+  second_q_.assign(compares ? n : 0, 0.0);
+  second_v_.assign(compares ? n : 0, 0.0);
+  second_y_.assign(compares ? n1 : 0, 0.0);
+  end_a_.assign(evaluates_end ? n : 0, 0.0);
+  end_y_t_.assign(evaluates_end ? n1 : 0, 0.0);
   lie_ = settings().timeIntegration.explicitIntegration.useLieGroupIntegration && system().has_lie_nodes();
   turn_.assign(lie_ ? n : 0, 0.0);
 }

@@ -18,6 +18,8 @@ template <class E, class Record>
 class ElementBatch : public Term {
  public:
   static constexpr int n = E::size;
+  static constexpr bool is_diagonal = requires { requires E::diagonal; };  // its tangent
+  static constexpr int slots_per_entry = is_diagonal ? n : n * n;
 
   void reserve(int entries) override { entries_.reserve(static_cast<std::size_t>(entries)); }
   void add(const void* record, const Placement& placement, const Ports&) override {
@@ -41,7 +43,10 @@ class ElementBatch : public Term {
   }
   void visit(BlockVisitor& visitor, const Ports&) const override {
     if constexpr (n > 0)
-      for (const Entry& e : entries_) visitor.block(e.dofs, e.dofs);
+      for (const Entry& e : entries_) {
+        if constexpr (!is_diagonal) visitor.block(e.dofs, e.dofs);
+        else for (const int dof : e.dofs) visitor.entry(dof, dof);
+      }
   }
 
   void residual(const Evaluation& evaluation, Ports&, double* r) const override {
@@ -69,7 +74,7 @@ class ElementBatch : public Term {
   }
   void trace_tangent(const TracedEvaluation& evaluation, const Weights& weights, TracedPorts&, Traced* values) const override {
     if constexpr (TracedElement<E>)
-      for (std::size_t i = 0; i < entries_.size(); ++i) add_tangent(entries_[i], evaluation, weights, slots.data() + i * n * n, values);
+      for (std::size_t i = 0; i < entries_.size(); ++i) add_tangent(entries_[i], evaluation, weights, slots.data() + i * slots_per_entry, values);
   }
   bool has_mass() const override { return n > 0; }
   bool constant_mass() const override { return E::constant_mass; }
@@ -125,14 +130,22 @@ class ElementBatch : public Term {
     }
   }
 
-  // Column by column: what it takes to accelerate one coordinate.
+  // What it takes to accelerate coordinates, one after the other; all at once if each needs a force of its own only.
   template <class S>
   static void add_mass(const Entry& e, const EvaluationOf<S>& evaluation, double weight, const int* slot, S* values) {
-    for (int column = 0; column < n; ++column) {
-      Coordinates<S, n> x{};
-      x.a[column] = weight;
-      const auto f = element_residual<E, S>(e.parameters, e.constants, context(evaluation, e), x);
-      for (int row = 0; row < n; ++row) values[slot[row * n + column]] += f[row];
+    Coordinates<S, n> x{};
+    const auto force = [&] { return element_residual<E, S>(e.parameters, e.constants, context(evaluation, e), x); };
+    if constexpr (is_diagonal) {
+      x.a.x.fill(weight);
+      const auto f = force();
+      for (int i = 0; i < n; ++i) values[slot[i]] += f[i];
+    } else {
+      for (int column = 0; column < n; ++column) {
+        x.a[column] = weight;
+        const auto f = force();
+        x.a[column] = 0;
+        for (int row = 0; row < n; ++row) values[slot[row * n + column]] += f[row];
+      }
     }
   }
 
@@ -145,7 +158,7 @@ class ElementBatch : public Term {
           if (count > 1) in_lanes([&]<int L>() { tangents_in_lanes<L>(i, count, evaluation, weights, slot, values); });
         }
         if (count == 1) add_tangent(entries_[i], evaluation, weights, slot, values);
-        slot += count * n * n;
+        slot += count * slots_per_entry;
         i += static_cast<std::size_t>(count);
       }
     }

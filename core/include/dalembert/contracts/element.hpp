@@ -101,7 +101,8 @@ concept LaneKernel = requires(const typename E::Parameters& p, const typename Pr
   requires E::node_size == 4;
 };
 
-// A residual that is a constant mass matrix times accelerations, and nothing without them.
+// A residual that is a constant mass matrix times accelerations, and nothing without them. Of a body: one mass, the same in
+// all directions.
 template <class E>
 concept PureInertia = requires { requires E::pure_inertia; };
 
@@ -163,6 +164,7 @@ struct OnNode {
   static constexpr bool planar = PlanarNode<Node>;
   static constexpr bool constant_mass = Body::constant_mass && Node::constant_jacobian;
   static constexpr bool pure_inertia = PureInertia<Body> && Node::constant_jacobian;
+  static constexpr bool diagonal = pure_inertia && Node::translations == size;  // one mass in all directions
   static constexpr int lie_rotation = [] {
     if constexpr (LieKernel<Node>) return Node::lie_rotation;
     return -1;
