@@ -86,27 +86,6 @@ class QuotientGraph {
   EliminationOrder order_;
 };
 
-// Which unknowns bring a pivot: those with a diagonal entry. Of two without one that have their largest entries in common,
-// such as an Euler parameter without inertia and the condition of unit length, either is the other's pivot: one brings it.
-std::vector<bool> pivots_at_hand(const Pattern& pattern, std::span<const double> values) {
-  const auto starts = pattern.column_start(), rows = pattern.row_index();
-  std::vector<bool> at_hand(static_cast<std::size_t>(pattern.size()));
-  for (int j = 0; j < pattern.size(); ++j) at_hand[j] = values[pattern.slot(j, j)] != 0;
-  std::vector<int> partner(at_hand.size(), -1);
-  for (int j = 0; j < pattern.size(); ++j) {
-    if (at_hand[j]) continue;
-    double largest = 0;
-    for (int k = starts[j]; k < starts[j + 1]; ++k) {
-      if (at_hand[rows[k]] || !(std::abs(values[k]) > largest)) continue;
-      largest = std::abs(values[k]);
-      partner[j] = rows[k];
-    }
-  }
-  for (int j = 0; j < pattern.size(); ++j)
-    if (partner[j] > j && partner[partner[j]] == j) at_hand[j] = true;
-  return at_hand;
-}
-
 QuotientGraph::QuotientGraph(const Pattern& pattern, std::span<const double> values)
     : size_(pattern.size()), next_member_(size_, -1), group_(size_), first_(2 * static_cast<std::size_t>(size_) + 1, -1), left_(size_) {
   group_equal_columns(pattern, pivots_at_hand(pattern, values));
@@ -347,6 +326,25 @@ bool QuotientGraph::equal(int i, int j) {
 }
 
 }  // namespace
+
+std::vector<bool> pivots_at_hand(const Pattern& pattern, std::span<const double> values) {
+  const auto starts = pattern.column_start(), rows = pattern.row_index();
+  std::vector<bool> at_hand(static_cast<std::size_t>(pattern.size()));
+  for (int j = 0; j < pattern.size(); ++j) at_hand[j] = values[pattern.slot(j, j)] != 0;
+  std::vector<int> partner(at_hand.size(), -1);
+  for (int j = 0; j < pattern.size(); ++j) {
+    if (at_hand[j]) continue;
+    double largest = 0;
+    for (int k = starts[j]; k < starts[j + 1]; ++k) {
+      if (at_hand[rows[k]] || !(std::abs(values[k]) > largest)) continue;
+      largest = std::abs(values[k]);
+      partner[j] = rows[k];
+    }
+  }
+  for (int j = 0; j < pattern.size(); ++j)
+    if (partner[j] > j && partner[partner[j]] == j) at_hand[j] = true;
+  return at_hand;
+}
 
 EliminationOrder minimum_degree_order(const Pattern& pattern, std::span<const double> values) {
   return QuotientGraph(pattern, values).order();

@@ -8,6 +8,10 @@
 
 namespace dalembert {
 
+// Which unknowns bring a pivot: those with a diagonal entry. Of two without one that have their largest entries in common,
+// such as an Euler parameter without inertia and the condition of unit length, either is the other's pivot: one brings it.
+std::vector<bool> pivots_at_hand(const Pattern& pattern, std::span<const double> values);
+
 // Entry k is the unknown that is eliminated k-th.
 using EliminationOrder = std::vector<int>;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "elimination_order.hpp"
+#include "tree_rotation.hpp"
 
 namespace dalembert {
 
@@ -37,7 +38,10 @@ int MultifrontalLu::start_again(std::span<const double> given) {
   std::vector<double> gathered(slots_.size());
   std::ranges::transform(slots_, gathered.begin(), [&](int slot) { return given[slot]; });
   const std::span<const double> values = slots_.empty() ? given : gathered;
-  if (tree_.empty()) tree_ = assembly_tree(pattern_, minimum_degree_order(pattern_, values));
+  if (tree_.empty()) {
+    const EliminationOrder order = minimum_degree_order(pattern_, values);
+    tree_ = balanced(assembly_tree(pattern_, order), pivots_at_hand(pattern_, values));
+  }
   scaling_ = balance(pattern_, values);
   // Without multipliers there is in general nothing to search.
   planned_ = !options_.ignore_singular && std::ranges::none_of(scaling_.multiplier, [](char m) { return m != 0; }) &&

@@ -38,7 +38,7 @@ int OccupiedLu::factorize_occupied(std::span<const double> values) {
 }
 
 void OccupiedLu::solve(std::span<double> x) {
-  if (!occupied_) return solver_->solve(x);
+  if (!occupied_ || lone_.empty()) return solver_->solve(x);
   for (const Lone& lone : lone_) x[lone.unknown] *= lone.inverse;
   for (std::size_t k = 0; k < coupled_.size(); ++k) x_[k] = x[coupled_[k]];
   solver_->solve(x_);

@@ -14,7 +14,8 @@ namespace dalembert {
 class OccupiedLu final : public LinearSolver {
  public:
   OccupiedLu(const Pattern& pattern, const LinearSolverOptions& options)
-      : pattern_(pattern), options_(options), unsettled_(options.unsettled_matrices), solver_(std::make_unique<MultifrontalLu>(pattern, options)) {}
+      : pattern_(pattern), options_(options), unsettled_(options.unsettled_matrices),
+        solver_(std::make_unique<MultifrontalLu>(pattern, options)) {}
   int factorize(std::span<const double> values) override;
   void solve(std::span<double> x) override;
   LinearSolverStatistics statistics() const override;
