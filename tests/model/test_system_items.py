@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pickle
+import re
 from typing import Any
 
 import numpy as np
@@ -57,6 +58,16 @@ def test_refusals_leave_the_system_as_it_was(mbs: exu.MainSystem, add: Any, text
         add(mbs)
     assert text in str(caught.value)
     assert repr(mbs.GetDictionary()) == before
+
+
+def test_outputs_before_assembling_name_the_item(mbs: exu.MainSystem) -> None:
+    """The item alone is assembled then, as the first of its kind; errors still tell the number and name that it has."""
+    for i in range(4):
+        node = mbs.AddNode(exu.NodePoint(referenceCoordinates=[i, 0, 0]))
+        mbs.AddObject(exu.MassPoint(nodeNumber=node, physicsMass=1, name="end" if i == 3 else ""))
+    for body, title in ((2, "object 2 'object2' (ObjectMassPoint)"), (3, "object 3 'end' (ObjectMassPoint)")):
+        with pytest.raises(ValueError, match=re.escape(title) + ": has no output variable Force"):
+            mbs.GetObjectOutputBody(body, exu.OutputVariableType.Force, [0, 0, 0], exu.ConfigurationType.Reference)
 
 
 def test_unknown_keys_of_dictionaries_are_ignored_with_a_warning(mbs: exu.MainSystem) -> None:

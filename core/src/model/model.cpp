@@ -67,6 +67,8 @@ int Model::number(ItemKind kind, std::string_view name) const {
 }
 
 std::string Model::describe(ItemKind kind, int number) const {
+  const auto& titles = titles_[static_cast<std::size_t>(kind)];
+  if (const auto title = titles.find(number); title != titles.end()) return title->second;
   if (const Item* item = find_item(kind, number)) return describe_item(kind, number, item->name(), *item->type);
   return std::string(kind_name(kind)) + " " + std::to_string(number);
 }

@@ -109,6 +109,7 @@ class Builder {
   void name_items() {
     for (int k = 0; k < item_kinds; ++k)
       for (const auto& [name, number] : model_.names(static_cast<ItemKind>(k))) parts_.given_names[k].emplace(number, name);
+    parts_.titles = model_.titles();
   }
 
   const Item& item_of(ItemKind kind, int number) const { return model_.items(kind)[static_cast<std::size_t>(number)]; }

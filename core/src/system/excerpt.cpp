@@ -27,7 +27,9 @@ class Copier {
         if (reference >= 0 && from_.find_item(storage.kind, reference) != nullptr) reference = copy(storage.kind, reference);
     }
     name_in(*item.type, record.get()).clear();
-    return numbers_[{kind, number}] = to.add({item.type, record});
+    const int copied = to.add({item.type, record});
+    to.entitle(kind, copied, from_.describe(kind, number));
+    return numbers_[{kind, number}] = copied;
   }
 
   Model to;

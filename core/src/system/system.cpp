@@ -141,6 +141,8 @@ const ItemType& SystemParts::type_of(ItemKind kind, int number) const {
 }
 
 std::string SystemParts::describe(ItemKind kind, int number) const {
+  const auto& entitled = titles[static_cast<std::size_t>(kind)];
+  if (const auto title = entitled.find(number); title != entitled.end()) return title->second;
   const auto& names = given_names[static_cast<std::size_t>(kind)];
   const auto name = names.find(number);
   return describe_item(kind, number, name == names.end() ? "" : name->second, type_of(kind, number));

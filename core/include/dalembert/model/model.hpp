@@ -32,6 +32,10 @@ class Model {
   // The numbers of items with names of their own.
   const std::unordered_map<std::string, int>& names(ItemKind kind) const { return numbers_[static_cast<std::size_t>(kind)]; }
   std::string describe(ItemKind kind, int number) const;   // "node 3 'foot' (NodePoint)"
+  // What items are called that have another number elsewhere; empty in a model of its own.
+  using Titles = std::array<std::unordered_map<int, std::string>, item_kinds>;
+  const Titles& titles() const { return titles_; }
+  void entitle(ItemKind kind, int number, std::string title) { titles_[static_cast<std::size_t>(kind)][number] = std::move(title); }
 
   // Add one item and return its number. A planned type, or a name that is taken, is refused.
   int add(Item item);
@@ -71,6 +75,7 @@ class Model {
 
   std::array<std::vector<Item>, item_kinds> items_;
   std::array<std::unordered_map<std::string, int>, item_kinds> numbers_;
+  Titles titles_;
   std::map<int, std::vector<int>> load_dependencies_;
   std::vector<ItemReference> changes_;                                    // the last of the value changes
   std::uint64_t structure_changes_ = 0, value_changes_ = 0;

@@ -152,6 +152,7 @@ struct SystemParts {
   std::vector<SensorPlace> sensors;
   std::vector<int> references;  // what items refer to
   std::array<std::unordered_map<int, std::string>, item_kinds> given_names;  // of those that have one
+  Model::Titles titles;
 
   // In the order of evaluation. Bodies come first: their order of entries fixes the order of sums.
   std::vector<std::unique_ptr<Term>> terms;
