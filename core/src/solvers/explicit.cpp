@@ -32,10 +32,22 @@ void add(std::vector<double>& x, double factor, const std::vector<double>& y) {
   const WeightedVector term{factor, y.data()};
   combine(x, x, {&term, 1});
 }
-void kick_and_drift(std::size_t n, double h, const double* __restrict a, double* __restrict v, double* __restrict q) {
-  each_number(n, [=](std::size_t i) {
+// `keep(i)` comes before number i moves.
+template <class Keep>
+void kick_and_drift(State& state, double h, Keep&& keep) {
+  each_number(state.q.size(), [=, a = state.a.data(), v = state.v.data(), q = state.q.data()](std::size_t i) {
+    keep(i);
     v[i] += 0.5 * h * a[i];
     q[i] += h * v[i];
+  });
+}
+// In one pass over memory.
+void kick_and_drift_from(State& start, State& state, double h) {
+  kick_and_drift(state, h, [a = state.a.data(), v = state.v.data(), q = state.q.data(), start_a = start.a.data(), start_v = start.v.data(),
+                            start_q = start.q.data()](std::size_t i) {
+    start_a[i] = a[i];
+    start_v[i] = v[i];
+    start_q[i] = q[i];
   });
 }
 
@@ -153,11 +165,24 @@ void ExplicitSolver::increase_step_size() {
 
 void ExplicitSolver::save_start_of_step() {
   first_stage_known_ = false;
+  if (verlet_ && nobody_interferes_) return save_all_but_motion();
+  Solver::save_start_of_step();
   if (!end_known_ || verlet_) return;
   std::swap(stage_v_[0], end_a_);
   std::swap(stage_y_[0], end_y_t_);
   first_stage_known_ = true;
   end_known_ = false;
+}
+
+// The step begins with what is left.
+void ExplicitSolver::save_all_but_motion() {
+  const State& now = current();
+  State& start = start_of_step();
+  start.y = now.y;
+  start.y_t = now.y_t;
+  start.lambda = now.lambda;
+  start.data = now.data;
+  start.time = now.time;
 }
 
 bool ExplicitSolver::newton() {
@@ -279,7 +304,11 @@ void ExplicitSolver::end_of_step() {
 void ExplicitSolver::verlet_step() {
   State& now = current();
   const double h = it.currentStepSize;
-  kick_and_drift(now.q.size(), h, now.a.data(), now.v.data(), now.q.data());
+  if (nobody_interferes_) {
+    kick_and_drift_from(start_of_step(), now, h);
+  } else {
+    kick_and_drift(now, h, [](std::size_t) {});
+  }
   if (lie_) {
     for (std::size_t i = 0; i < turn_.size(); ++i) turn_[i] = h * now.v[i];
     system().compose(start_of_step().q, turn_, now.q);

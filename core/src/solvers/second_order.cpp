@@ -169,6 +169,7 @@ void SecondOrderSolver::increase_step_size() {
 }
 
 void SecondOrderSolver::save_start_of_step() {
+  Solver::save_start_of_step();
   copy_numbers(algorithmic_.data(), algorithmic_.size(), algorithmic_at_start_.data());
 }
 

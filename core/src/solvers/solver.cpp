@@ -176,7 +176,6 @@ bool Solver::solve_steps() {
   try {
     start_steps();
     while (next_step()) {
-      copy(current(), start_of_step());
       save_start_of_step();
       while (!conv.stepReductionFailed) {
         if (try_step()) {
@@ -193,6 +192,8 @@ bool Solver::solve_steps() {
   end_steps();
   return output.finishedSuccessfully;
 }
+
+void Solver::save_start_of_step() { copy(current(), start_of_step()); }
 
 // False: there is none, or the solver was stopped.
 bool Solver::next_step() {

@@ -101,7 +101,7 @@ class Solver {
   bool dense() const { return is_dense(settings_->linearSolverType); }
   // Sets back what a discontinuous iteration has moved: everything except data.
   virtual void reset_to_start_of_step();
-  virtual void save_start_of_step() {}
+  virtual void save_start_of_step();
   // What a restart needs besides the state.
   virtual std::span<const double> restart_values() const { return {}; }
   // Whether the user has replaced a part of a step, which may change what the solver does.
