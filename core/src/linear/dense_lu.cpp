@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "dalembert/math/few_numbers.hpp"
+
 namespace dalembert {
 
 namespace {
@@ -23,7 +25,8 @@ DenseLu::DenseLu(int size, const LinearSolverOptions& options)
   statistics_.entries = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
 }
 
-int DenseLu::factorize(std::span<const double> values) {
+// Its parts are inlined: calls take as long as what they compute of a small matrix.
+[[gnu::flatten]] int DenseLu::factorize(std::span<const double> values) {
   ++statistics_.factorizations;
   if (searched_ && repeat(values)) return success;
   const int failed = search(values);
@@ -40,7 +43,7 @@ int DenseLu::factorize(std::span<const double> values) {
 
 bool DenseLu::may_be_listed() const { return size_ > tiny && size_ <= EliminationList::largest_size; }
 
-void DenseLu::list_operations(std::span<const double> values) {
+[[gnu::noinline]] void DenseLu::list_operations(std::span<const double> values) {
   listed_ = true;
   list_.reset();
   if (size_ > EliminationList::largest_size) return;
@@ -61,7 +64,7 @@ double DenseLu::factorize_repeated(std::span<const double> values) {
   return list_ ? kernels_.factorize_listed(*list_, factors_.data(), inverse_pivot_.data()) : factorize_whole(values);
 }
 
-double DenseLu::factorize_whole(std::span<const double> values) {
+[[gnu::noinline]] double DenseLu::factorize_whole(std::span<const double> values) {
   const double* from = values.data();
   for (int j = 0; j < size_; ++j, from += size_) {
     double* to = column(j);
@@ -77,7 +80,7 @@ bool DenseLu::repeat(std::span<const double> values) {
 }
 
 // Elimination with the largest entry of each column as pivot.
-int DenseLu::search(std::span<const double> values) {
+[[gnu::noinline]] int DenseLu::search(std::span<const double> values) {
   ++statistics_.pivot_searches;
   const int n = size_;
   std::iota(row_of_step_.begin(), row_of_step_.end(), 0);
@@ -116,7 +119,7 @@ void DenseLu::solve(std::span<double> x) {
     kernels_.eliminate(factors_.data(), size_, length_, w, 1);
     kernels_.substitute(factors_.data(), size_, length_, inverse_pivot_.data(), w);
   }
-  std::copy_n(w, size_, x.begin());
+  copy_numbers(w, x.size(), x.data());
 }
 
 void DenseLu::solve_tiny(double* x) {

@@ -198,7 +198,8 @@ bool ExplicitSolver::newton() {
   return !controls_step_size() || control_step_size();
 }
 
-void ExplicitSolver::runge_kutta_step() {
+// Its parts are inlined: calls take as long as what they compute in small systems.
+[[gnu::flatten]] void ExplicitSolver::runge_kutta_step() {
   for (int stage = 0; stage < method_.stages; ++stage) {
     compute_stage(stage);
     if (conv.linearSolverFailed) return;
@@ -234,13 +235,16 @@ void ExplicitSolver::compute_stage_rates(int stage) {
   }
   if (!lie_ && stage == 0) return;
   copy_numbers(current().v.data(), stage_q_[s].size(), stage_q_[s].data());
-  if (!lie_) return;
+  if (lie_) turn_stage_rates(s);
+}
+
+[[gnu::noinline]] void ExplicitSolver::turn_stage_rates(std::size_t s) {
   for (const System::LieBlock& block : system().lie_blocks()) {
     const auto r = static_cast<std::size_t>(block.rotation);
     std::array<double, 3> turned{};
-    for (int j = 0; j < stage; ++j) {
-      const double factor = method_.coefficient(stage, j) * it.currentStepSize;
-      for (std::size_t k = 0; k < 3; ++k) turned[k] += factor * stage_q_[static_cast<std::size_t>(j)][r + k];
+    for (std::size_t j = 0; j < s; ++j) {
+      const double factor = method_.coefficient(static_cast<int>(s), static_cast<int>(j)) * it.currentStepSize;
+      for (std::size_t k = 0; k < 3; ++k) turned[k] += factor * stage_q_[j][r + k];
     }
     const auto t = inverse_tangent_operator(turned.data());
     const Vec3<double> rate = t * load<double, 3>(&stage_q_[s][r]);
@@ -266,6 +270,10 @@ void ExplicitSolver::move_from_start(const StageWeights& weights, Vector& q, Vec
   const double h = it.currentStepSize;
   const auto advance = [&](Vector& x, const Vector& from, auto&& rates) {
     if (x.empty()) return;
+    if (weights.size() == 1) {
+      const WeightedVector term{weights.front().weight * h, rates(weights.front().stage)};
+      return add_weighted<1>(x.data(), from.data(), &term, x.size());
+    }
     std::array<WeightedVector, RungeKuttaMethod::max_stages> terms;
     std::size_t count = 0;
     for (const StageWeight& w : weights) {
@@ -346,7 +354,7 @@ bool ExplicitSolver::accelerations(Vector& a, std::span<double> y_t) {
   return true;
 }
 
-void ExplicitSolver::mass_failed(int row) {
+[[gnu::noinline]] void ExplicitSolver::mass_failed(int row) {
   conv.linearSolverFailed = conv.massMatrixNotInvertible = true;
   conv.linearSolverCausingRow = row;
   diagnose(FailureReason::mass_matrix);

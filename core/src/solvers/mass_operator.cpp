@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "dalembert/math/few_numbers.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
 
 namespace dalembert {
@@ -112,11 +111,7 @@ int MassOperator::update(System& system, const State& state) {
   return LinearSolver::success;
 }
 
-void MassOperator::solve(std::span<double> x) {
-  if (blocks_.empty()) {
-    each_number(x.size(), [numbers = x.data(), factors = inverse_.data()](std::size_t i) { numbers[i] *= factors[i]; });
-    return;
-  }
+void MassOperator::solve_blocks(std::span<double> x) {
   for (Block& block : blocks_) {
     for (std::size_t i = 0; i < block.x.size(); ++i) block.x[i] = x[block.coordinates[i]];
     block.solver->solve(block.x);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "dalembert/math/few_numbers.hpp"
 #include "dalembert/model/errors.hpp"
 #include "dalembert/output/numbers.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
@@ -74,7 +75,8 @@ double NewtonSolver::evaluate_residual() {
   return compute_residual();
 }
 
-bool NewtonSolver::newton() {
+// Its parts are inlined: calls take as long as what they compute in small systems.
+[[gnu::flatten]] bool NewtonSolver::newton() {
   begin_newton();
   judge_start(evaluate_residual());
   while (goes_on()) {
@@ -95,8 +97,9 @@ void NewtonSolver::begin_newton() {
   conv.linearSolverCausingRow = -1;
   full_newton_ = !newton_settings.useModifiedNewton;
   loop_ = Loop();
-  std::fill(current().lambda.begin(), current().lambda.end(), 0.0);
-  std::fill(increment_.begin(), increment_.end(), 0.0);
+  State& now = current();
+  clear_numbers(now.lambda.data(), now.lambda.size());
+  clear_numbers(increment_.data(), increment_.size());
   compute_update(true);
   it.newtonSteps = 0;
 }
@@ -150,7 +153,7 @@ void NewtonSolver::iterate() {
   }
   {
     const TimedPart time(timer, timer.newtonIncrement);
-    std::copy(residual_.begin(), residual_.end(), increment_.begin());
+    copy_numbers(residual_.data(), residual_.size(), increment_.data());
     linear_->solve(increment_);
   }
   compute_update(false);
@@ -206,7 +209,7 @@ bool NewtonSolver::stagnated() const {
 }
 
 // Size of the last increment of the coordinates against their total values.
-double NewtonSolver::relative_increment() {
+[[gnu::noinline]] double NewtonSolver::relative_increment() {
   const State& now = current();
   const State& reference = system().state(ConfigurationType::Reference);
   double total = sum_of_squares<double>(now.y);
@@ -221,7 +224,7 @@ double NewtonSolver::relative_increment() {
 
 // Rounding errors to be expected in the residual: eps |K| |q| + eps |D| |v| + eps |M| |a| + eps |G^T| |lambda|, after Oettli
 // and Prager (1964).
-double NewtonSolver::round_off_level() {
+[[gnu::noinline]] double NewtonSolver::round_off_level() {
   const State& now = current();
   const State& reference = system().state(ConfigurationType::Reference);
   const int n = sizes_.ode2, first_ae = sizes_.first_ae();
@@ -254,7 +257,7 @@ bool NewtonSolver::diverged() {
 }
 
 // Modified Newton first asks for a new Jacobian, then for full Newton; if it diverges, it starts again.
-void NewtonSolver::treat_slow_convergence() {
+[[gnu::noinline]] void NewtonSolver::treat_slow_convergence() {
   conv.newtonSolutionDiverged = false;
   if (diverged()) {
     if (full_newton_) {
@@ -298,7 +301,7 @@ void NewtonSolver::restart() {
   if (verbose(2)) say(2, "    Newton started again from the beginning of the step\n");
 }
 
-void NewtonSolver::report_failure() {
+[[gnu::noinline]] void NewtonSolver::report_failure() {
   if (conv.linearSolverFailed) {
     diagnose(FailureReason::singular_matrix);
     diagnosis_.dependent = describe_equations(system(), dependent_equations(*pattern_, jacobian_));

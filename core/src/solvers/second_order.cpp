@@ -59,7 +59,7 @@ void predict_motion(std::size_t n, const Prediction& scheme, double* __restrict 
 }
 
 // The matrix of modified Newton has to serve many steps: reactions and inertia forces of the moment have no part in it.
-State without_momentary_forces(State state) {
+[[gnu::noinline]] State without_momentary_forces(State state) {
   std::fill(state.lambda.begin(), state.lambda.end(), 0.0);
   std::fill(state.a.begin(), state.a.end(), 0.0);
   return state;
@@ -178,7 +178,7 @@ void SecondOrderSolver::reset_to_start_of_step() {
   algorithmic_ = algorithmic_at_start_;
 }
 
-double SecondOrderSolver::compute_residual() {
+[[gnu::flatten]] double SecondOrderSolver::compute_residual() {
   const TimedPart time(timer, timer.ODE2RHS);
   system().residual(current(), conditions_, residual_);
   return scale_residual(residual_);
@@ -193,7 +193,7 @@ S SecondOrderSolver::scale_residual(std::vector<S>& residual) const {
   return norm;
 }
 
-void SecondOrderSolver::compute_update(bool initial) {
+[[gnu::flatten]] void SecondOrderSolver::compute_update(bool initial) {
   const TimedPart time(timer, timer.integrationFormula);
   initial ? predict() : correct();
 }
@@ -228,7 +228,7 @@ void SecondOrderSolver::correct() {
 }
 
 // q = q_n o exp(increment), where the kinematic relation of higher order turns the increment by half a step of the velocity.
-void SecondOrderSolver::predict_lie_rotations() {
+[[gnu::noinline]] void SecondOrderSolver::predict_lie_rotations() {
   State& now = current();
   if (!simplified_lie_) {
     for (const System::LieBlock& block : system().lie_blocks()) {
@@ -242,7 +242,7 @@ void SecondOrderSolver::predict_lie_rotations() {
 }
 
 // Increments are composed with the last iterate; with simplified relations their sum is composed with the start of the step.
-void SecondOrderSolver::correct_lie_rotations() {
+[[gnu::noinline]] void SecondOrderSolver::correct_lie_rotations() {
   State& now = current();
   if (simplified_lie_) {
     subtract(lie_increment_, 1, increment_.data());
@@ -267,7 +267,7 @@ Conditions SecondOrderSolver::jacobian_conditions(bool momentary) const {
   return conditions;
 }
 
-void SecondOrderSolver::compute_jacobian() {
+[[gnu::flatten]] void SecondOrderSolver::compute_jacobian() {
   const double scale = newmark_beta * it.currentStepSize * it.currentStepSize;
   const Conditions conditions = jacobian_conditions(full_newton_);
   if (full_newton_) {
@@ -291,7 +291,7 @@ void SecondOrderSolver::evaluate_jacobian(const State& state, const Conditions& 
 }
 
 // d(q_n o exp(x))/dx is the tangent operator at x, which applies to the position part of the matrix only.
-void SecondOrderSolver::simplified_lie_jacobian(const State& state, const Conditions& conditions, const Weights& weights) {
+[[gnu::noinline]] void SecondOrderSolver::simplified_lie_jacobian(const State& state, const Conditions& conditions, const Weights& weights) {
   more_values_.resize(jacobian_.size());
   Weights position = weights, rest = weights;
   position.v = position.a = 0;

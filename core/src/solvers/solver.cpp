@@ -14,15 +14,9 @@ namespace dalembert {
 
 namespace {
 
-// In place: both are states of one system, so their vectors are of the same sizes, except where parts are left out.
+// In place: one has been assigned to the other before, so their vectors are of the same sizes.
 void copy(const State& from, State& to) {
-  const auto take = [](const std::vector<double>& x, std::vector<double>& y) {
-    if (x.size() == y.size()) [[likely]] {
-      copy_numbers(x.data(), x.size(), y.data());
-    } else {
-      y = x;
-    }
-  };
+  const auto take = [](const std::vector<double>& x, std::vector<double>& y) { copy_numbers(x.data(), x.size(), y.data()); };
   take(from.q, to.q);
   take(from.v, to.v);
   take(from.a, to.a);
@@ -156,7 +150,7 @@ void Solver::initial_conditions() {
   write_solution_header();
 }
 
-void Solver::start_steps() {
+[[gnu::noinline]] void Solver::start_steps() {
   it.currentStepSize = it.automaticStepSize ? it.initialStepSize : it.maxStepSize;
   it.currentStepIndex = 0;
   output.lastVerboseStepIndex = 0;
@@ -172,9 +166,11 @@ void Solver::start_steps() {
   ++it.currentStepIndex;
 }
 
-bool Solver::solve_steps() {
+// Parts of each step are inlined: calls take as long as what they do.
+[[gnu::flatten]] bool Solver::solve_steps() {
   try {
     start_steps();
+    start_of_step() = current();
     while (next_step()) {
       save_start_of_step();
       while (!conv.stepReductionFailed) {
@@ -218,7 +214,7 @@ void Solver::begin_step() {
   it.lastStepSize = it.currentStepSize;
 }
 
-void Solver::step_failed() {
+[[gnu::noinline]] void Solver::step_failed() {
   if (conv.linearSolverFailed) {  // smaller steps do not mend a singular matrix
     conv.stepReductionFailed = true;
     current() = start_of_step();
@@ -254,7 +250,7 @@ void Solver::step_succeeded() {
   end_reached_ = it.currentTime >= it.endTime - 1e-10;
 }
 
-void Solver::announce_increase() {
+[[gnu::noinline]] void Solver::announce_increase() {
   if (!(output.stepInformation & step_information::step_increases) && !verbose(2)) return;
   say(1, "  step size increased to " + format_number(it.currentStepSize) + position_text() + "\n");
 }
@@ -267,14 +263,14 @@ void Solver::initialize_step() {
   if (hooks().pre_step) call_pre_step();
 }
 
-void Solver::announce_step() {
+[[gnu::noinline]] void Solver::announce_step() {
   std::string text = "+++++++++++++++ COMPUTE STEP +++++++++++++++\nSTEP" + std::to_string(it.currentStepIndex) +
                      position_text();
   if (it.adaptiveStep) text += ", step size = " + format_number(it.currentStepSize);
   say(2, text + "\n");
 }
 
-void Solver::call_pre_step() {
+[[gnu::noinline]] void Solver::call_pre_step() {
   const TimedPart time(timer, timer.python);
   if (hooks().pre_step(it.currentTime)) return;
   say(1, "PreStepUserFunction returned False: the solver stops after this step\n");
@@ -306,7 +302,7 @@ void Solver::accept_newton() {
   if (verbose(2)) announce_discontinuous_iteration();
 }
 
-bool Solver::discontinuous_iteration() {
+[[gnu::flatten]] bool Solver::discontinuous_iteration() {
   begin_discontinuous_iteration();
   while (it.discontinuousIteration < discontinuous.maxIterations && !conv.discontinuousIterationSuccessful) {
     if (!newton()) {
@@ -332,7 +328,7 @@ bool Solver::discontinuous_iteration() {
   return conv.discontinuousIterationSuccessful;
 }
 
-void Solver::announce_discontinuous_iteration() {
+[[gnu::noinline]] void Solver::announce_discontinuous_iteration() {
   say(2, "  discontinuous iteration " + std::to_string(it.discontinuousIteration) +
              ": error = " + format_number(conv.discontinuousIterationError) +
              ", tolerance = " + format_number(discontinuous.iterationTolerance) + "\n");
@@ -370,7 +366,7 @@ void Solver::poll_interrupt() {
 // Whether the clock is due: every step at first, then as seldom as keeps looks about 2 ms apart.
 bool Solver::time_to_look() { return (steps_taken_++ & look_mask_) == 0; }
 
-void Solver::poll() {
+[[gnu::noinline]] void Solver::poll() {
   const double now = SolverTimer::now();
   const double elapsed = now - last_look_;
   last_look_ = now;

@@ -13,40 +13,44 @@ void each(const Batches& batches, F&& f) {
   for (const auto& batch : batches) f(*batch);
 }
 
+// Parts of an evaluation are inlined: a call takes as long as what small systems compute.
 // The pointers and conditions of an evaluation; q, the totals, is left to the caller.
-Evaluation view_of(const SystemParts& parts, const State& state, const Conditions& conditions) {
+[[gnu::always_inline]] inline Evaluation view_of(const SystemParts& parts, const State& state, const Conditions& conditions) {
   const bool rests = &state == &parts.states[static_cast<std::size_t>(ConfigurationType::Reference)];
-  Evaluation e;
   const double* zeros = parts.work.data() + parts.sizes.total();
-  e.u = rests ? zeros : state.q.data();
-  e.v = rests ? zeros : state.v.data();
-  e.a = rests ? zeros : state.a.data();
-  e.y = state.y.data();
-  e.y_t = state.y_t.data();
-  e.lambda = state.lambda.data();
-  e.data = state.data.data();
-  e.time = state.time;
-  e.load_factor = conditions.load_factor;
-  e.step_size = conditions.step_size;
-  e.rate_level = conditions.rate_level;
-  e.inertia = conditions.inertia;
-  e.of_reference = rests;
+  return {.u = rests ? zeros : state.q.data(),
+          .v = rests ? zeros : state.v.data(),
+          .a = rests ? zeros : state.a.data(),
+          .y = state.y.data(),
+          .y_t = state.y_t.data(),
+          .lambda = state.lambda.data(),
+          .data = state.data.data(),
+          .time = state.time,
+          .load_factor = conditions.load_factor,
+          .step_size = conditions.step_size,
+          .rate_level = conditions.rate_level,
+          .inertia = conditions.inertia,
+          .of_reference = rests};
+}
+
+// `cleared` are set to zero on the way.
+[[gnu::always_inline]] inline Evaluation begin_evaluation(SystemParts& parts, const State& state, const Conditions& conditions,
+                                                          std::span<double> cleared) {
+  Evaluation e = view_of(parts, state, conditions);
+  const double* reference = parts.state(ConfigurationType::Reference).q.data();
+  std::vector<double>& total = parts.total;
+  parts.each_share([cleared, reference, count = total.size(), q = total.data(), displacements = e.u](const Share& share) {
+    share.clear(cleared);
+    const auto [begin, end] = share.of(count);
+    each_number(end - begin, [sum = q + begin, from = reference + begin, u = displacements + begin](std::size_t i) { sum[i] = from[i] + u[i]; });
+  });
+  e.q = total.data();
   return e;
 }
 
 }  // namespace
 
-Evaluation SystemParts::evaluation(const State& state, const Conditions& conditions, std::span<double> cleared) {
-  Evaluation e = view_of(*this, state, conditions);
-  const double* reference = this->state(ConfigurationType::Reference).q.data();
-  each_share([&](const Share& share) {
-    share.clear(cleared);
-    const auto [begin, end] = share.of(total.size());
-    each_number(end - begin, [sum = total.data() + begin, from = reference + begin, u = e.u + begin](std::size_t i) { sum[i] = from[i] + u[i]; });
-  });
-  e.q = total.data();
-  return e;
-}
+Evaluation SystemParts::evaluation(const State& state, const Conditions& conditions) { return begin_evaluation(*this, state, conditions, {}); }
 
 Evaluation SystemParts::output_evaluation(const State& state, std::span<const int> dofs) {
   Evaluation e = view_of(*this, state, {});
@@ -68,7 +72,7 @@ Evaluation SystemParts::output_evaluation(const State& state) {
 
 void SystemParts::update_ports(const Evaluation& e) {
   evaluate_resting(e);
-  each_region([&](const RegionPlan& region) { update_frames(region, e); });
+  each_region([this, &e](const RegionPlan& region) { update_frames(region, e); });
 }
 
 void SystemParts::evaluate_resting(const Evaluation& e) {
@@ -96,26 +100,30 @@ class Flagged {
   bool& flag_;
 };
 
-void add_residual(SystemParts& parts, const Evaluation& e, double* r, bool loads = true) {
+[[gnu::always_inline]] inline void add_residual(SystemParts& parts, const Evaluation& e, double* r, bool loads = true) {
   const Flagged evaluating(parts.evaluating);
-  Ports& ports = parts.ports;
   parts.evaluate_resting(e);
-  parts.each_share([&](const Share& share) {
-    share.clear(std::span(ports.forces));
-    share.clear(std::span(ports.node_loads));
+  parts.each_share([&parts](const Share& share) {
+    share.clear(std::span(parts.ports.forces));
+    share.clear(std::span(parts.ports.node_loads));
   });
-  parts.each_region([&](const RegionPlan& region) {
+  parts.each_region([&parts, &e, r, loads](const RegionPlan& region) {
     parts.update_frames(region, e);
-    const auto add = [&](const Term& term) { term.residual(e, ports, r); };
+    const auto add = [&](const Term& term) { term.residual(e, parts.ports, r); };
     each(region.terms, add);
     if (loads) each(region.loads, add);
   });
-  parts.each_region([&](const RegionPlan& region) {
-    const auto pull_back = [&](const auto& batch) { batch.pull_back(e, ports, r); };
+  parts.each_region([&parts, &e, r](const RegionPlan& region) {
+    const auto pull_back = [&](const auto& batch) { batch.pull_back(e, parts.ports, r); };
     each(region.moving, pull_back);
     each(region.nodes, pull_back);
   });
   for (int i = 0; i < parts.sizes.ode1; ++i) r[parts.sizes.ode2 + i] -= e.y_t[i];
+}
+
+// For those who do it now and then.
+[[gnu::noinline]] void add_residual_to_work(SystemParts& parts, const Evaluation& e, bool loads) {
+  add_residual(parts, e, parts.work.data(), loads);
 }
 
 }  // namespace
@@ -123,7 +131,7 @@ void add_residual(SystemParts& parts, const Evaluation& e, double* r, bool loads
 void System::residual(const State& state, const Conditions& conditions, std::span<double> r) {
   ++evaluations_;
   evaluated_ = nullptr;
-  add_residual(*parts_, parts_->evaluation(state, conditions, r), r.data(), conditions.loads);
+  add_residual(*parts_, begin_evaluation(*parts_, state, conditions, r), r.data(), conditions.loads);
   evaluated_ = &state;
 }
 
@@ -131,22 +139,22 @@ void System::tangent(const State& state, const Conditions& conditions, const Wei
                      std::span<double> values) {
   SystemParts& parts = *parts_;
   parts.bind(pattern);
-  Evaluation e = parts.evaluation(state, conditions, values);
+  Evaluation e = begin_evaluation(parts, state, conditions, values);
   if (!conditions.follows_residual || evaluated_ != &state) {
-    add_residual(parts, e, parts.work.data(), conditions.loads);  // the forces on markers, for the geometric part
+    add_residual_to_work(parts, e, conditions.loads);  // the forces on markers, for the geometric part
     evaluated_ = nullptr;
   }
   e.same_state = true;
   const Flagged evaluating(parts.evaluating);
-  Ports& ports = parts.ports;
-  ports.differentiate();
-  parts.each_region([&](const RegionPlan& region) {
+  parts.ports.differentiate();
+  parts.each_region([&parts, &e, &weights, loads = conditions.loads, values](const RegionPlan& region) {
+    Ports& ports = parts.ports;
     const auto differentiate = [&](const auto& batch) { batch.evaluate_tangent(e, weights, ports); };
     each(region.nodes, differentiate);
     each(region.differentiated, differentiate);
     const auto add = [&](const Term& term) { term.tangent(e, weights, ports, values.data()); };
     each(region.terms, add);
-    if (conditions.loads) each(region.loads, add);
+    if (loads) each(region.loads, add);
     const auto add_geometric = [&](const auto& batch) { batch.geometric(e, weights, ports, values.data()); };
     each(region.moving, add_geometric);
     each(region.nodes, add_geometric);
@@ -159,8 +167,8 @@ void System::tangent(const State& state, const Conditions& conditions, const Wei
 void System::mass_matrix(const State& state, const Pattern& pattern, std::span<double> values) {
   SystemParts& parts = *parts_;
   parts.bind(pattern);
-  const Evaluation e = parts.evaluation(state, {}, values);
-  parts.each_region([&](const RegionPlan& region) {
+  const Evaluation e = begin_evaluation(parts, state, {}, values);
+  parts.each_region([&parts, &e, values](const RegionPlan& region) {
     for (const Term* term : region.terms)
       if (term->has_mass()) term->mass(e, parts.ports, values.data());
   });
@@ -179,11 +187,11 @@ void System::right_hand_sides(const State& state, const Conditions& conditions, 
   ++evaluations_;
   SystemParts& parts = *parts_;
   const std::span<double> residual(parts.work.data(), static_cast<std::size_t>(sizes_.total()));
-  Evaluation e = parts.evaluation(state, conditions, residual);
+  Evaluation e = begin_evaluation(parts, state, conditions, residual);
   e.inertia = false;
   e.lambda = residual.data() + residual.size();  // zeros
   add_residual(parts, e, residual.data());
-  parts.each_share([&](const Share& share) {
+  parts.each_share([rhs, residual](const Share& share) {
     const auto [begin, end] = share.of(rhs.size());
     each_number(end - begin, [to = rhs.data() + begin, from = residual.data() + begin](std::size_t i) { to[i] = -from[i]; });
   });
@@ -194,7 +202,7 @@ void System::gaps(const State& state, const Conditions& conditions, std::span<do
   evaluated_ = nullptr;
   SystemParts& parts = *parts_;
   std::fill(parts.work.begin(), parts.work.begin() + sizes_.total(), 0.0);
-  add_residual(parts, parts.evaluation(state, conditions), parts.work.data());
+  add_residual_to_work(parts, parts.evaluation(state, conditions), true);
   for (int i = 0; i < sizes_.ae; ++i) g[i] = parts.work[sizes_.first_ae() + i];
 }
 

@@ -13,19 +13,25 @@ constexpr std::size_t few_numbers = 8;
 // Keeps the compiler from turning the loop around it into another one.
 [[gnu::always_inline]] inline void keep_loop() { asm volatile(""); }
 
-// Calls f(i) for all i below `count`.
+// Calls f(i) for all i below `count`, in any order: no result of one call is read by another. Few of them are spelt out, as a
+// jump takes as long as several numbers do.
 template <class F>
 [[gnu::always_inline]] inline void each_number(std::size_t count, F&& f) {
-  if (count <= few_numbers) {
-#pragma GCC unroll 1
-    for (std::size_t i = 0; i < count; ++i) {
-      f(i);
-      keep_loop();
-    }
-  } else {
-#pragma GCC ivdep
-    for (std::size_t i = 0; i < count; ++i) f(i);
+  static_assert(few_numbers == 8);
+  switch (count) {
+    case 8: f(7); [[fallthrough]];
+    case 7: f(6); [[fallthrough]];
+    case 6: f(5); [[fallthrough]];
+    case 5: f(4); [[fallthrough]];
+    case 4: f(3); [[fallthrough]];
+    case 3: f(2); [[fallthrough]];
+    case 2: f(1); [[fallthrough]];
+    case 1: f(0); [[fallthrough]];
+    case 0: return;
+    default: break;
   }
+#pragma GCC ivdep
+  for (std::size_t i = 0; i < count; ++i) f(i);
 }
 
 inline void copy_numbers(const double* from, std::size_t count, double* to) {

@@ -13,7 +13,19 @@ S sum_of_squares(std::span<const S> x) {
   const std::size_t whole = x.size() - x.size() % sums.size();
   for (std::size_t i = 0; i < whole; i += sums.size())
     for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += x[i + k] * x[i + k];
-  for (std::size_t i = whole; i < x.size(); ++i) sums[i - whole] += x[i] * x[i];
+  // Spelt out, so that the sums stay in registers: most systems have few numbers.
+  const S* const rest = x.data() + whole;
+  const auto add = [&](std::size_t k) { sums[k] += rest[k] * rest[k]; };
+  switch (x.size() - whole) {
+    case 7: add(6); [[fallthrough]];
+    case 6: add(5); [[fallthrough]];
+    case 5: add(4); [[fallthrough]];
+    case 4: add(3); [[fallthrough]];
+    case 3: add(2); [[fallthrough]];
+    case 2: add(1); [[fallthrough]];
+    case 1: add(0); [[fallthrough]];
+    default: break;
+  }
   return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
 }
 

@@ -50,6 +50,8 @@ class ExplicitSolver : public Solver {
   // Derivative of the positions at a stage: at the first, the velocities at the start are not copied.
   const double* position_rates(std::size_t stage);
   void compute_stage_rates(int stage);
+  // Derivatives of positions at a stage become those of the Lie algebra.
+  void turn_stage_rates(std::size_t stage);
   // With `y_t`, also the rates of ODE1 coordinates.
   bool accelerations(Vector& a, std::span<double> y_t = {});
   void rates(Vector& y_t);

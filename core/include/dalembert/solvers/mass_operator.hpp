@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dalembert/linear/linear_solver.hpp"
+#include "dalembert/math/few_numbers.hpp"
 #include "dalembert/system/system.hpp"
 
 namespace dalembert {
@@ -17,7 +18,13 @@ class MassOperator {
   // Mass matrix and factors of this state. Returns success or the coordinate without a pivot.
   int update(System& system, const State& state);
   // Forces become accelerations.
-  void solve(std::span<double> x);
+  void solve(std::span<double> x) {
+    if (blocks_.empty()) {
+      each_number(x.size(), [numbers = x.data(), factors = inverse_.data()](std::size_t i) { numbers[i] *= factors[i]; });
+    } else {
+      solve_blocks(x);
+    }
+  }
 
  private:
   struct Entry {
@@ -34,6 +41,7 @@ class MassOperator {
   int root(int i);
   bool join_blocks();
   void build_blocks();
+  void solve_blocks(std::span<double> x);
 
   const Pattern* pattern_ = nullptr;
   LinearSolverType type_ = LinearSolverType::EXUdense;

@@ -194,34 +194,26 @@ struct SystemParts {
   State& state(ConfigurationType c) { return state_of(states.data(), c); }
   // The global coordinates of an object's nodes, and those that its markers move.
   void list_coordinates(const ObjectPlace& object, System::Coordinates kind, std::vector<int>& list) const;
-  // `cleared` are set to zero on the way.
-  Evaluation evaluation(const State& state, const Conditions& conditions, std::span<double> cleared = {});
+  Evaluation evaluation(const State& state, const Conditions& conditions);
   Evaluation output_evaluation(const State& state);
   Evaluation output_evaluation(const State& state, std::span<const int> dofs);  // q at these coordinates only
   void update_ports(const Evaluation& e);
   void evaluate_resting(const Evaluation& e);
   void update_frames(const RegionPlan& region, const Evaluation& e);
-  // Calls f(region) for all regions, small ones first, those of one size side by side.
+  // Calls f(region) for all regions, small ones first, those of one size side by side. What `f` captures is best captured by
+  // value: it stays in registers where there is one region.
   template <class F>
-  void each_region(F&& f) const {
-    if (plan.regions.size() == 1) return f(plan.regions.front());
-    for (const auto& [regions, is_shared] : plan.sizes) {
-      if (workers && is_shared && regions.size() > 1) {
-        workers->run(static_cast<int>(regions.size()), [&](int i) { f(regions[static_cast<std::size_t>(i)]); });
-      } else {
-        for (const RegionPlan& region : regions) f(region);
-      }
-    }
+  void each_region(F f) const {
+    plan.regions.size() == 1 ? f(plan.regions.front()) : each_of_several_regions(f);
   }
   // Calls f(share) for shares that make up everything, side by side.
   template <class F>
-  void each_share(F&& f) const {
-    if (!workers) return f(Share{0, 1});
-    const int count = workers->count();
-    workers->run(count, [&](int i) { f(Share{static_cast<std::size_t>(i), static_cast<std::size_t>(count)}); });
+  void each_share(F f) const {
+    workers ? each_of_several_shares(f) : f(Share{0, 1});
   }
   void add_sparse_pattern();
   void bind(const Pattern& pattern);
+
   // Of an item that has been changed.
   template <class Place>
   void look_for_functions(const Place& place) {
@@ -230,6 +222,23 @@ struct SystemParts {
     if (!has_user_function(*place.type, place.record.get()) || is_in(whole.terms) || is_in(whole.loads)) return;
     functions_in_regions = true;
     workers.reset();
+  }
+
+ private:
+  template <class F>
+  [[gnu::noinline]] void each_of_several_regions(F f) const {
+    for (const auto& [regions, is_shared] : plan.sizes) {
+      if (workers && is_shared && regions.size() > 1) {
+        workers->run(static_cast<int>(regions.size()), [&](int i) { f(regions[static_cast<std::size_t>(i)]); });
+      } else {
+        for (const RegionPlan& region : regions) f(region);
+      }
+    }
+  }
+  template <class F>
+  [[gnu::noinline]] void each_of_several_shares(F f) const {
+    const int count = workers->count();
+    workers->run(count, [&](int i) { f(Share{static_cast<std::size_t>(i), static_cast<std::size_t>(count)}); });
   }
 };
 
