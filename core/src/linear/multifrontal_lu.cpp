@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "elimination_order.hpp"
 #include "tree_rotation.hpp"
@@ -114,14 +115,23 @@ bool MultifrontalLu::regular() const {
   return all;
 }
 
+// Runs of this length and of shorter ones.
+template <int Length>
+void MultifrontalLu::take_runs(const Front& front, const double* given, double* to) const {
+  const int *end = front.end_of_entries.data() + (longest_run - Length), first = Length == longest_run ? front.first_entry : end[-1];
+  for (const Entry& entry : std::span(entries_).subspan(first, *end - first))
+    std::memcpy(to + entry.target, given + entry.slot, Length * sizeof(double));
+  if constexpr (Length > 1) take_runs<Length - 1>(front, given, to);
+}
+
 void MultifrontalLu::assemble(const Front& front, std::span<const double> given) {
   double* to = columns(front);
   std::fill_n(to, static_cast<std::size_t>(front.length) * (front.pivots + front.updates), 0.0);
-  const Entry* entry = entries_.data() + front.first_entry;
+  take_runs<longest_run>(front, given.data(), to);
   for (std::size_t kind = 0; kind < scales_.size(); ++kind) {
-    const double scale = scales_[kind];
-    for (const Entry* end = entries_.data() + front.end_of_entries[kind]; entry != end; ++entry)
-      to[entry->target] = given[static_cast<std::size_t>(entry->slot)] * scale;
+    const int* end = front.end_of_entries.data() + longest_run + kind;
+    for (int k = end[-1]; k < *end; ++k)
+      to[entries_[k].target] = given[static_cast<std::size_t>(entries_[k].slot)] * scales_[kind];
   }
   for (int c = front.children; c < front.end_of_children; ++c) take_over(fronts_[children_[c]], to);
 }

@@ -26,6 +26,8 @@ class MultifrontalLu final : public LinearSolver {
   LinearSolverStatistics statistics() const override;
 
  private:
+  static constexpr int longest_run = 4;  // of entries of a column that are taken over together
+
   struct Front {
     int pivots, updates, length;  // length: of a column
     int first_slot;               // of the pivots
@@ -34,13 +36,14 @@ class MultifrontalLu final : public LinearSolver {
     std::size_t first_update;     // of what is stored per update
     std::size_t runs, end_of_runs;
     int first_entry;
-    std::array<int, 4> end_of_entries;  // by their scale
+    std::array<int, longest_run + 3> end_of_entries;  // of runs, from the longest to those of one entry; then by scale
     int children, end_of_children;
   };
-  // Where an entry of the matrix goes.
+  // Where an entry of the matrix goes, or the first one of a run.
   struct Entry {
     int slot, target;  // in the given values, in the columns of the front
   };
+  class RunsOfEntries;
 
   int start_again(std::span<const double> given);
   bool adopt(std::vector<PivotedFront> fronts, std::span<const double> values, std::span<const double> given);
@@ -56,6 +59,8 @@ class MultifrontalLu final : public LinearSolver {
   bool regular() const;
   double residual_of_test(std::span<const double> values);
   void assemble(const Front& front, std::span<const double> given);
+  template <int Length>
+  void take_runs(const Front& front, const double* given, double* to) const;
   void take_over(const Front& child, double* to);
   double* factor(std::size_t place) { return factors_.data() + place; }
   double* columns(const Front& front) { return columns_.data() + front.columns; }
@@ -69,7 +74,7 @@ class MultifrontalLu final : public LinearSolver {
   double growth_ = 0;          // largest entry of L
   double planned_growth_ = 1;  // in the factorization that has chosen the pivots
   Scaling scaling_;
-  std::array<double, 4> scales_ = {};  // of entries: 1 and 2 stand for the row and the column of a multiplier
+  std::array<double, 3> scales_ = {};  // of entries in the row of a multiplier, in the column of one, in both
   int pivot_slots_ = 0;  // behind them are unknowns without pivot, only if singular matrices are allowed
   std::vector<FrontStructure> tree_;
   std::vector<Front> fronts_;

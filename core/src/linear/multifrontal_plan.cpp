@@ -132,13 +132,52 @@ std::vector<int> MultifrontalLu::number_slots(const std::vector<PivotedFront>& f
   return slot_of_row;
 }
 
+// Of the entries of one front, those that follow each other in a column of the matrix as well as in one of the front.
+class MultifrontalLu::RunsOfEntries {
+ public:
+  explicit RunsOfEntries(int size) : last_(static_cast<std::size_t>(size), -1) {}
+  // The next entry in a column.
+  void add(int column, const Entry& entry) {
+    const int last = last_[column] - earlier_;
+    if (last >= 0 && runs_[last].continued_by(entry)) {
+      ++runs_[last].length;
+    } else {
+      last_[column] = earlier_ + static_cast<int>(runs_.size());
+      runs_.push_back({entry, 1});
+    }
+  }
+  // Appends them by length, and begins with another front.
+  void move_to(std::vector<Entry>& entries, int* ends) {
+    for (int length = longest_run; length > 0; --length) {
+      for (const Run& run : runs_)
+        if (run.length == length) entries.push_back(run.first);
+      *ends++ = static_cast<int>(entries.size());
+    }
+    earlier_ += static_cast<int>(runs_.size());
+    runs_.clear();
+  }
+
+ private:
+  struct Run {
+    Entry first;
+    int length;
+    bool continued_by(const Entry& e) const {
+      return length < longest_run && e.slot == first.slot + length && e.target == first.target + length;
+    }
+  };
+
+  std::vector<Run> runs_;
+  std::vector<int> last_;  // of each column, counted over all fronts
+  int earlier_ = 0;        // of other fronts
+};
+
 void MultifrontalLu::place_entries(const std::vector<PivotedFront>& fronts) {
   const FrontEntries all(pattern_, tree_);
   std::vector<int> row_place(static_cast<std::size_t>(size_)), column_place(row_place);
-  std::array<std::vector<Entry>, 4> by_scale;
+  RunsOfEntries runs(size_);
+  std::array<std::vector<Entry>, 3> by_scale;
   entries_.clear();
-  entries_.reserve(static_cast<std::size_t>(pattern_.values()));
-  scales_ = {1, scaling_.row_factor, scaling_.column_factor, scaling_.row_factor * scaling_.column_factor};
+  scales_ = {scaling_.row_factor, scaling_.column_factor, scaling_.row_factor * scaling_.column_factor};
   for (int f = 0; f < static_cast<int>(fronts.size()); ++f) {
     const PivotedFront& order = fronts[f];
     Front& front = fronts_[f];
@@ -148,15 +187,16 @@ void MultifrontalLu::place_entries(const std::vector<PivotedFront>& fronts) {
     }
     front.first_entry = static_cast<int>(entries_.size());
     all.for_each(f, [&](int i, int j, int slot) {
+      const Entry entry{slots_.empty() ? slot : slots_[slot], column_place[j] + row_place[i]};
       const int scale = (scaling_.multiplier[i] ? 1 : 0) + (scaling_.multiplier[j] ? 2 : 0);
-      const int given = slots_.empty() ? slot : slots_[slot];
-      (scale == 0 ? entries_ : by_scale[scale]).push_back({given, column_place[j] + row_place[i]});
+      if (scale == 0) runs.add(j, entry);
+      else by_scale[scale - 1].push_back(entry);
     });
-    front.end_of_entries[0] = static_cast<int>(entries_.size());
-    for (std::size_t scale = 1; scale < by_scale.size(); ++scale) {
-      entries_.insert(entries_.end(), by_scale[scale].begin(), by_scale[scale].end());
-      front.end_of_entries[scale] = static_cast<int>(entries_.size());
-      by_scale[scale].clear();
+    runs.move_to(entries_, front.end_of_entries.data());
+    for (std::size_t k = 0; k < by_scale.size(); ++k) {
+      entries_.insert(entries_.end(), by_scale[k].begin(), by_scale[k].end());
+      front.end_of_entries[longest_run + k] = static_cast<int>(entries_.size());
+      by_scale[k].clear();
     }
   }
 }
