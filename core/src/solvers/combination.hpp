@@ -20,7 +20,7 @@ template <std::size_t N>
 void add_weighted(double* sum, const double* base, const WeightedVector* terms, std::size_t size) {
   std::array<WeightedVector, N> t;
   std::copy_n(terms, N, t.begin());
-  each_number(size, [&](std::size_t i) {
+  each_number(size, [=](std::size_t i) {
     double s = base[i];
     for (std::size_t k = 0; k < N; ++k) s += t[k].factor * t[k].x[i];
     sum[i] = s;

@@ -76,8 +76,28 @@ void SystemParts::update_ports(const Evaluation& e) {
 }
 
 void SystemParts::evaluate_resting(const Evaluation& e) {
-  if (!plan.resting_evaluated) each(plan.resting, [&](const MarkerBatch& batch) { batch.evaluate(e, ports); });
+  if (plan.resting_evaluated) return;
+  each(plan.resting, [&](const MarkerBatch& batch) { batch.evaluate(e, ports); });
+  evaluate_constant_loads();
   plan.resting_evaluated = true;
+}
+
+// In the reference configuration, which is as good as any other.
+void SystemParts::evaluate_constant_loads() {
+  ConstantLoads& constant = plan.constant;
+  constant.residual.assign(constant.loads.empty() ? 0 : static_cast<std::size_t>(sizes.total()), 0.0);
+  if (constant.loads.empty()) return;
+  const State& reference = state(ConfigurationType::Reference);
+  Evaluation e = view_of(*this, reference, {});
+  e.q = reference.q.data();
+  double* r = constant.residual.data();
+  ports.clear_forces();
+  each(constant.loads, [&](const Term& load) { load.residual(e, ports, r); });
+  each(constant.markers, [&](const MarkerBatch& batch) { batch.pull_back(e, ports, r); });
+  each(rotating_nodes, [&](const RotatingNodeBatch& nodes) {
+    nodes.evaluate(e, ports);
+    nodes.pull_back(e, ports, r);
+  });
 }
 
 void SystemParts::update_frames(const RegionPlan& region, const Evaluation& e) {
@@ -103,7 +123,8 @@ class Flagged {
 [[gnu::always_inline]] inline void add_residual(SystemParts& parts, const Evaluation& e, double* r, bool loads = true) {
   const Flagged evaluating(parts.evaluating);
   parts.evaluate_resting(e);
-  parts.each_share([&parts](const Share& share) {
+  parts.each_share([&parts, load_factor = e.load_factor, r, loads](const Share& share) {
+    if (const std::vector<double>& constant = parts.plan.constant.residual; loads && !constant.empty()) share.scale(load_factor, constant, r);
     share.clear(std::span(parts.ports.forces));
     share.clear(std::span(parts.ports.node_loads));
   });
@@ -111,11 +132,11 @@ class Flagged {
     parts.update_frames(region, e);
     const auto add = [&](const Term& term) { term.residual(e, parts.ports, r); };
     each(region.terms, add);
-    if (loads) each(region.loads, add);
+    if (loads) each(region.changing_loads, add);
   });
   parts.each_region([&parts, &e, r](const RegionPlan& region) {
     const auto pull_back = [&](const auto& batch) { batch.pull_back(e, parts.ports, r); };
-    each(region.moving, pull_back);
+    each(region.pulled, pull_back);
     each(region.nodes, pull_back);
   });
   for (int i = 0; i < parts.sizes.ode1; ++i) r[parts.sizes.ode2 + i] -= e.y_t[i];

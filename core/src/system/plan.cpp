@@ -47,6 +47,36 @@ void make_plan(SystemParts& parts, int regions, const GrownBatches& grown, const
   for (const auto& term : parts.terms)
     if (RegionPlan* region = region_of(term.get())) (loads.contains(term.get()) ? region->loads : region->terms).push_back(term.get());
   list_sizes(plan, division);
+  for (const ObjectPlace& object : parts.objects)
+    for (const int marker : object.markers.of(parts.references)) plan.connected.insert(parts.markers[static_cast<std::size_t>(marker)].member.batch);
+  sort_loads(parts);
+}
+
+void sort_loads(SystemParts& parts) {
+  std::unordered_set<const MarkerBatch*> constant_markers, pulled;
+  std::unordered_set<const Batch*> changing;
+  const auto batch_of = [&](int marker) { return parts.markers[static_cast<std::size_t>(marker)].member.batch; };
+  for (const auto& batch : parts.marker_batches)
+    if (batch->constant_pull_back()) constant_markers.insert(batch.get());
+  for (const LoadPlace& load : parts.loads) {
+    const Term* batch = load.member.batch;
+    if (batch->has_tangent() || has_user_function(*load.type, load.record.get()) || !constant_markers.contains(batch_of(load.marker)))
+      changing.insert(batch);
+  }
+  std::unordered_set<const MarkerBatch*> loaded;
+  for (const LoadPlace& load : parts.loads) (changing.contains(load.member.batch) ? pulled : loaded).insert(batch_of(load.marker));
+  pulled.insert(parts.plan.connected.begin(), parts.plan.connected.end());
+  ConstantLoads& constant = parts.plan.constant;
+  constant = {};
+  for (RegionPlan& region : parts.plan.regions) {
+    region.changing_loads.clear();
+    region.pulled.clear();
+    for (const Term* load : region.loads) (changing.contains(load) ? region.changing_loads : constant.loads).push_back(load);
+    for (const MarkerBatch* batch : region.moving) {
+      if (pulled.contains(batch)) region.pulled.push_back(batch);
+      if (loaded.contains(batch)) constant.markers.push_back(batch);
+    }
+  }
 }
 
 }  // namespace dalembert

@@ -22,4 +22,7 @@ struct GrownBatches {
 
 void make_plan(SystemParts& parts, int regions, const GrownBatches& grown, const Division& division);
 
+// Which loads are constant depends on parameters: again when these have changed.
+void sort_loads(SystemParts& parts);
+
 }  // namespace dalembert

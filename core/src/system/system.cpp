@@ -3,6 +3,7 @@
 #include "dalembert/model/errors.hpp"
 #include "dalembert/system/algebraic_coordinates.hpp"
 #include "dalembert/system/parts.hpp"
+#include "plan.hpp"
 
 namespace dalembert {
 
@@ -81,10 +82,11 @@ void System::refresh(const Model& model) {
   };
   if (all_known) {
     for (const ItemReference& item : changed) renew(item.kind, item.number);
-    return;
+  } else {
+    for (int k = 0; k < item_kinds; ++k)
+      for (int i = 0; i < model.count(static_cast<ItemKind>(k)); ++i) renew(static_cast<ItemKind>(k), i);
   }
-  for (int k = 0; k < item_kinds; ++k)
-    for (int i = 0; i < model.count(static_cast<ItemKind>(k)); ++i) renew(static_cast<ItemKind>(k), i);
+  sort_loads(parts);
 }
 
 bool System::constant_mass_matrix() const { return parts_->constant_mass; }

@@ -45,13 +45,14 @@ TracedEvaluation TracedEquations::evaluation(const TracedState& state, const Con
 void TracedEquations::residual(const TracedState& state, const Conditions& conditions, std::span<Traced> r) {
   const TracedEvaluation e = evaluation(state, conditions);
   const RegionPlan& plan = parts_.plan.regions.front();
-  std::ranges::fill(r, Traced());
+  const std::vector<double>& constant = parts_.plan.constant.residual;
+  for (std::size_t i = 0; i < r.size(); ++i) r[i] = conditions.loads && !constant.empty() ? conditions.load_factor * constant[i] : 0.0;
   std::ranges::fill(ports_.forces, Traced());
   for (const MarkerBatch* batch : plan.moving) batch->trace_evaluate(e, ports_);
   for (const Term* term : plan.terms) term->trace_residual(e, ports_, r.data());
   if (conditions.loads)
-    for (const Term* load : plan.loads) load->trace_residual(e, ports_, r.data());
-  for (const MarkerBatch* batch : plan.moving) batch->trace_pull_back(e, ports_, r.data());
+    for (const Term* load : plan.changing_loads) load->trace_residual(e, ports_, r.data());
+  for (const MarkerBatch* batch : plan.pulled) batch->trace_pull_back(e, ports_, r.data());
 }
 
 void TracedEquations::tangent(const TracedState& state, const Conditions& conditions, const Weights& weights, const Pattern& pattern,

@@ -125,6 +125,7 @@ class FrameMarkerBatch : public MarkerBatch {
         for (int i = 0; i < n; ++i) r[e.dofs[i]] -= q[i];
       }
   }
+  bool constant_pull_back() const override { return n > 0 && !has_geometric; }
   bool geometric_follows_tangent() const override { return false; }
   void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const override {
     if constexpr (has_geometric) {

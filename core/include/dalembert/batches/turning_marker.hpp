@@ -97,6 +97,11 @@ class TurningMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeOf
       }
     });
   }
+  // Forces at the node itself do not turn with it.
+  bool constant_pull_back() const override {
+    if (apart()) return Base::constant_pull_back();
+    return Shape::forces == 3 && std::ranges::all_of(entries_, [](const Entry& e) { return is_zero(Shape::point(e.parameters, e.local)); });
+  }
   void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const override {
     if (apart()) Base::geometric(evaluation, weights, ports, values);
   }

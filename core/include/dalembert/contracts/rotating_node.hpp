@@ -40,7 +40,7 @@ struct NodeLoad {
 
   void add(const Vec3<double>& point, const Vec3<double>& f) {
     force += f;
-    if (point[0] == 0 && point[1] == 0 && point[2] == 0) return;
+    if (is_zero(point)) return;
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) lever(i, j) += point[i] * f[j];
   }

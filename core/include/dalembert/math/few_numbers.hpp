@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "dalembert/math/wide_registers.hpp"
+
 namespace dalembert {
 
 // So many numbers are done one by one. To sort out which of them fill registers, or to call memcpy, would take longer; and
@@ -13,8 +15,8 @@ constexpr std::size_t few_numbers = 8;
 // Keeps the compiler from turning the loop around it into another one.
 [[gnu::always_inline]] inline void keep_loop() { asm volatile(""); }
 
-// Calls f(i) for all i below `count`, in any order: no result of one call is read by another. Few of them are spelt out, as a
-// jump takes as long as several numbers do.
+// Calls f(i) for all i below `count`, in any order: no result of one call is read by another, and what f holds is copied.
+// Few of them are spelt out, as a jump takes as long as several numbers do.
 template <class F>
 [[gnu::always_inline]] inline void each_number(std::size_t count, F&& f) {
   static_assert(few_numbers == 8);
@@ -30,8 +32,10 @@ template <class F>
     case 0: return;
     default: break;
   }
+  in_registers_of_four([f, count] {
 #pragma GCC ivdep
-  for (std::size_t i = 0; i < count; ++i) f(i);
+    for (std::size_t i = 0; i < count; ++i) f(i);
+  });
 }
 
 inline void copy_numbers(const double* from, std::size_t count, double* to) {

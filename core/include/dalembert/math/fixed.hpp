@@ -90,6 +90,7 @@ constexpr S norm(const Vec<S, N>& a) {
   using std::sqrt;
   return sqrt(dot(a, a));
 }
+constexpr bool is_zero(const Vec3<double>& a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
 template <class A, class B>
 constexpr auto cross(const Vec3<A>& a, const Vec3<B>& b) {
   return Vec3<Mixed<A, B>>{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};

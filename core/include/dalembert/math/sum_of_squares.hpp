@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <span>
 
+#include "dalembert/math/wide_registers.hpp"
+
 namespace dalembert {
 
 // Eight sums that do not wait for each other, in an order that depends on the size alone.
@@ -11,8 +13,16 @@ template <class S>
 S sum_of_squares(std::span<const S> x) {
   std::array<S, 8> sums{};
   const std::size_t whole = x.size() - x.size() % sums.size();
-  for (std::size_t i = 0; i < whole; i += sums.size())
-    for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += x[i + k] * x[i + k];
+  if (whole > 0) {
+    std::array<S, 8> of_whole{};
+    in_registers_of_four([&of_whole, from = x.data(), whole] {
+      std::array<S, 8> sum{};
+      for (std::size_t i = 0; i < whole; i += sum.size())
+        for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += from[i + k] * from[i + k];
+      of_whole = sum;
+    });
+    sums = of_whole;
+  }
   // Spelt out, so that the sums stay in registers: most systems have few numbers.
   const S* const rest = x.data() + whole;
   const auto add = [&](std::size_t k) { sums[k] += rest[k] * rest[k]; };

@@ -5,9 +5,11 @@
 #include "dalembert/math/processor.hpp"
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define DALEMBERT_FOUR gnu::target("avx2"),
 #define DALEMBERT_WIDE gnu::target("avx2,fma"),
 #define DALEMBERT_EIGHT gnu::target("avx2,fma,avx512f,avx512vl,avx512dq"),
 #else
+#define DALEMBERT_FOUR
 #define DALEMBERT_WIDE
 #define DALEMBERT_EIGHT
 #endif
@@ -21,6 +23,12 @@ template <class Loop>
 template <class Loop>
 [[DALEMBERT_WIDE gnu::flatten]] void run_in_wide_registers(const Loop& loop) {
   loop();
+}
+// Four numbers at once, where nothing is fused. The copy of the loop stays in registers.
+template <class Loop>
+[[DALEMBERT_FOUR gnu::flatten]] void run_in_registers_of_four(const Loop& loop) {
+  const Loop copy = loop;
+  copy();
 }
 template <class Loop>
 [[gnu::flatten]] void run_in_any_registers(const Loop& loop) {
@@ -47,7 +55,14 @@ void in_lanes(const Loop& loop) {
   run_in_wide_registers([&] { loop.template operator()<4>(); });
 }
 
+// Results are the same on all processors.
+template <class Loop>
+void in_registers_of_four(const Loop& loop) {
+  numbers_in_register() > 2 ? run_in_registers_of_four(loop) : run_in_any_registers(loop);
+}
+
 }  // namespace dalembert
 
+#undef DALEMBERT_FOUR
 #undef DALEMBERT_WIDE
 #undef DALEMBERT_EIGHT

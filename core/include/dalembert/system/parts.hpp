@@ -12,6 +12,7 @@
 #include <string>
 #include <type_traits>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "dalembert/math/few_numbers.hpp"
@@ -107,7 +108,9 @@ struct RegionPlan {
   std::vector<const RotatingNodeBatch*> nodes;
   std::vector<const MarkerBatch*> moving;
   std::vector<const MarkerBatch*> differentiated;  // moving ones whose derivatives are used
+  std::vector<const MarkerBatch*> pulled;          // moving ones on which forces act that may change
   std::vector<const Term*> terms, loads;
+  std::vector<const Term*> changing_loads;
   int entries = 0;  // of these batches
 };
 
@@ -116,12 +119,21 @@ struct RegionsOfOneSize {
   bool is_shared = false;  // among threads: there is enough to do
 };
 
+// Constant loads on markers whose pull-back is constant: their part of the residual is found once, and scaled by the load factor.
+struct ConstantLoads {
+  std::vector<const Term*> loads;
+  std::vector<const MarkerBatch*> markers;
+  std::vector<double> residual;  // empty if there are none
+};
+
 // Regions of one size share no coordinates. Markers without coordinates rest: their frames are evaluated once.
 struct EvaluationPlan {
   std::vector<const MarkerBatch*> resting;
   std::vector<RegionPlan> regions;
   std::vector<RegionsOfOneSize> sizes;  // which have something to do, small ones first
-  bool resting_evaluated = false;
+  std::unordered_set<const MarkerBatch*> connected;  // on which objects act
+  ConstantLoads constant;
+  bool resting_evaluated = false;  // constant loads as well
 };
 
 // One of `count` stretches of about the same length that make up a list.
@@ -133,6 +145,11 @@ struct Share {
   Range of(std::size_t size) const {
     if (count == 1) return {0, size};
     return {size * number / count, size * (number + 1) / count};
+  }
+  // to = factor * from, for vectors of the same size.
+  void scale(double factor, std::span<const double> from, double* to) const {
+    const auto [begin, end] = of(from.size());
+    each_number(end - begin, [factor, x = from.data() + begin, y = to + begin](std::size_t i) { y[i] = factor * x[i]; });
   }
   // `T` consists of numbers.
   template <class T>
@@ -199,6 +216,7 @@ struct SystemParts {
   Evaluation output_evaluation(const State& state, std::span<const int> dofs);  // q at these coordinates only
   void update_ports(const Evaluation& e);
   void evaluate_resting(const Evaluation& e);
+  void evaluate_constant_loads();
   void update_frames(const RegionPlan& region, const Evaluation& e);
   // Calls f(region) for all regions, small ones first, those of one size side by side. What `f` captures is best captured by
   // value: it stays in registers where there is one region.

@@ -170,6 +170,8 @@ class MarkerBatch : public Batch {
   virtual void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const = 0;
   // r -= J^T force.
   virtual void pull_back(const Evaluation& evaluation, Ports& ports, double* r) const = 0;
+  // Neither coordinates nor anything else changes J.
+  virtual bool constant_pull_back() const { return false; }
   // values -= d(J^T force) with the force held fixed.
   virtual void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const = 0;
   virtual void trace_evaluate(const TracedEvaluation&, TracedPorts&) const {}

@@ -1,0 +1,86 @@
+"""Loads that do not change between the steps of a solution, and those that parameters make change."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+import dalembert as exu
+
+G = 10.0
+END = 0.5
+# Where a load with this factor leaves a mass that falls from rest; constant accelerations are integrated exactly.
+FALL = -0.5 * G * END**2
+
+
+class Falling:
+    """A body under its weight, without a spring or with one that pulls it with its stiffness times its fall."""
+
+    def __init__(self, stiffness: float = 0.0) -> None:
+        self.system = exu.SystemContainer()
+        mbs = self.mbs = self.system.AddSystem()
+        self.node = mbs.AddNode(exu.NodeRigidBodyEP(referenceCoordinates=[0, 0, 0, 1, 0, 0, 0]))
+        inertia = [1.0, 2.0, 3.0, 0.0, 0.0, 0.0]
+        body = mbs.AddObject(exu.ObjectRigidBody(physicsMass=2, physicsInertia=inertia, nodeNumber=self.node))
+        mass = mbs.AddMarker(exu.MarkerBodyMass(bodyNumber=body))
+        self.load = mbs.AddLoad(exu.LoadMassProportional(markerNumber=mass, loadVector=[0, 0, -G]))
+        ground = mbs.AddObject(exu.ObjectGround())
+        ends = [mbs.AddMarker(exu.MarkerBodyPosition(bodyNumber=b)) for b in (ground, body)]
+        mbs.AddObject(exu.ObjectConnectorCartesianSpringDamper(markerNumbers=ends, stiffness=[stiffness] * 3))
+        mbs.Assemble()
+
+    def change(self, name: str, value: Any) -> None:
+        self.mbs.SetLoadParameter(self.load, name, value)
+
+    def height(self) -> float:
+        settings = exu.SimulationSettings()
+        settings.timeIntegration.endTime = END
+        settings.timeIntegration.numberOfSteps = 5
+        settings.timeIntegration.newton.relativeTolerance = 1e-12
+        settings.solutionSettings.writeSolutionToFile = False
+        self.mbs.SolveDynamic(settings)
+        return float(self.mbs.GetNodeOutput(self.node, exu.OutputVariableType.Position)[2])
+
+
+def tripled(mbs: Any, t: float, load: list[float]) -> list[float]:
+    return [3 * x for x in load]
+
+
+def test_load_follows_its_parameters() -> None:
+    model = Falling()
+    # A dozen operations per step, of numbers of the size one.
+    close = {"abs": 1e-13}
+    assert model.height() == pytest.approx(FALL, **close)
+    model.change("loadVector", [0, 0, -2 * G])
+    assert model.height() == pytest.approx(2 * FALL, **close)
+    model.change("loadVectorUserFunction", tripled)
+    assert model.height() == pytest.approx(6 * FALL, **close)
+    model.change("loadVectorUserFunction", 0)
+    assert model.height() == pytest.approx(2 * FALL, **close)
+
+
+def test_load_moves_off_the_node_with_the_centre_of_mass() -> None:
+    central, eccentric = Falling(), Falling()
+    eccentric.mbs.SetObjectParameter(0, "physicsCenterOfMass", [0.1, 0, 0])
+    for model in (central, eccentric):
+        model.height()
+    turn = [model.mbs.GetNodeOutput(model.node, exu.OutputVariableType.Rotation)[1] for model in (central, eccentric)]
+    # In a uniform field nothing turns about the centre of mass, so that the node falls as well without turning.
+    np.testing.assert_allclose(turn, [0, 0], rtol=0, atol=1e-13)
+    assert eccentric.height() == pytest.approx(FALL, abs=1e-13)
+
+
+def test_load_keeps_its_marker_for_other_forces() -> None:
+    stiffness = 50.0
+    model = Falling(stiffness)
+    settings = exu.SimulationSettings()
+    settings.staticSolver.numberOfLoadSteps = 4
+    settings.staticSolver.newton.relativeTolerance = 1e-12
+    settings.solutionSettings.writeSolutionToFile = False
+    settings.linearSolverSettings.ignoreSingularJacobian = True  # nothing holds the rotation
+    model.mbs.SolveStatic(settings)
+    height = model.mbs.GetNodeOutput(model.node, exu.OutputVariableType.Position)[2]
+    # Residual below 1e-12 of the weight.
+    assert height == pytest.approx(-2 * G / stiffness, abs=1e-12)
