@@ -1,4 +1,4 @@
-"""Elements of one law are computed side by side, up to as many as registers hold: each gets what it gets alone."""
+"""Elements of one law, bodies and joints are computed side by side, up to as many as registers hold: each gets what it gets alone."""
 
 from __future__ import annotations
 
@@ -77,22 +77,57 @@ def test_a_law_that_changes() -> None:
     assert np.array_equal(equations(mbs, q, v, a)[0], before)
 
 
-EQUATIONS_OF_CABLES = """
+def chain(count: int) -> exu.MainSystem:
+    """Bodies of different masses, some of them eccentric, with joints of two types between them, one of which is off."""
+    mbs = exu.SystemContainer().AddSystem()
+    random = np.random.default_rng(count)
+    previous = mbs.AddObject(exu.ObjectGround())
+    for i in range(count):
+        node = mbs.AddNode(exu.NodeRigidBodyEP(referenceCoordinates=[i, 0, 0, 1, 0, 0, 0]))
+        centre = random.normal(size=3) if i % 3 == 1 else [0, 0, 0]
+        body = mbs.AddObject(
+            exu.ObjectRigidBody(
+                physicsMass=1 + i, physicsInertia=random.uniform(size=6), physicsCenterOfMass=centre, nodeNumber=node
+            )
+        )
+        ends = [
+            mbs.AddMarker(exu.MarkerBodyRigid(bodyNumber=b, localPosition=random.normal(size=3)))
+            for b in (previous, body)
+        ]
+        joint = exu.ObjectJointRevoluteZ if i % 5 else exu.ObjectJointPrismaticX
+        mbs.AddObject(joint(markerNumbers=ends, activeConnector=i != 3))
+        mass = mbs.AddMarker(exu.MarkerBodyMass(bodyNumber=body))
+        mbs.AddLoad(exu.LoadMassProportional(markerNumber=mass, loadVector=[3, 1, -9]))
+        previous = body
+    mbs.Assemble()
+    return mbs
+
+
+def equations_of_chain(count: int) -> tuple[np.ndarray, np.ndarray]:
+    mbs, random = chain(count), np.random.default_rng(count)
+    state = testing.State(mbs)
+    state.q, state.v, state.a = random.normal(scale=0.3, size=(3, 7 * count))
+    state.lam = random.normal(size=6 * count)
+    return testing.residual(mbs, state), testing.tangent(mbs, state, **WEIGHTS)
+
+
+EQUATIONS = """
 import numpy as np
-from test_lanes import LAW, cables, equations
+from test_lanes import LAW, cables, equations, equations_of_chain
 q, v, a = np.random.default_rng(1).normal(scale=0.1, size=(3, 15, 8))
-for values in equations(cables([LAW] * 15), q, v, a):
-    print(*(value.hex() for value in values.ravel()))
+for parts in (equations(cables([LAW] * 15), q, v, a), *(equations_of_chain(count) for count in (1, 2, 6, 9, 13))):
+    for values in parts:
+        print(*(value.hex() for value in values.ravel()))
 """
 
 
 def run_with_instructions(name: str) -> subprocess.CompletedProcess[str]:
     environment = os.environ | {"DALEMBERT_INSTRUCTIONS": name, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
-    return subprocess.run([sys.executable, "-c", EQUATIONS_OF_CABLES], capture_output=True, text=True, env=environment)
+    return subprocess.run([sys.executable, "-c", EQUATIONS], capture_output=True, text=True, env=environment)
 
 
 def test_registers_do_not_change_results() -> None:
-    """Forces and derivatives of the elements are the same in registers of any width, but for rounding."""
+    """Forces and derivatives are the same in registers of any width, but for rounding."""
     results = []
     for name in ("portable", "avx2", "avx512"):
         lines = run_with_instructions(name).stdout.splitlines()
@@ -100,7 +135,8 @@ def test_registers_do_not_change_results() -> None:
     for others in results[1:]:
         for values, expected in zip(others, results[0], strict=True):
             assert difference(values, expected) < ROUNDING
-    assert [values.size for values in results[0]] == [120, 120**2]
+    sizes = [120, *(13 * count for count in (1, 2, 6, 9, 13))]
+    assert [values.size for values in results[0]] == [n for size in sizes for n in (size, size**2)]
 
 
 def test_unknown_instructions_are_refused() -> None:

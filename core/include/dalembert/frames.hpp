@@ -13,7 +13,8 @@ struct Motion {
   Vec3<S> angular_velocity{}, angular_acceleration{};
 };
 
-// What markers pass on to connectors, loads and constraints. Laid out as scalars side by side: ports copy them in and out.
+// What markers pass on to connectors, loads and constraints. Laid out as scalars side by side: ports copy them in and out, and
+// several are gathered at once (batches/groups.hpp).
 template <class S>
 struct PointFrame {
   Vec3<S> position, velocity;
@@ -23,6 +24,9 @@ struct RigidFrame {
   Vec3<S> position, velocity;
   Mat3<S> rotation;
   Vec3<S> angular_velocity;
+
+  static constexpr int count = 18;
+  static RigidFrame of(const Vec<S, count>& x) { return {segment<3>(x, 0), segment<3>(x, 3), matrix_segment<3, 3>(x, 6), segment<3>(x, 15)}; }
 };
 template <class S>
 struct ScalarFrame {

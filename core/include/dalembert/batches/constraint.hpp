@@ -9,6 +9,7 @@
 #include <memory>
 #include <utility>
 
+#include "dalembert/batches/groups.hpp"
 #include "dalembert/batches/joint_tangent.hpp"
 #include "dalembert/batches/port_sweep.hpp"
 #include "dalembert/contracts/context.hpp"
@@ -29,10 +30,11 @@ class ConstraintBatch final : public Term {
   using Frames = std::array<typename Port::template Frame<S>, 2>;
 
   void reserve(int entries) override { entries_.reserve(static_cast<std::size_t>(entries)); }
-  void add(const void* record, const Placement& placement, const Ports&) override {
+  void add(const void* record, const Placement& placement, const Ports& ports) override {
     Entry e;
     e.parameters = parameters_between_markers<Parameters, Record>(record);
     e.markers = {placement.markers[0], placement.markers[1]};
+    e.offsets = {ports.offsets(placement.markers[0]), ports.offsets(placement.markers[1])};
     e.item = placement.item;
     e.first_ae = placement.first_ae;
     e.first_row = placement.ae_offset + placement.first_ae;
@@ -59,17 +61,20 @@ class ConstraintBatch final : public Term {
   }
 
   void residual(const Evaluation& evaluation, Ports& ports, double* r) const override {
-    if constexpr (requires { K::is_table; }) {
-      in_widest_registers([&] {
-        for (const Entry& e : entries_)
-          if (by_table(e, evaluation)) add_table(e, evaluation, ports, r);
-      });
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+      if constexpr (requires { K::is_table; }) {
+        const std::size_t first = i;
+        while (i < entries_.size() && by_table(entries_[i], evaluation)) ++i;
+        if (i > first) add_tables(first, i, evaluation, ports, r);
+        if (i == entries_.size()) return;
+      }
+      add_residual<double>(entries_[i], evaluation, ports, r);
     }
-    add_residuals<double>(evaluation, ports, r);
   }
   bool traceable() const override { return LinearConstraint<K>; }
   void trace_residual(const TracedEvaluation& evaluation, TracedPorts& ports, Traced* r) const override {
-    if constexpr (LinearConstraint<K>) add_residuals<Traced>(evaluation, ports, r);
+    if constexpr (LinearConstraint<K>)
+      for (const Entry& e : entries_) add_residual<Traced>(e, evaluation, ports, r);
   }
   void trace_tangent(const TracedEvaluation& evaluation, const Weights& weights, TracedPorts& ports, Traced* values) const override {
     if constexpr (LinearConstraint<K>) {
@@ -144,6 +149,7 @@ class ConstraintBatch final : public Term {
     Parameters parameters;
     [[no_unique_address]] std::conditional_t<TabulatedJoint<K>, Table, NoTable> table;  // of these parameters
     std::array<int, 2> markers{};
+    std::array<PortOffsets, 2> offsets{};
     int item = -1, first_ae = -1, first_row = -1;
 
     void write_table() {
@@ -152,17 +158,31 @@ class ConstraintBatch final : public Term {
   };
 
   // Of a joint that is nothing but its table, gap and reaction come together.
-  template <class S>
-  static bool by_table(const Entry& e, const EvaluationOf<S>& evaluation) {
-    if constexpr (requires { K::is_table; }) return active(e.parameters) && !at_rate_level(e.parameters, evaluation.rate_level);
-    return false;
+  static bool by_table(const Entry& e, const Evaluation& evaluation) {
+    return active(e.parameters) && !at_rate_level(e.parameters, evaluation.rate_level);
   }
-  static void add_table(const Entry& e, const Evaluation& evaluation, Ports& ports, double* r) {
-    const double* lambda = evaluation.lambda + e.first_ae;
-    const auto &m0 = read_frame<Port>(ports, e.markers[0]), &m1 = read_frame<Port>(ports, e.markers[1]);
-    const auto sums = joint_sums(e.table.equations, m0, m1, lambda);
-    for (int k = 0; k < m; ++k) r[e.first_row + k] += sums.gap[k];
-    add_forces<Port, 2>(ports, e.markers, -1.0, sums.reaction);
+  void add_tables(std::size_t begin, std::size_t end, const Evaluation& evaluation, Ports& ports, double* r) const {
+    each_group(begin, end, [&]<int L>(const Group<L>& group) {
+      using S = Numbers<L>;
+      struct Axes {
+        Vec3<S> first, second;
+      };
+      std::array<Axes, m> table;
+      for (std::size_t k = 0; k < m; ++k) {
+        const auto axes = gathered<6>(group.each([&](std::size_t i) { return entries_[i].table[k].first.x.data(); }));
+        table[k] = {segment<3>(axes, 0), segment<3>(axes, 3)};
+      }
+      const auto frame = [&](std::size_t marker) {
+        return gathered<RigidFrame>(group.each([&](std::size_t i) { return &read_frame<Port>(std::as_const(ports.values).data() + entries_[i].offsets[marker].value); }));
+      };
+      const auto lambda = gathered<m>(group.each([&](std::size_t i) { return evaluation.lambda + entries_[i].first_ae; }));
+      const auto sums = joint_sums<K::rows>(table, frame(0), frame(1), lambda);
+      add_numbers(sums.gap, group.each([&](std::size_t i) { return r + entries_[i].first_row; }), group.count);
+      for (std::size_t marker = 0; marker < 2; ++marker) {
+        const auto places = group.each([&](std::size_t i) { return ports.forces.data() + entries_[i].offsets[marker].force; });
+        add_numbers(joined(-sums.reaction[marker].force, -sums.reaction[marker].moment), places, group.count);
+      }
+    });
   }
 
   static bool active(const Parameters& p) {
@@ -183,23 +203,19 @@ class ConstraintBatch final : public Term {
     return {read_frame<Port>(ports, e.markers[0]), read_frame<Port>(ports, e.markers[1])};
   }
 
-  // Of all constraints that are not done by their tables.
   template <class S>
-  void add_residuals(const EvaluationOf<S>& evaluation, PortsOf<S>& ports, S* r) const {
-    for (const Entry& e : entries_) {
-      if (by_table(e, evaluation)) continue;
-      const S* lambda = evaluation.lambda + e.first_ae;
-      S* gap = r + e.first_row;
-      if (!active(e.parameters)) {
-        for (int k = 0; k < m; ++k) gap[k] += lambda[k];
-        continue;
-      }
-      const auto frames = read(ports, e);
-      const Context c = Context::of(evaluation, e.item);
-      const auto g = equations<S>(e.parameters, c, frames, evaluation.rate_level);
-      for (int k = 0; k < m; ++k) gap[k] += constrains(e.parameters, k) ? g[k] : lambda[k];
-      add_forces<Port, 2>(ports, e.markers, -1.0, reaction<S>(e.parameters, c, frames, load<S, m>(lambda)));
+  static void add_residual(const Entry& e, const EvaluationOf<S>& evaluation, PortsOf<S>& ports, S* r) {
+    const S* lambda = evaluation.lambda + e.first_ae;
+    S* gap = r + e.first_row;
+    if (!active(e.parameters)) {
+      for (int k = 0; k < m; ++k) gap[k] += lambda[k];
+      return;
     }
+    const auto frames = read(ports, e);
+    const Context c = Context::of(evaluation, e.item);
+    const auto g = equations<S>(e.parameters, c, frames, evaluation.rate_level);
+    for (int k = 0; k < m; ++k) gap[k] += constrains(e.parameters, k) ? g[k] : lambda[k];
+    add_forces<Port, 2>(ports, e.markers, -1.0, reaction<S>(e.parameters, c, frames, load<S, m>(lambda)));
   }
 
   // Where the blocks of one constraint begin: gaps by coordinates, multipliers transposed, coordinates by coordinates.

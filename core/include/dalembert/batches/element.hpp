@@ -52,14 +52,8 @@ class ElementBatch : public Term {
   void residual(const Evaluation& evaluation, Ports&, double* r) const override {
     if (PureInertia<E> && !evaluation.inertia) return;
     if constexpr (n > 0)
-      for (std::size_t i = 0; i < entries_.size();) {
-        const int count = side_by_side(i);
-        if constexpr (LaneKernel<E>) {
-          if (count > 1) in_lanes([&]<int L>() { residuals_in_lanes<L>(i, count, evaluation, r); });
-        }
-        if (count == 1) add_residual(entries_[i], evaluation, r);
-        i += static_cast<std::size_t>(count);
-      }
+      each_element([&]<int L>(std::size_t first, int count) { residuals_in_lanes<L>(first, count, evaluation, r); },
+                   [&](std::size_t i) { add_residual(entries_[i], evaluation, r); });
   }
   void tangent(const Evaluation& evaluation, const Weights& weights, Ports&, double* values) const override {
     sweep(evaluation, weights, values);
@@ -151,16 +145,10 @@ class ElementBatch : public Term {
 
   void sweep(const Evaluation& evaluation, const Weights& weights, double* values) const {
     if constexpr (n > 0) {
-      const int* slot = slots.data();
-      for (std::size_t i = 0; i < entries_.size();) {
-        const int count = side_by_side(i);
-        if constexpr (LaneKernel<E>) {
-          if (count > 1) in_lanes([&]<int L>() { tangents_in_lanes<L>(i, count, evaluation, weights, slot, values); });
-        }
-        if (count == 1) add_tangent(entries_[i], evaluation, weights, slot, values);
-        slot += count * slots_per_entry;
-        i += static_cast<std::size_t>(count);
-      }
+      const auto slot = [this](std::size_t i) { return slots.data() + i * slots_per_entry; };
+      each_element(
+          [&]<int L>(std::size_t first, int count) { tangents_in_lanes<L>(first, count, evaluation, weights, slot(first), values); },
+          [&](std::size_t i) { add_tangent(entries_[i], evaluation, weights, slot(i), values); });
     }
   }
 
@@ -170,14 +158,24 @@ class ElementBatch : public Term {
   }
 
   // ---- elements of one law, side by side ----
-  // How many elements from `first` on are computed at once.
-  int side_by_side(std::size_t first) const {
-    int count = 1;
-    if constexpr (LaneKernel<E>) {
-      const int most = numbers_in_register();
-      while (count < most && first + count < entries_.size() && like_previous_[first + count]) ++count;
+  // Calls together<L>(first, count) for elements of one law, as many at once as registers hold, and alone(i) for the others.
+  template <class Together, class Alone>
+  void each_element(const Together& together, const Alone& alone) const {
+    for (std::size_t i = 0; i < entries_.size();) {
+      if constexpr (LaneKernel<E>) {
+        std::size_t end = i + 1;
+        while (end < entries_.size() && like_previous_[end]) ++end;
+        if (end - i > 1)
+          in_lanes([&]<int L>() {
+            for (std::size_t count; end - i > 1; i += count) {
+              count = std::min<std::size_t>(L, end - i);
+              together.template operator()<L>(i, static_cast<int>(count));
+            }
+          });
+        if (i == end) continue;
+      }
+      alone(i++);
     }
-    return count;
   }
   void compare_laws(int changed) {
     if constexpr (LaneKernel<E>) {

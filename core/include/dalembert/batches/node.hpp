@@ -31,16 +31,16 @@ class UnitLengthBatch final : public Term {
     }
   }
   void residual(const Evaluation& evaluation, Ports&, double* r) const override {
-    for (const Entry& e : entries_) {
-      double length = 0, rate = 0;
-      for (const int dof : e.dofs) {
-        const double x = evaluation.q[dof];
-        length += x * x;
-        rate += 2 * x * evaluation.v[dof];
-        r[dof] += 2 * x * evaluation.lambda[e.first_ae];
-      }
-      r[e.row] += evaluation.rate_level ? rate : length - 1.0;
-    }
+    each_group(0, entries_.size(), [&]<int L>(const Group<L>& group) {
+      using S = Numbers<L>;
+      const auto of_node = [&](auto* list) { return group.each([&, list](std::size_t i) { return list + entries_[i].dofs[0]; }); };
+      const auto x = gathered<n>(of_node(evaluation.q));
+      const S lambda = group.numbers([&](std::size_t i) { return evaluation.lambda[entries_[i].first_ae]; });
+      const Vec<S, n> reaction = (2.0 * lambda) * x;
+      add_numbers(reaction, of_node(r), group.count);
+      const S gap = evaluation.rate_level ? 2.0 * dot(x, gathered<n>(of_node(evaluation.v))) : dot(x, x) - 1.0;
+      add_numbers(Vec<S, 1>{gap}, group.each([&](std::size_t i) { return r + entries_[i].row; }), group.count);
+    });
   }
   void tangent(const Evaluation& evaluation, const Weights& weights, Ports&, double* values) const override {
     SlotCursor slot(slots.data(), values);
@@ -57,7 +57,7 @@ class UnitLengthBatch final : public Term {
 
  private:
   struct Entry {
-    std::array<int, n> dofs{};
+    std::array<int, n> dofs{};  // follow each other
     int row = 0;
     int first_ae = 0;
   };

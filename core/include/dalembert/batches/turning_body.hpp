@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dalembert/batches/element.hpp"
+#include "dalembert/batches/groups.hpp"
 
 namespace dalembert {
 
@@ -11,7 +12,7 @@ template <SpinBody Body, RotatingNode Node>
 void add_inertia_tangent(const typename Body::Parameters& p, const SpinMotion<double>& motion, const RotationTangent<Node::size - 3>& t,
                          const Weights& w, const int* slot, double* values) {
   constexpr int n = Node::size, r = n - 3;
-  const InertiaTangent b = Body::inertia_tangent(p, motion);
+  const InertiaTangent b = Body::inertia_tangent(Body::mass_properties(p), motion);
   const auto add = [&](int row, int column, double x) { values[slot[row * n + column]] += x; };
   for (int i = 0; i < 3; ++i) add(i, i, w.a * b.mass);
   Mat<double, 3, r> moment = b.moment_by_spin * t.spin_tangent + b.moment_by_spin_rate * t.spin_rate_tangent;  // in own axes
@@ -43,21 +44,34 @@ class TurningBodyBatch final : public ElementBatch<E, Record> {
   using Node = typename E::Turning;
 
  public:
-  void residual(const Evaluation&, Ports& ports, double*) const override {
-    in_widest_registers([&] {
-      for (const Entry& e : entries_) {
-        const auto w = Body::template inertia<double>(e.parameters, ports.node_motions[e.node].spin_motion);
-        NodeLoad& load = ports.node_loads[e.node];
-        load.force -= w.force;
-        load.own_moment -= w.moment;
-      }
+  void add(const void* record, const Placement& placement, const Ports& ports) override {
+    Base::add(record, placement, ports);
+    masses_.push_back(Body::mass_properties(entries_.back().parameters));
+  }
+  void refresh(int entry, const void* record) override {
+    Base::refresh(entry, record);
+    masses_[static_cast<std::size_t>(entry)] = Body::mass_properties(entries_[entry].parameters);
+  }
+  void residual(const Evaluation& evaluation, Ports& ports, double*) const override {
+    each_group(0, entries_.size(), [&]<int L>(const Group<L>& group) {
+      const auto motion = [&](std::size_t i) -> const NodeMotion& { return ports.node_motions[entries_[i].node]; };
+      const auto b = gathered<MassProperties>(group.each([&](std::size_t i) { return &masses_[i]; }));
+      const auto spin = gathered<6>(group.each([&](std::size_t i) { return motion(i).spin.x.data(); }));  // and its rate
+      Mat3<Numbers<L>> rotation;  // of no use to others
+      if (b.eccentric()) rotation = {gathered<9>(group.each([&](std::size_t i) { return motion(i).rotation.x.data(); })).x};
+      Vec3<Numbers<L>> acceleration{};
+      if (evaluation.inertia) acceleration = segment<3>(gathered<4>(group.each([&](std::size_t i) { return evaluation.a + entries_[i].dofs[0]; })), 0);
+      const auto w = Body::inertia(b, SpinMotion<Numbers<L>>{acceleration, rotation, segment<3>(spin, 0), segment<3>(spin, 3)});
+      add_numbers(joined(-w.moment, -w.force), group.each([&](std::size_t i) { return ports.node_loads[entries_[i].node].own_moment.x.data(); }), group.count);
     });
   }
-  void tangent(const Evaluation&, const Weights& weights, Ports& ports, double* values) const override {
+  void tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports, double* values) const override {
     const int* slot = this->slots.data();
     in_widest_registers([&] {
       for (const Entry& e : entries_) {
-        add_inertia_tangent<Body, Node>(e.parameters, ports.node_motions[e.node].spin_motion, ports.template rotation<n - 3>(e.node),
+        const NodeMotion& m = ports.node_motions[e.node];
+        const Vec3<double> acceleration = evaluation.inertia ? load<double, 3>(evaluation.a + e.dofs[0]) : Vec3<double>{};
+        add_inertia_tangent<Body, Node>(e.parameters, {acceleration, m.rotation, m.spin, m.spin_rate}, ports.template rotation<n - 3>(e.node),
                                         weights, slot, values);
         slot += n * n;
       }
@@ -74,6 +88,9 @@ class TurningBodyBatch final : public ElementBatch<E, Record> {
       slot += n * n;
     }
   }
+
+ private:
+  std::vector<MassProperties<double>> masses_;
 };
 
 }  // namespace dalembert

@@ -6,18 +6,16 @@
 #include <span>
 #include <vector>
 
+#include "dalembert/batches/groups.hpp"
 #include "dalembert/contracts/element.hpp"
-#include "dalembert/math/wide_registers.hpp"
 #include "dalembert/system/term.hpp"
 
 namespace dalembert {
 
-template <RotatingNode Node>
-NodeMotion node_motion(const Coordinates<double, Node::size>& x) {
-  return {.position = segment<3>(x.q, 0),
-          .velocity = segment<3>(x.v, 0),
-          .spin_motion = Node::template spin_motion<double>(x),
-          .angular_velocity = Node::template motion<double>(x).angular_velocity};
+template <RotatingNode Node, class S>
+NodeMotionOf<S> node_motion(const Coordinates<S, Node::size>& x) {
+  const SpinMotion<S> own = Node::template spin_motion<S>(x);
+  return {own.spin, own.spin_rate, own.rotation, Node::template motion<S>(x).angular_velocity};
 }
 // Of the generalised forces of a load that is held fixed: by the rotation coordinates, in their rows.
 template <RotatingNode Node>
@@ -51,8 +49,9 @@ class TurningNodeBatch final : public RotatingNodeBatch {
     }
   }
   void evaluate(const Evaluation& evaluation, Ports& ports) const override {
-    in_widest_registers([&] {
-      for (const Entry& e : entries_) ports.node_motions[e.node] = node_motion<Node>(gather<n>(evaluation, e.dofs.data()));
+    each_group<NodeOfProducts<Node>>(0, entries_.size(), [&]<int L>(const Group<L>& group) {
+      const auto places = group.each([&](std::size_t i) { return reinterpret_cast<double*>(&ports.node_motions[entries_[i].node]); });
+      store_numbers(node_motion<Node>(coordinates(evaluation, group)).numbers(), places);
     });
   }
   void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const override {
@@ -62,16 +61,15 @@ class TurningNodeBatch final : public RotatingNodeBatch {
     });
   }
   void pull_back(const Evaluation& evaluation, const Ports& ports, double* r) const override {
-    in_widest_registers([&] {
-      for (const Entry& e : entries_) {
-        const NodeLoad& load = ports.node_loads[e.node];
-        const auto x = gather<n>(evaluation, e.dofs.data());
-        const Vec3<double> own = load.own_moment + load.moment_of_forces(ports.node_motions[e.node].spin_motion.rotation);
-        const auto q = Node::template pull_back<double>(x, load.force, load.moment);
-        const auto turn = Node::template pull_back_spin<double>(x, own);
-        for (int i = 0; i < 3; ++i) r[e.dofs[i]] -= q[i];
-        for (int i = 3; i < n; ++i) r[e.dofs[i]] -= q[i] + turn[i - 3];
-      }
+    each_group<NodeOfProducts<Node>>(0, entries_.size(), [&]<int L>(const Group<L>& group) {
+      using S = Numbers<L>;
+      const auto load = gathered<NodeLoadOf>(group.each([&](std::size_t i) { return &ports.node_loads[entries_[i].node]; }));
+      const auto rotation = gathered<9>(group.each([&](std::size_t i) { return ports.node_motions[entries_[i].node].rotation.x.data(); }));
+      const Coordinates<S, n> x = coordinates(evaluation, group);
+      const Vec<S, n> q = Node::template pull_back<S>(x, load.force, load.moment);
+      const auto turn = Node::template pull_back_spin<S>(x, load.own_moment + load.moment_of_forces({rotation.x}));
+      const Vec<S, n> change = vector_of<n>([&](int i) { return i < 3 ? -q[i] : -(q[i] + turn[std::max(i - 3, 0)]); });
+      add_numbers(change, group.each([&](std::size_t i) { return r + entries_[i].dofs[0]; }), group.count);
     });
   }
   void geometric(const Evaluation& evaluation, const Weights& weights, Ports& ports, double* values) const override {
@@ -88,8 +86,14 @@ class TurningNodeBatch final : public RotatingNodeBatch {
  private:
   struct Entry {
     int node = 0;
-    std::array<int, n> dofs{};
+    std::array<int, n> dofs{};  // follow each other
   };
+  template <int L>
+  Coordinates<Numbers<L>, n> coordinates(const Evaluation& evaluation, const Group<L>& group) const {
+    const auto of = [&](const double* from) { return gathered<n>(group.each([&](std::size_t i) { return from + entries_[i].dofs[0]; })); };
+    return {of(evaluation.q), of(evaluation.v), evaluation.inertia ? of(evaluation.a) : Vec<Numbers<L>, n>{}};
+  }
+
   std::vector<Entry> entries_;
 };
 

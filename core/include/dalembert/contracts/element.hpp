@@ -173,7 +173,7 @@ struct OnNode {
   template <class S>
   static Vec<S, size> residual(const Parameters& p, const Context& c, const Coordinates<S, size>& x) {
     if constexpr (SpinBody<Body>) {
-      const SpinWrench<S> w = Body::template inertia<S>(p, spin_motion<Node, S>(x));
+      const SpinWrench<S> w = Body::inertia(Body::mass_properties(p), spin_motion<Node, S>(x));
       return pull_back_spin_wrench<Node, S>(x, w.force, w.moment);
     } else {
       const auto w = Body::template residual<S>(p, c, Node::template motion<S>(x));

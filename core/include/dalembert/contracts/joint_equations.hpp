@@ -2,9 +2,11 @@
 // their derivatives in closed form.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <utility>
 
 #include "dalembert/frames.hpp"
 #include "dalembert/math/rotations.hpp"
@@ -21,6 +23,13 @@ struct JointEquation {
   Vec3<double> first{}, second{};  // axes; of a frame: in the marker's own coordinates
 };
 
+// What is known of an equation without any parameters.
+struct JointRow {
+  JointEquation::Kind kind;
+  int axis = 0;              // the global one, of a displacement
+  bool same_first = false;   // of a product: its first axis is that of the row before, which is a product as well
+};
+
 // A kernel without equations along axes that turn says `fixed_directions`: translations do not vary its reaction.
 // A kernel may leave single parameter sets to the sweep of dual numbers by `tabulated(p)`.
 template <class K>
@@ -34,50 +43,55 @@ struct JointSums {
   Vec<S, static_cast<int>(M)> gap;
   std::array<Wrench<S>, 2> reaction;
 };
-template <class S, std::size_t M>
-JointSums<S, M> joint_sums(const std::array<JointEquation, M>& table, const RigidFrame<S>& m0, const RigidFrame<S>& m1,
-                           const double* multipliers) {
+// `rows` describe the `table`, whose axes are read where parameters decide about them.
+template <const auto& rows, class Table, class L, class S, int M>
+JointSums<S, static_cast<std::size_t>(M)> joint_sums(const Table& table, const RigidFrame<S>& m0, const RigidFrame<S>& m1,
+                                                     const Vec<L, M>& multipliers) {
   using enum JointEquation::Kind;
   const Vec3<S> span = m1.position - m0.position;
-  Vec<S, static_cast<int>(M)> gap;
+  Vec<S, M> gap;
   Vec3<S> force{}, turning{}, moment{};  // forces along axes that turn under the displacement, in addition
-  for (std::size_t k = 0; k < M;) {
-    const JointEquation& e = table[k];
-    const Vec3<S> axis = e.kind == displacement ? Vec3<S>{S(e.first[0]), S(e.first[1]), S(e.first[2])} : m0.rotation * e.first;
-    if (e.kind == product) {  // those with the same first axis together, in the axes of the second frame
-      const Vec3<S> seen = transposed_times(m1.rotation, axis);
-      Vec3<double> sum{};
-      do {
-        gap[static_cast<int>(k)] = dot(table[k].second, seen);
-        sum += multipliers[k] * table[k].second;
-      } while (++k < M && table[k].kind == product && table[k].first.x == e.first.x);
-      moment += cross(axis, m1.rotation * sum);
-    } else {
-      gap[static_cast<int>(k)] = dot(axis, span);
-      const Vec3<S> along_axis = multipliers[k] * axis;
+  Vec3<S> axis{}, seen{};                // of products with one first axis: that, also in the axes of the second frame
+  Vec3<L> sum{};                         // their second axes times multipliers
+  const auto add = [&]<int k>() {
+    constexpr JointRow row = rows[static_cast<std::size_t>(k)];
+    const auto& e = table[static_cast<std::size_t>(k)];
+    if constexpr (row.kind == displacement) {
+      gap[k] = span[row.axis];
+      force[row.axis] += S(multipliers[k]);
+    } else if constexpr (row.kind == along) {
+      const Vec3<S> direction = m0.rotation * e.first, along_axis = multipliers[k] * direction;
+      gap[k] = dot(direction, span);
       force += along_axis;
-      if (e.kind == along) turning += along_axis;
-      ++k;
+      turning += along_axis;
+    } else {
+      if constexpr (!row.same_first) {
+        axis = m0.rotation * e.first;
+        seen = transposed_times(m1.rotation, axis);
+        sum = {};
+      }
+      gap[k] = dot(e.second, seen);
+      sum += multipliers[k] * e.second;
+      if constexpr (k + 1 == M || !rows[static_cast<std::size_t>(std::min(k + 1, M - 1))].same_first) moment += cross(axis, m1.rotation * sum);
     }
-  }
+  };
+  [&]<int... k>(std::integer_sequence<int, k...>) { (add.template operator()<k>(), ...); }(std::make_integer_sequence<int, M>{});
   return {gap, {Wrench<S>{-force, moment - cross(span, turning)}, Wrench<S>{force, -moment}}};
 }
 
-// Gap and reaction of a joint that is nothing but its table.
+// A joint that is nothing but its table says what is known of its `rows`: gap and reaction follow.
 template <class K>
 struct JointOfTable {
   static constexpr bool is_table = true;
 
   template <class S>
   static auto gap(const auto& p, const auto&, const RigidFrame<S>& m0, const RigidFrame<S>& m1) {
-    const auto table = K::table(p);
-    constexpr std::array<double, table.size()> none{};
-    return joint_sums(table, m0, m1, none.data()).gap;
+    return joint_sums<K::rows>(K::table(p), m0, m1, Vec<double, K::equations>{}).gap;
   }
   template <class S>
   static std::array<Wrench<S>, 2> reaction(const auto& p, const auto&, const RigidFrame<S>& m0, const RigidFrame<S>& m1,
                                            const auto& lambda) {
-    return joint_sums(K::table(p), m0, m1, lambda.x.data()).reaction;
+    return joint_sums<K::rows>(K::table(p), m0, m1, lambda).reaction;
   }
 };
 

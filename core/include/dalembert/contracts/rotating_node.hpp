@@ -27,29 +27,33 @@ struct SpinWrench {
   Vec3<S> force, moment;
 };
 
-// What bodies and markers read of the node they are on, and what they leave there, once for all of them.
-struct NodeMotion {
-  Vec3<double> position{}, velocity{};
-  SpinMotion<double> spin_motion{};
-  Vec3<double> angular_velocity{};
-};
-// The sum of forces at points of the node, moments in global axes and moments in its own.
-struct NodeLoad {
-  Vec3<double> force{}, moment{}, own_moment{};
-  Mat3<double> lever{};  // sum of point force^T, points in own axes
+// What bodies and markers read of the rotation of the node they are on, and what they leave there, once for all of them:
+// records of numbers in this order, so that several are gathered at once (batches/groups.hpp).
+template <class S>
+struct NodeMotionOf {
+  Vec3<S> spin, spin_rate;  // in own axes
+  Mat3<S> rotation;
+  Vec3<S> angular_velocity;
 
-  void add(const Vec3<double>& point, const Vec3<double>& f) {
-    force += f;
-    if (is_zero(point)) return;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) lever(i, j) += point[i] * f[j];
-  }
+  Vec<S, 18> numbers() const { return joined(spin, spin_rate, rotation, angular_velocity); }
+};
+using NodeMotion = NodeMotionOf<double>;
+
+// The sum of moments in own axes and in global ones, and of forces at points of the node.
+template <class S>
+struct NodeLoadOf {
+  Vec3<S> own_moment, force, moment;
+  Mat3<S> lever;  // sum of point force^T, points in own axes
+
+  static constexpr int count = 18;
+  static NodeLoadOf of(const Vec<S, count>& x) { return {segment<3>(x, 0), segment<3>(x, 3), segment<3>(x, 6), matrix_segment<3, 3>(x, 9)}; }
   // Moment of the forces, in own axes of this rotation; linear in it.
-  Vec3<double> moment_of_forces(const Mat3<double>& rotation) const {
-    const Mat3<double> turned = lever * rotation;
+  Vec3<S> moment_of_forces(const Mat3<S>& rotation) const {
+    const Mat3<S> turned = lever * rotation;
     return {turned(1, 2) - turned(2, 1), turned(2, 0) - turned(0, 2), turned(0, 1) - turned(1, 0)};
   }
 };
+using NodeLoad = NodeLoadOf<double>;
 
 template <class N>
 concept SpinNode = requires(const Coordinates<double, N::size>& x, const Vec3<double>& m) {
@@ -66,6 +70,10 @@ struct RotationTangent {
   Mat<double, 3, R> spin_map{}, angular_map{};             // rates to spin, rates to angular velocity in global axes
   Mat<double, 3, R> spin_tangent{}, spin_rate_tangent{}, angular_tangent{};
 };
+
+// Its motion and pull-back are sums and products alone: several nodes are computed at once (batches/groups.hpp).
+template <class N>
+concept NodeOfProducts = requires { requires N::products_alone; };
 
 template <class N>
 concept RotatingNode =
@@ -85,10 +93,23 @@ struct InertiaTangent {
   Mat3<double> moment_by_spin{}, moment_by_spin_rate{}, moment_by_acceleration{};  // the acceleration in own axes
 };
 
+// Of a rigid body: the tensor about the node, [Jxx, Jyy, Jzz, Jyz, Jxz, Jxy], and the centre of mass, in own axes.
+template <class T>
+struct MassProperties {
+  T mass;
+  Vec<T, 6> tensor;
+  Vec3<T> centre;
+
+  bool eccentric() const { return !is_zero(dot(centre, centre)); }
+  static constexpr int count = 10;
+  static MassProperties of(const Vec<T, count>& x) { return {x[0], segment<6>(x, 1), segment<3>(x, 7)}; }
+};
+
 template <class B>
-concept SpinBody = requires(const typename B::Parameters& p, const SpinMotion<double>& m) {
-  { B::template inertia<double>(p, m) } -> std::same_as<SpinWrench<double>>;
-  { B::inertia_tangent(p, m) } -> std::same_as<InertiaTangent>;
+concept SpinBody = requires(const typename B::Parameters& p, const MassProperties<double>& b, const SpinMotion<double>& m) {
+  { B::mass_properties(p) } -> std::same_as<MassProperties<double>>;
+  { B::inertia(b, m) } -> std::same_as<SpinWrench<double>>;  // of numbers side by side as well
+  { B::inertia_tangent(b, m) } -> std::same_as<InertiaTangent>;
   { B::centre(p) } -> std::convertible_to<const Vec3<double>&>;
   { B::mass(p) } -> std::convertible_to<double>;
 };

@@ -90,6 +90,7 @@ constexpr S norm(const Vec<S, N>& a) {
   using std::sqrt;
   return sqrt(dot(a, a));
 }
+constexpr bool is_zero(double x) { return x == 0; }
 constexpr bool is_zero(const Vec3<double>& a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
 template <class A, class B>
 constexpr auto cross(const Vec3<A>& a, const Vec3<B>& b) {
@@ -169,6 +170,26 @@ constexpr Vec<S, Size> segment(const Vec<S, N>& v, int start) {
   Vec<S, Size> r;
   for (int i = 0; i < Size; ++i) r[i] = v[start + i];
   return r;
+}
+
+// R x C entries of v from `start`, row by row.
+template <int R, int C, class S, int N>
+constexpr Mat<S, R, C> matrix_segment(const Vec<S, N>& v, int start) {
+  return matrix_of<R, C>([&](int i, int j) { return v[start + i * C + j]; });
+}
+namespace detail {
+template <class First, class... Rest>
+constexpr auto entry_of(int i, const First& first, const Rest&... rest) {
+  constexpr int size = static_cast<int>(std::tuple_size_v<std::remove_cvref_t<decltype(first.x)>>);
+  if constexpr (sizeof...(Rest) > 0)
+    if (i >= size) return entry_of(i - size, rest...);
+  return first.x[static_cast<std::size_t>(i)];
+}
+}  // namespace detail
+// The entries of vectors and matrices, one after the other.
+template <class... Parts>
+constexpr auto joined(const Parts&... parts) {
+  return vector_of<(static_cast<int>(std::tuple_size_v<std::remove_cvref_t<decltype(parts.x)>>) + ...)>([&](int i) { return detail::entry_of(i, parts...); });
 }
 
 template <class S, int N>

@@ -4,7 +4,6 @@
 // registers (math/wide_registers.hpp) use them.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -40,6 +39,12 @@ struct Lanes {
   Register x{};
 
   DALEMBERT_INLINE Lanes() = default;
+  // Copied as a register: the compiler takes what it may copy as memory through other registers.
+  DALEMBERT_INLINE Lanes(const Lanes& other) : x(other.x) {}
+  DALEMBERT_INLINE Lanes& operator=(const Lanes& other) {
+    x = other.x;
+    return *this;
+  }
   DALEMBERT_INLINE Lanes(Register all) : x(all) {}
   DALEMBERT_INLINE Lanes(double all) : x(all - Register{}) {}
   DALEMBERT_INLINE double operator[](int lane) const { return x[lane]; }
@@ -61,6 +66,12 @@ struct Lanes {
   DALEMBERT_INLINE Lanes& operator+=(const Lanes& b) { return *this = *this + b; }
   DALEMBERT_INLINE Lanes& operator-=(const Lanes& b) { return *this = *this - b; }
   DALEMBERT_INLINE Lanes& operator*=(const Lanes& b) { return *this = *this * b; }
+  DALEMBERT_INLINE friend bool is_zero(const Lanes& a) {
+    const auto differs = a.x != Register{};
+    auto any = differs[0];
+    for (int lane = 1; lane < N; ++lane) any |= differs[lane];
+    return any == 0;
+  }
   DALEMBERT_INLINE friend Lanes sqrt(const Lanes& a) {
     return of_each([&a](int lane) { return std::sqrt(a.x[lane]); });
   }
@@ -135,12 +146,20 @@ DALEMBERT_INLINE inline std::array<Lanes<4>, N> rows_of(std::array<Lanes<N>, 4> 
   }
   return rows;
 }
+// Calls f(lane, row) for the first `count` rows, one after the other; spelt out, so that rows stay in registers.
+template <int N, class F>
+DALEMBERT_INLINE inline void each_row(const std::array<Lanes<N>, 4>& numbers, int count, const F& f) {
+  const std::array<Lanes<4>, N> rows = rows_of(numbers);
+  [&]<int... lane>(std::integer_sequence<int, lane...>) DALEMBERT_INLINE {
+    (void)((lane < count && (f(lane, rows[lane].x), true)) && ...);
+  }(std::make_integer_sequence<int, N>{});
+}
 // Adds number j of the first `count` lanes at their places, one place after the other.
 template <int N>
 DALEMBERT_INLINE inline void scatter_fours(const std::array<Lanes<N>, 4>& numbers, const std::array<double*, N>& places, int count) {
-  const std::array<Lanes<4>, N> rows = rows_of(numbers);
-  for (int lane = 0; lane < std::min(N, count); ++lane) four_numbers(places[lane]) += rows[lane].x;
+  each_row<N>(numbers, count, [&](int lane, const auto& row) DALEMBERT_INLINE { four_numbers(places[lane]) += row; });
 }
+
 // Scalars that stand for one number and its derivatives: what a user function can be called with.
 template <class S>
 inline constexpr bool holds_lanes = false;

@@ -13,6 +13,12 @@ struct ObjectJointPrismaticX : JointOfTable<ObjectJointPrismaticX> {
   using Port = RigidPort;
   static constexpr int equations = 5;
 
+  static constexpr std::array<JointRow, 5> rows{JointRow{JointEquation::Kind::along},
+                                                {JointEquation::Kind::along},
+                                                {JointEquation::Kind::product},
+                                                {.kind = JointEquation::Kind::product, .same_first = true},
+                                                {JointEquation::Kind::product}};
+
   // No displacement along y and z of the first frame; the axes of both frames stay normal to each other.
   static std::array<JointEquation, 5> table(const Parameters& p) {
     using enum JointEquation::Kind;

@@ -14,6 +14,12 @@ struct ObjectJointRevoluteZ : JointOfTable<ObjectJointRevoluteZ> {
   static constexpr int equations = 5;
   static constexpr bool fixed_directions = true;  // of the translations
 
+  static constexpr std::array<JointRow, 5> rows{JointRow{JointEquation::Kind::displacement, 0},
+                                                {JointEquation::Kind::displacement, 1},
+                                                {JointEquation::Kind::displacement, 2},
+                                                {JointEquation::Kind::product},
+                                                {.kind = JointEquation::Kind::product, .same_first = true}};
+
   // The points coincide; the z-axis of the first frame is normal to the x- and y-axis of the second.
   static std::array<JointEquation, 5> table(const Parameters& p) {
     using enum JointEquation::Kind;

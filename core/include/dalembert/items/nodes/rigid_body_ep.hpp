@@ -13,6 +13,7 @@ struct NodeRigidBodyEP {
   static constexpr bool constant_jacobian = false;
   static constexpr int translations = 3;
   static constexpr int unit_from = 3;  // Euler parameters form a unit vector
+  static constexpr bool products_alone = true;
 
   template <class S>
   static Mat3<S> rotation(const Coordinates<S, size>& x) {

@@ -1,0 +1,142 @@
+// Entries of a batch side by side, as many at once as registers hold: their numbers are gathered from the places where they
+// lie, and what is computed for all lanes at once goes back to such places, lane after lane.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+#include "dalembert/math/fixed.hpp"
+#include "dalembert/math/lanes.hpp"
+#include "dalembert/math/wide_registers.hpp"
+
+namespace dalembert {
+
+// One number of each of L entries; of an entry by itself, a plain number.
+template <int L>
+struct NumbersOf {
+  using Type = Lanes<L>;
+};
+template <>
+struct NumbersOf<1> {
+  using Type = double;
+};
+template <int L>
+using Numbers = typename NumbersOf<L>::Type;
+
+// `count` entries from `first` on; lanes beyond repeat the last one.
+template <int L>
+struct Group {
+  std::size_t first;
+  int count;
+
+  // of_entry(i) for the entry i of each lane.
+  template <class F>
+  DALEMBERT_INLINE auto each(const F& of_entry) const {
+    return [&]<int... lane>(std::integer_sequence<int, lane...>) DALEMBERT_INLINE {
+      return std::array{of_entry(first + static_cast<std::size_t>(std::min(lane, count - 1)))...};
+    }(std::make_integer_sequence<int, L>{});
+  }
+  template <class F>
+  DALEMBERT_INLINE Numbers<L> numbers(const F& of_entry) const {
+    const std::array<double, L> all = each(of_entry);
+    if constexpr (L == 1) return all[0];
+    else return Lanes<L>::of_each([&all](int lane) { return all[static_cast<std::size_t>(lane)]; });
+  }
+};
+
+template <int L, class F>
+DALEMBERT_INLINE inline void each_group_of(std::size_t begin, std::size_t end, const F& f) {
+  for (; begin + 1 < end; begin += L) {
+    const int count = static_cast<int>(std::min<std::size_t>(L, end - begin));
+    if constexpr (L > 4)
+      if (count <= 4) return f(Group<4>{begin, count});
+    f(Group<L>{begin, count});
+  }
+  if (begin < end) f(Group<1>{begin, 1});
+}
+
+// Calls f(group) for groups that make up the entries [begin, end). Without wide registers, or if entries do not go `together`,
+// each of them is a group.
+template <bool together = true, class F>
+void each_group(std::size_t begin, std::size_t end, const F& f) {
+  if constexpr (together)
+    if (end - begin > 1 && numbers_in_register() > 2) {
+      if (numbers_in_register() == 8) return run_in_widest_registers([&] { each_group_of<8>(begin, end, f); });
+      return run_in_wide_registers([&] { each_group_of<4>(begin, end, f); });
+    }
+  in_widest_registers([&] {
+    for (std::size_t i = begin; i < end; ++i) f(Group<1>{i, 1});
+  });
+}
+
+// Calls f<first>, where up to four of `Count` numbers begin; the last four may overlap those before.
+template <int Count, class F>
+DALEMBERT_INLINE inline void each_four(const F& f) {
+  static_assert(Count >= 4);
+  [&]<int... four>(std::integer_sequence<int, four...>) DALEMBERT_INLINE {
+    (f.template operator()<std::min(4 * four, Count - 4)>(), ...);
+  }(std::make_integer_sequence<int, (Count + 3) / 4>{});
+}
+
+// `Count` numbers from each place.
+template <int Count, class T, std::size_t L>
+DALEMBERT_INLINE inline auto gathered(const std::array<T*, L>& from) {
+  constexpr int lanes = static_cast<int>(L);
+  if constexpr (lanes == 1) {
+    return vector_of<Count>([&](int i) DALEMBERT_INLINE { return from[0][i]; });
+  } else if constexpr (Count < 4) {
+    return vector_of<Count>([&](int i) DALEMBERT_INLINE { return Lanes<lanes>::of_each([&](int lane) { return from[static_cast<std::size_t>(lane)][i]; }); });
+  } else {
+    const auto fours = vector_of<(Count + 3) / 4>([&](int four) DALEMBERT_INLINE {
+      const int first = std::min(4 * four, Count - 4);
+      return columns_of<lanes>([&](int lane) -> const FourNumbers& { return four_numbers(from[static_cast<std::size_t>(lane)] + first); });
+    });
+    return vector_of<Count>([&](int i) DALEMBERT_INLINE {
+      const int four = i / 4;
+      return fours[four][static_cast<std::size_t>(i - std::min(4 * four, Count - 4))];
+    });
+  }
+}
+template <template <class> class Record, std::size_t L>
+DALEMBERT_INLINE inline auto gathered(const std::array<const Record<double>*, L>& from) {
+  static_assert(sizeof(Record<double>) == Record<double>::count * sizeof(double));
+  std::array<const double*, L> places;
+  for (std::size_t lane = 0; lane < L; ++lane) places[lane] = reinterpret_cast<const double*>(from[lane]);
+  return Record<Numbers<static_cast<int>(L)>>::of(gathered<Record<double>::count>(places));
+}
+// Writes `Count` numbers to each place; lanes that repeat an entry write the same.
+template <int Count, class S, std::size_t L>
+DALEMBERT_INLINE inline void store_numbers(const Vec<S, Count>& from, const std::array<double*, L>& to) {
+  constexpr int lanes = static_cast<int>(L);
+  if constexpr (lanes == 1) {
+    for (int i = 0; i < Count; ++i) to[0][i] = from[i];
+  } else {
+    each_four<Count>([&]<int first>() DALEMBERT_INLINE {
+      each_row<lanes>({from[first], from[first + 1], from[first + 2], from[first + 3]}, lanes,
+                      [&](int lane, const auto& row) DALEMBERT_INLINE { four_numbers(to[static_cast<std::size_t>(lane)] + first) = row; });
+    });
+  }
+}
+// Adds the numbers of the first `count` lanes; those that share a place come one after the other.
+template <int Count, class S, std::size_t L>
+DALEMBERT_INLINE inline void add_numbers(const Vec<S, Count>& from, const std::array<double*, L>& to, int count) {
+  constexpr int lanes = static_cast<int>(L);
+  if constexpr (lanes == 1) {
+    for (int i = 0; i < Count; ++i) to[0][i] += from[i];
+  } else if constexpr (Count < 4) {
+    for (int lane = 0; lane < count; ++lane)
+      for (int i = 0; i < Count; ++i) to[static_cast<std::size_t>(lane)][i] += from[i][lane];
+  } else {
+    each_four<Count>([&]<int first>() DALEMBERT_INLINE {
+      constexpr int done = first % 4 == 0 ? 0 : 4 - Count % 4;  // numbers that the four before have added
+      const auto number = [&](int i) DALEMBERT_INLINE { return i < done ? S(0.0) : from[first + i]; };
+      each_row<lanes>({number(0), number(1), number(2), number(3)}, count,
+                      [&](int lane, const auto& row) DALEMBERT_INLINE { four_numbers(to[static_cast<std::size_t>(lane)] + first) += row; });
+    });
+  }
+}
+
+}  // namespace dalembert
