@@ -26,7 +26,9 @@ struct RigidFrame {
   Vec3<S> angular_velocity;
 
   static constexpr int count = 18;
-  static RigidFrame of(const Vec<S, count>& x) { return {segment<3>(x, 0), segment<3>(x, 3), matrix_segment<3, 3>(x, 6), segment<3>(x, 15)}; }
+  static RigidFrame of(const Vec<S, count>& x) {
+    return {segment<3>(x, 0), segment<3>(x, 3), matrix_segment<3, 3>(x, 6), segment<3>(x, 15)};
+  }
 };
 template <class S>
 struct ScalarFrame {

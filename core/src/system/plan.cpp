@@ -48,7 +48,8 @@ void make_plan(SystemParts& parts, int regions, const GrownBatches& grown, const
     if (RegionPlan* region = region_of(term.get())) (loads.contains(term.get()) ? region->loads : region->terms).push_back(term.get());
   list_sizes(plan, division);
   for (const ObjectPlace& object : parts.objects)
-    for (const int marker : object.markers.of(parts.references)) plan.connected.insert(parts.markers[static_cast<std::size_t>(marker)].member.batch);
+    for (const int marker : object.markers.of(parts.references))
+      plan.connected.insert(parts.markers[static_cast<std::size_t>(marker)].member.batch);
   sort_loads(parts);
 }
 

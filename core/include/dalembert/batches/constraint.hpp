@@ -173,7 +173,8 @@ class ConstraintBatch final : public Term {
         table[k] = {segment<3>(axes, 0), segment<3>(axes, 3)};
       }
       const auto frame = [&](std::size_t marker) {
-        return gathered<RigidFrame>(group.each([&](std::size_t i) { return &read_frame<Port>(std::as_const(ports.values).data() + entries_[i].offsets[marker].value); }));
+        const double* values = ports.values.data();
+        return gathered<RigidFrame>(group.each([&](std::size_t i) { return &read_frame<Port>(values + entries_[i].offsets[marker].value); }));
       };
       const auto lambda = gathered<m>(group.each([&](std::size_t i) { return evaluation.lambda + entries_[i].first_ae; }));
       const auto sums = joint_sums<K::rows>(table, frame(0), frame(1), lambda);

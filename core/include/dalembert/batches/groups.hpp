@@ -88,7 +88,9 @@ DALEMBERT_INLINE inline auto gathered(const std::array<T*, L>& from) {
   if constexpr (lanes == 1) {
     return vector_of<Count>([&](int i) DALEMBERT_INLINE { return from[0][i]; });
   } else if constexpr (Count < 4) {
-    return vector_of<Count>([&](int i) DALEMBERT_INLINE { return Lanes<lanes>::of_each([&](int lane) { return from[static_cast<std::size_t>(lane)][i]; }); });
+    return vector_of<Count>([&](int i) DALEMBERT_INLINE {
+      return Lanes<lanes>::of_each([&](int lane) { return from[static_cast<std::size_t>(lane)][i]; });
+    });
   } else {
     const auto fours = vector_of<(Count + 3) / 4>([&](int four) DALEMBERT_INLINE {
       const int first = std::min(4 * four, Count - 4);

@@ -55,14 +55,16 @@ class TurningBodyBatch final : public ElementBatch<E, Record> {
   void residual(const Evaluation& evaluation, Ports& ports, double*) const override {
     each_group(0, entries_.size(), [&]<int L>(const Group<L>& group) {
       const auto motion = [&](std::size_t i) -> const NodeMotion& { return ports.node_motions[entries_[i].node]; };
+      const auto first = [&](std::size_t i) { return evaluation.a + entries_[i].dofs[0]; };
       const auto b = gathered<MassProperties>(group.each([&](std::size_t i) { return &masses_[i]; }));
       const auto spin = gathered<6>(group.each([&](std::size_t i) { return motion(i).spin.x.data(); }));  // and its rate
       Mat3<Numbers<L>> rotation;  // of no use to others
       if (b.eccentric()) rotation = {gathered<9>(group.each([&](std::size_t i) { return motion(i).rotation.x.data(); })).x};
       Vec3<Numbers<L>> acceleration{};
-      if (evaluation.inertia) acceleration = segment<3>(gathered<4>(group.each([&](std::size_t i) { return evaluation.a + entries_[i].dofs[0]; })), 0);
+      if (evaluation.inertia) acceleration = segment<3>(gathered<4>(group.each(first)), 0);
       const auto w = Body::inertia(b, SpinMotion<Numbers<L>>{acceleration, rotation, segment<3>(spin, 0), segment<3>(spin, 3)});
-      add_numbers(joined(-w.moment, -w.force), group.each([&](std::size_t i) { return ports.node_loads[entries_[i].node].own_moment.x.data(); }), group.count);
+      const auto loads = group.each([&](std::size_t i) { return ports.node_loads[entries_[i].node].own_moment.x.data(); });
+      add_numbers(joined(-w.moment, -w.force), loads, group.count);
     });
   }
   void tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports, double* values) const override {

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "dalembert/batches/frame_marker.hpp"
-#include "dalembert/batches/groups.hpp"
 #include "dalembert/contracts/element.hpp"
+#include "dalembert/math/wide_registers.hpp"
 
 namespace dalembert {
 
@@ -60,22 +60,17 @@ class TurningMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeOf
   void evaluate(const Evaluation& evaluation, Ports& ports) const override {
     if (apart()) return Base::evaluate(evaluation, ports);
     if constexpr (Shape::values > 0)
-      each_group(0, entries_.size(), [&]<int L>(const Group<L>& group) {
-        const auto motion = [&](std::size_t i) -> const NodeMotion& { return ports.node_motions[static_cast<std::size_t>(entries_[i].node)]; };
-        const auto of_node = [&](const double* list) {  // position or velocity
-          return segment<3>(gathered<4>(group.each([&, list](std::size_t i) { return list + entries_[i].dofs[0]; })), 0);
-        };
-        const auto rotation = gathered<9>(group.each([&](std::size_t i) { return motion(i).rotation.x.data(); }));
-        const auto spin = segment<3>(gathered<4>(group.each([&](std::size_t i) { return motion(i).spin.x.data(); })), 0);
-        const auto local = gathered<3>(group.each([&](std::size_t i) { return entries_[i].local.x.data(); }));
-        const Mat3<Numbers<L>> turn{rotation.x};
-        const auto frames = group.each([&](std::size_t i) { return ports.values.data() + entries_[i].port.value; });
-        store_numbers(joined(of_node(evaluation.q) + turn * local, of_node(evaluation.v) + turn * cross(spin, local)), frames);
-        if constexpr (Shape::forces == 6)  // rotation and angular velocity
-          group.each([&](std::size_t i) {
-            for (int k = 0; k < 12; k += 4) four_numbers(ports.values.data() + entries_[i].port.value + 6 + k) = four_numbers(motion(i).rotation.x.data() + k);
-            return 0;
-          });
+      in_widest_registers([&] {
+        for (const Entry& e : entries_) {
+          const NodeMotion& m = ports.node_motions[static_cast<std::size_t>(e.node)];
+          auto& frame = *reinterpret_cast<typename Shape::template Frame<double>*>(ports.values.data() + e.port.value);
+          frame.position = load<double, 3>(evaluation.q + e.dofs[0]) + m.rotation * e.local;
+          frame.velocity = load<double, 3>(evaluation.v + e.dofs[0]) + m.rotation * cross(m.spin, e.local);
+          if constexpr (Shape::forces == 6) {
+            frame.rotation = m.rotation;
+            frame.angular_velocity = m.angular_velocity;
+          }
+        }
       });
   }
   void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const override {
@@ -92,22 +87,22 @@ class TurningMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeOf
   }
   void pull_back(const Evaluation& evaluation, Ports& ports, double* r) const override {
     if (apart()) return Base::pull_back(evaluation, ports, r);
-    each_group(0, entries_.size(), [&]<int L>(const Group<L>& group) {
-      using S = Numbers<L>;
-      const auto f = gathered<Shape::forces>(group.each([&](std::size_t i) { return std::as_const(ports.forces).data() + entries_[i].port.force; }));
-      const auto point = gathered<3>(group.each([&](std::size_t i) { return Shape::point(entries_[i].parameters, entries_[i].local).x.data(); }));
-      Vec3<S> force = segment<3>(f, 0), moment{};
-      if constexpr (Shape::forces == 6) moment = segment<3>(f, 3);
-      if constexpr (Shape::values == 0) force = group.numbers([&](std::size_t i) { return Shape::scale(entries_[i].parameters); }) * force;
-      const auto lever = matrix_of<3, 3>([&](int i, int j) { return point[i] * force[j]; });
-      const auto loads = group.each([&](std::size_t i) { return ports.node_loads[static_cast<std::size_t>(entries_[i].node)].force.x.data(); });
-      add_numbers(joined(force, moment, lever), loads, group.count);
+    in_widest_registers([&] {
+      for (const Entry& e : entries_) {
+        const double* f = ports.forces.data() + e.port.force;
+        const Vec3<double>& point = Shape::point(e.parameters, e.local);
+        const Vec3<double> force = Shape::scale(e.parameters) * load<double, 3>(f);
+        Vec3<double> moment{};
+        if constexpr (Shape::forces == 6) moment = load<double, 3>(f + 3);
+        ports.node_loads[static_cast<std::size_t>(e.node)].add(point, force, moment);
+      }
     });
   }
   // Forces at the node itself do not turn with it.
   bool constant_pull_back() const override {
     if (apart()) return Base::constant_pull_back();
-    return Shape::forces == 3 && std::ranges::all_of(entries_, [](const Entry& e) { return is_zero(Shape::point(e.parameters, e.local)); });
+    const auto at_node = [](const Entry& e) { return is_zero(Shape::point(e.parameters, e.local)); };
+    return Shape::forces == 3 && std::ranges::all_of(entries_, at_node);
   }
   void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const override {
     if (apart()) Base::geometric(evaluation, weights, ports, values);

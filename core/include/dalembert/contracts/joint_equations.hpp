@@ -72,7 +72,8 @@ JointSums<S, static_cast<std::size_t>(M)> joint_sums(const Table& table, const R
       }
       gap[k] = dot(e.second, seen);
       sum += multipliers[k] * e.second;
-      if constexpr (k + 1 == M || !rows[static_cast<std::size_t>(std::min(k + 1, M - 1))].same_first) moment += cross(axis, m1.rotation * sum);
+      constexpr bool goes_on = k + 1 < M && rows[static_cast<std::size_t>(std::min(k + 1, M - 1))].same_first;
+      if constexpr (!goes_on) moment += cross(axis, m1.rotation * sum);
     }
   };
   [&]<int... k>(std::integer_sequence<int, k...>) { (add.template operator()<k>(), ...); }(std::make_integer_sequence<int, M>{});

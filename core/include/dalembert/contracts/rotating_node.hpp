@@ -46,7 +46,15 @@ struct NodeLoadOf {
   Mat3<S> lever;  // sum of point force^T, points in own axes
 
   static constexpr int count = 18;
-  static NodeLoadOf of(const Vec<S, count>& x) { return {segment<3>(x, 0), segment<3>(x, 3), segment<3>(x, 6), matrix_segment<3, 3>(x, 9)}; }
+  static NodeLoadOf of(const Vec<S, count>& x) {
+    return {segment<3>(x, 0), segment<3>(x, 3), segment<3>(x, 6), matrix_segment<3, 3>(x, 9)};
+  }
+  // Numbers that lie side by side are added in one loop.
+  void add(const Vec3<S>& point, const Vec3<S>& f, const Vec3<S>& m) {
+    const auto change = joined(f, m, matrix_of<3, 3>([&](int i, int j) { return point[i] * f[j]; }));
+    S* sum = reinterpret_cast<S*>(this) + 3;  // the force
+    for (int i = 0; i < 15; ++i) sum[i] += change[i];
+  }
   // Moment of the forces, in own axes of this rotation; linear in it.
   Vec3<S> moment_of_forces(const Mat3<S>& rotation) const {
     const Mat3<S> turned = lever * rotation;
