@@ -22,7 +22,7 @@ template <RotatingNode Node>
 Mat<double, Node::size - 3, Node::size - 3> load_tangent(const NodeLoad& load, const Coordinates<double, Node::size>& x,
                                                          const RotationTangent<Node::size - 3>& t, const Weights& w) {
   constexpr int r = Node::size - 3;
-  Mat<double, r, r> k = Node::moment_tangent(x, load.own_moment + load.moment_of_forces(t.rotation), load.moment, w);
+  Mat<double, r, r> k = Node::moment_tangent(x, load.own_moment + load.moment_of_forces(t.rotation), load.moment(), w);
   for (int j = 0; j < r; ++j) {
     const Vec3<double> turned = load.moment_of_forces(t.turn[j]);
     for (int i = 0; i < r; ++i) k(i, j) += t.spin_map(0, i) * turned[0] + t.spin_map(1, i) * turned[1] + t.spin_map(2, i) * turned[2];
@@ -66,7 +66,7 @@ class TurningNodeBatch final : public RotatingNodeBatch {
       const auto load = gathered<NodeLoadOf>(group.each([&](std::size_t i) { return &ports.node_loads[entries_[i].node]; }));
       const auto rotation = gathered<9>(group.each([&](std::size_t i) { return ports.node_motions[entries_[i].node].rotation.x.data(); }));
       const Coordinates<S, n> x = coordinates(evaluation, group);
-      const Vec<S, n> q = Node::template pull_back<S>(x, load.force, load.moment);
+      const Vec<S, n> q = Node::template pull_back<S>(x, load.force(), load.moment());
       const auto turn = Node::template pull_back_spin<S>(x, load.own_moment + load.moment_of_forces({rotation.x}));
       const Vec<S, n> change = vector_of<n>([&](int i) { return i < 3 ? -q[i] : -(q[i] + turn[std::max(i - 3, 0)]); });
       add_numbers(change, group.each([&](std::size_t i) { return r + entries_[i].dofs[0]; }), group.count);

@@ -39,25 +39,23 @@ struct NodeMotionOf {
 };
 using NodeMotion = NodeMotionOf<double>;
 
-// The sum of moments in own axes and in global ones, and of forces at points of the node.
+// The sum of moments in own axes, and what forces at points of the node and moments in global axes leave: their sums, and the
+// sum of point force^T, row by row, points in own axes.
 template <class S>
 struct NodeLoadOf {
-  Vec3<S> own_moment, force, moment;
-  Mat3<S> lever;  // sum of point force^T, points in own axes
+  Vec3<S> own_moment;
+  Vec<S, 15> at_points;
 
   static constexpr int count = 18;
-  static NodeLoadOf of(const Vec<S, count>& x) {
-    return {segment<3>(x, 0), segment<3>(x, 3), segment<3>(x, 6), matrix_segment<3, 3>(x, 9)};
-  }
-  // Numbers that lie side by side are added in one loop.
+  static NodeLoadOf of(const Vec<S, count>& x) { return {segment<3>(x, 0), segment<15>(x, 3)}; }
+  Vec3<S> force() const { return segment<3>(at_points, 0); }
+  Vec3<S> moment() const { return segment<3>(at_points, 3); }
   void add(const Vec3<S>& point, const Vec3<S>& f, const Vec3<S>& m) {
-    const auto change = joined(f, m, matrix_of<3, 3>([&](int i, int j) { return point[i] * f[j]; }));
-    S* sum = reinterpret_cast<S*>(this) + 3;  // the force
-    for (int i = 0; i < 15; ++i) sum[i] += change[i];
+    at_points += joined(f, m, matrix_of<3, 3>([&](int i, int j) { return point[i] * f[j]; }));
   }
   // Moment of the forces, in own axes of this rotation; linear in it.
   Vec3<S> moment_of_forces(const Mat3<S>& rotation) const {
-    const Mat3<S> turned = lever * rotation;
+    const Mat3<S> turned = matrix_segment<3, 3>(at_points, 6) * rotation;
     return {turned(1, 2) - turned(2, 1), turned(2, 0) - turned(0, 2), turned(0, 1) - turned(1, 0)};
   }
 };
