@@ -69,6 +69,7 @@ void predict_motion(std::size_t n, const Prediction& scheme, double* __restrict 
 
 bool SecondOrderSolver::newmark() const { return settings().timeIntegration.generalizedAlpha.useNewmark; }
 
+double SecondOrderSolver::row_scale() const { return newmark_beta * it.currentStepSize * it.currentStepSize; }
 double SecondOrderSolver::beta_prime() const {
   const double h = it.currentStepSize;
   return (1 - alpha_m) / (h * h * newmark_beta * (1 - alpha_f));
@@ -188,7 +189,7 @@ void SecondOrderSolver::reset_to_start_of_step() {
 template <class S>
 S SecondOrderSolver::scale_residual(std::vector<S>& residual) const {
   const S norm = norm_of(residual);
-  const double scale = newmark_beta * it.currentStepSize * it.currentStepSize;
+  const double scale = row_scale();
   each_number(static_cast<std::size_t>(sizes_.ode2), [=, r = residual.data()](std::size_t i) { r[i] *= scale; });
   return norm;
 }
@@ -213,7 +214,7 @@ void SecondOrderSolver::predict() {
 
 void SecondOrderSolver::correct() {
   State& now = current();
-  const double scale = newmark_beta * it.currentStepSize * it.currentStepSize;
+  const double scale = row_scale();
   if (lie_) {
     previous_q_ = now.q;
     for (std::size_t i = 0; i < increment_of_q_.size(); ++i) increment_of_q_[i] = -increment_[i];
@@ -255,8 +256,8 @@ void SecondOrderSolver::correct() {
 void SecondOrderSolver::finalize_newton() { add(algorithmic_, (1 - alpha_f) / (1 - alpha_m), current().a); }
 
 Weights SecondOrderSolver::jacobian_weights() const {
-  const double h = it.currentStepSize, scale = newmark_beta * h * h;
-  return {.q = scale, .v = scale * gamma_prime(), .a = scale * beta_prime(), .y = 1, .y_t = 2 / h};
+  const double scale = row_scale();
+  return {.q = scale, .v = scale * gamma_prime(), .a = scale * beta_prime(), .y = 1, .y_t = 2 / it.currentStepSize};
 }
 
 Conditions SecondOrderSolver::jacobian_conditions(bool momentary) const {
@@ -268,7 +269,7 @@ Conditions SecondOrderSolver::jacobian_conditions(bool momentary) const {
 }
 
 [[gnu::flatten]] void SecondOrderSolver::compute_jacobian() {
-  const double scale = newmark_beta * it.currentStepSize * it.currentStepSize;
+  const double scale = row_scale();
   const Conditions conditions = jacobian_conditions(full_newton_);
   if (full_newton_) {
     evaluate_jacobian(current(), conditions, jacobian_weights());
@@ -328,7 +329,7 @@ void SecondOrderSolver::apply_tangent_operator() {
 // weights of the ODE2 coordinates are scaled for that, which leaves constraints alone; the rest is set right here.
 template <class S>
 void SecondOrderSolver::scale_jacobian(std::vector<S>& values) const {
-  const double scale = newmark_beta * it.currentStepSize * it.currentStepSize;
+  const double scale = row_scale();
   const int n = sizes_.ode2, first_ae = sizes_.first_ae(), size = sizes_.total();
   const auto multiply = [&](std::size_t begin, std::size_t end, double factor) {
     for (std::size_t k = begin; k < end; ++k) values[k] *= factor;
