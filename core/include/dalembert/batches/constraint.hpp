@@ -103,7 +103,7 @@ class ConstraintBatch final : public Term {
       }
       if constexpr (TabulatedJoint<K>)
         if (!evaluation.rate_level && weights.q != 0 && in_closed_form(e, ports)) {
-          in_widest_registers([&] { closed_form(e, evaluation, weights, ports, gap_slots, values); });
+          in_wide_registers([&] { closed_form(e, evaluation, weights, ports, gap_slots, values); });
           continue;
         }
       const Context c = Context::of(evaluation, e.item);

@@ -67,7 +67,7 @@ void each_group(std::size_t begin, std::size_t end, const F& f) {
       if (numbers_in_register() == 8) return run_in_widest_registers([&] { each_group_of<8>(begin, end, f); });
       return run_in_wide_registers([&] { each_group_of<4>(begin, end, f); });
     }
-  in_widest_registers([&] {
+  in_wide_registers([&] {
     for (std::size_t i = begin; i < end; ++i) f(Group<1>{i, 1});
   });
 }

@@ -69,7 +69,7 @@ class TurningBodyBatch final : public ElementBatch<E, Record> {
   }
   void tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports, double* values) const override {
     const int* slot = this->slots.data();
-    in_widest_registers([&] {
+    in_wide_registers([&] {
       for (const Entry& e : entries_) {
         const NodeMotion& m = ports.node_motions[e.node];
         const Vec3<double> acceleration = evaluation.inertia ? load<double, 3>(evaluation.a + e.dofs[0]) : Vec3<double>{};

@@ -60,7 +60,7 @@ class TurningMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeOf
   void evaluate(const Evaluation& evaluation, Ports& ports) const override {
     if (apart()) return Base::evaluate(evaluation, ports);
     if constexpr (Shape::values > 0)
-      in_widest_registers([&] {
+      in_wide_registers([&] {
         for (const Entry& e : entries_) {
           const NodeMotion& m = ports.node_motions[static_cast<std::size_t>(e.node)];
           auto& frame = *reinterpret_cast<typename Shape::template Frame<double>*>(ports.values.data() + e.port.value);
@@ -75,7 +75,7 @@ class TurningMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeOf
   }
   void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const override {
     if (apart()) return Base::evaluate_tangent(evaluation, weights, ports);
-    in_widest_registers([&] {
+    in_wide_registers([&] {
       for (const Entry& e : entries_) {
         const RotationTangent<turns>& rotation = ports.template rotation<turns>(e.node);
         const Vec3<double>& point = Shape::point(e.parameters, e.local);
@@ -87,7 +87,7 @@ class TurningMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeOf
   }
   void pull_back(const Evaluation& evaluation, Ports& ports, double* r) const override {
     if (apart()) return Base::pull_back(evaluation, ports, r);
-    in_widest_registers([&] {
+    in_wide_registers([&] {
       for (const Entry& e : entries_) {
         const double* f = ports.forces.data() + e.port.force;
         const Vec3<double>& point = Shape::point(e.parameters, e.local);

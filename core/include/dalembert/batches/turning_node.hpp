@@ -55,7 +55,7 @@ class TurningNodeBatch final : public RotatingNodeBatch {
     });
   }
   void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const override {
-    in_widest_registers([&] {
+    in_wide_registers([&] {
       for (const Entry& e : entries_)
         ports.template rotation<turns>(e.node) = Node::rotation_tangent(gather<n>(evaluation, e.dofs.data()), weights);
     });
@@ -74,7 +74,7 @@ class TurningNodeBatch final : public RotatingNodeBatch {
   }
   void geometric(const Evaluation& evaluation, const Weights& weights, Ports& ports, double* values) const override {
     SlotCursor slot(slots.data(), values);
-    in_widest_registers([&] {
+    in_wide_registers([&] {
       for (const Entry& e : entries_) {
         const auto x = gather<n>(evaluation, e.dofs.data());
         const auto k = load_tangent<Node>(ports.node_loads[e.node], x, ports.template rotation<turns>(e.node), weights);

@@ -24,7 +24,7 @@ inline LaneVector* vectors(std::vector<LaneBlock>& blocks) { return reinterpret_
 // Runs a loop over such vectors in the widest registers. Products and sums of one expression are fused, if the processor can.
 template <class Loop>
 void in_block_registers(const Loop& loop) {
-  numbers_in_register() == block_lanes ? run_in_widest_registers(loop) : in_widest_registers(loop);
+  numbers_in_register() == block_lanes ? run_in_widest_registers(loop) : in_wide_registers(loop);
 }
 
 }  // namespace dalembert

@@ -42,7 +42,7 @@ inline int numbers_in_register() {
 }
 
 template <class Loop>
-void in_widest_registers(const Loop& loop) {
+void in_wide_registers(const Loop& loop) {
   numbers_in_register() > 2 ? run_in_wide_registers(loop) : run_in_any_registers(loop);
 }
 
