@@ -1,17 +1,21 @@
 """Print what threads gain: python threads.py [--threads N].
 
 Evaluations of large models by one thread and by several (parallel.numberOfThreads), in turn, and the least times of all
-repetitions. Results are compared bit for bit.
+repetitions. Results are compared bit for bit. The last line is the yardstick for what caches do not hold: numbers in
+memory that each thread reads and writes.
 """
 
 from __future__ import annotations
 
 import argparse
 import os
+import time
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 import models
+import numpy as np
 from models import Job, Package
 
 # What the solver calls its parts.
@@ -48,6 +52,34 @@ def measured(package: Package, model: Model, threads: int) -> tuple[list[float],
     return [getattr(job.timer(), part) for _, part in model.parts], job.result()
 
 
+MEGABYTES = 60  # beyond the caches
+
+
+def memory_times(threads: int, repeat: int) -> tuple[float, float]:
+    """Return the seconds in which one thread, and several, read and write so many megabytes per thread."""
+    lists = [np.ones(MEGABYTES * 2**20 // 8) for _ in range(threads)]
+
+    def pass_over(numbers: np.ndarray) -> None:
+        np.multiply(numbers, 1 + 1e-9, out=numbers)  # without the interpreter's lock
+
+    def seconds(run: Callable[[], object]) -> float:
+        start = time.perf_counter()
+        run()
+        return time.perf_counter() - start
+
+    with ThreadPoolExecutor(threads) as pool:
+        times = [
+            (seconds(lambda: [pass_over(x) for x in lists]), seconds(lambda: list(pool.map(pass_over, lists))))
+            for _ in range(repeat)
+        ]
+    return min(one for one, _ in times), min(more for _, more in times)
+
+
+def print_line(title: str, one: float, more: float) -> None:
+    """Print one line of the table, from seconds."""
+    print(f"{title:58s}{1e3 * one:10.1f}{1e3 * more:12.1f}{one / more:8.2f}", flush=True)
+
+
 def main() -> None:
     """Measure all models and print the table as it grows."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -69,8 +101,8 @@ def main() -> None:
         for (part, _), one, more in zip(
             model.parts, *([min(column) for column in zip(*runs, strict=True)] for runs in times.values()), strict=True
         ):
-            title = f"{model.title}, {part}"
-            print(f"{title:58s}{1e3 * one:10.1f}{1e3 * more:12.1f}{one / more:8.2f}", flush=True)
+            print_line(f"{model.title}, {part}", one, more)
+    print_line(f"{MEGABYTES} MB per thread in memory, read and written", *memory_times(arguments.threads, 20))
 
 
 if __name__ == "__main__":
