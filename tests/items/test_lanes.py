@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
-import sys
 from typing import Any
 
 import numpy as np
 import pytest
+from registers import numbers_in_all_registers, run_with_instructions
 
 import dalembert as exu
 from dalembert._core import testing
@@ -121,17 +119,9 @@ for parts in (equations(cables([LAW] * 15), q, v, a), *(equations_of_chain(count
 """
 
 
-def run_with_instructions(name: str) -> subprocess.CompletedProcess[str]:
-    environment = os.environ | {"DALEMBERT_INSTRUCTIONS": name, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
-    return subprocess.run([sys.executable, "-c", EQUATIONS], capture_output=True, text=True, env=environment)
-
-
 def test_registers_do_not_change_results() -> None:
     """Forces and derivatives are the same in registers of any width, but for rounding."""
-    results = []
-    for name in ("portable", "avx2", "avx512"):
-        lines = run_with_instructions(name).stdout.splitlines()
-        results.append([np.array([float.fromhex(x) for x in line.split()]) for line in lines])
+    results = numbers_in_all_registers(EQUATIONS)
     for others in results[1:]:
         for values, expected in zip(others, results[0], strict=True):
             assert difference(values, expected) < ROUNDING
@@ -140,6 +130,6 @@ def test_registers_do_not_change_results() -> None:
 
 
 def test_unknown_instructions_are_refused() -> None:
-    run = run_with_instructions("sse9")
+    run = run_with_instructions(EQUATIONS, "sse9")
     assert run.returncode != 0
     assert "DALEMBERT_INSTRUCTIONS: received 'sse9'; expected portable, avx2 or avx512" in run.stderr

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
-import sys
 from typing import Any
 
 import numpy as np
 import pytest
+from registers import numbers_in_all_registers
 
 import dalembert as exu
 from dalembert._core import testing
@@ -142,23 +140,13 @@ def test_points_that_coincide() -> None:
 
 FORCES = """
 from test_lawful_springs import law, motion, residual, star
-for value in residual(star([law(i) for i in range(21)]), *motion(21)).ravel():
-    print(value.hex())
+print(*(value.hex() for value in residual(star([law(i) for i in range(21)]), *motion(21)).ravel()))
 """
 
 
 def test_registers_do_not_change_results() -> None:
     """The forces are the same in registers of any width, but for rounding."""
-    results = []
-    for name in ("portable", "avx2", "avx512"):
-        environment = os.environ | {
-            "DALEMBERT_INSTRUCTIONS": name,
-            "PYTHONPATH": os.pathsep.join(filter(None, sys.path)),
-        }
-        run = subprocess.run(
-            [sys.executable, "-c", FORCES], capture_output=True, text=True, env=environment, check=True
-        )
-        results.append(np.array([float.fromhex(x) for x in run.stdout.split()]))
-    assert results[0].size == 66
-    for others in results[1:]:
-        assert agree(others, results[0])
+    [portable], *others = numbers_in_all_registers(FORCES)
+    assert portable.size == 66
+    for [forces] in others:
+        assert agree(forces, portable)

@@ -167,6 +167,7 @@ void Model::rename(ItemKind kind, int number, std::string name) {
 void Model::clear() {
   for (auto& list : items_) list.clear();
   for (auto& names : numbers_) names.clear();
+  for (auto& titles : titles_) titles.clear();
   changes_.clear();
   load_dependencies_.clear();
   ++structure_changes_;

@@ -165,24 +165,13 @@ void ExplicitSolver::increase_step_size() {
 
 void ExplicitSolver::save_start_of_step() {
   first_stage_known_ = false;
-  if (verlet_ && nobody_interferes_) return save_all_but_motion();
+  if (verlet_ && nobody_interferes_) return save_all_but_motion();  // which the step begins with
   Solver::save_start_of_step();
   if (!end_known_ || verlet_) return;
   std::swap(stage_v_[0], end_a_);
   std::swap(stage_y_[0], end_y_t_);
   first_stage_known_ = true;
   end_known_ = false;
-}
-
-// The step begins with what is left.
-void ExplicitSolver::save_all_but_motion() {
-  const State& now = current();
-  State& start = start_of_step();
-  start.y = now.y;
-  start.y_t = now.y_t;
-  start.lambda = now.lambda;
-  start.data = now.data;
-  start.time = now.time;
 }
 
 bool ExplicitSolver::newton() {

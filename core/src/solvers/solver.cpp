@@ -14,18 +14,8 @@ namespace dalembert {
 
 namespace {
 
-// In place: one has been assigned to the other before, so their vectors are of the same sizes.
-void copy(const State& from, State& to) {
-  const auto take = [](const std::vector<double>& x, std::vector<double>& y) { copy_numbers(x.data(), x.size(), y.data()); };
-  take(from.q, to.q);
-  take(from.v, to.v);
-  take(from.a, to.a);
-  take(from.y, to.y);
-  take(from.y_t, to.y_t);
-  take(from.lambda, to.lambda);
-  take(from.data, to.data);
-  to.time = from.time;
-}
+// In place: one state has been assigned to the other before, so their vectors are of the same sizes.
+void take(const std::vector<double>& from, std::vector<double>& to) { copy_numbers(from.data(), from.size(), to.data()); }
 
 }  // namespace
 
@@ -189,7 +179,24 @@ void Solver::initial_conditions() {
   return output.finishedSuccessfully;
 }
 
-void Solver::save_start_of_step() { copy(current(), start_of_step()); }
+void Solver::save_start_of_step() {
+  const State& now = current();
+  State& start = start_of_step();
+  take(now.q, start.q);
+  take(now.v, start.v);
+  take(now.a, start.a);
+  save_all_but_motion();
+}
+
+void Solver::save_all_but_motion() {
+  const State& now = current();
+  State& start = start_of_step();
+  take(now.y, start.y);
+  take(now.y_t, start.y_t);
+  take(now.lambda, start.lambda);
+  take(now.data, start.data);
+  start.time = now.time;
+}
 
 // False: there is none, or the solver was stopped.
 bool Solver::next_step() {

@@ -120,11 +120,12 @@ class Flagged {
   bool& flag_;
 };
 
-[[gnu::always_inline]] inline void add_residual(SystemParts& parts, const Evaluation& e, double* r, bool loads = true) {
+[[gnu::always_inline]] inline void find_residual(SystemParts& parts, const Evaluation& e, double* r, bool loads = true) {
   const Flagged evaluating(parts.evaluating);
   parts.evaluate_resting(e);
   parts.each_share([&parts, load_factor = e.load_factor, r, loads](const Share& share) {
     if (const std::vector<double>& constant = parts.plan.constant.residual; loads && !constant.empty()) share.scale(load_factor, constant, r);
+    else share.clear(std::span(r, static_cast<std::size_t>(parts.sizes.total())));
     share.clear(std::span(parts.ports.forces));
     share.clear(std::span(parts.ports.node_loads));
   });
@@ -143,8 +144,8 @@ class Flagged {
 }
 
 // For those who do it now and then.
-[[gnu::noinline]] void add_residual_to_work(SystemParts& parts, const Evaluation& e, bool loads) {
-  add_residual(parts, e, parts.work.data(), loads);
+[[gnu::noinline]] void find_residual_in_work(SystemParts& parts, const Evaluation& e, bool loads) {
+  find_residual(parts, e, parts.work.data(), loads);
 }
 
 }  // namespace
@@ -152,7 +153,7 @@ class Flagged {
 void System::residual(const State& state, const Conditions& conditions, std::span<double> r) {
   ++evaluations_;
   evaluated_ = nullptr;
-  add_residual(*parts_, begin_evaluation(*parts_, state, conditions, r), r.data(), conditions.loads);
+  find_residual(*parts_, begin_evaluation(*parts_, state, conditions, {}), r.data(), conditions.loads);
   evaluated_ = &state;
 }
 
@@ -162,7 +163,7 @@ void System::tangent(const State& state, const Conditions& conditions, const Wei
   parts.bind(pattern);
   Evaluation e = begin_evaluation(parts, state, conditions, values);
   if (!conditions.follows_residual || evaluated_ != &state) {
-    add_residual_to_work(parts, e, conditions.loads);  // the forces on markers, for the geometric part
+    find_residual_in_work(parts, e, conditions.loads);  // the forces on markers, for the geometric part
     evaluated_ = nullptr;
   }
   e.same_state = true;
@@ -208,10 +209,10 @@ void System::right_hand_sides(const State& state, const Conditions& conditions, 
   ++evaluations_;
   SystemParts& parts = *parts_;
   const std::span<double> residual(parts.work.data(), static_cast<std::size_t>(sizes_.total()));
-  Evaluation e = begin_evaluation(parts, state, conditions, residual);
+  Evaluation e = begin_evaluation(parts, state, conditions, {});
   e.inertia = false;
   e.lambda = residual.data() + residual.size();  // zeros
-  add_residual(parts, e, residual.data());
+  find_residual(parts, e, residual.data());
   parts.each_share([rhs, residual](const Share& share) {
     const auto [begin, end] = share.of(rhs.size());
     each_number(end - begin, [to = rhs.data() + begin, from = residual.data() + begin](std::size_t i) { to[i] = -from[i]; });
@@ -222,8 +223,7 @@ void System::right_hand_sides(const State& state, const Conditions& conditions, 
 void System::gaps(const State& state, const Conditions& conditions, std::span<double> g) {
   evaluated_ = nullptr;
   SystemParts& parts = *parts_;
-  std::fill(parts.work.begin(), parts.work.begin() + sizes_.total(), 0.0);
-  add_residual_to_work(parts, parts.evaluation(state, conditions), true);
+  find_residual_in_work(parts, parts.evaluation(state, conditions), true);
   for (int i = 0; i < sizes_.ae; ++i) g[i] = parts.work[sizes_.first_ae() + i];
 }
 

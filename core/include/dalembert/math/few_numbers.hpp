@@ -15,10 +15,9 @@ constexpr std::size_t few_numbers = 8;
 // Keeps the compiler from turning the loop around it into another one.
 [[gnu::always_inline]] inline void keep_loop() { asm volatile(""); }
 
-// Calls f(i) for all i below `count`, in any order: no result of one call is read by another, and what f holds is copied.
-// Few of them are spelt out, as a jump takes as long as several numbers do.
+// Calls f(i) for all i below `count`, which is few, in any order. They are spelt out, as a jump takes as long as several numbers do.
 template <class F>
-[[gnu::always_inline]] inline void each_number(std::size_t count, F&& f) {
+[[gnu::always_inline]] inline void each_of_few(std::size_t count, F&& f) {
   static_assert(few_numbers == 8);
   switch (count) {
     case 8: f(7); [[fallthrough]];
@@ -29,9 +28,14 @@ template <class F>
     case 3: f(2); [[fallthrough]];
     case 2: f(1); [[fallthrough]];
     case 1: f(0); [[fallthrough]];
-    case 0: return;
     default: break;
   }
+}
+
+// Calls f(i) for all i below `count`, in any order: no result of one call is read by another, and what f holds is copied.
+template <class F>
+[[gnu::always_inline]] inline void each_number(std::size_t count, F&& f) {
+  if (count <= few_numbers) return each_of_few(count, f);
   in_registers_of_four([f, count] {
 #pragma GCC ivdep
     for (std::size_t i = 0; i < count; ++i) f(i);

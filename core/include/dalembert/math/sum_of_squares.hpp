@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 
+#include "dalembert/math/few_numbers.hpp"
 #include "dalembert/math/wide_registers.hpp"
 
 namespace dalembert {
@@ -23,19 +24,8 @@ S sum_of_squares(std::span<const S> x) {
     });
     sums = of_whole;
   }
-  // Spelt out, so that the sums stay in registers: most systems have few numbers.
-  const S* const rest = x.data() + whole;
-  const auto add = [&](std::size_t k) { sums[k] += rest[k] * rest[k]; };
-  switch (x.size() - whole) {
-    case 7: add(6); [[fallthrough]];
-    case 6: add(5); [[fallthrough]];
-    case 5: add(4); [[fallthrough]];
-    case 4: add(3); [[fallthrough]];
-    case 3: add(2); [[fallthrough]];
-    case 2: add(1); [[fallthrough]];
-    case 1: add(0); [[fallthrough]];
-    default: break;
-  }
+  const S* const rest = x.data() + whole;  // all of most systems: the sums stay in registers
+  each_of_few(x.size() - whole, [&](std::size_t k) { sums[k] += rest[k] * rest[k]; });
   return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
 }
 

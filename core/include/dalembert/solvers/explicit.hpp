@@ -35,7 +35,6 @@ class ExplicitSolver : public Solver {
  private:
   using Vector = std::vector<double>;
 
-  void save_all_but_motion();
   void runge_kutta_step();
   void verlet_step();
   void compute_stage(int stage);

@@ -102,6 +102,7 @@ class Solver {
   // Sets back what a discontinuous iteration has moved: everything except data.
   virtual void reset_to_start_of_step();
   virtual void save_start_of_step();
+  void save_all_but_motion();  // q, v and a are left to the caller
   // What a restart needs besides the state.
   virtual std::span<const double> restart_values() const { return {}; }
   // Whether the user has replaced a part of a step, which may change what the solver does.
