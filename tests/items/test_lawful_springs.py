@@ -128,6 +128,19 @@ def test_laws_that_change() -> None:
     assert agree(residual(mbs, q, v), expected(laws, points, v))
 
 
+def test_alike_until_one_changes() -> None:
+    """Springs in groups that repeat share their numbers; who changes leaves the others as they are."""
+    laws = [law(i % 4) for i in range(37)]
+    mbs = star(laws)
+    q, v = motion(37)
+    points = reference(mbs) + q
+    first_spring = 38  # after the mass points
+    for i in (9, 9, 25, 36, 0):
+        laws[i] = {**laws[i], "stiffness": 2 * laws[i]["stiffness"]}
+        mbs.SetObjectParameter(first_spring + i, "stiffness", laws[i]["stiffness"])
+        assert agree(residual(mbs, q, v), expected(laws, points, v))
+
+
 def test_points_that_coincide() -> None:
     """There is no line between them, and no force; the others pull as before."""
     laws = [law(i) for i in range(5)]

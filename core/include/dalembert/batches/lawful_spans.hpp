@@ -8,9 +8,9 @@
 #include <type_traits>
 #include <vector>
 
+#include "dalembert/batches/shared_blocks.hpp"
 #include "dalembert/contracts/span_forces.hpp"
 #include "dalembert/frames.hpp"
-#include "dalembert/math/lane_block.hpp"
 #include "dalembert/math/lanes.hpp"
 #include "dalembert/system/ports.hpp"
 
@@ -26,7 +26,10 @@ class LawfulSpans {
   void reserve(std::size_t entries) { blocks_.reserve((entries + block_lanes - 1) / block_lanes); }
   void add(const std::array<PortOffsets, 2>& ports) {
     const int lane = static_cast<int>(count_++ % block_lanes);
-    if (lane == 0) blocks_.emplace_back();
+    if (lane == 0) {
+      if (!blocks_.empty()) laws_.share(blocks_.back().law);
+      blocks_.emplace_back().law = laws_.add();
+    }
     for (int m = 0; m < 2; ++m) {  // lanes that no entry follows add their nothing to the last one
       std::fill(blocks_.back().values[m].begin() + lane, blocks_.back().values[m].end(), ports[m].value);
       std::fill(blocks_.back().forces[m].begin() + lane, blocks_.back().forces[m].end(), ports[m].force);
@@ -47,7 +50,7 @@ class LawfulSpans {
   void add_forces(const double* values, double* forces) const {
     in_lanes<4>([&]<int L>() {
       for (const Block& block : blocks_)
-        for (int first = 0; first < block_lanes; first += L) add_some<L>(block, first, values, forces);
+        for (int first = 0; first < block_lanes; first += L) add_some<L>(laws_[block.law], block, first, values, forces);
     });
   }
 
@@ -55,21 +58,22 @@ class LawfulSpans {
   static_assert(std::is_same_v<typename K::Port, PointPort>, "a frame is taken as the six numbers of a point");
   static constexpr int law_size = sizeof(Law) / sizeof(double);
 
+  using LawBlocks = typename SharedBlocks<law_size>::Blocks;
   struct Block {
-    std::array<LaneBlock, law_size> law{};
+    int law = -1;  // place
     std::array<std::array<int, block_lanes>, 2> values{}, forces{};  // offsets, by marker
   };
 
   void place(int entry, const Law& law) {
     const auto* numbers = reinterpret_cast<const double*>(&law);
-    Block& block = blocks_[static_cast<std::size_t>(entry) / block_lanes];
-    for (int i = 0; i < law_size; ++i) block.law[i][entry % block_lanes] = numbers[i];
+    auto& block = laws_.own(blocks_[static_cast<std::size_t>(entry) / block_lanes].law);
+    for (int i = 0; i < law_size; ++i) block[i][entry % block_lanes] = numbers[i];
   }
 
   template <int L>
-  static void add_some(const Block& block, int first, const double* values, double* forces) {
+  static void add_some(const LawBlocks& laws, const Block& block, int first, const double* values, double* forces) {
     typename K::template Law<Lanes<L>> law;
-    for (int i = 0; i < law_size; ++i) reinterpret_cast<Lanes<L>*>(&law)[i] = Lanes<L>::of_place(block.law[i].x + first);
+    for (int i = 0; i < law_size; ++i) reinterpret_cast<Lanes<L>*>(&law)[i] = Lanes<L>::of_place(laws[i].x + first);
     const auto differences = [&](int number) {  // of four numbers of the frames
       return columns_of<L>([&](int lane) -> FourNumbers {
         const auto frame = [&](int m) { return four_numbers(values + block.values[m][first + lane] + number); };
@@ -86,6 +90,7 @@ class LawfulSpans {
   }
 
   std::vector<Block> blocks_;
+  SharedBlocks<law_size> laws_;
   std::size_t count_ = 0;
   std::set<int> lawless_;
 };

@@ -1,0 +1,68 @@
+// Blocks of numbers, of which equal ones are kept once: machines are made of parts that repeat, and what repeats stays in caches.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "dalembert/math/lane_block.hpp"
+
+namespace dalembert {
+
+template <int Count>
+class SharedBlocks {
+ public:
+  using Blocks = std::array<LaneBlock, Count>;
+
+  const Blocks& operator[](int place) const { return kept_[static_cast<std::size_t>(place)].blocks; }
+
+  // The place of new blocks, all zeros, with one user.
+  int add() { return add({}); }
+
+  // To be changed by one of its users: if there are others, it moves to a copy of its own.
+  Blocks& own(int& place) {
+    if (kept(place).users > 1) {
+      --kept(place).users;
+      place = add(Blocks(kept(place).blocks));
+    }
+    return kept(place).blocks;
+  }
+  // Its one user moves to equal ones that have been shared before, if there are any, and is followed by others otherwise.
+  void share(int& place) {
+    const int known = places_.try_emplace(std::hash<std::string_view>()(bytes(place)), place).first->second;
+    if (known == place || kept(known).users == 0 || bytes(known) != bytes(place)) return;  // which others have left, or changed
+    kept(place).users = 0;
+    free_.push_back(place);
+    place = known;
+    ++kept(place).users;
+  }
+
+ private:
+  struct Kept {
+    Blocks blocks;
+    int users;
+  };
+
+  Kept& kept(int place) { return kept_[static_cast<std::size_t>(place)]; }
+  std::string_view bytes(int place) { return {reinterpret_cast<const char*>(&kept(place).blocks), sizeof(Blocks)}; }
+
+  int add(const Blocks& blocks) {
+    if (free_.empty()) {
+      kept_.push_back({blocks, 1});
+      return static_cast<int>(kept_.size()) - 1;
+    }
+    const int place = free_.back();
+    free_.pop_back();
+    kept(place) = {blocks, 1};
+    return place;
+  }
+
+  std::vector<Kept> kept_;
+  std::vector<int> free_;
+  std::unordered_map<std::size_t, int> places_;  // by the hash of what was shared there
+};
+
+}  // namespace dalembert
