@@ -92,7 +92,7 @@ class PortsFor {
 
  private:
   SystemParts& parts_;
-  Values kept_;
+  AlignedVector<double> kept_;
 };
 
 // Consecutive coordinates; the few of most nodes need no heap.

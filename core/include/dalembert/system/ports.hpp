@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dalembert/contracts/rotating_node.hpp"
+#include "dalembert/math/aligned_vector.hpp"
 
 namespace dalembert {
 
@@ -49,7 +50,7 @@ class PortsOf : public PortTable {
   explicit PortsOf(const PortsOf<T>& from)
       : PortTable(from), values(from.values.begin(), from.values.end()), forces(from.forces.size()) {}
 
-  std::vector<S> values, forces;
+  AlignedVector<S> values, forces;
   std::vector<S> derivatives, jacobians;   // empty before `differentiate`
 
   // Make room for derivatives and Jacobians: evaluations without a tangent do without.
