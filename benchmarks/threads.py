@@ -1,13 +1,14 @@
 """Print what threads gain: python threads.py [--threads N].
 
 Evaluations of large models by one thread and by several (parallel.numberOfThreads), in turn, and the least times of all
-repetitions. Results are compared bit for bit. The last line is the yardstick for what caches do not hold: numbers in
-memory that each thread reads and writes.
+repetitions. Results are compared bit for bit. The last lines are yardsticks: what the machine gives to threads that
+have nothing in common but its caches and its memory.
 """
 
 from __future__ import annotations
 
 import argparse
+import hashlib
 import os
 import time
 from collections.abc import Callable
@@ -36,10 +37,10 @@ class Model:
 
 
 MODELS = (
-    Model("net of 10 000 points, velocity Verlet", lambda p: models.grid(p, 100, 150, "VelocityVerlet"), (RHS,)),
-    Model("net of 10 000 points, implicit", lambda p: models.grid(p, 100, 3, "GeneralizedAlpha"), (RESIDUAL, TANGENT)),
-    Model("chain of 10 000 rigid bodies, implicit", lambda p: models.chain(p, 10_000, 2), (RESIDUAL, TANGENT)),
-    Model("cable of 10 000 ANCF elements, implicit", lambda p: models.cable(p, 10_000, 10), (RESIDUAL, TANGENT)),
+    Model("net of 10 000 points, velocity Verlet", lambda p: models.grid(p, 100, 300, "VelocityVerlet"), (RHS,)),
+    Model("net of 10 000 points, implicit", lambda p: models.grid(p, 100, 20, "GeneralizedAlpha"), (RESIDUAL, TANGENT)),
+    Model("chain of 10 000 rigid bodies, implicit", lambda p: models.chain(p, 10_000, 20), (RESIDUAL, TANGENT)),
+    Model("cable of 10 000 ANCF elements, implicit", lambda p: models.cable(p, 10_000, 20), (RESIDUAL, TANGENT)),
 )
 
 
@@ -55,12 +56,8 @@ def measured(package: Package, model: Model, threads: int) -> tuple[list[float],
 MEGABYTES = 60  # beyond the caches
 
 
-def memory_times(threads: int, repeat: int) -> tuple[float, float]:
-    """Return the seconds in which one thread, and several, read and write so many megabytes per thread."""
-    lists = [np.ones(MEGABYTES * 2**20 // 8) for _ in range(threads)]
-
-    def pass_over(numbers: np.ndarray) -> None:
-        np.multiply(numbers, 1 + 1e-9, out=numbers)  # without the interpreter's lock
+def yardstick_times(work: Callable[[int], object], threads: int, repeat: int) -> tuple[float, float]:
+    """Return the least seconds in which one thread, and several, do `work(i)` for as many i as there are threads."""
 
     def seconds(run: Callable[[], object]) -> float:
         start = time.perf_counter()
@@ -69,10 +66,24 @@ def memory_times(threads: int, repeat: int) -> tuple[float, float]:
 
     with ThreadPoolExecutor(threads) as pool:
         times = [
-            (seconds(lambda: [pass_over(x) for x in lists]), seconds(lambda: list(pool.map(pass_over, lists))))
+            (seconds(lambda: [work(i) for i in range(threads)]), seconds(lambda: list(pool.map(work, range(threads)))))
             for _ in range(repeat)
         ]
     return min(one for one, _ in times), min(more for _, more in times)
+
+
+def print_yardsticks(threads: int) -> None:
+    """Print what threads gain that share nothing: neither function holds the interpreter's lock."""
+    lists = [np.ones(MEGABYTES * 2**20 // 8) for _ in range(threads)]
+
+    def scale(i: int) -> None:
+        np.multiply(lists[i], 1 + 1e-9, out=lists[i])
+
+    def digest(i: int) -> bytes:
+        return hashlib.sha256(lists[i][: 2**20]).digest()
+
+    print_line("arithmetic alone, SHA-256 of 8 MB per thread", *yardstick_times(digest, threads, 20))
+    print_line(f"{MEGABYTES} MB per thread in memory, read and written", *yardstick_times(scale, threads, 20))
 
 
 def print_line(title: str, one: float, more: float) -> None:
@@ -102,7 +113,7 @@ def main() -> None:
             model.parts, *([min(column) for column in zip(*runs, strict=True)] for runs in times.values()), strict=True
         ):
             print_line(f"{model.title}, {part}", one, more)
-    print_line(f"{MEGABYTES} MB per thread in memory, read and written", *memory_times(arguments.threads, 20))
+    print_yardsticks(arguments.threads)
 
 
 if __name__ == "__main__":

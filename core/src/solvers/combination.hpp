@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "dalembert/math/few_numbers.hpp"
+#include "dalembert/system/large_vectors.hpp"
 
 namespace dalembert {
 
@@ -17,10 +17,10 @@ struct WeightedVector {
 };
 
 template <std::size_t N>
-void add_weighted(double* sum, const double* base, const WeightedVector* terms, std::size_t size) {
+void add_weighted(const System& system, double* sum, const double* base, const WeightedVector* terms, std::size_t size) {
   std::array<WeightedVector, N> t;
   std::copy_n(terms, N, t.begin());
-  each_number(size, [=](std::size_t i) {
+  each_number(system, size, [=](std::size_t i) {
     double s = base[i];
     for (std::size_t k = 0; k < N; ++k) s += t[k].factor * t[k].x[i];
     sum[i] = s;
@@ -28,17 +28,17 @@ void add_weighted(double* sum, const double* base, const WeightedVector* terms, 
 }
 
 // sum = base + all terms, none of which is `sum`.
-inline void combine(std::vector<double>& sum, const std::vector<double>& base, std::span<const WeightedVector> terms) {
+inline void combine(const System& system, std::vector<double>& sum, const std::vector<double>& base, std::span<const WeightedVector> terms) {
   const std::size_t n = sum.size();
   const double* from = base.data();
   do {
     const std::size_t count = std::min<std::size_t>(terms.size(), 4);
     switch (count) {
-      case 0: copy_numbers(from, n, sum.data()); break;
-      case 1: add_weighted<1>(sum.data(), from, terms.data(), n); break;
-      case 2: add_weighted<2>(sum.data(), from, terms.data(), n); break;
-      case 3: add_weighted<3>(sum.data(), from, terms.data(), n); break;
-      default: add_weighted<4>(sum.data(), from, terms.data(), n); break;
+      case 0: copy_numbers(system, from, n, sum.data()); break;
+      case 1: add_weighted<1>(system, sum.data(), from, terms.data(), n); break;
+      case 2: add_weighted<2>(system, sum.data(), from, terms.data(), n); break;
+      case 3: add_weighted<3>(system, sum.data(), from, terms.data(), n); break;
+      default: add_weighted<4>(system, sum.data(), from, terms.data(), n); break;
     }
     from = sum.data();
     terms = terms.subspan(count);

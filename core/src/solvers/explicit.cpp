@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dalembert/math/few_numbers.hpp"
 #include "dalembert/model/errors.hpp"
 #include "dalembert/output/numbers.hpp"
 #include "combination.hpp"
@@ -28,22 +27,22 @@ const char* type_name(DynamicSolverType type) {
   }
 }
 
-void add(std::vector<double>& x, double factor, const std::vector<double>& y) {
+void add(const System& system, std::vector<double>& x, double factor, const std::vector<double>& y) {
   const WeightedVector term{factor, y.data()};
-  combine(x, x, {&term, 1});
+  combine(system, x, x, {&term, 1});
 }
 // `keep(i)` comes before number i moves.
 template <class Keep>
-void kick_and_drift(State& state, double h, Keep&& keep) {
-  each_number(state.q.size(), [=, a = state.a.data(), v = state.v.data(), q = state.q.data()](std::size_t i) {
+void kick_and_drift(const System& system, State& state, double h, Keep&& keep) {
+  each_number(system, state.q.size(), [=, a = state.a.data(), v = state.v.data(), q = state.q.data()](std::size_t i) {
     keep(i);
     v[i] += 0.5 * h * a[i];
     q[i] += h * v[i];
   });
 }
 // In one pass over memory.
-void kick_and_drift_from(State& start, State& state, double h) {
-  kick_and_drift(state, h, [a = state.a.data(), v = state.v.data(), q = state.q.data(), start_a = start.a.data(), start_v = start.v.data(),
+void kick_and_drift_from(const System& system, State& start, State& state, double h) {
+  kick_and_drift(system, state, h, [a = state.a.data(), v = state.v.data(), q = state.q.data(), start_a = start.a.data(), start_v = start.v.data(),
                             start_q = start.q.data()](std::size_t i) {
     start_a[i] = a[i];
     start_v[i] = v[i];
@@ -223,7 +222,7 @@ void ExplicitSolver::compute_stage_rates(int stage) {
     if (stage == 0) first_stage_known_ = nobody_interferes_;
   }
   if (!lie_ && stage == 0) return;
-  copy_numbers(current().v.data(), stage_q_[s].size(), stage_q_[s].data());
+  copy_numbers(system(), current().v.data(), stage_q_[s].size(), stage_q_[s].data());
   if (lie_) turn_stage_rates(s);
 }
 
@@ -261,7 +260,7 @@ void ExplicitSolver::move_from_start(const StageWeights& weights, Vector& q, Vec
     if (x.empty()) return;
     if (weights.size() == 1) {
       const WeightedVector term{weights.front().weight * h, rates(weights.front().stage)};
-      return add_weighted<1>(x.data(), from.data(), &term, x.size());
+      return add_weighted<1>(system(), x.data(), from.data(), &term, x.size());
     }
     std::array<WeightedVector, RungeKuttaMethod::max_stages> terms;
     std::size_t count = 0;
@@ -269,7 +268,7 @@ void ExplicitSolver::move_from_start(const StageWeights& weights, Vector& q, Vec
       terms[count++] = {w.weight * h, rates(w.stage)};
       keep_loop();
     }
-    combine(x, from, std::span(terms.data(), count));
+    combine(system(), x, from, std::span(terms.data(), count));
   };
   const auto of_positions = [this](std::size_t stage) { return position_rates(stage); };
   advance(q, start.q, of_positions);
@@ -292,7 +291,7 @@ void ExplicitSolver::end_of_step() {
     }
   } else {
     rates(now.y_t);
-    copy_numbers(stage_v_.back().data(), now.a.size(), now.a.data());
+    copy_numbers(system(), stage_v_.back().data(), now.a.size(), now.a.data());
   }
   eliminate(now.a);
 }
@@ -302,9 +301,9 @@ void ExplicitSolver::verlet_step() {
   State& now = current();
   const double h = it.currentStepSize;
   if (nobody_interferes_) {
-    kick_and_drift_from(start_of_step(), now, h);
+    kick_and_drift_from(system(), start_of_step(), now, h);
   } else {
-    kick_and_drift(now, h, [](std::size_t) {});
+    kick_and_drift(system(), now, h, [](std::size_t) {});
   }
   if (lie_) {
     for (std::size_t i = 0; i < turn_.size(); ++i) turn_[i] = h * now.v[i];
@@ -315,9 +314,9 @@ void ExplicitSolver::verlet_step() {
   now.time = it.currentTime;
   if (!accelerations(now.a)) return;
   eliminate(now.a);
-  add(now.v, 0.5 * h, now.a);
+  add(system(), now.v, 0.5 * h, now.a);
   rates(now.y_t);
-  add(now.y, h, now.y_t);
+  add(system(), now.y, h, now.y_t);
 }
 
 void ExplicitSolver::rates(Vector& y_t) {
@@ -339,7 +338,7 @@ bool ExplicitSolver::accelerations(Vector& a, std::span<double> y_t) {
     system().right_hand_sides(current(), conditions_, a, y_t);
   }
   const TimedPart time(timer, timer.newtonIncrement);
-  mass_.solve(a);
+  mass_.solve(system(), a);
   return true;
 }
 

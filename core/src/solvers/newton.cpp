@@ -252,8 +252,8 @@ bool NewtonSolver::stagnated() const {
 bool NewtonSolver::diverged() {
   const State& now = current();
   const double limit = newton_settings.maximumSolutionNorm;
-  const double q = sum_of_squares<double>(now.q), v = is_static() ? 0 : sum_of_squares<double>(now.v),
-               lambda = sum_of_squares<double>(now.lambda);
+  const double q = sum_of_squares(system(), now.q), v = is_static() ? 0 : sum_of_squares(system(), now.v),
+               lambda = sum_of_squares(system(), now.lambda);
   return q >= limit || v >= limit || std::isnan(q) || std::isnan(v) || std::isnan(lambda);
 }
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "dalembert/math/few_numbers.hpp"
 #include "dalembert/model/errors.hpp"
 #include "dalembert/output/numbers.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
+#include "dalembert/system/large_vectors.hpp"
 #include "dalembert/system/traced_equations.hpp"
 #include "rotation_increments.hpp"
 
@@ -15,17 +15,17 @@ namespace dalembert {
 
 namespace {
 
-void add(std::vector<double>& x, double factor, const std::vector<double>& y) {
-  each_number(x.size(), [=, sum = x.data(), term = y.data()](std::size_t i) { sum[i] += factor * term[i]; });
+void add(const System& system, std::vector<double>& x, double factor, const std::vector<double>& y) {
+  each_number(system, x.size(), [=, sum = x.data(), term = y.data()](std::size_t i) { sum[i] += factor * term[i]; });
 }
-void subtract(std::vector<double>& x, double factor, const double* y) {
-  each_number(x.size(), [=, rest = x.data()](std::size_t i) { rest[i] -= factor * y[i]; });
+void subtract(const System& system, std::vector<double>& x, double factor, const double* y) {
+  each_number(system, x.size(), [=, rest = x.data()](std::size_t i) { rest[i] -= factor * y[i]; });
 }
 
 // q, v and a in one loop: most systems are small.
-void subtract_motion(std::size_t n, const double* __restrict x, double rate, double acceleration, double* __restrict q,
+void subtract_motion(const System& system, std::size_t n, const double* __restrict x, double rate, double acceleration, double* __restrict q,
                      double* __restrict v, double* __restrict a) {
-  each_number(n, [=](std::size_t i) {
+  each_number(system, n, [=](std::size_t i) {
     q[i] -= x[i];
     v[i] -= rate * x[i];
     a[i] -= acceleration * x[i];
@@ -38,10 +38,10 @@ struct Prediction {
 };
 
 // Without algorithmic accelerations (null), Newmark's.
-void predict_motion(std::size_t n, const Prediction& scheme, double* __restrict increment, double* __restrict algorithmic,
+void predict_motion(const System& system, std::size_t n, const Prediction& scheme, double* __restrict increment, double* __restrict algorithmic,
                     double* __restrict q, double* __restrict v, double* __restrict a) {
   const double h = scheme.h, beta = scheme.beta, gamma = scheme.gamma, alpha_m = scheme.alpha_m, alpha_f = scheme.alpha_f;
-  each_number(n, [=](std::size_t i) {
+  each_number(system, n, [=](std::size_t i) {
     double aa = algorithmic == nullptr ? a[i] : algorithmic[i];
     double dq = h * v[i] + h * h * (0.5 - beta) * aa;
     double dv = h * (1 - gamma) * aa;
@@ -171,7 +171,7 @@ void SecondOrderSolver::increase_step_size() {
 
 void SecondOrderSolver::save_start_of_step() {
   Solver::save_start_of_step();
-  copy_numbers(algorithmic_.data(), algorithmic_.size(), algorithmic_at_start_.data());
+  copy_numbers(system(), algorithmic_.data(), algorithmic_.size(), algorithmic_at_start_.data());
 }
 
 void SecondOrderSolver::reset_to_start_of_step() {
@@ -190,7 +190,7 @@ template <class S>
 S SecondOrderSolver::scale_residual(std::vector<S>& residual) const {
   const S norm = norm_of(residual);
   const double scale = row_scale();
-  each_number(static_cast<std::size_t>(sizes_.ode2), [=, r = residual.data()](std::size_t i) { r[i] *= scale; });
+  each_number(system(), static_cast<std::size_t>(sizes_.ode2), [=, r = residual.data()](std::size_t i) { r[i] *= scale; });
   return norm;
 }
 
@@ -203,7 +203,7 @@ void SecondOrderSolver::predict() {
   State& now = current();
   const double h = it.currentStepSize;
   if (lie_) previous_q_ = start_of_step().q;
-  predict_motion(now.q.size(), {h, newmark_beta, newmark_gamma, alpha_m, alpha_f}, increment_of_q_.data(),
+  predict_motion(system(), now.q.size(), {h, newmark_beta, newmark_gamma, alpha_m, alpha_f}, increment_of_q_.data(),
                  newmark() ? nullptr : algorithmic_.data(), now.q.data(), now.v.data(), now.a.data());
   for (std::size_t i = 0; i < now.y.size(); ++i) {
     now.y[i] += 0.5 * h * now.y_t[i];
@@ -219,11 +219,11 @@ void SecondOrderSolver::correct() {
     previous_q_ = now.q;
     for (std::size_t i = 0; i < increment_of_q_.size(); ++i) increment_of_q_[i] = -increment_[i];
   }
-  subtract_motion(now.q.size(), increment_.data(), gamma_prime(), beta_prime(), now.q.data(), now.v.data(), now.a.data());
-  subtract(now.lambda, 1 / scale, increment_.data() + sizes_.first_ae());
+  subtract_motion(system(), now.q.size(), increment_.data(), gamma_prime(), beta_prime(), now.q.data(), now.v.data(), now.a.data());
+  subtract(system(), now.lambda, 1 / scale, increment_.data() + sizes_.first_ae());
   if (!now.y.empty()) {
-    subtract(now.y, 1, increment_.data() + sizes_.ode2);
-    subtract(now.y_t, 2 / it.currentStepSize, increment_.data() + sizes_.ode2);
+    subtract(system(), now.y, 1, increment_.data() + sizes_.ode2);
+    subtract(system(), now.y_t, 2 / it.currentStepSize, increment_.data() + sizes_.ode2);
   }
   if (lie_) correct_lie_rotations();
 }
@@ -246,14 +246,14 @@ void SecondOrderSolver::correct() {
 [[gnu::noinline]] void SecondOrderSolver::correct_lie_rotations() {
   State& now = current();
   if (simplified_lie_) {
-    subtract(lie_increment_, 1, increment_.data());
+    subtract(system(), lie_increment_, 1, increment_.data());
     system().compose(start_of_step().q, lie_increment_, now.q);
   } else {
     system().compose(previous_q_, increment_of_q_, now.q);
   }
 }
 
-void SecondOrderSolver::finalize_newton() { add(algorithmic_, (1 - alpha_f) / (1 - alpha_m), current().a); }
+void SecondOrderSolver::finalize_newton() { add(system(), algorithmic_, (1 - alpha_f) / (1 - alpha_m), current().a); }
 
 Weights SecondOrderSolver::jacobian_weights() const {
   const double scale = row_scale();
@@ -330,7 +330,7 @@ void SecondOrderSolver::apply_tangent_operator() {
 template <class S>
 void SecondOrderSolver::scale_jacobian(std::vector<S>& values) const {
   const double scale = row_scale();
-  const int n = sizes_.ode2, first_ae = sizes_.first_ae(), size = sizes_.total();
+  const int n = sizes_.ode2, first_ae = sizes_.first_ae();
   const auto multiply = [&](std::size_t begin, std::size_t end, double factor) {
     for (std::size_t k = begin; k < end; ++k) values[k] *= factor;
   };
@@ -341,10 +341,12 @@ void SecondOrderSolver::scale_jacobian(std::vector<S>& values) const {
       multiply(column.begin, column.middle, scale);
     }
   }
-  for (int j = first_ae; j < size; ++j) {
-    const ColumnRange column = column_range(pattern(), j, n);
-    multiply(column.middle, column.end, 1 / scale);
-  }
+  each_stretch(system(), static_cast<std::size_t>(sizes_.ae), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const ColumnRange column = column_range(pattern(), first_ae + static_cast<int>(k), n);
+      multiply(column.middle, column.end, 1 / scale);
+    }
+  });
 }
 
 bool SecondOrderSolver::goes_in_lockstep() const {

@@ -6,16 +6,26 @@
 #include <thread>
 
 #include "dalembert/linear/linear_solver.hpp"
-#include "dalembert/math/few_numbers.hpp"
 #include "dalembert/model/errors.hpp"
 #include "dalembert/output/numbers.hpp"
+#include "dalembert/system/large_vectors.hpp"
 
 namespace dalembert {
 
 namespace {
 
 // In place: one state has been assigned to the other before, so their vectors are of the same sizes.
-void take(const std::vector<double>& from, std::vector<double>& to) { copy_numbers(from.data(), from.size(), to.data()); }
+void take(const System& system, const std::vector<double>& from, std::vector<double>& to) {
+  copy_numbers(system, from.data(), from.size(), to.data());
+}
+
+[[gnu::always_inline]] inline void take_all_but_motion(const System& system, const State& from, State& to) {
+  take(system, from.y, to.y);
+  take(system, from.y_t, to.y_t);
+  take(system, from.lambda, to.lambda);
+  take(system, from.data, to.data);
+  to.time = from.time;
+}
 
 }  // namespace
 
@@ -182,21 +192,13 @@ void Solver::initial_conditions() {
 void Solver::save_start_of_step() {
   const State& now = current();
   State& start = start_of_step();
-  take(now.q, start.q);
-  take(now.v, start.v);
-  take(now.a, start.a);
-  save_all_but_motion();
+  take(system(), now.q, start.q);
+  take(system(), now.v, start.v);
+  take(system(), now.a, start.a);
+  take_all_but_motion(system(), now, start);
 }
 
-void Solver::save_all_but_motion() {
-  const State& now = current();
-  State& start = start_of_step();
-  take(now.y, start.y);
-  take(now.y_t, start.y_t);
-  take(now.lambda, start.lambda);
-  take(now.data, start.data);
-  start.time = now.time;
-}
+void Solver::save_all_but_motion() { take_all_but_motion(system(), current(), start_of_step()); }
 
 // False: there is none, or the solver was stopped.
 bool Solver::next_step() {

@@ -39,7 +39,8 @@ class Builder {
       parts_.has_history = parts_.has_history || term->has_history();
     }
     for (const auto& batch : parts_.marker_batches) parts_.has_history = parts_.has_history || batch->has_history();
-    make_plan(parts_, regions_.count(), {marker_batches_, terms_, rotating_, differentiated_}, division_);
+    numbers_of(Regions::whole).rows.add(parts_.sizes.ode2, parts_.sizes.ode1);
+    make_plan(parts_, {marker_batches_, terms_, rotating_, differentiated_}, division_);
     complete_configurations(parts_);
     parts_.structure = model_.structure_changes();
     parts_.values = model_.value_changes();
@@ -88,6 +89,7 @@ class Builder {
     for (const Item& item : model_.items(ItemKind::node))
       node_sizes_.push_back(physics<NodePhysics>(item, static_cast<int>(node_sizes_.size())).sizes(item.record.get()));
     regions_ = Regions(node_sizes_, division_.coordinates);
+    parts_.plan.regions.resize(static_cast<std::size_t>(regions_.count()));
   }
   // In which region an item lies, whose placement is known. Whoever shares coordinates other than ODE2 coordinates, or
   // calls functions of the user, comes last, on the thread of the solver.
@@ -105,6 +107,8 @@ class Builder {
       if (kind != ItemKind::marker) region = Regions::around(region, marker_regions_[marker]);
     return region;
   }
+
+  RegionNumbers& numbers_of(int region) { return parts_.plan.regions[static_cast<std::size_t>(std::max(region, Regions::whole))].numbers; }
 
   void name_items() {
     for (int k = 0; k < item_kinds; ++k)
@@ -145,6 +149,8 @@ class Builder {
     place.ode1 = take(parts_.sizes.ode1, place.sizes.ode1);
     place.ae = take(parts_.sizes.ae, place.sizes.ae);
     place.data = take(parts_.sizes.data, place.sizes.data);
+    numbers_of(regions_.of_node(number)).coordinates.add(place.ode2, place.sizes.ode2);
+    numbers_of(regions_.of_node(number)).rows.add(place.ode2, place.sizes.ode2);
     start_values_.take(place, parts_);
     place.rotating = place_rotating(place, number);
     if (place.physics->lie_rotation() >= 0) parts_.lie_blocks.push_back({place.ode2 + place.physics->lie_rotation()});
@@ -160,6 +166,7 @@ class Builder {
     Placement p;
     append_range(p.dofs, node.ode2, node.sizes.ode2);
     p.rotating_node = static_cast<int>(parts_.ports.node_motions.size());
+    numbers_of(regions_.of_node(number)).node_loads.add(p.rotating_node, 1);
     parts_.ports.add_rotating_node();
     batch->second->add(node.record.get(), p, parts_.ports);
     return p.rotating_node;
@@ -255,7 +262,9 @@ class Builder {
       growing = &batch_of(marker_batches_, item.type, *p.owner_type, make, ItemKind::marker, number);
     }
     MarkerBatch& batch = *growing->batch;
+    const auto forces_before = static_cast<int>(parts_.ports.forces.size());
     parts_.ports.append(batch.value_count(record, p), batch.force_count(record, p), p.dofs, batch.translations());
+    numbers_of(marker_regions_.back()).forces.add(forces_before, static_cast<int>(parts_.ports.forces.size()) - forces_before);
     growing->acts = growing->acts || has_coordinates(p);
     batch.add(record, p, parts_.ports);
     place.member = {&batch, growing->entries++};
@@ -343,6 +352,7 @@ class Builder {
     physics.check(place.record.get(), p, parts_.ports, {model_, ItemKind::object, number});
     auto& growing = term(place.type, *place.type, [&] { return physics.make_batch(node_types(p.nodes)); }, number);
     place.member = {growing.batch, enter_term(growing, place.record.get(), p)};
+    numbers_of(growing.region).rows.add(p.ae_offset + p.first_ae, place.equations);
   }
 
   void place_node_conditions() {
@@ -352,7 +362,9 @@ class Builder {
       Placement& p = placement_on({&i, 1});
       p.item = i;
       p.first_ae = node.ae;
-      enter_term(term(node.type, *node.type, [&] { return node.physics->make_condition(); }, i), node.record.get(), p);
+      auto& growing = term(node.type, *node.type, [&] { return node.physics->make_condition(); }, i);
+      enter_term(growing, node.record.get(), p);
+      numbers_of(growing.region).rows.add(p.ae_offset + p.first_ae, node.sizes.ae);
     }
   }
 

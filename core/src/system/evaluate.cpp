@@ -3,6 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "dalembert/math/inline.hpp"
+#include "dalembert/system/large_vectors.hpp"
 #include "dalembert/system/parts.hpp"
 
 namespace dalembert {
@@ -14,11 +16,12 @@ void each(const Batches& batches, F&& f) {
 }
 
 // Parts of an evaluation are inlined: a call takes as long as what small systems compute.
-// The pointers and conditions of an evaluation; q, the totals, is left to the caller.
+// The pointers and conditions of an evaluation. The totals at q are left to the caller.
 [[gnu::always_inline]] inline Evaluation view_of(const SystemParts& parts, const State& state, const Conditions& conditions) {
   const bool rests = &state == &parts.states[static_cast<std::size_t>(ConfigurationType::Reference)];
   const double* zeros = parts.work.data() + parts.sizes.total();
-  return {.u = rests ? zeros : state.q.data(),
+  return {.q = parts.total.data(),
+          .u = rests ? zeros : state.q.data(),
           .v = rests ? zeros : state.v.data(),
           .a = rests ? zeros : state.a.data(),
           .y = state.y.data(),
@@ -33,39 +36,42 @@ void each(const Batches& batches, F&& f) {
           .of_reference = rests};
 }
 
-// `cleared` are set to zero on the way.
-[[gnu::always_inline]] inline Evaluation begin_evaluation(SystemParts& parts, const State& state, const Conditions& conditions,
-                                                          std::span<double> cleared) {
-  Evaluation e = view_of(parts, state, conditions);
-  const double* reference = parts.state(ConfigurationType::Reference).q.data();
-  std::vector<double>& total = parts.total;
-  parts.each_share([cleared, reference, count = total.size(), q = total.data(), displacements = e.u](const Share& share) {
-    share.clear(cleared);
-    const auto [begin, end] = share.of(count);
-    each_number(end - begin, [sum = q + begin, from = reference + begin, u = displacements + begin](std::size_t i) { sum[i] = from[i] + u[i]; });
+// In each region: what a thread writes it meets again in its cache.
+[[gnu::always_inline]] inline void add_up_totals(const RegionPlan& region, const double* reference, const double* displacements, double* totals) {
+  region.numbers.coordinates.each([=](std::size_t first, std::size_t count) {
+    each_number(count, [q = totals + first, from = reference + first, u = displacements + first](std::size_t i) { q[i] = from[i] + u[i]; });
   });
-  e.q = total.data();
-  return e;
 }
 
 }  // namespace
 
-Evaluation SystemParts::evaluation(const State& state, const Conditions& conditions) { return begin_evaluation(*this, state, conditions, {}); }
+void SystemParts::find_totals(const RegionPlan& region, const Evaluation& e) {
+  add_up_totals(region, state(ConfigurationType::Reference).q.data(), e.u, total.data());
+}
+
+Evaluation SystemParts::evaluation(const State& state, const Conditions& conditions) {
+  const Evaluation e = view_of(*this, state, conditions);
+  each_region([this, &e](const RegionPlan& region) { find_totals(region, e); });
+  return e;
+}
 
 Evaluation SystemParts::output_evaluation(const State& state, std::span<const int> dofs) {
-  Evaluation e = view_of(*this, state, {});
-  const std::vector<double>& reference = this->state(ConfigurationType::Reference).q;
-  output_total.resize(reference.size());
-  for (const int i : dofs) output_total[i] = reference[i] + e.u[i];
-  e.q = output_total.data();
+  Evaluation e = output_view(state);
+  for (const int i : dofs) output_total[i] = this->state(ConfigurationType::Reference).q[i] + e.u[i];
   return e;
 }
 
 Evaluation SystemParts::output_evaluation(const State& state) {
+  const Evaluation e = output_view(state);
+  const double* reference = this->state(ConfigurationType::Reference).q.data();
+  each_number(total.size(), [q = output_total.data(), reference, u = e.u](std::size_t i) { q[i] = reference[i] + u[i]; });
+  return e;
+}
+
+// The totals at q are left to the caller.
+Evaluation SystemParts::output_view(const State& state) {
+  output_total.resize(total.size());
   Evaluation e = view_of(*this, state, {});
-  const std::vector<double>& reference = this->state(ConfigurationType::Reference).q;
-  output_total.resize(reference.size());
-  for (int i = 0; i < sizes.ode2; ++i) output_total[i] = reference[i] + e.u[i];
   e.q = output_total.data();
   return e;
 }
@@ -120,16 +126,26 @@ class Flagged {
   bool& flag_;
 };
 
+// Constant loads are there from the start.
+[[gnu::always_inline]] inline void begin_residual(SystemParts& parts, const RegionPlan& region, double load_factor, bool loads, double* r) {
+  const double* constant = loads && !parts.plan.constant.residual.empty() ? parts.plan.constant.residual.data() : nullptr;
+  region.numbers.rows.each([=](std::size_t first, std::size_t count) {
+    if (constant == nullptr) return clear_numbers(r + first, count);
+    each_number(count, [load_factor, from = constant + first, to = r + first](std::size_t i) { to[i] = load_factor * from[i]; });
+  });
+  Ports& ports = parts.ports;
+  region.numbers.forces.each([&](std::size_t first, std::size_t count) { clear_numbers(ports.forces.data() + first, count); });
+  region.numbers.node_loads.each([&](std::size_t first, std::size_t count) {
+    clear_numbers(reinterpret_cast<double*>(ports.node_loads.data() + first), count * sizeof(NodeLoad) / sizeof(double));
+  });
+}
+
 [[gnu::always_inline]] inline void find_residual(SystemParts& parts, const Evaluation& e, double* r, bool loads = true) {
   const Flagged evaluating(parts.evaluating);
   parts.evaluate_resting(e);
-  parts.each_share([&parts, load_factor = e.load_factor, r, loads](const Share& share) {
-    if (const std::vector<double>& constant = parts.plan.constant.residual; loads && !constant.empty()) share.scale(load_factor, constant, r);
-    else share.clear(std::span(r, static_cast<std::size_t>(parts.sizes.total())));
-    share.clear(std::span(parts.ports.forces));
-    share.clear(std::span(parts.ports.node_loads));
-  });
-  parts.each_region([&parts, &e, r, loads](const RegionPlan& region) {
+  parts.each_region([&parts, &e, r, loads](const RegionPlan& region) DALEMBERT_INLINE {
+    add_up_totals(region, parts.state(ConfigurationType::Reference).q.data(), e.u, parts.total.data());
+    begin_residual(parts, region, e.load_factor, loads, r);
     parts.update_frames(region, e);
     const auto add = [&](const Term& term) { term.residual(e, parts.ports, r); };
     each(region.terms, add);
@@ -143,6 +159,13 @@ class Flagged {
   for (int i = 0; i < parts.sizes.ode1; ++i) r[parts.sizes.ode2 + i] -= e.y_t[i];
 }
 
+void clear_columns(const RegionPlan& region, const Pattern& pattern, double* values) {
+  region.numbers.rows.each([&](std::size_t first, std::size_t count) {
+    const std::size_t begin = pattern.first_slot(first), end = pattern.first_slot(first + count);
+    clear_numbers(values + begin, end - begin);
+  });
+}
+
 // For those who do it now and then.
 [[gnu::noinline]] void find_residual_in_work(SystemParts& parts, const Evaluation& e, bool loads) {
   find_residual(parts, e, parts.work.data(), loads);
@@ -153,7 +176,7 @@ class Flagged {
 void System::residual(const State& state, const Conditions& conditions, std::span<double> r) {
   ++evaluations_;
   evaluated_ = nullptr;
-  find_residual(*parts_, begin_evaluation(*parts_, state, conditions, {}), r.data(), conditions.loads);
+  find_residual(*parts_, view_of(*parts_, state, conditions), r.data(), conditions.loads);
   evaluated_ = &state;
 }
 
@@ -161,7 +184,7 @@ void System::tangent(const State& state, const Conditions& conditions, const Wei
                      std::span<double> values) {
   SystemParts& parts = *parts_;
   parts.bind(pattern);
-  Evaluation e = begin_evaluation(parts, state, conditions, values);
+  Evaluation e = view_of(parts, state, conditions);
   if (!conditions.follows_residual || evaluated_ != &state) {
     find_residual_in_work(parts, e, conditions.loads);  // the forces on markers, for the geometric part
     evaluated_ = nullptr;
@@ -169,7 +192,8 @@ void System::tangent(const State& state, const Conditions& conditions, const Wei
   e.same_state = true;
   const Flagged evaluating(parts.evaluating);
   parts.ports.differentiate();
-  parts.each_region([&parts, &e, &weights, loads = conditions.loads, values](const RegionPlan& region) {
+  parts.each_region([&parts, &e, &weights, loads = conditions.loads, &pattern, values](const RegionPlan& region) {
+    clear_columns(region, pattern, values.data());
     Ports& ports = parts.ports;
     const auto differentiate = [&](const auto& batch) { batch.evaluate_tangent(e, weights, ports); };
     each(region.nodes, differentiate);
@@ -189,8 +213,11 @@ void System::tangent(const State& state, const Conditions& conditions, const Wei
 void System::mass_matrix(const State& state, const Pattern& pattern, std::span<double> values) {
   SystemParts& parts = *parts_;
   parts.bind(pattern);
-  const Evaluation e = begin_evaluation(parts, state, {}, values);
-  parts.each_region([&parts, &e, values](const RegionPlan& region) {
+  evaluated_ = nullptr;
+  const Evaluation e = view_of(parts, state, {});
+  parts.each_region([&parts, &e, &pattern, values](const RegionPlan& region) {
+    parts.find_totals(region, e);
+    clear_columns(region, pattern, values.data());
     for (const Term* term : region.terms)
       if (term->has_mass()) term->mass(e, parts.ports, values.data());
   });
@@ -209,21 +236,18 @@ void System::right_hand_sides(const State& state, const Conditions& conditions, 
   ++evaluations_;
   SystemParts& parts = *parts_;
   const std::span<double> residual(parts.work.data(), static_cast<std::size_t>(sizes_.total()));
-  Evaluation e = begin_evaluation(parts, state, conditions, {});
+  Evaluation e = view_of(parts, state, conditions);
   e.inertia = false;
   e.lambda = residual.data() + residual.size();  // zeros
   find_residual(parts, e, residual.data());
-  parts.each_share([rhs, residual](const Share& share) {
-    const auto [begin, end] = share.of(rhs.size());
-    each_number(end - begin, [to = rhs.data() + begin, from = residual.data() + begin](std::size_t i) { to[i] = -from[i]; });
-  });
+  each_number(*this, rhs.size(), [to = rhs.data(), from = residual.data()](std::size_t i) { to[i] = -from[i]; });
   for (std::size_t i = 0; i < y_t.size(); ++i) y_t[i] = residual[sizes_.ode2 + i] + state.y_t[i];
 }
 
 void System::gaps(const State& state, const Conditions& conditions, std::span<double> g) {
   evaluated_ = nullptr;
   SystemParts& parts = *parts_;
-  find_residual_in_work(parts, parts.evaluation(state, conditions), true);
+  find_residual_in_work(parts, view_of(parts, state, conditions), true);
   for (int i = 0; i < sizes_.ae; ++i) g[i] = parts.work[sizes_.first_ae() + i];
 }
 

@@ -12,16 +12,15 @@ void list_sizes(EvaluationPlan& plan, const Division& division) {
     const auto regions = all.subspan(count - 1, count);
     int entries = 0;
     for (const RegionPlan& region : regions) entries += region.entries;
-    if (entries > 0) plan.sizes.push_back({regions, entries >= division.entries});
+    plan.sizes.push_back({regions, entries >= division.entries});
   }
 }
 
 }  // namespace
 
 // Terms without an acting entry are left out: ground.
-void make_plan(SystemParts& parts, int regions, const GrownBatches& grown, const Division& division) {
+void make_plan(SystemParts& parts, const GrownBatches& grown, const Division& division) {
   EvaluationPlan& plan = parts.plan;
-  plan.regions.resize(static_cast<std::size_t>(regions));
   std::unordered_map<const Batch*, RegionPlan*> acting;
   const auto note = [&](const auto& growing) {
     RegionPlan& region = plan.regions[static_cast<std::size_t>(growing.region)];

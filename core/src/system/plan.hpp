@@ -20,7 +20,8 @@ struct GrownBatches {
   const std::unordered_set<const MarkerBatch*>& differentiated;  // whose derivatives a term asks for
 };
 
-void make_plan(SystemParts& parts, int regions, const GrownBatches& grown, const Division& division);
+// The regions are there, and what is theirs.
+void make_plan(SystemParts& parts, const GrownBatches& grown, const Division& division);
 
 // Which loads are constant depends on parameters: again when these have changed.
 void sort_loads(SystemParts& parts);

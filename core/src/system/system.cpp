@@ -37,6 +37,8 @@ void System::use_threads(int count) {
 }
 int System::threads() const { return parts_->workers ? parts_->workers->count() : 1; }
 
+Workers* System::workers() const { return parts_->workers.get(); }
+
 bool System::assembled() const { return assembled_; }
 
 std::shared_ptr<const void> System::hold_states() const { return parts_->kept_states; }

@@ -1,16 +1,19 @@
 #include "dalembert/system/workers.hpp"
 
+#include <chrono>
 #include <utility>
 
 namespace dalembert {
 namespace {
 
 constexpr std::uint64_t task_bits = 16, task_mask = (std::uint64_t{1} << task_bits) - 1;
-std::uint64_t next_task(std::uint64_t round) { return round & task_mask; }
-std::uint64_t task_count(std::uint64_t round) { return (round >> task_bits) & task_mask; }
+std::uint64_t next_task(std::uint64_t part) { return part & task_mask; }
+std::uint64_t end_of_tasks(std::uint64_t part) { return (part >> task_bits) & task_mask; }
 
-// Looks at the clock of a waiting thread: some ten microseconds, several times what goes on between two rounds.
-constexpr int looks_before_sleep = 4000;
+// A thread that sleeps takes a tenth of a millisecond and more to wake up, as long as ten thousand items take: it stays awake
+// for what commonly goes on between two rounds, as the threads of OpenMP's runtimes do.
+constexpr std::chrono::milliseconds time_before_sleep{100};
+constexpr int looks_between_times = 100;
 
 void pause() {
 #if defined(__x86_64__)
@@ -20,23 +23,26 @@ void pause() {
 
 }  // namespace
 
-Workers::Workers(int threads) {
-  for (int i = 1; i < threads; ++i) threads_.emplace_back([this] { work(); });
+Workers::Workers(int threads) : parts_(static_cast<std::size_t>(threads)) {
+  for (std::size_t i = 0; i + 1 < parts_.size(); ++i) threads_.emplace_back([this, i] { work(i); });
 }
 
 Workers::~Workers() {
   stop_ = true;
-  round_.fetch_add(std::uint64_t{1} << (2 * task_bits));  // a round without tasks: nobody takes one after the last
+  ++round_;  // without tasks: nobody takes one after the last
   round_.notify_all();
 }
 
 // The acquisition of a task orders it after what the round began with, its end before the end of the round.
-bool Workers::take(int& task) {
-  std::uint64_t round = round_.load(std::memory_order_acquire);
-  while (next_task(round) < task_count(round)) {
-    if (!round_.compare_exchange_weak(round, round + 1, std::memory_order_acq_rel)) continue;
-    task = static_cast<int>(next_task(round));
-    return true;
+bool Workers::take(std::size_t thread, int& task) {
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    auto& tasks = parts_[(thread + i) % parts_.size()].tasks;
+    std::uint64_t part = tasks.load(std::memory_order_acquire);
+    while (next_task(part) < end_of_tasks(part)) {
+      if (!tasks.compare_exchange_weak(part, part + 1, std::memory_order_acq_rel)) continue;
+      task = static_cast<int>(next_task(part));
+      return true;
+    }
   }
   return false;
 }
@@ -56,27 +62,33 @@ void Workers::perform(int task) {
 
 void Workers::run_all(int tasks) {
   done_.store(0, std::memory_order_relaxed);
-  const std::uint64_t number = (round_.load(std::memory_order_relaxed) >> (2 * task_bits)) + 1;
-  round_.store((number << (2 * task_bits)) | (static_cast<std::uint64_t>(tasks) << task_bits), std::memory_order_release);
+  const std::uint32_t round = round_.load(std::memory_order_relaxed) + 1;
+  const std::uint64_t count = static_cast<std::uint64_t>(tasks), parts = parts_.size();
+  for (std::uint64_t i = 0; i < parts; ++i) {
+    const std::uint64_t begin = count * i / parts, end = count * (i + 1) / parts;
+    parts_[i].tasks.store((std::uint64_t{round} << (2 * task_bits)) | (end << task_bits) | begin, std::memory_order_release);
+  }
+  round_.store(round, std::memory_order_release);
   round_.notify_all();
-  for (int task = 0; take(task);) perform(task);
+  for (int task = 0; take(parts_.size() - 1, task);) perform(task);
   while (done_.load(std::memory_order_acquire) < tasks) pause();
   if (error_) std::rethrow_exception(std::exchange(error_, nullptr));
 }
 
-void Workers::work() {
-  int looks = 0;
+void Workers::work(std::size_t thread) {
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point idle_since = Clock::now();
   while (!stop_.load(std::memory_order_relaxed)) {
-    const std::uint64_t seen = round_.load(std::memory_order_acquire);
-    if (int task = 0; take(task)) {
-      perform(task);
-      looks = 0;
-    } else if (++looks < looks_before_sleep) {
-      pause();
-    } else {
+    const std::uint32_t seen = round_.load(std::memory_order_acquire);
+    bool has_worked = false;
+    for (int task = 0; take(thread, task); has_worked = true) perform(task);
+    const Clock::time_point now = Clock::now();
+    if (has_worked) idle_since = now;
+    if (now - idle_since > time_before_sleep) {
       round_.wait(seen, std::memory_order_acquire);
-      looks = 0;
+      idle_since = Clock::now();
     }
+    for (int look = 0; look < looks_between_times && round_.load(std::memory_order_relaxed) == seen; ++look) pause();
   }
 }
 

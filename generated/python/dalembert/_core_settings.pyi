@@ -109,7 +109,7 @@ class ParallelSettings(_Settings):
     """computation with several threads"""
 
     multithreadedLLimitJacobians: int
-    """no effect: systems of at least 6000 ODE2 coordinates are evaluated in parallel, others by one thread; default: 20"""
+    """no effect: systems of at least 4000 ODE2 coordinates are evaluated in parallel, others by one thread; default: 20"""
     multithreadedLLimitLoads: int
     """no effect, see multithreadedLLimitJacobians; default: 20"""
     multithreadedLLimitMassMatrices: int

@@ -10,8 +10,7 @@
 #include <utility>
 
 #include "dalembert/math/dual.hpp"
-
-#define DALEMBERT_INLINE [[gnu::always_inline]]
+#include "dalembert/math/inline.hpp"
 
 namespace dalembert {
 

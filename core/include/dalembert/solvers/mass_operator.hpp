@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "dalembert/linear/linear_solver.hpp"
-#include "dalembert/math/few_numbers.hpp"
-#include "dalembert/system/system.hpp"
+#include "dalembert/system/large_vectors.hpp"
 
 namespace dalembert {
 
@@ -18,9 +17,9 @@ class MassOperator {
   // Mass matrix and factors of this state. Returns success or the coordinate without a pivot.
   int update(System& system, const State& state);
   // Forces become accelerations.
-  void solve(std::span<double> x) {
+  void solve(const System& system, std::span<double> x) {
     if (blocks_.empty()) {
-      each_number(x.size(), [numbers = x.data(), factors = inverse_.data()](std::size_t i) { numbers[i] *= factors[i]; });
+      each_number(system, x.size(), [numbers = x.data(), factors = inverse_.data()](std::size_t i) { numbers[i] *= factors[i]; });
     } else {
       solve_blocks(x);
     }

@@ -4,11 +4,12 @@
 #include <cmath>
 #include <memory>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "dalembert/linear/linear_solver.hpp"
-#include "dalembert/math/sum_of_squares.hpp"
 #include "dalembert/solvers/solver.hpp"
+#include "dalembert/system/large_vectors.hpp"
 
 namespace dalembert {
 
@@ -36,7 +37,8 @@ class NewtonSolver : public Solver {
   template <class S>
   S norm_of(const std::vector<S>& residual) const {
     using std::sqrt;
-    return sqrt(sum_of_squares<S>(residual)) / conv.errorCoordinateFactor;
+    if constexpr (std::is_same_v<S, double>) return sqrt(sum_of_squares(system(), residual)) / conv.errorCoordinateFactor;
+    else return sqrt(sum_of_squares<S>(residual)) / conv.errorCoordinateFactor;
   }
   // Make the factors of the matrix in `jacobian_`; false, with the flags set, if it is singular.
   bool factorize();

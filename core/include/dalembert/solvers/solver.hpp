@@ -84,6 +84,7 @@ class Solver {
 
   const Sizes& sizes() const { return sizes_; }
   System& system() { return *system_; }
+  const System& system() const { return *system_; }
   const SimulationSettings& settings() const { return *settings_; }
 
   SolverIterationData it;

@@ -103,8 +103,37 @@ struct SensorPlace {
 // False: no item of this type ever has that output variable.
 bool may_have(const ItemType& type, OutputVariableType variable);
 
-// The batches of a region that an evaluation visits, in this order.
+// Ranges of numbers, those that follow each other as one.
+class Ranges {
+ public:
+  void add(int first, int count) {
+    if (count == 0) return;
+    if (ranges_.empty() || ranges_.back().end != first) ranges_.push_back({first, first});
+    ranges_.back().end += count;
+  }
+  // Calls f(first, count) for each of them.
+  template <class F>
+  void each(const F& f) const {
+    for (const auto& [first, end] : ranges_) f(static_cast<std::size_t>(first), static_cast<std::size_t>(end - first));
+  }
+
+ private:
+  struct Range {
+    int first, end;
+  };
+  std::vector<Range> ranges_;
+};
+
+// What an evaluation sets to its start in a region, before anything is added to it: what lies in no smaller one.
+struct RegionNumbers {
+  Ranges coordinates;  // of second order
+  Ranges rows;         // of the residual, and columns of its tangent
+  Ranges forces, node_loads;  // of the ports
+};
+
+// A region, and its batches that an evaluation visits, in this order.
 struct RegionPlan {
+  RegionNumbers numbers;
   std::vector<const RotatingNodeBatch*> nodes;
   std::vector<const MarkerBatch*> moving;
   std::vector<const MarkerBatch*> differentiated;  // moving ones whose derivatives are used
@@ -130,34 +159,10 @@ struct ConstantLoads {
 struct EvaluationPlan {
   std::vector<const MarkerBatch*> resting;
   std::vector<RegionPlan> regions;
-  std::vector<RegionsOfOneSize> sizes;  // which have something to do, small ones first
+  std::vector<RegionsOfOneSize> sizes;  // small ones first
   std::unordered_set<const MarkerBatch*> connected;  // on which objects act
   ConstantLoads constant;
   bool resting_evaluated = false;  // constant loads as well
-};
-
-// One of `count` stretches of about the same length that make up a list.
-struct Share {
-  std::size_t number, count;
-  struct Range {
-    std::size_t begin, end;
-  };
-  Range of(std::size_t size) const {
-    if (count == 1) return {0, size};
-    return {size * number / count, size * (number + 1) / count};
-  }
-  // to = factor * from, for vectors of the same size.
-  void scale(double factor, std::span<const double> from, double* to) const {
-    const auto [begin, end] = of(from.size());
-    each_number(end - begin, [factor, x = from.data() + begin, y = to + begin](std::size_t i) { y[i] = factor * x[i]; });
-  }
-  // `T` consists of numbers.
-  template <class T>
-  void clear(std::span<T> list) const {
-    static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % sizeof(double) == 0);
-    const auto [begin, end] = of(list.size());
-    clear_numbers(reinterpret_cast<double*>(list.data() + begin), (end - begin) * (sizeof(T) / sizeof(double)));
-  }
 };
 
 struct SystemParts {
@@ -214,20 +219,17 @@ struct SystemParts {
   Evaluation evaluation(const State& state, const Conditions& conditions);
   Evaluation output_evaluation(const State& state);
   Evaluation output_evaluation(const State& state, std::span<const int> dofs);  // q at these coordinates only
+  Evaluation output_view(const State& state);
   void update_ports(const Evaluation& e);
   void evaluate_resting(const Evaluation& e);
   void evaluate_constant_loads();
+  void find_totals(const RegionPlan& region, const Evaluation& e);
   void update_frames(const RegionPlan& region, const Evaluation& e);
   // Calls f(region) for all regions, small ones first, those of one size side by side. What `f` captures is best captured by
   // value: it stays in registers where there is one region.
   template <class F>
-  void each_region(F f) const {
+  [[gnu::always_inline]] void each_region(F f) const {
     plan.regions.size() == 1 ? f(plan.regions.front()) : each_of_several_regions(f);
-  }
-  // Calls f(share) for shares that make up everything, side by side.
-  template <class F>
-  void each_share(F f) const {
-    workers ? each_of_several_shares(f) : f(Share{0, 1});
   }
   void add_sparse_pattern();
   void bind(const Pattern& pattern);
@@ -252,11 +254,6 @@ struct SystemParts {
         for (const RegionPlan& region : regions) f(region);
       }
     }
-  }
-  template <class F>
-  [[gnu::noinline]] void each_of_several_shares(F f) const {
-    const int count = workers->count();
-    workers->run(count, [&](int i) { f(Share{static_cast<std::size_t>(i), static_cast<std::size_t>(count)}); });
   }
 };
 

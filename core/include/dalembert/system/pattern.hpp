@@ -57,6 +57,10 @@ class Pattern {
   bool contains(int row, int column) const;
   // Index into the values; the entry must be in the pattern. Dense storage is by columns.
   int slot(int row, int column) const;
+  // Where a column begins in the values; at size(), where they end.
+  std::size_t first_slot(std::size_t column) const {
+    return is_dense() ? column * static_cast<std::size_t>(size_) : static_cast<std::size_t>(column_start_[column]);
+  }
   // Calls f(slot) for rows of one column. Rows that follow each other take no search.
   template <class F>
   void for_each_slot(std::span<const int> rows, int column, F&& f) const {

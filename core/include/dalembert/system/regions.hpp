@@ -15,7 +15,7 @@ namespace dalembert {
 
 // How far a system is divided. As it stands here, evaluations gain from it.
 struct Division {
-  int coordinates = 3000;  // of a smallest region at least: it is worth a thread's while, and stays in its cache
+  int coordinates = 2000;  // of a smallest region at least: it is worth a thread's while, and stays in its cache
   int entries = 2000;      // in regions of one size at least, if threads are to share them: calling them takes as long as some hundred
 };
 

@@ -22,6 +22,7 @@
 namespace dalembert {
 
 class Model;
+class Workers;
 struct SystemParts;  // batches and index tables; dalembert/system/parts.hpp
 
 // What decides the level and the load of an evaluation, besides the state.
@@ -58,6 +59,7 @@ class System {
   // the same, bit for bit.
   void use_threads(int count);
   int threads() const;
+  Workers* workers() const;  // null: one thread does it all
 
   const Sizes& sizes() const { return sizes_; }
   // Current, Initial, Reference (q and y only), StartOfStep, Visualization.

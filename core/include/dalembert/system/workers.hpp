@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <mutex>
@@ -22,23 +23,39 @@ class Workers {
 
   int count() const { return static_cast<int>(threads_.size()) + 1; }
 
-  // Calls task(i) for all i from 0 to tasks - 1 (at most 65535), in any order and on any thread, and returns when all are
-  // done. What the first of them that fails throws is thrown here.
+  // Calls task(i) for all i from 0 to tasks - 1 (at most 65535), on any thread, and returns when all are done. Each thread
+  // begins with the same part of them every time, whose data its cache may still hold, and then helps the others. What the
+  // first task that fails throws is thrown here.
   template <class Task>
   void run(int tasks, Task&& task) {
     call_ = [](void* task, int i) { (*static_cast<std::remove_reference_t<Task>*>(task))(i); };
     task_ = &task;
     run_all(tasks);
   }
+  // Calls f(begin, end) for one stretch per thread; they make up [0, count).
+  template <class F>
+  void each_stretch(std::size_t count, const F& f) {
+    const auto stretches = static_cast<std::size_t>(this->count());
+    run(this->count(), [&](int i) {
+      const auto number = static_cast<std::size_t>(i);
+      f(count * number / stretches, count * (number + 1) / stretches);
+    });
+  }
 
  private:
+  // The tasks that one thread begins with: the round, which is next and where they end, in one number, so that a task is
+  // taken in the round that it belongs to. In a cache line of its own.
+  struct alignas(64) Part {
+    std::atomic<std::uint64_t> tasks{0};
+  };
+
   void run_all(int tasks);
-  void work();
-  bool take(int& task);
+  void work(std::size_t thread);
+  bool take(std::size_t thread, int& task);
   void perform(int task);
 
-  // The round, how many tasks it has and which is next, in one number: a task is taken in the round that it belongs to.
-  std::atomic<std::uint64_t> round_{0};
+  std::vector<Part> parts_;  // by thread, the calling one last
+  std::atomic<std::uint32_t> round_{0};
   std::atomic<int> done_{0};
   std::atomic<bool> stop_{false};
   void (*call_)(void*, int) = nullptr;
