@@ -164,7 +164,7 @@ class ElementBatch : public Term {
     for (std::size_t i = 0; i < entries_.size();) {
       if constexpr (LaneKernel<E>) {
         std::size_t end = i + 1;
-        while (end < entries_.size() && like_previous_[end]) ++end;
+        while (end < entries_.size() && lanes_[end].like_previous) ++end;
         if (end - i > 1)
           in_lanes([&]<int L>() {
             for (std::size_t count; end - i > 1; i += count) {
@@ -180,43 +180,46 @@ class ElementBatch : public Term {
   void compare_laws(int changed) {
     if constexpr (LaneKernel<E>) {
       const auto last = static_cast<int>(entries_.size()) - 1;
-      like_previous_.resize(entries_.size());
+      if (lanes_.size() < entries_.size()) {
+        lanes_.emplace_back();
+        for (int node = 0; node < n / 4; ++node) lanes_.back().nodes[node] = entries_.back().dofs[4 * node];
+      }
       for (int i = std::max(changed, 1); i <= std::min(changed + 1, last); ++i) {
         const Entry &e = entries_[i], &previous = entries_[i - 1];
-        like_previous_[i] = E::same_law(previous.parameters, previous.constants, e.parameters, e.constants);
+        lanes_[i].like_previous = E::same_law(previous.parameters, previous.constants, e.parameters, e.constants);
       }
     }
   }
-  // Where the coordinates of each lane's node begin in a vector; lanes without an element repeat the last one.
+  // Where the coordinates of each lane's node begin; lanes without an element repeat the last one.
   template <int L, class T>
-  static std::array<T*, L> places(T* vector, const Entry* e, int count, int node) {
+  std::array<T*, L> places(T* vector, std::size_t first, int count, int node) const {
     std::array<T*, L> at;
-    for (int lane = 0; lane < L; ++lane) at[lane] = vector + e[std::min(lane, count - 1)].dofs[node * 4];
+    for (int lane = 0; lane < L; ++lane) at[lane] = vector + lanes_[first + std::min(lane, count - 1)].nodes[node];
     return at;
   }
   template <int L>
-  static Vec<Lanes<L>, n> gather_lanes(const double* from, const Entry* e, int count) {
-    const auto nodes = vector_of<n / 4>([&](int node) { return gather_fours<L>(places<L>(from, e, count, node)); });
+  Vec<Lanes<L>, n> gather_lanes(const double* from, std::size_t first, int count) const {
+    const auto nodes = vector_of<n / 4>([&](int node) { return gather_fours<L>(places<L>(from, first, count, node)); });
     return vector_of<n>([&nodes](int i) { return nodes[i / 4][i % 4]; });
   }
   template <int L>
-  static Coordinates<Lanes<L>, n> gather_lanes(const Evaluation& evaluation, const Entry* e, int count) {
-    const auto gathered = [&](const double* from) { return gather_lanes<L>(from, e, count); };
+  Coordinates<Lanes<L>, n> gather_lanes(const Evaluation& evaluation, std::size_t first, int count) const {
+    const auto gathered = [&](const double* from) { return gather_lanes<L>(from, first, count); };
     return {gathered(evaluation.q), gathered(evaluation.v), evaluation.inertia ? gathered(evaluation.a) : Vec<Lanes<L>, n>{}};
   }
   template <int L>
   void residuals_in_lanes(std::size_t first, int count, const Evaluation& evaluation, double* r) const {
     const Entry* e = &entries_[first];
-    const auto x = gather_lanes<L>(evaluation, e, count);
+    const auto x = gather_lanes<L>(evaluation, first, count);
     const auto f = element_residual<E, Lanes<L>>(e->parameters, e->constants, context(evaluation, *e), x);
     for (int node = 0; node < n / 4; ++node)
-      scatter_fours<L>({f[4 * node], f[4 * node + 1], f[4 * node + 2], f[4 * node + 3]}, places<L>(r, e, count, node), count);
+      scatter_fours<L>({f[4 * node], f[4 * node + 1], f[4 * node + 2], f[4 * node + 3]}, places<L>(r, first, count, node), count);
   }
   template <int L>
   void tangents_in_lanes(std::size_t first, int count, const Evaluation& evaluation, const Weights& weights, const int* slot,
                          double* values) const {
     const Entry* e = &entries_[first];
-    const auto k = E::tangent(e->parameters, e->constants, context(evaluation, *e), gather_lanes<L>(evaluation, e, count), weights);
+    const auto k = E::tangent(e->parameters, e->constants, context(evaluation, *e), gather_lanes<L>(evaluation, first, count), weights);
     for (int row = 0; row < n; row += 4)
       for (int column = 0; column < n; ++column) {
         std::array<double*, L> at;  // the rows of one node lie side by side (system/pattern.hpp)
@@ -225,7 +228,12 @@ class ElementBatch : public Term {
       }
   }
 
-  std::vector<char> like_previous_;  // whether an element obeys the law of the one before
+  // All that the loop over lanes reads of an element whose law it knows.
+  struct Lane {
+    std::array<int, n / 4> nodes{};  // where their coordinates begin, which follow each other
+    bool like_previous = false;      // obeys the law of the element before
+  };
+  std::vector<Lane> lanes_;
 };
 
 }  // namespace dalembert
