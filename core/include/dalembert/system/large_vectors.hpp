@@ -16,10 +16,10 @@ namespace dalembert {
 // From so many numbers on, threads gain more than it takes to call them.
 constexpr std::size_t numbers_to_share = 10000;
 
-// Calls f(begin, end) for stretches that make up [0, count).
+// Calls f(begin, end) for stretches that make up [0, count), each of which is worth a thread's while.
 template <class F>
 [[gnu::noinline]] void each_stretch(const System& system, std::size_t count, const F& f) {
-  Workers* workers = count < numbers_to_share ? nullptr : system.workers();
+  Workers* workers = system.workers();
   workers != nullptr ? workers->each_stretch(count, f) : f(std::size_t{0}, count);
 }
 
@@ -43,11 +43,9 @@ inline double sum_of_squares(const System& system, std::span<const double> x) {
   constexpr std::size_t parts = 64;
   std::array<double, parts> sums;
   const auto begin_of = [size = x.size()](std::size_t part) { return size * part / parts; };
-  const auto add_up = [&](std::size_t begin, std::size_t end) {
+  each_stretch(system, parts, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) sums[i] = sum_of_squares<double>(x.subspan(begin_of(i), begin_of(i + 1) - begin_of(i)));
-  };
-  Workers* workers = system.workers();
-  workers != nullptr ? workers->each_stretch(parts, add_up) : add_up(0, parts);
+  });
   return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
