@@ -26,6 +26,8 @@ RHS, RESIDUAL, TANGENT = (
     ("tangent", "totalJacobian"),
 )
 
+MEGABYTES = 60  # beyond the caches
+
 
 @dataclass(frozen=True)
 class Model:
@@ -51,9 +53,6 @@ def measured(package: Package, model: Model, threads: int) -> tuple[list[float],
     job.settings.displayComputationTime = True  # parts are timed only then
     job.solve()
     return [getattr(job.timer(), part) for _, part in model.parts], job.result()
-
-
-MEGABYTES = 60  # beyond the caches
 
 
 def yardstick_times(work: Callable[[int], object], threads: int, repeat: int) -> tuple[float, float]:

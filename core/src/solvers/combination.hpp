@@ -44,5 +44,9 @@ inline void combine(const System& system, std::vector<double>& sum, const std::v
     terms = terms.subspan(count);
   } while (!terms.empty());
 }
+inline void add(const System& system, std::vector<double>& x, double factor, const std::vector<double>& y) {
+  const WeightedVector term{factor, y.data()};
+  add_weighted<1>(system, x.data(), x.data(), &term, x.size());
+}
 
 }  // namespace dalembert

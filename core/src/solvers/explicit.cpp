@@ -27,10 +27,6 @@ const char* type_name(DynamicSolverType type) {
   }
 }
 
-void add(const System& system, std::vector<double>& x, double factor, const std::vector<double>& y) {
-  const WeightedVector term{factor, y.data()};
-  combine(system, x, x, {&term, 1});
-}
 // `keep(i)` comes before number i moves.
 template <class Keep>
 void kick_and_drift(const System& system, State& state, double h, Keep&& keep) {
@@ -42,12 +38,13 @@ void kick_and_drift(const System& system, State& state, double h, Keep&& keep) {
 }
 // In one pass over memory.
 void kick_and_drift_from(const System& system, State& start, State& state, double h) {
-  kick_and_drift(system, state, h, [a = state.a.data(), v = state.v.data(), q = state.q.data(), start_a = start.a.data(), start_v = start.v.data(),
-                            start_q = start.q.data()](std::size_t i) {
+  const auto keep = [a = state.a.data(), v = state.v.data(), q = state.q.data(), start_a = start.a.data(), start_v = start.v.data(),
+                     start_q = start.q.data()](std::size_t i) {
     start_a[i] = a[i];
     start_v[i] = v[i];
     start_q[i] = q[i];
-  });
+  };
+  kick_and_drift(system, state, h, keep);
 }
 
 }  // namespace

@@ -7,17 +7,14 @@
 #include "dalembert/model/errors.hpp"
 #include "dalembert/output/numbers.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
-#include "dalembert/system/large_vectors.hpp"
 #include "dalembert/system/traced_equations.hpp"
+#include "combination.hpp"
 #include "rotation_increments.hpp"
 
 namespace dalembert {
 
 namespace {
 
-void add(const System& system, std::vector<double>& x, double factor, const std::vector<double>& y) {
-  each_number(system, x.size(), [=, sum = x.data(), term = y.data()](std::size_t i) { sum[i] += factor * term[i]; });
-}
 void subtract(const System& system, std::vector<double>& x, double factor, const double* y) {
   each_number(system, x.size(), [=, rest = x.data()](std::size_t i) { rest[i] -= factor * y[i]; });
 }

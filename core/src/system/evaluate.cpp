@@ -37,42 +37,39 @@ void each(const Batches& batches, F&& f) {
 }
 
 // In each region: what a thread writes it meets again in its cache.
-[[gnu::always_inline]] inline void add_up_totals(const RegionPlan& region, const double* reference, const double* displacements, double* totals) {
-  region.numbers.coordinates.each([=](std::size_t first, std::size_t count) {
-    each_number(count, [q = totals + first, from = reference + first, u = displacements + first](std::size_t i) { q[i] = from[i] + u[i]; });
+[[gnu::always_inline]] inline void find_totals(SystemParts& parts, const RegionPlan& region, const Evaluation& e) {
+  const double* reference = parts.state(ConfigurationType::Reference).q.data();
+  region.numbers.coordinates.each([reference, u = e.u, q = parts.total.data()](std::size_t first, std::size_t count) {
+    each_number(count, [q = q + first, from = reference + first, u = u + first](std::size_t i) { q[i] = from[i] + u[i]; });
   });
+}
+
+// For outputs; the totals at q are left to the caller.
+Evaluation output_view(SystemParts& parts, const State& state) {
+  parts.output_total.resize(parts.total.size());
+  Evaluation e = view_of(parts, state, {});
+  e.q = parts.output_total.data();
+  return e;
 }
 
 }  // namespace
 
-void SystemParts::find_totals(const RegionPlan& region, const Evaluation& e) {
-  add_up_totals(region, state(ConfigurationType::Reference).q.data(), e.u, total.data());
-}
-
 Evaluation SystemParts::evaluation(const State& state, const Conditions& conditions) {
   const Evaluation e = view_of(*this, state, conditions);
-  each_region([this, &e](const RegionPlan& region) { find_totals(region, e); });
+  each_region([this, &e](const RegionPlan& region) { find_totals(*this, region, e); });
   return e;
 }
 
 Evaluation SystemParts::output_evaluation(const State& state, std::span<const int> dofs) {
-  Evaluation e = output_view(state);
+  const Evaluation e = output_view(*this, state);
   for (const int i : dofs) output_total[i] = this->state(ConfigurationType::Reference).q[i] + e.u[i];
   return e;
 }
 
 Evaluation SystemParts::output_evaluation(const State& state) {
-  const Evaluation e = output_view(state);
+  const Evaluation e = output_view(*this, state);
   const double* reference = this->state(ConfigurationType::Reference).q.data();
   each_number(total.size(), [q = output_total.data(), reference, u = e.u](std::size_t i) { q[i] = reference[i] + u[i]; });
-  return e;
-}
-
-// The totals at q are left to the caller.
-Evaluation SystemParts::output_view(const State& state) {
-  output_total.resize(total.size());
-  Evaluation e = view_of(*this, state, {});
-  e.q = output_total.data();
   return e;
 }
 
@@ -144,7 +141,7 @@ class Flagged {
   const Flagged evaluating(parts.evaluating);
   parts.evaluate_resting(e);
   parts.each_region([&parts, &e, r, loads](const RegionPlan& region) DALEMBERT_INLINE {
-    add_up_totals(region, parts.state(ConfigurationType::Reference).q.data(), e.u, parts.total.data());
+    find_totals(parts, region, e);
     begin_residual(parts, region, e.load_factor, loads, r);
     parts.update_frames(region, e);
     const auto add = [&](const Term& term) { term.residual(e, parts.ports, r); };
@@ -216,7 +213,7 @@ void System::mass_matrix(const State& state, const Pattern& pattern, std::span<d
   evaluated_ = nullptr;
   const Evaluation e = view_of(parts, state, {});
   parts.each_region([&parts, &e, &pattern, values](const RegionPlan& region) {
-    parts.find_totals(region, e);
+    find_totals(parts, region, e);
     clear_columns(region, pattern, values.data());
     for (const Term* term : region.terms)
       if (term->has_mass()) term->mass(e, parts.ports, values.data());

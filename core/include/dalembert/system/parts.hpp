@@ -219,11 +219,9 @@ struct SystemParts {
   Evaluation evaluation(const State& state, const Conditions& conditions);
   Evaluation output_evaluation(const State& state);
   Evaluation output_evaluation(const State& state, std::span<const int> dofs);  // q at these coordinates only
-  Evaluation output_view(const State& state);
   void update_ports(const Evaluation& e);
   void evaluate_resting(const Evaluation& e);
   void evaluate_constant_loads();
-  void find_totals(const RegionPlan& region, const Evaluation& e);
   void update_frames(const RegionPlan& region, const Evaluation& e);
   // Calls f(region) for all regions, small ones first, those of one size side by side. What `f` captures is best captured by
   // value: it stays in registers where there is one region.
