@@ -55,7 +55,7 @@ def andrews_error(steps: int) -> Any:
 
 
 def governor_error(steps: int) -> Any:
-    return governor.final("NodeRigidBodyEP", 1.0, steps) - governor.SLIDER[1.0]
+    return governor.final("NodeRigidBodyEP", 1.0, steps) - governor.heights_of_slider()[1.0]
 
 
 def slider_crank_error(steps: int) -> Any:
@@ -74,7 +74,7 @@ def capsize_error(steps: int) -> Any:
 
 def bricard_error(steps: int) -> Any:
     """One equation of the sixth joint, which the others make redundant, is left out."""
-    return bricard.final({5: 0}, 1.0, steps) - bricard.THIRD_CORNER[1.0]
+    return bricard.final({5: 0}, 1.0, steps) - bricard.third_corners()[1.0]
 
 
 TOP = ("position (m)", "angular velocity (rad/s)", "force of the joint (N)")

@@ -37,6 +37,7 @@ class Job:
     iterations: Callable[[], int] = lambda: 0
     timer: Callable[[], Any] = lambda: None
     settings: Any = None
+    mbs: Any = None
 
 
 @dataclass(frozen=True)
@@ -69,6 +70,7 @@ def _job(p: Package, mbs: Any, settings: Any, solver: str = "GeneralizedAlpha") 
         iterations=lambda: int(mbs.sys["dynamicSolver"].it.newtonStepsCount),
         timer=lambda: mbs.sys["dynamicSolver"].timer,
         settings=settings,
+        mbs=mbs,
     )
 
 

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any, TypeVar
 
+from codegen.load_planned import load_planned
 from codegen.load_settings import load_enum, load_settings
 from codegen.model import (
     STANDARD_ARGUMENTS,
@@ -44,8 +45,9 @@ def load(root: Path) -> Specs:
     groups = dict(_each(root, ["groups"], lambda path, content: (Path(path).stem, load_group(path, content))))
     items = _each(root, FOLDERS, lambda path, content: load_item(path, content, groups, enums))
     settings = _each(root, ["settings"], lambda path, content: load_settings(path, content, enums))
+    planned = [one for file in _each(root, ["interface"], load_planned) for one in file]
     _check_references(items, enums, root)
-    return Specs(tuple(items), tuple(enums.values()), tuple(settings))
+    return Specs(tuple(items), tuple(enums.values()), tuple(settings), tuple(planned))
 
 
 def _each(root: Path, folders: Iterable[str], make: Callable[[str, str], T]) -> list[T]:
@@ -97,7 +99,7 @@ def _words(raw: Mapping[str, Any], key: str) -> Any:
 
 
 def _check_folders(specs: Path) -> None:
-    known = (*FOLDERS, "groups", "enums", "settings")
+    known = (*FOLDERS, "groups", "enums", "settings", "interface")
     for entry in sorted(specs.iterdir()):
         if entry.name not in known and not entry.name.startswith("."):
             raise SpecError(f"specs/{entry.name}: not a folder of specs; {nearest(entry.name, known)}")

@@ -6,10 +6,11 @@ from collections.abc import Mapping
 from contextlib import nullcontext
 from typing import Any
 
-from codegen.model import Parameter, SpecError
-from codegen.model_settings import Enum, EnumValue, Settings, SettingsGroup
+from codegen.model import SpecError
+from codegen.model_settings import Enum, EnumValue, Setting, Settings, SettingsGroup
 from codegen.names import nearest, snake_case
-from codegen.rows import at, check_keys, parameter, parse, text
+from codegen.ranges import read_range
+from codegen.rows import PARAMETER_KEYS, at, check_keys, parameter_fields, parse, text
 
 Shared = Mapping[str, Mapping[str, Any]]
 
@@ -50,10 +51,10 @@ def _group(name: str, path: str, table: Mapping[str, Any], shared: Shared, enums
     with at(path) if path else nullcontext():
         origin = table.get("use", "")
         full = _splice(table, shared)
-        rows: list[Parameter] = []
+        rows: list[Setting] = []
         children: list[SettingsGroup] = []
         for key, value in full.items():
-            if key == "summary":
+            if key in ("summary", "beyond_reference"):
                 continue
             if not isinstance(value, Mapping):
                 raise SpecError(f"{key}: a row {{ type = ... }} or a table belongs here, not {value!r}")
@@ -62,11 +63,16 @@ def _group(name: str, path: str, table: Mapping[str, Any], shared: Shared, enums
                     rows.append(_setting(key, value, enums))
             else:
                 children.append(_group(key, key, value, shared, enums))
-        return SettingsGroup(name, text(full, "summary"), tuple(rows), tuple(children), origin)
+        beyond = full.get("beyond_reference")
+        return SettingsGroup(name, text(full, "summary"), tuple(rows), tuple(children), origin, beyond)
 
 
-def _setting(name: str, row: Mapping[str, Any], enums: Mapping[str, Enum]) -> Parameter:
-    result = parameter(name, row, enums)
+def _setting(name: str, row: Mapping[str, Any], enums: Mapping[str, Enum]) -> Setting:
+    check_keys(row, (*PARAMETER_KEYS, "range", "no_effect"))
+    fields = parameter_fields(row, enums)
+    if "range" in fields:
+        fields["range"] = read_range(fields["range"])
+    result = Setting(name=name, **fields)
     if result.type.storage in ("enumeration", "output_variable"):
         values = [v.name for v in enums[result.type.name].values]
         if result.default not in values:

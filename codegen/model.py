@@ -14,7 +14,15 @@ from typing import Any
 from codegen.names import FOLDERS, nearest, stem_of
 from codegen.types import ParameterType, ValueType
 
-CHECKS = ("none", "non_negative", "positive")
+# Which storages a check is for; none: any.
+CHECKS: dict[str, tuple[str, ...]] = {
+    "none": (),
+    "non_negative": ("integer", "real"),
+    "positive": ("integer", "real"),
+    "rotation": ("matrix3", "matrix3s"),
+    "orthogonal": ("matrix3",),
+    "unit_vector": ("vector3", "vector3s"),
+}
 CHANGES = ("any", "assemble")
 SOURCES = ("frame", "coordinates", "kernel")
 PHYSICS = ("ready", "planned")
@@ -83,6 +91,8 @@ class Parameter:
         check_identifier(self.name)
         check_documented(self.doc)
         _one_of("check", self.check or "none", CHECKS)
+        if (fitting := CHECKS[self.check or "none"]) and self.type.storage not in fitting:
+            raise SpecError(f"check: {self.check!r} is not for {self.type.name}")
         _one_of("change", self.change or "any", CHANGES)
         if self.size and self.type.shape[:1] != (None,):
             raise SpecError(f"size: {self.type.name} has no free length")

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from codegen.model import Item, Parameter, SpecError, check_documented, check_identifier
 from codegen.names import nearest
+from codegen.ranges import Range
 from codegen.types import TYPES, VALUE_TYPES, ParameterType, ValueType
 
 
@@ -43,17 +44,41 @@ class Enum:
 
 
 @dataclass(frozen=True)
+class Setting(Parameter):
+    """A row of a structure of settings."""
+
+    range: Range | None = None
+    no_effect: str = ""  # why it is accepted although nothing here depends on it
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.no_effect != self.no_effect.strip(" ."):
+            raise SpecError("no_effect: a reason is a phrase without a full stop")
+        if self.range is None:
+            return
+        if self.type.storage not in ("integer", "real"):
+            raise SpecError(f"range: {self.type.name} is not one number")
+        if self.effective_check != "none" and self.range.lower < 0:
+            raise SpecError(f"range: {self.type.name} is never negative")
+        if self.default not in self.range:
+            raise SpecError(f"default: {self.default!r} is not {self.range.words}")
+
+
+@dataclass(frozen=True)
 class SettingsGroup:
     """A structure of settings. Groups that come from one [shared.*] table have its name as `shared`."""
 
     name: str
     summary: str
-    rows: tuple[Parameter, ...]
+    rows: tuple[Setting, ...]
     children: tuple[SettingsGroup, ...]
     shared: str = ""
+    beyond_reference: str | None = None  # what it adds to the settings of the reference; None: it is one of them
 
     def __post_init__(self) -> None:
         check_documented(self.summary, "summary")
+        if self.beyond_reference is not None:
+            check_documented(self.beyond_reference, "beyond_reference")
 
     def walk(self, prefix: str = "") -> Iterator[tuple[str, SettingsGroup]]:
         """This group and all below it, with their dotted paths, children first."""
@@ -80,12 +105,29 @@ class Settings:
 
 
 @dataclass(frozen=True)
+class Planned:
+    """A module, class or function that is not there yet; if it has `members`, only these are not."""
+
+    name: str
+    is_module: bool
+    what: str
+    instead: str
+    members: tuple[str, ...]
+
+    def __post_init__(self) -> None:
+        check_documented(self.what, "what")
+        for word in (*self.name.split("."), *self.members):
+            check_identifier(word)
+
+
+@dataclass(frozen=True)
 class Specs:
     """Everything under specs/."""
 
     items: tuple[Item, ...]
     enums: tuple[Enum, ...]
     settings: tuple[Settings, ...]
+    planned: tuple[Planned, ...] = ()
 
 
 def parameter_type(name: str, enums: Mapping[str, Enum]) -> ParameterType:

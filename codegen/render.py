@@ -89,6 +89,9 @@ def _python_files(specs: Specs) -> dict[str, str]:
         "python/dalembert/_core_items.pyi": fill("core_items.pyi.j2", items=specs.items),
         "python/dalembert/_core_enums.pyi": fill("core_enums.pyi.j2", enums=specs.enums),
         "python/dalembert/_core_settings.pyi": fill("core_settings.pyi.j2", files=parts),
+        "python/dalembert/_planned_table.py": fill(
+            "planned_table.py.j2", items=[item for item in specs.items if not item.ready], planned=specs.planned
+        ),
     }
 
 
@@ -96,6 +99,7 @@ def _docs_files(specs: Specs) -> dict[str, str]:
     files = {"docs/enums.rst": fill("enums.rst.j2", enums=specs.enums)}
     folders: Mapping[str, list[Item]] = {folder: [i for i in specs.items if i.folder == folder] for folder in FOLDERS}
     files["docs/items/index.rst"] = fill("items_index.rst.j2", folders=folders)
+    files["docs/planned.rst"] = fill("planned.rst.j2", folders=folders, planned=specs.planned)
     for folder, items in folders.items():
         files[f"docs/items/{folder}/index.rst"] = fill("folder_index.rst.j2", folder=folder, items=items)
     for item in specs.items:

@@ -16,6 +16,7 @@ PARAMETER_KEYS = (
 )  # fmt: skip
 _KEY_TYPES: dict[str, type] = {
     "size": int, "optional": bool, "internal": bool, "aliases": list, "typical": list,
+    "range": str, "no_effect": str,
     "doc": str, "unit": str, "symbol": str, "check": str, "change": str, "summary": str, "beyond_reference": str,
 }  # fmt: skip
 _KINDS: dict[type, str] = {str: "a string", bool: "true or false", list: "a list"}
@@ -68,7 +69,11 @@ def text(table: Mapping[str, Any], key: str) -> str:
 
 def parameter(name: str, row: Mapping[str, Any], enums: Mapping[str, Enum]) -> Parameter:
     check_keys(row, PARAMETER_KEYS)
-    type_ = parameter_type(text(row, "type"), enums)
-    keys: dict[str, Any] = {key: value for key, value in row.items() if key != "type"}
-    keys |= {key: tuple(keys.get(key, ())) for key in ("aliases", "typical")}
-    return Parameter(name=name, type=type_, **keys)
+    return Parameter(name=name, **parameter_fields(row, enums))
+
+
+def parameter_fields(row: Mapping[str, Any], enums: Mapping[str, Enum]) -> dict[str, Any]:
+    """What the row gives to the fields of `Parameter`; its keys are checked."""
+    fields: dict[str, Any] = {"type": parameter_type(text(row, "type"), enums)}
+    fields |= {key: value for key, value in row.items() if key != "type"}
+    return fields | {key: tuple(fields.get(key, ())) for key in ("aliases", "typical")}

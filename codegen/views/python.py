@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from codegen.model import Argument, Item, Parameter, UserFunction
-from codegen.model_settings import Enum
+from codegen.model_settings import Enum, Planned
 
 # What an attribute gives, by storage, where it is less than what may be assigned to it.
 _VALUES = {
@@ -100,9 +100,9 @@ def shape_text(shape: tuple[int | None, ...]) -> str:
     return " x ".join(str(length) if length is not None else next(letters) for length in shape)
 
 
-def row_note(row: Parameter | Argument) -> str:
-    """` [3; m]`: size and unit for a docstring."""
-    facts = [fact for fact in (shape_text(row.shape), row.unit) if fact]
+def row_note(row: Parameter | Argument, more: str = "") -> str:
+    """` [3; m]`: size, unit and what else is to be said in a docstring."""
+    facts = [fact for fact in (shape_text(row.shape), row.unit, more) if fact]
     return f" [{'; '.join(facts)}]" if facts else ""
 
 
@@ -115,6 +115,10 @@ def aliases(item: Item) -> list[tuple[str, str]]:
     """Short names, and short names of the visualization class, with the classes that they stand for."""
     pairs = [(short, item.name) for short in item.short_names if short != item.name]
     return pairs + [(f"V{short}", f"V{target}") for short, target in pairs]
+
+
+def planned_entry(planned: Planned) -> str:
+    return f"Planned({planned.what!r}, {planned.instead!r}, {planned.members!r})"
 
 
 def arguments_of(item: Item) -> list[Parameter]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 
 from codegen.model import Argument, Item, Output, Parameter, UserFunction
 from codegen.model_settings import Enum
@@ -62,9 +63,19 @@ def rst_default(row: Parameter) -> str:
     return f"``{text}``" if text != "..." else "default object"
 
 
+_REFUSED_BY_CHECK = {
+    "none": [],
+    "non_negative": ["negative"],
+    "positive": ["zero or negative"],
+    "rotation": ["not orthogonal to 1e-8", "a reflection"],
+    "orthogonal": ["not orthogonal to 1e-8"],
+    "unit_vector": ["a length that differs from 1 by more than 1e-8"],
+}
+
+
 def refused(row: Parameter) -> str:
     """What a value may not be, in words."""
-    reasons = {"none": [], "non_negative": ["negative"], "positive": ["zero or negative"]}[row.effective_check]
+    reasons = _REFUSED_BY_CHECK[row.effective_check]
     if row.type.index:
         reasons = ["an index of another kind or out of range"]
     if row.type.real:
@@ -128,6 +139,12 @@ def _c_parameters(kind: str, pointer: str, name: str) -> list[str]:
 
 def item_link(name: str) -> str:
     return f":ref:`{name} <item-{name}>`"
+
+
+def items_that_run(folders: Mapping[str, list[Item]]) -> str:
+    """`70 of 97`."""
+    items = [item for group in folders.values() for item in group]
+    return f"{sum(item.ready for item in items)} of {len(items)}"
 
 
 def partners(item: Item, items: tuple[Item, ...], kind: str) -> list[Item]:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from codegen.model import Parameter
-from codegen.model_settings import Settings, SettingsGroup
-from codegen.names import snake_case
-from codegen.views.cpp import cpp_value
+from codegen.model_settings import Setting, Settings, SettingsGroup
+from codegen.ranges import Range
+from codegen.views.cpp import cpp_string, cpp_value
+from codegen.views.python import doc_text, row_note
+from codegen.views.rst import remarks, sentence
 
 
 @dataclass(frozen=True)
@@ -17,20 +19,22 @@ class Member:
 
     name: str
     struct: str
-    changed: tuple[Parameter, ...]
+    changed: tuple[Setting, ...]
 
 
 @dataclass(frozen=True)
 class Struct:
     name: str
     summary: str
-    rows: tuple[Parameter, ...]
+    rows: tuple[Setting, ...]
     members: tuple[Member, ...]
     paths: tuple[str, ...]  # where users find it, dotted
+    beyond_reference: str | None = None
 
     @property
-    def variable(self) -> str:
-        return snake_case(self.name) + "_group"
+    def ruled(self) -> tuple[Setting, ...]:
+        """Rows of which more is known than types and signs."""
+        return tuple(row for row in self.rows if row.range or row.no_effect)
 
 
 def structs(settings: Settings) -> list[Struct]:
@@ -41,7 +45,7 @@ def structs(settings: Settings) -> list[Struct]:
     _collect(settings, settings.root, "", False, found)
     paths = list(_paths(settings, settings.root, "", ""))
     return [
-        Struct(s.name, s.summary, s.rows, s.members, tuple(p for p, n in paths if n == s.name)) for s in found.values()
+        replace(struct, paths=tuple(path for path, name in paths if name == struct.name)) for struct in found.values()
     ]
 
 
@@ -55,7 +59,7 @@ def _collect(settings: Settings, group: SettingsGroup, path: str, shared: bool, 
         changed = tuple(a for a, b in zip(child.rows, base.rows, strict=True) if a.default != b.default)
         members.append(Member(child.name, name, changed))
     name = settings.name if not path else struct_name(settings, path)
-    found[name] = Struct(name, group.summary, group.rows, tuple(members), ())
+    found[name] = Struct(name, group.summary, group.rows, tuple(members), (), group.beyond_reference)
 
 
 def _child_name(settings: Settings, path: str, child: SettingsGroup) -> str:
@@ -83,3 +87,32 @@ def cpp_struct_member(member: Member) -> str:
     """`VSettingsMaterial material1{.name = "matt"};`"""
     changes = ", ".join(f".{row.name} = {cpp_value(row)}" for row in member.changed)
     return f"{member.struct} {member.name}{{{changes}}};"
+
+
+def cpp_rule(row: Setting) -> str:
+    """What `SettingRule` says of one row, with only those fields that differ from its defaults."""
+    fields = [f".name = {cpp_string(row.name)}"]
+    if row.range:
+        fields += [*_cpp_bounds(row.range), f".words = {cpp_string(row.range.words)}"]
+    if row.no_effect:
+        fields.append(f".no_effect = {cpp_string(row.no_effect)}")
+    return "{" + ", ".join(fields) + "}"
+
+
+def _cpp_bounds(bounds: Range) -> list[str]:
+    sides = [side for side in ("lower", "upper") if not math.isinf(getattr(bounds, side))]
+    values = [f".{side} = {getattr(bounds, side)!r}" for side in sides]
+    return values + [f".{side}_open = true" for side in sides if getattr(bounds, f"{side}_open")]
+
+
+def setting_notes(row: Setting) -> str:
+    """` [s; greater than 0]; no effect: ...`: what a docstring adds to a description."""
+    note = row_note(row, row.range.words if row.range else "")
+    return note + (f"; no effect: {doc_text(row.no_effect)}" if row.no_effect else "")
+
+
+def described_setting(row: Setting) -> str:
+    """Description, range and remarks as sentences."""
+    note = f"**No effect here:** {row.no_effect}. " if row.no_effect else ""
+    refusal = f"Refused: what is not {row.range.words}." if row.range else remarks(row)
+    return f"{note}{sentence(row.doc)} {refusal}".strip()

@@ -1,6 +1,8 @@
 // Where exu.Print and the solvers write: the console, a file, both or nothing; and the switches of exu.special.
 #pragma once
 
+#include <pybind11/pybind11.h>
+
 #include <string>
 
 namespace dalembert {
@@ -9,8 +11,9 @@ namespace dalembert {
 void write_console(const std::string& text);
 // "Warning: ..." as a line, unless exu.config.suppressWarnings is set. Takes the GIL.
 void write_warning(const std::string& text);
-// exu.config.outputPrecision: significant digits.
-int console_precision();
+// Of a dictionary that `where` is about to take over: another version is refused, or warned of, as
+// exu.special.exceptions.dictionaryVersionMismatch says.
+void check_version(const pybind11::dict& data, const std::string& where);
 
 // exu.special.solver
 struct SolverSwitches {

@@ -1,9 +1,12 @@
 #include "conversion.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
+#include <span>
 
 #include "dalembert/model/member.hpp"
+#include "dalembert/model/value_checks.hpp"
 #include "index_types.hpp"
 #include "python_callback.hpp"
 #include "python_errors.hpp"
@@ -102,6 +105,11 @@ template <class Number>
 DynamicMatrix<Number> read_matrix(PyObject* value, int rows, int columns, const std::string& what) {
   DynamicMatrix<Number> result;
   constexpr bool integers = std::is_same_v<Number, int>;
+  const auto take = [&](double number) {
+    if (integers && number != std::floor(number)) throw Refusal{ErrorKind::type, what, "Entries must be integers."};
+    if (integers && std::abs(number) > std::numeric_limits<int>::max()) throw Refusal{ErrorKind::value, what, "An entry is too large."};
+    result.values.push_back(static_cast<Number>(number));
+  };
   const auto is_right = [&](Py_ssize_t r, Py_ssize_t c) { return (rows < 0 || r == rows) && (columns < 0 || c == columns); };
   if (is_number_array(value)) {
     const auto array = py::reinterpret_borrow<py::array>(value);
@@ -110,10 +118,11 @@ DynamicMatrix<Number> read_matrix(PyObject* value, int rows, int columns, const 
     if (array.size() == 0 && rows < 0) return result;
     if (array.ndim() != 2 || !is_right(array.shape(0), array.shape(1)))
       throw Refusal{ErrorKind::value, what, "Check the shape of the array."};
-    const auto numbers = py::array_t<Number, py::array::c_style | py::array::forcecast>::ensure(value);
+    using Wide = std::conditional_t<integers, std::int64_t, double>;
+    const auto numbers = py::array_t<Wide, py::array::c_style | py::array::forcecast>::ensure(value);
     result.rows = static_cast<int>(array.shape(0));
     result.columns = static_cast<int>(array.shape(1));
-    result.values.assign(numbers.data(), numbers.data() + numbers.size());
+    for (const Wide number : std::span(numbers.data(), static_cast<std::size_t>(numbers.size()))) take(static_cast<double>(number));
   } else {
     const Items lines(value, what);
     result.rows = static_cast<int>(lines.size());
@@ -122,10 +131,7 @@ DynamicMatrix<Number> read_matrix(PyObject* value, int rows, int columns, const 
       if (i == 0) result.columns = static_cast<int>(line.size());
       if (static_cast<int>(line.size()) != result.columns)
         throw Refusal{ErrorKind::value, what, "Row " + std::to_string(i) + " has another length than row 0."};
-      for (const double number : line) {
-        if (integers && number != std::floor(number)) throw Refusal{ErrorKind::type, what, "Entries must be integers."};
-        result.values.push_back(static_cast<Number>(number));
-      }
+      for (const double number : line) take(number);
     }
     if (result.values.empty() && rows < 0) return {};
     if (!is_right(result.rows, result.columns)) throw Refusal{ErrorKind::value, what, "Check the number of rows and columns."};
@@ -425,7 +431,14 @@ py::object empty_opaque(const Row& row) {
 }  // namespace
 
 void from_python(PyObject* value, const Row& row, void* member) {
-  with_type(row.storage, [&]<class T>(TypeTag<T>) { read(value, row, *static_cast<T*>(member)); });
+  with_type(row.storage, [&]<class T>(TypeTag<T>) {
+    if (row.check < Check::rotation) return read(value, row, *static_cast<T*>(member));
+    T candidate;
+    read(value, row, candidate);
+    if (const Verdict verdict = judge(row, &candidate); verdict.fit == Fit::wrong)
+      throw Refusal{ErrorKind::value, demand(row.check), verdict.problem + " " + advice(row.check)};
+    *static_cast<T*>(member) = std::move(candidate);
+  });
 }
 
 PyObject* to_python(const Row& row, const void* member, Form form, PyObject* owner) {

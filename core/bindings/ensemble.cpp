@@ -224,17 +224,19 @@ py::dict arrays(const std::vector<VariationResult>& results, const Ensemble& ens
   const auto n = static_cast<py::ssize_t>(results.size());
   py::array_t<bool> success(n), side_by_side(n);
   py::array_t<double> times(n);
-  py::list messages;
+  py::list messages, warnings;
   for (py::ssize_t k = 0; k < n; ++k) {
     const VariationResult& r = results[static_cast<std::size_t>(k)];
     success.mutable_at(k) = r.solved;
     side_by_side.mutable_at(k) = r.side_by_side;
     times.mutable_at(k) = r.time;
     messages.append(r.message);
+    warnings.append(r.warnings);
   }
   all["success"] = success;
   all["sideBySide"] = side_by_side;
   all["messages"] = messages;
+  all["warnings"] = warnings;
   all["endTimes"] = times;
   all["sensorValues"] = table(results, columns, [](const VariationResult& r) -> const auto& { return r.values; });
   const auto [histories, rows] = history_arrays(results, ensemble.sensors, columns);
@@ -253,6 +255,7 @@ py::dict arrays(const std::vector<VariationResult>& results, const Ensemble& ens
 py::dict solve(const std::shared_ptr<MainSystem>& main, const py::object& settings, const std::string& kind, int variations,
                const py::list& parameters, const py::list& varied_settings, const py::list& coordinates,
                const std::vector<int>& sensors, bool histories, bool states, int threads) {
+  require_idle(*main, call);
   System& system = main->assembled(method);
   refuse_python_functions(*main);
   Ensemble ensemble{.variations = variations, .simulation = *simulation_settings_of(settings), .sensors = sensors,

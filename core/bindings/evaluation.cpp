@@ -3,6 +3,8 @@
 
 #include "console.hpp"
 #include "dalembert/model/errors.hpp"
+#include "dalembert/solvers/numerical_tangent.hpp"
+#include "dalembert/solvers/open_constraints.hpp"
 #include "main_system.hpp"
 #include "module.hpp"
 
@@ -30,6 +32,7 @@ std::vector<double> numbers(const Array& values, std::size_t size, const char* n
 }
 
 System& checked(MainSystem& main, const EvaluationState& s, const char* method) {
+  require_idle(main, std::string("testing.") + method + "(...)");
   System& system = main.assembled(method);
   const Sizes& n = system.sizes();
   const auto fits = [](const std::vector<double>& v, int size) { return v.size() == static_cast<std::size_t>(size); };
@@ -60,6 +63,26 @@ py::array_t<double> matrix(System& system, bool dense, int size, Evaluate&& eval
   std::vector<double> values(static_cast<std::size_t>(pattern.values()));
   evaluate(pattern, values);
   return square(pattern, values, size);
+}
+
+py::array_t<int> array(const std::vector<int>& values) {
+  return py::array_t<int>(static_cast<py::ssize_t>(values.size()), values.data());
+}
+
+// Entries of the sparse matrix as (rows, columns, values).
+template <class Evaluate>
+py::tuple entries(System& system, Evaluate&& evaluate) {
+  const Pattern& pattern = system.pattern(false);
+  std::vector<double> values(static_cast<std::size_t>(pattern.values())), stored;
+  evaluate(pattern, values);
+  std::vector<int> rows, columns;
+  for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
+    if (values[slot] == 0) return;
+    rows.push_back(row);
+    columns.push_back(column);
+    stored.push_back(values[slot]);
+  });
+  return py::make_tuple(array(rows), array(columns), array(stored));
 }
 
 void register_state(py::module_& module) {
@@ -139,8 +162,51 @@ void register_matrices(py::module_& module) {
         });
       },
       py::arg("mbs"), py::arg("state"), py::kw_only(), py::arg("dense") = true, "M(q) of the ODE2 coordinates.");
+  module.def(
+      "tangent_entries",
+      [](MainSystem& main, const EvaluationState& s, double cq, double cv) {
+        System& system = checked(main, s, "tangent_entries");
+        return entries(system, [&](const Pattern& pattern, std::vector<double>& values) {
+          system.tangent(s.state, s.conditions, {.q = cq, .v = cv, .a = 0, .y = 1, .y_t = 0}, pattern, values);
+        });
+      },
+      py::arg("mbs"), py::arg("state"), py::kw_only(), py::arg("cq") = 1.0, py::arg("cv") = 0.0,
+      "The entries of `tangent` that are not zero: (rows, columns, values).");
+  module.def(
+      "mass_entries",
+      [](MainSystem& main, const EvaluationState& s) {
+        System& system = checked(main, s, "mass_entries");
+        return entries(system, [&](const Pattern& pattern, std::vector<double>& values) { system.mass_matrix(s.state, pattern, values); });
+      },
+      py::arg("mbs"), py::arg("state"), "The entries of `mass_matrix` that are not zero: (rows, columns, values).");
   module.def("constant_mass_matrix", [](MainSystem& main) { return main.assembled("constant_mass_matrix").constant_mass_matrix(); },
              py::arg("mbs"), "True if M does not depend on the coordinates.");
+}
+
+void register_constraints(py::module_& module) {
+  module.def(
+      "constraint_rates",
+      [](MainSystem& main, const EvaluationState& s) {
+        const ConstraintRates now = constraint_rates(checked(main, s, "constraint_rates"), s.state, s.conditions);
+        std::vector<int> of_velocities(now.of_velocities.begin(), now.of_velocities.end());
+        return py::make_tuple(array(now.rates), array(now.speeds), array(of_velocities));
+      },
+      py::arg("mbs"), py::arg("state"),
+      "Of all constraint equations: the rates of their gaps, the sums of the magnitudes of the velocities that meet in them, and 1 for "
+      "those that constrain velocities.");
+  module.def(
+      "open_constraints",
+      [](MainSystem& main, const EvaluationState& s, double position, double velocity, bool rates) {
+        System& system = checked(main, s, "open_constraints");
+        py::list found;
+        for (const OpenConstraint& open : open_constraints(system, s.state, s.conditions, {position, velocity, rates}))
+          found.append(py::make_tuple(open.row, open.of_rate, open.gap, open.excess, open.text(system)));
+        return found;
+      },
+      py::arg("mbs"), py::arg("state"), py::arg("position"), py::arg("velocity"), py::arg("rates") = true,
+      "Constraints that the state does not fulfil, the worst first: (AE number, whether the rate is meant, gap, gap / tolerance, text).");
+  module.def("extent", [](MainSystem& main) { return main.assembled("extent").extent(); }, py::arg("mbs"),
+             "The diagonal of the box around all markers in space, as evaluated last, in m; 1 without such markers.");
 }
 
 void register_division(py::module_& module) {
@@ -148,6 +214,7 @@ void register_division(py::module_& module) {
       "divide",
       [](MainSystem& main, int coordinates, int threads) {
         main.assembled("divide");
+        require_idle(main, "testing.divide(...)");
         main.system.assemble(main.model, {.coordinates = coordinates, .entries = 0});
         main.system.use_threads(threads);
         return main.system.threads();
@@ -188,6 +255,7 @@ void register_evaluation(py::module_& module) {
   register_state(testing);
   register_vectors(testing);
   register_matrices(testing);
+  register_constraints(testing);
   register_updates(testing);
   register_division(testing);
 }

@@ -42,6 +42,11 @@ bool ItemCallback::has_this(const MainSystem& main, int number) const {
          static_cast<const UserFunction*>(member(item->record.get(), row_))->callback.get() == this;
 }
 
+RunningFunction ItemCallback::running(int item) const {
+  const auto words = [](const void* callback, int number) { return static_cast<const ItemCallback*>(callback)->describe(number); };
+  return RunningFunction(main_, RunningFunction::Place::in_evaluation, words, this, item);
+}
+
 // Functions of loads are called without their number.
 int ItemCallback::find_this(const MainSystem& main) const {
   for (int i = 0; i < main.model.count(type_->kind); ++i)

@@ -8,6 +8,7 @@
 
 #include "dalembert/model/item.hpp"
 #include "dalembert/reflection/callback.hpp"
+#include "occupation.hpp"
 
 namespace dalembert {
 
@@ -31,6 +32,8 @@ class ItemCallback : public Callback {
   const Row& row() const { return row_; }
   const Signature& signature() const;
   std::shared_ptr<MainSystem> main() const { return main_.lock(); }
+  // To be kept while the function runs.
+  RunningFunction running(int item) const;
   // "user function 'springForceUserFunction' of object 3 'spring' (ObjectConnectorSpringDamper)"
   std::string describe(int item) const;
 

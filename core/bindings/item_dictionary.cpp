@@ -4,6 +4,7 @@
 #include "conversion.hpp"
 #include "dalembert/model/errors.hpp"
 #include "dalembert/model/member.hpp"
+#include "dalembert/model/value_checks.hpp"
 #include "item_classes.hpp"
 #include "python_errors.hpp"
 
@@ -30,20 +31,33 @@ bool is_default(const ItemClass& item_class, const Row& row, PyObject* value) {
   if (row.check == Check::none) return false;
   Row unchecked = row;
   unchecked.check = Check::none;
-  const void* standard = member(item_class.defaults.get(), row);
+  const auto equals_default = [&]<class T>(T given) {
+    from_python(value, unchecked, &given);
+    const T& standard = *static_cast<const T*>(member(item_class.defaults.get(), row));
+    if constexpr (is_vec<T>) return given.x == standard.x;
+    else return given == standard;
+  };
   try {
-    if (row.storage == Storage::integer) {
-      int number = 0;
-      from_python(value, unchecked, &number);
-      return number == *static_cast<const int*>(standard);
+    switch (row.storage) {
+      case Storage::integer: return equals_default(0);
+      case Storage::real: return equals_default(0.0);
+      case Storage::vector3: return equals_default(Vec3<double>{});
+      default: return false;
     }
-    if (row.storage != Storage::real) return false;
-    double number = 0;
-    from_python(value, unchecked, &number);
-    return number == *static_cast<const double*>(standard);
   } catch (const Refusal&) {
     return false;
   }
+}
+
+void warn(const std::string& message) {
+  if (PyErr_WarnEx(PyExc_UserWarning, message.c_str(), 1) != 0) throw py::error_already_set();
+}
+
+void warn_if_doubtful(const Row& row, const void* record, PyObject* value, const std::string& name, const Label& where) {
+  const Verdict verdict = judge(row, member(record, row));
+  if (verdict.fit != Fit::doubtful) return;
+  warn(Complaint{where.text(), name, "", show(value), demand(row.check), verdict.problem + " " + advice(row.check)}.text() +
+       " The value is used as it is.");
 }
 
 // 'nodeType' and its like, interned.
@@ -57,8 +71,7 @@ PyObject* type_key_name(ItemKind kind) {
 }
 
 void warn_of_ignored(const Complaint& text) {
-  const std::string message = text.text() + " The entry is ignored.";
-  if (PyErr_WarnEx(PyExc_UserWarning, message.c_str(), 1) != 0) throw py::error_already_set();
+  warn(text.text() + " The entry is ignored.");
 }
 
 // What a dictionary shows for a row.
@@ -86,6 +99,7 @@ void copy_default(const ItemClass& item_class, const Row& row, void* record) {
 }  // namespace
 
 void set_member(const ItemClass& item_class, const Row& row, PyObject* value, void* record, const Label& where) {
+  const auto name = [&] { return (row.role == Role::visualization ? "V" : "") + std::string(row.name); };
   try {
     from_python(value, row, member(record, row));
   } catch (const Refusal& refusal) {
@@ -95,9 +109,9 @@ void set_member(const ItemClass& item_class, const Row& row, PyObject* value, vo
     }
     std::string expected = refusal.expected;
     if (!row.unit.empty()) expected += " (unit " + std::string(row.unit) + ")";
-    const std::string name = (row.role == Role::visualization ? "V" : "") + std::string(row.name);
-    refuse(refusal.kind, {where.text(), name, "", show(value), expected, refusal.advice});
+    refuse(refusal.kind, {where.text(), name(), "", show(value), expected, refusal.advice});
   }
+  if (row.check == Check::orthogonal) warn_if_doubtful(row, record, value, name(), where);
 }
 
 void set_visualization(const ItemClass& item_class, PyObject* value, void* record, const Label& where) {

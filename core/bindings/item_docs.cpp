@@ -4,6 +4,7 @@
 
 #include "conversion.hpp"
 #include "dalembert/model/member.hpp"
+#include "dalembert/model/value_checks.hpp"
 #include "item_equality.hpp"
 
 namespace dalembert {
@@ -90,6 +91,7 @@ std::string row_doc(const Row& row) {
   if (row.size > 0) text += " of length " + std::to_string(row.size);
   if (row.check == Check::positive) text += ", > 0";
   if (row.check == Check::non_negative) text += ", >= 0";
+  if (const std::string demanded = demand(row.check); !demanded.empty()) text += ", " + demanded;
   if (!row.unit.empty()) text += ", unit " + std::string(row.unit);
   if (row.needs_assemble) text += "; changes need Assemble()";
   return text;

@@ -3,6 +3,7 @@
 #include <cctype>
 
 #include "compiled_callback.hpp"
+#include "console.hpp"
 #include "conversion.hpp"
 #include "dalembert/model/member.hpp"
 #include "garbage.hpp"
@@ -73,7 +74,16 @@ void register_state(Class& main_system) {
   main_system.def("GetDictionary", &system_dictionary, "All items, user functions and variables as one dictionary.");
   main_system.def("SetDictionary", &set_system_dictionary, py::arg("systemDict"),
                   "Replace the whole system by what GetDictionary() gave.");
-  main_system.def("Reset", &MainSystem::reset, "Delete all items, user functions and variables.");
+  main_system.def(
+      "Reset",
+      [](MainSystem& main) {
+        require_idle(main, "mbs.Reset()");
+        main.reset();
+      },
+      "Delete all items, user functions and variables.");
+  main_system.def("_RequireIdle", [](const MainSystem& main, const std::string& method) { require_idle(main, "mbs." + method + "(...)"); },
+                  py::arg("method"), "Refuse a call of the method while the system is being solved.");
+  main_system.def("NumberOfGeneralContacts", [](const MainSystem&) { return 0; }, "0: GeneralContact is planned.");
   main_system.def("__repr__", [](const MainSystem& main) { return system_summary(main); });
 }
 
@@ -81,61 +91,98 @@ void register_state(Class& main_system) {
 void register_rendering(Class& main_system) {
   main_system.def("SendRedrawSignal", [](MainSystem&) {}, "Does nothing: there is no renderer.");
   main_system.def("ActivateRendering", [](MainSystem&, bool) {}, py::arg("flag") = true, "Does nothing: there is no renderer.");
-  main_system.def("GetRenderEngineStopFlag", [](const MainSystem& main) { return main.stop_requested; }, "Whether a stop was requested.");
+  main_system.def("GetRenderEngineStopFlag", [](const MainSystem& main) { return main.stop_requested.load(); }, "Whether a stop was requested.");
   main_system.def("SetRenderEngineStopFlag", [](MainSystem& main, bool flag) { main.stop_requested = flag; }, py::arg("stopFlag"),
                   "Ask the running solver to stop.");
   main_system.def("WaitForUserToContinue", [](MainSystem&, bool) {}, py::arg("printMessage") = true,
                   "Does nothing: there is no renderer.");
 }
 
-void register_planned(Class& main_system) {
-  const auto planned = [](const char* method) {
-    return [method](MainSystem&, const py::args&, const py::kwargs&) -> py::object {
-      throw ModelError(ErrorKind::planned, "mbs." + std::string(method) +
-                                               "(...): GeneralContact is planned and not yet part of this release. Use the "
-                                               "contact objects, e.g. ObjectContactSphereSphere, where they suffice.");
-    };
-  };
-  for (const char* method : {"AddGeneralContact", "GetGeneralContact", "DeleteGeneralContact"})
-    main_system.def(method, planned(method));
-  main_system.def("NumberOfGeneralContacts", [](const MainSystem&) { return 0; });
-}
-
 }  // namespace
 
-void MainSystem::assemble() {
+Model& MainSystem::restructure(const Label& call) {
+  require_idle(*this, call);
+  return model_;
+}
+
+void MainSystem::edit(ItemKind kind, int number, const Row& row, const std::function<void(void*)>& write) {
+  const auto call = [&] { return "mbs.Set" + std::string(kind_title(kind)) + "Parameter(" + std::to_string(number) + ", " +
+                                 quoted(row.name) + ", ...)"; };
+  Model::changes_structure(row) ? require_idle(*this, call) : require_own_thread(*this, call);
+  model_.edit(kind, number, row, write);
+}
+
+// In the middle of an evaluation the tables stay as they are; what comes next takes it over.
+void MainSystem::add_load_dependencies(int load, std::span<const int> coordinates) {
+  model_.add_load_dependencies(load, coordinates);
+  if (RunningFunction::in_evaluation_here(*this)) {
+    system.refresh_later(model);
+  } else {
+    system.add_load_dependencies(load, coordinates);
+  }
+}
+
+void MainSystem::assemble(const Label& method) {
+  require_idle(*this, [&] { return "mbs." + method.text() + "()"; });
   system.assemble(model);
   excerpts = {};
   assembled_structure_ = model.structure_changes();
   refreshed_values_ = model.value_changes();
+  if (const std::string doubt = model.doubt(); !doubt.empty())
+    if (PyErr_WarnEx(PyExc_UserWarning, doubt.c_str(), 1) != 0) throw py::error_already_set();
 }
 
-void MainSystem::set_consistent(bool flag) { assembled_structure_ = flag ? model.structure_changes() : ~std::uint64_t{0}; }
-
-System& MainSystem::assembled(const char* method) {
-  if (!consistent()) {
-    Complaint complaint;
-    complaint.item = "mbs." + std::string(method) + "(...)";
-    complaint.problem = system.assembled() ? "items were added, deleted or connected differently since mbs.Assemble()"
-                                           : "the system is not assembled";
-    complaint.advice = "Call mbs.Assemble() after the last change of items and before this call.";
-    refuse(ErrorKind::state, complaint);
+// Sensors that were added or deleted have no part in the equations: the system takes them over. Other changes need Assemble().
+void MainSystem::set_consistent(bool flag) {
+  if (flag == consistent()) return;
+  constexpr const char* call = "mbs.systemIsConsistent";
+  require_idle(*this, call);
+  if (flag && !system.renew_sensors(model)) {
+    refuse(ErrorKind::state, {.item = call, .problem = "it cannot be set: the equations are not those of the items", .received = "True",
+                              .advice = "Call mbs.Assemble(), which makes the system consistent."});
   }
+  assembled_structure_ = flag ? model.structure_changes() : ~std::uint64_t{0};
+}
+
+void MainSystem::require_consistent(const Label& method) const {
+  if (consistent()) return;
+  Complaint complaint;
+  complaint.item = "mbs." + method.text() + "(...)";
+  complaint.problem = system.assembled() ? "items were added, deleted or connected differently since mbs.Assemble()"
+                                         : "the system is not assembled";
+  complaint.advice = "Call mbs.Assemble() after the last change of items and before this call.";
+  refuse(ErrorKind::state, complaint);
+}
+
+System& MainSystem::assembled(const Label& method) {
+  require_own_thread(*this, [&] { return "mbs." + method.text() + "(...)"; });
+  require_consistent(method);
   if (refreshed_values_ != model.value_changes()) {
-    system.refresh(model);
-    refreshed_values_ = model.value_changes();
+    if (RunningFunction::in_evaluation_here(*this)) {  // of batches that are in use
+      system.refresh_later(model);
+    } else {
+      system.refresh(model);
+      refreshed_values_ = model.value_changes();
+    }
   }
   return system;
 }
 
-void MainSystem::reset() {
-  model.clear();
+const System& MainSystem::at_rest(const Label& method) const {
+  require_consistent(method);
+  return system;
+}
+
+void MainSystem::reset() { reset_to({}); }
+
+void MainSystem::reset_to(Model model) {
+  model_.become(std::move(model));
   variables = py::dict();
   sys = py::dict();
   user_functions.clear();
   sensor_storage.clear();
   excerpts = {};
-  set_consistent(false);
+  assembled_structure_ = ~std::uint64_t{0};
 }
 
 py::object MainSystem::user_function(const std::string& name) const {
@@ -177,6 +224,8 @@ py::dict system_dictionary(const MainSystem& main) {
 }
 
 void set_system_dictionary(MainSystem& main, const py::dict& data) {
+  require_idle(main, "mbs.SetDictionary(...)");
+  check_version(data, "mbs.SetDictionary(...)");
   Model model;
   for (int k = 0; k < item_kinds; ++k) {
     const ItemKind kind = static_cast<ItemKind>(k);
@@ -198,9 +247,7 @@ void set_system_dictionary(MainSystem& main, const py::dict& data) {
     if (const std::string key = dictionary_key(name); functions.contains(key)) user_functions[name] = function_of(name, functions[key.c_str()]);
   const bool interactive = settings.contains("interactiveMode") && settings["interactiveMode"].cast<bool>();
   const py::dict variables = entries("variables"), sys = entries("systemVariables");
-  main.reset();
-  main.model = std::move(model);
-  main.set_consistent(false);
+  main.reset_to(std::move(model));
   main.variables = variables;
   main.sys = sys;
   for (const auto& [name, function] : user_functions) main.set_user_function(name, function);
@@ -227,8 +274,9 @@ void register_main_system(py::module_& module) {
   main_system.def_readwrite("variables", &MainSystem::variables, "A dictionary that is free for the user.");
   main_system.def_readwrite("sys", &MainSystem::sys, "A dictionary in which utilities keep their data.");
   main_system.def_readwrite("interactiveMode", &MainSystem::interactive);
-  main_system.def_readwrite("solverSignalJacobianUpdate", &MainSystem::jacobian_update_requested,
-                            "Set by user functions to ask for a new Jacobian.");
+  main_system.def_property("solverSignalJacobianUpdate", [](const MainSystem& main) { return main.jacobian_update_requested.load(); },
+                           [](MainSystem& main, bool flag) { main.jacobian_update_requested = flag; },
+                           "Set by user functions to ask for a new Jacobian.");
   main_system.def_property("systemIsConsistent", &MainSystem::consistent, &MainSystem::set_consistent,
                            "Whether the system is assembled and has the same items since.");
   main_system.def_property_readonly(
@@ -236,7 +284,6 @@ void register_main_system(py::module_& module) {
   register_functions(main_system);
   register_state(main_system);
   register_rendering(main_system);
-  register_planned(main_system);
   register_main_system_items(main_system);
   register_main_system_assembled(main_system);
 }

@@ -3,6 +3,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <atomic>
 #include <map>
 #include <memory>
 #include <string>
@@ -11,6 +12,8 @@
 #include "dalembert/output/sensor_recorder.hpp"
 #include "dalembert/system/excerpt.hpp"
 #include "dalembert/system/system.hpp"
+#include "label.hpp"
+#include "occupation.hpp"
 
 namespace dalembert {
 
@@ -21,7 +24,7 @@ class SystemContainer;
 // Held by shared_ptr: user functions and solvers may outlive the Python variable.
 class MainSystem : public std::enable_shared_from_this<MainSystem> {
  public:
-  Model model;
+  const Model& model = model_;
   System system;
   Excerpts excerpts;  // of the model, as long as it is not assembled
 
@@ -29,23 +32,35 @@ class MainSystem : public std::enable_shared_from_this<MainSystem> {
   std::map<std::string, py::object> user_functions;  // PreStep, PostStep, PostNewton, PreNewtonResidual, SystemJacobian
   SensorStorage sensor_storage;                      // sensors with storeInternal
   bool interactive = false;
-  bool stop_requested = false;
-  bool jacobian_update_requested = false;
+  std::atomic<bool> stop_requested = false, jacobian_update_requested = false;  // also by other threads than the solver's
   std::weak_ptr<SystemContainer> container;
+  const Work* work = nullptr;  // of the solver that is running
 
   // Assembled, and the model has the same items since.
   bool consistent() const { return system.assembled() && assembled_structure_ == model.structure_changes(); }
   void set_consistent(bool flag);
-  void assemble();
-  // The system with all changed parameters taken over; refuses, naming `method`, if Assemble() is due.
-  System& assembled(const char* method);
+  void assemble(const Label& method);
+  // The system with all changed parameters taken over; refuses, naming `method`, if Assemble() is due, or if another thread uses it.
+  System& assembled(const Label& method);
+  // The same for reading what a solver leaves alone: tables, the configurations Reference and Visualization. Any thread may.
+  const System& at_rest(const Label& method) const;
+
+  // ---- changes of the model: there are no others ---------------------------------------------------------------------
+  // What changes its structure is refused while the system is in use; `call`: "mbs.AddNode(...)".
+  Model& restructure(const Label& call);
+  void edit(ItemKind kind, int number, const Row& row, const std::function<void(void*)>& write);
+  void add_load_dependencies(int load, std::span<const int> coordinates);
   void reset();
+  void reset_to(Model model);
 
   // None if no function was set.
   py::object user_function(const std::string& name) const;
   void set_user_function(const std::string& name, const py::object& function);  // None removes it
 
  private:
+  void require_consistent(const Label& method) const;
+
+  Model model_;
   std::uint64_t assembled_structure_ = ~std::uint64_t{0}, refreshed_values_ = 0;
 };
 

@@ -52,28 +52,37 @@ py::object number_or_array(const std::vector<double>& values) {
 struct Source {
   Source(MainSystem& main, const char* method, ItemKind kind, int item, ConfigurationType configuration) {
     if (configuration == ConfigurationType::Reference && !main.consistent()) {
-      const Excerpt& part = main.excerpts.of(main.model, kind, item);
-      system = part.system.get();
-      number = part.number;
+      excerpt = main.excerpts.of(main.model, kind, item);
+      system = excerpt->system.get();
+      number = excerpt->number;
     } else {
       system = &main.assembled(method);
       number = item;
     }
   }
+  std::shared_ptr<const Excerpt> excerpt;  // also when user functions that it calls ask for others
   System* system = nullptr;
   int number = -1;
 };
 
 void register_assembly(Class& main_system) {
-  main_system.def("Assemble", &MainSystem::assemble, "Check the model and build the system of equations from it.");
-  // The interface has the parts of Assemble as methods of their own; they are one here.
-  main_system.def("AssembleCoordinates", &MainSystem::assemble, "A part of Assemble(); does all of it.");
-  const auto rest = [](const char* method) { return [method](MainSystem& main) { main.assembled(method); }; };
-  main_system.def("AssembleLTGLists", rest("AssembleLTGLists"), "A part of Assemble(); done by AssembleCoordinates().");
-  main_system.def("AssembleInitializeSystemCoordinates", rest("AssembleInitializeSystemCoordinates"),
-                  "A part of Assemble(); done by AssembleCoordinates().");
-  main_system.def("AssembleSystemInitialize", rest("AssembleSystemInitialize"),
-                  "A part of Assemble(); done by AssembleCoordinates().");
+  const auto all = [](const char* method) { return [method](MainSystem& main) { main.assemble(method); }; };
+  main_system.def("Assemble", all("Assemble"), "Check the model and build the system of equations from it.");
+  // The interface has the parts of Assemble as methods of their own; what follows from the items is done by one of them here.
+  const auto number = [](const char* method) {
+    return [method](MainSystem& main) {
+      require_idle(main, [&] { return called(method); });
+      if (!main.consistent()) main.assemble(method);
+    };
+  };
+  main_system.def("AssembleCoordinates", number("AssembleCoordinates"),
+                  "A part of Assemble(): number the coordinates, if items have changed.");
+  main_system.def("AssembleLTGLists", number("AssembleLTGLists"),
+                  "A part of Assemble(): list the coordinates of objects, if items have changed.");
+  main_system.def("AssembleInitializeSystemCoordinates", all("AssembleInitializeSystemCoordinates"),
+                  "A part of Assemble(): take over reference and initial values of all nodes, and start from them.");
+  main_system.def("AssembleSystemInitialize", [](MainSystem& main) { main.assembled("AssembleSystemInitialize"); },
+                  "A part of Assemble(): take over changed parameters of the other items.");
 }
 
 void register_outputs(Class& main_system) {
@@ -166,6 +175,7 @@ void register_loads_and_sensors(Class& main_system) {
       "GetSensorStoredData",
       [](MainSystem& main, const py::object& sensor) -> py::object {
         const int number = item_number_argument(main, ItemKind::sensor, sensor.ptr(), "GetSensorStoredData");
+        require_own_thread(main, "mbs.GetSensorStoredData(...)");
         const SensorTable table = main.sensor_storage.table(number);
         return new_array({table.rows(), table.columns}, table.values.data());
       },
@@ -185,7 +195,7 @@ void register_indices(Class& main_system) {
         entry.method,
         [entry](MainSystem& main, const py::object& node) {
           const int number = item_number_argument(main, ItemKind::node, node.ptr(), entry.method);
-          const int index = main.assembled(entry.method).node_index(number, entry.kind);
+          const int index = main.at_rest(entry.method).node_index(number, entry.kind);
           if (index < 0) {
             refuse(ErrorKind::value, {called(entry.method), "",
                                       main.model.describe(ItemKind::node, number) + " has no " + entry.coordinates + " coordinates", "",

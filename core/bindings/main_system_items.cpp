@@ -105,7 +105,7 @@ PyObject* add_item(PyObject* self, PyObject* value) {
     if (main == nullptr) refuse(ErrorKind::state, {"mbs", "", "MainSystem.__init__ was not called", "", "", ""});
     Item item = item_argument(K, value);
     item.record = bind_user_functions(*item.type, std::move(item.record), *main);
-    return make_index(K, main->model.add(std::move(item)));
+    return make_index(K, main->restructure([] { return "mbs." + method_name("Add", K) + "(...)"; }).add(std::move(item)));
   });
 }
 
@@ -149,9 +149,10 @@ py::object get_parameter(const MainSystem& main, ItemKind kind, int number, cons
 
 // ---- changing --------------------------------------------------------------------------------------------------------
 
-// Changes of values reach an assembled system at once: user functions change parameters between two steps.
-void take_over(MainSystem& main, const char* method) {
-  if (main.consistent()) main.assembled(method);
+// Changes of values reach an assembled system at once: user functions change parameters between two steps. In the middle of an
+// evaluation, they reach the next.
+void take_over(MainSystem& main) {
+  if (main.consistent()) main.assembled("SetParameter");
 }
 
 void set_parameter(MainSystem& main, ItemKind kind, int number, const std::string& name, const py::object& value) {
@@ -160,7 +161,8 @@ void set_parameter(MainSystem& main, ItemKind kind, int number, const std::strin
   const auto where = [&] { return main.model.describe(kind, number); };
   if (row.internal) refuse(ErrorKind::value, {where(), name, "cannot be set", "", "", "It is computed by the system."});
   const ItemType& type = *item.type;
-  main.model.edit(kind, number, row, [&](void* target) {
+  const std::shared_ptr<const void> before = item.record;
+  main.edit(kind, number, row, [&](void* target) {
     // `target` is the member; the record begins at its offset before.
     set_member(class_of(type), row, value.ptr(), static_cast<char*>(target) - row.offset, where);
     if (row.storage == Storage::user_function) {
@@ -168,7 +170,15 @@ void set_parameter(MainSystem& main, ItemKind kind, int number, const std::strin
       function = bind_user_function(type, function, main);
     }
   });
-  take_over(main, "SetParameter");
+  try {
+    take_over(main);
+  } catch (...) {  // it does not fit nodes and markers
+    main.edit(kind, number, row, [&](void* target) {
+      visit(row, before.get(), [&]<class T>(const T& old) { *static_cast<T*>(target) = old; });
+    });
+    take_over(main);
+    throw;
+  }
 }
 
 void modify_item(MainSystem& main, ItemKind kind, int number, const py::dict& changes) {
@@ -184,12 +194,13 @@ void modify_item(MainSystem& main, ItemKind kind, int number, const py::dict& ch
   }
   std::shared_ptr<void> record = type.record.copy(old.record.get());
   update_from_dictionary(class_of(type), changes, record.get(), where, UnknownKeys::refuse);
-  main.model.replace(kind, number, {&type, bind_user_functions(type, std::move(record), main)});
+  main.restructure([&] { return "mbs." + method_name("Modify", kind) + "(...)"; }).replace(kind, number, {&type, bind_user_functions(type, std::move(record), main)});
 }
 
 void delete_item(MainSystem& main, ItemKind kind, int number, bool with_dependents, bool quiet) {
-  for (const std::string& lost : main.model.remove(kind, number, with_dependents)) {
-    const std::string text = "mbs." + method_name("Delete", kind) + "(...): " + lost + ".";
+  const std::string call = "mbs." + method_name("Delete", kind) + "(...)";
+  for (const std::string& lost : main.restructure(call).remove(kind, number, with_dependents)) {
+    const std::string text = call + ": " + lost + ".";
     if (!quiet && PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) != 0) throw py::error_already_set();
   }
 }

@@ -1,6 +1,9 @@
 // MatrixContainer: a matrix that is kept dense or as triplets.
 #include <pybind11/numpy.h>
 
+#include <cmath>
+#include <limits>
+
 #include "containers.hpp"
 #include "conversion.hpp"
 #include "python_errors.hpp"
@@ -86,7 +89,8 @@ MatrixContainer read_triplets(const char* method, const py::object& value, int r
   for (int k = 0; k < table.rows; ++k) {
     const double i = table.values[position(table, k, 0)], j = table.values[position(table, k, 1)];
     const auto fits = [grows](double index, int size) {
-      return index >= 0 && index == static_cast<int>(index) && (grows || size < 0 || index < size);
+      constexpr double most = std::numeric_limits<int>::max();  // of rows and columns
+      return index >= 0 && index < most && index == std::floor(index) && (grows || size < 0 || index < size);
     };
     if (!fits(i, rows) || !fits(j, columns))
       refuse_value(

@@ -34,4 +34,5 @@ PYBIND11_MODULE(_core, module) {
   register_linear_solver(module);
   register_symbolic(module);
   register_compiled_functions(module);
+  guard_objects(module);  // of all classes
 }

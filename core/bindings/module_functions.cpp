@@ -3,13 +3,14 @@
 #include <pybind11/stl.h>
 
 #include <chrono>
-#include <filesystem>
-#include <fstream>
+#include <set>
 #include <thread>
 
 #include "console.hpp"
 #include "conversion.hpp"
 #include "dalembert/model/errors.hpp"
+#include "dalembert/model/value_checks.hpp"
+#include "dalembert/output/output_file.hpp"
 #include "module.hpp"
 
 namespace dalembert {
@@ -21,7 +22,7 @@ struct Config {
   bool printFlushAlways = false, printToConsole = true;
   bool printToFile = false, printToFileAppend = false, flushFileAlways = false;
   std::string printFileName;
-  std::ofstream file;
+  OutputFile file;
 };
 
 struct Exceptions {
@@ -45,6 +46,23 @@ Special& special() {
   return instance;
 }
 
+// The file that repeats the console ends with the first error, which is told once.
+void write_to_file(const std::string& text, bool flush) {
+  Config& c = config();
+  try {
+    c.file.text() += text;
+    flush ? c.file.flush() : c.file.written();
+  } catch (const FileError&) {
+    c.printToFile = false;
+    throw;
+  }
+}
+
+void end_writing_to_file() {
+  config().printToFile = false;
+  config().file.close();
+}
+
 // The GIL is held.
 void write(const std::string& text, bool flush) {
   Config& c = config();
@@ -55,10 +73,7 @@ void write(const std::string& text, bool flush) {
       if (flush || c.printFlushAlways) out.attr("flush")();
     }
   }
-  if (c.printToFile) {
-    c.file << text;
-    if (flush || c.flushFileAlways || c.printFlushAlways) c.file.flush();
-  }
+  if (c.printToFile) write_to_file(text, flush || c.flushFileAlways || c.printFlushAlways);
   if (c.printDelayMilliSeconds > 0) {
     const py::gil_scoped_release release;
     std::this_thread::sleep_for(std::chrono::milliseconds(c.printDelayMilliSeconds));
@@ -90,19 +105,12 @@ void set_write_to_file(const std::string& filename, bool write_file, bool append
                               .parameter = "filename",
                               .problem = "is empty",
                               .advice = "Pass flagWriteToFile=False to end writing."});
-  c.file.close();
-  c.file.clear();
-  c.printToFile = false;
+  end_writing_to_file();
   c.printFileName = filename;
   c.printToFileAppend = append;
   c.flushFileAlways = flush_always;
   if (!write_file) return;
-  const std::filesystem::path folder = std::filesystem::path(filename).parent_path();
-  std::error_code ignored;
-  if (!folder.empty()) std::filesystem::create_directories(folder, ignored);
-  c.file.open(filename, append ? std::ios::app : std::ios::trunc);
-  if (!c.file)
-    refuse(ErrorKind::value, {.item = "exu.SetWriteToFile", .problem = "file '" + filename + "' cannot be written"});
+  c.file.open(filename, append, "file of exu.SetWriteToFile");
   c.printToFile = true;
 }
 
@@ -122,6 +130,16 @@ void help() {
         py::kwargs());
 }
 
+// For arguments of functions in Python: what the check of a parameter, "rotation" or "unit_vector", says of so many numbers.
+std::string problem_of(const std::string& check, const py::array_t<double, py::array::c_style | py::array::forcecast>& value) {
+  const bool rotation = check == "rotation";
+  if (value.size() != (rotation ? 9 : 3)) throw std::logic_error("_problem_of: wrong number of values");
+  if (!rotation) return judge_unit_vector(load<double, 3>(value.data())).problem;
+  Mat3<double> matrix;
+  std::copy_n(value.data(), 9, matrix.x.begin());
+  return judge_rotation(matrix).problem;
+}
+
 // Counters of allocations are not kept: zeros, so that scripts that compare them run.
 std::vector<int> allocation_counts(bool write_output) {
   if (write_output) write("allocations are not counted\n", false);
@@ -137,25 +155,44 @@ std::string attributes_text(const T& object, const std::vector<const char*>& nam
   return text;
 }
 
+// For switches that are kept, so that scripts run, although nothing depends on them: told once.
+void tell_without_effect(const std::string& name, const std::string& reason) {
+  static std::set<std::string> told;
+  if (told.insert(name).second) write_warning(name + " has no effect: " + reason);
+}
+
+template <class Owner, class Value>
+void add_idle_switch(py::class_<Owner>& owner, const std::string& where, const char* name, Value Owner::*member, const std::string& reason) {
+  owner.def_property(
+      name, [member](const Owner& self) { return self.*member; },
+      [=](Owner& self, Value value) {
+        self.*member = value;
+        if (value != Owner().*member) tell_without_effect(where + name, reason);
+      },
+      ("No effect: " + reason + ".").c_str());
+}
+
 void register_config(py::module_& module) {
   py::class_<Config> c(module, "Config", "Switches for output and warnings, as exu.config.");
   c.def(
       "Version", [](const Config&, bool details) { return version(details); }, py::arg("addDetails") = false,
       "Version of this package.");
   c.def_readwrite("suppressWarnings", &Config::suppressWarnings, "True: no warnings.");
+  const std::string precision = "solvers show as many digits as simulationSettings.outputPrecision says";
   c.def_property(
       "outputPrecision", [](const Config& self) { return self.outputPrecision; },
-      [](Config& self, int digits) {
+      [precision](Config& self, int digits) {
         if (digits < 1 || digits > 17)
           refuse(ErrorKind::value, {.item = "exu.config",
                                     .parameter = "outputPrecision",
                                     .received = std::to_string(digits),
                                     .expected = "1 to 17 digits"});
         self.outputPrecision = digits;
+        if (digits != Config().outputPrecision) tell_without_effect("exudyn.config.outputPrecision", precision);
       },
-      "Significant digits of the core's output.");
-  c.def_readwrite("linalgOutputFormatPython", &Config::linalgOutputFormatPython,
-                  "Vectors and matrices as Python writes them.");
+      ("No effect: " + precision + ".").c_str());
+  add_idle_switch(c, "exudyn.config.", "linalgOutputFormatPython", &Config::linalgOutputFormatPython,
+                  "vectors and matrices are always shown as Python writes them");
   c.def_property(
       "printDelayMilliSeconds", [](const Config& self) { return self.printDelayMilliSeconds; },
       [](Config& self, int delay) {
@@ -183,20 +220,21 @@ void register_config(py::module_& module) {
 void register_special(py::module_& module) {
   py::class_<SolverSwitches> solver(module, "SpecialSolver", "Switches for solvers, as exu.special.solver.");
   solver.def_readwrite("timeout", &SolverSwitches::timeout,
-                       "A solver stops after this processor time, in s; negative: never.");
-  solver.def_readwrite("throwErrorWithCtrlC", &SolverSwitches::throwErrorWithCtrlC,
-                       "Whether Ctrl-C in a solver raises an exception.");
-  solver.def_readwrite("multiThreadingLoadBalancing", &SolverSwitches::multiThreadingLoadBalancing,
-                       "Share work among threads as it comes.");
+                       "A solver stops after so many seconds, with a warning, and returns False; negative: never.");
+  const std::string of_solver = "exudyn.special.solver.";
+  add_idle_switch(solver, of_solver, "throwErrorWithCtrlC", &SolverSwitches::throwErrorWithCtrlC,
+                  "Ctrl-C in a solver always raises KeyboardInterrupt");
+  add_idle_switch(solver, of_solver, "multiThreadingLoadBalancing", &SolverSwitches::multiThreadingLoadBalancing,
+                  "threads that are ready always take over work of others");
   solver.def("__repr__", [](const SolverSwitches& self) {
     return attributes_text(self, {"timeout", "throwErrorWithCtrlC", "multiThreadingLoadBalancing"});
   });
   py::class_<Exceptions> exceptions(module, "SpecialExceptions",
                                     "What is refused in dictionaries of systems, as exu.special.exceptions.");
   exceptions.def_readwrite("dictionaryVersionMismatch", &Exceptions::dictionaryVersionMismatch,
-                           "Refuse other versions.");
-  exceptions.def_readwrite("dictionaryNonCopyable", &Exceptions::dictionaryNonCopyable,
-                           "Refuse what cannot be copied.");
+                           "True: SetDictionary refuses what another version has made; False: it only warns.");
+  add_idle_switch(exceptions, "exudyn.special.exceptions.", "dictionaryNonCopyable", &Exceptions::dictionaryNonCopyable,
+                  "dictionaries of systems hold their variables themselves, not copies");
   exceptions.def("__repr__", [](const Exceptions& self) {
     return attributes_text(self, {"dictionaryVersionMismatch", "dictionaryNonCopyable"});
   });
@@ -207,9 +245,11 @@ void register_special(py::module_& module) {
       "InfoStat", [](const Special&, bool write_output) { return allocation_counts(write_output); },
       py::arg("writeOutput") = true, "Seven zeros: allocations are not counted.");
   module.attr("special") = py::cast(special(), py::return_value_policy::reference);
-  py::class_<Experimental> experimental(module, "Experimental", "Accepted, without effect.");
-  experimental.def_readwrite("eigenFullPivotLUsolverDebugLevel", &Experimental::eigenFullPivotLUsolverDebugLevel);
-  experimental.def_readwrite("markerSuperElementRigidTexpSO3", &Experimental::markerSuperElementRigidTexpSO3);
+  py::class_<Experimental> experimental(module, "Experimental", "Switches of the reference's development, as exu.experimental.");
+  add_idle_switch(experimental, "exudyn.experimental.", "eigenFullPivotLUsolverDebugLevel",
+                  &Experimental::eigenFullPivotLUsolverDebugLevel, "what a failed factorization has found is in the SolverError");
+  add_idle_switch(experimental, "exudyn.experimental.", "markerSuperElementRigidTexpSO3",
+                  &Experimental::markerSuperElementRigidTexpSO3, "derivatives of such markers are always exact");
   module.attr("experimental") = py::cast(Experimental{});
 }
 
@@ -250,7 +290,18 @@ void write_warning(const std::string& text) {
   if (!config().suppressWarnings) write("Warning: " + text + "\n", false);
 }
 
-int console_precision() { return config().outputPrecision; }
+void check_version(const py::dict& data, const std::string& where) {
+  if (!data.contains("__version__")) return;
+  const auto made_by = py::str(data["__version__"]).cast<std::string>();
+  if (made_by == DALEMBERT_VERSION) return;
+  if (special().exceptions.dictionaryVersionMismatch)
+    refuse(ErrorKind::value, {.item = where,
+                              .parameter = "__version__",
+                              .received = made_by,
+                              .expected = DALEMBERT_VERSION,
+                              .advice = "To read it all the same, set exu.special.exceptions.dictionaryVersionMismatch = False."});
+  write_warning(where + ": version " + made_by + " has made this dictionary, not " DALEMBERT_VERSION);
+}
 
 const SolverSwitches& solver_switches() { return special().solver; }
 
@@ -259,7 +310,11 @@ void register_module_functions(py::module_& module) {
   module.def("Print", &print, "Print as Python does, to where exu.config and SetWriteToFile say.");
   module.def("SetWriteToFile", &set_write_to_file, py::arg("filename"), py::arg("flagWriteToFile") = true,
              py::arg("flagAppend") = false, py::arg("flagFlushAlways") = false,
-             "Write all output to a file as well, or end that (flagWriteToFile=False), which closes the file.");
+             "Write all output to a file as well, or end that (flagWriteToFile=False), which closes the file. An OSError if "
+             "that is not possible, also later, by what prints; then the file has ended.");
+  py::module_::import("atexit").attr("register")(py::cpp_function(&end_writing_to_file));  // while errors can be shown
+  module.def("_problem_of", &problem_of, py::arg("check"), py::arg("value"), py::pos_only(),
+             "What is wrong with a rotation or a unit vector; empty if nothing is.");
   register_config(module);
   register_special(module);
   register_earlier_functions(module);

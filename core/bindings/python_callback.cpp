@@ -90,6 +90,7 @@ class PythonCallback final : public ItemCallback {
  private:
   // A function that is called while it runs, or from another thread, gets objects of its own.
   py::object invoke(double time, int item, std::span<const Argument> arguments) const {
+    const RunningFunction known = running(item);
     if (running_) {
       PythonArguments own;
       return invoke(own, time, item, arguments);

@@ -2,6 +2,8 @@
 
 #include <pybind11/numpy.h>
 
+#include "dalembert/output/file_error.hpp"
+
 namespace dalembert {
 namespace {
 
@@ -19,6 +21,16 @@ PyObject* exception_of(ErrorKind kind) {
   return PyExc_RuntimeError;
 }
 
+// An OSError with errno and filename: FileNotFoundError and the like, as Python chooses them.
+void set_os_error(const FileError& error) noexcept {
+  PyObject* file = PyUnicode_DecodeFSDefault(error.file().c_str());
+  PyObject* instance =
+      file == nullptr ? nullptr : PyObject_CallFunction(PyExc_OSError, "isN", error.code(), error.reason().c_str(), file);
+  if (instance == nullptr) return;
+  PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(instance)), instance);
+  Py_DECREF(instance);
+}
+
 }  // namespace
 
 void set_python_error() noexcept {
@@ -28,6 +40,8 @@ void set_python_error() noexcept {
     error.restore();
   } catch (const ModelError& error) {
     PyErr_SetString(exception_of(error.kind()), error.what());
+  } catch (const FileError& error) {
+    set_os_error(error);
   } catch (const py::builtin_exception& error) {
     error.set_error();
   } catch (const std::bad_alloc&) {
@@ -86,6 +100,8 @@ void register_errors(py::module_&) {
       std::rethrow_exception(pointer);
     } catch (const ModelError& error) {
       PyErr_SetString(exception_of(error.kind()), error.what());
+    } catch (const FileError& error) {
+      set_os_error(error);
     }
   });
 }

@@ -214,7 +214,7 @@ void make_class(SettingsClass& settings_class, const py::module_& module) {
   for (const SettingsChild& child : settings_class.group->children)
     add_field(settings_class, child.name, std::string(child.group->name), get_child, &child);
   for (const Row& row : settings_class.group->rows)
-    add_field(settings_class, row.name, setting_doc(row), get_row, &row);
+    add_field(settings_class, row.name, setting_doc(*settings_class.group, row), get_row, &row);
   settings_class.fields.push_back({});
   settings_class.texts.push_back(module.attr("__name__").cast<std::string>() + "." + settings_class.name);
   const char* full_name = settings_class.texts.back().c_str();

@@ -71,6 +71,6 @@ py::dict settings_dictionary(const SettingsView& view);
 py::dict settings_dictionary_with_types(const SettingsView& view);
 void set_settings_dictionary(const SettingsView& view, const py::dict& values);
 std::string settings_text(const SettingsView& view);
-std::string setting_doc(const Row& row);
+std::string setting_doc(const SettingsGroup& group, const Row& row);
 
 }  // namespace dalembert

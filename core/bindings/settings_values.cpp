@@ -88,8 +88,28 @@ py::object with_plain_numbers(PyObject* value, ItemKind expected) {
   return plain;
 }
 
+// The range of the setting takes the place of the sign that its type allows.
+template <class T>
+T number_in_range(const Row& row, const SettingRule& rule, PyObject* value) {
+  Row any = row;
+  any.check = Check::none;
+  T number{};
+  from_python(value, any, &number);
+  if (!rule.admits(number))
+    throw Refusal{ErrorKind::value, (std::is_same_v<T, int> ? "an integer " : "a number ") + std::string(rule.words), ""};
+  return number;
+}
+
 void write_value(const SettingsView& view, const Row& row, PyObject* value) {
+  const SettingRule* rule = view.group->rule_of(row.name);
+  const bool ranged = rule != nullptr && !rule->words.empty();
   visit(row, view.data, [&]<class T>(T& out) {
+    if constexpr (std::is_same_v<T, int> || std::is_same_v<T, double>) {
+      if (ranged) {
+        out = number_in_range<T>(row, *rule, value);
+        return;
+      }
+    }
     if constexpr (std::is_same_v<T, std::uint32_t>) {
       write_enumeration(row, value, out);
     } else if constexpr (std::is_same_v<T, std::vector<int>>) {
@@ -201,7 +221,7 @@ py::dict settings_dictionary_with_types(const SettingsView& view) {
     entry["value"] = value;
     entry["type"] = type_word(row);
     entry["size"] = size_of(value);
-    entry["description"] = setting_doc(row);
+    entry["description"] = setting_doc(*view.group, row);
     values[py::str(row.name)] = entry;
   }
   return values;
@@ -224,12 +244,18 @@ std::string settings_text(const SettingsView& view) {
   return text;
 }
 
-std::string setting_doc(const Row& row) {
+std::string setting_doc(const SettingsGroup& group, const Row& row) {
+  const SettingRule* rule = group.rule_of(row.name);
   std::string text = type_word(row);
-  if (row.check == Check::positive) text += ", greater than zero";
-  if (row.check == Check::non_negative) text += ", not negative";
+  if (rule != nullptr && !rule->words.empty()) {
+    text += ", " + std::string(rule->words);
+  } else {
+    if (row.check == Check::positive) text += ", greater than zero";
+    if (row.check == Check::non_negative) text += ", not negative";
+  }
   if (row.size > 0) text += " of length " + std::to_string(row.size);
   if (!row.unit.empty()) text += ", in " + std::string(row.unit);
+  if (rule != nullptr && !rule->no_effect.empty()) text += "; no effect: " + std::string(rule->no_effect);
   return text;
 }
 

@@ -1,6 +1,8 @@
 // Counters, flags and times of solvers as Python objects whose attributes can be read and written.
 #include "solver_data.hpp"
 
+#include <pybind11/stl.h>
+
 #include <functional>
 #include <memory>
 #include <string>
@@ -15,6 +17,7 @@ namespace {
 
 std::string as_text(bool value) { return value ? "True" : "False"; }
 std::string as_text(int value) { return std::to_string(value); }
+std::string as_text(StepCount value) { return std::to_string(value); }
 std::string as_text(double value) { return format_number(value); }
 
 // Makes attributes of members, and a repr that lists them all.
@@ -161,6 +164,19 @@ void register_timer(py::module_& module) {
 }
 
 }  // namespace
+
+py::dict diagnosis_dictionary(const Diagnosis& d) {
+  using namespace py::literals;
+  py::list values;
+  for (const NamedValue& v : d.values)
+    values.append(py::dict("vector"_a = v.vector, "index"_a = v.index, "value"_a = v.value, "items"_a = v.items));
+  return py::dict("reason"_a = name_of(d.reason), "solverName"_a = d.solver, "stepIndex"_a = d.step, "time"_a = d.time,
+                  "stepSize"_a = d.step_size, "loadFactor"_a = d.load_factor, "newtonSteps"_a = d.newton_iteration,
+                  "residual"_a = d.residual, "relativeResidual"_a = d.relative_residual,
+                  "relativeTolerance"_a = d.tolerance_relative, "absoluteTolerance"_a = d.tolerance_absolute, "values"_a = values,
+                  "sources"_a = d.sources, "causingRow"_a = d.singular_row, "causingItems"_a = d.singular_items,
+                  "dependentEquations"_a = d.dependent, "advice"_a = d.advice);
+}
 
 void register_solver_data(py::module_& module) {
   register_iteration(module);

@@ -37,10 +37,11 @@ class SystemFunction {
     const std::array objects{py::cast(main), py::cast(time), py::cast(arguments)...};
     std::array<PyObject*, std::tuple_size_v<decltype(objects)>> passed;
     std::ranges::transform(objects, passed.begin(), [](const py::object& object) { return object.ptr(); });
+    const RunningFunction known(main_, RunningFunction::Place::between_evaluations, &words, this);
     PyObject* raw = PyObject_Vectorcall(function_.ptr(), passed.data(), passed.size(), nullptr);
-    if (raw == nullptr) throw_python_error("in mbs." + name_ + "UserFunction, at time " + std::to_string(time));
+    if (raw == nullptr) throw_python_error("in " + words(this, -1) + ", at time " + std::to_string(time));
     const py::object result = py::reinterpret_steal<py::object>(raw);
-    main->assembled(name_.c_str());
+    main->assembled(name_);
     try {
       return read(result);
     } catch (const py::cast_error&) {
@@ -52,11 +53,15 @@ class SystemFunction {
     const char* expected = name_ == "PostNewton" ? "a list [error, recommended step size]"
                            : name_ == "SystemJacobian" ? "a MatrixContainer"
                                                        : "True to go on, or False to stop";
-    refuse(ErrorKind::value, {"mbs." + name_ + "UserFunction, at time " + std::to_string(time), "", "",
+    refuse(ErrorKind::value, {words(this, -1) + ", at time " + std::to_string(time), "", "",
                               show(result.ptr()) + " as result", expected, "Return it at the end of the function."});
   }
 
  private:
+  static std::string words(const void* function, int) {
+    return "mbs." + static_cast<const SystemFunction*>(function)->name_ + "UserFunction";
+  }
+
   std::weak_ptr<MainSystem> main_;
   std::string name_;
   py::object function_;
@@ -104,9 +109,10 @@ std::vector<MatrixEntry> read_entries(const py::object& result) {
   }
   std::vector<MatrixEntry> entries;
   for (const auto& t : matrix.triplets) entries.push_back({t.row, t.column, t.value});
-  for (int i = 0; matrix.dense && i < matrix.rows * matrix.columns; ++i) {
-    const double value = matrix.values[static_cast<std::size_t>(i)];
-    if (value != 0) entries.push_back({i / matrix.columns, i % matrix.columns, value});
+  const auto columns = static_cast<std::size_t>(matrix.columns);
+  for (std::size_t i = 0; matrix.dense && i < matrix.values.size(); ++i) {
+    if (const double value = matrix.values[i]; value != 0)
+      entries.push_back({static_cast<int>(i / columns), static_cast<int>(i % columns), value});
   }
   return entries;
 }
@@ -153,8 +159,11 @@ void add_interruption(SolverHooks& hooks, const std::shared_ptr<MainSystem>& mai
     const auto locked = weak.lock();
     return locked && locked->stop_requested;
   };
-  hooks.jacobian_update_requested = [main = main.get()] { return std::exchange(main->jacobian_update_requested, false); };
+  hooks.jacobian_update_requested = [&requested = main->jacobian_update_requested] {
+    return requested.load(std::memory_order_relaxed) && requested.exchange(false);
+  };
   hooks.show = [weak](bool) {
+    const InterpreterLock lock;  // other threads may read it
     const auto locked = weak.lock();
     if (locked) locked->system.state(ConfigurationType::Visualization) = locked->system.state(ConfigurationType::Current);
   };
@@ -200,6 +209,7 @@ SolverEnvironment make_environment(const std::shared_ptr<MainSystem>& main) {
   environment.hooks.timeout = solver_switches().timeout;
   environment.sensors = sensor_channels(main->model);
   environment.sensor_storage = &main->sensor_storage;
+  environment.model = &main->model;
   environment.build = std::string(DALEMBERT_VERSION) + "; Python" + std::to_string(PY_MAJOR_VERSION) + "." +
                       std::to_string(PY_MINOR_VERSION) + "." + std::to_string(PY_MICRO_VERSION);
   return environment;

@@ -1,6 +1,8 @@
 #include "solver_wrapper.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "conversion.hpp"
 #include "dalembert/model/errors.hpp"
@@ -9,7 +11,12 @@
 
 namespace dalembert {
 
-Array dense_matrix(const Pattern& pattern, std::span<const double> values, int size) {
+Array dense_matrix(const char* method, const Pattern& pattern, std::span<const double> values, int size) {
+  if (const double entries = static_cast<double>(size) * size; entries > std::numeric_limits<int>::max()) {
+    refuse(ErrorKind::value, {.item = std::string("solver.") + method + "()",
+                              .problem = "an array of shape (" + std::to_string(size) + ", " + std::to_string(size) + ") is too large: it would take " +
+                                         std::to_string(std::lround(8e-9 * entries)) + " GB"});
+  }
   Array matrix({size, size});
   auto m = matrix.mutable_unchecked<2>();
   std::fill_n(matrix.mutable_data(), matrix.size(), 0.0);
@@ -61,16 +68,17 @@ MainPointer SolverWrapper::main() const {
 }
 
 void SolverWrapper::attach(const MainPointer& new_main, const py::object& object, const char* method, bool renew) {
-  if (!new_main) throw py::type_error(std::string("solver.") + method + "(mainSystem, ...): expected a MainSystem");
   const bool other = new_main != main_.lock();
   System& system = new_main->assembled(method);
+  auto used = settings;
   if (!object.is_none() && !object.is(settings_object)) {
-    settings = simulation_settings_of(object);
+    used = simulation_settings_of(object);
     settings_object = object;
   }
-  if (!settings) settings = std::make_shared<SimulationSettings>();
-  main_ = new_main;
+  if (!used) used = std::make_shared<SimulationSettings>();
   if (renew || other || !environment_) environment_ = make_environment(new_main);
+  main_ = new_main;
+  settings = std::move(used);
   if (newton_settings_) {
     const auto copy = simulation_settings_of(newton_settings_);
     solver().newton_settings = copy->timeIntegration.newton;
@@ -78,45 +86,72 @@ void SolverWrapper::attach(const MainPointer& new_main, const py::object& object
   solver().attach(system, *settings, *environment_);
 }
 
-void SolverWrapper::require(const MainPointer& new_main, const py::object& object, const char* method) {
-  attach(new_main, object, method, false);
-  const Sizes &mine = solver().sizes(), &its = new_main->system.sizes();
-  if (!initialized_ || mine.ode2 != its.ode2 || mine.ode1 != its.ode1 || mine.ae != its.ae || mine.data != its.data) {
-    throw ModelError(ErrorKind::state, std::string("solver.") + method +
-                                           "(...): the solver is not initialized for this system; call "
-                                           "InitializeSolver(mbs, simulationSettings) first");
-  }
+void SolverWrapper::refuse_uninitialized(const char* method, const std::string& problem) {
+  refuse(ErrorKind::state, {.item = std::string("solver.") + method + "(...)", .problem = problem,
+                            .advice = "Call solver.InitializeSolver(mbs, simulationSettings) first."});
 }
 
-void SolverWrapper::require(const MainPointer& new_main, const char* method) {
-  require(new_main, settings_object ? settings_object : py::object(py::none()), method);
+void SolverWrapper::require_initialized(const char* method, const MainPointer& new_main) const {
+  if (!initialized_) refuse_uninitialized(method, "the solver is not initialized");
+  if (new_main != main_.lock()) refuse_uninitialized(method, "the solver is initialized for another system");
+  if (version_ != new_main->system.version())
+    refuse_uninitialized(method, "the system was assembled again after the solver was initialized");
+}
+
+void SolverWrapper::require_initialized(const char* method) const {
+  const MainPointer known = main_.lock();
+  if (!known) refuse_uninitialized(method, initialized_ ? "the solver's system does not exist any more" : "the solver is not initialized");
+  require_own_thread(method);
+  require_initialized(method, known);
+}
+
+void SolverWrapper::require_own_thread(const char* method) const {
+  if (const MainPointer known = main_.lock()) dalembert::require_own_thread(*known, [&] { return std::string("solver.") + method + "(...)"; });
 }
 
 bool SolverWrapper::initialize_for(const MainPointer& new_main, const py::object& object) {
-  attach(new_main, object, "InitializeSolver", true);
-  new_main->stop_requested = false;
-  initialized_ = true;
-  {
-    const WithoutInterpreter free;
-    initialized_ = solver().initialize();
-  }
-  update_newton_view();
+  const Work here(new_main, *this, "InitializeSolver", Work::Extent::whole);
+  run(new_main, object, "InitializeSolver", [this] { return solver().initialize(); });
   return initialized_;
 }
 
 bool SolverWrapper::solve_for(const MainPointer& new_main, const py::object& object) {
-  attach(new_main, object, "SolveSystem", true);
+  const Work here(new_main, *this, "SolveSystem", Work::Extent::whole);
   const struct Release {
-    std::optional<SolverEnvironment>& environment;
-    ~Release() { environment.reset(); }
-  } release_functions{environment_};
+    SolverWrapper& self;
+    ~Release() {
+      self.solver().forget_environment();
+      self.environment_.reset();
+    }
+  } release_functions{*this};
+  const bool success = run(new_main, object, "SolveSystem", [this] { return solver().solve_system(); });
+  new_main->system.state(ConfigurationType::Visualization) = new_main->system.state(ConfigurationType::Current);
+  if (settings->cleanUpMemory) {
+    solver().free_memory();
+    initialized_ = false;
+  }
+  return success;
+}
+
+// What begins with the initialization. Its parts may be called by user functions as soon as it begins.
+template <class F>
+bool SolverWrapper::run(const MainPointer& new_main, const py::object& object, const char* method, F&& f) {
+  initialized_ = false;
+  attach(new_main, object, method, true);
   new_main->stop_requested = false;
+  dense_ = is_dense(settings->linearSolverType);
+  version_ = new_main->system.version();
+  mass_.clear();
+  new_main->system.state(ConfigurationType::Visualization);  // there before other threads ask for it
+  const struct Mark {
+    SolverWrapper& self;
+    ~Mark() { self.initialized_ = self.solver().output.initializationSuccessful; }
+  } mark{*this};
   initialized_ = true;
   bool success = false;
   {
     const WithoutInterpreter free;
-    success = solver().solve_system();
-    new_main->system.state(ConfigurationType::Visualization) = new_main->system.state(ConfigurationType::Current);
+    success = f();
   }
   update_newton_view();
   return success;
@@ -131,6 +166,7 @@ py::object SolverWrapper::newton_view() {
 }
 
 void SolverWrapper::set_newton(const py::object& newton) {
+  require_own_thread("newton");
   newton_view();
   newton_settings_.attr("timeIntegration").attr("newton") = newton;
   solver().newton_settings = simulation_settings_of(newton_settings_)->timeIntegration.newton;
@@ -142,7 +178,7 @@ void SolverWrapper::update_newton_view() {
 
 const Pattern& SolverWrapper::pattern() {
   if (NewtonSolver* newton = newton_solver()) return newton->pattern();
-  return main()->system.pattern(is_dense(settings->linearSolverType));
+  return main()->system.pattern(dense_);
 }
 
 std::span<double> SolverWrapper::residual() {
@@ -151,7 +187,15 @@ std::span<double> SolverWrapper::residual() {
   return own_residual_;
 }
 
-Array SolverWrapper::residual_array() { return vector_array(residual()); }
+Array SolverWrapper::residual_array() {
+  require_initialized("GetSystemResidual");
+  return vector_array(residual());
+}
+
+void SolverWrapper::set_residual(const Array& vector) {
+  require_initialized("SetSystemResidual");
+  read_vector("SetSystemResidual", vector, residual());
+}
 
 void SolverWrapper::store_mass_matrix(double factor) {
   mass_.assign(static_cast<std::size_t>(pattern().values()), 0.0);
@@ -160,20 +204,28 @@ void SolverWrapper::store_mass_matrix(double factor) {
 }
 
 Array SolverWrapper::mass_matrix() const {
+  require_initialized("GetSystemMassMatrix");
   auto& self = const_cast<SolverWrapper&>(*this);
-  if (main_.expired()) throw ModelError(ErrorKind::state, "solver.GetSystemMassMatrix(): call ComputeMassMatrix(mbs) first");
   if (mass_.empty()) self.store_mass_matrix(1);
-  return dense_matrix(self.pattern(), mass_, solver().sizes().ode2);
+  return dense_matrix("GetSystemMassMatrix", self.pattern(), mass_, solver().sizes().ode2);
 }
 
 void SolverWrapper::set_mass_matrix(const Array& matrix) {
-  mass_.assign(static_cast<std::size_t>(pattern().values()), 0.0);
-  read_matrix("SetSystemMassMatrix", matrix, pattern(), mass_, solver().sizes().ode2);
+  require_initialized("SetSystemMassMatrix");
+  std::vector<double> mass(static_cast<std::size_t>(pattern().values()), 0.0);
+  read_matrix("SetSystemMassMatrix", matrix, pattern(), mass, solver().sizes().ode2);
+  mass_ = std::move(mass);
+}
+
+void SolverWrapper::set_jacobian(const Array& matrix) {
+  require_initialized("SetSystemJacobian");
+  read_matrix("SetSystemJacobian", matrix, pattern(), newton_solver()->jacobian_values(), solver().sizes().total());
 }
 
 Array SolverWrapper::jacobian() {
+  require_initialized("GetSystemJacobian");
   NewtonSolver* newton = newton_solver();
-  return dense_matrix(newton->pattern(), newton->jacobian_values(), solver().sizes().total());
+  return dense_matrix("GetSystemJacobian", newton->pattern(), newton->jacobian_values(), solver().sizes().total());
 }
 
 // The current state without accelerations and multipliers: forces alone.

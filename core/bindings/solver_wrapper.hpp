@@ -18,7 +18,8 @@ namespace dalembert {
 using Array = py::array_t<double>;
 using MainPointer = std::shared_ptr<MainSystem>;
 
-Array dense_matrix(const Pattern& pattern, std::span<const double> values, int size);
+// Refused if it is too large for `method` to give.
+Array dense_matrix(const char* method, const Pattern& pattern, std::span<const double> values, int size);
 Array vector_array(std::span<const double> values);
 // Refused if the shape differs, or if an entry lies outside the pattern.
 void read_matrix(const char* method, const Array& matrix, const Pattern& pattern, std::span<double> values, int size);
@@ -32,12 +33,22 @@ class SolverWrapper {
   virtual NewtonSolver* newton_solver() { return nullptr; }
   const Solver& solver() const { return const_cast<SolverWrapper*>(this)->solver(); }
 
-  // Before every call that works on a system. Hooks are made anew when `renew`, otherwise only for another system.
-  void attach(const MainPointer& main, const py::object& settings, const char* method, bool renew);
-  // As attach, and refused unless InitializeSolver has been called for a system of this size.
-  void require(const MainPointer& main, const py::object& settings, const char* method);
+  // f() with an initialized solver at work on the system; refused if one of both is in use.
+  template <class F>
+  auto during(const MainPointer& main, const py::object& settings, const char* method, Work::Extent extent, F&& f) {
+    const Work here(main, *this, method, extent);
+    require_initialized(method, main);
+    attach(main, settings, method, false);
+    return f();
+  }
   // The same for methods without settings: those of the last call are used.
-  void require(const MainPointer& main, const char* method);
+  template <class F>
+  auto during(const MainPointer& main, const char* method, F&& f) {
+    return during(main, settings_object ? settings_object : py::object(py::none()), method, Work::Extent::part, f);
+  }
+  // For what it holds of the system of the last call: refused if the system has been assembled again, or is gone.
+  void require_initialized(const char* method) const;
+  void require_own_thread(const char* method) const;
 
   bool solve_for(const MainPointer& main, const py::object& settings);
   bool initialize_for(const MainPointer& main, const py::object& settings);
@@ -59,14 +70,23 @@ class SolverWrapper {
   Array jacobian();
   Array residual_array();
   void set_mass_matrix(const Array& matrix);
+  void set_jacobian(const Array& matrix);
+  void set_residual(const Array& vector);
   std::span<double> residual();
   const Pattern& pattern();
 
   MainPointer main() const;  // of the last call; refused if it is gone
   std::shared_ptr<SimulationSettings> settings;
   py::object settings_object;
+  const Work* work = nullptr;  // the innermost call that is running
 
  private:
+  // Before every call that works on a system. Hooks are made anew when `renew`, otherwise only for another system.
+  void attach(const MainPointer& main, const py::object& settings, const char* method, bool renew);
+  void require_initialized(const char* method, const MainPointer& main) const;
+  template <class F>
+  bool run(const MainPointer& main, const py::object& settings, const char* method, F&& f);
+  [[noreturn]] static void refuse_uninitialized(const char* method, const std::string& problem);
   std::weak_ptr<MainSystem> main_;  // systems keep their solvers in mbs.sys
   // The part of a tangent that `wanted(row, column)` selects is added to the Jacobian, times `factor`.
   template <class Wanted>
@@ -75,6 +95,8 @@ class SolverWrapper {
 
   std::optional<SolverEnvironment> environment_;  // none after SolveSystem: functions are not kept longer than needed
   bool initialized_ = false;
+  std::uint64_t version_ = 0;  // of the system, when the solver was initialized
+  bool dense_ = false;         // its matrices, likewise
   std::vector<double> mass_, own_residual_, part_;
   py::object newton_settings_;  // settings of which one branch holds the copy
 };

@@ -64,8 +64,14 @@ class ImplicitWrapper final : public WrappedSolver<SecondOrderSolver> {
     const std::string_view before = std::exchange(running_, part);
     PyObject* raw = nullptr;
     {
+      const std::weak_ptr<MainSystem> owner = main();
+      const auto words = [](const void* name, int) {
+        return "the user function " + std::string(static_cast<const char*>(name)) + " of the solver";
+      };
+      const RunningFunction known(owner, RunningFunction::Place::between_evaluations, words, part);
+      const py::object function = functions_.find(part)->second;  // which may take its place
       const py::tuple all = py::make_tuple(py::cast(shared()), main(), settings_object, arguments...);
-      raw = PyObject_Call(functions_.find(part)->second.ptr(), all.ptr(), nullptr);
+      raw = PyObject_Call(function.ptr(), all.ptr(), nullptr);
     }
     running_ = before;
     if (raw == nullptr) throw_python_error("in the user function " + std::string(part) + " of the solver");
@@ -86,15 +92,21 @@ const py::arg main_argument("mainSystem"), settings_argument("simulationSettings
 
 // A method of (mainSystem, simulationSettings) that needs an initialized solver. The GIL is released while it works.
 template <class W, class F>
-void part(SolverClass<W>& c, const char* name, F f, const char* doc) {
+void part(SolverClass<W>& c, const char* name, F f, const char* doc, Work::Extent extent = Work::Extent::part) {
   c.def(
       name,
-      [name, f](W& w, const MainPointer& main, const py::object& settings) {
-        w.require(main, settings, name);
-        const WithoutInterpreter free;
-        return f(w);
+      [name, f, extent](W& w, const MainPointer& main, const py::object& settings) {
+        return w.during(main, settings, name, extent, [&] {
+          const WithoutInterpreter free;
+          return f(w);
+        });
       },
       main_argument, settings_argument, doc);
+}
+// Those that begin or end a solution.
+template <class W, class F>
+void frame(SolverClass<W>& c, const char* name, F f, const char* doc) {
+  part<W>(c, name, f, doc, Work::Extent::whole);
 }
 
 template <class W>
@@ -103,15 +115,15 @@ void register_solution(SolverClass<W>& c) {
         main_argument, settings_argument, "Open files, set all data and the initial conditions; True if it worked.");
   c.def("SolveSystem", [](W& w, const MainPointer& m, const py::object& s) { return w.solve_for(m, s); }, main_argument,
         settings_argument, "Initialize, solve all steps, finalize; True if it worked.");
-  part<W>(c, "SolveSteps", [](W& w) { return w.Solver::solve_steps(); }, "Solve all steps of an initialized solver.");
-  part<W>(c, "FinalizeSolver", [](W& w) { w.Solver::finalize(); }, "Write the last messages and close the files.");
-  part<W>(c, "PreInitializeSolverSpecific", [](W& w) { w.pre_initialize(); }, "First part of InitializeSolver.");
-  part<W>(c, "InitializeSolverOutput", [](W& w) { w.initialize_output(); }, "Open files and read the settings of output.");
-  part<W>(c, "InitializeSolverPreChecks", [](W& w) { return w.check_system(); }, "Whether the system can be solved.");
-  part<W>(c, "InitializeSolverData", [](W& w) { w.initialize_data(); }, "Set counters, vectors and matrices back.");
-  part<W>(c, "InitializeSolverInitialConditions", [](W& w) { w.initial_conditions(); },
-          "Start from the initial values of the system.");
-  part<W>(c, "PostInitializeSolverSpecific", [](W& w) { w.post_initialize(); }, "Last part of InitializeSolver.");
+  frame<W>(c, "SolveSteps", [](W& w) { return w.Solver::solve_steps(); }, "Solve all steps of an initialized solver.");
+  frame<W>(c, "FinalizeSolver", [](W& w) { w.Solver::finalize(); }, "Write the last messages and close the files.");
+  frame<W>(c, "PreInitializeSolverSpecific", [](W& w) { w.pre_initialize(); }, "First part of InitializeSolver.");
+  frame<W>(c, "InitializeSolverOutput", [](W& w) { w.initialize_output(); }, "Open files and read the settings of output.");
+  frame<W>(c, "InitializeSolverPreChecks", [](W& w) { return w.check_system(); }, "Whether the system can be solved.");
+  frame<W>(c, "InitializeSolverData", [](W& w) { w.initialize_data(); }, "Set counters, vectors and matrices back.");
+  frame<W>(c, "InitializeSolverInitialConditions", [](W& w) { w.initial_conditions(); },
+           "Start from the initial values of the system.");
+  frame<W>(c, "PostInitializeSolverSpecific", [](W& w) { w.post_initialize(); }, "Last part of InitializeSolver.");
 }
 
 template <class W>
@@ -126,8 +138,7 @@ void register_step(SolverClass<W>& c) {
   c.def(
       "ReduceStepSize",
       [](W& w, const MainPointer& m, const py::object& s, int) {
-        w.require(m, s, "ReduceStepSize");
-        return w.reduce_step_size();
+        return w.during(m, s, "ReduceStepSize", Work::Extent::part, [&] { return w.reduce_step_size(); });
       },
       main_argument, settings_argument, py::arg("severity"), "Make the step size smaller; False if it is the smallest.");
   part<W>(c, "HasAutomaticStepSizeControl", [](W& w) { return w.controls_step_size(); },
@@ -141,8 +152,10 @@ void register_information(SolverClass<W>& c) {
   c.def("IsStaticSolver", [](const W& w) { return w.is_static(); }, "Whether it solves static problems.");
   c.def("GetSolverName", [](const W& w) { return w.name(); }, "The name, as files and messages give it.");
   c.def("GetErrorString", [](const W& w) { return w.error_string(); }, "Why the solver failed; empty after success.");
-  c.def("GetDiagnosis", [](const W& w) { return w.diagnosis().reason == FailureReason::none ? "" : w.diagnosis().text(); },
+  c.def("GetDiagnosis", [](const W& w) { return w.diagnosis().failed() ? w.diagnosis().text() : ""; },
         "Step, time, residuals, equations and items of a failure, and what to try; empty after success.");
+  c.def("GetDiagnosisDictionary", [](const W& w) { return diagnosis_dictionary(w.diagnosis()); },
+        "The parts of the diagnosis, as the attributes of SolverError have them.");
   c.def("GetSimulationEndTime",
         [](const W& w, const py::object& s) {
           const auto settings = simulation_settings_of(s);
@@ -173,26 +186,21 @@ template <class W>
 void register_matrices(SolverClass<W>& c) {
   c.def("ComputeMassMatrix",
         [](W& w, const MainPointer& m, double factor) {
-          w.require(m, "ComputeMassMatrix");
-          w.store_mass_matrix(factor);
+          w.during(m, "ComputeMassMatrix", [&] { w.store_mass_matrix(factor); });
         },
         main_argument, py::arg("scalarFactor") = 1., "Compute the mass matrix, times a factor.");
   c.def("GetSystemMassMatrix", &W::mass_matrix, "The mass matrix computed last.");
   c.def("SetSystemMassMatrix", &W::set_mass_matrix, py::arg("systemMassMatrix"), "Replace the mass matrix.");
   c.def("GetSystemResidual", [](W& w) { return w.residual_array(); }, "The residual of all equations computed last.");
-  c.def("SetSystemResidual",
-        [](W& w, const Array& vector) { read_vector("SetSystemResidual", vector, w.SolverWrapper::residual()); },
-        py::arg("systemResidual"), "Replace the residual.");
+  c.def("SetSystemResidual", &W::set_residual, py::arg("systemResidual"), "Replace the residual.");
   c.def("ComputeODE2RHS",
         [](W& w, const MainPointer& m) {
-          w.require(m, "ComputeODE2RHS");
-          w.compute_forces();
+          w.during(m, "ComputeODE2RHS", [&] { w.compute_forces(); });
         },
         main_argument, "Compute generalized forces into the ODE2 part of the residual.");
   c.def("ComputeODE1RHS",
         [](W& w, const MainPointer& m) {
-          w.require(m, "ComputeODE1RHS");
-          w.compute_rates();
+          w.during(m, "ComputeODE1RHS", [&] { w.compute_rates(); });
         },
         main_argument, "Compute right-hand sides into the ODE1 part of the residual.");
 }
@@ -205,53 +213,51 @@ void register_newton(SolverClass<W>& c) {
   part<W>(c, "ComputeNewtonJacobian", [](W& w) { w.compute_jacobian(); }, "Compute the system matrix.");
   c.def("ComputeNewtonUpdate",
         [](W& w, const MainPointer& m, const py::object& s, bool initial) {
-          w.require(m, s, "ComputeNewtonUpdate");
-          const WithoutInterpreter free;
-          w.compute_update(initial);
+          w.during(m, s, "ComputeNewtonUpdate", Work::Extent::part, [&] {
+            const WithoutInterpreter free;
+            w.compute_update(initial);
+          });
         },
         main_argument, settings_argument, py::arg("initial") = true, "Move the state by the increment of Newton's method.");
   part<W>(c, "PostNewton", [](W& w) { return w.post_newton(); }, "Update data coordinates; returns the error.");
-  c.def("GetNewtonSolution", [](W& w) { return vector_array(w.increment()); }, "The last increment of Newton's method.");
+  c.def(
+      "GetNewtonSolution",
+      [](W& w) {
+        w.require_own_thread("GetNewtonSolution");
+        return vector_array(w.increment());
+      },
+      "The last increment of Newton's method.");
   c.def("GetSystemJacobian", [](W& w) { return w.jacobian(); }, "The system matrix computed last.");
-  c.def("SetSystemJacobian",
-        [](W& w, const Array& matrix) {
-          read_matrix("SetSystemJacobian", matrix, w.SolverWrapper::pattern(), w.jacobian_values(), w.sizes().total());
-        },
-        py::arg("systemJacobian"), "Replace the system matrix.");
+  c.def("SetSystemJacobian", &W::set_jacobian, py::arg("systemJacobian"), "Replace the system matrix.");
   c.def_property("newton", [](W& w) { return w.newton_view(); }, [](W& w, const py::object& n) { w.set_newton(n); },
                  "Copy of the settings of Newton's method that the solver obeys.");
   const auto q = py::arg("scalarFactor_ODE2") = 1., v = py::arg("scalarFactor_ODE2_t") = 0.,
              y = py::arg("scalarFactor_ODE1") = 1.;
   c.def("ComputeJacobianODE2RHS",
         [](W& w, const MainPointer& m, double dq, double dv, double dy, int loads) {
-          w.require(m, "ComputeJacobianODE2RHS");
-          w.compute_ode2_jacobian(dq, dv, dy, loads);
+          w.during(m, "ComputeJacobianODE2RHS", [&] { w.compute_ode2_jacobian(dq, dv, dy, loads); });
         },
         main_argument, q, v, y, py::arg("computeLoadsJacobian") = 0,
         "Set the system matrix to the derivative of the generalized forces, those of loads only if asked for.");
   c.def("ComputeJacobianODE1RHS",
         [](W& w, const MainPointer& m, double dq, double dv, double dy) {
-          w.require(m, "ComputeJacobianODE1RHS");
-          w.add_ode1_jacobian(dq, dv, dy);
+          w.during(m, "ComputeJacobianODE1RHS", [&] { w.add_ode1_jacobian(dq, dv, dy); });
         },
         main_argument, q, v, y, "Add the derivative of the ODE1 right-hand sides to the system matrix.");
   c.def("ComputeJacobianAE",
         [](W& w, const MainPointer& m, double dq, double dv, double dy, bool rate_level) {
-          w.require(m, "ComputeJacobianAE");
-          w.add_ae_jacobian(dq, dv, dy, rate_level);
+          w.during(m, "ComputeJacobianAE", [&] { w.add_ae_jacobian(dq, dv, dy, rate_level); });
         },
         main_argument, q, v, y, py::arg("velocityLevel") = false,
         "Add the derivatives of the constraints, and their transposed, to the system matrix.");
   c.def("ComputeAlgebraicEquations",
         [](W& w, const MainPointer& m, bool rate_level) {
-          w.require(m, "ComputeAlgebraicEquations");
-          w.compute_gaps(rate_level);
+          w.during(m, "ComputeAlgebraicEquations", [&] { w.compute_gaps(rate_level); });
         },
         main_argument, py::arg("velocityLevel") = false, "Compute the constraints into the AE part of the residual.");
   c.def("CheckInitialized",
         [](W& w, const MainPointer& m) {
-          w.require(m, "CheckInitialized");
-          return true;
+          return w.during(m, "CheckInitialized", [] { return true; });
         },
         main_argument, "True if the solver is initialized for this system; refused otherwise.");
 }
@@ -283,14 +289,24 @@ void register_implicit(py::module_& module) {
   SolverClass<ImplicitWrapper> c(module, "MainSolverImplicitSecondOrder", "Generalized alpha, Newmark and trapezoidal rule.");
   register_common(c);
   register_newton<ImplicitWrapper, SecondOrderSolver>(c);
-  c.def("GetAAlgorithmic", [](ImplicitWrapper& w) { return vector_array(w.algorithmic_accelerations()); },
-        "Algorithmic accelerations of the generalized alpha method.");
-  c.def("GetStartOfStepStateAAlgorithmic",
-        [](ImplicitWrapper& w) { return vector_array(w.algorithmic_accelerations_at_start()); },
-        "Algorithmic accelerations at the start of the step.");
+  c.def(
+      "GetAAlgorithmic",
+      [](ImplicitWrapper& w) {
+        w.require_own_thread("GetAAlgorithmic");
+        return vector_array(w.algorithmic_accelerations());
+      },
+      "Algorithmic accelerations of the generalized alpha method.");
+  c.def(
+      "GetStartOfStepStateAAlgorithmic",
+      [](ImplicitWrapper& w) {
+        w.require_own_thread("GetStartOfStepStateAAlgorithmic");
+        return vector_array(w.algorithmic_accelerations_at_start());
+      },
+      "Algorithmic accelerations at the start of the step.");
   c.def(
       "ContinueFromRestartFile",
       [](ImplicitWrapper& w, const MainPointer& main, const std::string& name) {
+        const Work here(main, w, "ContinueFromRestartFile", Work::Extent::whole);
         w.continue_with(read_restart(*main, name));
       },
       main_argument, py::arg("fileName"),
@@ -300,11 +316,17 @@ void register_implicit(py::module_& module) {
       .def_readwrite("newmarkGamma", &ImplicitWrapper::newmark_gamma)
       .def_readwrite("alphaM", &ImplicitWrapper::alpha_m)
       .def_readwrite("alphaF", &ImplicitWrapper::alpha_f)
-      .def_readwrite("spectralRadius", &ImplicitWrapper::spectral_radius);
+      .def_readwrite("spectralRadius", &ImplicitWrapper::spectral_radius)
+      .def_property_readonly(
+          "factJacAlgorithmic", [](const ImplicitWrapper& w) { return (1 - w.alpha_f) / (1 - w.alpha_m); },
+          "Factor of accelerations in algorithmic accelerations, (1 - alphaF) / (1 - alphaM).");
   for (const char* part : {"UpdateCurrentTime", "InitializeStep", "FinishStep", "DiscontinuousIteration", "Newton",
                            "ComputeNewtonResidual", "ComputeNewtonUpdate", "ComputeNewtonJacobian", "PostNewton"}) {
     c.def(("SetUserFunction" + std::string(part)).c_str(),
-          [name = std::string(part)](ImplicitWrapper& w, const MainPointer&, const py::object& f) { w.replace(name, f); },
+          [name = std::string(part)](ImplicitWrapper& w, const MainPointer&, const py::object& f) {
+            w.require_own_thread(("SetUserFunction" + name).c_str());
+            w.replace(name, f);
+          },
           main_argument, py::arg("userFunction"), "Replace this part of a step; 0 takes the built-in one again.");
   }
 }
@@ -328,6 +350,8 @@ void register_solvers(py::module_& module) {
   SolverClass<StaticWrapper> c(module, "MainSolverStatic", "Static equilibrium under loads that grow in steps.");
   register_common(c);
   register_newton<StaticWrapper, StaticSolver>(c);
+  c.def_property_readonly("loadStepGeometricFactor", [](const StaticWrapper& w) { return w.geometric_factor(); },
+                          "Ratio of consecutive loads with loadStepGeometric.");
   register_implicit(module);
   register_explicit(module);
 }

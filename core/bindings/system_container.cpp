@@ -1,5 +1,6 @@
 #include "system_container.hpp"
 
+#include "console.hpp"
 #include "conversion.hpp"
 #include "python_errors.hpp"
 
@@ -31,9 +32,11 @@ py::dict container_dictionary(const SystemContainer& container) {
 }
 
 void set_container_dictionary(SystemContainer& container, const py::dict& data) {
+  container.require_idle("SC.SetDictionary(...)");
   if (!data.contains("systems"))
     refuse(ErrorKind::value, {"SC.SetDictionary(...)", "systemDict", "there is no key 'systems'", show(data.ptr()),
                               "what SC.GetDictionary() gave", ""});
+  check_version(data, "SC.SetDictionary(...)");
   std::vector<std::shared_ptr<MainSystem>> systems;
   for (const py::handle entry : data["systems"]) {
     auto system = std::make_shared<MainSystem>();
@@ -56,6 +59,10 @@ std::string container_repr(const SystemContainer& container) {
 }
 
 }  // namespace
+
+void SystemContainer::require_idle(const char* call) const {
+  for (const auto& system : systems) dalembert::require_idle(*system, call);
+}
 
 void SystemContainer::reset() {
   systems.clear();
@@ -90,7 +97,13 @@ void register_system_container(py::module_& module) {
   register_renderer(module);
   ContainerClass container(module, "SystemContainer", "The systems of a script and what they share.");
   container.def(py::init(&new_container));
-  container.def("Reset", &SystemContainer::reset, "Remove all systems and restore the default settings.");
+  container.def(
+      "Reset",
+      [](SystemContainer& c) {
+        c.require_idle("SC.Reset()");
+        c.reset();
+      },
+      "Remove all systems and restore the default settings.");
   container.def("AddSystem", &SystemContainer::add_system, "Add a new system and return it.");
   container.def("Append", &SystemContainer::append, py::arg("mainSystem"), "Add an existing system and return its number.");
   container.def("AppendSystem", &SystemContainer::append, py::arg("mainSystem"), "Earlier name of Append.");

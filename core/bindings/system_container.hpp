@@ -23,6 +23,7 @@ class SystemContainer : public std::enable_shared_from_this<SystemContainer> {
   py::object visualization_settings;
   std::shared_ptr<Renderer> renderer = std::make_shared<Renderer>();
 
+  void require_idle(const char* call) const;  // of all systems
   void reset();
   std::shared_ptr<MainSystem> add_system();
   int append(const std::shared_ptr<MainSystem>& system);

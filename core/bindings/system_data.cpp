@@ -50,8 +50,22 @@ constexpr Member state_members[] = {&State::q, &State::v, &State::y, &State::lam
 std::string full_name(const Label& method) { return "mbs.systemData." + method.text(); }
 
 System& assembled(const SystemData& self, const Label& method) {
-  if (self.main->consistent()) return self.main->system;
-  return self.main->assembled(("systemData." + method.text()).c_str());
+  return self.main->assembled([&] { return "systemData." + method.text(); });
+}
+
+// Solvers leave it alone, or renew it where other threads may read it.
+bool rests(Configuration configuration) {
+  return configuration == Configuration::Visualization || configuration == Configuration::Reference;
+}
+
+// For reading what solvers leave alone.
+const System& at_rest(const SystemData& self, const Label& method) {
+  return self.main->at_rest([&] { return "systemData." + method.text(); });
+}
+
+// The same for one configuration, which solvers may be changing.
+const System& with(Configuration configuration, const SystemData& self, const Label& method) {
+  return rests(configuration) ? at_rest(self, method) : assembled(self, method);
 }
 
 Configuration read_configuration(const py::object& value, const Label& method) {
@@ -67,7 +81,7 @@ int size_of(const System& system, const Coordinates& which, Configuration config
 }
 
 // A copy, or a view: of the system until the next Assemble(), and of what was there before it from then on.
-py::array_t<double> array_of(std::vector<double>& values, bool copy, const System& system) {
+py::array_t<double> array_of(const std::vector<double>& values, bool copy, const System& system) {
   const auto n = static_cast<py::ssize_t>(values.size());
   if (copy) return new_array({n}, values.data());
   using Held = std::shared_ptr<const void>;
@@ -78,8 +92,8 @@ py::array_t<double> array_of(std::vector<double>& values, bool copy, const Syste
 py::array_t<double> get(const py::object& self, const Coordinates& which, const py::object& where, bool copy) {
   const auto method = [&] { return std::string("Get") + which.name; };
   const auto& data = self.cast<const SystemData&>();
-  System& system = assembled(data, method);
   const Configuration configuration = read_configuration(where, method);
+  const System& system = with(configuration, data, method);
   if (!has(which, configuration)) return py::array_t<double>(0);
   return array_of(system.state(configuration).*which.member, copy, system);
 }
@@ -112,8 +126,8 @@ void set(const SystemData& self, const Coordinates& which, const py::object& val
 }
 
 py::array_t<double> total(const SystemData& self, const py::object& where) {
-  System& system = assembled(self, "GetODE2CoordinatesTotal");
   const Configuration configuration = read_configuration(where, "GetODE2CoordinatesTotal");
+  const System& system = with(configuration, self, "GetODE2CoordinatesTotal");
   std::vector<double> sum = system.state(Configuration::Reference).q;
   if (configuration != Configuration::Reference)
     std::ranges::transform(sum, system.state(configuration).q, sum.begin(), std::plus<>());
@@ -191,14 +205,14 @@ void register_tables(Data& data) {
     data.def(
         object_method.c_str(),
         [object_method, kind = table.kind](const SystemData& self, const py::object& number) {
-          System& system = assembled(self, object_method);
+          const System& system = at_rest(self, object_method);
           return system.object_ltg(item_number(self, ItemKind::object, number, object_method), kind);
         },
         py::arg("objectNumber"), "Global numbers of the object's coordinates.");
     data.def(
         node_method.c_str(),
         [node_method, kind = table.kind](const SystemData& self, const py::object& number) {
-          System& system = assembled(self, node_method);
+          const System& system = at_rest(self, node_method);
           return system.node_ltg(item_number(self, ItemKind::node, number, node_method), kind);
         },
         py::arg("nodeNumber"), "Global numbers of the node's coordinates.");
@@ -231,8 +245,7 @@ void add_load_dependencies(const SystemData& self, const py::object& load, const
                           .received = show(value.ptr()),
                           .expected = refusal.expected});
   }
-  self.main->model.add_load_dependencies(number, indices);
-  system.add_load_dependencies(number, indices);
+  self.main->add_load_dependencies(number, indices);
 }
 
 // ---- texts
@@ -288,7 +301,7 @@ void register_sizes(Data& data, const py::object& current) {
     data.def(
         name,
         [name = std::string(name), member](const SystemData& self, const py::object& where) {
-          const System& system = assembled(self, name);
+          const System& system = at_rest(self, name);
           return size_of(system, coordinates_of(member), read_configuration(where, name));
         },
         py::arg("configurationType") = current, "Number of these coordinates.");
@@ -296,7 +309,7 @@ void register_sizes(Data& data, const py::object& current) {
   data.def(
       "SystemSize",
       [](const SystemData& self, const py::object& where) {
-        const System& system = assembled(self, "SystemSize");
+        const System& system = at_rest(self, "SystemSize");
         const Configuration configuration = read_configuration(where, "SystemSize");
         int size = 0;
         for (const Member member : {&State::q, &State::y, &State::lambda})
@@ -311,7 +324,9 @@ void register_time(Data& data, const py::object& current) {
       "GetTime",
       [](const SystemData& self, const py::object& where) {
         const Configuration configuration = read_configuration(where, "GetTime");
-        return self.main->system.assembled() ? self.main->system.state(configuration).time : 0.0;
+        if (!self.main->system.assembled()) return 0.0;
+        if (!rests(configuration)) require_own_thread(*self.main, "mbs.systemData.GetTime(...)");
+        return self.main->system.state(configuration).time;
       },
       py::arg("configurationType") = current, "Time of a configuration, in s.");
   data.def(

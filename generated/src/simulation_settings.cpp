@@ -18,7 +18,12 @@ constexpr std::array<Row, 8> NewtonNumericalDifferentiationSettings_rows{{
     {.name = "minimumCoordinateSize", .storage = Storage::real, .offset = offsetof(NewtonNumericalDifferentiationSettings, minimumCoordinateSize), .role = Role::parameter, .check = Check::non_negative, .unit = "various"},
     {.name = "relativeEpsilon", .storage = Storage::real, .offset = offsetof(NewtonNumericalDifferentiationSettings, relativeEpsilon), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
 }};
-constexpr SettingsGroup NewtonNumericalDifferentiationSettings_group{"NewtonNumericalDifferentiationSettings", NewtonNumericalDifferentiationSettings_rows, {}};
+constexpr std::array<SettingRule, 3> NewtonNumericalDifferentiationSettings_rules{{
+    {.name = "jacobianConnectorDerivative", .no_effect = "exact derivatives always include the change of the directions of forces, at no cost worth saving"},
+    {.name = "minimumCoordinateSize", .lower = 0.0, .lower_open = true, .words = "greater than 0"},
+    {.name = "relativeEpsilon", .lower = 0.0, .upper = 1.0, .lower_open = true, .upper_open = true, .words = "greater than 0 and less than 1"},
+}};
+constexpr SettingsGroup NewtonNumericalDifferentiationSettings_group{"NewtonNumericalDifferentiationSettings", NewtonNumericalDifferentiationSettings_rows, {}, NewtonNumericalDifferentiationSettings_rules};
 
 constexpr std::array<Row, 13> NewtonSettings_rows{{
     {.name = "absoluteTolerance", .storage = Storage::real, .offset = offsetof(NewtonSettings, absoluteTolerance), .role = Role::parameter, .check = Check::non_negative, .unit = "various"},
@@ -35,10 +40,16 @@ constexpr std::array<Row, 13> NewtonSettings_rows{{
     {.name = "useNewtonSolver", .storage = Storage::boolean, .offset = offsetof(NewtonSettings, useNewtonSolver), .role = Role::parameter},
     {.name = "weightTolerancePerCoordinate", .storage = Storage::boolean, .offset = offsetof(NewtonSettings, weightTolerancePerCoordinate), .role = Role::parameter},
 }};
+constexpr std::array<SettingRule, 4> NewtonSettings_rules{{
+    {.name = "maximumSolutionNorm", .lower = 0.0, .lower_open = true, .words = "greater than 0"},
+    {.name = "maxIterations", .lower = 1.0, .words = "at least 1"},
+    {.name = "newtonResidualMode", .lower = 0.0, .upper = 1.0, .words = "from 0 to 1"},
+    {.name = "relativeTolerance", .lower = 0.0, .upper = 1.0, .words = "from 0 to 1"},
+}};
 constexpr std::array<SettingsChild, 1> NewtonSettings_children{{
     {"numericalDifferentiation", &NewtonNumericalDifferentiationSettings_group, offsetof(NewtonSettings, numericalDifferentiation)},
 }};
-constexpr SettingsGroup NewtonSettings_group{"NewtonSettings", NewtonSettings_rows, NewtonSettings_children};
+constexpr SettingsGroup NewtonSettings_group{"NewtonSettings", NewtonSettings_rows, NewtonSettings_children, NewtonSettings_rules};
 
 constexpr std::array<Row, 4> DiscontinuousSettings_rows{{
     {.name = "ignoreMaxIterations", .storage = Storage::boolean, .offset = offsetof(DiscontinuousSettings, ignoreMaxIterations), .role = Role::parameter},
@@ -46,7 +57,18 @@ constexpr std::array<Row, 4> DiscontinuousSettings_rows{{
     {.name = "maxIterations", .storage = Storage::integer, .offset = offsetof(DiscontinuousSettings, maxIterations), .role = Role::parameter, .check = Check::non_negative},
     {.name = "useRecommendedStepSize", .storage = Storage::boolean, .offset = offsetof(DiscontinuousSettings, useRecommendedStepSize), .role = Role::parameter},
 }};
-constexpr SettingsGroup DiscontinuousSettings_group{"DiscontinuousSettings", DiscontinuousSettings_rows, {}};
+constexpr std::array<SettingRule, 1> DiscontinuousSettings_rules{{
+    {.name = "maxIterations", .lower = 1.0, .words = "at least 1"},
+}};
+constexpr SettingsGroup DiscontinuousSettings_group{"DiscontinuousSettings", DiscontinuousSettings_rows, {}, DiscontinuousSettings_rules};
+
+constexpr std::array<Row, 4> InitialConditionsSettings_rows{{
+    {.name = "checkConstraints", .storage = Storage::boolean, .offset = offsetof(InitialConditionsSettings, checkConstraints), .role = Role::parameter},
+    {.name = "inconsistentIsError", .storage = Storage::boolean, .offset = offsetof(InitialConditionsSettings, inconsistentIsError), .role = Role::parameter},
+    {.name = "positionTolerance", .storage = Storage::real, .offset = offsetof(InitialConditionsSettings, positionTolerance), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
+    {.name = "velocityTolerance", .storage = Storage::real, .offset = offsetof(InitialConditionsSettings, velocityTolerance), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
+}};
+constexpr SettingsGroup InitialConditionsSettings_group{"InitialConditionsSettings", InitialConditionsSettings_rows, {}};
 
 constexpr std::array<Row, 4> LinearSolverSettings_rows{{
     {.name = "ignoreSingularJacobian", .storage = Storage::boolean, .offset = offsetof(LinearSolverSettings, ignoreSingularJacobian), .role = Role::parameter},
@@ -54,7 +76,10 @@ constexpr std::array<Row, 4> LinearSolverSettings_rows{{
     {.name = "reuseAnalyzedPattern", .storage = Storage::boolean, .offset = offsetof(LinearSolverSettings, reuseAnalyzedPattern), .role = Role::parameter},
     {.name = "showCausingItems", .storage = Storage::boolean, .offset = offsetof(LinearSolverSettings, showCausingItems), .role = Role::parameter},
 }};
-constexpr SettingsGroup LinearSolverSettings_group{"LinearSolverSettings", LinearSolverSettings_rows, {}};
+constexpr std::array<SettingRule, 1> LinearSolverSettings_rules{{
+    {.name = "reuseAnalyzedPattern", .no_effect = "a sparse matrix is always analyzed once for all factorizations with the same pattern"},
+}};
+constexpr SettingsGroup LinearSolverSettings_group{"LinearSolverSettings", LinearSolverSettings_rows, {}, LinearSolverSettings_rules};
 
 constexpr std::array<Row, 8> ParallelSettings_rows{{
     {.name = "multithreadedLLimitJacobians", .storage = Storage::integer, .offset = offsetof(ParallelSettings, multithreadedLLimitJacobians), .role = Role::parameter, .check = Check::positive},
@@ -66,7 +91,16 @@ constexpr std::array<Row, 8> ParallelSettings_rows{{
     {.name = "taskSplitTasksPerThread", .storage = Storage::integer, .offset = offsetof(ParallelSettings, taskSplitTasksPerThread), .role = Role::parameter, .check = Check::positive},
     {.name = "useLoadBalancing", .storage = Storage::boolean, .offset = offsetof(ParallelSettings, useLoadBalancing), .role = Role::parameter},
 }};
-constexpr SettingsGroup ParallelSettings_group{"ParallelSettings", ParallelSettings_rows, {}};
+constexpr std::array<SettingRule, 7> ParallelSettings_rules{{
+    {.name = "multithreadedLLimitJacobians", .no_effect = "how work is divided among threads follows from the size of the system alone, so that results do not depend on it"},
+    {.name = "multithreadedLLimitLoads", .no_effect = "how work is divided among threads follows from the size of the system alone, so that results do not depend on it"},
+    {.name = "multithreadedLLimitMassMatrices", .no_effect = "how work is divided among threads follows from the size of the system alone, so that results do not depend on it"},
+    {.name = "multithreadedLLimitResiduals", .no_effect = "how work is divided among threads follows from the size of the system alone, so that results do not depend on it"},
+    {.name = "taskSplitMinItems", .no_effect = "how work is divided among threads follows from the size of the system alone, so that results do not depend on it"},
+    {.name = "taskSplitTasksPerThread", .no_effect = "how work is divided among threads follows from the size of the system alone, so that results do not depend on it"},
+    {.name = "useLoadBalancing", .no_effect = "threads that are ready always take over work of others"},
+}};
+constexpr SettingsGroup ParallelSettings_group{"ParallelSettings", ParallelSettings_rows, {}, ParallelSettings_rules};
 
 constexpr std::array<Row, 27> SolutionSettings_rows{{
     {.name = "appendToFile", .storage = Storage::boolean, .offset = offsetof(SolutionSettings, appendToFile), .role = Role::parameter},
@@ -97,7 +131,11 @@ constexpr std::array<Row, 27> SolutionSettings_rows{{
     {.name = "writeRestartFile", .storage = Storage::boolean, .offset = offsetof(SolutionSettings, writeRestartFile), .role = Role::parameter},
     {.name = "writeSolutionToFile", .storage = Storage::boolean, .offset = offsetof(SolutionSettings, writeSolutionToFile), .role = Role::parameter},
 }};
-constexpr SettingsGroup SolutionSettings_group{"SolutionSettings", SolutionSettings_rows, {}};
+constexpr std::array<SettingRule, 2> SolutionSettings_rules{{
+    {.name = "outputPrecision", .lower = 1.0, .upper = 17.0, .words = "from 1 to 17"},
+    {.name = "recordImagesInterval", .no_effect = "there is no render window yet that could save images"},
+}};
+constexpr SettingsGroup SolutionSettings_group{"SolutionSettings", SolutionSettings_rows, {}, SolutionSettings_rules};
 
 constexpr std::array<Row, 18> StaticSolverSettings_rows{{
     {.name = "adaptiveStep", .storage = Storage::boolean, .offset = offsetof(StaticSolverSettings, adaptiveStep), .role = Role::parameter},
@@ -119,11 +157,16 @@ constexpr std::array<Row, 18> StaticSolverSettings_rows{{
     {.name = "verboseMode", .storage = Storage::integer, .offset = offsetof(StaticSolverSettings, verboseMode), .role = Role::parameter, .check = Check::non_negative},
     {.name = "verboseModeFile", .storage = Storage::integer, .offset = offsetof(StaticSolverSettings, verboseModeFile), .role = Role::parameter, .check = Check::non_negative},
 }};
+constexpr std::array<SettingRule, 3> StaticSolverSettings_rules{{
+    {.name = "adaptiveStepDecrease", .lower = 0.0, .upper = 1.0, .lower_open = true, .upper_open = true, .words = "greater than 0 and less than 1"},
+    {.name = "adaptiveStepIncrease", .lower = 1.0, .words = "at least 1"},
+    {.name = "loadStepGeometricRange", .lower = 1.0, .lower_open = true, .words = "greater than 1"},
+}};
 constexpr std::array<SettingsChild, 2> StaticSolverSettings_children{{
     {"discontinuous", &DiscontinuousSettings_group, offsetof(StaticSolverSettings, discontinuous)},
     {"newton", &NewtonSettings_group, offsetof(StaticSolverSettings, newton)},
 }};
-constexpr SettingsGroup StaticSolverSettings_group{"StaticSolverSettings", StaticSolverSettings_rows, StaticSolverSettings_children};
+constexpr SettingsGroup StaticSolverSettings_group{"StaticSolverSettings", StaticSolverSettings_rows, StaticSolverSettings_children, StaticSolverSettings_rules};
 
 constexpr std::array<Row, 5> TimeIntegrationExplicitIntegrationSettings_rows{{
     {.name = "computeEndOfStepAccelerations", .storage = Storage::boolean, .offset = offsetof(TimeIntegrationExplicitIntegrationSettings, computeEndOfStepAccelerations), .role = Role::parameter},
@@ -132,7 +175,10 @@ constexpr std::array<Row, 5> TimeIntegrationExplicitIntegrationSettings_rows{{
     {.name = "eliminateConstraints", .storage = Storage::boolean, .offset = offsetof(TimeIntegrationExplicitIntegrationSettings, eliminateConstraints), .role = Role::parameter},
     {.name = "useLieGroupIntegration", .storage = Storage::boolean, .offset = offsetof(TimeIntegrationExplicitIntegrationSettings, useLieGroupIntegration), .role = Role::parameter},
 }};
-constexpr SettingsGroup TimeIntegrationExplicitIntegrationSettings_group{"TimeIntegrationExplicitIntegrationSettings", TimeIntegrationExplicitIntegrationSettings_rows, {}};
+constexpr std::array<SettingRule, 1> TimeIntegrationExplicitIntegrationSettings_rules{{
+    {.name = "computeMassMatrixInversePerBody", .no_effect = "the mass matrix is always inverted in blocks that are not coupled, body by body where bodies share no nodes"},
+}};
+constexpr SettingsGroup TimeIntegrationExplicitIntegrationSettings_group{"TimeIntegrationExplicitIntegrationSettings", TimeIntegrationExplicitIntegrationSettings_rows, {}, TimeIntegrationExplicitIntegrationSettings_rules};
 
 constexpr std::array<Row, 10> TimeIntegrationGeneralizedAlphaSettings_rows{{
     {.name = "computeInitialAccelerations", .storage = Storage::boolean, .offset = offsetof(TimeIntegrationGeneralizedAlphaSettings, computeInitialAccelerations), .role = Role::parameter},
@@ -146,7 +192,12 @@ constexpr std::array<Row, 10> TimeIntegrationGeneralizedAlphaSettings_rows{{
     {.name = "useIndex2Constraints", .storage = Storage::boolean, .offset = offsetof(TimeIntegrationGeneralizedAlphaSettings, useIndex2Constraints), .role = Role::parameter},
     {.name = "useNewmark", .storage = Storage::boolean, .offset = offsetof(TimeIntegrationGeneralizedAlphaSettings, useNewmark), .role = Role::parameter},
 }};
-constexpr SettingsGroup TimeIntegrationGeneralizedAlphaSettings_group{"TimeIntegrationGeneralizedAlphaSettings", TimeIntegrationGeneralizedAlphaSettings_rows, {}};
+constexpr std::array<SettingRule, 3> TimeIntegrationGeneralizedAlphaSettings_rules{{
+    {.name = "newmarkBeta", .lower = 0.0, .upper = 1.0, .lower_open = true, .words = "greater than 0 and at most 1"},
+    {.name = "newmarkGamma", .lower = 0.0, .upper = 1.5, .lower_open = true, .words = "greater than 0 and at most 1.5"},
+    {.name = "spectralRadius", .lower = 0.0, .upper = 1.0, .words = "from 0 to 1"},
+}};
+constexpr SettingsGroup TimeIntegrationGeneralizedAlphaSettings_group{"TimeIntegrationGeneralizedAlphaSettings", TimeIntegrationGeneralizedAlphaSettings_rows, {}, TimeIntegrationGeneralizedAlphaSettings_rules};
 
 constexpr std::array<Row, 23> TimeIntegrationSettings_rows{{
     {.name = "absoluteTolerance", .storage = Storage::real, .offset = offsetof(TimeIntegrationSettings, absoluteTolerance), .role = Role::parameter, .check = Check::non_negative, .unit = "various"},
@@ -173,13 +224,23 @@ constexpr std::array<Row, 23> TimeIntegrationSettings_rows{{
     {.name = "verboseMode", .storage = Storage::integer, .offset = offsetof(TimeIntegrationSettings, verboseMode), .role = Role::parameter, .check = Check::non_negative},
     {.name = "verboseModeFile", .storage = Storage::integer, .offset = offsetof(TimeIntegrationSettings, verboseModeFile), .role = Role::parameter, .check = Check::non_negative},
 }};
+constexpr std::array<SettingRule, 8> TimeIntegrationSettings_rules{{
+    {.name = "absoluteTolerance", .lower = 0.0, .lower_open = true, .words = "greater than 0"},
+    {.name = "adaptiveStepDecrease", .lower = 0.0, .upper = 1.0, .lower_open = true, .upper_open = true, .words = "greater than 0 and less than 1"},
+    {.name = "adaptiveStepIncrease", .lower = 1.0, .words = "at least 1"},
+    {.name = "computeLoadsJacobian", .lower = 0.0, .upper = 2.0, .words = "from 0 to 2"},
+    {.name = "numberOfSteps", .lower = 1.0, .upper = 1000000000000000.0, .words = "from 1 to 1e+15"},
+    {.name = "relativeTolerance", .lower = 0.0, .upper = 1.0, .words = "from 0 to 1"},
+    {.name = "stepSizeMaxIncrease", .lower = 1.0, .words = "at least 1"},
+    {.name = "stepSizeSafety", .lower = 0.0, .upper = 1.0, .lower_open = true, .words = "greater than 0 and at most 1"},
+}};
 constexpr std::array<SettingsChild, 4> TimeIntegrationSettings_children{{
     {"discontinuous", &DiscontinuousSettings_group, offsetof(TimeIntegrationSettings, discontinuous)},
     {"explicitIntegration", &TimeIntegrationExplicitIntegrationSettings_group, offsetof(TimeIntegrationSettings, explicitIntegration)},
     {"generalizedAlpha", &TimeIntegrationGeneralizedAlphaSettings_group, offsetof(TimeIntegrationSettings, generalizedAlpha)},
     {"newton", &NewtonSettings_group, offsetof(TimeIntegrationSettings, newton)},
 }};
-constexpr SettingsGroup TimeIntegrationSettings_group{"TimeIntegrationSettings", TimeIntegrationSettings_rows, TimeIntegrationSettings_children};
+constexpr SettingsGroup TimeIntegrationSettings_group{"TimeIntegrationSettings", TimeIntegrationSettings_rows, TimeIntegrationSettings_children, TimeIntegrationSettings_rules};
 
 constexpr std::array<Row, 7> SimulationSettings_rows{{
     {.name = "cleanUpMemory", .storage = Storage::boolean, .offset = offsetof(SimulationSettings, cleanUpMemory), .role = Role::parameter},
@@ -190,14 +251,20 @@ constexpr std::array<Row, 7> SimulationSettings_rows{{
     {.name = "outputPrecision", .storage = Storage::integer, .offset = offsetof(SimulationSettings, outputPrecision), .role = Role::parameter, .check = Check::non_negative},
     {.name = "pauseAfterEachStep", .storage = Storage::boolean, .offset = offsetof(SimulationSettings, pauseAfterEachStep), .role = Role::parameter},
 }};
-constexpr std::array<SettingsChild, 5> SimulationSettings_children{{
+constexpr std::array<SettingRule, 3> SimulationSettings_rules{{
+    {.name = "displayGlobalTimers", .no_effect = "there are no global timers; displayComputationTime shows where time goes"},
+    {.name = "outputPrecision", .lower = 1.0, .upper = 17.0, .words = "from 1 to 17"},
+    {.name = "pauseAfterEachStep", .no_effect = "there is no render window yet whose space bar could be waited for; a PostStep user function may wait"},
+}};
+constexpr std::array<SettingsChild, 6> SimulationSettings_children{{
+    {"initialConditions", &InitialConditionsSettings_group, offsetof(SimulationSettings, initialConditions)},
     {"linearSolverSettings", &LinearSolverSettings_group, offsetof(SimulationSettings, linearSolverSettings)},
     {"parallel", &ParallelSettings_group, offsetof(SimulationSettings, parallel)},
     {"solutionSettings", &SolutionSettings_group, offsetof(SimulationSettings, solutionSettings)},
     {"staticSolver", &StaticSolverSettings_group, offsetof(SimulationSettings, staticSolver)},
     {"timeIntegration", &TimeIntegrationSettings_group, offsetof(SimulationSettings, timeIntegration)},
 }};
-constexpr SettingsGroup SimulationSettings_group{"SimulationSettings", SimulationSettings_rows, SimulationSettings_children};
+constexpr SettingsGroup SimulationSettings_group{"SimulationSettings", SimulationSettings_rows, SimulationSettings_children, SimulationSettings_rules};
 
 }  // namespace
 

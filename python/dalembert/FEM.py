@@ -23,6 +23,8 @@ from dalembert._fem_files import (
     ReadNodesFromAbaqusInp,
 )
 from dalembert._names import eii, exu, np
+from dalembert._planned import refuse
+from dalembert._planned_table import FUNCTIONS
 from dalembert.advancedUtilities import IsListOrArray, IsValidURealInt, PlotLineCode, RoundMatrix
 from dalembert.graphicsDataUtilities import ComputeTriangleArea
 from dalembert.rigidBodyUtilities import (
@@ -96,10 +98,6 @@ __all__ = [
     "np",
     "os",
 ]
-
-
-def _planned(what: str, needs: str) -> NoReturn:
-    raise NotImplementedError(f"{what} is planned and not available yet; it needs {needs}")
 
 
 def WarnNumpy2() -> bool:
@@ -266,7 +264,7 @@ class KirchhoffMaterial(MaterialBaseClass):
     ) -> None:
         super().__init__(youngsModulus, poissonsRatio, density)
         if materials is not None or fes is not None:
-            _planned("KirchhoffMaterial with materials of NGsolve", "FEMinterface.ImportMeshFromNGsolve")
+            refuse("FEM.KirchhoffMaterial")
         if youngsModulus is None or poissonsRatio is None:
             raise ValueError("KirchhoffMaterial: youngsModulus and poissonsRatio are needed")
         self.planeStress = planeStress
@@ -311,7 +309,7 @@ class Tet4(FiniteElement):
 
     def ComputeMatrices(self, nodalReferenceCoordinates: npt.ArrayLike, nodalDisplacements: npt.ArrayLike) -> NoReturn:
         """Element matrices; planned."""
-        _planned("Tet4.ComputeMatrices", "a decision on its arguments")
+        refuse("FEM.Tet4", "ComputeMatrices")
 
 
 class HCBstaticModeSelection(Enum):
@@ -330,31 +328,14 @@ def CMSObjectComputeNorm(
     mbs: Any, objectNumber: Any, outputVariableType: Any, norm: str = "max", nodeNumberList: Sequence[int] = ()
 ) -> NoReturn:
     """Norm of an output variable over the nodes of a flexible body; planned."""
-    _planned("CMSObjectComputeNorm", "ObjectFFRFreducedOrder")
-
-
-class _PlannedMethods:
-    """Methods whose names are listed are refused when they are called, with what they need."""
-
-    _planned_methods: tuple[str, ...] = ()
-    _needs = ""
-
-    def __getattr__(self, name: str) -> Any:
-        if name not in self._planned_methods:
-            raise AttributeError(f"{type(self).__name__} has no attribute '{name}'")
-        what = f"{type(self).__name__}.{name}"
-
-        def refuse(*args: Any, **kwargs: Any) -> NoReturn:
-            _planned(what, self._needs)
-
-        return refuse
+    refuse("FEM.CMSObjectComputeNorm")
 
 
 class ObjectFFRFinterface:
     """Flexible body with all coordinates of its mesh; planned."""
 
     def __init__(self, femInterface: Any) -> None:
-        _planned("ObjectFFRFinterface", "ObjectFFRF")
+        refuse("FEM.ObjectFFRFinterface")
 
 
 class ObjectFFRFreducedOrderInterface:
@@ -367,25 +348,17 @@ class ObjectFFRFreducedOrderInterface:
         roundMassMatrix: float = 1e-13,
         roundStiffnessMatrix: float = 1e-13,
     ) -> None:
-        _planned("ObjectFFRFreducedOrderInterface", "ObjectFFRFreducedOrder")
+        refuse("FEM.ObjectFFRFreducedOrderInterface")
 
 
-class FEMinterface(_PlannedMethods):
+class FEMinterface:
     """Nodes, elements, matrices and modes of a finite element model."""
 
-    _needs = "flexible-body items"
-    _planned_methods = (
-        *("ComputeCampbellDiagram", "ComputeEigenModesWithBoundaryNodes", "ComputeEigenmodesNGsolve"),
-        *("ComputeHurtyCraigBamptonModes", "ComputeHurtyCraigBamptonModesNGsolve", "ComputePostProcessingModes"),
-        *("ComputePostProcessingModesNGsolve", "ConvertElementsLists2Numpy", "ConvertSurfaceLists2Numpy"),
-        *("CreateLinearFEMObjectGenericODE2", "CreateNGsolveBoundaryNodeSets"),
-        *("CreateNonlinearFEMObjectGenericODE2NGsolve", "GetBoundaryNodeSetsAsLists", "GetGyroscopicMatrix"),
-        *("GetNodesOfNGsolveBoundary", "GetNodeWeightsFromSurfaceAreas", "GetRigidBodyInertia", "GetSurfaceTriangles"),
-        *("ImportFromAbaqusInputFile", "ImportMeshFromNGsolve", "InternalComputePostprocessingMode"),
-        *("NumpyArray2ListOfLists", "ReadElementsFromAnsys", "ReadMassMatrixFromAbaqus", "ReadMassMatrixFromAnsys"),
-        *("ReadNodalCoordinatesFromAnsys", "ReadStiffnessMatrixFromAbaqus", "ReadStiffnessMatrixFromAnsys"),
-        *("VolumeToSurfaceElements", "CheckConsistency", "SaveToFile", "LoadFromFile"),
-    )
+    def __getattr__(self, name: str) -> Any:
+        """Methods that are planned are refused when they are called."""
+        if name not in FUNCTIONS["FEM.FEMinterface"].members:
+            raise AttributeError(f"FEMinterface has no attribute '{name}'")
+        return lambda *args, **kwargs: refuse("FEM.FEMinterface", name)
 
     def __init__(self) -> None:
         self.metaData: dict[str, Any] = {"source": "unknown"}

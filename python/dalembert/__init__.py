@@ -18,6 +18,7 @@ except ImportError as _error:
         f"the compiled module dalembert._core cannot be loaded ({_error}); "
         "install the package, e.g. by 'pip install .' in the source folder"
     ) from _error
+from dalembert import _planned
 from dalembert._core import *
 from dalembert._planned import (
     GeneralContact as GeneralContact,
@@ -31,6 +32,7 @@ from dalembert._version import (
     interface_version as interface_version,
 )
 from dalembert.mainSystemExtensions import methods as _methods  # noqa: F401  importing it extends MainSystem
+from dalembert._diagnosis import SolverError as SolverError
 from dalembert.solver import (
     ComputeLinearizedSystem as ComputeLinearizedSystem,
     ComputeODE2Eigenvalues as ComputeODE2Eigenvalues,
@@ -44,10 +46,8 @@ from dalembert.solver import (
 _submodules = frozenset(
     (
         "FEM",
-        "GUI",
         "advancedUtilities",
         "alias",
-        "artificialIntelligence",
         "basicUtilities",
         "beams",
         "compiled",
@@ -65,9 +65,7 @@ _submodules = frozenset(
         "physics",
         "plot",
         "processing",
-        "resultsMonitor",
         "rigidBodyUtilities",
-        "robotics",
         "shells",
         "signalProcessing",
         "solver",
@@ -114,6 +112,7 @@ else:
         "RequireVersion",
         "SolveDynamic",
         "SolveStatic",
+        "SolverError",
         "SolverFileData",
         "SolverLocalData",
         "SolverSuccess",
@@ -130,12 +129,9 @@ else:
         if name in _submodules:
             from importlib import import_module
 
-            try:
-                return import_module(f"dalembert.{name}")
-            except ModuleNotFoundError as error:
-                if error.name != f"dalembert.{name}":
-                    raise
-                raise AttributeError(f"module 'dalembert.{name}' is not part of this version") from None
+            return import_module(f"dalembert.{name}")
+        if text := _planned.module_text(name):
+            raise AttributeError(text)
         raise AttributeError(f"module 'dalembert' has no attribute '{name}'")
 
     def __dir__() -> list[str]:

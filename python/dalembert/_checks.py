@@ -7,6 +7,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from dalembert._core import _problem_of
+
 FloatArray = npt.NDArray[np.float64]
 IntArray = npt.NDArray[np.int64]
 
@@ -48,6 +50,33 @@ def as_matrix(name: str, value: Any, shape: tuple[int, int]) -> FloatArray:
     if array.shape != shape:
         raise shape_error(name, expected, value)
     return array
+
+
+ROTATION = "a 3x3 rotation matrix, orthogonal and with determinant 1"
+TRANSFORMATION = "a 4x4 homogeneous transformation [[A, r], [0, 1]]"
+
+
+def as_rotation(name: str, value: Any) -> FloatArray:
+    """Convert to a 3x3 array; ValueError unless it is a rotation matrix to 1e-8: no scaling, shear or reflection."""
+    array = as_matrix(name, value, (3, 3))
+    if problem := rotation_problem(array):
+        raise ValueError(f"{shape_error(name, ROTATION, value)}. {problem}")
+    return array
+
+
+def as_transformation(name: str, value: Any) -> FloatArray:
+    """Convert to a 4x4 array; ValueError unless it is a homogeneous transformation of a rotation and a translation."""
+    array = as_matrix(name, value, (4, 4))
+    if not np.allclose(array[3], [0.0, 0.0, 0.0, 1.0], rtol=0.0, atol=1e-8):
+        raise ValueError(f"{shape_error(name, TRANSFORMATION, value)}. Its last row is {array[3].tolist()}.")
+    if problem := rotation_problem(array[:3, :3]):
+        raise ValueError(f"{shape_error(name, TRANSFORMATION, value)}. Of its rotation matrix: {problem}")
+    return array
+
+
+def rotation_problem(array: FloatArray) -> str:
+    """Return what makes a 3x3 array no rotation matrix; empty if it is one."""
+    return _problem_of("rotation", array) if np.isfinite(array).all() else "An entry is not finite."
 
 
 def as_points(name: str, value: Any, columns: int = 3) -> FloatArray:

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import Any, Literal, Self, SupportsIndex, final
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from dalembert import _core_symbolic, _core_testing
 from dalembert._core_base import *
@@ -151,6 +151,7 @@ __version__: str
 
 def InvalidIndex() -> int: ...
 def _is_plain_vector(value: object, size: int, /) -> bool: ...
+def _problem_of(check: str, value: ArrayLike, /) -> str: ...
 def _compiled_signature(itemTypeName: str, userFunctionName: str) -> str | None: ...
 def Help() -> None: ...
 def Print(

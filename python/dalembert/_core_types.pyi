@@ -14,6 +14,7 @@ class SparseMatrix(Protocol):
     def tocoo(self) -> Any: ...
 
 Array = NDArray[np.float64]
+Indices = NDArray[np.int32]
 Vector = Sequence[float] | NDArray[Any]
 Matrix = Sequence[Vector] | NDArray[Any]
 

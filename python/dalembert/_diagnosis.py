@@ -13,28 +13,67 @@ from dalembert import _core
 _ALLOCATION_THRESHOLD = 10000  # fewer allocations than this are of no concern
 _COUNTED = (0, 2, 4)  # entries of InfoStat: new arrays, vectors, matrices
 
-# Parts of the text that the compiled solver gives: the start of the advice, and the items behind an equation.
+# Parts of the text that the compiled solver gives: the start of the advice, and the items behind a number.
 _ADVICE = "  what to try:"
-_ITEMS = re.compile(r"^(\s*(?:no pivot for unknown \d+|rows [\d, ]+|equation \d+: \S+))(?:: |  \().*$")
+_ITEMS = re.compile(r"^(\s*(?:no pivot for unknown \d+|rows [\d, ]+|equation \d+: \S+|\w+\[\d+\]: \S+))(?:: |  \().*$")
 
 
 class SolverError(ValueError):
-    """A solver that gave up; `diagnosis` is the full text, `solver` the compiled solver with all its numbers."""
+    """A solver that gave up. Its text is the whole diagnosis with advice; its parts are attributes.
 
-    def __init__(self, message: str, diagnosis: str, solver: Any) -> None:
-        super().__init__(message)
+    reason: 'newton', 'singularMatrix', 'massMatrix', 'discontinuousIteration', 'errorControl', 'notFinite',
+        'unbounded' or 'timeLimit'.
+    solverName, stepIndex, time (s), stepSize (s), loadFactor: where it happened; step 0 is the start.
+    newtonSteps, residual, relativeResidual, relativeTolerance, absoluteTolerance: the last iteration, and what it is
+        compared with; of discontinuous iterations if they did not settle.
+    values: the worst ones (residuals, errors or numbers that are not finite), each a dict with vector, index, value,
+        items.
+    sources: items that give values that are not finite.
+    causingRow (-1: none), causingItems, dependentEquations: the unknown without a pivot, and equations of which a
+        combination vanishes.
+    advice: what to try, one sentence each.
+    message, diagnosis: the parts of the text. solver: the compiled solver, None after copying or pickling.
+    """
+
+    reason: str = ""
+    solverName: str = ""
+    stepIndex: int = 0
+    time: float = 0.0
+    stepSize: float = 0.0
+    loadFactor: float = 1.0
+    newtonSteps: int = 0
+    residual: float = 0.0
+    relativeResidual: float = 0.0
+    relativeTolerance: float = 0.0
+    absoluteTolerance: float = 0.0
+    values: Sequence[dict[str, Any]] = ()
+    sources: Sequence[str] = ()
+    causingRow: int = -1
+    causingItems: str = ""
+    dependentEquations: Sequence[str] = ()
+    advice: Sequence[str] = ()
+
+    def __init__(self, message: str, diagnosis: str = "", solver: Any = None, **parts: Any) -> None:
+        super().__init__(message, diagnosis)
         self.message = message
         self.diagnosis = diagnosis
         self.solver = solver
-        self.stepIndex = int(solver.it.currentStepIndex)
-        self.time = float(solver.it.currentTime)
-        self.stepSize = float(solver.it.currentStepSize)
-        self.newtonSteps = int(solver.it.newtonSteps)
-        self.residual = float(solver.conv.residual)
-        self.causingRow = int(solver.conv.linearSolverCausingRow)
+        vars(self).update(parts)
 
     def __str__(self) -> str:
-        return f"{self.message}: {'; '.join(self.diagnosis.splitlines()[1:4])}"
+        return f"{self.message}: {self.diagnosis}" if self.diagnosis else self.message
+
+    def __reduce__(self) -> Any:
+        return type(self), self.args, vars(self) | {"solver": None}
+
+    @classmethod
+    def FromSolver(cls, function: str, solver: Any, showCausingItems: bool = True) -> SolverError:
+        """Return the error of a solver that has failed, to be raised where its parts are called one by one."""
+        text = SolverErrorMessage(solver, None, solver.IsStaticSolver(), showCausingItems, showCausingItems)
+        return cls(f"{function} terminated due to errors", text, solver, **solver.GetDiagnosisDictionary())
+
+
+SolverError.__module__ = "dalembert"  # where users find it
 
 
 def SolverErrorMessage(
@@ -57,7 +96,8 @@ def SolverErrorMessage(
         it = solver.it
         lines.append(f"in step {it.currentStepIndex} at time {it.currentTime:.6g} (step size {it.currentStepSize:.3g})")
     if not (showCausingObjects or showCausingNodes):
-        lines = [_ITEMS.sub(r"\1", line) for line in lines]
+        sources = solver.GetDiagnosisDictionary()["sources"]
+        lines = [_ITEMS.sub(r"\1", line) for line in lines if line.strip() not in sources]
     if advice.strip():
         lines.append(_ADVICE + advice.rstrip() if showHints else "  showHints=True tells what to try")
     return "\n".join(lines)

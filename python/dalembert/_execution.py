@@ -16,6 +16,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from dalembert._files import naming
+
 ParameterSet = dict[str, Any]
 Function = Callable[[ParameterSet], Any]
 
@@ -108,7 +110,7 @@ def WriteToFile(
         return globalCnt
     if writeHeader:
         os.makedirs(os.path.dirname(resultsFile) or ".", exist_ok=True)
-    with open(resultsFile, "w" if writeHeader else "a") as file:
+    with naming(resultsFile), open(resultsFile, "w" if writeHeader else "a") as file:
         if writeHeader:
             columns = without_function_data(currentGeneration[0] if currentGeneration else parameters)
             file.write(_header(resultsFile, parameters, columns, fileType, multiProcessingMode))

@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from dalembert._checks import FloatArray
+from dalembert._planned import refuse
 
 
 def ReadMatrixFromAnsysMMF(fileName: str, verbose: bool = False) -> FloatArray:
@@ -53,11 +54,11 @@ def ReadNodalCoordinatesFromAnsysTxt(fileName: str, verbose: bool = False) -> Fl
 
 def ReadElementsFromAnsysTxt(fileName: str, verbose: bool = False) -> NoReturn:
     """Elements of an exported list; planned."""
-    raise NotImplementedError("ReadElementsFromAnsysTxt is planned and not available yet; it needs flexible-body items")
+    refuse("FEM.ReadElementsFromAnsysTxt")
 
 
 def ReadNodesFromAbaqusInp(
     fileName: str, typeName: str = "Part", name: str = "Part-1", exportElements: bool = False
 ) -> NoReturn:
     """Nodes of an ABAQUS input file; planned."""
-    raise NotImplementedError("ReadNodesFromAbaqusInp is planned and not available yet; it needs flexible-body items")
+    refuse("FEM.ReadNodesFromAbaqusInp")

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from dalembert._checks import as_array, shape_error
+from dalembert._files import naming
 
 _numbers = (bool, int, float, np.bool_, np.integer, np.floating)
 _enumerations = (
@@ -111,7 +112,7 @@ def SaveDictToHDF5(fileName: str, dataDict: Mapping[str, Any]) -> None:
     Values are numbers, None, str, numpy arrays, scipy sparse matrices, item indices, enumerations, and lists and
     dictionaries of them; Python functions are stored by name. Raises ValueError for other types.
     """
-    with _h5py("SaveDictToHDF5").File(fileName, "w") as file:
+    with naming(fileName), _h5py("SaveDictToHDF5").File(fileName, "w") as file:
         for key, value in dataDict.items():
             _store(file, str(key), value, str(key))
 
@@ -171,5 +172,5 @@ def _load(node: Any, callerGlobals: Mapping[str, Any] | None, path: str) -> Any:
 
 def LoadDictFromHDF5(fileName: str, callerGlobals: Mapping[str, Any] | None = None) -> dict[str, Any]:
     """Return the dictionary that SaveDictToHDF5 wrote; callerGlobals=globals() is needed for user functions."""
-    with _h5py("LoadDictFromHDF5").File(fileName, "r") as file:
+    with naming(fileName), _h5py("LoadDictFromHDF5").File(fileName, "r") as file:
         return {key: _load(member, callerGlobals, key) for key, member in file.items()}

@@ -10,10 +10,12 @@ import numpy as np
 import numpy.typing as npt
 
 from dalembert._checks import FloatArray, as_array, shape_error
+from dalembert._files import naming, numbers_of, refuse_line
 
 Image = dict[str, list[Any]]
 
 _HEADER, _END = "text image export file", "#END"
+_SIZES = {"#COLOR": 4, "#LINE": 3, "#TRIANGLE": 9}  # how many numbers follow, or a multiple
 
 
 def LoadImage(fileName: str, trianglesAsLines: bool = True, verbose: bool = False) -> Image:
@@ -35,11 +37,16 @@ def LoadImage(fileName: str, trianglesAsLines: bool = True, verbose: bool = Fals
     image: Image = {"linePoints": [], "lineColors": [], "triangles": []}
     color: tuple[float, ...] = (0.0, 0.0, 0.0, 1.0)
     segments = triangles = 0
-    content = iter(lines[1:])
-    for tag in content:
-        if tag not in ("#COLOR", "#LINE", "#TRIANGLE"):
+    content = iter(enumerate(lines[1:], 2))
+    for number, tag in content:
+        if tag not in _SIZES:
             continue  # comment
-        values = [float(value) for value in next(content, "").split(",") if value.strip()]
+        number, line = next(content, (number + 1, ""))
+        values = numbers_of(line.strip().rstrip(","), ",")
+        if values is None or not values or len(values) % _SIZES[tag]:
+            raise refuse_line(
+                fileName, number, f"numbers separated by ',', {_SIZES[tag]} or a multiple, after {tag}", line
+            )
         if tag == "#COLOR":
             color = tuple(values)
             continue
@@ -104,7 +111,8 @@ def save_figure(figure: Any, fileName: str) -> None:
     folder = os.path.dirname(fileName)
     if folder:
         os.makedirs(folder, exist_ok=True)
-    figure.savefig(fileName)
+    with naming(fileName):
+        figure.savefig(fileName)
 
 
 def PlotImage(

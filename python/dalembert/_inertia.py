@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from dalembert._checks import FloatArray, as_matrix, as_vector, shape_error
+from dalembert._checks import FloatArray, as_array, as_matrix, as_rotation, as_transformation, as_vector, shape_error
 from dalembert._rotations import Skew
-from dalembert._transformations import HT0, HT2rotationMatrix, HT2translation, HTtranslate, InertiaTensor2Inertia6D
+from dalembert._transformations import HT0, HTtranslate, InertiaTensor2Inertia6D
 
 
 class TreeLink:
@@ -37,7 +37,7 @@ class TreeLink:
             jointType = exu.JointType.RevoluteZ
         self.jointType = jointType
         self.linkInertia = linkInertia
-        self.jointHT = as_matrix("jointHT", jointHT, (4, 4)).copy()
+        self.jointHT = as_transformation("jointHT", jointHT).copy()
         self.parent = parent
         self.PDcontrol = PDcontrol
         self.graphicsDataList = graphicsDataList
@@ -47,7 +47,7 @@ class RigidBodyInertia:
     """Mass, centre of mass (com) and 3x3 inertia tensor of a rigid body in a body-fixed frame.
 
     The tensor is stored about the reference point, the origin of that frame; inertiaTensorAtCOM=True says that the
-    tensor given here is about the centre of mass. Inertias about the same reference point are added with +.
+    tensor given here is about the centre of mass. Inertias about the same reference point add with +; - cuts holes.
     """
 
     def __init__(
@@ -66,21 +66,38 @@ class RigidBodyInertia:
         self.data: dict[str, Any] = {"type": "RigidBodyInertia"}
         self._nTilesGraphics = 16
         self._roundnessGraphics = 0.0
-        self._warn_if_unphysical(tensor)
+        self._judge(tensor)
 
-    def _warn_if_unphysical(self, tensor: FloatArray) -> None:
-        scale = np.linalg.norm(tensor)
+    def _judge(self, tensor: FloatArray) -> None:
+        """Refuse negative principal moments about the centre of mass; warn of others that no body has."""
+        scale = np.linalg.norm(self.inertiaTensor)
         if scale == 0.0 or self.mass < 0.0:  # mass points, and negative masses that cut holes, are meant
             return
-        moments = np.sort(np.diag(tensor))
+        if np.linalg.norm(tensor - tensor.T) > 1e-14 * scale:
+            warnings.warn("RigidBodyInertia: inertiaTensor is not symmetric; use (J + J.T)/2", stacklevel=3)
+            return
+        about_centre = self.InertiaCOM()
+        moments = np.linalg.eigvalsh(0.5 * (about_centre + about_centre.T))
+        if moments[0] < -1e-8 * scale:
+            raise shape_error(
+                "RigidBodyInertia: inertiaTensor",
+                "a tensor without negative principal moments about the centre of mass (inertiaTensorAtCOM=True says "
+                f"that it is about that point), not {moments}",
+                tensor,
+            )
         if moments[0] + moments[1] < moments[2] - 1e-12 * scale:
             warnings.warn(
-                f"RigidBodyInertia: moments of inertia {np.diag(tensor)} violate the triangle inequality; "
+                f"RigidBodyInertia: principal moments of inertia {moments} violate the triangle inequality; "
                 "no body has them, and the simulation may be unstable",
                 stacklevel=3,
             )
-        if np.linalg.norm(tensor - tensor.T) > 1e-14 * scale:
-            warnings.warn("RigidBodyInertia: inertiaTensor is not symmetric; use (J + J.T)/2", stacklevel=3)
+
+    @staticmethod
+    def _of(mass: float, inertiaTensor: FloatArray, com: FloatArray) -> RigidBodyInertia:
+        """Return the inertia of these values about the reference point; sums on the way to a body may be of none."""
+        inertia = RigidBodyInertia(mass, com=com)
+        inertia.inertiaTensor = inertiaTensor
+        return inertia
 
     def _steiner(self, com: FloatArray | None = None) -> FloatArray:
         """Return the inertia tensor of the whole mass concentrated at com, about the reference point."""
@@ -96,7 +113,14 @@ class RigidBodyInertia:
         if mass == 0.0 and np.any(moment != 0.0):
             raise ValueError("RigidBodyInertia: the masses cancel, but not their moments; centre of mass is undefined")
         com = moment / mass if mass != 0.0 else np.zeros(3)
-        return RigidBodyInertia(mass, self.inertiaTensor + otherBodyInertia.inertiaTensor, com)
+        return self._of(mass, self.inertiaTensor + otherBodyInertia.inertiaTensor, com)
+
+    def __sub__(self, otherBodyInertia: RigidBodyInertia) -> RigidBodyInertia:
+        """Return the inertia of the body with the other one as a hole; frames and reference points must coincide."""
+        if not isinstance(otherBodyInertia, RigidBodyInertia):
+            return NotImplemented
+        other = otherBodyInertia
+        return self + self._of(-other.mass, -other.inertiaTensor, other.com)
 
     def SetWithCOMinertia(self, mass: float, inertiaTensorCOM: npt.ArrayLike, com: npt.ArrayLike) -> None:
         """Set mass, centre of mass and inertia from a 3x3 tensor about the centre of mass."""
@@ -123,7 +147,7 @@ class RigidBodyInertia:
 
     def _moved(self, A: FloatArray, r: FloatArray) -> RigidBodyInertia:
         com = A @ self.com + r
-        return RigidBodyInertia(self.mass, A @ self.InertiaCOM() @ A.T + self._steiner(com), com)
+        return self._of(self.mass, A @ self.InertiaCOM() @ A.T + self._steiner(com), com)
 
     def _carry_data(self, moved: RigidBodyInertia, T: FloatArray) -> RigidBodyInertia:
         moved.data.update(self.data)
@@ -140,7 +164,7 @@ class RigidBodyInertia:
 
         Raises ValueError if the centre of mass is not at the reference point; use Transformed then.
         """
-        A = as_matrix("Rotated: rot", rot, (3, 3))
+        A = as_rotation("Rotated: rot", rot)
         if np.any(self.com != 0.0):
             raise ValueError(
                 f"RigidBodyInertia.Rotated: expected com=[0,0,0], received com={self.com.tolist()}; "
@@ -150,8 +174,8 @@ class RigidBodyInertia:
 
     def Transformed(self, HT: npt.ArrayLike) -> RigidBodyInertia:
         """Return the inertia of the body rotated and then shifted by the 4x4 homogeneous transformation HT."""
-        T = as_matrix("Transformed: HT", HT, (4, 4))
-        return self._carry_data(self._moved(HT2rotationMatrix(T), HT2translation(T)), T)
+        T = as_transformation("Transformed: HT", HT)
+        return self._carry_data(self._moved(T[:3, :3], T[:3, 3]), T)
 
     def GetInertia6D(self) -> list[float]:
         """Return [Jxx, Jyy, Jzz, Jyz, Jxz, Jxy] about the reference point, as ObjectRigidBody expects it."""
@@ -208,11 +232,20 @@ class RigidBodyInertia:
     __repr__ = __str__
 
 
+def _not_negative(where: str, **values: Any) -> None:
+    """Refuse what no shape has: a density, mass, length or radius that is negative or no finite number."""
+    for name, value in values.items():
+        number = as_array(f"{where}: {name}", value, "a number")
+        if not (np.isfinite(number).all() and (number >= 0.0).all()):
+            raise shape_error(f"{where}: {name}", "a finite number that is not negative", value)
+
+
 class InertiaCuboid(RigidBodyInertia):
     """Inertia of a homogeneous cuboid with density (kg/m^3) and three side lengths along the axes, about its centre."""
 
     def __init__(self, density: float, sideLengths: Sequence[float] | FloatArray) -> None:
         sides = as_vector("InertiaCuboid: sideLengths", sideLengths, 3)
+        _not_negative("InertiaCuboid", density=density, sideLengths=sides)
         mass = density * sides.prod()
         squares = sides**2
         super().__init__(mass, np.diag(mass / 12.0 * (squares.sum() - squares)))
@@ -223,6 +256,7 @@ class InertiaRodX(RigidBodyInertia):
     """Inertia of a thin rod along the x axis, about its centre."""
 
     def __init__(self, mass: float, length: float) -> None:
+        _not_negative("InertiaRodX", mass=mass, length=length)
         J = mass * length**2 / 12.0
         super().__init__(mass, np.diag([0.0, J, J]))
         self.data = {"type": "InertiaRodX", "mass": mass, "length": length}
@@ -232,6 +266,7 @@ class InertiaMassPoint(RigidBodyInertia):
     """Inertia of a mass point: no moments of inertia, so not sufficient for a rigid body with rotations."""
 
     def __init__(self, mass: float) -> None:
+        _not_negative("InertiaMassPoint", mass=mass)
         super().__init__(mass)
         self.data = {"type": "InertiaMassPoint", "mass": mass}
 
@@ -246,6 +281,7 @@ class InertiaSphere(RigidBodyInertia):
             raise ValueError(
                 f"InertiaSphere: expected either mass or density, received mass={mass} and density={density}"
             )
+        _not_negative("InertiaSphere", radius=radius, **({"density": density} if mass is None else {"mass": mass}))
         volume = 4.0 / 3.0 * np.pi * radius**3
         if mass is None:
             assert density is not None
@@ -260,6 +296,7 @@ class InertiaHollowSphere(RigidBodyInertia):
     """Inertia of a thin spherical shell about its centre."""
 
     def __init__(self, mass: float, radius: float) -> None:
+        _not_negative("InertiaHollowSphere", mass=mass, radius=radius)
         super().__init__(mass, 2.0 / 3.0 * mass * radius**2 * np.eye(3))
         self.data = {"type": "InertiaHollowSphere", "mass": mass, "radius": radius}
 
@@ -270,6 +307,11 @@ class InertiaCylinder(RigidBodyInertia):
     def __init__(self, density: float, length: float, outerRadius: float, axis: int, innerRadius: float = 0) -> None:
         if axis not in (0, 1, 2):
             raise shape_error("InertiaCylinder: axis", "0, 1 or 2", axis)
+        _not_negative(
+            "InertiaCylinder", density=density, length=length, outerRadius=outerRadius, innerRadius=innerRadius
+        )
+        if innerRadius > outerRadius:
+            raise shape_error("InertiaCylinder: innerRadius", f"at most outerRadius={outerRadius}", innerRadius)
         mass = density * length * np.pi * (outerRadius**2 - innerRadius**2)
         polar = 0.5 * mass * (outerRadius**2 + innerRadius**2)
         moments = np.full(3, 0.5 * polar + mass * length**2 / 12.0)

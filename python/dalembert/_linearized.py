@@ -9,6 +9,7 @@ import numpy as np
 from dalembert import _core
 from dalembert._checks import FloatArray
 from dalembert._core import SimulationSettings
+from dalembert._diagnosis import SolverError
 from dalembert._quiet import quiet_static_solver
 
 
@@ -83,6 +84,18 @@ def ComputeLinearizedSystem(
     return matrices + extra
 
 
+def _eigenvalue_error(reason: str, problem: str, advice: str) -> SolverError:
+    """Return the error of an eigenvalue solver that cannot go on."""
+    name = "ComputeODE2Eigenvalues"
+    return SolverError(f"{name}: {problem}", advice, reason=reason, solverName=name, advice=[advice])
+
+
+def _want_of_mass(problem: str, M: FloatArray) -> SolverError:
+    massless = [int(i) for i in np.flatnonzero(np.diag(M) <= 0.0)]
+    advice = f"give every coordinate mass or inertia (coordinates without: {massless})"
+    return _eigenvalue_error("massMatrix", problem, f"{advice}, or exclude them by constrainedCoordinates")
+
+
 def _undamped_modes(K: FloatArray, M: FloatArray) -> Any:
     """Return eigenvalues omega^2 (rad^2/s^2) and eigenvectors, in columns, of K x = omega^2 M x."""
     from scipy.linalg import LinAlgError, eigh
@@ -90,11 +103,7 @@ def _undamped_modes(K: FloatArray, M: FloatArray) -> Any:
     try:
         return eigh(K, M)
     except LinAlgError as error:
-        massless = [int(i) for i in np.flatnonzero(np.diag(M) <= 0.0)]
-        raise ValueError(
-            "ComputeODE2Eigenvalues: the mass matrix is not positive definite; give every coordinate mass or inertia "
-            f"(coordinates without: {massless}), or exclude them by constrainedCoordinates"
-        ) from error
+        raise _want_of_mass("the mass matrix is not positive definite", M) from error
 
 
 def _damped_modes(K: FloatArray, D: FloatArray, M: FloatArray) -> Any:
@@ -102,8 +111,11 @@ def _damped_modes(K: FloatArray, D: FloatArray, M: FloatArray) -> Any:
     from scipy.linalg import eig
 
     n = len(M)
-    companion = np.block([[np.zeros((n, n)), np.eye(n)], [-np.linalg.solve(M, K), -np.linalg.solve(M, D)]])
-    return eig(companion)
+    try:
+        lower = [-np.linalg.solve(M, K), -np.linalg.solve(M, D)]
+    except np.linalg.LinAlgError as error:
+        raise _want_of_mass("the mass matrix is singular", M) from error
+    return eig(np.block([[np.zeros((n, n)), np.eye(n)], lower]))
 
 
 def _sparse_modes(K: FloatArray, M: FloatArray, number: int) -> Any:
@@ -111,7 +123,11 @@ def _sparse_modes(K: FloatArray, M: FloatArray, number: int) -> Any:
     from scipy.sparse import csc_matrix
     from scipy.sparse.linalg import eigsh
 
-    return eigsh(csc_matrix(K), k=number, M=csc_matrix(M), which="LM", sigma=0, mode="normal")
+    try:
+        return eigsh(csc_matrix(K), k=number, M=csc_matrix(M), which="LM", sigma=0, mode="normal")
+    except RuntimeError as error:  # no factors, or no convergence
+        advice = "set useSparseSolver=False, or hold coordinates that no spring holds by constrainedCoordinates"
+        raise _eigenvalue_error("singularMatrix", f"no factors of the stiffness matrix ({error})", advice) from error
 
 
 def ComputeODE2Eigenvalues(

@@ -1,34 +1,86 @@
-"""Names of the interface whose classes are planned: they exist, and making an object says what is missing."""
+"""What is planned says so when it is used: modules when they are imported, classes and functions when they are called.
+
+The list is generated from the specs, see _planned_table.py.
+"""
 
 from __future__ import annotations
 
+import sys
+from collections.abc import Callable, Sequence
+from importlib.abc import MetaPathFinder
+from types import ModuleType
 from typing import Any, NoReturn
+
+from dalembert._planned_table import FUNCTIONS, MODULES, Planned
 
 __all__ = ["GeneralContact", "SolverFileData", "SolverLocalData", "VisuGeneralContact"]
 
+_PACKAGE = "dalembert"
 
-class _Planned:
-    _advice = ""
 
+def _text(name: str, planned: Planned) -> str:
+    instead = f"; until then: {planned.instead}" if planned.instead else ""
+    return f"{name} is planned and not available yet: {planned.what}{instead}"
+
+
+def refuse(name: str, member: str = "") -> NoReturn:
+    """Raise the NotImplementedError of a planned class or function, given by its name in the list."""
+    shown = name.removeprefix("FEM.").removeprefix("shells.")
+    raise NotImplementedError(_text(f"{shown}.{member}" if member else shown, FUNCTIONS[name]))
+
+
+def _planned_method(name: str) -> Callable[..., NoReturn]:
+    """Return a method of MainSystem that does nothing but refuse."""
+
+    def method(mbs: Any, *args: Any, **kwargs: Any) -> NoReturn:
+        refuse(name)
+
+    method.__name__ = name.rpartition(".")[2]
+    method.__qualname__ = name
+    method.__doc__ = f"Planned: {FUNCTIONS[name].what}; raises NotImplementedError."
+    return method
+
+
+# Methods of MainSystem, by name.
+methods = {
+    name.removeprefix("MainSystem."): _planned_method(name) for name in FUNCTIONS if name.startswith("MainSystem.")
+}
+
+
+def module_text(name: str) -> str:
+    """Return what is to say of a planned module of the package, robotics.models for instance; "" if it is none."""
+    return _text(f"the module {_PACKAGE}.{name}", MODULES[name]) if name in MODULES else ""
+
+
+class _Finder(MetaPathFinder):
+    """Is asked last, for modules that nobody else has found."""
+
+    def find_spec(self, fullname: str, path: Sequence[str] | None = None, target: ModuleType | None = None) -> None:
+        package, _, name = fullname.partition(".")
+        if package == _PACKAGE and (text := module_text(name)):
+            raise ModuleNotFoundError(text, name=fullname)
+
+
+if not any(type(finder).__qualname__ == _Finder.__qualname__ for finder in sys.meta_path):
+    sys.meta_path.append(_Finder())
+
+
+class _PlannedClass:
     def __init__(self, *args: Any, **kwargs: Any) -> NoReturn:
-        raise NotImplementedError(f"{type(self).__name__} is planned and not available yet{self._advice}")
+        refuse(type(self).__name__)
 
 
-class GeneralContact(_Planned):
+class GeneralContact(_PlannedClass):
     """Contact of many spheres, triangles and cables with each other; planned."""
 
-    _advice = "; single contacts are objects, e.g. ObjectContactSphereSphere"
 
-
-class VisuGeneralContact(_Planned):
+class VisuGeneralContact(_PlannedClass):
     """How GeneralContact is drawn; planned."""
 
 
-class SolverFileData(_Planned):
+class SolverFileData(_PlannedClass):
     """Files of a solver; planned."""
 
 
-class SolverLocalData(_Planned):
+class SolverLocalData(_PlannedClass):
     """Vectors and matrices of a solver; planned."""
-
-    _advice = "; the state of the system is in mbs.systemData"

@@ -7,10 +7,12 @@ from contextlib import contextmanager
 from typing import Any
 
 from dalembert import _core
+from dalembert._diagnosis import SolverError
 
 
 def assemble_if_needed(function: str, mbs: Any, autoAssemble: bool) -> None:
-    """Assemble a system that has changed since its last Assemble(), and say so."""
+    """Assemble a system that has changed since its last Assemble(), and say so; refused if the system is in use."""
+    mbs._RequireIdle(function)
     if autoAssemble and not mbs.systemIsConsistent:
         _core.Print(f"WARNING: {function}: the system is not assembled, calling mbs.Assemble() first")
         mbs.Assemble()
@@ -44,7 +46,8 @@ def quiet_static_solver(function: str, mbs: Any, simulationSettings: Any, autoAs
     store = DeactivateWritingOfSolvers(settings)
     solver = _core.MainSolverStatic()
     try:
-        solver.InitializeSolver(mbs, settings)
+        if not solver.InitializeSolver(mbs, settings):
+            raise SolverError.FromSolver(function, solver)
         yield solver
         solver.FinalizeSolver(mbs, settings)
     finally:

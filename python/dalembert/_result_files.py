@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import ast
+import os
 from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any
+
+from dalembert._files import naming
 
 _MAXIMUM_HEADER = 10
 
@@ -114,11 +117,11 @@ def FileStripSpaces(filename: str, outputFilename: str, fileCommentChar: str = "
     Lines that start with `fileCommentChar` are copied as they are; repetitions of the string `removeDoubleChars`
     become one, e.g. ' ' turns '1.0   3.0' into '1.0 3.0'.
     """
-    if filename == outputFilename:
+    if filename == outputFilename or (os.path.exists(outputFilename) and os.path.samefile(filename, outputFilename)):
         raise ValueError(f"FileStripSpaces: filename and outputFilename must differ, both are {filename!r}")
     with open(filename) as file:
         lines = file.readlines()
-    with open(outputFilename, "w") as file:
+    with naming(outputFilename), open(outputFilename, "w") as file:
         for line in lines:
             if not fileCommentChar or not line.startswith(fileCommentChar):
                 line = line.strip("\n").strip(" ") + "\n"

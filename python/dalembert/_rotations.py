@@ -12,7 +12,7 @@ from math import atan2, cos, hypot, sin
 import numpy as np
 import numpy.typing as npt
 
-from dalembert._checks import FloatArray, as_array, as_matrix, as_vector, shape_error, unit_vector
+from dalembert._checks import FloatArray, as_array, as_rotation, as_vector, shape_error, unit_vector
 
 eulerParameters0: list[float] = [1.0, 0.0, 0.0, 0.0]  # rotation by the angle zero
 
@@ -116,7 +116,7 @@ def RotationMatrix2EulerParameters(rotationMatrix: npt.ArrayLike) -> FloatArray:
     All products 4*p_i*p_j are linear in the matrix entries; the row of the largest p_i gives p without cancellation
     (Shepperd, J. Guidance and Control 1, 1978).
     """
-    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = as_matrix("rotationMatrix", rotationMatrix, (3, 3)).tolist()
+    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = as_rotation("rotationMatrix", rotationMatrix).tolist()
     trace = xx + yy + zz
     products = [
         [1.0 + trace, zy - yz, xz - zx, yx - xy],
@@ -187,7 +187,7 @@ def RotationMatrix2RotXYZ(rotationMatrix: npt.ArrayLike) -> FloatArray:
 
     At y = +-pi/2 only the sum or difference of x and z is determined; x = 0 is chosen there.
     """
-    A = as_matrix("rotationMatrix", rotationMatrix, (3, 3))
+    A = as_rotation("rotationMatrix", rotationMatrix)
     cosY = hypot(A[1, 2], A[2, 2])
     angleY = atan2(A[0, 2], cosY)
     if cosY > _GIMBAL:
@@ -269,7 +269,7 @@ def RotationMatrix2RotZYZ(rotationMatrix: npt.ArrayLike, flip: bool) -> FloatArr
     The middle angle is positive, or negative if flip is True (the first angle then differs by pi). Where both z axes
     coincide, the first angle is zero.
     """
-    A = as_matrix("rotationMatrix", rotationMatrix, (3, 3))
+    A = as_rotation("rotationMatrix", rotationMatrix)
     sign = -1.0 if flip else 1.0
     parallel = abs(A[0, 2]) < _GIMBAL and abs(A[1, 2]) < _GIMBAL
     first = 0.0 if parallel else atan2(sign * A[1, 2], sign * A[0, 2])

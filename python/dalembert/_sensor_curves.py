@@ -6,11 +6,13 @@ import operator
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass
+from itertools import islice
 from typing import Any
 
 import numpy as np
 
 from dalembert._checks import FloatArray
+from dalembert._files import read_table, require_last_line
 from dalembert._result_files import ParseOutputFileHeader
 
 # Instead of a component number: the norm of all values of a sensor.
@@ -84,11 +86,21 @@ def match_lengths(sensorNumbers: Any, components: Any, componentsX: Any) -> list
 
 def _file_information(fileName: str, comments: str, delimiter: str) -> tuple[str, str, FloatArray]:
     """Return name, output variable and data of a sensor or solution file."""
-    with open(fileName) as file:
-        header = ParseOutputFileHeader(file.readlines())
+    with open(fileName, errors="replace") as file:
+        header = ParseOutputFileHeader(list(islice(file, 20)))
     name = os.path.basename(fileName.replace("\\", "/")).split(".")[0]
     variable = "Coordinates" if header.get("type") == "solution" else header.get("outputVariableType", "")
-    return name, variable, np.loadtxt(fileName, comments=comments, delimiter=delimiter, ndmin=2)
+    return name, variable, _file_data(fileName, header, comments, delimiter)
+
+
+def _file_data(fileName: str, header: Mapping[str, Any], comments: str, delimiter: str) -> FloatArray:
+    """Return the rows of a file; those that solvers have written must be complete and as the header says."""
+    known = header.get("type") in ("sensor", "solution")
+    if known:
+        require_last_line(fileName)
+    return read_table(
+        fileName, comments, delimiter, len(header["columns"]) if known and len(header["columns"]) > 1 else None
+    )
 
 
 def _variable_of(mbs: Any, sensor: Mapping[str, Any]) -> str:
@@ -114,7 +126,7 @@ def _sensor_information(mbs: Any, sensor: Any, comments: str, delimiter: str) ->
     if information["storeInternal"]:
         data = np.atleast_2d(mbs.GetSensorStoredData(number))
     elif information["writeToFile"] and information["fileName"]:
-        data = np.loadtxt(information["fileName"], comments=comments, delimiter=delimiter, ndmin=2)
+        data = _file_information(information["fileName"], comments, delimiter)[2]
     else:
         raise ValueError(
             f"PlotSensor: sensor {number} {information['name']!r} keeps no data: "

@@ -13,13 +13,13 @@ import numpy.typing as npt
 
 from dalembert._checks import FloatArray
 from dalembert._core import ConfigurationType, MainSolverImplicitSecondOrder, Print
-
-Path = str | os.PathLike[str]
+from dalembert._files import Path, naming, numbers_of, read_table, refuse_line, require_last_line
 
 _MAGIC = b"EXUBIN"
 _RESTART_MAGIC = b"#dalembert restart file"
 _HEADER_LINES = 5
 _HEADER_TITLE = "#number of written coordinates"
+_LARGE = 1 << 20  # bytes
 _END_OF_FILE = -1  # length of a row that marks the end of a binary file
 
 # What a row holds after the time, in the order of columnsExported, by the names of the functions that set it.
@@ -49,18 +49,24 @@ def _columns_of_header(fileName: Path, lines: list[str]) -> list[int]:
     return [int(entry) for entry in match.group(1).split(",") if entry.strip()]
 
 
-def _consistent_rows(lines: Iterator[str], columns: int | None) -> Iterator[list[float]]:
-    """Give the rows with the expected number of numbers (that of the first row if None) and skip all others."""
-    for line in lines:
-        if line.startswith("#") or not line.strip():
-            continue
-        try:
-            row = [float(entry) for entry in line.split(",")]
-        except ValueError:
-            continue
-        columns = columns or len(row)
-        if len(row) == columns:
-            yield row
+def _rows(fileName: Path, columns: int | None, safeMode: bool) -> Iterator[list[float]]:
+    """Give the rows of numbers, as many as `columns` says or, if that is None, the first row has.
+
+    With a header, a row is complete when its line ends. Other rows are left out in safe mode, else refused.
+    """
+    has_header = columns is not None
+    with open(fileName, encoding="utf-8", errors="replace") as text:
+        for number, line in enumerate(text, 1):
+            if line.startswith("#") or not line.strip():
+                continue
+            row = numbers_of(line, ",")
+            columns = columns or (len(row) if row else None)
+            if row is not None and len(row) == columns and (line.endswith("\n") or not has_header):
+                yield row
+            elif not safeMode:
+                raise refuse_line(
+                    fileName, number, f"{columns or ''} numbers separated by ',' in a complete line", line
+                )
 
 
 def LoadSolutionFile(
@@ -70,30 +76,27 @@ def LoadSolutionFile(
 
     data has one row per written step: time (s), then nColumns coordinates in the groups of columnsExported (ODE2,
     ODE2_t, ODE2_tt, ODE1, ODE1_t, AE, Data). safeMode leaves out damaged rows, maxRows limits their number (-1: all).
-    ValueError if the header is missing or does not fit the data.
+    ValueError with line or byte if the header is missing, or if a row is damaged or incomplete.
     """
     with open(fileName, "rb") as file:
         if file.read(len(_MAGIC)) == _MAGIC:
-            return LoadBinarySolutionFile(fileName, maxRows, verbose)
+            return LoadBinarySolutionFile(fileName, maxRows, verbose, safeMode)
 
     columns: list[int] = []
-    limit = None if maxRows == -1 else maxRows
-    with open(fileName, encoding="utf-8") as text:
-        if hasHeader:
+    expected = None
+    if hasHeader:
+        with open(fileName, encoding="utf-8", errors="replace") as text:
             columns = _columns_of_header(fileName, list(islice(text, _HEADER_LINES)))
-        if safeMode:
-            expected = sum(columns) + 1 if hasHeader else None
-            data = np.array(list(islice(_consistent_rows(text, expected), limit)), dtype=float)
-        else:
-            source = text if limit is None else islice((line for line in text if line[0] not in "#\n"), limit)
-            data = np.loadtxt(source, comments="#", delimiter=",", ndmin=2)
+        expected = sum(columns) + 1
+    if safeMode or maxRows != -1:
+        rows = islice(_rows(fileName, expected, safeMode), None if maxRows == -1 else maxRows)
+        data = np.array(list(rows), dtype=float, ndmin=2)
+    else:
+        if hasHeader:
+            require_last_line(fileName)
+        data = read_table(fileName, columns=expected)
     if data.size == 0:
         raise ValueError(f"{os.fspath(fileName)}: no rows of data found")
-    if hasHeader and data.shape[1] != sum(columns) + 1:
-        raise ValueError(
-            f"{os.fspath(fileName)}: the header announces {sum(columns)} columns besides the time, "
-            f"the rows have {data.shape[1] - 1}"
-        )
     if verbose:
         Print(f"{os.fspath(fileName)}: {data.shape[0]} rows, {data.shape[1] - 1} columns {columns}")
     return _solution(data, columns)
@@ -106,15 +109,18 @@ def _solution(data: FloatArray, columns: list[int]) -> dict[str, Any]:
 def RecoverSolutionFile(fileName: Path, newFileName: Path, verbose: int = 0) -> None:
     """Copy a text solution file without the rows whose number of columns does not fit the header.
 
-    verbose 1 reports rows left out, 2 all rows. ValueError if the header is missing.
+    verbose 1 reports rows left out, 2 all rows. ValueError if the header is missing, or if both names are one file's.
     """
-    with open(fileName, encoding="utf-8") as source:
+    if os.path.exists(newFileName) and os.path.samefile(fileName, newFileName):
+        raise ValueError(f"RecoverSolutionFile: newFileName: expected another file than {os.fspath(fileName)!r}")
+    with open(fileName, encoding="utf-8", errors="replace") as source:
         expected = sum(_columns_of_header(fileName, list(islice(source, _HEADER_LINES)))) + 1
         source.seek(0)
-        with open(newFileName, "w", encoding="utf-8") as target:
+        with naming(newFileName), open(newFileName, "w", encoding="utf-8") as target:
             for number, line in enumerate(source, 1):
+                row = numbers_of(line, ",")
                 columns = line.count(",") + 1
-                keep = line.startswith("#") or columns == expected
+                keep = line.endswith("\n") and (line.startswith("#") or (row is not None and columns == expected))
                 if keep:
                     target.write(line)
                 if verbose >= (2 if keep else 1):
@@ -130,8 +136,14 @@ def NumpyInt8ArrayToString(npArray: npt.ArrayLike) -> str:
 
 
 def _read(file: IO[bytes], dtype: Any, count: int) -> npt.NDArray[Any]:
+    """Return `count` numbers, or those that the file still has."""
     size = np.dtype(dtype).itemsize
-    data = file.read(size * max(count, 0))
+    wanted = size * max(count, 0)
+    if wanted > _LARGE:  # a damaged length must not ask for more memory than the file has bytes
+        here = file.tell()
+        wanted = min(wanted, file.seek(0, os.SEEK_END) - here)
+        file.seek(here)
+    data = file.read(wanted)
     return np.frombuffer(data[: len(data) // size * size], dtype=dtype)
 
 
@@ -166,53 +178,77 @@ def BinaryReadRealVector(file: IO[bytes], intType: Any, realType: Any) -> list[A
     return [[], True] if data.size != length else [data, False]
 
 
-def _number_type(kind: str, size: int, bigEndian: bool) -> np.dtype[Any]:
-    if size not in (4, 8):
-        raise ValueError(f"LoadBinarySolutionFile: numbers of {size} bytes are not supported")
-    return np.dtype(f"{'>' if bigEndian else '<'}{kind}{size}")
+def _binary_header(file: IO[bytes], fileName: Path) -> tuple[dict[str, Any], Any, Any]:
+    """Return the header of a binary file, and the types of its integers and numbers."""
+
+    def refuse(position: int, problem: str) -> ValueError:
+        return ValueError(f"{os.fspath(fileName)}, byte {position}: {problem}; the binary header is damaged")
+
+    def read(function: Any, *types: Any) -> Any:
+        position = file.tell()
+        value, ended = function(file, *types)
+        if ended:
+            raise refuse(position, "the file ends inside of the header")
+        return value
+
+    start = file.read(len(_MAGIC))
+    if start != _MAGIC:
+        raise ValueError(f"{os.fspath(fileName)}: no binary solution file, it does not start with {_MAGIC!r}")
+    sizes = _read(file, np.int8, 10)
+    if sizes.size != 10 or sizes[1] not in (4, 8) or sizes[2] not in (4, 8) or sizes[4] not in (0, 1):
+        raise refuse(len(start), f"expected the sizes of numbers, received {sizes.tolist()}")
+    order = ">" if sizes[4] else "<"
+    intType, realType = np.dtype(f"{order}i{sizes[1]}"), np.dtype(f"{order}f{sizes[2]}")
+    header: dict[str, Any] = {name: read(BinaryReadString, intType) for name in ("version", "mode", "solver", "time")}
+    header |= {name: read(BinaryReadArrayIndex, intType) for name in ("sizes", "columns")}
+    header |= {name: read(BinaryReadIndex, intType) for name in ("coordinates", "steps")}
+    header |= {name: read(BinaryReadString, intType) for name in ("information", "end")}
+    columns = [int(n) for n in header["columns"]]
+    if header["end"] != "EndOfHeader":
+        raise refuse(file.tell(), f"expected 'EndOfHeader' before, received {header['end'][:20]!r}")
+    if len(columns) != len(_COLUMNS) or min(columns) < 0 or sum(columns) != header["coordinates"]:
+        raise refuse(file.tell(), f"numbers of coordinates {columns} before do not make up {header['coordinates']}")
+    return header, intType, realType
 
 
-def LoadBinarySolutionFile(fileName: Path, maxRows: int = -1, verbose: bool | int = True) -> dict[str, Any]:
+def LoadBinarySolutionFile(
+    fileName: Path, maxRows: int = -1, verbose: bool | int = True, safeMode: bool = False
+) -> dict[str, Any]:
     """Read a binary solution file; the result is that of LoadSolutionFile, verbose=2 prints the header.
 
-    A file that ends early, e.g. while a solver still runs, gives its complete rows and a warning.
+    A file without its end, because a solver still runs, gives its rows and a warning. ValueError with the byte if it is
+    damaged or ends inside of a row; safeMode takes the complete rows before.
     """
     with open(fileName, "rb") as file:
-        if file.read(len(_MAGIC)) != _MAGIC:
-            raise ValueError(f"{os.fspath(fileName)}: no binary solution file, it does not start with {_MAGIC!r}")
-        _, indexSize, realSize, _, bigEndian = (int(x) for x in _read(file, np.int8, 10)[:5])
-        intType, realType = _number_type("i", indexSize, bool(bigEndian)), _number_type("f", realSize, bool(bigEndian))
-        header: dict[str, Any] = {
-            name: BinaryReadString(file, intType)[0] for name in ("version", "mode", "solver", "time")
-        }
-        header |= {name: BinaryReadArrayIndex(file, intType)[0] for name in ("sizes", "columns")}
-        header |= {name: BinaryReadIndex(file, intType)[0] for name in ("coordinates", "steps")}
-        header |= {name: BinaryReadString(file, intType)[0] for name in ("information", "end")}
-        if header["end"] != "EndOfHeader":
-            raise ValueError(f"{os.fspath(fileName)}: the binary header is damaged")
+        header, intType, realType = _binary_header(file, fileName)
         columns = [int(n) for n in header["columns"]]
-
+        width = sum(columns) + 1
         rows: list[Any] = []
-        complete = False
-        while maxRows == -1 or len(rows) < maxRows:
+        ended, complete = False, False
+        while not complete and (maxRows == -1 or len(rows) < maxRows):
+            position = file.tell()
             length, ended = BinaryReadIndex(file, intType)
+            if ended and file.tell() == position:
+                break
             complete = not ended and length == _END_OF_FILE
-            if ended or complete:
-                break
-            row = _read(file, realType, int(length))
-            if row.size != length:
-                break
-            if length != sum(columns) + 1:
+            row = _read(file, realType, width) if length == width and not ended else np.empty(0)
+            if row.size == width:
+                rows.append(row)
+            elif not complete:
+                if safeMode:
+                    ended = True
+                    break
+                problem = "the file ends inside of this row" if length == width or ended else f"it has {length} numbers"
                 raise ValueError(
-                    f"{os.fspath(fileName)}: row {len(rows)} has {length} numbers, expected {sum(columns) + 1}"
+                    f"{os.fspath(fileName)}, byte {position}: row {len(rows)}: expected {width} numbers, {problem}; "
+                    "the file is damaged or still being written, safeMode=True takes the rows before"
                 )
-            rows.append(row)
-    if not complete and maxRows == -1:
+    if ended:
         Print(f"WARNING: {os.fspath(fileName)} ends early; {len(rows)} complete rows are used")
     if verbose:
         details = f", header: {header}" if int(verbose) > 1 else ""
         Print(f"{os.fspath(fileName)}: {len(rows)} rows, {sum(columns)} columns {columns}{details}")
-    data = np.array(rows, dtype=float) if rows else np.zeros((0, sum(columns) + 1))
+    data = np.array(rows, dtype=float) if rows else np.zeros((0, width))
     return _solution(data, columns)
 
 

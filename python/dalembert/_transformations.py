@@ -12,15 +12,19 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from dalembert._checks import FloatArray, as_matrix, as_vector
+from dalembert._checks import FloatArray, as_matrix, as_rotation, as_transformation, as_vector
 from dalembert._rotations import RotationMatrixX, RotationMatrixY, RotationMatrixZ, Skew, Skew2Vec
 
 
 def HomogeneousTransformation(A: npt.ArrayLike, r: npt.ArrayLike) -> FloatArray:
     """Return the 4x4 homogeneous transformation of a 3x3 rotation matrix A and a translation vector r."""
+    return _assembled(as_rotation("A", A), as_vector("r", r, 3))
+
+
+def _assembled(A: FloatArray, r: FloatArray) -> FloatArray:
     T = np.eye(4)
-    T[:3, :3] = as_matrix("A", A, (3, 3))
-    T[:3, 3] = as_vector("r", r, 3)
+    T[:3, :3] = A
+    T[:3, 3] = r
     return T
 
 
@@ -29,7 +33,7 @@ HT = HomogeneousTransformation
 
 def HTtranslate(r: npt.ArrayLike) -> FloatArray:
     """Return the 4x4 homogeneous transformation of a translation by the 3D vector r."""
-    return HomogeneousTransformation(np.eye(3), r)
+    return _assembled(np.eye(3), as_vector("r", r, 3))
 
 
 def HTtranslateX(x: float) -> FloatArray:
@@ -54,33 +58,38 @@ def HT0() -> FloatArray:
 
 def HTrotateX(angle: float) -> FloatArray:
     """Return the 4x4 homogeneous transformation of a rotation about the x axis."""
-    return HomogeneousTransformation(RotationMatrixX(angle), np.zeros(3))
+    return _assembled(RotationMatrixX(angle), np.zeros(3))
 
 
 def HTrotateY(angle: float) -> FloatArray:
     """Return the 4x4 homogeneous transformation of a rotation about the y axis."""
-    return HomogeneousTransformation(RotationMatrixY(angle), np.zeros(3))
+    return _assembled(RotationMatrixY(angle), np.zeros(3))
 
 
 def HTrotateZ(angle: float) -> FloatArray:
     """Return the 4x4 homogeneous transformation of a rotation about the z axis."""
-    return HomogeneousTransformation(RotationMatrixZ(angle), np.zeros(3))
+    return _assembled(RotationMatrixZ(angle), np.zeros(3))
 
 
 def HT2translation(T: npt.ArrayLike) -> FloatArray:
     """Return the translation vector of a 4x4 homogeneous transformation (a view if T is a float array)."""
-    return as_matrix("T", T, (4, 4))[:3, 3]
+    return as_transformation("T", T)[:3, 3]
 
 
 def HT2rotationMatrix(T: npt.ArrayLike) -> FloatArray:
     """Return the 3x3 rotation matrix of a 4x4 homogeneous transformation (a view if T is a float array)."""
-    return as_matrix("T", T, (4, 4))[:3, :3]
+    return as_transformation("T", T)[:3, :3]
 
 
 def InverseHT(T: npt.ArrayLike) -> FloatArray:
     """Return the inverse of a 4x4 homogeneous transformation."""
-    A, r = HT2rotationMatrix(T), HT2translation(T)
-    return HomogeneousTransformation(A.T, -A.T @ r)
+    A, r = _parts(T)
+    return _assembled(A.T, -A.T @ r)
+
+
+def _parts(T: npt.ArrayLike) -> tuple[FloatArray, FloatArray]:
+    checked = as_transformation("T", T)
+    return checked[:3, :3], checked[:3, 3]
 
 
 def RotationX2T66(angle: float) -> FloatArray:
@@ -126,26 +135,26 @@ def TranslationZ2T66(translation: float) -> FloatArray:
 def T66toRotationTranslation(T66: npt.ArrayLike) -> list[FloatArray]:
     """Return [A, v] such that RotationTranslation2T66(A, v) is the 6x6 matrix T66."""
     X = as_matrix("T66", T66, (6, 6))
-    A = X[:3, :3]
+    A = as_rotation("T66[:3, :3]", X[:3, :3])
     return [A, Skew2Vec(X[3:, :3] @ A.T)]
 
 
 def InverseT66toRotationTranslation(T66: npt.ArrayLike) -> list[FloatArray]:
     """Return [A, v] such that RotationTranslation2T66Inverse(A, v) is the 6x6 matrix T66."""
     X = as_matrix("T66", T66, (6, 6))
-    A = X[:3, :3].T
+    A = as_rotation("T66[:3, :3]", X[:3, :3]).T
     return [A, -Skew2Vec(A @ X[3:, :3])]
 
 
 def RotationTranslation2T66(A: npt.ArrayLike, v: npt.ArrayLike) -> FloatArray:
     """Return the 6x6 transformation [[A, 0], [Skew(v) @ A, A]]."""
-    rotation = as_matrix("A", A, (3, 3))
+    rotation = as_rotation("A", A)
     return _lower_block(rotation, Skew(as_vector("v", v, 3)) @ rotation)
 
 
 def RotationTranslation2T66Inverse(A: npt.ArrayLike, v: npt.ArrayLike) -> FloatArray:
     """Return the inverse of RotationTranslation2T66(A, v): [[A.T, 0], [-A.T @ Skew(v), A.T]]."""
-    rotation = as_matrix("A", A, (3, 3))
+    rotation = as_rotation("A", A)
     return _lower_block(rotation.T, -rotation.T @ Skew(as_vector("v", v, 3)))
 
 
@@ -164,7 +173,7 @@ def T66toHT(T66: npt.ArrayLike) -> FloatArray:
 
 def HT2T66Inverse(T: npt.ArrayLike) -> FloatArray:
     """Return the inverse 6x6 transformation of a 4x4 homogeneous transformation."""
-    return RotationTranslation2T66Inverse(HT2rotationMatrix(T), HT2translation(T))
+    return RotationTranslation2T66Inverse(*_parts(T))
 
 
 def InertiaTensor2Inertia6D(inertiaTensor: npt.ArrayLike) -> list[float]:

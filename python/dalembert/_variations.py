@@ -24,6 +24,7 @@ class VariationResults:
     """What SolveVariations found: arrays with a row per variation, NaN where a variation has no value.
 
     success: whether each variation was solved, K x bool; messages: why not, '' if it was.
+    warnings: what the solver would have warned of on the console, K texts, '' if there is nothing.
     sideBySide: whether it was solved together with others in the lanes of registers, K x bool.
     endTimes: time that was reached, K, in s.
     sensorValues: values of all sensors at the end, side by side, K x n.
@@ -36,6 +37,7 @@ class VariationResults:
     success: NDArray[np.bool_]
     sideBySide: NDArray[np.bool_]
     messages: list[str]
+    warnings: list[str]
     endTimes: NDArray[np.float64]
     sensorValues: NDArray[np.float64]
     sensorHistories: NDArray[np.float64]

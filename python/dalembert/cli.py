@@ -10,6 +10,8 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
+from dalembert._files import naming
+
 
 def _run(arguments: argparse.Namespace) -> int:
     """Run a model as __main__ with its own arguments; imports of exudyn give dalembert."""
@@ -34,13 +36,12 @@ def _info(arguments: argparse.Namespace) -> int:
 
     import dalembert
 
-    available = dalembert.SystemContainer().AddSystem().GetAvailableFactoryItems()
     rows = [
         ("dalembert", dalembert.__version__),
         ("interface", dalembert.interface_version),
         ("location", str(Path(dalembert.__file__).parent)),
         ("compiled core", str(dalembert._core.__file__)),
-        ("items", ", ".join(f"{len(names)} {kind.lower()} types" for kind, names in available.items())),
+        ("items", ", ".join(f"{_count(names)} {kind.lower()} types" for kind, names in _item_names().items())),
         ("Python", f"{platform.python_version()} on {platform.system()} {platform.machine()}"),
         ("numpy", np.__version__),
     ]
@@ -65,6 +66,14 @@ def _item_names() -> dict[str, list[str]]:
     return {kind: [n for n in names if n.startswith(kind)] for kind in kinds}
 
 
+def _count(names: Sequence[str]) -> str:
+    """Return how many of these items run: '70 of 97', or '8' if all do."""
+    from dalembert._planned_table import ITEMS
+
+    run = sum(name not in ITEMS for name in names)
+    return str(run) if run == len(names) else f"{run} of {len(names)}"
+
+
 def _shorten(value: Any) -> str:
     text = " ".join(repr(value.tolist() if hasattr(value, "tolist") else value).split())
     return text if len(text) <= 60 else text[:57] + "..."
@@ -73,23 +82,25 @@ def _shorten(value: Any) -> str:
 def _items(arguments: argparse.Namespace) -> int:
     """List all items, or the parameters of one item with type and default."""
     from dalembert import itemInterface
+    from dalembert._planned_table import ITEMS
 
-    by_kind = _item_names()
     if arguments.name is None:
-        for kind, names in by_kind.items():
-            print(f"{kind} ({len(names)})")
+        for kind, names in _item_names().items():
+            print(f"{kind} ({_count(names)} run)")
             for name in names:
-                print(f"  {name}")
+                print(f"  {name}" + ("  (planned)" if name in ITEMS else ""))
         return 0
     known = [name for name, value in vars(itemInterface).items() if isinstance(value, type)]
     if arguments.name not in known:
-        near = difflib.get_close_matches(arguments.name, known, 3)
+        running = [name for name in known if getattr(itemInterface, name).__name__.removeprefix("V") not in ITEMS]
+        near = difflib.get_close_matches(arguments.name, running, 3)
         hint = f"; did you mean {', '.join(near)}?" if near else "; 'dalembert items' lists all"
         print(f"dalembert items: there is no item '{arguments.name}'{hint}", file=sys.stderr)
         return 2
     cls = getattr(itemInterface, arguments.name)
     summary = (cls.__doc__ or "").strip().split("\n--\n\n")[-1].split("\n\n")[0]
-    print(f"{cls.__name__}: {' '.join(summary.split())}\n")
+    state = " (planned: it is refused when it is added)" if cls.__name__ in ITEMS else ""
+    print(f"{cls.__name__}: {' '.join(summary.split())}{state}\n")
     rows = [(key, type(value).__name__, _shorten(value)) for key, value in dict(cls()).items()]
     _print_table([("parameter", "type", "default"), *rows])
     return 0
@@ -176,7 +187,8 @@ def _demo(arguments: argparse.Namespace) -> int:
     right.set(xlabel="t in s", title="slider")
     right.legend()
     target = Path(arguments.output).resolve()
-    figure.savefig(target, dpi=120)
+    with naming(target):
+        figure.savefig(target, dpi=120)
     plt.close(figure)
     print(f"slider-crank simulated, plot written to {target}")
     return 0

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from dalembert._checks import FloatArray, as_matrix, as_vector, shape_error
+from dalembert._checks import FloatArray, as_matrix, as_rotation, as_vector, shape_error
 from dalembert._inertia import RigidBodyInertia
 from dalembert._rotations import RotationMatrixX, RotationMatrixY, RotationMatrixZ, Skew, Skew2Vec
 from dalembert._transformations import (
@@ -243,7 +243,7 @@ class KinematicTree33:
     ) -> None:
         n = len(listOfJointTypes)
         self.listOfJointTypes = listOfJointTypes
-        self.listOfRotations = [as_matrix("listOfRotations", A, (3, 3)) for A in listOfRotations]
+        self.listOfRotations = [as_rotation("listOfRotations", A) for A in listOfRotations]
         self.listOfOffsets = [as_vector("listOfOffsets", offset, 3) for offset in listOfOffsets]
         self.listOfInertia3D = [as_matrix("listOfInertia3D", inertia, (3, 3)) for inertia in listOfInertia3D]
         self.listOfCOM = [as_vector("listOfCOM", com, 3) for com in listOfCOM]

@@ -13,7 +13,7 @@ from math import atan2, cos, factorial, pi, sin, tan
 import numpy as np
 import numpy.typing as npt
 
-from dalembert._checks import FloatArray, as_matrix, as_vector
+from dalembert._checks import FloatArray, as_matrix, as_rotation, as_vector
 from dalembert._rotations import (
     _GIMBAL,
     EulerParameters2RotationMatrix,
@@ -55,7 +55,7 @@ def _coefficients(angle: float) -> tuple[float, float, float, float]:
 
 def R3xSO3Matrix2RotationMatrix(G: npt.ArrayLike) -> FloatArray:
     """Return the 3x3 rotation matrix of a 7x7 matrix of R3xSO(3)."""
-    return as_matrix("G", G, (7, 7))[:3, :3]
+    return as_rotation("G[:3, :3]", as_matrix("G", G, (7, 7))[:3, :3])
 
 
 def R3xSO3Matrix2Translation(G: npt.ArrayLike) -> FloatArray:
@@ -66,7 +66,7 @@ def R3xSO3Matrix2Translation(G: npt.ArrayLike) -> FloatArray:
 def R3xSO3Matrix(x: npt.ArrayLike, R: npt.ArrayLike) -> FloatArray:
     """Return the 7x7 matrix of R3xSO(3) of a translation vector x and a 3x3 rotation matrix R."""
     G = np.eye(7)
-    G[:3, :3] = as_matrix("R", R, (3, 3))
+    G[:3, :3] = as_rotation("R", R)
     G[3:6, 6] = as_vector("x", x, 3)
     return G
 

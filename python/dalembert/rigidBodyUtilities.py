@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from dalembert._checks import FloatArray, as_matrix, as_vector, shape_error
+from dalembert._checks import FloatArray, as_rotation, as_vector, shape_error
 from dalembert._inertia import (
     InertiaCuboid,
     InertiaCylinder,
@@ -208,7 +208,7 @@ def GetRigidBodyNode(
     hasMatrix, hasParameters = np.size(rotationMatrix) != 0, np.size(rotationParameters) != 0
     if hasMatrix and hasParameters:
         raise ValueError(where + "expected either rotationMatrix or rotationParameters, received both")
-    A = as_matrix(where + "rotationMatrix", rotationMatrix, (3, 3)) if hasMatrix else np.eye(3)
+    A = as_rotation(where + "rotationMatrix", rotationMatrix) if hasMatrix else np.eye(3)
     nParameters = 4 if name == "RotationEulerParameters" else 3
     given = as_vector(where + "rotationParameters", rotationParameters, nParameters) if hasParameters else None
 

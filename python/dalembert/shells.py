@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any, NoReturn
 
+from dalembert._planned import refuse
+
 __all__ = ["ShellMesh"]
 
 
@@ -11,4 +13,4 @@ class ShellMesh:
     """Quadrilateral mesh of thin plate elements; planned."""
 
     def __init__(self, *args: Any, **kwargs: Any) -> NoReturn:
-        raise NotImplementedError("ShellMesh is planned and not available yet; it needs ObjectANCFThinPlate")
+        refuse("shells.ShellMesh")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from dalembert import _core
-from dalembert._core import ConfigurationType, DynamicSolverType, Print, SimulationSettings
+from dalembert._core import ConfigurationType, DynamicSolverType, SimulationSettings
 from dalembert._diagnosis import CheckSolverInfoStatistics, SolverError, SolverErrorMessage
 from dalembert._integrators import is_implicit, trapezoidal_rule
 from dalembert._linearized import ComputeLinearizedSystem, ComputeODE2Eigenvalues, ComputeSystemDegreeOfFreedom
@@ -26,8 +26,8 @@ __all__ = [
 ]
 
 
-def _run(function: str, solver: Any, mbs: Any, settings: Any, slot: str | None, show: bool, hints: bool) -> None:
-    """Run a compiled solver to the end; SolverError with the diagnosis if it gives up.
+def _run(function: str, solver: Any, mbs: Any, settings: Any, slot: str | None, showCausingItems: bool) -> bool:
+    """Run a compiled solver; SolverError with the diagnosis if it gives up, False if it has run out of time.
 
     `slot` is the key in mbs.sys that keeps the solver. An exception of a user function surfaces as itself, with the
     diagnosis as a note.
@@ -35,16 +35,15 @@ def _run(function: str, solver: Any, mbs: Any, settings: Any, slot: str | None, 
     if slot is not None:
         mbs.sys[slot] = solver
         mbs.sys["simulationSettings"] = settings
-    is_static = function == "SolveStatic"
     try:
-        success = solver.SolveSystem(mbs, settings)
+        success: bool = solver.SolveSystem(mbs, settings)
     except Exception as error:
-        error.add_note(f"raised during mbs.{function}(...): {SolverErrorMessage(solver, mbs, is_static)}")
+        where = SolverErrorMessage(solver, mbs, solver.IsStaticSolver())
+        error.add_note(f"raised during mbs.{function}(...): {where}")
         raise
-    if not success:
-        Print(SolverErrorMessage(solver, mbs, is_static, show, show, hints))
-        message = f"{function} terminated due to errors"
-        raise SolverError(message, SolverErrorMessage(solver, mbs, is_static), solver)
+    if not success and not solver.output.simulationTimeout:
+        raise SolverError.FromSolver(function, solver, showCausingItems)
+    return success
 
 
 def _keep_as_initial_values(mbs: Any, accelerations: bool) -> None:
@@ -67,15 +66,18 @@ def SolveStatic(
     """Find the static equilibrium by the settings in staticSolver and return True.
 
     storeSolver keeps the solver in mbs.sys['staticSolver']; updateInitialValues starts the next simulation from the
-    result. SolverError (a ValueError) carries the diagnosis if there is no solution.
+    result. SolverError (a ValueError) carries the diagnosis if there is no solution, without items unless
+    showCausingItems; its advice is there whether or not showHints is set. False, with a warning, if
+    exudyn.special.solver.timeout has ended it early: the system is in the state of the last load step, and initial
+    values stay.
     """
     settings = _core.SimulationSettings() if simulationSettings is None else simulationSettings
     assemble_if_needed("SolveStatic", mbs, autoAssemble)
     slot = "staticSolver" if storeSolver else None
-    _run("SolveStatic", _core.MainSolverStatic(), mbs, settings, slot, showCausingItems, showHints)
-    if updateInitialValues:
+    success = _run("SolveStatic", _core.MainSolverStatic(), mbs, settings, slot, showCausingItems)
+    if success and updateInitialValues:
         _keep_as_initial_values(mbs, accelerations=False)
-    return True
+    return success
 
 
 def SolveDynamic(
@@ -92,7 +94,11 @@ def SolveDynamic(
 
     solverType chooses among implicit (GeneralizedAlpha, TrapezoidalIndex2) and explicit methods. storeSolver keeps the
     solver in mbs.sys['dynamicSolver']; updateInitialValues starts the next simulation from the result. SolverError (a
-    ValueError) carries the diagnosis if a step cannot be solved.
+    ValueError) carries the diagnosis if a step cannot be solved, without items unless showCausingItems; its advice is
+    there whether or not showHints is set. False, with a warning, if exudyn.special.solver.timeout has ended it early:
+    the system is in the state of the last completed step, and initial values stay. A simulation that is ended by a
+    user function (PreStep, PostStep), by mbs.SetRenderEngineStopFlag(True) or in the render window returns True;
+    mbs.sys['dynamicSolver'].output tells which it was.
     """
     settings = _core.SimulationSettings() if simulationSettings is None else simulationSettings
     implicit = is_implicit("SolveDynamic", solverType)
@@ -103,17 +109,17 @@ def SolveDynamic(
     if implicit:
         solver = _core.MainSolverImplicitSecondOrder()
         with trapezoidal_rule(settings, solverType == DynamicSolverType.TrapezoidalIndex2):
-            _run("SolveDynamic", solver, mbs, settings, slot, showCausingItems, showHints)
+            success = _run("SolveDynamic", solver, mbs, settings, slot, showCausingItems)
         evaluations = solver.it.newtonStepsCount
     else:
         settings.timeIntegration.explicitIntegration.dynamicSolverType = solverType
         solver = _core.MainSolverExplicit()
-        _run("SolveDynamic", solver, mbs, settings, slot, showCausingItems, showHints)
+        success = _run("SolveDynamic", solver, mbs, settings, slot, showCausingItems)
         evaluations = solver.it.currentStepIndex * solver.GetNumberOfStages()
     CheckSolverInfoStatistics(solver.GetSolverName(), allocations, evaluations)
-    if updateInitialValues:
+    if success and updateInitialValues:
         _keep_as_initial_values(mbs, accelerations=True)
-    return True
+    return success
 
 
 def SolverSuccess(solverStructure: Any) -> list[Any]:

@@ -29,6 +29,7 @@ Reference
 .. toctree::
 
    items/index
+   planned
    enums
    simulation_settings
    visualization_settings

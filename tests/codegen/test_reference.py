@@ -155,7 +155,9 @@ def test_settings(specs: Specs, stem: str) -> None:
 
 
 def all_rows(group: SettingsGroup) -> list[tuple[str, Parameter]]:
-    return [(f"{path}.{row.name}".lstrip("."), row) for path, each in group.walk() for row in each.rows]
+    """The settings that the reference has as well."""
+    groups = [(path, each) for path, each in group.walk() if each.beyond_reference is None]
+    return [(f"{path}.{row.name}".lstrip("."), row) for path, each in groups for row in each.rows]
 
 
 def setting_kind(row: Parameter) -> str:

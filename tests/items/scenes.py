@@ -57,14 +57,21 @@ def draw(rng: np.random.Generator, row: Parameter, planar: bool = False) -> Any:
     storage = row.type.storage
     if storage == "real":
         return rng.uniform(*(row.typical or (0.5, 1.5)))
-    if row.name.startswith(("rotation", "referenceRotation")):
+    if row.effective_check in ("rotation", "orthogonal"):
         return random_rotation(rng, planar)
+    if row.effective_check == "unit_vector":
+        return random_direction(rng)
     if storage == "matrix6":
         root = rng.normal(size=(6, 6))
         return root @ root.T / 6 + np.eye(6)
     if storage.startswith("vector") and row.shape[0]:
         return rng.uniform(-1, 1, row.shape[0])
     return None
+
+
+def random_direction(rng: np.random.Generator, planar: bool = False) -> Array:
+    vector = rng.normal(size=3) * ([1, 1, 0] if planar else 1)
+    return vector / np.linalg.norm(vector)
 
 
 @dataclass
@@ -267,9 +274,8 @@ class Scene:
         other = self.carrier(*(RIGID_2D if self.planar else RXYZ))
         flat = np.array([1, 1, 0]) if self.planar else 1
         local = [self.rng.uniform(-0.5, 0.5, 3) * flat for _ in range(2)]
-        axis = self.rng.normal(size=3) * flat
         rows = {
-            "axis0": axis / np.linalg.norm(axis),
+            "axis0": random_direction(self.rng, self.planar),
             "offset": 0.1,
             "localPosition0": local[0],
             "localPosition1": local[1],
@@ -326,7 +332,7 @@ class Scene:
             first, second = (c.motion.rotation for c in carriers if c.motion is not None)
             rows["rotationMarker1"] = second.T @ first @ rows["rotationMarker0"]
         if item.name == "ObjectJointPrismatic2D":
-            rows["axisMarker0"][2] = 0
+            rows["axisMarker0"] = random_direction(rng, planar=True)
             first, second = (c.motion.rotation for c in carriers if c.motion is not None)
             rows["normalMarker1"] = second.T @ first @ np.cross(EZ, rows["axisMarker0"])
         if "loadVector" in rows and not rows.get("bodyFixed"):

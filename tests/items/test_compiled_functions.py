@@ -6,6 +6,7 @@ import ctypes
 import re
 from typing import Any
 
+import numba
 import numpy as np
 import pytest
 from scenes import ITEMS
@@ -174,7 +175,6 @@ def test_results_must_be_finite() -> None:
 
 
 def test_numba_callback_solves_as_python_does() -> None:
-    numba = pytest.importorskip("numba", exc_type=ImportError)
     signature = compiled.numba_signature(SPRING, FORCE)
     # Compiled arithmetic may fuse products and sums: an error of rounding per step.
     assert oscillator(new_system(), numba.cfunc(signature)(spring)) == pytest.approx(
@@ -183,7 +183,6 @@ def test_numba_callback_solves_as_python_does() -> None:
 
 
 def test_numba_callback_of_vectors() -> None:
-    numba = pytest.importorskip("numba", exc_type=ImportError)
 
     @numba.cfunc(compiled.numba_signature(exu.LoadForceVector, "loadVectorUserFunction"))
     def turning(t, load, result):  # type: ignore[no-untyped-def]

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from exemptions import GLOBAL_AXES, GLOBAL_MARKER
 from motions import Place, random_rotation
 from scenes import ITEMS, Scene
 from test_momentum import in_touch
@@ -14,14 +15,7 @@ from variants import ALL_VARIANTS, Variant
 import dalembert as exu
 from dalembert._core import testing
 
-# Laws that know the global axes, or act on single coordinates of nodes with frames, which are no scalars.
-GLOBAL_AXES = {
-    "ObjectConnectorCartesianSpringDamper": "stiffness and damping per global axis",
-    "ObjectConnectorRollingDiscPenalty": "the plane is given by a global normal vector",
-    "ObjectJointRollingDisc": "the plane is given by a global normal vector",
-}
-# Its axes are the global ones in the reference configuration, wherever the super element stands.
-GLOBAL_MARKER = "MarkerSuperElementRigid"
+# Single coordinates of nodes with frames are no scalars, those of these nodes are.
 SCALAR_NODES = {"Node1D", "NodeGenericODE2", "NodePointGround"}
 
 
@@ -34,7 +28,7 @@ def knows_axes(variant: Variant) -> bool:
     prescribed = (
         variant.item == "ObjectJointGeneric" and variant.functions
     )  # with three constrained translations: global
-    if GLOBAL_MARKER in variant.uses:
+    if variant.uses & set(GLOBAL_MARKER):
         return True
     return variant.item in GLOBAL_AXES or partial or functions or prescribed
 
@@ -72,8 +66,7 @@ def accelerations(scene: Scene, s: testing.State) -> np.ndarray:
     return np.linalg.lstsq(system, right, rcond=None)[0]
 
 
-@each_free
-def test_forces_are_invariant(variant: Variant) -> None:
+def check_forces(variant: Variant) -> None:
     place, scenes = pair(variant, seed=41)
     wrenches = []
     for scene in scenes:
@@ -90,6 +83,11 @@ def test_forces_are_invariant(variant: Variant) -> None:
     np.testing.assert_allclose(others[1], others[0], rtol=0, atol=1e-11 * max(1, np.abs(others[0]).max(initial=0)))
 
 
+@each_free
+def test_forces_are_invariant(variant: Variant) -> None:
+    check_forces(variant)
+
+
 def coordinate_forces(scene: Scene, r: np.ndarray) -> np.ndarray:
     """Generalised forces on coordinates that do not turn: of nodes without frame, and lengthening of slope vectors."""
     turning, forces = set(), []
@@ -100,7 +98,9 @@ def coordinate_forces(scene: Scene, r: np.ndarray) -> np.ndarray:
     return np.array([r[i] for i in range(len(testing.State(scene.mbs).q)) if i not in turning] + forces)
 
 
+RELATIVE = {("ObjectConnectorRollingDiscPenalty", "Position")}  # to marker 0
 TURNING = {
+    "RelativePosition",
     "Displacement",
     "Velocity",
     "Acceleration",
@@ -134,7 +134,8 @@ def told(scene: Scene) -> dict[str, np.ndarray]:
             variable = getattr(exu.OutputVariableType, output.name)
             local = (np.array([0.3, -0.2, 0 if scene.planar else 0.1]) * (not point),) if body else ()
             get = scene.mbs.GetObjectOutputBody if body else scene.mbs.GetObjectOutput
-            outputs[f"{int(number)} {output.name}"] = np.atleast_1d(get(number, variable, *local))
+            name = "RelativePosition" if (item.name, output.name) in RELATIVE else output.name
+            outputs[f"{int(number)} {name}"] = np.atleast_1d(get(number, variable, *local))
     return outputs
 
 

@@ -31,7 +31,7 @@ def scene_with(item: Item) -> Scene:
         scene.mbs.AddObject(exu.ObjectGround(referencePosition=[1, 2, 3]))
         scene.mbs.Assemble()
         return scene
-    return variants_with(item)[0].build(seed=51)
+    return variants_with(item)[0].build(seed=54)
 
 
 def reader(scene: Scene, item: Item) -> Callable[..., Any]:
@@ -142,6 +142,23 @@ def test_markers_tell_what_they_pass_on(item: Item) -> None:
             assert len(values[0]) == len(values[1]) > 0
     if not names:
         assert item.name == "MarkerBodyMass"
+
+
+def test_total_of_a_coordinate_that_a_marker_passes_on() -> None:
+    """Reference plus displacement, as the node says it; the coordinate of a ground node rests at zero."""
+    mbs = exu.SystemContainer().AddSystem()
+    node = mbs.AddNode(exu.NodePoint(referenceCoordinates=[1, 2, 3], initialCoordinates=[0.25, 0.5, 0.75]))
+    mbs.AddObject(exu.ObjectMassPoint(physicsMass=1, nodeNumber=node))
+    marker = mbs.AddMarker(exu.MarkerNodeCoordinate(nodeNumber=node, coordinate=1))
+    ground = mbs.AddNode(exu.NodePointGround(referenceCoordinates=[1, 2, 3]))
+    rest = mbs.AddMarker(exu.MarkerNodeCoordinate(nodeNumber=ground, coordinate=0))
+    total = exu.OutputVariableType.CoordinatesTotal
+    sensor = mbs.AddSensor(exu.SensorMarker(markerNumber=marker, outputVariableType=total, storeInternal=True))
+    mbs.Assemble()
+    assert mbs.GetMarkerOutput(marker, total) == [2.5]
+    assert mbs.GetMarkerOutput(marker, total, exu.ConfigurationType.Reference) == [2.0]
+    assert mbs.GetMarkerOutput(rest, total) == [0.0]
+    assert mbs.GetSensorValues(sensor) == 2.5
 
 
 def test_every_ready_item_is_in_a_model() -> None:

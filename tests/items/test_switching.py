@@ -84,7 +84,7 @@ def test_effects_vanish_and_return(item: Item) -> None:
     mbs = scene.mbs
     rows = mbs.systemData.GetObjectLTGAE(scene.target[1])
     plan = [True, False, False, True, True]
-    effects: list[float] = []
+    states: list[testing.State] = []
     count = iter(range(len(plan)))
 
     def before(mbs: exu.MainSystem, t: float) -> bool:
@@ -93,24 +93,21 @@ def test_effects_vanish_and_return(item: Item) -> None:
 
     def after(mbs: exu.MainSystem, t: float) -> bool:
         if t > 0:  # not for the initial state
-            effects.append(effect())
+            states.append(testing.State(mbs))
         return True
 
-    def effect() -> float:
-        s = testing.State(mbs)
+    def effect(s: testing.State, active: bool) -> float:
         if len(rows) > 0 and item.object_type in ("Constraint", "Joint"):
             return float(np.abs(s.lam[rows]).max())
-        active = plan[len(effects)]
         s.data = np.full(len(s.data), TOUCHING)
         parts = []
         for on in (active, False):
             switch(scene, on)
             parts.append(testing.residual(mbs, s))
-        switch(scene, active)
         return float(np.abs(parts[0] - parts[1]).max())
 
     mbs.SetPostStepUserFunction(after)
     run(scene, before)
-    assert len(effects) == len(plan)
+    effects = [effect(s, active) for s, active in zip(states, plan, strict=True)]
     for active, size in zip(plan, effects, strict=True):
         assert (size > 1e-12) if active else (size == 0), effects

@@ -4,31 +4,23 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from exemptions import NONHOLONOMIC, NOT_OF_RATES, NOT_OF_VALUES, VELOCITY_LEVEL
 from scenes import ITEMS, ROTOR_1D, Scene
 from test_tangent import moved, random_state
 from variants import ALL_VARIANTS, Variant
 
 from dalembert._core import testing
 
-# Their reaction is not the gradient of a gap, but acts along the derivatives of its rate by the velocities.
-NONHOLONOMIC = {"ObjectJointRollingDisc"}
-# Markers whose forces follow their velocities (the first), or neither values nor velocities, but simpler directions.
-NOT_OF_VALUES = {
-    "MarkerNodeRotationCoordinate": "the value is an angle, the rate a component of the angular velocity",
-    "MarkerBodiesRelativeRotationCoordinate": "its angle is that of a rotation about the axis alone, whatever the others are",
-}
-NOT_OF_RATES = {
-    "MarkerBodiesRelativeTranslationCoordinate": "its forces act at both points along the axis, without lever arm",
-    "MarkerSuperElementRigid": "forces are distributed as for small rotations",
-}
-# With velocityLevel, the equations are for velocities, but the reaction acts along the slopes at the coordinates.
-VELOCITY_LEVEL_VECTOR = ("ObjectConnectorCoordinateVector", (("velocityLevel", True),))
 CONSTRAINTS = [
     v
     for v in ALL_VARIANTS
     if ITEMS[v.item].object_type in ("Constraint", "Joint") and ROTOR_1D not in [carrier for _, carrier in v.pairs]
 ]  # a rotor takes moments about its axis, but no forces
 each_constraint = pytest.mark.parametrize("variant", CONSTRAINTS, ids=lambda variant: variant.id)
+
+
+def at_velocity_level(variant: Variant) -> bool:
+    return variant.item in VELOCITY_LEVEL and dict(variant.options).get("velocityLevel", False)
 
 
 def holonomic(variant: Variant) -> bool:
@@ -51,21 +43,29 @@ def reactions(scene: Scene, s: testing.State) -> np.ndarray:
     return np.array(columns).T
 
 
-def without_free_equations(gradient: np.ndarray, forces: np.ndarray) -> np.ndarray:
-    """Equations of free directions set their multipliers to zero, and have no force."""
-    return np.where(np.any(forces != 0, axis=0)[:, None], gradient, 0)
+def free_equations(scene: Scene, s: testing.State) -> np.ndarray:
+    """Which equations set their multiplier to zero, as those of free directions do: their gap is the multiplier."""
+    sides = []
+    for step in (0.0, 1.0):
+        other = s.copy()
+        other.lam = s.lam + step
+        sides.append(testing.gaps(scene.mbs, other))
+    return sides[0] != sides[1]
 
 
-@pytest.mark.parametrize(
-    "variant",
-    [v for v in CONSTRAINTS if (v.item, v.options) != VELOCITY_LEVEL_VECTOR and not v.uses & set(NOT_OF_RATES)],
-    ids=lambda variant: variant.id,
-)
-def test_reaction_is_the_virtual_work_of_the_rates(variant: Variant) -> None:
+def prescribed_equations(scene: Scene, variant: Variant) -> int:
+    """How many equations of the item hold something, by its parameters."""
+    axes = dict(variant.options).get("constrainedAxes")
+    return len(scene.mbs.systemData.GetObjectLTGAE(scene.target[1])) if axes is None else sum(axes)
+
+
+def check_rates(variant: Variant) -> None:
     """Rates of gaps are linear in the velocities: differences of any step are exact but for rounding."""
     scene = variant.build(seed=11)
     s = random_state(scene, seed=12)
-    forces = reactions(scene, s)
+    forces, free = reactions(scene, s), free_equations(scene, s)
+    rows = scene.mbs.systemData.GetObjectLTGAE(scene.target[1])
+    assert np.count_nonzero(~free[rows]) == prescribed_equations(scene, variant)
     s.rate_level, s.lam = True, 0 * s.lam
     gradient = np.empty_like(forces.T)
     v = s.v
@@ -77,16 +77,24 @@ def test_reaction_is_the_virtual_work_of_the_rates(variant: Variant) -> None:
         gradient[:, i] = (sides[0] - sides[1]) / 2
     scale = np.abs(forces).max()
     assert scale > 0.01
-    np.testing.assert_allclose(forces.T, without_free_equations(gradient, forces), rtol=0, atol=1e-12 * scale)
+    np.testing.assert_allclose(forces.T, np.where(free[:, None], 0, gradient), rtol=0, atol=1e-12 * scale)
 
 
-@pytest.mark.parametrize("variant", [v for v in CONSTRAINTS if holonomic(v)], ids=lambda variant: variant.id)
-def test_reaction_is_the_virtual_work_of_the_gaps(variant: Variant) -> None:
+@pytest.mark.parametrize(
+    "variant",
+    [v for v in CONSTRAINTS if not at_velocity_level(v) and not v.uses & set(NOT_OF_RATES)],
+    ids=lambda variant: variant.id,
+)
+def test_reaction_is_the_virtual_work_of_the_rates(variant: Variant) -> None:
+    check_rates(variant)
+
+
+def check_gaps(variant: Variant) -> None:
     """By central differences of step 1e-5: errors of 1e-10 times third derivatives, and of rounding. Euler parameters keep
     their norm: along it, virtual work is not defined."""
     scene = variant.build(seed=13)
     s = scene.state()
-    forces = reactions(scene, s)
+    forces, free = reactions(scene, s), free_equations(scene, s)
     s.lam = 0 * s.lam
     gradient = np.empty_like(forces.T)
     for i in range(len(s.q)):
@@ -101,8 +109,13 @@ def test_reaction_is_the_virtual_work_of_the_gaps(variant: Variant) -> None:
             along[first : first + 4, first : first + 4] -= np.outer(p, p)
     scale = np.abs(forces).max()
     assert scale > 0.01
-    wanted = without_free_equations(gradient, forces)
+    wanted = np.where(free[:, None], 0, gradient)
     np.testing.assert_allclose((forces.T @ along)[rows], (wanted @ along)[rows], rtol=0, atol=1e-8 * scale)
+
+
+@pytest.mark.parametrize("variant", [v for v in CONSTRAINTS if holonomic(v)], ids=lambda variant: variant.id)
+def test_reaction_is_the_virtual_work_of_the_gaps(variant: Variant) -> None:
+    check_gaps(variant)
 
 
 @each_constraint

@@ -80,7 +80,7 @@ def functions_of(item: Item, rows: dict[str, Any]) -> dict[str, Any]:
         size = item.user_functions[0].returns.shape[0] if item.user_functions[0].returns.shape else 1
         made["offsetUserFunction"], made["offsetUserFunction_t"] = prescribed(1.5, size or 1)
     if "postNewtonStepUserFunction" in made:
-        made["postNewtonStepUserFunction"] = lambda *arguments: [0.0, *arguments[3]]
+        made["postNewtonStepUserFunction"] = lambda *arguments: [0.0, -1.0, *arguments[3]]
     return made
 
 

@@ -25,6 +25,14 @@ INDEX = {
 }
 
 
+# Values of checks that numbers alone do not pass.
+CHECKED: dict[str, Any] = {
+    "rotation": [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]],
+    "orthogonal": [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]],
+    "unit_vector": [0.0, 0.6, 0.8],
+}
+
+
 def function(*arguments: Any) -> float:
     """A user function that pickle finds."""
     return 0.0
@@ -46,6 +54,9 @@ def length(row: Parameter, free: int = 3) -> int:
 def sample(row: Parameter) -> Any:
     """A valid value, as a user would write it."""
     storage = row.type.storage
+    if row.effective_check in CHECKED:
+        value = CHECKED[row.effective_check]
+        return [value] if storage.endswith("s") else value
     if storage in FIXED:
         return [0.5 + i for i in range(FIXED[storage])]
     if storage in SQUARE:
@@ -90,6 +101,104 @@ def plain(value: Any) -> Any:
     if isinstance(value, (list, tuple)):
         return [plain(entry) for entry in value]
     return value
+
+
+SHEAR = [[1.0, 0.1, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+_NO_ROTATION = {
+    "scaled": (2 * np.eye(3)).tolist(),
+    "sheared": SHEAR,
+    "rotation of six digits": [[0.866025, -0.5, 0.0], [0.5, 0.866025, 0.0], [0.0, 0.0, 1.0]],
+}
+_BY_CHECK: dict[str, dict[str, Any]] = {
+    "none": {},
+    "non_negative": {"negative": -3},
+    "positive": {"negative": -3, "zero": 0},
+    "rotation": _NO_ROTATION | {"mirrored": np.diag([1.0, 1.0, -1.0])},
+    "orthogonal": _NO_ROTATION,
+    "unit_vector": {"too long": [0.0, 0.0, 2.0], "almost of length 1": [0.0, 0.707, 0.707]},
+}
+HUGE = 2**40  # more than an int holds
+TOO_LARGE = 10**400  # more than a double holds
+
+
+def bad_values(row: Parameter) -> dict[str, Any]:
+    """By their kind: values that a parameter refuses at the call that brings them."""
+    storage = row.type.storage
+    if storage == "opaque":
+        return {}
+    bad: dict[str, Any] = {"dictionary": {"a": 1}}
+    if storage != "text":
+        bad["string"] = "words"
+    bad |= _bad_entries(row) if row.shape and storage != "matrix_container" else _bad_scalars(row)
+    if storage in ("matrix", "matrix_container", "integer_matrix"):
+        bad |= {
+            "number": 1.0,
+            "list of numbers": [1.0, 2.0],
+            "ragged": [[1.0, 2.0], [3.0]],
+            "cube": np.zeros((2, 2, 2)),
+        }
+    checked = _BY_CHECK[row.effective_check]
+    if storage.endswith("s") and row.shape and row.effective_check in CHECKED:
+        checked = {kind: [value] for kind, value in checked.items()}
+    default = -1 if row.default == "invalid" else row.default  # means: not set
+    return bad | {kind: value for kind, value in checked.items() if np.ndim(value) or value != default}
+
+
+def _bad_scalars(row: Parameter) -> dict[str, Any]:
+    storage = row.type.storage
+    if storage == "matrix_container":
+        return {"not finite": [[1.0, float("nan")], [0.0, 1.0]], "nested None": [[None, 1.0], [0.0, 1.0]]}
+    if storage == "user_function":
+        return {"number": 1.5, "integer": 5, "list": [function]}
+    bad: dict[str, Any] = {"None": None, "list": [1, 2], "empty": []}
+    if storage == "text":
+        return bad | {"number": 5, "bytes": b"words"}
+    bad |= {"not a number": float("nan"), "complex": 1j}
+    match storage:
+        case "boolean":
+            bad |= {"integer": 2, "real": 0.5}
+        case "real":
+            bad |= {"infinite": float("inf"), "too large": TOO_LARGE}
+        case "output_variable":
+            bad |= {"integer": 3, "other enumeration": exu.ConfigurationType.Current}
+        case _:
+            bad |= {"real": 1.5, "numpy real": np.float64(1), "huge": HUGE}
+    if row.type.index:
+        bad |= {"negative": -2, "flag": True}
+        bad |= {f"{kind} index": index(0) for kind, index in INDEX.items() if kind != storage}
+    return bad
+
+
+def _bad_entries(row: Parameter) -> dict[str, Any]:
+    """Of vectors, matrices and lists: wrong entries, and wrong lengths."""
+    storage, valid = row.type.storage, sample(row)
+    kind = storage.removesuffix("s")
+    wrong: dict[str, Any] = {"nested None": None, "nested string": "3", "nested dictionary": {}}
+    if row.type.real:
+        wrong |= {"not a number": float("nan"), "infinite": float("inf"), "too large": TOO_LARGE}
+    elif kind in INDEX:
+        wrong |= {"real": 1.5, "huge": HUGE, "negative": -2}
+        wrong |= {f"{other} index": index(0) for other, index in INDEX.items() if other != kind}
+    elif storage == "joint_types":
+        wrong |= {"integer": 3, "other enumeration": exu.ConfigurationType.Current}
+    else:
+        wrong |= {"real": 1.5, "huge": HUGE}
+    bad = {name: _with_last(valid, entry) for name, entry in wrong.items()}
+    bad |= {"number": 1.0}
+    if storage not in ("matrix", "integer_matrix", "vector3s", "vector6s", "matrix3s"):
+        bad["None"] = None  # else: empty
+    if row.shape[0]:
+        bad |= {"empty": [], "too short": valid[:-1], "too many": [*valid, valid[0]]}
+    if row.type.real and len(row.shape) == 1:
+        bad["nested"] = [valid]
+    return bad
+
+
+def _with_last(values: list[Any], entry: Any) -> list[Any]:
+    """The same nested list with another last number."""
+    if isinstance(values[-1], list):
+        return [*values[:-1], _with_last(values[-1], entry)]
+    return [*values[:-1], entry]
 
 
 def wrong_type(row: Parameter) -> Any:

@@ -44,7 +44,8 @@ def wrong_marker_type(mbs: exu.MainSystem) -> None:
 def marker_on_connector(mbs: exu.MainSystem) -> None:
     ground = mbs.AddObject(exu.ObjectGround())
     marker = mbs.AddMarker(exu.MarkerBodyPosition(bodyNumber=ground))
-    spring = mbs.AddObject(exu.SpringDamper(markerNumbers=[marker, marker]))
+    other = mbs.AddMarker(exu.MarkerBodyPosition(bodyNumber=ground))
+    spring = mbs.AddObject(exu.SpringDamper(markerNumbers=[marker, other]))
     mbs.AddMarker(exu.MarkerBodyPosition(bodyNumber=spring))
 
 
@@ -55,7 +56,8 @@ def wrong_number_of_coordinates(mbs: exu.MainSystem) -> None:
 def deleted_marker(mbs: exu.MainSystem) -> None:
     ground = mbs.AddObject(exu.ObjectGround())
     marker = mbs.AddMarker(exu.MarkerBodyPosition(bodyNumber=ground))
-    mbs.AddObject(exu.SpringDamper(markerNumbers=[marker, marker]))
+    other = mbs.AddMarker(exu.MarkerBodyPosition(bodyNumber=ground))
+    mbs.AddObject(exu.SpringDamper(markerNumbers=[marker, other]))
     mbs.DeleteMarker(marker, suppressWarnings=True)
 
 
@@ -68,7 +70,7 @@ def deleted_marker(mbs: exu.MainSystem) -> None:
         (wrong_node_type, "object 0 'object0' (ObjectMass1D), parameter 'nodeNumber': received node 0 'node0' (NodePoint), which provides Position, but expected a node that provides GenericODE2."),
         (node_too_large, "object 0 'object0' (ObjectMass1D), parameter 'nodeNumber': received nodes with 2 coordinates together, but expected 1."),
         (wrong_marker_type, "load 0 'load0' (LoadTorqueVector), parameter 'markerNumber': received marker 0 'marker0' (MarkerBodyPosition), which provides Object, Body, Position, but expected a marker that provides Orientation."),
-        (marker_on_connector, "marker 1 'marker1' (MarkerBodyPosition), parameter 'bodyNumber': received object 1 'object1' (ObjectConnectorSpringDamper), but expected a body (also ground, a finite element or a super element)."),
+        (marker_on_connector, "marker 2 'marker2' (MarkerBodyPosition), parameter 'bodyNumber': received object 1 'object1' (ObjectConnectorSpringDamper), but expected a body (also ground, a finite element or a super element)."),
         (wrong_number_of_coordinates, "node 0 'node0' (NodeGenericODE2), parameter 'referenceCoordinates': received 3 values, but expected 2 values as numberOfODE2Coordinates is 2."),
         (deleted_marker, "object 1 'object1' (ObjectConnectorSpringDamper), parameter 'markerNumbers': received the invalid index -1, but expected the number of a marker."),
     ],

@@ -63,7 +63,7 @@ def test_dictionaries_and_json_bring_the_item_back(item: Item, make: Any) -> Non
             read[row.name] = data[row.name]  # sections of beams: objects of Python
     kind = item.kind.title()
     added = []
-    if item.ready or item.kind == "sensor":
+    if item.ready:
         for source in (data, read):
             mbs = exu.SystemContainer().AddSystem()
             number = getattr(mbs, f"Add{kind}")(source)
@@ -92,11 +92,7 @@ def test_defaults_by_type_name(item: Item, mbs: exu.MainSystem) -> None:
     assert {key: plain(value) for key, value in get(item.type_name).items()} == defaults
 
 
-def ready(item: Item) -> bool:
-    return item.ready or item.kind == "sensor"
-
-
-@pytest.mark.parametrize("item", [item for item in ITEMS if ready(item)], ids=lambda item: item.name)
+@pytest.mark.parametrize("item", [item for item in ITEMS if item.ready], ids=lambda item: item.name)
 def test_system_keeps_all_parameters(item: Item, mbs: exu.MainSystem) -> None:
     kind = item.kind.title()
     original = filled(item)
@@ -112,7 +108,7 @@ def test_system_keeps_all_parameters(item: Item, mbs: exu.MainSystem) -> None:
     assert plain(list(getattr(second, f"Get{kind}")(0, **graphics).values())) == plain(list(stored.values()))
 
 
-@pytest.mark.parametrize("item", [item for item in ITEMS if not ready(item)], ids=lambda item: item.name)
+@pytest.mark.parametrize("item", [item for item in ITEMS if not item.ready], ids=lambda item: item.name)
 def test_planned_items_are_refused(item: Item, mbs: exu.MainSystem) -> None:
     with pytest.raises(
         NotImplementedError, match=rf"{item.name} is specified, but its physics is planned.*{item.path}"

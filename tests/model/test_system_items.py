@@ -339,3 +339,21 @@ def test_reference_outputs_before_assembly_follow_every_change(mbs: exu.MainSyst
     mbs.Reset()
     mbs.AddNode(exu.NodePoint(referenceCoordinates=[7, 0, 0]))
     assert position(mbs.AddObject(exu.MassPoint(physicsMass=1, nodeNumber=0))) == [7, 0, 0]
+
+
+def test_sensors_added_after_assembling_may_be_declared_consistent() -> None:
+    mbs = exu.SystemContainer().AddSystem()
+    node = mbs.AddNode(exu.NodePoint(referenceCoordinates=[1, 2, 3]))
+    mbs.AddObject(exu.ObjectMassPoint(nodeNumber=node, physicsMass=1))
+    mbs.Assemble()
+    sensor = mbs.AddSensor(exu.SensorNode(nodeNumber=node, outputVariableType=exu.OutputVariableType.Position))
+    with pytest.raises(RuntimeError, match=r"Call mbs.Assemble\(\)"):
+        mbs.GetSensorValues(sensor)
+    mbs.systemIsConsistent = True
+    assert list(mbs.GetSensorValues(sensor)) == [1, 2, 3]
+    mbs.AddNode(exu.NodePoint())
+    with pytest.raises(RuntimeError, match=r"mbs.systemIsConsistent: .* the equations are not those of the items"):
+        mbs.systemIsConsistent = True
+    assert not mbs.systemIsConsistent
+    with pytest.raises(RuntimeError, match=r"Call mbs.Assemble\(\)"):
+        mbs.GetNodeOutput(1, exu.OutputVariableType.Position)

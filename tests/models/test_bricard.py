@@ -6,17 +6,11 @@ from typing import Any
 
 import numpy as np
 import pytest
+from bricard_reference import AXES, CORNERS, GRAVITY, MASS, WIDTH, third_corners
 from solving import Variable, new_system, orders, settings
 
 from dalembert.rigidBodyUtilities import InertiaCuboid
 from dalembert.solver import SolverError
-
-CORNERS = np.array([[0, 0, 0], [1, 0, 0], [1, -1, 0], [1, -1, 1], [0, -1, 1], [0, 0, 1]], dtype=float)
-AXES = "yzxyzx"
-THIRD_CORNER = {
-    0.5: (0.96828368, -1.22462516, 0.75014661),
-    1.0: (0.51050146, -1.6491676, 0.14012311),
-}  # computed independently
 
 
 class Bricard:
@@ -36,11 +30,11 @@ class Bricard:
         self.mbs.Assemble()
 
     def rod(self, start: np.ndarray, end: np.ndarray) -> Any:
-        size = np.where(start == end, 0.1, 1.0)
+        size = np.where(start == end, WIDTH, 1.0)
         return self.mbs.CreateRigidBody(
             referencePosition=(start + end) / 2,
-            inertia=InertiaCuboid(density=1 / np.prod(size), sideLengths=size),
-            gravity=[0, -9.81, 0],
+            inertia=InertiaCuboid(density=MASS / np.prod(size), sideLengths=size),
+            gravity=[0, -GRAVITY, 0],
         )
 
     def third_corner(self) -> np.ndarray:
@@ -48,14 +42,14 @@ class Bricard:
 
     def energy(self) -> float:
         """Relative to the start, where the rods are at rest at heights 0, -1/2, -1, -1, -1/2."""
-        total = 3 * 9.81
+        total = 3 * GRAVITY
         for rod in self.rods:
             place, velocity, omega = (
                 self.mbs.GetObjectOutputBody(rod, v, [0, 0, 0])
                 for v in (Variable.Position, Variable.Velocity, Variable.AngularVelocityLocal)
             )
             xx, yy, zz = self.mbs.GetObjectParameter(rod, "physicsInertia")[:3]
-            total += velocity @ velocity / 2 + 9.81 * place[1] + np.array([xx, yy, zz]) @ omega**2 / 2
+            total += velocity @ velocity / 2 + GRAVITY * place[1] + np.array([xx, yy, zz]) @ omega**2 / 2
         return float(total)
 
 
@@ -72,16 +66,16 @@ def test_one_equation_is_redundant() -> None:
 
 
 @pytest.mark.parametrize("freed", [{5: 0}, {5: 4}, {0: 3}], ids=["translation", "rotation", "first joint"])
-@pytest.mark.parametrize("end", THIRD_CORNER)
+@pytest.mark.parametrize("end", third_corners())
 def test_regular_without_one_equation(freed: dict[int, int], end: float) -> None:
     """The loop holds the freed direction as well. Second order: at h = 2 ms the error is 8e-7 at 0.5 s and 3.4e-6 at 1 s."""
-    wanted = np.array(THIRD_CORNER[end])
+    wanted = third_corners()[end]
     assert 4e-7 < np.linalg.norm(final(freed, end, int(500 * end)) - wanted) < 7e-6
 
 
 def test_second_order() -> None:
-    """Down to the eight digits of the reference."""
-    wanted = np.array(THIRD_CORNER[1.0])
+    """Down to errors of 1e-7, where the reference has ten digits."""
+    wanted = third_corners()[1.0]
     for order in orders(lambda n: final({5: 0}, 1.0, n) - wanted, [125, 250, 500]):
         assert order == pytest.approx(2, abs=0.1)
 

@@ -6,29 +6,26 @@ from typing import Any
 
 import numpy as np
 import pytest
+from governor_reference import (
+    ANGLE,
+    CUBE,
+    DAMPING,
+    FREE,
+    GRAVITY,
+    HINGE,
+    LENGTH,
+    OMEGA,
+    START,
+    STIFFNESS,
+    TIP,
+    WIDTH,
+    block,
+    heights_of_slider,
+)
 from scipy.spatial.transform import Rotation
 from solving import Variable, new_system, self_orders, settings
 
 import dalembert as exu
-
-DENSITY, LENGTH, WIDTH, CUBE = 3000, 1.0, 0.01, 0.1
-TIP, HINGE, OMEGA, GRAVITY = 5.0, 0.05, 2 * np.pi, 9.81
-STIFFNESS, DAMPING, FREE = 8e5, 4e4, 0.5
-ANGLE = np.radians(30)  # of the rods below the horizontal
-SLIDER = {
-    0.1: 0.5238364756,
-    0.5: 0.7432494248,
-    1.0: 0.5014209224,
-    2.0: 0.5059092943,
-    5.0: 0.5355631037,
-}  # height above the foot of the shaft, computed independently
-
-
-def block(size: Any) -> tuple[float, np.ndarray]:
-    """Mass and inertia about the centre."""
-    mass = DENSITY * np.prod(size)
-    squares = np.square(size)
-    return mass, mass / 12 * (squares.sum() - squares)
 
 
 class Governor:
@@ -36,7 +33,7 @@ class Governor:
         self.mbs, self.node_type = new_system(), node_type
         self.ground = self.mbs.AddObject(exu.ObjectGround())
         shaft = self.body([0, 0, LENGTH / 2], np.eye(3), *block([WIDTH, WIDTH, LENGTH]))
-        slider = self.body([0, 0, 0.5], np.eye(3), *block([CUBE, CUBE, CUBE]))
+        slider = self.body([0, 0, START], np.eye(3), *block([CUBE, CUBE, CUBE]))
         self.slider = slider
         self.join([1, 1, 1, 1, 1, 0], (self.ground, [0, 0, 0]), (shaft, [0, 0, -LENGTH / 2]))
         self.join([1, 1, 0, 1, 1, 1], (shaft, [0, 0, 0]), (slider, [0, 0, 0]))
@@ -98,10 +95,10 @@ def final(node_type: str, end: float, steps: int) -> float:
 
 
 @pytest.mark.parametrize("node_type", ["NodeRigidBodyEP", "NodeRigidBodyRotVecLG"])
-@pytest.mark.parametrize("end", SLIDER)
+@pytest.mark.parametrize("end", heights_of_slider())
 def test_height_of_the_slider(node_type: str, end: float) -> None:
     """The slider swings by 0.25 m with some 6 rad/s: at h = 1 ms, (6e-3)^2 / 12 of 0.25 m per radian are 0.75e-6 m, which add up."""
-    error = abs(final(node_type, end, int(1000 * end)) - SLIDER[end])
+    error = abs(final(node_type, end, int(1000 * end)) - heights_of_slider()[end])
     assert 1e-9 < error < 1e-6 + 5e-6 * end
 
 

@@ -134,7 +134,6 @@ def spring_force(mbs, t, itemNumber):
 
 
 def test_hdf5_file_returns_the_dictionary(tmp_path):
-    pytest.importorskip("h5py")
     data = {
         "numbers": [1, 2.5, True, None, "text"],
         "nested": {"array": np.arange(6.0).reshape(2, 3), "list": [[1, [2, 3]], {"a": np.float64(1)}]},
@@ -171,7 +170,6 @@ def before_step(mbs, t):
 
 def test_hdf5_file_of_a_system(tmp_path):
     """The system comes back with its user functions, those of items and those that solvers call."""
-    pytest.importorskip("h5py")
     mbs = exu.SystemContainer().AddSystem()
     body = mbs.CreateMassPoint(physicsMass=1)
     mbs.CreateForce(bodyNumber=body, loadVectorUserFunction=constant_force)

@@ -6,9 +6,8 @@ import sys
 
 import pytest
 
-dalembert = pytest.importorskip("dalembert", exc_type=ImportError)
-
-from dalembert import alias  # noqa: E402
+import dalembert
+from dalembert import alias
 
 NAME = "some_other_name"
 

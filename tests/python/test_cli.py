@@ -5,8 +5,6 @@ import sys
 
 import pytest
 
-pytest.importorskip("dalembert", exc_type=ImportError)
-
 from dalembert import cli
 
 MODEL = """
@@ -97,7 +95,6 @@ def test_misspelled_items(capsys):
 
 
 def test_demo_writes_a_plot(tmp_path, capsys):
-    pytest.importorskip("matplotlib")
     target = tmp_path / "demo.png"
     assert cli.main(["demo", "--output", str(target)]) == 0
     assert str(target) in capsys.readouterr().out

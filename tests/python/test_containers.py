@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy import sparse
 
 import dalembert as exu
 
@@ -108,7 +109,6 @@ def test_sparse_container() -> None:
 
 
 def test_any_scipy_format() -> None:
-    sparse = pytest.importorskip("scipy.sparse")
     dense = np.array([[0, 1.0], [2, 0]])
     for kind in (sparse.csr_matrix, sparse.csc_matrix, sparse.coo_matrix):
         np.testing.assert_array_equal(exu.MatrixContainer(kind(dense)).Convert2DenseMatrix(), dense)

@@ -9,11 +9,12 @@ import numpy as np
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
-exu = pytest.importorskip("dalembert", exc_type=ImportError)
-import create_cases  # noqa: E402
+import create_cases
 
-from dalembert import create  # noqa: E402
-from dalembert import itemInterface as items  # noqa: E402
+import dalembert as exu
+from dalembert import create
+from dalembert import itemInterface as items
+from dalembert import mainSystemExtensions as extensions
 
 EXPECTED = json.loads((Path(__file__).parent / "data" / "create_items.json").read_text())
 
@@ -52,10 +53,7 @@ def test_items_are_those_of_the_interface(mbs, name):
     function, arguments = create_cases.CASES[name]
     numbers = create_cases.base_model(mbs, exu, items, lambda f, a: call(mbs, f, a))
     before = create_cases.counts(mbs)
-    try:
-        call(mbs, function, create_cases.resolved(arguments, numbers))
-    except NotImplementedError as error:
-        pytest.skip(str(error))  # an item that is planned
+    call(mbs, function, create_cases.resolved(arguments, numbers))
     added = create_cases.added_items(mbs, before)
     assert [(kind, item[f"{kind.lower()}Type"]) for kind, item in added] == [
         (kind, item[f"{kind.lower()}Type"]) for kind, item in EXPECTED[name]
@@ -66,19 +64,13 @@ def test_items_are_those_of_the_interface(mbs, name):
 
 def test_every_implemented_function_has_a_case():
     functions = {function for function, _ in create_cases.CASES.values()}
-    assert functions == set(create.functions) - set(create.planned.functions)
+    assert functions == set(create.functions)
 
 
 @pytest.mark.parametrize("name", create.functions)
 def test_methods_are_attached(name):
     assert getattr(exu.MainSystem, name) is create.functions[name]
     assert next(iter(inspect.signature(create.functions[name]).parameters)) == "mbs"
-
-
-@pytest.mark.parametrize("name", create.planned.functions)
-def test_planned_functions_say_so(mbs, name):
-    with pytest.raises(NotImplementedError, match=rf"{name}.*planned"):
-        getattr(mbs, name)()
 
 
 def test_lists_given_by_the_caller_stay_as_they_are(mbs):
@@ -223,3 +215,56 @@ def test_a_coordinate_that_a_body_does_not_have_is_refused(mbs):
     body = mbs.CreateMassPoint(physicsMass=1)
     with pytest.raises(ValueError, match=r"coordinates\[1\].*less than 3"):
         mbs.CreateCoordinateConstraint(bodyNumbers=[None, body], coordinates=[None, 3])
+
+
+# ---- what Create functions are made of ----------------------------------------------------------------------------------
+
+TURN = np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]])
+
+
+@pytest.fixture
+def pair(mbs):
+    """Ground at [1, 2, 3], and a body at [1, 0, 0] that is turned by a quarter about z."""
+    ground = mbs.CreateGround(referencePosition=[1, 2, 3])
+    body = mbs.CreateRigidBody(referencePosition=[1, 0, 0], referenceRotationMatrix=TURN, inertia=create_cases.BAR)
+    return [ground, body]
+
+
+def test_axes_of_joints():
+    for i, letter in enumerate("XYZ"):
+        for kind in ("Revolute", "Prismatic"):
+            assert np.array_equal(extensions.JointTypeToAxis(getattr(exu.JointType, kind + letter)), np.eye(3)[i])
+    with pytest.raises(ValueError, match="expected a revolute or prismatic joint"):
+        extensions.JointTypeToAxis(exu.JointType._None)
+
+
+def test_place_of_a_joint(mbs, pair):
+    check = extensions.JointPreCheckCalcBodyMarkers
+    p0, a0, p1, a1, m0, m1, point = check("CreateMine", mbs, "name", pair, [0.5, 0, 0], True, True)
+    assert np.array_equal([p0, p1, point], [[1, 2, 3], [1, 0, 0], [0.5, 0, 0]])
+    assert np.allclose([a0, a1], [np.eye(3), TURN], rtol=0, atol=1e-15) and m0 is m1 is None
+    assert np.array_equal(check("CreateMine", mbs, "", pair, [0.5, 0, 0], True, False)[6], [1.5, 2, 3])
+    with pytest.raises(ValueError, match=r"CreateMine.*bodyNumbers\[1\]"):
+        check("CreateMine", mbs, "", [pair[0], None], [0, 0, 0], True, True)
+
+
+def test_ends_of_a_connector(mbs, pair):
+    node = exu.NodeIndex(0)
+    process, none = extensions.ProcessBodyNodeMarkerLists, [None, None]
+    assert process(pair, none, [0, 0, 0], [0, 0, 1], "CreateMine") == pair
+    assert process(none, [node, pair[1]], [0, 0, 0], [0, 0, 1], "CreateMine") == [node, pair[1]]
+    with pytest.raises(ValueError, match=r"CreateMine.*localPosition1"):
+        process(none, [pair[1], node], [0, 0, 0], [0, 0, 1], "CreateMine")
+
+
+def test_markers_with_their_places(mbs, pair):
+    get, local = extensions.GetMarkersPosRot, ([0, 0, 0.5], [0, 1, 0])
+    plain = get(mbs, "plain", pair, *local)
+    assert plain[2:] == [None] * 4
+    assert [mbs.GetMarker(m)["markerType"] for m in plain[:2]] == ["BodyPosition"] * 2
+    assert [mbs.GetMarker(m)["name"] for m in plain[:2]] == ["Marker0:plain", "Marker1:plain"]
+    full = get(mbs, "full", pair, *local, getPosition=True, getRotationMatrix=True, useRigidMarker=True)
+    assert np.allclose(full[2:4], [[1, 2, 3.5], [0, 0, 0]], rtol=0, atol=1e-15)
+    assert np.allclose(full[4:], [np.eye(3), TURN], rtol=0, atol=1e-15)
+    assert [mbs.GetMarker(m)["markerType"] for m in full[:2]] == ["BodyRigid"] * 2
+    assert get(mbs, "", full[:2], [0, 0, 0], [0, 0, 0])[:2] == full[:2]

@@ -41,7 +41,7 @@ def test_print_to_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> No
     assert capsys.readouterr().out == ""
     with pytest.raises(ValueError, match="parameter 'filename': is empty"):
         exu.SetWriteToFile("")
-    with pytest.raises(ValueError, match="cannot be written"):
+    with pytest.raises(IsADirectoryError, match="cannot be opened"):
         exu.SetWriteToFile(str(tmp_path))
 
 

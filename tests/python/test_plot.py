@@ -5,11 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+import matplotlib.pyplot
 import numpy as np
 import pytest
-
-matplotlib = pytest.importorskip("matplotlib")
-matplotlib.use("Agg")
 
 from dalembert import plot
 
@@ -121,7 +119,7 @@ def test_defaults_are_taken_for_original_values(mbs: Any) -> None:
 
 def test_sensor_file(mbs: Any, tmp_path: Path) -> None:
     file = tmp_path / "foot.txt"
-    file.write_text(SENSOR_HEADER + "\n".join(",".join(map(str, row)) for row in DATA))
+    file.write_text(SENSOR_HEADER + "".join(",".join(map(str, row)) + "\n" for row in DATA))
     axes = plot.PlotSensor(None, str(file), components=[0, 1])[2]
     assert [label for *_, label in curves(axes)] == ["foot, PositionX", "foot, PositionY"]
 
@@ -227,7 +225,7 @@ def test_images(tmp_path: Path, as_lines: bool) -> None:
 
 def test_incomplete_image(tmp_path: Path) -> None:
     file = tmp_path / "image.txt"
-    file.write_text("#something\n#COLOR\n")
+    file.write_text("#something\n#COLOR\n0,0,0,1\n")
     with pytest.warns(UserWarning, match="not a text image|incomplete"):
         plot.LoadImage(str(file))
     file.write_text("")

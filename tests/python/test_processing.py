@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
+import matplotlib.pyplot
 import numpy as np
 import pytest
 from dask.distributed import Client, LocalCluster
@@ -218,7 +219,6 @@ def test_genetic_optimization_errors() -> None:
 
 # ---- minimize ----------------------------------------------------------------------------------------------------
 def test_minimize(tmp_path: Path) -> None:
-    pytest.importorskip("scipy")
     file = tmp_path / "minimize.txt"
     best, value, columns, values = processing.Minimize(bumpy, RANGES, showProgress=False, resultsFile=str(file))
     assert best["a"] == pytest.approx(0.9690298163340703, rel=1e-6)
@@ -228,7 +228,6 @@ def test_minimize(tmp_path: Path) -> None:
 
 
 def test_minimize_keeps_bounds() -> None:
-    pytest.importorskip("scipy")
     evaluated: list[float] = []
 
     def objective(p: dict[str, Any]) -> float:
@@ -277,8 +276,6 @@ def test_sensitivity_errors() -> None:
 
 
 def test_plots() -> None:
-    matplotlib = pytest.importorskip("matplotlib")
-    matplotlib.use("Agg")
     figures, axes = processing.PlotOptimizationResults2D({"a": [1, 2], "b": [3, 4]}, [5, 6], yLogScale=True)
     assert len(figures) == len(axes) == 2 and axes[1].get_xlabel() == "b" and axes[0].get_yscale() == "log"
     with pytest.raises(ValueError, match="'a' has 1 entries, but there are 2 values"):

@@ -3,11 +3,10 @@
 import numpy as np
 import pytest
 
-exu = pytest.importorskip("dalembert", exc_type=ImportError)
-
-from dalembert import itemInterface as items  # noqa: E402
-from dalembert import solver  # noqa: E402
-from dalembert.rigidBodyUtilities import InertiaCuboid  # noqa: E402
+import dalembert as exu
+from dalembert import itemInterface as items
+from dalembert import solver
+from dalembert.rigidBodyUtilities import InertiaCuboid
 
 MASS, STIFFNESS, DAMPING, FORCE = 2.0, 800.0, 4.0, 10.0
 

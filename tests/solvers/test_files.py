@@ -156,15 +156,18 @@ def test_going_on_from_a_restart_file(solver: Any, tolerance: float) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "message"),
+    ("text", "error", "message"),
     [
-        ("something else\n", "line 1: expected"),
-        ("#dalembert restart file 1\n", "line 2"),
-        (None, "cannot open restart file"),
+        ("something else\n", ValueError, "line 1: expected"),
+        ("#dalembert restart file 2\n", ValueError, "line 2"),
+        (None, FileNotFoundError, "restart file cannot be opened: No such file or directory: 'restart.txt'"),
+        ("folder", IsADirectoryError, "restart file cannot be read"),
     ],
 )
-def test_damaged_restart_files_are_refused(text: str | None, message: str) -> None:
-    if text is not None:
+def test_damaged_restart_files_are_refused(text: str | None, error: type[Exception], message: str) -> None:
+    if text == "folder":
+        Path("restart.txt").mkdir()
+    elif text is not None:
         Path("restart.txt").write_text(text)
-    with pytest.raises((ValueError, RuntimeError), match=message):
+    with pytest.raises(error, match=message):
         exu.MainSolverImplicitSecondOrder().ContinueFromRestartFile(spinning_body(), "restart.txt")

@@ -60,6 +60,7 @@ def test_geometric_load_steps() -> None:
     settings.staticSolver.loadStepGeometricRange = 1000.0
     model.mbs.SolveStatic(settings)
     np.testing.assert_allclose(model.table()[1:, 1], 0.1 * np.array([1e-3, 1e-2, 1e-1, 1]), rtol=1e-12)
+    assert model.mbs.sys["staticSolver"].loadStepGeometricFactor == pytest.approx(10, rel=1e-14)
 
 
 def test_full_load_in_every_step_without_load_factor() -> None:

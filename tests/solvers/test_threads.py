@@ -72,19 +72,26 @@ def chain(bodies: int = 1000) -> exu.MainSystem:
     return mbs
 
 
+CORES = len(os.sched_getaffinity(0))
+
+
 def solved(mbs: exu.MainSystem, threads: int, solver: Any) -> np.ndarray:
+    """Skips the test where so many threads cannot run side by side: a solver takes as many as there are cores at most."""
+    if threads > CORES:
+        pytest.skip(f"{threads} threads need as many cores, here are {CORES}: nothing is compared")
     mbs.Assemble()
     mbs.SolveDynamic(settings(threads), solverType=solver)
     system = mbs.systemData
     return np.concatenate([system.GetODE2Coordinates(), system.GetODE2Coordinates_t(), system.GetAECoordinates()])
 
 
+@pytest.mark.parametrize("threads", [2, 4])
 @pytest.mark.parametrize("solver", ["RK44", "VelocityVerlet", "GeneralizedAlpha"])
-def test_nets_move_alike_with_any_number_of_threads(solver: str) -> None:
+def test_nets_move_alike_with_any_number_of_threads(solver: str, threads: int) -> None:
     kind = getattr(exu.DynamicSolverType, solver)
+    shared = solved(net()[0], threads, kind)
     alone = solved(net()[0], 1, kind)
-    for threads in (2, 4):
-        np.testing.assert_array_equal(solved(net()[0], threads, kind), alone)
+    np.testing.assert_array_equal(shared, alone)
     assert np.abs(alone[: 3 * SIDE**2]).max() > 1e-4  # it moves
 
 
@@ -111,7 +118,7 @@ def test_solvers_tell_how_many_threads_they_use(bodies: int, used: int) -> None:
     mbs.Assemble()
     solver = exu.MainSolverImplicitSecondOrder()
     solver.SolveSystem(mbs, settings(8, steps=1))
-    assert solver.output.numberOfThreadsUsed == min(used, len(os.sched_getaffinity(0)))
+    assert solver.output.numberOfThreadsUsed == min(used, CORES)
 
 
 def test_functions_of_the_user_are_called_by_the_thread_of_the_solver() -> None:

@@ -108,6 +108,7 @@ void Lockstep::take_step(const Lanes& lanes) {
     if (std::ranges::none_of(iterating, [](bool x) { return x; })) break;
     iterate(iterating);
   }
+  correct_motion(those(lanes, [](Lane& lane) { return lane.solver->succeeded() && lane.solver->leaves_correction(); }));
   each(lanes, [](int, Lane& lane) {
     lane.here = lane.solver->succeeded();
     if (!lane.here) return;
@@ -125,8 +126,7 @@ bool Lockstep::is_usual(const SecondOrderSolver& solver) {
 
 void Lockstep::iterate(const Lanes& lanes) {
   renew_factors(those(lanes, [](Lane& lane) { return lane.solver->begin_iteration(); }));
-  find_increments(lanes);
-  each(lanes, [](int, Lane& lane) { lane.solver->compute_update(false); });
+  correct_motion(lanes);
   find_residuals(lanes);
   each(lanes, [](int, Lane& lane) {
     lane.solver->judge(lane.norm);
@@ -195,6 +195,11 @@ void Lockstep::factorize(const Lanes& lanes) {
     if (std::ranges::none_of(wanted, [](bool x) { return x; })) continue;
     factors->factorize(wanted, wanted != mine, [this](int k) -> const LaneBlock& { return program_.output(matrix_output(k)); });
   }
+}
+
+void Lockstep::correct_motion(const Lanes& lanes) {
+  find_increments(lanes);
+  each(lanes, [](int, Lane& lane) { lane.solver->compute_update(false); });
 }
 
 void Lockstep::find_increments(const Lanes& lanes) {

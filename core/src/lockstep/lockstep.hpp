@@ -52,6 +52,7 @@ class Lockstep {
   void renew_factors(const Lanes& lanes);
   void search_pivots(int lane);
   void factorize(const Lanes& lanes);
+  void correct_motion(const Lanes& lanes);
   void find_increments(const Lanes& lanes);
   int matrix_output(int k) const;
   LaneFactors& factors_for(std::span<const int> row_of_step);

@@ -6,6 +6,8 @@
 #include "dalembert/model/errors.hpp"
 #include "dalembert/model/member.hpp"
 #include "dalembert/model/model.hpp"
+#include "dalembert/model/value_checks.hpp"
+#include "dalembert/output/numbers.hpp"
 #include "dalembert/system/physics.hpp"
 
 namespace dalembert {
@@ -65,8 +67,11 @@ class Checker {
       if (row.role != Role::parameter) continue;
       if (index_storage(row.storage).is_index) check_indices(row);
       if (row.size != 0) check_length(row, row.size, "");
+      if (row.check >= Check::rotation) check_value(row);
     }
     if (kind_ == ItemKind::node) check_coordinates();
+    if (kind_ == ItemKind::object) check_ends();
+    if (type.physics != nullptr) type.physics->check_values(item_.record.get(), {model_, kind_, number_});
   }
 
  private:
@@ -129,6 +134,65 @@ class Checker {
     });
   }
 
+  // Values are checked when they are set; but defaults may have stayed, and arrays of items may be written to.
+  void check_value(const Row& row) const {
+    const Verdict verdict = judge(row, member(item_.record.get(), row));
+    if (verdict.fit == Fit::wrong) complain(row, numbers(row), demand(row.check), verdict.problem + " " + advice(row.check));
+  }
+  std::string numbers(const Row& row) const {
+    return visit(row, item_.record.get(), [](const auto& value) -> std::string {
+      if constexpr (requires { value.x[0]; }) {
+        std::string text;
+        for (const double x : value.x) text += (text.empty() ? "[" : ", ") + format_number(x);
+        return text + "]";
+      } else {
+        return "a list with such a value";
+      }
+    });
+  }
+
+  // What a marker moves with: a node, ground, or a body with coordinates of its own, whose points move against each other.
+  struct Carrier {
+    enum class Kind { ground, node, other } kind = Kind::other;
+    int number = -1;
+    bool operator==(const Carrier&) const = default;
+  };
+  Carrier carrier(int marker) const {
+    const Item& item = model_.item(ItemKind::marker, marker);
+    int object = -1, node = -1;
+    for (const Row& row : item.type->rows) {
+      const IndexStorage index = index_storage(row.storage);
+      if (!index.is_index || index.is_list) continue;
+      (index.kind == ItemKind::object ? object : node) = index_values(row, item.record.get()).front();
+    }
+    const Item* body = model_.find_item(ItemKind::object, object);
+    if (body != nullptr && provides(*body->type, "Ground")) return {Carrier::Kind::ground};
+    if (body != nullptr && body->type->category == "Body")
+      for (const Row& row : body->type->rows)
+        if (row.storage == Storage::node) node = index_values(row, body->record.get()).front();
+    const Item* carrying = model_.find_item(ItemKind::node, node);
+    if (carrying == nullptr) return {};
+    if (provides(*carrying->type, "Ground")) return {Carrier::Kind::ground};
+    return {Carrier::Kind::node, node};
+  }
+
+  // Both markers of a connector: two of them, and of a joint on different bodies.
+  void check_ends() const {
+    const ItemType& type = *item_.type;
+    const auto row = std::ranges::find(type.rows, "markerNumbers", &Row::name);
+    if (row == type.rows.end() || row->size != 2) return;
+    const auto markers = index_values(*row, item_.record.get());
+    if (markers[0] == markers[1])
+      complain(*row, model_.describe(ItemKind::marker, markers[0]) + " twice", "two different markers",
+               "Between a marker and itself there is nothing to connect");
+    const bool holds = type.category == "Joint" || type.category == "Constraint";
+    if (!holds || !meets(type.requested_marker, Capability::position)) return;
+    const Carrier first = carrier(markers[0]), second = carrier(markers[1]);
+    if (first.kind == Carrier::Kind::other || first != second) return;
+    complain(*row, "two markers on " + (first.kind == Carrier::Kind::node ? model_.describe(ItemKind::node, first.number) : "ground"),
+             "markers on two bodies that move against each other", "A body cannot be joined to itself");
+  }
+
   // Generic nodes state how many coordinates they have; their start values have as many, or none for zeros.
   void check_coordinates() const {
     const void* record = item_.record.get();
@@ -158,6 +222,19 @@ void Model::check() const {
     const ItemKind kind = static_cast<ItemKind>(k);
     for (int i = 0; i < count(kind); ++i) Checker(*this, provisions, kind, i).run();
   }
+}
+
+std::string Model::doubt() const {
+  std::string first;
+  int others = -1;
+  for (int i = 0; i < count(ItemKind::object); ++i) {
+    const Item& object = item(ItemKind::object, i);
+    const std::string doubt = object.type->physics == nullptr ? "" : object.type->physics->doubt(object.record.get());
+    if (doubt.empty()) continue;
+    if (first.empty()) first = describe(ItemKind::object, i) + ": " + doubt + ".";
+    ++others;
+  }
+  return others > 0 ? first + " So have " + std::to_string(others) + " other objects." : first;
 }
 
 }  // namespace dalembert

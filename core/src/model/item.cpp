@@ -65,7 +65,7 @@ const ItemType& require_type(ItemKind kind, std::string_view name, const std::st
   if (const ItemType* type = find_type(kind, name)) return *type;
   std::vector<std::string_view> known;
   for (const ItemType* type : item_types())
-    if (type->kind == kind) known.push_back(type->type_name);
+    if (type->kind == kind && type->physics != nullptr) known.push_back(type->type_name);
   Complaint complaint;
   complaint.item = where;
   complaint.problem = "there is no " + std::string(kind_name(kind)) + " type " + quoted(name);

@@ -112,13 +112,13 @@ void Model::index_names(ItemKind kind) {
 int Model::add(Item item) {
   const ItemKind kind = item.type->kind;
   const int number = count(kind);
-  if (item.type->physics == nullptr && kind != ItemKind::sensor) refuse_planned(*item.type);
+  if (item.type->physics == nullptr) refuse_planned(*item.type);
   if (!item.name().empty()) {
     adopt_name(kind, number, item);
     register_name(kind, number, item.name());
   }
   items(kind).push_back(std::move(item));
-  ++structure_changes_;
+  note_structure_change(kind);
   return number;
 }
 
@@ -135,9 +135,14 @@ void Model::replace(ItemKind kind, int number, Item item) {
   adopt_name(kind, number, item);
   items(kind)[static_cast<std::size_t>(number)] = std::move(item);
   index_names(kind);
-  ++structure_changes_;
+  note_structure_change(kind);
   if (kind == ItemKind::node) load_dependencies_.clear();
 }
+
+bool Model::changes_structure(const Row& row) {
+  return row.role == Role::parameter && (row.needs_assemble || index_storage(row.storage).is_index);
+}
+bool Model::changes_values(const Row& row) { return row.role == Role::parameter && !changes_structure(row); }
 
 void Model::edit(ItemKind kind, int number, const Row& row, const std::function<void(void*)>& write) {
   const Item& old = item(kind, number);
@@ -148,11 +153,10 @@ void Model::edit(ItemKind kind, int number, const Row& row, const std::function<
     return;
   }
   items(kind)[static_cast<std::size_t>(number)].record = std::move(record);
-  if (row.role == Role::visualization) return;
-  if (row.needs_assemble || index_storage(row.storage).is_index) {
-    ++structure_changes_;
+  if (changes_structure(row)) {
+    note_structure_change(kind);
     if (kind == ItemKind::node) load_dependencies_.clear();
-  } else {
+  } else if (changes_values(row)) {
     note_value_change(kind, number);
   }
 }
@@ -164,19 +168,22 @@ void Model::rename(ItemKind kind, int number, std::string name) {
   index_names(kind);
 }
 
-void Model::clear() {
-  for (auto& list : items_) list.clear();
-  for (auto& names : numbers_) names.clear();
-  for (auto& titles : titles_) titles.clear();
-  changes_.clear();
-  load_dependencies_.clear();
-  ++structure_changes_;
+void Model::become(Model other) {
+  other.structure_changes_ += structure_changes_ + 1;
+  other.equation_changes_ += equation_changes_ + 1;
+  other.value_changes_ += value_changes_ + 1;
+  *this = std::move(other);
 }
 
 void Model::add_load_dependencies(int load, std::span<const int> coordinates) {
   std::vector<int>& known = load_dependencies_[load];
   for (const int i : coordinates)
     if (std::ranges::find(known, i) == known.end()) known.push_back(i);
+}
+
+void Model::note_structure_change(ItemKind kind) {
+  ++structure_changes_;
+  if (kind != ItemKind::sensor) ++equation_changes_;
 }
 
 void Model::note_value_change(ItemKind kind, int number) {

@@ -66,7 +66,7 @@ std::vector<std::string> Model::remove(ItemKind kind, int number, bool with_depe
   auto& list = items(kind);
   list.erase(list.begin() + number);
   index_names(kind);
-  ++structure_changes_;
+  note_structure_change(kind);
   changes_.clear();
   std::vector<std::string> lost;
   shift_references(kind, number, lost);

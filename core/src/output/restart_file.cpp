@@ -1,18 +1,25 @@
 #include "dalembert/output/restart_file.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cerrno>
 #include <charconv>
-#include <filesystem>
-#include <fstream>
-#include <stdexcept>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
 
+#include "dalembert/model/errors.hpp"
 #include "dalembert/output/numbers.hpp"
-#include "dalembert/output/output_file.hpp"
+#include "dalembert/output/replaced_file.hpp"
 
 namespace dalembert {
 
 namespace {
 
-constexpr const char* title = "#dalembert restart file 1";
+constexpr const char* title = "#dalembert restart file 2";
+constexpr const char* purpose = "restart file";
+constexpr const char* backup_ending = ".bck";
+constexpr std::string_view checksum_word = "checksum ";
 
 void append_line(std::string& text, const char* name, std::span<const double> values) {
   text += name;
@@ -23,30 +30,86 @@ void append_line(std::string& text, const char* name, std::span<const double> va
   text += '\n';
 }
 
-std::vector<double> read_numbers(const std::string& line, std::size_t begin, const std::string& where) {
-  std::vector<double> numbers;
-  const char *p = line.data() + begin, *end = line.data() + line.size();
-  while (p != end) {
-    if (*p == ' ') {
-      ++p;
-      continue;
-    }
-    double x = 0;
-    const auto result = std::from_chars(p, end, x);
-    if (result.ec != std::errc()) throw std::runtime_error(where + ": expected numbers separated by blanks");
-    numbers.push_back(x);
-    p = result.ptr;
-  }
-  return numbers;
+// FNV-1a: of what may happen to a file by accident, it sees everything.
+std::string checksum(std::string_view text) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  char digits[20];
+  return {digits, std::to_chars(digits, digits + sizeof digits, hash, 16).ptr};
 }
+
+// The text of a restart file, line by line; what does not fit is refused.
+class Reader {
+ public:
+  explicit Reader(const std::string& name) : name_(name) {
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(name.c_str(), "rb"), &std::fclose);
+    if (!file) throw FileError(errno, purpose, "cannot be opened", name);
+    std::array<char, 1 << 14> part;
+    while (const std::size_t count = std::fread(part.data(), 1, part.size(), file.get())) text_.append(part.data(), count);
+    if (std::ferror(file.get())) throw FileError(errno, purpose, "cannot be read", name);
+  }
+
+  std::vector<double> values_of(std::string_view word) {
+    std::string_view line = next_line();
+    if (line.substr(0, line.find(' ')) != word) refuse_line("'" + std::string(word) + "' and its values,", line);
+    line.remove_prefix(word.size());
+    return numbers(line);
+  }
+  void expect(std::string_view wanted) {
+    const std::string_view line = next_line();
+    if (line != wanted) refuse_line("'" + std::string(wanted) + "',", line);
+  }
+  void expect_checksum() {
+    const std::size_t end = position_;
+    const std::string_view line = next_line();
+    const std::string wanted = std::string(checksum_word) + checksum(std::string_view(text_).substr(0, end));
+    if (line != wanted) refuse_line("'" + wanted + "', the sum of the lines above,", line);
+    if (position_ != text_.size()) refuse_line("the end of the file,", std::string_view(text_).substr(position_));
+  }
+  [[noreturn]] void refuse_line(const std::string& expected, std::string_view received) const {
+    throw ModelError(ErrorKind::value, std::string(purpose) + " '" + name_ + "', line " + std::to_string(line_) + ": expected " +
+                                           expected + " received '" + std::string(received.substr(0, std::min<std::size_t>(40, received.find('\n')))) +
+                                           "'. The file is damaged or incomplete; the one before may be in '" + name_ +
+                                           backup_ending + "'.");
+  }
+
+ private:
+  // A line counts if it is complete.
+  std::string_view next_line() {
+    ++line_;
+    const std::string_view rest = std::string_view(text_).substr(position_);
+    const std::size_t length = rest.find('\n');
+    if (length == rest.npos) refuse_line("a complete line,", rest);
+    position_ += length + 1;
+    return rest.substr(0, length);
+  }
+
+  std::vector<double> numbers(std::string_view line) const {
+    std::vector<double> values;
+    for (const char *p = line.data(), *end = p + line.size(); p != end;) {
+      double x = 0;
+      const auto result = *p == ' ' ? std::from_chars(p + 1, end, x) : std::from_chars_result{p, std::errc::invalid_argument};
+      if (result.ec != std::errc()) refuse_line("numbers separated by blanks,", std::string_view(p, end));
+      values.push_back(x);
+      p = result.ptr;
+    }
+    return values;
+  }
+
+  std::string name_, text_;
+  std::size_t position_ = 0;
+  int line_ = 0;
+};
 
 }  // namespace
 
+void check_restart_file(const std::string& name) {
+  if (!ReplacedFile::is_written_in_place(name)) ReplacedFile(name, purpose);
+}
+
 void write_restart_file(const std::string& name, const State& state, std::span<const double> algorithmic,
                         double step_size) {
-  const std::string unfinished = name + ".part";
-  OutputFile file;
-  file.open(unfinished, false, "restart file");
+  ReplacedFile file(name, purpose);
   std::string& t = file.text();
   t += title;
   t += '\n';
@@ -59,37 +122,29 @@ void write_restart_file(const std::string& name, const State& state, std::span<c
   append_line(t, "y_t", state.y_t);
   append_line(t, "lambda", state.lambda);
   append_line(t, "data", state.data);
-  file.close();
-  std::filesystem::rename(unfinished, name);
+  const std::string sum = checksum(t);
+  t += checksum_word;
+  t += sum + '\n';
+  file.commit(backup_ending);
 }
 
 RestartData read_restart_file(const std::string& name) {
-  std::ifstream file(name);
-  if (!file) throw std::runtime_error("cannot open restart file '" + name + "'");
-  std::string line;
-  if (!std::getline(file, line) || line != title) {
-    throw std::runtime_error("restart file '" + name + "', line 1: expected '" + title + "', received '" + line + "'");
-  }
+  Reader file(name);
+  file.expect(title);
   RestartData data;
-  std::vector<double> time;
-  const std::pair<const char*, std::vector<double>*> lines[] = {
-      {"time", &time},           {"q", &data.state.q},     {"v", &data.state.v},
-      {"a", &data.state.a},      {"algorithmic", &data.algorithmic_accelerations},
-      {"y", &data.state.y},      {"y_t", &data.state.y_t}, {"lambda", &data.state.lambda},
-      {"data", &data.state.data}};
-  int number = 1;
-  for (const auto& [word, values] : lines) {
-    const std::string where = "restart file '" + name + "', line " + std::to_string(++number);
-    std::getline(file, line);
-    const std::string_view expected(word);
-    if (line.substr(0, line.find(' ')) != expected) {
-      throw std::runtime_error(where + ": expected '" + word + "' and its values, received '" + line.substr(0, 40) + "'");
-    }
-    *values = read_numbers(line, expected.size(), where);
-  }
-  if (time.size() != 2) throw std::runtime_error("restart file '" + name + "', line 2: expected time and step size");
+  const std::vector<double> time = file.values_of("time");
+  if (time.size() != 2) file.refuse_line("time and step size,", std::to_string(time.size()) + " numbers");
   data.state.time = time[0];
   data.step_size = time[1];
+  data.state.q = file.values_of("q");
+  data.state.v = file.values_of("v");
+  data.state.a = file.values_of("a");
+  data.algorithmic_accelerations = file.values_of("algorithmic");
+  data.state.y = file.values_of("y");
+  data.state.y_t = file.values_of("y_t");
+  data.state.lambda = file.values_of("lambda");
+  data.state.data = file.values_of("data");
+  file.expect_checksum();
   return data;
 }
 

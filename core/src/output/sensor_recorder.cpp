@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "dalembert/output/numbers.hpp"
 
@@ -100,11 +101,12 @@ void SensorRecorder::write_footer(const std::string& footer) {
 }
 
 void SensorRecorder::close() {
-  files_.clear();
+  std::vector<OutputFile> files = std::exchange(files_, {});
   targets_.clear();
   channels_.clear();
   storage_ = nullptr;
   active_ = begun_ = false;
+  close_all(files);
 }
 
 void SensorStorage::begin(const std::vector<SensorColumns>& columns, std::size_t rows) {

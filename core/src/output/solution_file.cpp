@@ -1,10 +1,12 @@
 #include "dalembert/output/solution_file.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 
 #include "dalembert/output/numbers.hpp"
 
@@ -31,9 +33,9 @@ int total(const std::array<int, 7>& counts) {
   return sum;
 }
 
-int planned_steps(const SimulationSettings& settings, bool is_static) {
+StepCount planned_steps(const SimulationSettings& settings, bool is_static) {
   return is_static ? settings.staticSolver.numberOfLoadSteps
-                   : static_cast<int>(std::lround(settings.timeIntegration.numberOfSteps));
+                   : static_cast<StepCount>(std::llround(settings.timeIntegration.numberOfSteps));
 }
 
 template <std::size_t N>
@@ -58,15 +60,19 @@ template <class T>
 void append_bytes(std::string& text, const T& value) {
   text.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
-void append_int(std::string& text, int value) { append_bytes(text, static_cast<std::int32_t>(value)); }
+// The layout has 32 bits for integers; counts beyond them end there.
+void append_int(std::string& text, StepCount value) {
+  constexpr StepCount most = std::numeric_limits<std::int32_t>::max();
+  append_bytes(text, static_cast<std::int32_t>(std::min(value, most)));
+}
 void append_string(std::string& text, const std::string& value) {
   append_int(text, static_cast<int>(value.size()));
   text += value;
 }
-template <std::size_t N>
-void append_ints(std::string& text, const std::array<int, N>& values) {
+template <class T, std::size_t N>
+void append_ints(std::string& text, const std::array<T, N>& values) {
   append_int(text, static_cast<int>(N));
-  for (const int x : values) append_int(text, x);
+  for (const T x : values) append_int(text, x);
 }
 void append_reals(std::string& text, const std::vector<double>& values, bool single) {
   if (!single) {
@@ -102,7 +108,7 @@ std::string SolutionFile::name(const SimulationSettings& settings) {
 void SolutionFile::open(const SimulationSettings& settings) {
   const auto& s = settings.solutionSettings;
   binary_ = s.binarySolutionFile;
-  single_precision_ = settings.outputPrecision < 8;
+  single_precision_ = s.outputPrecision < 8;
   file_.open(name(settings), s.appendToFile && !binary_, "solution file");
 }
 
@@ -184,7 +190,7 @@ void SolutionFile::write_row(const SimulationSettings& settings, const State& st
 
 std::string solution_footer(const SolverIterationData& it, const SolverConvergenceData& conv, double seconds) {
   std::string t = "#simulation finished=" + date_and_time() + "\n#Solver Info: cpuTime=" + format_number(seconds);
-  const auto entry = [&t](const char* name, int value) { t += std::string(",") + name + "=" + std::to_string(value); };
+  const auto entry = [&t](const char* name, StepCount value) { t += std::string(",") + name + "=" + std::to_string(value); };
   entry("stepReductionFailed(or step failed)", conv.stepReductionFailed);
   entry("discontinuousIterationSuccessful", conv.discontinuousIterationSuccessful);
   entry("newtonSolutionDiverged", conv.newtonSolutionDiverged);
@@ -206,8 +212,8 @@ void SolutionFile::write_footer(const std::string& footer, const SolverIteration
   append_int(t, -1);
   append_string(t, "simulation finished=");
   append_string(t, date_and_time());
-  append_ints(t, std::array{int{conv.stepReductionFailed}, int{conv.discontinuousIterationSuccessful},
-                            int{conv.newtonSolutionDiverged}, int{conv.massMatrixNotInvertible},
+  append_ints(t, std::array{StepCount{conv.stepReductionFailed}, StepCount{conv.discontinuousIterationSuccessful},
+                            StepCount{conv.newtonSolutionDiverged}, StepCount{conv.massMatrixNotInvertible},
                             it.currentStepIndex - 1, it.newtonStepsCount, it.newtonJacobiCount});
   append_string(t, "EXUEND");
 }

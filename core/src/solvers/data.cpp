@@ -8,7 +8,7 @@ namespace dalembert {
 
 std::string SolverIterationData::to_string() const {
   std::string text = "Solver iteration statistics:\n";
-  const auto line = [&text](const char* words, int number) {
+  const auto line = [&text](const char* words, StepCount number) {
     text += words;
     append_integer(text, number);
     text += '\n';

@@ -69,6 +69,8 @@ class Workplace {
     if (!reassembles_) system_.assemble(model_);
     environment_.hooks.interrupted = [&stop] { return stop.load(std::memory_order_relaxed); };
     environment_.hooks.timeout = ensemble.timeout;
+    environment_.model = &model_;
+    environment_.hooks.warn = [this](std::string_view text) { warnings_.append(warnings_.empty() ? "" : "\n").append(text); };
     if (!ensemble.histories) return;
     SensorChannel silent;
     silent.write_to_file = false;
@@ -90,6 +92,7 @@ class Workplace {
       result.solved = false;
       result.message = error.what();
     }
+    result.warnings = warnings_;
     return result;
   }
 
@@ -116,12 +119,14 @@ class Workplace {
     result.solved = result.side_by_side = true;
     solver_->finalize();
     collect(result);
+    result.warnings = warnings_;
     return result;
   }
 
  private:
   void prepare(int variation) {
     storage_.clear();
+    warnings_.clear();
     for (const VariedParameter& p : ensemble_.parameters)
       model_.edit(p.kind, p.number, *p.row, [&](void* member) { p.values->write(variation, member); });
     if (!reassembles_) {
@@ -153,10 +158,7 @@ class Workplace {
       for (int i = 0; i < model_.count(ItemKind::sensor); ++i) result.histories.push_back(storage_.table(i));
     if (!result.solved) {
       const Diagnosis& diagnosis = solver_->diagnosis();
-      result.message = diagnosis.reason == FailureReason::none ? solver_->error_string() : diagnosis.text();
-    } else if (solver_->output.simulationTimeout) {
-      result.solved = false;
-      result.message = "the time limit is reached";
+      result.message = diagnosis.failed() ? diagnosis.text() : solver_->error_string();
     } else {
       if (ensemble_.states) result.state = end;
       for (const int sensor : ensemble_.sensors) {
@@ -174,6 +176,7 @@ class Workplace {
   SolverEnvironment environment_;
   SensorStorage storage_;
   std::vector<double> sensor_values_;
+  std::string warnings_;
   std::unique_ptr<Solver> solver_;
   bool reassembles_ = false, starts_from_nodes_ = false;
 };

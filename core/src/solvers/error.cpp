@@ -1,32 +1,62 @@
 #include "dalembert/solvers/error.hpp"
 
+#include <array>
+
 #include "dalembert/output/numbers.hpp"
 
 namespace dalembert {
 
 namespace {
 
-const char* sentence(FailureReason reason) {
-  switch (reason) {
-    case FailureReason::newton: return "Newton's method did not converge";
-    case FailureReason::singular_matrix: return "the system matrix is singular";
-    case FailureReason::mass_matrix: return "the mass matrix is singular";
-    case FailureReason::discontinuous: return "the discontinuous iteration (contact, friction) did not settle";
-    case FailureReason::step_size: return "the step size reached its minimum";
-    case FailureReason::stopped: return "the solver was stopped";
-    case FailureReason::none: break;
-  }
-  return "no failure";
+struct Words {
+  std::string_view name, sentence, values;  // the last is the title of the list of values
+};
+
+// In the order of FailureReason.
+constexpr std::array<Words, 9> words{{
+    {"", "no failure", ""},
+    {"newton", "Newton's method did not converge", "largest residuals"},
+    {"singularMatrix", "the system matrix is singular", ""},
+    {"massMatrix", "the mass matrix is singular", ""},
+    {"discontinuousIteration", "the discontinuous iteration (contact, friction) did not settle", ""},
+    {"errorControl", "the error stays above the tolerances at the smallest step size", "largest errors, in units of the tolerances"},
+    {"notFinite", "a value is not finite", "not finite"},
+    {"unbounded", "the solution grows without bound", "largest values"},
+    {"timeLimit", "the time limit is reached", ""},
+}};
+
+const Words& words_of(FailureReason reason) { return words[static_cast<std::size_t>(reason)]; }
+
+std::string line_of(const NamedValue& v) {
+  const std::string name = v.vector == "equation" ? v.vector + " " + std::to_string(v.index) : v.vector + "[" + std::to_string(v.index) + "]";
+  return name + ": " + format_number(v.value) + (v.items.empty() ? "" : "  (" + v.items + ")");
+}
+
+void add_list(std::string& text, std::string_view title, const std::vector<std::string>& lines, const char* mark = "\n    ") {
+  if (lines.empty()) return;
+  text += "\n  " + std::string(title) + ":";
+  for (const std::string& line : lines) text += mark + line;
 }
 
 }  // namespace
 
-std::string Diagnosis::text() const {
-  std::string t = solver + ": " + sentence(reason) + " in step " + std::to_string(step) + " at time " +
-                  format_number(time) + " (step size " + format_number(step_size) + ")";
+std::string_view name_of(FailureReason reason) { return words_of(reason).name; }
+
+std::string Diagnosis::headline() const {
+  std::string t = solver + ": " + std::string(words_of(reason).sentence);
+  if (step == 0) return t + " at the start, time " + format_number(time);
+  t += " in step " + std::to_string(step) + " at time " + format_number(time) + " (step size " + format_number(step_size) + ")";
   if (load_factor != 1) t += ", load factor " + format_number(load_factor);
-  t += '.';
-  if (reason == FailureReason::newton || reason == FailureReason::discontinuous) {
+  return t;
+}
+
+std::string Diagnosis::text() const {
+  std::string t = headline() + ".";
+  if (reason == FailureReason::discontinuous) {
+    t += "\n  error " + format_number(residual) + " after " + std::to_string(newton_iteration) + " iterations (allowed " +
+         format_number(tolerance_absolute) + ")";
+  }
+  if (reason == FailureReason::newton) {
     t += "\n  residual " + format_number(residual) + " after " + std::to_string(newton_iteration) +
          " iterations; relative " + format_number(relative_residual) + " (allowed " +
          format_number(tolerance_relative) + ", or absolute " + format_number(tolerance_absolute) + ")";
@@ -35,15 +65,12 @@ std::string Diagnosis::text() const {
     t += "\n  no pivot for unknown " + std::to_string(singular_row);
     if (!singular_items.empty()) t += ": " + singular_items;
   }
-  if (!dependent.empty()) t += "\n  equations that depend on each other:";
-  for (const std::string& d : dependent) t += "\n    " + d;
-  if (!worst_rows.empty()) t += "\n  largest residuals:";
-  for (const WorstRow& w : worst_rows) {
-    t += "\n    equation " + std::to_string(w.row) + ": " + format_number(w.residual) +
-         (w.items.empty() ? "" : "  (" + w.items + ")");
-  }
-  if (!advice.empty()) t += "\n  what to try:";
-  for (const std::string& a : advice) t += "\n    - " + a;
+  add_list(t, "equations that depend on each other", dependent);
+  std::vector<std::string> lines;
+  for (const NamedValue& v : values) lines.push_back(line_of(v));
+  add_list(t, words_of(reason).values, lines);
+  add_list(t, "values that are not finite come from", sources);
+  add_list(t, "what to try", advice, "\n    - ");
   return t;
 }
 

@@ -6,6 +6,8 @@
 #include "dalembert/model/errors.hpp"
 #include "dalembert/output/numbers.hpp"
 #include "combination.hpp"
+#include "finite.hpp"
+#include "matrix_text.hpp"
 #include "rotation_increments.hpp"
 
 namespace dalembert {
@@ -60,17 +62,13 @@ void ExplicitSolver::pre_initialize() {
                      "timeIntegration.explicitIntegration.dynamicSolverType: received an implicit method; expected "
                      "ExplicitEuler, ExplicitMidpoint, RK33, RK44, RK67, ODE23, DOPRI5, DVERK6 or VelocityVerlet");
   }
-  if (controls_step_size() && !(settings().timeIntegration.absoluteTolerance > 0)) {
-    throw ModelError(ErrorKind::value, "timeIntegration.absoluteTolerance: received " +
-                                           format_number(settings().timeIntegration.absoluteTolerance) +
-                                           "; expected a positive number");
-  }
   rows_.clear();
   const auto stages = static_cast<std::size_t>(method_.stages);
   for (std::size_t i = 0; i < stages; ++i) rows_.push_back(that_count({method_.a.data() + i * stages, i}));
   result_ = that_count(method_.b);
   second_ = that_count(method_.b_error);
-  warned_minimum_ = end_known_ = first_stage_known_ = false;
+  warned_minimum_ = end_known_ = first_stage_known_ = searching_ = false;
+  steps_above_tolerance_ = 0;
   conditions_ = {.rate_level = false, .inertia = true};
 }
 
@@ -106,11 +104,12 @@ void ExplicitSolver::post_initialize() {
   if (constant_mass_) {
     if (const int row = mass_.update(system(), now); row != LinearSolver::success) {
       mass_failed(row);
-      throw SolverError(diagnosis_);
+      return;
     }
   }
   nobody_interferes_ = !system().has_discontinuities() && !hooks().pre_step && !hooks().post_step && !hooks().post_newton;
-  if (verlet_ && !accelerations(now.a)) throw SolverError(diagnosis_);
+  if (verlet_ && !accelerations(now.a)) return;
+  begin_to_watch();
   start_of_step() = now;
 }
 
@@ -138,7 +137,7 @@ void ExplicitSolver::eliminate(Vector& x) const {
 
 void ExplicitSolver::update_current_time() {
   if (!it.adaptiveStep && !it.automaticStepSize) {
-    it.currentTime = it.currentStepIndex * it.currentStepSize + it.startTime;
+    it.currentTime = static_cast<double>(it.currentStepIndex) * it.currentStepSize + it.startTime;
     return;
   }
   if (it.currentTime + it.currentStepSize > it.endTime) it.currentStepSize = it.endTime - it.currentTime;
@@ -147,16 +146,18 @@ void ExplicitSolver::update_current_time() {
 
 bool ExplicitSolver::reduce_step_size() {
   it.currentTime = current().time;
+  if (conv.stopNewton) return false;
   if (conv.discontinuousIterationSuccessful) return true;  // the error control has chosen a step size
   if (!(it.lastStepSize > it.minStepSize)) return false;
   it.currentStepSize = it.recommendedStepSize != -1 ? std::min(0.75 * it.lastStepSize, it.recommendedStepSize)
-                                                    : std::min(it.currentStepSize, 0.5 * it.lastStepSize);
+                                                    : std::min(it.currentStepSize, settings().timeIntegration.adaptiveStepDecrease * it.lastStepSize);
   it.currentStepSize = std::max(it.minStepSize, it.currentStepSize);
   return true;
 }
 
 void ExplicitSolver::increase_step_size() {
-  if (!it.automaticStepSize) it.currentStepSize = std::min(it.maxStepSize, 2 * it.currentStepSize);
+  if (it.automaticStepSize) return;
+  it.currentStepSize = std::min(it.maxStepSize, settings().timeIntegration.adaptiveStepIncrease * it.currentStepSize);
 }
 
 void ExplicitSolver::save_start_of_step() {
@@ -171,16 +172,38 @@ void ExplicitSolver::save_start_of_step() {
 }
 
 bool ExplicitSolver::newton() {
-  conv.linearSolverFailed = conv.newtonSolutionDiverged = false;
+  if (verbose(4)) announce_mass_matrix();
+  conv.linearSolverFailed = conv.newtonSolutionDiverged = conv.stopNewton = false;
   conv.linearSolverCausingRow = -1;
   conv.newtonConverged = true;
   end_known_ = false;
-  verlet_ ? verlet_step() : runge_kutta_step();
-  if (conv.linearSolverFailed) {
+  compute_step();
+  if (conv.linearSolverFailed) [[unlikely]] {
     conv.newtonConverged = false;
-    return false;
+    const bool singular = all_finite(current().q) && all_finite(current().v);
+    return singular ? false : lose_step();
   }
-  return !controls_step_size() || control_step_size();
+  if (!stays_bounded() && outgrown()) [[unlikely]] return lose_step();
+  return !it.automaticStepSize || control_step_size();
+}
+
+void ExplicitSolver::compute_step() { verlet_ ? verlet_step() : runge_kutta_step(); }
+
+// In one pass where there is little to add. Accelerations and ODE1 coordinates may be of any size that squares can have.
+[[gnu::always_inline]] inline bool ExplicitSolver::stays_bounded() const {
+  const State& now = system().state(ConfigurationType::Current);
+  double motion = 0, rest = 0;
+  if (now.q.size() <= few_numbers) {
+    each_of_few(now.q.size(), [&, q = now.q.data(), v = now.v.data(), a = now.a.data()](std::size_t i) {
+      motion += q[i] * q[i] + v[i] * v[i];
+      rest += a[i] * a[i];
+    });
+  } else {
+    motion = sum_of_squares(system(), now.q) + sum_of_squares(system(), now.v);
+    rest = sum_of_squares(system(), now.a);
+  }
+  if (!now.y.empty()) rest += sum_of_squares(system(), now.y);
+  return motion < growth_limit_ && rest < unbounded * unbounded;
 }
 
 // Its parts are inlined: calls take as long as what they compute in small systems.
@@ -336,59 +359,20 @@ bool ExplicitSolver::accelerations(Vector& a, std::span<double> y_t) {
   }
   const TimedPart time(timer, timer.newtonIncrement);
   mass_.solve(system(), a);
-  return true;
+  return !searching_ || is_good(a, y_t);
 }
 
-[[gnu::noinline]] void ExplicitSolver::mass_failed(int row) {
-  conv.linearSolverFailed = conv.massMatrixNotInvertible = true;
-  conv.linearSolverCausingRow = row;
-  diagnose(FailureReason::mass_matrix);
-  say(1, "  " + diagnosis_.text() + "\n");
+[[gnu::noinline]] void ExplicitSolver::announce_mass_matrix() {
+  const Pattern& pattern = system().mass_pattern();
+  std::vector<double> values(static_cast<std::size_t>(pattern.values()));
+  system().mass_matrix(current(), pattern, values);
+  say(4, "  mass matrix =\n    " + matrix_text(dense_rows(pattern, values, sizes_.ode2), sizes_.ode2, settings().outputPrecision) + "\n");
 }
 
-// Distance of the two approximations in units of the tolerances, root mean square over ODE1, positions and velocities.
-// Signed values enter the scale, not magnitudes: step sizes are to be those that users of this interface know.
-double ExplicitSolver::estimated_error() {
-  const double absolute = settings().timeIntegration.absoluteTolerance;
-  const double relative = settings().timeIntegration.relativeTolerance;
-  move_from_start(second_, second_q_, second_v_, second_y_);
-  eliminate(second_q_);
-  eliminate(second_v_);
-  const State &now = current(), &start = start_of_step();
-  double sum = 0;
-  const auto add_errors = [&](const Vector& second, const Vector& first, const Vector& old) {
-    for (std::size_t i = 0; i < second.size(); ++i) {
-      const double e = (second[i] - first[i]) / (absolute + std::max(second[i], old[i]) * relative);
-      sum += e * e;
-    }
-  };
-  add_errors(second_y_, now.y, start.y);
-  add_errors(second_q_, now.q, start.q);
-  add_errors(second_v_, now.v, start.v);
-  return std::sqrt(sum / (sizes_.ode1 + 2 * sizes_.ode2));
-}
-
-// Hairer, Norsett, Wanner I, section II.4. False: the step has to be repeated.
-bool ExplicitSolver::control_step_size() {
-  const TimedPart time(timer, timer.errorEstimator);
-  const auto& s = settings().timeIntegration;
-  it.automaticStepSizeError = estimated_error();
-  const double error = it.automaticStepSizeError == 0 ? 1e-12 : it.automaticStepSizeError;
-  const double h = it.currentStepSize;
-  const double optimal = h * std::pow(1 / error, 1.0 / method_.order);
-  const double largest = std::min(it.maxStepSize, h * s.stepSizeMaxIncrease);
-  const double next = std::min(largest, std::max(it.minStepSize, s.stepSizeSafety * optimal));
-  bool accepted = true;
-  if (next == it.minStepSize && !warned_minimum_) {
-    warn("automatic step size reached timeIntegration.minimumStepSize at time " + format_number(it.currentTime) +
-         "; the error becomes larger than the tolerances");
-    warned_minimum_ = true;
-  } else if (optimal < h) {
-    accepted = false;
-    ++it.rejectedAutomaticStepSizeSteps;
-  }
-  it.currentStepSize = next;
-  return accepted;
+void ExplicitSolver::free_memory() {
+  for (std::vector<Vector>* stages : {&stage_q_, &stage_v_, &stage_y_}) *stages = {};
+  for (Vector* numbers : {&second_q_, &second_v_, &second_y_, &end_a_, &end_y_t_, &turn_}) *numbers = {};
+  mass_ = {};
 }
 
 }  // namespace dalembert

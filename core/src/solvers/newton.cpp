@@ -9,6 +9,8 @@
 #include "dalembert/output/numbers.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
 #include "dependent_equations.hpp"
+#include "finite.hpp"
+#include "matrix_text.hpp"
 
 namespace dalembert {
 
@@ -44,6 +46,12 @@ constexpr int idle_iterations = 3;
 constexpr double negligible_increment = 1e-9;
 // ... and the residual is at most so many times the rounding errors of the terms that cancel in it.
 constexpr double rounding_errors = 1000;
+
+// How far the first iteration takes the residual tells how much of the step is not linear, which falls with the square of the step
+// size, as errors of the step do. Below this, what may be left at the end falls with it ...
+constexpr double fine_step = 1e-2;
+// ... as far as to this fraction of the tolerance.
+constexpr double negligible_rest = 1e-4;
 
 // Springs and bodies that start along the axes leave most of their Jacobian zero until they have moved.
 constexpr int first_jacobians = 8;
@@ -85,7 +93,10 @@ double NewtonSolver::evaluate_residual() {
     }
     iterate();
   }
-  if (succeeded()) return true;
+  if (succeeded()) {
+    if (leaves_correction()) correct_motion();
+    return true;
+  }
   report_failure();
   return false;
 }
@@ -106,13 +117,14 @@ void NewtonSolver::begin_newton() {
 
 void NewtonSolver::judge_start(double residual) {
   loop_.initial_residual = residual;
+  conv.stopNewton = loop_.lost = !(residual < unbounded);
   if (newton_settings.newtonResidualMode == 1) loop_.initial_residual = 2 * newton_settings.relativeTolerance;
   if (loop_.initial_residual <= newton_settings.absoluteTolerance) {
     loop_.initial_residual = 2 * newton_settings.absoluteTolerance;  // at least one iteration, no division by zero
   }
   conv.residual = conv.lastResidual = loop_.best_residual = initial_residual_ = loop_.initial_residual;
   conv.contractivity = 0;
-  if (verbose(2)) say(2, "  Newton: initial residual = " + format_number(loop_.initial_residual) + "\n");
+  if (verbose(2)) say(2, "  Newton: initial residual = " + number(loop_.initial_residual) + "\n");
 }
 
 bool NewtonSolver::goes_on() const {
@@ -145,19 +157,34 @@ void NewtonSolver::iterate() {
       const TimedPart time(timer, timer.totalJacobian);
       compute_jacobian();
     }
+    if (verbose(4)) announce_matrices();
     if (!factorize()) {
       conv.stopNewton = true;
       return;
     }
     jacobian_renewed();
+    if (verbose(5)) announce_inverse();
   }
+  correct_motion();
+  judge(evaluate_residual());
+}
+
+// Moves the state by what the residual and the factors in hand tell.
+void NewtonSolver::correct_motion() {
   {
     const TimedPart time(timer, timer.newtonIncrement);
     copy_numbers(residual_.data(), residual_.size(), increment_.data());
     linear_->solve(increment_);
   }
   compute_update(false);
-  judge(evaluate_residual());
+}
+
+// The residual that has met the tolerance still tells where to go. In fine steps, what it leaves would add up to more than the errors of
+// the steps themselves; the correction costs no evaluation.
+bool NewtonSolver::leaves_correction() const {
+  if (!newton_settings.useNewtonSolver || conv.newtonStagnated) return false;
+  const double share = std::clamp(loop_.first_residual / (fine_step * loop_.initial_residual), negligible_rest, 1.0);
+  return conv.residual > share * newton_settings.relativeTolerance * loop_.initial_residual;
 }
 
 void NewtonSolver::judge(double residual) {
@@ -170,11 +197,13 @@ void NewtonSolver::judge(double residual) {
                     conv.errorCoordinateFactor;
   }
   if (verbose(2)) {
-    say(2, "    Newton iteration " + std::to_string(it.newtonSteps) + ": residual = " + format_number(conv.residual) +
-               ", relative = " + format_number(conv.residual / loop_.initial_residual) +
-               ", contractivity = " + format_number(conv.residual / conv.lastResidual) + "\n");
+    say(2, "    Newton iteration " + std::to_string(it.newtonSteps) + ": residual = " + number(conv.residual) +
+               ", relative = " + number(conv.residual / loop_.initial_residual) +
+               ", contractivity = " + number(conv.residual / conv.lastResidual) + "\n");
   }
-  conv.newtonConverged = check_convergence();
+  if (it.newtonSteps == 1) loop_.first_residual = conv.residual;
+  loop_.lost = !(residual < unbounded);
+  conv.newtonConverged = !loop_.lost && check_convergence();
   if (loop_.one_more_step && conv.newtonConverged) {
     loop_.one_more_step = conv.newtonConverged = false;
   } else if (!conv.newtonConverged) {
@@ -250,6 +279,7 @@ bool NewtonSolver::stagnated() const {
 
 // Squares of norms are compared with maximumSolutionNorm, as users of this setting are used to.
 bool NewtonSolver::diverged() {
+  if (loop_.lost) return true;
   const State& now = current();
   const double limit = newton_settings.maximumSolutionNorm;
   const double q = sum_of_squares(system(), now.q), v = is_static() ? 0 : sum_of_squares(system(), now.v),
@@ -303,18 +333,65 @@ void NewtonSolver::restart() {
 }
 
 [[gnu::noinline]] void NewtonSolver::report_failure() {
+  if (!all_finite(jacobian_) || loop_.lost) return report_not_finite();
   if (conv.linearSolverFailed) {
     diagnose(FailureReason::singular_matrix);
-    diagnosis_.dependent = describe_equations(system(), dependent_equations(*pattern_, jacobian_));
-    say(1, "  " + diagnosis_.text() + "\n");
+    if (settings().linearSolverSettings.showCausingItems)
+      diagnosis_.dependent = describe_equations(system(), dependent_equations(*pattern_, jacobian_));
     return;
   }
-  diagnose(FailureReason::newton, residual_);
+  diagnose(FailureReason::newton, unscaled_residual());
   if ((output.stepInformation & step_information::step_reductions) || verbose(2)) {
-    say(1, "  Newton (step " + std::to_string(it.currentStepIndex) + ", t = " + format_number(it.currentTime) +
+    say(1, "  Newton (step " + std::to_string(it.currentStepIndex) + ", t = " + number(it.currentTime) +
                ") did not converge in " + std::to_string(it.newtonSteps) +
-               " iterations; relative error = " + format_number(conv.residual / loop_.initial_residual) + "\n");
+               " iterations; relative error = " + number(conv.residual / loop_.initial_residual) + "\n");
   }
+}
+
+std::vector<double> NewtonSolver::unscaled_residual() const {
+  std::vector<double> residual = residual_;
+  for (int i = 0; i < sizes_.ode2; ++i) residual[i] /= row_scale();
+  return residual;
+}
+
+// A matrix that is not finite makes all coordinates so: its rows are named then. Other steps may lead past such a place.
+void NewtonSolver::report_not_finite() {
+  conv.linearSolverFailed = conv.massMatrixNotInvertible = false;
+  std::vector<double> rows = unscaled_residual();
+  if (!all_finite(jacobian_)) {
+    std::ranges::fill(rows, 0.0);
+    for_each_entry(*pattern_, [&](int row, int, std::size_t slot) { rows[row] += 0 * jacobian_[slot]; });
+    current() = start_of_step();
+  }
+  diagnose_not_finite(rows);
+}
+
+[[gnu::noinline]] void NewtonSolver::announce_matrices() {
+  const int digits = settings().outputPrecision;
+  if (!is_static() && sizes_.ode2 > 0) {
+    std::vector<double> mass(jacobian_.size());
+    system().mass_matrix(current(), pattern(), mass);
+    say(4, "  mass matrix =\n    " + matrix_text(dense_rows(pattern(), mass, sizes_.ode2), sizes_.ode2, digits) + "\n");
+  }
+  say(4, "  Jacobian =\n    " + matrix_text(dense_rows(pattern(), jacobian_, sizes_.total()), sizes_.total(), digits) + "\n");
+}
+
+// Column by column from the factors.
+[[gnu::noinline]] void NewtonSolver::announce_inverse() {
+  const auto n = static_cast<std::size_t>(sizes_.total());
+  std::vector<double> inverse(n * n), column(n);
+  for (std::size_t j = 0; j < n; ++j) {
+    std::fill(column.begin(), column.end(), 0.0);
+    column[j] = 1;
+    linear_->solve(column);
+    for (std::size_t i = 0; i < n; ++i) inverse[i * n + j] = column[i];
+  }
+  say(5, "  inverse of the Jacobian =\n    " + matrix_text(inverse, sizes_.total(), settings().outputPrecision) + "\n");
+}
+
+void NewtonSolver::free_memory() {
+  linear_.reset();
+  for (std::vector<double>* numbers : {&residual_, &increment_, &jacobian_}) *numbers = {};
 }
 
 void NewtonSolver::check_entry(const MatrixEntry& entry) const {

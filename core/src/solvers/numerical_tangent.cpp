@@ -70,11 +70,40 @@ class Differences {
   std::vector<double> increment_, up_, down_;
 };
 
+// Which entries come from differences.
+class Choice {
+ public:
+  Choice(System& system, const NewtonNumericalDifferentiationSettings& options)
+      : all_(options.doSystemWideDifferentiation), algebraic_(options.forAE), motion_(options.forODE2 || options.forODE2connectors),
+        first_ae_(system.sizes().first_ae()), of_items_(all_ ? nullptr : &system.pattern(false)) {}
+
+  bool everything() const { return all_; }
+  bool any_in(int column) const { return all_ || algebraic_ || column < first_ae_; }
+  bool operator()(int row, int column) const {
+    if (all_) return true;
+    return (row < first_ae_ && column < first_ae_ ? motion_ : algebraic_) && of_items_->contains(row, column);
+  }
+
+ private:
+  bool all_, algebraic_, motion_;
+  int first_ae_;
+  const Pattern* of_items_;  // what items say that they depend on
+};
+
+double size_of_unknown(const Sizes& s, const State& state, const State& reference, bool with_reference, int column) {
+  if (column >= s.first_ae()) return state.lambda[static_cast<std::size_t>(column - s.first_ae())];
+  if (column >= s.ode2) return state.y[static_cast<std::size_t>(column - s.ode2)];
+  const auto i = static_cast<std::size_t>(column);
+  return state.q[i] + (with_reference ? reference.q[i] : 0.0);
+}
+
 }  // namespace
 
 void numerical_tangent(System& system, const State& state, const Conditions& conditions, const Weights& weights,
                        const NewtonNumericalDifferentiationSettings& options, const Pattern& pattern,
                        std::span<double> values) {
+  const Choice chosen(system, options);
+  if (!chosen.everything()) system.tangent(state, conditions, weights, pattern, values);
   const Sizes& s = system.sizes();
   const State& reference = system.state(ConfigurationType::Reference);
   // The weights may be scaled by any factor: steps are not.
@@ -84,18 +113,12 @@ void numerical_tangent(System& system, const State& state, const Conditions& con
   Differences differences(system, state, conditions, direction);
   const double constraints = weights.q == 0 && weights.v != 0 ? 1 / weights.v : 1.0;
   for (int column = 0; column < s.total(); ++column) {
-    double size = 0;
-    if (column < s.ode2) {
-      const auto i = static_cast<std::size_t>(column);
-      size = state.q[i] + (options.addReferenceCoordinatesToEpsilon ? reference.q[i] : 0.0);
-    } else if (column < s.first_ae()) {
-      size = state.y[static_cast<std::size_t>(column - s.ode2)];
-    } else {
-      size = state.lambda[static_cast<std::size_t>(column - s.first_ae())];
-    }
+    if (!chosen.any_in(column)) continue;
+    const double size = size_of_unknown(s, state, reference, options.addReferenceCoordinatesToEpsilon, column);
     const double eps = options.relativeEpsilon * std::max(options.minimumCoordinateSize, std::abs(size));
     const std::vector<double>& slope = differences.slope(column, eps);
     for_each_row(pattern, column, [&](int row) {
+      if (!chosen(row, column)) return;
       const double factor = column < s.ode2 && row < s.first_ae() ? unit : column < s.first_ae() && row >= s.first_ae() ? constraints : 1.0;
       values[static_cast<std::size_t>(pattern.slot(row, column))] = factor * slope[static_cast<std::size_t>(row)];
     });

@@ -135,15 +135,15 @@ void SecondOrderSolver::initial_conditions() {
 
 void SecondOrderSolver::post_initialize() {
   if (!verbose(2)) return;
-  say(2, (newmark() ? "  Newmark: " : "  generalized alpha: spectralRadius=" + format_number(spectral_radius) + ", alphaM=" +
-                          format_number(alpha_m) + ", alphaF=" + format_number(alpha_f) + ", ") +
-             std::string("beta=") + format_number(newmark_beta) + ", gamma=" + format_number(newmark_gamma) + "\n");
+  say(2, (newmark() ? "  Newmark: " : "  generalized alpha: spectralRadius=" + number(spectral_radius) + ", alphaM=" +
+                          number(alpha_m) + ", alphaF=" + number(alpha_f) + ", ") +
+             std::string("beta=") + number(newmark_beta) + ", gamma=" + number(newmark_gamma) + "\n");
 }
 
 // Constant steps are counted, not summed, to keep round-off out of the time.
 void SecondOrderSolver::update_current_time() {
   if (!it.adaptiveStep) {
-    it.currentTime = it.currentStepIndex * it.currentStepSize + it.startTime;
+    it.currentTime = static_cast<double>(it.currentStepIndex) * it.currentStepSize + it.startTime;
     return;
   }
   if (it.currentTime + it.currentStepSize > it.endTime) it.currentStepSize = it.endTime - it.currentTime;
@@ -153,12 +153,7 @@ void SecondOrderSolver::update_current_time() {
 bool SecondOrderSolver::reduce_step_size() {
   it.currentTime = current().time;
   if (!(it.currentStepSize > it.minStepSize)) return false;
-  if (it.recommendedStepSize != -1) {
-    it.currentStepSize = std::min(0.75 * it.currentStepSize, it.recommendedStepSize);
-  } else {
-    it.currentStepSize *= settings().timeIntegration.adaptiveStepDecrease;
-  }
-  it.currentStepSize = std::max(it.minStepSize, it.currentStepSize);
+  it.currentStepSize = reduced_step_size(settings().timeIntegration.adaptiveStepDecrease);
   return true;
 }
 
@@ -250,7 +245,10 @@ void SecondOrderSolver::correct() {
   }
 }
 
-void SecondOrderSolver::finalize_newton() { add(system(), algorithmic_, (1 - alpha_f) / (1 - alpha_m), current().a); }
+void SecondOrderSolver::finalize_newton() {
+  add(system(), algorithmic_, (1 - alpha_f) / (1 - alpha_m), current().a);
+  if (conditions_.rate_level) system().restore_unit_lengths(current());
+}
 
 Weights SecondOrderSolver::jacobian_weights() const {
   const double scale = row_scale();
@@ -350,7 +348,7 @@ bool SecondOrderSolver::goes_in_lockstep() const {
   const auto& s = settings();
   return !verbose(1) && !hooks().take_part_in_steps() && hooks().timeout < 0 && !has_replaced_parts() && !s.displayComputationTime &&
          !wants_differences(newton_settings.numericalDifferentiation) && s.timeIntegration.computeLoadsJacobian == 0 &&
-         newton_settings.useNewtonSolver && discontinuous.maxIterations > 0 && discontinuous.iterationTolerance >= 0 &&
+         newton_settings.useNewtonSolver && discontinuous.iterationTolerance >= 0 &&
          linear_->may_be_listed();
 }
 

@@ -9,6 +9,8 @@
 #include "dalembert/model/errors.hpp"
 #include "dalembert/output/numbers.hpp"
 #include "dalembert/system/large_vectors.hpp"
+#include "finite.hpp"
+#include "settings_checks.hpp"
 
 namespace dalembert {
 
@@ -29,14 +31,23 @@ void take(const System& system, const std::vector<double>& from, std::vector<dou
 
 }  // namespace
 
+const SolverEnvironment& no_environment() {
+  static const SolverEnvironment none;
+  return none;
+}
+
 void Solver::attach(System& system, const SimulationSettings& settings, const SolverEnvironment& environment) {
   system_ = &system;
   settings_ = &settings;
   environment_ = &environment;
 }
 
+void Solver::forget_environment() { environment_ = &no_environment(); }
+
 bool Solver::solve_system() {
+  if (!is_static()) require_duration(settings_->timeIntegration.startTime, settings_->timeIntegration.endTime);
   bool success = false;
+  timer.total = 0;
   try {
     if (initialize()) {
       timer.reset(settings_->displayComputationTime);
@@ -50,7 +61,7 @@ bool Solver::solve_system() {
     if (timer.total < 0) timer.total += SolverTimer::now();
     conv.stepReductionFailed = true;
     output.finishedSuccessfully = false;
-    leave();
+    abandon();
     throw;
   }
   output.finishedSuccessfully = success;
@@ -62,15 +73,20 @@ bool Solver::initialize() {
   output = SolverOutputData();
   diagnosis_ = Diagnosis();
   stop_ = silent_ = false;
+  unwritten_ = nullptr;
   output.cpuStartTime = output.cpuLastTimePrinted = output.cpuSolverStartTime = SolverTimer::now();
   pre_initialize();
   initialize_output();
   if (!check_system()) return false;
+  tell_settings_without_effect(*settings_, hooks().warn);
   initialize_data();
+  if (!starts_finite()) return false;
   initial_conditions();
+  check_constraints();
   post_initialize();
-  output.initializationSuccessful = true;
-  return true;
+  if (!diagnosis_.failed() && !all_finite(current())) diagnose_not_finite();
+  output.initializationSuccessful = !diagnosis_.failed();
+  return output.initializationSuccessful;
 }
 
 bool Solver::check_system() {
@@ -85,9 +101,6 @@ bool Solver::check_system() {
     warn("simulationSettings.linearSolverType is dense, but the system has " + std::to_string(sizes_.total()) +
          " unknowns; exudyn.LinearSolverType.EigenSparse needs less memory and time");
   }
-  if (is_static() && sizes_.ode1 != 0 && !settings_->staticSolver.constrainODE1coordinates) {
-    warn("the static solver treats the right-hand sides of ODE1 equations as equations to be solved");
-  }
   return true;
 }
 
@@ -96,25 +109,35 @@ void Solver::initialize_data() {
   it = SolverIterationData();
   conv.errorCoordinateFactor =
       newton_settings.weightTolerancePerCoordinate ? std::sqrt(static_cast<double>(sizes_.total())) : 1.0;
-  if (newton_settings.newtonResidualMode != 0 && newton_settings.newtonResidualMode != 1) {
-    throw ModelError(ErrorKind::value, "newton.newtonResidualMode: received " +
-                                           std::to_string(newton_settings.newtonResidualMode) +
-                                           "; expected 0 (residual of equations) or 1 (size of the increment)");
-  }
   static const int cores = static_cast<int>(std::thread::hardware_concurrency());  // it takes a look into files
   system_->use_threads(std::min(settings_->parallel.numberOfThreads, cores));
   output.numberOfThreadsUsed = system_->threads();
   output.lastNewtonStepsCount = output.lastNewtonJacobiCount = output.lastDiscontinuousIterationsCount = 0;
 }
 
+// Step sizes that contradict each other; none, if the end is not known yet.
+void Solver::warn_of_step_sizes() {
+  if (!(it.maxStepSize > 0)) return;
+  const std::string group = is_static() ? "staticSolver." : "timeIntegration.";
+  if ((it.adaptiveStep || it.automaticStepSize) && it.minStepSize > (1 + 1e-10) * it.maxStepSize) {
+    warn(group + "minimumStepSize (" + number(it.minStepSize) + " s) is larger than the step size (" + number(it.maxStepSize) +
+         " s), which cannot be reduced when a step fails");
+  }
+  if (it.automaticStepSize && it.initialStepSize > (1 + 1e-10) * it.maxStepSize) {
+    warn(group + "initialStepSize (" + number(it.initialStepSize) + " s) is larger than the largest step size, (endTime - startTime)/" +
+         "numberOfSteps = " + number(it.maxStepSize) + " s, which is taken instead");
+    it.initialStepSize = it.maxStepSize;
+  }
+}
+
 void Solver::initial_conditions() {
   if (is_static()) {
     const auto& s = settings_->staticSolver;
-    it.numberOfSteps = std::max(1, s.numberOfLoadSteps);
+    it.numberOfSteps = s.numberOfLoadSteps;
     it.startTime = s.loadStepStart;
     it.endTime = s.loadStepStart + s.loadStepDuration;
     it.minStepSize = s.minimumStepSize;
-    it.maxStepSize = s.loadStepDuration / it.numberOfSteps;
+    it.maxStepSize = s.loadStepDuration / static_cast<double>(it.numberOfSteps);
     it.adaptiveStep = s.adaptiveStep && !s.loadStepGeometric;
     it.automaticStepSize = false;
     if (s.loadStepGeometric && s.adaptiveStep) warn("staticSolver.adaptiveStep is ignored with loadStepGeometric");
@@ -125,19 +148,16 @@ void Solver::initial_conditions() {
       throw ModelError(ErrorKind::value, "timeIntegration.numberOfSteps: received " + format_number(steps, 17) +
                                              "; expected a whole number; use int(round(endTime/stepSize))");
     }
-    it.numberOfSteps = static_cast<int>(std::lround(steps));
-    if (it.numberOfSteps < 1) {
-      warn("timeIntegration.numberOfSteps is 0; one step is computed");
-      it.numberOfSteps = 1;
-    }
+    it.numberOfSteps = std::llround(steps);
     it.startTime = s.startTime;
     it.endTime = s.endTime;
     it.minStepSize = s.minimumStepSize;
-    it.maxStepSize = (it.endTime - it.startTime) / it.numberOfSteps;
+    it.maxStepSize = (it.endTime - it.startTime) / static_cast<double>(it.numberOfSteps);
     if (s.automaticStepSize) it.initialStepSize = s.initialStepSize != 0 ? s.initialStepSize : it.maxStepSize;
     it.adaptiveStep = s.adaptiveStep;
     it.automaticStepSize = s.automaticStepSize && controls_step_size();
   }
+  warn_of_step_sizes();
   it.currentTime = it.startTime;
   State& first = system_->state(ConfigurationType::Initial);
   first.time = it.startTime;
@@ -162,31 +182,35 @@ void Solver::initial_conditions() {
   silent_ = steps_end_silently();
   steps_since_reduction_ = 0;
   end_reached_ = false;
+  step_completed_ = true;
   finish_step(settings_->solutionSettings.writeInitialValues);
   ++it.currentStepIndex;
 }
 
 // Parts of each step are inlined: calls take as long as what they do.
 [[gnu::flatten]] bool Solver::solve_steps() {
+  require_duration(it.startTime, it.endTime);
+  if (diagnosis_.failed() && it.currentStepIndex == 0) return false;  // a part of initialize has failed
   try {
     start_steps();
     start_of_step() = current();
     while (next_step()) {
       save_start_of_step();
-      while (!conv.stepReductionFailed) {
-        if (try_step()) {
-          step_succeeded();
-          break;
-        }
-        step_failed();
-      }
+      take_step();
     }
   } catch (...) {
-    current() = start_of_step();
+    if (!step_completed_) current() = start_of_step();
     throw;
   }
   end_steps();
   return output.finishedSuccessfully;
+}
+
+void Solver::take_step() {
+  while (!conv.stepReductionFailed) {
+    if (try_step()) return step_succeeded();
+    step_failed();
+  }
 }
 
 void Solver::save_start_of_step() {
@@ -209,7 +233,7 @@ bool Solver::next_step() {
 
 void Solver::end_steps() {
   silent_ = false;
-  output.finishedSuccessfully = !conv.stepReductionFailed;
+  output.finishedSuccessfully = !conv.stepReductionFailed && !output.simulationTimeout;
 }
 
 bool Solver::try_step() {
@@ -218,35 +242,30 @@ bool Solver::try_step() {
 }
 
 void Solver::begin_step() {
+  step_completed_ = false;
   initialize_step();
   if (newton_settings.modifiedNewtonJacUpdatePerStep) conv.jacobianUpdateRequested = true;
   it.lastStepSize = it.currentStepSize;
+  diagnosis_.reason = FailureReason::none;  // of an earlier attempt
 }
 
 [[gnu::noinline]] void Solver::step_failed() {
-  if (conv.linearSolverFailed) {  // smaller steps do not mend a singular matrix
-    conv.stepReductionFailed = true;
-    current() = start_of_step();
-    return;
-  }
-  if (!it.adaptiveStep && !it.automaticStepSize) {
-    conv.stepReductionFailed = true;
-    return;
-  }
   current() = start_of_step();
-  if (!reduce_step_size()) {
+  const bool may_be_reduced = !conv.linearSolverFailed && (it.adaptiveStep || it.automaticStepSize);  // no step mends a singular matrix
+  if (!may_be_reduced || !reduce_step_size()) {
     conv.stepReductionFailed = true;
-    say(1, "Step size reached its minimum; the solver stops\n");
+    if (!diagnosis_.failed()) diagnose(FailureReason::discontinuous, {});
     return;
   }
   steps_since_reduction_ = 0;
   const bool rejected_by_error_control = it.automaticStepSize && conv.newtonConverged && !conv.stopNewton;
   if (verbose(1) && (output.stepInformation & step_information::step_reductions) && !rejected_by_error_control) {
-    say(1, "  step size reduced to " + format_number(it.currentStepSize) + position_text() + "\n");
+    say(1, "  step size reduced to " + number(it.currentStepSize) + position_text() + "\n");
   }
 }
 
 void Solver::step_succeeded() {
+  step_completed_ = true;
   if (!silent_) finish_step(true);
   ++steps_since_reduction_;
   if (steps_since_reduction_ >= recovery_steps() && it.newtonSteps + it.discontinuousIteration <= recovery_iterations()) {
@@ -261,7 +280,7 @@ void Solver::step_succeeded() {
 
 [[gnu::noinline]] void Solver::announce_increase() {
   if (!(output.stepInformation & step_information::step_increases) && !verbose(2)) return;
-  say(1, "  step size increased to " + format_number(it.currentStepSize) + position_text() + "\n");
+  say(1, "  step size increased to " + number(it.currentStepSize) + position_text() + "\n");
 }
 
 void Solver::initialize_step() {
@@ -275,7 +294,7 @@ void Solver::initialize_step() {
 [[gnu::noinline]] void Solver::announce_step() {
   std::string text = "+++++++++++++++ COMPUTE STEP +++++++++++++++\nSTEP" + std::to_string(it.currentStepIndex) +
                      position_text();
-  if (it.adaptiveStep) text += ", step size = " + format_number(it.currentStepSize);
+  if (it.adaptiveStep) text += ", step size = " + number(it.currentStepSize);
   say(2, text + "\n");
 }
 
@@ -284,6 +303,11 @@ void Solver::initialize_step() {
   if (hooks().pre_step(it.currentTime)) return;
   say(1, "PreStepUserFunction returned False: the solver stops after this step\n");
   stop_ = output.simulationStoppedByUserFunction = true;
+}
+
+double Solver::reduced_step_size(double factor) const {
+  const double h = it.currentStepSize;
+  return std::max(it.minStepSize, it.recommendedStepSize != -1 ? std::min(0.75 * h, it.recommendedStepSize) : factor * h);
 }
 
 void Solver::reset_to_start_of_step() {
@@ -320,6 +344,10 @@ void Solver::accept_newton() {
       return false;
     }
     accept_newton();
+    if (!std::isfinite(conv.discontinuousIterationError) || !all_finite(current().data)) [[unlikely]] {
+      diagnose_not_finite();
+      return false;
+    }
     if (conv.discontinuousIterationError <= discontinuous.iterationTolerance) {
       conv.discontinuousIterationSuccessful = true;
     } else if (it.discontinuousIteration < discontinuous.maxIterations) {
@@ -329,18 +357,17 @@ void Solver::accept_newton() {
     } else if (discontinuous.ignoreMaxIterations) {
       conv.discontinuousIterationSuccessful = true;
     } else {
-      diagnose(FailureReason::discontinuous);
+      diagnose(FailureReason::discontinuous, {});
       return false;
     }
   }
-  if (discontinuous.maxIterations == 0) conv.discontinuousIterationSuccessful = true;
   return conv.discontinuousIterationSuccessful;
 }
 
 [[gnu::noinline]] void Solver::announce_discontinuous_iteration() {
   say(2, "  discontinuous iteration " + std::to_string(it.discontinuousIteration) +
-             ": error = " + format_number(conv.discontinuousIterationError) +
-             ", tolerance = " + format_number(discontinuous.iterationTolerance) + "\n");
+             ": error = " + number(conv.discontinuousIterationError) +
+             ", tolerance = " + number(discontinuous.iterationTolerance) + "\n");
 }
 
 double Solver::post_newton() {
@@ -361,8 +388,7 @@ double Solver::post_newton() {
       it.recommendedStepSize = verdict.recommended_step_size;
     }
   }
-  // The switch of time integration governs static solvers as well.
-  if (!settings_->timeIntegration.discontinuous.useRecommendedStepSize) it.recommendedStepSize = -1;
+  if (!discontinuous.useRecommendedStepSize) it.recommendedStepSize = -1;
   return error;
 }
 
@@ -387,8 +413,7 @@ bool Solver::time_to_look() { return (steps_taken_++ & look_mask_) == 0; }
     hooks().show(false);
   }
   if (hooks().timeout >= 0 && now - output.cpuSolverStartTime > hooks().timeout) {
-    stop_ = output.simulationTimeout = true;
-    say(1, "the time limit of " + format_number(hooks().timeout) + " seconds is reached: the solver stops\n");
+    time_is_over();
   }
   const double delay = now - output.cpuSolverStartTime > 3600 ? 30 : 2;
   if (now - output.cpuLastTimePrinted >= delay) {

@@ -1,22 +1,23 @@
-// What a solver writes: files, messages, statistics, the diagnosis of a failure.
+// What a solver writes: files, messages, statistics.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numeric>
+#include <set>
 #include <thread>
 
 #include "dalembert/output/numbers.hpp"
 #include "dalembert/output/restart_file.hpp"
 #include "dalembert/solvers/solver.hpp"
+#include "matrix_text.hpp"
 
 namespace dalembert {
 
 namespace {
 
-std::string duration(double seconds) {
-  if (seconds < 3600) return format_number(seconds) + "s";
-  if (seconds < 86400) return format_number(seconds / 3600) + "h";
-  return format_number(seconds / 86400) + " days";
+std::string duration(double seconds, int precision) {
+  if (seconds < 3600) return format_number(seconds, precision) + "s";
+  if (seconds < 86400) return format_number(seconds / 3600, precision) + "h";
+  return format_number(seconds / 86400, precision) + " days";
 }
 
 // With the initial values and the last step.
@@ -58,8 +59,26 @@ void Solver::initialize_output() {
   if (output.writeToSolverFile) {
     information_file_.open(s.solverInformationFileName, s.appendToFile, "solver information file");
   }
+  if (s.writeRestartFile) check_restart_file(s.restartFileName);
   sensors_.open(*settings_, environment_->sensors, environment_->sensor_storage, expected_sensor_rows(*settings_, is_static()));
+  warn_of_files_written_twice();
   if (verbose(1)) say(1, "+++++++++++++++++++++++++++++++\ndalembert solver: " + name() + "\n");
+}
+
+// Two that write one file destroy what the other has written.
+void Solver::warn_of_files_written_twice() {
+  std::vector<const OutputFile*> files{&solution_file_.file(), &information_file_};
+  for (const OutputFile& file : sensors_.files()) files.push_back(&file);
+  std::erase_if(files, [](const OutputFile* file) { return !file->is_open(); });
+  std::set<FileIdentity> known;
+  const auto check = [&](const std::string& name) {
+    const FileIdentity identity = identity_of(name);
+    if (identity != FileIdentity() && !known.insert(identity).second)
+      warn("file '" + name + "' is written twice in this simulation, and what is in it cannot be used; give solution, restart "
+           "file and every sensor a name of its own");
+  };
+  for (const OutputFile* file : files) check(file->name());
+  if (!files.empty() && settings_->solutionSettings.writeRestartFile) check(settings_->solutionSettings.restartFileName);
 }
 
 void Solver::say(int level, std::string_view text) {
@@ -70,14 +89,16 @@ void Solver::say(int level, std::string_view text) {
   }
 }
 
+std::string Solver::number(double value) const { return format_number(value, settings_->outputPrecision); }
+
 void Solver::warn(std::string_view text) {
   if (hooks().warn) hooks().warn(text);
   if (information_file_.is_open()) information_file_.text() += "WARNING: " + std::string(text) + "\n";
 }
 
 std::string Solver::position_text() const {
-  if (is_static()) return ", load factor = " + format_number(load_factor());
-  return ", t = " + format_number(it.currentTime);
+  if (is_static()) return ", load factor = " + number(load_factor());
+  return ", t = " + number(it.currentTime);
 }
 
 // No messages, no files, no pauses, and no functions that could ask for them.
@@ -98,6 +119,7 @@ void Solver::finish_step(bool write) {
   const bool to_file = output.verboseModeFile >= 2 || every_step || (output.verboseModeFile == 1 && end_reached);
   if (settings_->timeIntegration.simulateInRealtime) wait_for_real_time();
   if (to_console || to_file) print_progress(to_console, to_file);
+  if (verbose(3)) announce_solution();
   if (hooks().post_step) {
     const TimedPart time(timer, timer.python);
     if (!hooks().post_step(it.currentTime)) {
@@ -142,18 +164,18 @@ void Solver::print_progress(bool to_console, bool to_file) {
   const TimedPart time(timer, timer.overhead);
   const double elapsed = SolverTimer::now() - output.cpuSolverStartTime;
   const double t = it.currentTime, done = t - it.startTime, whole = it.endTime - it.startTime;
-  const int info = output.stepInformation;
+  const int info = output.stepInformation, digits = settings_->outputPrecision;
   std::string text = "STEP" + std::to_string(it.currentStepIndex) +
-                     (is_static() ? ", factor = " + format_number(load_factor()) : ", t = " + format_number(t) + "s");
-  if (info & step_size) text += ", dt = " + duration(it.currentStepSize);
+                     (is_static() ? ", factor = " + number(load_factor()) : ", t = " + number(t) + "s");
+  if (info & step_size) text += ", dt = " + duration(it.currentStepSize, digits);
   if (info & time_to_go) {
     const bool known = elapsed > 0.2 && done > std::min(10 * it.initialStepSize, 1e-5 * whole) && it.currentStepIndex != 0;
-    text += ", timeToGo = " + duration(known ? (it.endTime - t) * elapsed / done : 0);
+    text += ", timeToGo = " + duration(known ? (it.endTime - t) * elapsed / done : 0, digits);
   }
-  if (info & cpu_time) text += ", tCPU=" + duration(elapsed);
-  const int steps = it.currentStepIndex - output.lastVerboseStepIndex;
-  const auto per_step = [&](int flag, const char* words, int count, int& last) {
-    if ((info & flag) && steps != 0) text += words + format_number((count - last) / static_cast<double>(steps));
+  if (info & cpu_time) text += ", tCPU=" + duration(elapsed, digits);
+  const StepCount steps = it.currentStepIndex - output.lastVerboseStepIndex;
+  const auto per_step = [&](int flag, const char* words, StepCount count, StepCount& last) {
+    if ((info & flag) && steps != 0) text += words + number(static_cast<double>(count - last) / static_cast<double>(steps));
     last = count;
   };
   per_step(newton_iterations, ", Nit/step = ", it.newtonStepsCount, output.lastNewtonStepsCount);
@@ -164,6 +186,16 @@ void Solver::print_progress(bool to_console, bool to_file) {
   text += '\n';
   if (to_console && hooks().print) hooks().print(text);
   if (to_file && information_file_.is_open()) information_file_.text() += text;
+}
+
+// verboseMode 3.
+[[gnu::noinline]] void Solver::announce_solution() {
+  const State& now = current();
+  const std::pair<const char*, const std::vector<double>*> parts[] = {
+      {"ODE2", &now.q}, {"ODE2_t", &now.v}, {"ODE1", &now.y}, {"AE", &now.lambda}, {"data", &now.data}};
+  for (const auto& [name, values] : parts) {
+    if (!values->empty()) say(3, std::string("  ") + name + " = " + vector_text(*values, settings_->outputPrecision) + "\n");
+  }
 }
 
 void Solver::write_solution_header() {
@@ -197,14 +229,21 @@ void Solver::write_restart() {
   write_restart_file(settings_->solutionSettings.restartFileName, current(), restart_values(), it.currentStepSize);
 }
 
+// A file that cannot be written is an error of the run, and a warning if the run has failed anyway.
 void Solver::finalize() {
-  if (verbose(1)) summarize();
-  if (settings_->solutionSettings.writeFileFooter && output.writeToSolutionFile) {
-    const std::string footer = solution_footer(it, conv, timer.total);
-    solution_file_.write_footer(footer, it, conv);
-    if (settings_->solutionSettings.sensorsWriteFileFooter) sensors_.write_footer(footer);
-  }
+  const auto& s = settings_->solutionSettings;
+  const std::string footer = solution_footer(it, conv, timer.total);
+  if (s.writeFileFooter && output.writeToSolutionFile) solution_file_.write_footer(footer, it, conv);
+  if (s.sensorsWriteFileFooter) sensors_.write_footer(footer);
+  close(solution_file_);
+  close(sensors_);
+  if (unwritten_) output.finishedSuccessfully = false;
+  summarize();
   leave();
+  if (!unwritten_) return;
+  output.finishedSuccessfully = false;
+  if (!conv.stepReductionFailed) std::rethrow_exception(unwritten_);
+  warn(unwritten_text());
 }
 
 // Threads go, too: none is there when the user's processes fork.
@@ -213,8 +252,44 @@ void Solver::leave() {
   system_->use_threads(1);
 }
 
+// While an exception ends the run.
+void Solver::abandon() {
+  try {
+    throw;
+  } catch (const FileError&) {
+    unwritten_ = std::current_exception();
+  } catch (...) {
+  }
+  const bool told = unwritten_ != nullptr;
+  leave();
+  if (unwritten_ && !told) warn(unwritten_text());
+}
+
+template <class File>
+void Solver::close(File& file) {
+  try {
+    file.close();
+  } catch (const FileError&) {
+    if (!unwritten_) unwritten_ = std::current_exception();
+  }
+}
+
+std::string Solver::unwritten_text() const {
+  try {
+    std::rethrow_exception(unwritten_);
+  } catch (const FileError& error) {
+    return error.what();
+  }
+}
+
 void Solver::summarize() {
-  const std::string seconds = " after " + format_number(timer.total) + " seconds.\n";
+  if (verbose(1)) announce_end();
+  if (settings_->displayComputationTime) say(0, timer.to_string());
+  if (settings_->displayStatistics) say(0, it.to_string());
+}
+
+void Solver::announce_end() {
+  const std::string seconds = " after " + number(timer.total) + " seconds.\n";
   if (stop_) {
     const char* reason = output.simulationStoppedByUserFunction ? "by user function"
                          : output.simulationTimeout             ? "by time limit"
@@ -222,76 +297,19 @@ void Solver::summarize() {
     say(1, std::string("Solver stopped ") + reason + seconds);
   } else {
     say(1, std::string("Solver terminated ") + (output.finishedSuccessfully ? "successfully" : "unsuccessfully") + seconds);
+    if (diagnosis_.failed()) say(1, diagnosis_.headline() + "\n");
+    if (diagnosis_.failed() && information_file_.is_open()) information_file_.text() += diagnosis_.text() + "\n";
   }
-  if (settings_->displayComputationTime) say(1, timer.to_string());
-  if (settings_->displayStatistics) say(1, it.to_string());
 }
 
 void Solver::close_files() {
-  solution_file_.close();
-  sensors_.close();
-  information_file_.close();
+  close(solution_file_);
+  close(sensors_);
+  close(information_file_);
 }
 
 double Solver::end_time() const {
   return is_static() ? settings_->staticSolver.loadStepDuration : settings_->timeIntegration.endTime;
-}
-
-std::string Solver::error_string() const {
-  if (!output.initializationSuccessful) return "initialization not successful";
-  if (output.finishedSuccessfully) return "";
-  std::string text;
-  const auto add = [&text](bool flag, const char* words) {
-    if (flag) text += (text.empty() ? "" : "; ") + std::string(words);
-  };
-  add(conv.linearSolverFailed, "linear solver failed (Jacobian singular)");
-  add(conv.massMatrixNotInvertible, "mass matrix was not invertible");
-  add(conv.stepReductionFailed, "reduction of step size reached minimum step size");
-  add(conv.stopNewton, "Newton has been stopped");
-  add(!conv.newtonConverged && !conv.linearSolverFailed, "Newton did not converge");
-  add(conv.newtonSolutionDiverged, "solution diverged");
-  add(!conv.discontinuousIterationSuccessful, "discontinuous iteration was not successful");
-  return text.empty() ? "error in a user function or in an item" : text;
-}
-
-void Solver::diagnose(FailureReason reason, std::span<const double> residual) {
-  diagnosis_ = Diagnosis();
-  Diagnosis& d = diagnosis_;
-  d.reason = reason;
-  d.solver = name();
-  d.step = it.currentStepIndex;
-  d.newton_iteration = it.newtonSteps;
-  d.time = it.currentTime;
-  d.step_size = it.currentStepSize;
-  d.load_factor = is_static() ? load_factor() : 1;
-  d.residual = conv.residual;
-  d.relative_residual = initial_residual_ > 0 ? conv.residual / initial_residual_ : 0;
-  d.tolerance_relative = newton_settings.relativeTolerance;
-  d.tolerance_absolute = newton_settings.absoluteTolerance;
-  if (conv.linearSolverFailed && conv.linearSolverCausingRow >= 0) {
-    d.singular_row = conv.linearSolverCausingRow;
-    d.singular_items = system_->describe_row(d.singular_row);
-    d.advice.push_back("look for redundant constraints, coordinates without mass or stiffness, and zero parameters at these items");
-    d.advice.push_back("use linearSolverType=exu.LinearSolverType.EigenDense with linearSolverSettings.ignoreSingularJacobian=True "
-                       "to go on with redundant constraints");
-    return;
-  }
-  std::vector<int> order(residual.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto count = std::min<std::size_t>(order.size(), 5);
-  const auto larger = [&](int i, int j) {  // what is not a number comes first
-    const double x = std::abs(residual[i]), y = std::abs(residual[j]);
-    return std::isnan(x) != std::isnan(y) ? std::isnan(x) : x > y;
-  };
-  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(), larger);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (residual[order[i]] != 0) d.worst_rows.push_back({order[i], residual[order[i]], system_->describe_row(order[i])});
-  }
-  d.advice.push_back(is_static() ? "use more load steps (staticSolver.numberOfLoadSteps)"
-                                 : "use smaller steps (timeIntegration.numberOfSteps)");
-  d.advice.push_back("check initial values, and parameters of the items named above for wrong units");
-  if (newton_settings.useModifiedNewton) d.advice.push_back("use full Newton (newton.useModifiedNewton=False)");
-  if (reason == FailureReason::discontinuous) d.advice.push_back("allow more discontinuous.maxIterations");
 }
 
 }  // namespace dalembert

@@ -16,11 +16,6 @@ double StaticSolver::load_factor() const {
 
 void StaticSolver::pre_initialize() { conditions_ = {.load_factor = 1, .rate_level = false, .inertia = false}; }
 
-void StaticSolver::initialize_data() {
-  NewtonSolver::initialize_data();
-  if (settings().staticSolver.stabilizerODE2term != 0) mass_.assign(jacobian_.size(), 0.0);
-}
-
 void StaticSolver::initial_conditions() {
   Solver::initial_conditions();
   const auto& s = settings().staticSolver;
@@ -28,7 +23,7 @@ void StaticSolver::initial_conditions() {
     warn("staticSolver.loadStepGeometric needs at least 2 load steps; 2 are computed");
     it.numberOfSteps = 2;
   }
-  geometric_factor_ = it.numberOfSteps > 1 ? std::pow(s.loadStepGeometricRange, 1.0 / (it.numberOfSteps - 1)) : 1.0;
+  geometric_factor_ = it.numberOfSteps > 1 ? std::pow(s.loadStepGeometricRange, 1.0 / static_cast<double>(it.numberOfSteps - 1)) : 1.0;
 }
 
 // Load steps of equal size, or such that each load is a multiple of the last.
@@ -50,7 +45,7 @@ void StaticSolver::update_current_time() {
 bool StaticSolver::reduce_step_size() {
   it.currentTime = current().time;
   if (!(it.currentStepSize > it.minStepSize)) return false;
-  it.currentStepSize = std::max(it.minStepSize, settings().staticSolver.adaptiveStepDecrease * it.currentStepSize);
+  it.currentStepSize = reduced_step_size(settings().staticSolver.adaptiveStepDecrease);
   return true;
 }
 
@@ -66,6 +61,7 @@ double StaticSolver::stabilizer() const {
 
 void StaticSolver::compute_mass_matrix() {
   const TimedPart time(timer, timer.massMatrix);
+  mass_.resize(jacobian_.size());
   system().mass_matrix(current(), pattern(), mass_);
 }
 
@@ -123,12 +119,11 @@ void StaticSolver::compute_update(bool initial) {
 void StaticSolver::compute_jacobian() {
   constexpr Weights weights{.q = 1, .v = 0, .a = 0, .y = 1, .y_t = 0};
   turn_multipliers();
+  Conditions conditions = conditions_;
+  conditions.load_dependencies = settings().staticSolver.computeLoadsJacobian ? 1 : 0;
   if (wants_differences(newton_settings.numericalDifferentiation)) {
-    numerical_tangent(system(), current(), conditions_, weights, newton_settings.numericalDifferentiation, pattern(),
-                      jacobian_);
+    numerical_tangent(system(), current(), conditions, weights, newton_settings.numericalDifferentiation, pattern(), jacobian_);
   } else {
-    Conditions conditions = conditions_;
-    conditions.load_dependencies = settings().staticSolver.computeLoadsJacobian ? 1 : 0;
     system().tangent(current(), conditions, weights, pattern(), jacobian_);
   }
   turn_multipliers();

@@ -9,13 +9,12 @@
 #include "dalembert/model/member.hpp"
 #include "dalembert/system/parts.hpp"
 #include "naming_rows.hpp"
+#include "placing.hpp"
 #include "plan.hpp"
 #include "start_values.hpp"
 
 namespace dalembert {
 namespace {
-
-using TypeList = std::vector<const ItemType*>;
 
 class Builder {
  public:
@@ -43,6 +42,7 @@ class Builder {
     make_plan(parts_, {marker_batches_, terms_, rotating_, differentiated_}, division_);
     complete_configurations(parts_);
     parts_.structure = model_.structure_changes();
+    parts_.equations = model_.equation_changes();
     parts_.values = model_.value_changes();
   }
 
@@ -180,59 +180,6 @@ class Builder {
     parts_.objects.push_back({item.type, item.record, {}, nodes, markers});
   }
 
-  TypeList node_types(std::span<const int> nodes) const {
-    TypeList types;
-    for (const int n : nodes) types.push_back(parts_.nodes[n].type);
-    return types;
-  }
-
-  // The placement of an item on these nodes, which lie in the placement already.
-  Placement& placed_on_its_nodes() {
-    Placement& p = placement_;
-    p.ae_offset = parts_.sizes.first_ae();
-    p.ode1_offset = parts_.sizes.ode2;
-    const double* reference = parts_.state(ConfigurationType::Reference).q.data();
-    if (p.nodes.size() == 1) p.rotating_node = parts_.nodes[p.nodes.front()].rotating;
-    for (const int n : p.nodes) {
-      const NodePlace& node = parts_.nodes[n];
-      append_range(p.dofs, node.ode2, node.sizes.ode2);
-      append_range(p.ode1, node.ode1, node.sizes.ode1);
-      p.node_sizes.push_back(node.sizes.ode2);
-      p.node_records.push_back(node.record.get());
-      if (node.sizes.data > 0) {
-        p.first_data = node.data;
-        p.data_count = node.sizes.data;
-      }
-      if (node.sizes.ode2 > 0) p.reference.insert(p.reference.end(), reference + node.ode2, reference + node.ode2 + node.sizes.ode2);
-    }
-    return p;
-  }
-  Placement& placement_on(std::span<const int> nodes) {
-    placement_.clear();
-    placement_.nodes.assign(nodes.begin(), nodes.end());
-    return placed_on_its_nodes();
-  }
-
-  // What a marker's objects and nodes stand on, one after the other.
-  Placement& placement_under(std::span<const int> objects, std::span<const int> nodes) {
-    Placement& p = placement_;
-    p.clear();
-    for (const int o : objects) {
-      const auto below = parts_.objects[o].nodes.of(parts_.references);
-      p.nodes.insert(p.nodes.end(), below.begin(), below.end());
-    }
-    p.nodes.insert(p.nodes.end(), nodes.begin(), nodes.end());
-    placed_on_its_nodes();
-    if (objects.size() < 2) return p;
-    for (const int o : objects) {
-      const ObjectPlace& object = parts_.objects[o];
-      const auto below = object.nodes.of(parts_.references);
-      p.owners.push_back({object.type, object.record.get(), node_types(below), 0});
-      for (const int n : below) p.owners.back().dofs += parts_.nodes[n].sizes.ode2;
-    }
-    return p;
-  }
-
   void place_marker(int number) {
     const Item& item = item_of(ItemKind::marker, number);
     const auto& physics = this->physics<MarkerPhysics>(item, number);
@@ -241,14 +188,10 @@ class Builder {
     MarkerPlace place{item.type, item.record, {}, -1, -1, named_objects};
     if (!objects.empty()) place.object = objects.front();
     if (!nodes.empty()) place.node = nodes.front();
-    Placement& p = placement_under(objects, nodes);
-    p.item = number;
-    p.markers = {number};
+    Placement& p = placing_.of_marker(number, place);
     FrameShape shape{};
     Vec3<double> local;
     const void* record = item.record.get();
-    p.owner = place.object >= 0 ? parts_.objects[place.object].record.get() : parts_.nodes[place.node].record.get();
-    p.owner_type = place.object >= 0 ? parts_.objects[place.object].type : parts_.nodes[place.node].type;
     physics.check(record, p, parts_.ports, {model_, ItemKind::marker, number});
     marker_regions_.push_back(region_of(ItemKind::marker, number));
     GrowingBatch<MarkerBatch>* growing = nullptr;
@@ -258,7 +201,7 @@ class Builder {
     } else {
       const std::vector<int> chosen = physics.coordinates(record, p);
       select(p, chosen, number);
-      const auto make = [&] { return physics.make_batch(*p.owner_type, node_types(p.nodes)); };
+      const auto make = [&] { return physics.make_batch(*p.owner_type, placing_.node_types(p.nodes)); };
       growing = &batch_of(marker_batches_, item.type, *p.owner_type, make, ItemKind::marker, number);
     }
     MarkerBatch& batch = *growing->batch;
@@ -273,7 +216,7 @@ class Builder {
 
   GrowingBatch<MarkerBatch>& frame_batch(int number, const MarkerPlace& place, FrameShape shape, const Placement& p) {
     const auto make = [&]() -> std::unique_ptr<MarkerBatch> {
-      if (place.object >= 0) return physics(parts_.objects[place.object]).make_marker(shape, node_types(p.nodes));
+      if (place.object >= 0) return physics(parts_.objects[place.object]).make_marker(shape, placing_.node_types(p.nodes));
       return parts_.nodes[place.node].physics->make_marker(shape);
     };
     return batch_of(marker_batches_, tag(shape), *p.owner_type, make, ItemKind::marker, number);
@@ -340,17 +283,13 @@ class Builder {
   void place_object(int number) {
     ObjectPlace& place = parts_.objects[number];
     const ObjectPhysics& physics = this->physics(place);
-    Placement& p = placement_on(place.nodes.of(parts_.references));
-    p.item = number;
-    const auto markers = place.markers.of(parts_.references);
-    p.markers.assign(markers.begin(), markers.end());
-    p.first_ae = place.first_ae;
+    Placement& p = placing_.of_object(number);
     for (const int marker : p.markers)
       if (!static_cast<const MarkerPhysics&>(*parts_.markers[marker].type->physics).has_rate())
         refuse(ErrorKind::value, {model_.describe(ItemKind::object, number), "markerNumbers", model_.describe(ItemKind::marker, marker) + " gives no velocity", "",
                                   "markers on coordinates of second order", "Markers on coordinates of first order take loads only"});
     physics.check(place.record.get(), p, parts_.ports, {model_, ItemKind::object, number});
-    auto& growing = term(place.type, *place.type, [&] { return physics.make_batch(node_types(p.nodes)); }, number);
+    auto& growing = term(place.type, *place.type, [&] { return physics.make_batch(placing_.node_types(p.nodes)); }, number);
     place.member = {growing.batch, enter_term(growing, place.record.get(), p)};
     numbers_of(growing.region).rows.add(p.ae_offset + p.first_ae, place.equations);
   }
@@ -359,7 +298,7 @@ class Builder {
     for (int i = 0; i < static_cast<int>(parts_.nodes.size()); ++i) {
       const NodePlace& node = parts_.nodes[i];
       if (node.sizes.ae == 0) continue;
-      Placement& p = placement_on({&i, 1});
+      Placement& p = placing_.on({&i, 1});
       p.item = i;
       p.first_ae = node.ae;
       auto& growing = term(node.type, *node.type, [&] { return node.physics->make_condition(); }, i);
@@ -373,7 +312,7 @@ class Builder {
     const auto& physics = this->physics<LoadPhysics>(item, number);
     const Stretch named = refer(item, ItemKind::marker);
     const auto markers = named.of(parts_.references);
-    Placement& p = placement_;
+    Placement& p = placing_.last();
     p.clear();
     p.item = number;
     p.markers.assign(markers.begin(), markers.end());
@@ -395,7 +334,8 @@ class Builder {
   std::unordered_set<const MarkerBatch*> differentiated_;
   std::unordered_map<const ItemType*, int> counts_;  // of items
   // Used again for every item.
-  Placement placement_;
+  Placing placing_{parts_};
+  const Placement& placement_ = placing_.last();
   StartValues start_values_;
   NamingRows naming_rows_;
   BatchKey key_;

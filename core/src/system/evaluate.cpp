@@ -171,6 +171,7 @@ void clear_columns(const RegionPlan& region, const Pattern& pattern, double* val
 }  // namespace
 
 void System::residual(const State& state, const Conditions& conditions, std::span<double> r) {
+  if (late_ != nullptr) [[unlikely]] refresh(*late_);
   ++evaluations_;
   evaluated_ = nullptr;
   find_residual(*parts_, view_of(*parts_, state, conditions), r.data(), conditions.loads);
@@ -229,6 +230,7 @@ void System::rates(const State& state, const Conditions& conditions, std::span<d
 }
 
 void System::right_hand_sides(const State& state, const Conditions& conditions, std::span<double> rhs, std::span<double> y_t) {
+  if (late_ != nullptr) [[unlikely]] refresh(*late_);
   evaluated_ = nullptr;
   ++evaluations_;
   SystemParts& parts = *parts_;
@@ -282,6 +284,20 @@ void System::compose(std::span<const double> q0, std::span<const double> increme
     }
     const Vec3<double> composed = composed_rotation_vector(start, turn);
     for (int i = 0; i < 3; ++i) q[r + i] = composed[i] - reference[r + i];
+  }
+}
+
+void System::restore_unit_lengths(State& state) const {
+  const std::vector<double>& reference = parts_->state(ConfigurationType::Reference).q;
+  for (const auto& [first, size] : parts_->unit_vectors) {
+    double square = 0;
+    for (int i = first; i < first + size; ++i) square += (reference[i] + state.q[i]) * (reference[i] + state.q[i]);
+    const double length = std::sqrt(square);
+    for (int i = first; i < first + size; ++i) {
+      state.q[i] = (reference[i] + state.q[i]) / length - reference[i];
+      state.v[i] /= length;
+      state.a[i] /= length;
+    }
   }
 }
 

@@ -57,15 +57,14 @@ Excerpt excerpt(const Model& model, ItemKind kind, int number) {
   return part;
 }
 
-const Excerpt& Excerpts::of(const Model& model, ItemKind kind, int number) {
-  for (const Excerpt& known : kept_) {
-    if (known.sources.empty() || known.sources[0].kind != kind || known.sources[0].number != number) continue;
-    if (is_current(known, model)) return known;
+std::shared_ptr<const Excerpt> Excerpts::of(const Model& model, ItemKind kind, int number) {
+  for (const auto& known : kept_) {
+    if (!known || known->sources[0].kind != kind || known->sources[0].number != number) continue;
+    if (is_current(*known, model)) return known;
   }
-  Excerpt& place = kept_[next_];
-  place = excerpt(model, kind, number);
-  next_ = (next_ + 1) % kept_.size();
-  return place;
+  auto made = std::make_shared<const Excerpt>(excerpt(model, kind, number));
+  kept_[std::exchange(next_, (next_ + 1) % kept_.size())] = made;
+  return made;
 }
 
 }  // namespace dalembert

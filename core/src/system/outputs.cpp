@@ -6,6 +6,7 @@
 #include "dalembert/model/errors.hpp"
 #include "dalembert/model/item.hpp"
 #include "dalembert/math/rotations.hpp"
+#include "dalembert/markers/node_coordinate_parameters.hpp"
 #include "dalembert/system/parts.hpp"
 
 namespace dalembert {
@@ -223,6 +224,12 @@ void System::marker_output(int marker, Variable variable, ConfigurationType conf
     const double* frame = parts.ports.frame(marker);
     const double *half = frame + port.values / 2, *end = frame + port.values;
     rates ? values.assign(half, end) : values.assign(frame, half);
+    return;
+  }
+  if (variable == Variable::CoordinatesTotal && place.type->name == "MarkerNodeCoordinate") {
+    const auto& record = *static_cast<const MarkerNodeCoordinateRecord*>(place.record.get());
+    node_output(place.node, variable, configuration, values);
+    values = {values.empty() ? 0.0 : values.at(static_cast<std::size_t>(record.parameters.coordinate))};  // empty: ground
     return;
   }
   Motion<double> m;

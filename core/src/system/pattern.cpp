@@ -1,8 +1,12 @@
 #include "dalembert/system/pattern.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <stdexcept>
 #include <utility>
+
+#include "dalembert/model/errors.hpp"
 
 namespace dalembert {
 
@@ -25,6 +29,21 @@ void Couplings::add(int row, int column) {
 }
 
 namespace {
+
+// Places in a matrix are counted by int.
+void check_entries(std::int64_t entries, int size, const char* storage, const char* advice) {
+  constexpr std::int64_t most = std::numeric_limits<int>::max();
+  if (entries <= most) return;
+  const std::int64_t gigabytes = entries * static_cast<std::int64_t>(sizeof(double)) / 1'000'000'000;
+  refuse(ErrorKind::value, {.item = std::string("the ") + storage + " system matrix of " + std::to_string(size) + " unknowns",
+                            .problem = "it is too large: it would take " + std::to_string(gigabytes) + " GB",
+                            .received = std::to_string(entries) + " entries",
+                            .expected = std::to_string(most) + " at most",
+                            .advice = advice});
+}
+void check_sparse(std::int64_t entries, int size) {
+  check_entries(entries, size, "sparse", "Use items that couple fewer coordinates with each other, e.g. a reduced model.");
+}
 
 // The unknowns that each unknown is coupled with.
 class Neighbours {
@@ -55,6 +74,7 @@ class Neighbours {
 }  // namespace
 
 Pattern Pattern::dense(int size) {
+  check_entries(std::int64_t{size} * size, size, "dense", "Use simulationSettings.linearSolverType = exudyn.LinearSolverType.EigenSparse.");
   Pattern p;
   p.size_ = size;
   return p;
@@ -63,6 +83,9 @@ Pattern Pattern::dense(int size) {
 // Each column is appended to its rows: since columns come in ascending order, so do the entries of each row, which are by symmetry
 // those of a column.
 Pattern Pattern::sparse(int size, const Couplings& couplings) {
+  couplings.for_each([size](auto unknowns, auto others) {
+    check_sparse(static_cast<std::int64_t>(unknowns.size()) * static_cast<std::int64_t>(others.size()), size);
+  });
   const Neighbours neighbours(size, couplings);
   std::vector<int> start(static_cast<std::size_t>(size) + 1, 0), last(static_cast<std::size_t>(size), -1);
   const auto for_each_entry = [&](auto&& f) {
@@ -74,6 +97,9 @@ Pattern Pattern::sparse(int size, const Couplings& couplings) {
     }
   };
   for_each_entry([&](int, int j) { ++start[j + 1]; });
+  std::int64_t entries = 0;
+  for (const int in_column : start) entries += in_column;
+  check_sparse(entries, size);
   for (int j = 0; j < size; ++j) start[j + 1] += start[j];
   std::vector<int> next(start.begin(), start.end() - 1), rows(static_cast<std::size_t>(start[size]));
   for_each_entry([&](int i, int j) { rows[next[i]++] = j; });

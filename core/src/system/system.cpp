@@ -1,8 +1,11 @@
 #include "dalembert/system/system.hpp"
 
+#include <utility>
+
 #include "dalembert/model/errors.hpp"
 #include "dalembert/system/algebraic_coordinates.hpp"
 #include "dalembert/system/parts.hpp"
+#include "placing.hpp"
 #include "plan.hpp"
 
 namespace dalembert {
@@ -18,14 +21,18 @@ void System::assemble(const Model& model, const Division& division) {
   sizes_ = parts->sizes;
   parts->total.assign(sizes_.ode2, 0);
   parts->static_signs.assign(sizes_.ae, -1);
-  for (const auto& term : parts->terms)
+  for (const auto& term : parts->terms) {
     if (const auto* coordinates = dynamic_cast<const AlgebraicCoordinates*>(term.get())) coordinates->mark(parts->static_signs);
+    if (const auto* vectors = dynamic_cast<const UnitVectors*>(term.get())) vectors->list(parts->unit_vectors);
+  }
   evaluated_ = nullptr;
   // Behind the residual: zeros, for multipliers or displacements that are left out of an evaluation.
   parts->work.assign(sizes_.total() + std::max({sizes_.ode2, sizes_.ae, 1}), 0);
   parts_ = std::move(parts);
   states_ = parts_->states.data();
   assembled_ = true;
+  late_ = nullptr;
+  ++version_;
 }
 
 void System::use_threads(int count) {
@@ -43,18 +50,48 @@ bool System::assembled() const { return assembled_; }
 
 std::shared_ptr<const void> System::hold_states() const { return parts_->kept_states; }
 
+namespace {
+
+// New parameters have to fit nodes and markers, as at Assemble().
+void check_change(SystemParts& parts, const Model& model, Placing& placing, const ItemReference& item) {
+  const ItemLabel label{model, item.kind, item.number};
+  const Item& changed = model.item(item.kind, item.number);
+  if (item.kind == ItemKind::object)
+    changed.type->physics->check(changed.record.get(), placing.of_object(item.number), parts.ports, label);
+  if (item.kind == ItemKind::marker)
+    changed.type->physics->check(changed.record.get(), placing.of_marker(item.number, parts.markers[item.number]), parts.ports, label);
+}
+
+std::vector<ItemReference> all_items(const Model& model) {
+  std::vector<ItemReference> items;
+  for (int k = 0; k < item_kinds; ++k)
+    for (int i = 0; i < model.count(static_cast<ItemKind>(k)); ++i) items.push_back({static_cast<ItemKind>(k), i});
+  return items;
+}
+
+}  // namespace
+
 void System::refresh(const Model& model) {
   SystemParts& parts = *parts_;
+  if (std::exchange(late_, nullptr) != nullptr && parts.structure == model.structure_changes())
+    for (const auto& [load, coordinates] : model.load_dependencies()) add_load_dependencies(load, coordinates);
   if (!assembled_ || parts.structure != model.structure_changes() || parts.values == model.value_changes()) return;
+  auto [changed, all_known] = model.changed_since(parts.values);
+  if (!all_known) changed = all_items(model);
+  Placing placing(parts);
+  for (const ItemReference& item : changed) check_change(parts, model, placing, item);
   evaluated_ = nullptr;
   parts.plan.resting_evaluated = false;
-  const auto [changed, all_known] = model.changed_since(parts.values);
-  parts.values = model.value_changes();
   const auto renew = [&](ItemKind kind, int number) {
     const auto& record = model.item(kind, number).record;
     const auto i = static_cast<std::size_t>(number);
     switch (kind) {
-      case ItemKind::node: parts.nodes[i].record = record; break;
+      case ItemKind::node:  // its reference and initial values need another assembling, unless it rests
+        parts.nodes[i].record = record;
+        for (MarkerPlace& marker : parts.markers)
+          if (marker.object < 0 && marker.node == number && parts.nodes[i].sizes.ode2 == 0)
+            marker.member.batch->refresh_owners(marker.member.entry, 0, record.get());
+        break;
       case ItemKind::object:
         parts.objects[i].record = record;
         parts.objects[i].member.batch->refresh(parts.objects[i].member.entry, record.get());
@@ -82,13 +119,29 @@ void System::refresh(const Model& model) {
       case ItemKind::sensor: parts.sensors[i] = parts.place_sensor(model.item(kind, number)); break;
     }
   };
-  if (all_known) {
-    for (const ItemReference& item : changed) renew(item.kind, item.number);
-  } else {
-    for (int k = 0; k < item_kinds; ++k)
-      for (int i = 0; i < model.count(static_cast<ItemKind>(k)); ++i) renew(static_cast<ItemKind>(k), i);
-  }
+  for (const ItemReference& item : changed) renew(item.kind, item.number);
+  parts.values = model.value_changes();
   sort_loads(parts);
+}
+
+bool System::renew_sensors(const Model& model) {
+  SystemParts& parts = *parts_;
+  if (!assembled_ || parts.equations != model.equation_changes()) return false;
+  model.check();
+  std::vector<SensorPlace> sensors;
+  for (const Item& item : model.items(ItemKind::sensor)) sensors.push_back(parts.place_sensor(item));
+  sensors.swap(parts.sensors);
+  try {
+    parts.check_sensors();
+  } catch (...) {
+    sensors.swap(parts.sensors);
+    throw;
+  }
+  auto& names = parts.given_names[static_cast<std::size_t>(ItemKind::sensor)];
+  names.clear();
+  for (const auto& [name, number] : model.names(ItemKind::sensor)) names.emplace(number, name);
+  parts.structure = model.structure_changes();
+  return true;
 }
 
 bool System::constant_mass_matrix() const { return parts_->constant_mass; }

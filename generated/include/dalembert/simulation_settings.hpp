@@ -46,6 +46,14 @@ struct DiscontinuousSettings {
   bool useRecommendedStepSize = true;
 };
 
+// how the initial values are held against the constraints when a solver starts
+struct InitialConditionsSettings {
+  bool checkConstraints = true;
+  bool inconsistentIsError = false;
+  double positionTolerance = 1e-05;
+  double velocityTolerance = 0.01;
+};
+
 // settings of the linear solver
 struct LinearSolverSettings {
   bool ignoreSingularJacobian = false;
@@ -184,6 +192,7 @@ struct SimulationSettings {
   LinearSolverType linearSolverType = LinearSolverType::EXUdense;
   int outputPrecision = 6;
   bool pauseAfterEachStep = false;
+  InitialConditionsSettings initialConditions{};
   LinearSolverSettings linearSolverSettings{};
   ParallelSettings parallel{};
   SolutionSettings solutionSettings{};

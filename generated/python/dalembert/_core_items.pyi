@@ -115,7 +115,7 @@ class NodeGenericData(_Node):
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     @property
     def initialCoordinates(self) -> Array:
-        """values at the start of a computation; as many as ``numberOfDataCoordinates``, any other length is refused; their meaning and units are those of the object that uses the node [n; various]"""
+        """values at the start of a computation; as many as ``numberOfDataCoordinates``, or none for zeros; any other length is refused; their meaning and units are those of the object that uses the node [n; various]"""
     @initialCoordinates.setter
     def initialCoordinates(self, value: ArrayLike) -> None: ...
     numberOfDataCoordinates: int
@@ -150,7 +150,7 @@ class NodeGenericODE1(_Node):
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     @property
     def referenceCoordinates(self) -> Array:
-        """constant values to which the coordinates are added; as many as ``numberOfODE1Coordinates``, any other length is refused; units as in the equations that use the node [n; various]"""
+        """constant values to which the coordinates are added; as many as ``numberOfODE1Coordinates``, or none for zeros; any other length is refused; units as in the equations that use the node [n; various]"""
     @referenceCoordinates.setter
     def referenceCoordinates(self, value: ArrayLike) -> None: ...
     @property
@@ -191,7 +191,7 @@ class NodeGenericODE2(_Node):
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     @property
     def referenceCoordinates(self) -> Array:
-        """constant values to which the coordinates are added; as many as ``numberOfODE2Coordinates``, any other length is refused; units as in the equations that use the node [n; various]"""
+        """constant values to which the coordinates are added; as many as ``numberOfODE2Coordinates``, or none for zeros; any other length is refused; units as in the equations that use the node [n; various]"""
     @referenceCoordinates.setter
     def referenceCoordinates(self, value: ArrayLike) -> None: ...
     @property
@@ -238,17 +238,17 @@ class Node1D(_Node):
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     @property
     def referenceCoordinates(self) -> Array:
-        """reference value of the coordinate, a list of length 1; m for a translation, rad for a rotation, as the body on the node says [n; various]"""
+        """reference value of the coordinate, a list of length 1, or an empty one for zero; m for a translation, rad for a rotation, as the body on the node says [n; various]"""
     @referenceCoordinates.setter
     def referenceCoordinates(self, value: ArrayLike) -> None: ...
     @property
     def initialCoordinates(self) -> Array:
-        """coordinate at the start, relative to the reference value, a list of length 1 [n; various]"""
+        """coordinate at the start, relative to the reference value, a list of length 1, or an empty one for zero [n; various]"""
     @initialCoordinates.setter
     def initialCoordinates(self, value: ArrayLike) -> None: ...
     @property
     def initialVelocities(self) -> Array:
-        """time derivative of the coordinate at the start, a list of length 1 [n; various]"""
+        """time derivative of the coordinate at the start, a list of length 1, or an empty one for zero [n; various]"""
     @initialVelocities.setter
     def initialVelocities(self, value: ArrayLike) -> None: ...
     @property
@@ -950,7 +950,7 @@ class ObjectGround(_Object):
     def referencePosition(self, value: ArrayLike) -> None: ...
     @property
     def referenceRotation(self) -> Array:
-        """rotation matrix from the ground frame to the global frame; has to be orthonormal [3 x 3; 1]"""
+        """rotation matrix from the ground frame to the global frame [3 x 3; 1]"""
     @referenceRotation.setter
     def referenceRotation(self, value: ArrayLike) -> None: ...
     @property
@@ -1001,7 +1001,7 @@ class ObjectMass1D(_Object):
     def referencePosition(self, value: ArrayLike) -> None: ...
     @property
     def referenceRotation(self) -> Array:
-        """constant rotation matrix from the body frame to the global frame; its first column is the direction of motion; has to be orthonormal [3 x 3; 1]"""
+        """constant rotation matrix from the body frame to the global frame; its first column is the direction of motion; a reflection gives a warning [3 x 3; 1]"""
     @referenceRotation.setter
     def referenceRotation(self, value: ArrayLike) -> None: ...
     @property
@@ -1260,7 +1260,7 @@ class ObjectRotationalMass1D(_Object):
     def referencePosition(self, value: ArrayLike) -> None: ...
     @property
     def referenceRotation(self) -> Array:
-        """constant rotation matrix from the frame at angle zero to the global frame; its third column is the axis of rotation; has to be orthonormal [3 x 3; 1]"""
+        """constant rotation matrix from the frame at angle zero to the global frame; its third column is the axis of rotation [3 x 3; 1]"""
     @referenceRotation.setter
     def referenceRotation(self, value: ArrayLike) -> None: ...
     @property
@@ -2945,7 +2945,7 @@ class ObjectConnectorRigidBodySpringDamper(_Object):
     def rotationMarker1(self, value: ArrayLike) -> None: ...
     @property
     def offset(self) -> Array:
-        """relative position (m) and Tait-Bryan angles (rad) in frame J0 at which the springs carry no force [6; various]"""
+        """relative position (m) and Tait-Bryan angles (rad) in frame J0 at which the springs carry no force; the logarithm of the relative motion with ``intrinsicFormulation`` [6; various]"""
     @offset.setter
     def offset(self, value: ArrayLike) -> None: ...
     intrinsicFormulation: bool
@@ -5126,7 +5126,7 @@ class MarkerNodeCoordinate(_Marker):
     @nodeNumber.setter
     def nodeNumber(self, value: NodeIndex | int) -> None: ...
     coordinate: int
-    """number of the coordinate within the node, from 0; -1 means not set and is refused; for a ground node only 0 has a meaning"""
+    """number of the coordinate within the node, from 0; -1 means not set and is refused; any number reads zero at a ground node"""
     @property
     def visualization(self) -> VMarkerNodeCoordinate:
         """how the item is drawn"""

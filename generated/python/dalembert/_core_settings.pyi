@@ -31,13 +31,13 @@ class NewtonNumericalDifferentiationSettings(_Settings):
     forODE2: bool
     """true: derivatives of second order equations by numerical differentiation; false: exact ones; default: False"""
     forODE2connectors: bool
-    """true: derivatives of connector forces by numerical differentiation, for tests; false: as ``forODE2`` says; default: False"""
+    """true: derivatives of connector forces by numerical differentiation, for tests; as with ``forODE2``, since forces of connectors and bodies are differentiated together; false: as ``forODE2`` says; default: False"""
     jacobianConnectorDerivative: bool
-    """true: exact derivatives of connectors include the change of the directions of their forces; false: they leave it out; default: True"""
+    """true: exact derivatives of connectors include the change of the directions of their forces; false: they leave it out; no effect: exact derivatives always include the change of the directions of forces, at no cost worth saving; default: True"""
     minimumCoordinateSize: float
-    """smallest size of a coordinate that is used for its increment, in the units of the coordinate [various]; default: 0.01"""
+    """smallest size of a coordinate that is used for its increment, in the units of the coordinate [various; greater than 0]; default: 0.01"""
     relativeEpsilon: float
-    """increment of a coordinate relative to its size [1]; default: 1e-07"""
+    """increment of a coordinate relative to its size [1; greater than 0 and less than 1]; default: 1e-07"""
     def __init__(self) -> None: ...
 
 @final
@@ -49,9 +49,9 @@ class NewtonSettings(_Settings):
     adaptInitialResidual: bool
     """true: if the residual grows in the first iteration, the larger value is the one that has to be reduced by the relative tolerance; for steps that start with a residual near zero; default: True"""
     maximumSolutionNorm: float
-    """the solver stops if the squared norm of coordinates, velocities or accelerations exceeds this value [various]; default: 1e+38"""
+    """the solver stops with an error if the squared norm of coordinates or velocities reaches this value: explicit solvers after every step, Newton's method while it has not converged [various; greater than 0]; default: 1e+38"""
     maxIterations: int
-    """number of iterations of all kinds after which a step has failed; default: 25"""
+    """number of iterations of all kinds after which a step has failed [at least 1]; default: 25"""
     maxModifiedNewtonIterations: int
     """number of iterations with an old Jacobian after which it is computed anew; default: 8"""
     maxModifiedNewtonRestartIterations: int
@@ -61,9 +61,9 @@ class NewtonSettings(_Settings):
     modifiedNewtonJacUpdatePerStep: bool
     """true: modified Newton computes the Jacobian once per step; false: only when convergence asks for it; default: False"""
     newtonResidualMode: int
-    """quantity that measures the error: 0 the residual, 1 the increment of the coordinates of differential equations; default: 0"""
+    """quantity that measures the error: 0 the residual, 1 the increment of the coordinates of differential equations [from 0 to 1]; default: 0"""
     relativeTolerance: float
-    """the iteration ends if the error has fallen below this fraction of the initial one [1]; default: 1e-08"""
+    """the iteration ends if the error has fallen below this fraction of the initial one; in fine steps, the correction that belongs to the last residual follows, so that smaller steps come nearer to the solution [1; from 0 to 1]; default: 1e-08"""
     useModifiedNewton: bool
     """true: the Jacobian and its factorization are kept as long as convergence allows; false: computed in every iteration; default: False"""
     useNewtonSolver: bool
@@ -85,9 +85,23 @@ class DiscontinuousSettings(_Settings):
     iterationTolerance: float
     """largest error of the discontinuous states that is accepted; an absolute value, in the units of the contact or friction item [various]; default: 1.0"""
     maxIterations: int
-    """number of discontinuous iterations in one step; default: 5"""
+    """number of discontinuous iterations in one step [at least 1]; default: 5"""
     useRecommendedStepSize: bool
     """true: the step size follows recommendations of items, for example at the start of a contact; false: they are ignored; default: True"""
+    def __init__(self) -> None: ...
+
+@final
+class InitialConditionsSettings(_Settings):
+    """how the initial values are held against the constraints when a solver starts"""
+
+    checkConstraints: bool
+    """evaluate the gap and the rate of the gap of every constraint before the first step, and name the worst of those that are not fulfilled; the static solver looks at gaps only, closes them, and says so if its verboseMode is at least 1; default: True"""
+    inconsistentIsError: bool
+    """true: constraints that are not fulfilled at the start are an error; false: a warning; default: False"""
+    positionTolerance: float
+    """largest gap that is not reported: relative to the size of the model, which is the diagonal of the box around all nodes and markers, or in rad [1]; default: 1e-05"""
+    velocityTolerance: float
+    """largest rate of a gap that is not reported, relative to the sum of the magnitudes of the velocities that meet in the constraint; rates that open a gap of less than positionTolerance in one second are not reported [1]; default: 0.01"""
     def __init__(self) -> None: ...
 
 @final
@@ -99,7 +113,7 @@ class LinearSolverSettings(_Settings):
     pivotThreshold: float
     """a pivot below this value is treated as zero, so that an almost singular matrix is reported; dense solvers only; 0: exact zeros only [1]; default: 0.0"""
     reuseAnalyzedPattern: bool
-    """true: the symbolic analysis of a sparse matrix is used for all factorizations with the same pattern; default: False"""
+    """true: the symbolic analysis of a sparse matrix is used for all factorizations with the same pattern; no effect: a sparse matrix is always analyzed once for all factorizations with the same pattern; default: False"""
     showCausingItems: bool
     """name the items whose equations make the system matrix singular when the solver fails; default: True"""
     def __init__(self) -> None: ...
@@ -109,21 +123,21 @@ class ParallelSettings(_Settings):
     """computation with several threads"""
 
     multithreadedLLimitJacobians: int
-    """no effect: systems of at least 4000 ODE2 coordinates are evaluated in parallel, others by one thread; default: 20"""
+    """number of items from which on Jacobians are evaluated in parallel; no effect: how work is divided among threads follows from the size of the system alone, so that results do not depend on it; default: 20"""
     multithreadedLLimitLoads: int
-    """no effect, see multithreadedLLimitJacobians; default: 20"""
+    """number of loads from which on these are evaluated in parallel; no effect: how work is divided among threads follows from the size of the system alone, so that results do not depend on it; default: 20"""
     multithreadedLLimitMassMatrices: int
-    """no effect, see multithreadedLLimitJacobians; default: 20"""
+    """number of bodies from which on mass matrices are evaluated in parallel; no effect: how work is divided among threads follows from the size of the system alone, so that results do not depend on it; default: 20"""
     multithreadedLLimitResiduals: int
-    """no effect, see multithreadedLLimitJacobians; default: 20"""
+    """number of items from which on residuals are evaluated in parallel; no effect: how work is divided among threads follows from the size of the system alone, so that results do not depend on it; default: 20"""
     numberOfThreads: int
     """number of threads that share the evaluation of residuals, tangents and explicit right-hand sides; as many as there are cores at most; results are the same, bit for bit; default: 1"""
     taskSplitMinItems: int
-    """no effect: how the work is divided does not depend on the number of threads; default: 50"""
+    """number of items from which on work is split into several parts per thread; no effect: how work is divided among threads follows from the size of the system alone, so that results do not depend on it; default: 50"""
     taskSplitTasksPerThread: int
-    """no effect, see taskSplitMinItems; default: 16"""
+    """number of parts of work per thread; no effect: how work is divided among threads follows from the size of the system alone, so that results do not depend on it; default: 16"""
     useLoadBalancing: bool
-    """true: threads that are ready take over work of others; false: fixed share per thread; default: True"""
+    """true: threads that are ready take over work of others; false: fixed share per thread; no effect: threads that are ready always take over work of others; default: True"""
     def __init__(self) -> None: ...
 
 @final
@@ -151,11 +165,11 @@ class SolutionSettings(_Settings):
     flushFilesImmediately: bool
     """true: files are complete after every output, which costs time in models with short steps; false: output is buffered; default: False"""
     outputPrecision: int
-    """number of significant digits in solution and sensor files; default: 10"""
+    """number of significant digits in solution and sensor files [from 1 to 17]; default: 10"""
     recordImagesInterval: float
-    """simulated time between two images of the main view that are saved while the solver runs; negative: no images [s]; default: -1.0"""
+    """simulated time between two images of the main view that are saved while the solver runs; negative: no images [s]; no effect: there is no render window yet that could save images; default: -1.0"""
     restartFileName: str
-    """restart file, with its path; the one before is kept with the ending .bck; default: 'restartFile.txt'"""
+    """restart file, with its path; it takes the place of the one before when it is complete and on the disk, and the one before is kept under the same name with .bck behind; default: 'restartFile.txt'"""
     restartWritePeriod: float
     """simulated time between two updates of the restart file [s]; default: 0.01"""
     sensorsAppendToFile: bool
@@ -193,9 +207,9 @@ class StaticSolverSettings(_Settings):
     adaptiveStep: bool
     """true: a load step that fails is repeated with a smaller step; false: it is an error; default: True"""
     adaptiveStepDecrease: float
-    """factor of the step size when a step has failed; between 0 and 1 [1]; default: 0.25"""
+    """factor of the step size when a step has failed [1; greater than 0 and less than 1]; default: 0.25"""
     adaptiveStepIncrease: float
-    """factor of the step size when it may grow again after a reduction, up to its regular value; greater than 1 [1]; default: 2.0"""
+    """factor of the step size when it may grow again after a reduction, up to its regular value; 1: it does not grow [1; at least 1]; default: 2.0"""
     adaptiveStepRecoveryIterations: int
     """a step counts for recovery if it took at most this number of Newton and discontinuous iterations; default: 7"""
     adaptiveStepRecoverySteps: int
@@ -203,13 +217,13 @@ class StaticSolverSettings(_Settings):
     computeLoadsJacobian: bool
     """take derivatives of loads with respect to the coordinates into the Jacobian; needed for good convergence if loads depend on coordinates; default: True"""
     constrainODE1coordinates: bool
-    """true: first order coordinates keep their initial values; false is not supported; default: True"""
+    """true: first order coordinates keep their initial values; false: they are found such that their time derivatives vanish; default: True"""
     loadStepDuration: float
     """quasi-time from the first to the last load step, as seen by loads that depend on time [s]; default: 1.0"""
     loadStepGeometric: bool
     """true: the load factors form a geometric series, for problems that need small first steps; false: equal load steps; default: False"""
     loadStepGeometricRange: float
-    """range of the geometric series: load factor i of n is this number to the power i/n - 1 [1]; default: 1000.0"""
+    """range of the geometric series: load factor i of n is this number to the power (i - n)/(n - 1) [1; greater than 1]; default: 1000.0"""
     loadStepStart: float
     """quasi-time at which the load steps start [s]; default: 0.0"""
     minimumStepSize: float
@@ -243,7 +257,7 @@ class TimeIntegrationExplicitIntegrationSettings(_Settings):
     computeEndOfStepAccelerations: bool
     """true: accelerations are evaluated at the end of each step; false: those of the last stage are shown, which saves one evaluation per step; default: True"""
     computeMassMatrixInversePerBody: bool
-    """true: mass matrices are inverted body by body, which is fast but wrong if bodies share nodes; false: the system mass matrix is factorized; default: False"""
+    """true: mass matrices are inverted body by body, which is fast but wrong if bodies share nodes; false: the system mass matrix is factorized; no effect: the mass matrix is always inverted in blocks that are not coupled, body by body where bodies share no nodes; default: False"""
     dynamicSolverType: DynamicSolverType
     """method that is used when the solver is called without one; default: DynamicSolverType.DOPRI5"""
     eliminateConstraints: bool
@@ -263,17 +277,17 @@ class TimeIntegrationGeneralizedAlphaSettings(_Settings):
     lieGroupSimplifiedKinematicRelations: bool
     """true: kinematic relations of Lie group nodes after Brüls and Cardona; false: more accurate ones; default: False"""
     newmarkBeta: float
-    """parameter beta of the Newmark method; 1/4 with gamma 1/2 is the trapezoidal rule [1]; default: 0.25"""
+    """parameter beta of the Newmark method; 1/4 with gamma 1/2 is the trapezoidal rule [1; greater than 0 and at most 1]; default: 0.25"""
     newmarkGamma: float
-    """parameter gamma of the Newmark method; 1/2 gives no numerical damping [1]; default: 0.5"""
+    """parameter gamma of the Newmark method; 1/2 gives no numerical damping [1; greater than 0 and at most 1.5]; default: 0.5"""
     resetAccelerations: bool
     """true: initial accelerations that are not computed are set to zero; false: they continue from the system; only without ``computeInitialAccelerations``; default: False"""
     spectralRadius: float
-    """spectral radius at infinite frequency: 1 no numerical damping, 0 largest; has to be below 1 for constraints on position level [1]; default: 0.9"""
+    """spectral radius at infinite frequency: 1 no numerical damping, 0 largest; has to be below 1 for constraints on position level [1; from 0 to 1]; default: 0.9"""
     storeInitialAlgebraicCoordinates: bool
     """true: the algebraic variables that belong to the computed initial accelerations become initial values; default: True"""
     useIndex2Constraints: bool
-    """true: constraints are fulfilled on velocity level (index 2); false: on position level (index 3); default: False"""
+    """true: constraints are fulfilled on velocity level (index 2), and Euler parameters are divided by their length after each step; false: on position level (index 3); default: False"""
     useNewmark: bool
     """true: Newmark method with the parameters given here; false: generalized-alpha; default: False"""
     def __init__(self) -> None: ...
@@ -283,13 +297,13 @@ class TimeIntegrationSettings(_Settings):
     """time integration"""
 
     absoluteTolerance: float
-    """absolute tolerance of the error control of explicit integrators, in the units of the coordinates; positive [various]; default: 1e-08"""
+    """absolute tolerance of the error control of explicit integrators, in the units of the coordinates [various; greater than 0]; default: 1e-08"""
     adaptiveStep: bool
     """true: an implicit step that fails is repeated with a smaller step size; false: it is an error; default: True"""
     adaptiveStepDecrease: float
-    """factor of the step size when a step has failed; between 0 and 1 [1]; default: 0.5"""
+    """factor of the step size when a step has failed [1; greater than 0 and less than 1]; default: 0.5"""
     adaptiveStepIncrease: float
-    """factor of the step size when it may grow again after a reduction, up to its regular value; greater than 1 [1]; default: 2.0"""
+    """factor of the step size when it may grow again after a reduction, up to its regular value; 1: it does not grow [1; at least 1]; default: 2.0"""
     adaptiveStepRecoveryIterations: int
     """a step counts for recovery if it took at most this number of Newton and discontinuous iterations; default: 7"""
     adaptiveStepRecoverySteps: int
@@ -297,21 +311,21 @@ class TimeIntegrationSettings(_Settings):
     automaticStepSize: bool
     """true: integrators with an error estimate choose the step size; (endTime - startTime)/numberOfSteps is its upper bound; false: constant step size; default: True"""
     computeLoadsJacobian: int
-    """derivatives of loads in the Jacobian of implicit integrators: 0 none, 1 with respect to the coordinates, 2 with respect to the velocities as well; default: 0"""
+    """derivatives of loads in the Jacobian of implicit integrators: 0 none, 1 with respect to the coordinates, 2 with respect to the velocities as well [from 0 to 2]; default: 0"""
     endTime: float
     """time at which the integration ends [s]; default: 1.0"""
     initialStepSize: float
     """first step size when the step size is automatic; 0: the largest step size [s]; default: 0.0"""
     minimumStepSize: float
-    """lower bound of the step size; an implicit solver that would need a smaller one stops with an error, automatic step sizes continue at the bound with a warning [s]; default: 1e-08"""
+    """lower bound of the step size; an implicit solver that would need a smaller one stops with an error; automatic step sizes continue at the bound with a warning, and stop with an error if 100 steps in a row exceed the tolerances [s]; default: 1e-08"""
     numberOfSteps: float
-    """number of steps of equal size from startTime to endTime; a whole number is expected [1]; default: 100.0"""
+    """number of steps of equal size from startTime to endTime; a whole number, but for rounding [1; from 1 to 1e+15]; default: 100.0"""
     realtimeFactor: float
     """simulated seconds per second of real time when simulating in real time: greater than 1 is fast motion, smaller than 1 slow motion [1]; default: 1.0"""
     realtimeWaitMicroseconds: int
     """waiting time in microseconds between two looks at the clock when simulating in real time; small values are more accurate and cost more CPU time; default: 1000"""
     relativeTolerance: float
-    """relative tolerance of the error control of explicit integrators [1]; default: 1e-08"""
+    """relative tolerance of the error control of explicit integrators [1; from 0 to 1]; default: 1e-08"""
     reuseConstantMassMatrix: bool
     """true: mass matrices that do not depend on the state are computed once; false: they are computed anew, for example if masses are changed by user functions; default: True"""
     simulateInRealtime: bool
@@ -321,9 +335,9 @@ class TimeIntegrationSettings(_Settings):
     stepInformation: int
     """sum of numbers that say what a line about a step shows: 1 remaining time, 2 Newton iterations, 4 Jacobians, 8 discontinuous iterations, 16 step size, 32 CPU time, 64 warnings when a step is reduced, 128 increases of the step size, 1024 every step; 0 shows the time only; default: 67"""
     stepSizeMaxIncrease: float
-    """largest factor by which the automatic step size grows from one step to the next; greater than 1 [1]; default: 2.0"""
+    """largest factor by which the automatic step size grows from one step to the next [1; at least 1]; default: 2.0"""
     stepSizeSafety: float
-    """factor of the step size that the error estimate allows; smaller values avoid rejected steps [1]; default: 0.9"""
+    """factor of the step size that the error estimate allows; smaller values avoid rejected steps [1; greater than 0 and at most 1]; default: 0.9"""
     verboseMode: int
     """amount of output: 0 none, 1 now and then a line, 2 a line per step, 3 with the solution, 4 with mass matrix and Jacobian, 5 with the inverse of the Jacobian; on the console; default: 0"""
     verboseModeFile: int
@@ -355,15 +369,19 @@ class SimulationSettings(_Settings):
     displayComputationTime: bool
     """print how the computation time is distributed when the solver has finished; default: False"""
     displayGlobalTimers: bool
-    """print global timers when the solver has finished; default: True"""
+    """print global timers when the solver has finished; no effect: there are no global timers; displayComputationTime shows where time goes; default: True"""
     displayStatistics: bool
     """print numbers of steps, iterations, Jacobians and rejected steps when the solver has finished; default: False"""
     linearSolverType: LinearSolverType
     """direct solver of the linear systems; default: LinearSolverType.EXUdense"""
     outputPrecision: int
-    """number of significant digits in texts on the console; default: 6"""
+    """number of significant digits in texts on the console [from 1 to 17]; default: 6"""
     pauseAfterEachStep: bool
-    """wait for the space bar in the renderer after each step; default: False"""
+    """wait for the space bar in the renderer after each step; no effect: there is no render window yet whose space bar could be waited for; a PostStep user function may wait; default: False"""
+    @property
+    def initialConditions(self) -> InitialConditionsSettings: ...
+    @initialConditions.setter
+    def initialConditions(self, value: InitialConditionsSettings | dict[str, Any]) -> None: ...
     @property
     def linearSolverSettings(self) -> LinearSolverSettings: ...
     @linearSolverSettings.setter

@@ -31,7 +31,7 @@ constexpr std::array<Row, 14> rows{{
     {.name = "markerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.markerNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
     {.name = "stiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.stiffness), .role = Role::parameter, .unit = "N/m"},
     {.name = "damping", .storage = Storage::real, .offset = offsetof(Record, parameters.damping), .role = Role::parameter, .unit = "Ns/m"},
-    {.name = "axisMarker0", .storage = Storage::vector3, .offset = offsetof(Record, parameters.axisMarker0), .role = Role::parameter, .unit = "1"},
+    {.name = "axisMarker0", .storage = Storage::vector3, .offset = offsetof(Record, parameters.axisMarker0), .role = Role::parameter, .check = Check::unit_vector, .unit = "1"},
     {.name = "offset", .storage = Storage::real, .offset = offsetof(Record, parameters.offset), .role = Role::parameter, .unit = "m"},
     {.name = "velocityOffset", .storage = Storage::real, .offset = offsetof(Record, parameters.velocityOffset), .role = Role::parameter, .unit = "m/s"},
     {.name = "force", .storage = Storage::real, .offset = offsetof(Record, parameters.force), .role = Role::parameter, .unit = "N"},

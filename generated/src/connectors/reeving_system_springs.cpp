@@ -28,7 +28,7 @@ constexpr std::array<Row, 16> rows{{
     {.name = "dampingShear", .storage = Storage::real, .offset = offsetof(Record, parameters.dampingShear), .role = Role::parameter, .check = Check::non_negative, .unit = "Ns"},
     {.name = "regularizationForce", .storage = Storage::real, .offset = offsetof(Record, parameters.regularizationForce), .role = Role::parameter, .unit = "N"},
     {.name = "referenceLength", .storage = Storage::real, .offset = offsetof(Record, parameters.referenceLength), .role = Role::parameter, .unit = "m"},
-    {.name = "sheavesAxes", .storage = Storage::vector3s, .offset = offsetof(Record, parameters.sheavesAxes), .role = Role::parameter, .unit = "1"},
+    {.name = "sheavesAxes", .storage = Storage::vector3s, .offset = offsetof(Record, parameters.sheavesAxes), .role = Role::parameter, .check = Check::unit_vector, .unit = "1"},
     {.name = "sheavesRadii", .storage = Storage::vector, .offset = offsetof(Record, parameters.sheavesRadii), .role = Role::parameter, .unit = "m"},
     {.name = "activeConnector", .storage = Storage::boolean, .offset = offsetof(Record, parameters.activeConnector), .role = Role::parameter},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},

@@ -21,7 +21,7 @@ constexpr std::array<Row, 19> rows{{
     {.name = "circlesRadii", .storage = Storage::vector, .offset = offsetof(Record, parameters.circlesRadii), .role = Role::parameter, .unit = "m"},
     {.name = "segmentsData", .storage = Storage::matrix_container, .offset = offsetof(Record, parameters.segmentsData), .role = Role::parameter, .unit = "m"},
     {.name = "polynomialData", .storage = Storage::matrix_container, .offset = offsetof(Record, parameters.polynomialData), .role = Role::parameter, .unit = "various"},
-    {.name = "rotationMarker0", .storage = Storage::matrix3, .offset = offsetof(Record, parameters.rotationMarker0), .role = Role::parameter, .unit = "1"},
+    {.name = "rotationMarker0", .storage = Storage::matrix3, .offset = offsetof(Record, parameters.rotationMarker0), .role = Role::parameter, .check = Check::rotation, .unit = "1"},
     {.name = "dynamicFriction", .storage = Storage::real, .offset = offsetof(Record, parameters.dynamicFriction), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
     {.name = "frictionProportionalZone", .storage = Storage::real, .offset = offsetof(Record, parameters.frictionProportionalZone), .role = Role::parameter, .check = Check::non_negative, .unit = "m/s"},
     {.name = "contactStiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.contactStiffness), .role = Role::parameter, .unit = "N/m^2"},

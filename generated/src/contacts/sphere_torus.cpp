@@ -23,7 +23,7 @@ constexpr std::array<Row, 18> rows{{
     {.name = "radiusSphere", .storage = Storage::real, .offset = offsetof(Record, parameters.radiusSphere), .role = Role::parameter, .check = Check::positive, .unit = "m"},
     {.name = "torusMajorRadius", .storage = Storage::real, .offset = offsetof(Record, parameters.torusMajorRadius), .role = Role::parameter, .check = Check::positive, .unit = "m"},
     {.name = "torusMinorRadius", .storage = Storage::real, .offset = offsetof(Record, parameters.torusMinorRadius), .role = Role::parameter, .check = Check::positive, .unit = "m"},
-    {.name = "torusAxis", .storage = Storage::vector3, .offset = offsetof(Record, parameters.torusAxis), .role = Role::parameter, .unit = "1"},
+    {.name = "torusAxis", .storage = Storage::vector3, .offset = offsetof(Record, parameters.torusAxis), .role = Role::parameter, .check = Check::unit_vector, .unit = "1"},
     {.name = "dynamicFriction", .storage = Storage::real, .offset = offsetof(Record, parameters.dynamicFriction), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
     {.name = "frictionProportionalZone", .storage = Storage::real, .offset = offsetof(Record, parameters.frictionProportionalZone), .role = Role::parameter, .check = Check::non_negative, .unit = "m/s"},
     {.name = "contactStiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.contactStiffness), .role = Role::parameter, .check = Check::non_negative, .unit = "N/m^n"},

@@ -19,8 +19,8 @@ using Record = ObjectJointPrismatic2DRecord;
 constexpr std::array<Row, 9> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "markerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.markerNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
-    {.name = "axisMarker0", .storage = Storage::vector3, .offset = offsetof(Record, parameters.axisMarker0), .role = Role::parameter, .unit = "1"},
-    {.name = "normalMarker1", .storage = Storage::vector3, .offset = offsetof(Record, parameters.normalMarker1), .role = Role::parameter, .unit = "1"},
+    {.name = "axisMarker0", .storage = Storage::vector3, .offset = offsetof(Record, parameters.axisMarker0), .role = Role::parameter, .check = Check::unit_vector, .unit = "1"},
+    {.name = "normalMarker1", .storage = Storage::vector3, .offset = offsetof(Record, parameters.normalMarker1), .role = Role::parameter, .check = Check::unit_vector, .unit = "1"},
     {.name = "constrainRotation", .storage = Storage::boolean, .offset = offsetof(Record, parameters.constrainRotation), .role = Role::parameter},
     {.name = "activeConnector", .storage = Storage::boolean, .offset = offsetof(Record, parameters.activeConnector), .role = Role::parameter},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},

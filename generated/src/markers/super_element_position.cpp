@@ -20,7 +20,7 @@ using Record = MarkerSuperElementPositionRecord;
 constexpr std::array<Row, 6> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "bodyNumber", .storage = Storage::object, .offset = offsetof(Record, parameters.bodyNumber), .role = Role::parameter, .needs_assemble = true},
-    {.name = "meshNodeNumbers", .storage = Storage::integers, .offset = offsetof(Record, parameters.meshNodeNumbers), .role = Role::parameter},
+    {.name = "meshNodeNumbers", .storage = Storage::integers, .offset = offsetof(Record, parameters.meshNodeNumbers), .role = Role::parameter, .needs_assemble = true},
     {.name = "weightingFactors", .storage = Storage::vector, .offset = offsetof(Record, parameters.weightingFactors), .role = Role::parameter, .unit = "1"},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
     {.name = "showMarkerNodes", .storage = Storage::boolean, .offset = offsetof(Record, visualization.showMarkerNodes), .role = Role::visualization},

@@ -21,7 +21,7 @@ constexpr std::array<Row, 9> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "bodyNumber", .storage = Storage::object, .offset = offsetof(Record, parameters.bodyNumber), .role = Role::parameter, .needs_assemble = true},
     {.name = "offset", .storage = Storage::vector3, .offset = offsetof(Record, parameters.offset), .role = Role::parameter, .unit = "m"},
-    {.name = "meshNodeNumbers", .storage = Storage::integers, .offset = offsetof(Record, parameters.meshNodeNumbers), .role = Role::parameter},
+    {.name = "meshNodeNumbers", .storage = Storage::integers, .offset = offsetof(Record, parameters.meshNodeNumbers), .role = Role::parameter, .needs_assemble = true},
     {.name = "weightingFactors", .storage = Storage::vector, .offset = offsetof(Record, parameters.weightingFactors), .role = Role::parameter, .unit = "1"},
     {.name = "useAlternativeApproach", .storage = Storage::boolean, .offset = offsetof(Record, parameters.useAlternativeApproach), .role = Role::parameter},
     {.name = "rotationsExponentialMap", .storage = Storage::integer, .offset = offsetof(Record, parameters.rotationsExponentialMap), .role = Role::parameter, .check = Check::non_negative},

@@ -16,9 +16,9 @@ using Record = NodeGenericAERecord;
 
 constexpr std::array<Row, 5> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
-    {.name = "referenceCoordinates", .storage = Storage::vector, .offset = offsetof(Record, parameters.referenceCoordinates), .role = Role::parameter, .unit = "various"},
+    {.name = "referenceCoordinates", .storage = Storage::vector, .offset = offsetof(Record, parameters.referenceCoordinates), .role = Role::parameter, .needs_assemble = true, .unit = "various"},
     {.name = "initialCoordinates", .storage = Storage::vector, .offset = offsetof(Record, parameters.initialCoordinates), .role = Role::parameter, .unit = "various"},
-    {.name = "numberOfAECoordinates", .storage = Storage::integer, .offset = offsetof(Record, parameters.numberOfAECoordinates), .role = Role::parameter, .check = Check::positive},
+    {.name = "numberOfAECoordinates", .storage = Storage::integer, .offset = offsetof(Record, parameters.numberOfAECoordinates), .role = Role::parameter, .check = Check::positive, .needs_assemble = true},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
 }};
 

@@ -20,7 +20,7 @@ using Record = NodeGenericDataRecord;
 constexpr std::array<Row, 4> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "initialCoordinates", .storage = Storage::vector, .offset = offsetof(Record, parameters.initialCoordinates), .role = Role::parameter, .unit = "various"},
-    {.name = "numberOfDataCoordinates", .storage = Storage::integer, .offset = offsetof(Record, parameters.numberOfDataCoordinates), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "numberOfDataCoordinates", .storage = Storage::integer, .offset = offsetof(Record, parameters.numberOfDataCoordinates), .role = Role::parameter, .check = Check::non_negative, .needs_assemble = true},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
 }};
 

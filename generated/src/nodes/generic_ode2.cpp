@@ -19,10 +19,10 @@ using Record = NodeGenericODE2Record;
 
 constexpr std::array<Row, 6> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
-    {.name = "referenceCoordinates", .storage = Storage::vector, .offset = offsetof(Record, parameters.referenceCoordinates), .role = Role::parameter, .unit = "various"},
+    {.name = "referenceCoordinates", .storage = Storage::vector, .offset = offsetof(Record, parameters.referenceCoordinates), .role = Role::parameter, .needs_assemble = true, .unit = "various"},
     {.name = "initialCoordinates", .storage = Storage::vector, .offset = offsetof(Record, parameters.initialCoordinates), .role = Role::parameter, .unit = "various"},
     {.name = "initialCoordinates_t", .storage = Storage::vector, .offset = offsetof(Record, parameters.initialCoordinates_t), .role = Role::parameter, .unit = "various"},
-    {.name = "numberOfODE2Coordinates", .storage = Storage::integer, .offset = offsetof(Record, parameters.numberOfODE2Coordinates), .role = Role::parameter, .check = Check::positive},
+    {.name = "numberOfODE2Coordinates", .storage = Storage::integer, .offset = offsetof(Record, parameters.numberOfODE2Coordinates), .role = Role::parameter, .check = Check::positive, .needs_assemble = true},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
 }};
 

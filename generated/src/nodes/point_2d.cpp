@@ -18,7 +18,7 @@ using Record = NodePoint2DRecord;
 
 constexpr std::array<Row, 7> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
-    {.name = "referenceCoordinates", .storage = Storage::vector2, .offset = offsetof(Record, parameters.referenceCoordinates), .role = Role::parameter, .unit = "m"},
+    {.name = "referenceCoordinates", .storage = Storage::vector2, .offset = offsetof(Record, parameters.referenceCoordinates), .role = Role::parameter, .needs_assemble = true, .unit = "m"},
     {.name = "initialCoordinates", .storage = Storage::vector2, .offset = offsetof(Record, parameters.initialCoordinates), .role = Role::parameter, .unit = "m"},
     {.name = "initialVelocities", .storage = Storage::vector2, .offset = offsetof(Record, parameters.initialVelocities), .role = Role::parameter, .unit = "m/s"},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},

@@ -16,7 +16,7 @@ using Record = NodePointSlope23Record;
 
 constexpr std::array<Row, 7> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
-    {.name = "referenceCoordinates", .storage = Storage::vector9, .offset = offsetof(Record, parameters.referenceCoordinates), .role = Role::parameter, .unit = "various"},
+    {.name = "referenceCoordinates", .storage = Storage::vector9, .offset = offsetof(Record, parameters.referenceCoordinates), .role = Role::parameter, .needs_assemble = true, .unit = "various"},
     {.name = "initialCoordinates", .storage = Storage::vector9, .offset = offsetof(Record, parameters.initialCoordinates), .role = Role::parameter, .unit = "various"},
     {.name = "initialVelocities", .storage = Storage::vector9, .offset = offsetof(Record, parameters.initialVelocities), .role = Role::parameter, .unit = "various"},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},

@@ -18,10 +18,10 @@ using Record = NodeRigidBodyEPRecord;
 
 constexpr std::array<Row, 8> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
-    {.name = "referenceCoordinates", .storage = Storage::vector7, .offset = offsetof(Record, parameters.referenceCoordinates), .role = Role::parameter, .unit = "various"},
+    {.name = "referenceCoordinates", .storage = Storage::vector7, .offset = offsetof(Record, parameters.referenceCoordinates), .role = Role::parameter, .needs_assemble = true, .unit = "various"},
     {.name = "initialCoordinates", .storage = Storage::vector7, .offset = offsetof(Record, parameters.initialCoordinates), .role = Role::parameter, .unit = "various"},
     {.name = "initialVelocities", .storage = Storage::vector7, .offset = offsetof(Record, parameters.initialVelocities), .role = Role::parameter, .unit = "various"},
-    {.name = "addConstraintEquation", .storage = Storage::boolean, .offset = offsetof(Record, parameters.addConstraintEquation), .role = Role::parameter},
+    {.name = "addConstraintEquation", .storage = Storage::boolean, .offset = offsetof(Record, parameters.addConstraintEquation), .role = Role::parameter, .needs_assemble = true},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
     {.name = "drawSize", .storage = Storage::real, .offset = offsetof(Record, visualization.drawSize), .role = Role::visualization, .unit = "m"},
     {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},

@@ -28,7 +28,7 @@ constexpr std::array<Row, 24> rows{{
     {.name = "baseOffset", .storage = Storage::vector3, .offset = offsetof(Record, parameters.baseOffset), .role = Role::parameter, .unit = "m"},
     {.name = "jointTypes", .storage = Storage::joint_types, .offset = offsetof(Record, parameters.jointTypes), .role = Role::parameter},
     {.name = "linkParents", .storage = Storage::integers, .offset = offsetof(Record, parameters.linkParents), .role = Role::parameter},
-    {.name = "jointTransformations", .storage = Storage::matrix3s, .offset = offsetof(Record, parameters.jointTransformations), .role = Role::parameter, .unit = "1"},
+    {.name = "jointTransformations", .storage = Storage::matrix3s, .offset = offsetof(Record, parameters.jointTransformations), .role = Role::parameter, .check = Check::rotation, .unit = "1"},
     {.name = "jointOffsets", .storage = Storage::vector3s, .offset = offsetof(Record, parameters.jointOffsets), .role = Role::parameter, .unit = "m"},
     {.name = "linkInertiasCOM", .storage = Storage::matrix3s, .offset = offsetof(Record, parameters.linkInertiasCOM), .role = Role::parameter, .unit = "kg m^2"},
     {.name = "linkCOMs", .storage = Storage::vector3s, .offset = offsetof(Record, parameters.linkCOMs), .role = Role::parameter, .unit = "m"},

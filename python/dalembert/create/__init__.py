@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from dalembert.create import bodies, connectors, joints, loads, planned
+from dalembert.create import bodies, connectors, joints, loads
 from dalembert.create._arguments import checked
 
 # What MainSystem gets, by the name of the method.
@@ -14,4 +14,4 @@ functions: dict[str, Callable[..., Any]] = {
     for module in (bodies, connectors, joints, loads)
     for name, function in vars(module).items()
     if name.startswith("Create")
-} | planned.functions
+}

@@ -12,8 +12,8 @@ from typing import Any, Literal, NamedTuple, NoReturn
 import numpy as np
 import numpy.typing as npt
 
-from dalembert._checks import shape_error
-from dalembert._core import MarkerIndex, NodeIndex, ObjectIndex, _is_plain_vector
+from dalembert._checks import ROTATION, rotation_problem, shape_error
+from dalembert._core import MarkerIndex, NodeIndex, ObjectIndex, _is_plain_vector, _problem_of
 
 # Defaults that several functions share. They are passed on and never changed.
 ZERO3 = [0.0, 0.0, 0.0]
@@ -28,14 +28,15 @@ UserFunction = Callable[..., Any] | Literal[0]
 
 
 class Check(NamedTuple):
-    """What an argument must be: a test and the words for it."""
+    """What an argument must be: a test and the words for it, perhaps a function that says what is wrong."""
 
     test: Callable[[Any], bool]
     expected: str
+    problem: Callable[[Any], str] | None = None
 
     def optional(self) -> Check:
         """Return the check that also accepts None."""
-        return Check(lambda value: value is None or self.test(value), self.expected + " or None")
+        return Check(lambda value: value is None or self.test(value), self.expected + " or None", self.problem)
 
 
 def _is_number(value: Any) -> bool:
@@ -65,6 +66,38 @@ def vector(size: int) -> Check:
 def matrix(size: int) -> Check:
     """Return the check for a square matrix of finite numbers."""
     return Check(lambda value: _has_shape(value, (size, size)), f"a {size}x{size} matrix of finite numbers")
+
+
+def refined(check: Check, expected: str, problem: Callable[[Any], str]) -> Check:
+    """Return the check for values that pass another one, and of which `problem` then says nothing."""
+
+    def problem_of(value: Any) -> str:
+        return problem(np.asarray(value, dtype=float)) if check.test(value) else ""
+
+    return Check(lambda value: check.test(value) and not problem_of(value), expected, problem_of)
+
+
+def rotation_matrix() -> Check:
+    """Return the check for a 3x3 rotation matrix: no scaling, shear or reflection."""
+    return refined(matrix(3), ROTATION, rotation_problem)
+
+
+def unit_vector() -> Check:
+    """Return the check for a vector with 3 components, of length 1."""
+    return refined(vector(3), "a vector of length 1", lambda value: _problem_of("unit_vector", value))
+
+
+def require_axis(function: str, axis: Vector) -> None:
+    """Raise a ValueError if there is no axis, or one of zero length."""
+    if len(axis) != 3 or not any(axis):
+        raise argument_error(function, "axis", "a vector with 3 components that is not zero", axis)
+
+
+def require_two_bodies(function: str, bodyNumbers: Sequence[Any]) -> None:
+    """Raise a ValueError if a joint is to be set between a body, or a marker, and itself."""
+    first, second = bodyNumbers
+    if first is not None and type(first) is type(second) and int(first) == int(second):
+        raise argument_error(function, "bodyNumbers", "two different bodies or markers", bodyNumbers)
 
 
 def flags(size: int) -> Check:
@@ -124,7 +157,10 @@ def checked(function: Callable[..., Any], checks: dict[str, Check]) -> Callable[
 
     def refuse(name: str, value: Any) -> NoReturn:
         if name in table:
-            raise argument_error(function.__name__, name, table[name].expected, value)
+            check = table[name]
+            problem = check.problem(value) if check.problem is not None else ""
+            error = argument_error(function.__name__, name, check.expected, value)
+            raise ValueError(f"{error}. {problem}") if problem else error
         near = difflib.get_close_matches(name, names, 1)
         hint = f"; did you mean '{near[0]}'?" if near else f"; known are: {', '.join(names[1:])}"
         raise TypeError(f"MainSystem.{function.__name__}(...): unknown argument '{name}'{hint}")

@@ -10,7 +10,7 @@ import numpy as np
 from dalembert import itemInterface as items
 from dalembert._checks import FloatArray
 from dalembert._core import ConfigurationType, MarkerIndex, NodeIndex, ObjectIndex, OutputVariableType, Print
-from dalembert.create._arguments import ZERO3, Vector, argument_error, is_body
+from dalembert.create._arguments import ZERO3, Vector, argument_error, is_body, require_two_bodies
 
 
 def reference_output(mbs: Any, item: Any, variable: OutputVariableType, localPosition: Vector = ZERO3) -> FloatArray:
@@ -156,6 +156,7 @@ def joint_place(
     The position (m) is global or, if not useGlobalFrame, in the frame of body 0. A marker sets the position itself:
     `position` must then be empty. ValueError otherwise.
     """
+    require_two_bodies(function, bodyNumbers)
     has_marker = False
     for i, number in enumerate(bodyNumbers):
         if isinstance(number, MarkerIndex):

@@ -19,7 +19,7 @@ from dalembert.create._arguments import (
     UserFunction,
     Vector,
     argument_error,
-    matrix,
+    rotation_matrix,
     vector,
 )
 from dalembert.rigidBodyUtilities import (
@@ -288,7 +288,7 @@ def CreateRigidBody(
 CHECKS: dict[str, dict[str, Check]] = {
     "CreateGround": {
         "referencePosition": vector(3),
-        "referenceRotationMatrix": matrix(3),
+        "referenceRotationMatrix": rotation_matrix(),
     },
     "CreateMassPoint": {
         "referencePosition": vector(3),
@@ -300,11 +300,11 @@ CHECKS: dict[str, dict[str, Check]] = {
     },
     "CreateRigidBody": {
         "referencePosition": vector(3),
-        "referenceRotationMatrix": matrix(3),
+        "referenceRotationMatrix": rotation_matrix(),
         "initialVelocity": vector(3),
         "initialAngularVelocity": vector(3),
         "initialDisplacement": vector(3).optional(),
-        "initialRotationMatrix": matrix(3).optional(),
+        "initialRotationMatrix": rotation_matrix().optional(),
         "gravity": vector(3),
         "create2D": FLAG,
         "returnDict": FLAG,

@@ -26,6 +26,8 @@ from dalembert.create._arguments import (
     is_body,
     list_of,
     matrix,
+    require_axis,
+    rotation_matrix,
     vector,
 )
 from dalembert.create._frames import (
@@ -204,6 +206,7 @@ def CreateTorsionalSpringDamper(
     in Nm/rad, damping in Nms/rad, offset in rad, velocityOffset in rad/s, torque in Nm. unlimitedRotations adds a
     data node that counts turns.
     """
+    require_axis("CreateTorsionalSpringDamper", axis)
     place = joint_place(mbs, "CreateTorsionalSpringDamper", bodyNumbers, position, useGlobalFrame)
     rotation0, rotation1 = place.local_frames(frame_with_z(place.to_global(axis, useGlobalFrame)))
     markers = add_joint_markers(mbs, place, name)
@@ -357,7 +360,7 @@ CHECKS: dict[str, dict[str, Check]] = {
         "stiffness": matrix(6),
         "damping": matrix(6),
         "offset": vector(6),
-        "rotationMatrixJoint": matrix(3),
+        "rotationMatrixJoint": rotation_matrix(),
         "intrinsicFormulation": FLAG,
     },
     "CreateTorsionalSpringDamper": {

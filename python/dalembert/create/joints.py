@@ -22,7 +22,10 @@ from dalembert.create._arguments import (
     argument_error,
     flags,
     is_body,
-    matrix,
+    require_axis,
+    require_two_bodies,
+    rotation_matrix,
+    unit_vector,
     vector,
 )
 from dalembert.create._frames import add_joint_markers, joint_place, marker_names
@@ -47,7 +50,7 @@ def CreateRevoluteJoint(
     Position (m) and axis of the hinge are given in the reference configuration, in the global frame or, if not
     useGlobalFrame, in the frame of the first body. A marker sets the position: then position must be [].
     """
-    axis_given("CreateRevoluteJoint", axis)
+    require_axis("CreateRevoluteJoint", axis)
     place = joint_place(mbs, "CreateRevoluteJoint", bodyNumbers, position, useGlobalFrame)
     rotation0, rotation1 = place.local_frames(frame_with_z(place.to_global(axis, useGlobalFrame)))
     return mbs.AddObject(
@@ -80,7 +83,7 @@ def CreatePrismaticJoint(
     Position (m) and axis of sliding are given in the reference configuration, in the global frame or, if not
     useGlobalFrame, in the frame of the first body. A marker sets the position: then position must be [].
     """
-    axis_given("CreatePrismaticJoint", axis)
+    require_axis("CreatePrismaticJoint", axis)
     place = joint_place(mbs, "CreatePrismaticJoint", bodyNumbers, position, useGlobalFrame)
     frame_with_x = ComputeOrthonormalBasis(place.to_global(axis, useGlobalFrame))
     rotation0, rotation1 = place.local_frames(frame_with_x)
@@ -95,12 +98,6 @@ def CreatePrismaticJoint(
             ),
         )
     )
-
-
-def axis_given(function: str, axis: Vector) -> None:
-    """Raise a ValueError if a joint has no axis, or one of zero length."""
-    if len(axis) != 3 or not any(axis):
-        raise argument_error(function, "axis", "a vector with 3 components that is not zero", axis)
 
 
 def CreateSphericalJoint(
@@ -175,6 +172,7 @@ def _rolling_markers(
     mbs: Any, function: str, name: str, bodyNumbers: Sequence[Any], planePosition: Vector, axisPosition: Vector
 ) -> list[Any]:
     """Add the rigid markers of a rolling disc: on the body that carries the plane, and on the disc."""
+    require_two_bodies(function, bodyNumbers)
     for i, body in enumerate(bodyNumbers):
         if not is_body(body):
             raise argument_error(function, f"bodyNumbers[{i}]", "an ObjectIndex", body)
@@ -188,10 +186,10 @@ def _rolling_markers(
 
 _ROLLING_CHECKS = {
     "axisPosition": vector(3),
-    "axisVector": vector(3),
+    "axisVector": unit_vector(),
     "discRadius": NUMBER,
     "planePosition": vector(3),
-    "planeNormal": vector(3),
+    "planeNormal": unit_vector(),
     "discWidth": NUMBER,
 }
 
@@ -289,7 +287,7 @@ CHECKS: dict[str, dict[str, Check]] = {
     "CreatePrismaticJoint": {"axis": vector(3), "axisRadius": NUMBER, "axisLength": NUMBER},
     "CreateSphericalJoint": {"constrainedAxes": flags(3), "jointRadius": NUMBER},
     "CreateGenericJoint": {
-        "rotationMatrixAxes": matrix(3),
+        "rotationMatrixAxes": rotation_matrix(),
         "constrainedAxes": flags(6),
         "axesRadius": NUMBER,
         "axesLength": NUMBER,

@@ -25,13 +25,20 @@ struct BodyPhysics final : ObjectPhysics {
     choose(nodes, [&]<class E>() { batch = make_frame_marker<E, Record>(shape); });
     return batch;
   }
-  void check(const void* record, const Placement& on, const Ports&, const ItemLabel& item) const override {
+  void check_values(const void* record, const ItemLabel& item) const override {
+    if constexpr (requires(const typename Body::Parameters& p) { Body::check(p, item); })
+      Body::check(static_cast<const Record*>(record)->parameters, item);
+  }
+  std::string doubt(const void* record) const override {
+    if constexpr (requires(const typename Body::Parameters& p) { Body::doubt(p); })
+      return Body::doubt(static_cast<const Record*>(record)->parameters);
+    return {};
+  }
+  void check(const void*, const Placement& on, const Ports&, const ItemLabel& item) const override {
     if constexpr (requires { Body::size; })
       if (static_cast<int>(on.dofs.size()) != Body::size)
         refuse(ErrorKind::value, {item, "nodeNumber", "", "nodes with " + std::to_string(on.dofs.size()) + " coordinates together",
                                   std::to_string(Body::size), ""});
-    if constexpr (requires(const typename Body::Parameters& p) { Body::check(p, item); })
-      Body::check(static_cast<const Record*>(record)->parameters, item);
   }
 
  private:

@@ -6,12 +6,13 @@
 #include "dalembert/batches/make_frame_marker.hpp"
 #include "dalembert/batches/turning_node.hpp"
 #include "dalembert/system/physics.hpp"
+#include "dalembert/system/unit_vectors.hpp"
 
 namespace dalembert {
 
 // The condition of a node on its own coordinates: those from Node::unit_from on are a vector x of length one, x x - 1 = 0.
 template <class Node>
-class UnitLengthBatch final : public Term {
+class UnitLengthBatch final : public Term, public UnitVectors {
  public:
   static constexpr int n = Node::size - Node::unit_from;
 
@@ -54,6 +55,9 @@ class UnitLengthBatch final : public Term {
       for (int i = 0; i < n; ++i) slot.add(2 * weights.q * evaluation.lambda[e.first_ae]);
     }
   }
+  void list(std::vector<UnitVector>& vectors) const override {
+    for (const Entry& e : entries_) vectors.push_back({e.dofs[0], n});
+  }
 
  private:
   struct Entry {
@@ -81,6 +85,15 @@ template <class Node, class Record>
 struct MovingNodePhysics final : NodePhysics {
   static_assert(NodeKernel<Node>, "see core/include/dalembert/contracts/element.hpp");
 
+  void check_values(const void* record, const ItemLabel& item) const override {
+    const auto& p = static_cast<const Record*>(record)->parameters;
+    if constexpr (requires { p.referenceCoordinates.size(); }) {
+      check_length(p.referenceCoordinates.size(), "referenceCoordinates", item);
+      check_length(p.initialCoordinates.size(), "initialCoordinates", item);
+      check_length(p.initialVelocities.size(), "initialVelocities", item);
+    }
+    if constexpr (requires { Node::check(p, item); }) Node::check(p, item);
+  }
   Sizes sizes(const void* record) const override {
     const auto& p = static_cast<const Record*>(record)->parameters;
     if constexpr (requires { p.addConstraintEquation; })
@@ -126,7 +139,11 @@ struct MovingNodePhysics final : NodePhysics {
   static void take(std::vector<double>& values, const Vec<double, N>& given) {
     values.assign(given.x.begin(), given.x.end());
   }
-  // Of any length in the spec; the node has its own.
+  // Of any length in the spec; the node has its own, and takes none for zeros.
+  static void check_length(std::size_t given, const char* name, const ItemLabel& item) {
+    if (given != 0 && given != Node::size)
+      refuse(ErrorKind::value, {item, name, "", std::to_string(given) + " values", std::to_string(Node::size), ""});
+  }
   static void take(std::vector<double>& values, const std::vector<double>& given) {
     values.assign(given.begin(), given.end());
     values.resize(Node::size);

@@ -26,8 +26,6 @@ concept RelativeMarkerKernel = requires(const typename K::Parameters& p, const R
 
 template <class Parameters>
 void check_relative_marker(const Parameters& p, const Placement& on, const ItemLabel& item) {
-  if (std::abs(norm(p.axis0) - 1) > 1e-10)
-    refuse(ErrorKind::value, {item, "axis0", "", "an axis of length " + std::to_string(norm(p.axis0)), "a unit vector", ""});
   if constexpr (requires { p.nodeNumber; })
     if (p.nodeNumber.valid() && on.data_count != 1)
       refuse(ErrorKind::value, {item, "nodeNumber", "", "a node with " + std::to_string(on.data_count) + " data coordinates",

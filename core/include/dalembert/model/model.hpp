@@ -44,7 +44,11 @@ class Model {
   // Write one parameter: `write` gets the member in a copy, which is kept only if `write` returns.
   void edit(ItemKind kind, int number, const Row& row, const std::function<void(void*)>& write);
   void rename(ItemKind kind, int number, std::string name);
-  void clear();
+  // Take the items of another model; changes go on counting.
+  void become(Model other);
+  // What an edit of a row takes: another Assemble, or the new value alone; neither for what is only drawn or named.
+  static bool changes_structure(const Row& row);
+  static bool changes_values(const Row& row);
 
   // Delete one item; numbers behind it move up, references to it become invalid. `with_dependents`: objects take their
   // nodes and markers along, loads their marker. Returns a sentence for each reference that was lost.
@@ -55,10 +59,13 @@ class Model {
   void add_load_dependencies(int load, std::span<const int> coordinates);
   const std::map<int, std::vector<int>>& load_dependencies() const { return load_dependencies_; }
 
+  // What is doubtful about items, though it can be computed: a sentence on the first of them, and how many there are; empty: nothing.
+  std::string doubt() const;
   // Refuse a model that cannot be assembled: indices, types of nodes and markers, array lengths. Throws ModelError.
   void check() const;
 
   std::uint64_t structure_changes() const { return structure_changes_; }  // grown: Assemble is needed
+  std::uint64_t equation_changes() const { return equation_changes_; }    // the same without those of sensors
   std::uint64_t value_changes() const { return value_changes_; }          // grown: parameters were replaced
   // The items replaced since change number `since`; everything may have changed if the second is false.
   std::pair<std::vector<ItemReference>, bool> changed_since(std::uint64_t since) const;
@@ -69,6 +76,7 @@ class Model {
   void adopt_name(ItemKind kind, int number, Item& item) const;  // checked; a default name is left out
   void register_name(ItemKind kind, int number, std::string_view name);
   void index_names(ItemKind kind);
+  void note_structure_change(ItemKind kind);
   void note_value_change(ItemKind kind, int number);
   void shift_references(ItemKind kind, int removed, std::vector<std::string>& lost);
   void shift_load_dependencies(ItemKind kind, int removed);
@@ -78,7 +86,7 @@ class Model {
   Titles titles_;
   std::map<int, std::vector<int>> load_dependencies_;
   std::vector<ItemReference> changes_;                                    // the last of the value changes
-  std::uint64_t structure_changes_ = 0, value_changes_ = 0;
+  std::uint64_t structure_changes_ = 0, equation_changes_ = 0, value_changes_ = 0;
 };
 
 // The number in a default name such as 'node12' of that kind; -1 if the name is not of this form.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <charconv>
+#include <cstdint>
 #include <string>
 
 namespace dalembert {
@@ -13,8 +14,8 @@ inline void append_number(std::string& text, double value, int precision) {
   text.append(buffer, end.ptr);
 }
 
-inline void append_integer(std::string& text, int value) {
-  char buffer[16];
+inline void append_integer(std::string& text, std::int64_t value) {
+  char buffer[24];
   text.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);
 }
 

@@ -1,42 +1,57 @@
-// A file that is written through a buffer of its own; nothing is formatted by streams.
+// A file that is written through a buffer of its own; nothing is formatted by streams, and nothing is lost unseen.
 #pragma once
 
-#include <cstdio>
-#include <memory>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+
+#include "dalembert/output/file_error.hpp"
 
 namespace dalembert {
 
+// Which file it is, whatever its name; {0, 0} for devices, pipes and files that are not there.
+using FileIdentity = std::pair<unsigned long long, unsigned long long>;
+FileIdentity identity_of(const std::string& name);
+
+// All functions throw FileError when the operating system refuses.
 class OutputFile {
  public:
-  // Missing folders are made. Throws std::runtime_error, naming file and reason.
+  // Missing folders are made.
   void open(const std::string& name, bool append, std::string_view purpose);
-  bool is_open() const { return file_ != nullptr; }
+  // Takes over an open file; `name` is that of messages.
+  void adopt(int descriptor, const std::string& name, std::string_view purpose);
+  bool is_open() const { return descriptor_ >= 0; }
   // Append to this; `written` keeps it short.
   std::string& text() { return buffer_; }
   void written() {
-    if (buffer_.size() >= buffer_limit) hand_over();
+    if (buffer_.size() >= buffer_limit) flush();
   }
   void flush();
+  void sync();  // onto the disk
   void close();
   const std::string& name() const { return name_; }
 
   OutputFile() = default;
-  OutputFile(OutputFile&&) = default;
-  OutputFile& operator=(OutputFile&&) = default;
-  ~OutputFile() { close(); }
+  OutputFile(OutputFile&& other) noexcept { *this = std::move(other); }
+  OutputFile& operator=(OutputFile&& other) noexcept;
+  ~OutputFile() { close_quietly(); }
 
  private:
   static constexpr std::size_t buffer_limit = 1 << 16;
-  struct Closer {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-  void hand_over();
+  [[noreturn]] void fail(int code, std::string_view problem);
+  void close_quietly() noexcept;
 
-  std::string name_, buffer_;
-  std::unique_ptr<std::FILE, Closer> file_;
+  std::string name_, purpose_, buffer_;
+  int descriptor_ = -1;
+  int failure_ = 0;  // after which nothing more is written: a file without gaps can be read
 };
+
+// All are closed, then the first error is thrown.
+void close_all(std::span<OutputFile> files);
+
+// Makes the folder in which a file is to be; what goes wrong is seen when the file is opened.
+void make_folder_of(const std::string& name);
 
 // "2026-01-31,12:00:00", local time.
 std::string date_and_time();

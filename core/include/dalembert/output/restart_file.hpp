@@ -15,10 +15,12 @@ struct RestartData {
   double step_size = 0;
 };
 
-// The file is complete or not there: it is written under another name first.
+// The file before is kept with the ending .bck. Throws FileError; then nothing has changed.
 void write_restart_file(const std::string& name, const State& state, std::span<const double> algorithmic,
                         double step_size);
-// Throws std::runtime_error, naming file and line, if the file is not what write_restart_file writes.
+// Throws FileError now if the file cannot be written later.
+void check_restart_file(const std::string& name);
+// Throws FileError, or ModelError with file and line if it is not, from start to end, what write_restart_file writes.
 RestartData read_restart_file(const std::string& name);
 
 }  // namespace dalembert

@@ -57,10 +57,11 @@ class SensorRecorder {
   void open(const SimulationSettings& settings, const std::vector<SensorChannel>& channels, SensorStorage* storage,
             double rows);
   bool active() const { return active_; }
+  const std::vector<OutputFile>& files() const { return files_; }
   void write_headers(const RunDescription& run, System& system);
   void record(System& system, double time);
   void write_footer(const std::string& footer);
-  void close();
+  void close();  // throws FileError when all are closed
 
  private:
   // Where the values of one sensor go.

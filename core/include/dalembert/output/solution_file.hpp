@@ -27,6 +27,7 @@ class SolutionFile {
   // `footer` is what write_footer of text files appends.
   void write_footer(const std::string& footer, const SolverIterationData& it, const SolverConvergenceData& conv);
   void close() { file_.close(); }
+  const OutputFile& file() const { return file_; }
 
   // The name of the file, with an ending if the settings give none.
   static std::string name(const SimulationSettings& settings);

@@ -10,7 +10,8 @@
 
 namespace dalembert {
 
-enum class Check : std::uint8_t { none, non_negative, positive };
+// The last three are for vectors and matrices, see core/include/dalembert/model/value_checks.hpp.
+enum class Check : std::uint8_t { none, non_negative, positive, rotation, orthogonal, unit_vector };
 
 enum class Role : std::uint8_t { name, parameter, visualization };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string_view>
 
@@ -18,10 +19,30 @@ struct SettingsChild {
   std::uint32_t offset;        // in the structure that contains it
 };
 
+// What is known of a setting beyond its row; the texts are empty where there is nothing to say.
+struct SettingRule {
+  std::string_view name;
+  double lower = -std::numeric_limits<double>::infinity(), upper = std::numeric_limits<double>::infinity();
+  bool lower_open = false, upper_open = false;  // the bound itself is left out
+  std::string_view words = {};                  // of the range: "from 0 to 1"
+  std::string_view no_effect = {};              // why nothing depends on it
+
+  constexpr bool admits(double value) const {
+    return (lower_open ? value > lower : value >= lower) && (upper_open ? value < upper : value <= upper);
+  }
+};
+
 struct SettingsGroup {
   std::string_view name;  // of the C++ structure and of the Python class
   std::span<const Row> rows;  // offsets from the start of this structure
   std::span<const SettingsChild> children;
+  std::span<const SettingRule> rules = {};
+
+  const SettingRule* rule_of(std::string_view row) const {
+    for (const SettingRule& rule : rules)
+      if (rule.name == row) return &rule;
+    return nullptr;
+  }
 };
 
 }  // namespace dalembert

@@ -1,21 +1,27 @@
 // Counters, flags and times of a solver, with the names under which users read them.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 namespace dalembert {
 
+// Of steps and what adds up over them: a day of steps of a tiny model does not fit into 32 bits.
+using StepCount = std::int64_t;
+
 struct SolverIterationData {
   bool adaptiveStep = true, automaticStepSize = true;
   double automaticStepSizeError = 0;
-  int currentStepIndex = 0;
+  StepCount currentStepIndex = 0;
   double currentStepSize = 0, currentTime = 0;
-  int discontinuousIteration = 0, discontinuousIterationsCount = 0;
+  int discontinuousIteration = 0;
+  StepCount discontinuousIterationsCount = 0;
   double endTime = 0, initialStepSize = 1e-6, lastStepSize = 0, maxStepSize = 0, minStepSize = 0;
-  int newtonJacobiCount = 0, newtonSteps = 0, newtonStepsCount = 0, numberOfSteps = 0;
+  StepCount newtonJacobiCount = 0, newtonStepsCount = 0, numberOfSteps = 0;
+  int newtonSteps = 0;
   double recommendedStepSize = -1;
-  int rejectedAutomaticStepSizeSteps = 0, rejectedModifiedNewtonSteps = 0;
-  int stagnatedNewtonSteps = 0;  // Newton loops that ended because round-off, not a tolerance, was reached
+  StepCount rejectedAutomaticStepSizeSteps = 0, rejectedModifiedNewtonSteps = 0;
+  StepCount stagnatedNewtonSteps = 0;  // Newton loops that ended because round-off, not a tolerance, was reached
   double startTime = 0;
 
   std::string to_string() const;  // the statistics shown by displayStatistics
@@ -38,11 +44,12 @@ struct SolverConvergenceData {
 struct SolverOutputData {
   double cpuLastTimePrinted = 0, cpuSolverStartTime = 0, cpuStartTime = 0;
   bool finishedSuccessfully = false, initializationSuccessful = false;
-  int lastDiscontinuousIterationsCount = 0;
+  StepCount lastDiscontinuousIterationsCount = 0;
   double lastImageRecorded = 0;
-  int lastNewtonJacobiCount = 0, lastNewtonStepsCount = 0;
+  StepCount lastNewtonJacobiCount = 0, lastNewtonStepsCount = 0;
   double lastSensorsWritten = 0, lastSolutionWritten = 0;
-  int lastVerboseStepIndex = 0, multiThreadingMode = 0, numberOfThreadsUsed = 1;
+  StepCount lastVerboseStepIndex = 0;
+  int multiThreadingMode = 0, numberOfThreadsUsed = 1;
   bool simulationStoppedByUser = false, simulationStoppedByUserFunction = false, simulationTimeout = false;
   int stepInformation = 0, verboseMode = 0, verboseModeFile = 0;
   bool writeToSolutionFile = false, writeToSolverFile = false;

@@ -59,6 +59,7 @@ struct VariationResult {
   bool solved = false;
   bool side_by_side = false;           // with others, in the lanes of registers
   std::string message;                 // why it was not solved
+  std::string warnings;                // of its solver, one per line
   double time = 0;                     // that was reached
   std::vector<double> values;          // of the sensors, one after the other; empty if not solved
   std::vector<SensorTable> histories;  // by sensor number, until the end or the failure

@@ -14,10 +14,13 @@
 
 namespace dalembert {
 
+struct Vibration;
+
 class ExplicitSolver : public Solver {
  public:
   std::string name() const override;
   bool controls_step_size() const override { return method_.controls_step_size(); }
+  bool obeys_constraints() const override { return settings().timeIntegration.explicitIntegration.eliminateConstraints; }
   int method_order() const { return verlet_ ? 2 : method_.order; }
   int number_of_stages() const { return verlet_ ? 1 : method_.stages; }
 
@@ -28,13 +31,16 @@ class ExplicitSolver : public Solver {
   bool newton() override;  // one step of the method
   bool reduce_step_size() override;
   void increase_step_size() override;
+  void free_memory() override;
 
  protected:
   void save_start_of_step() override;
+  void advise_on_growth() override;
 
  private:
   using Vector = std::vector<double>;
 
+  void compute_step();
   void runge_kutta_step();
   void verlet_step();
   void compute_stage(int stage);
@@ -57,9 +63,25 @@ class ExplicitSolver : public Solver {
   void eliminate(Vector& x) const;
   void find_eliminated_coordinates();
   void end_of_step();
+  // ---- control of the step size, by the distance of two approximations ----------------------------------------------
   bool control_step_size();
   double estimated_error();
+  double scaled_error(double second, double first, double old) const;
+  bool hold_at_minimum();
+  void diagnose_error_control();
+  // ---- steps that cannot be kept -----------------------------------------------------------------------------------
+  void begin_to_watch();
+  bool stays_bounded() const;
+  bool outgrown();
+  bool theory_explains_growth();
+  bool lose_step();
+  void diagnose_growth();
+  bool find_bad_evaluation();
+  bool is_good(const Vector& a, std::span<const double> y_t);
+  Vibration fastest_at_start();
+  double amplification_of(const Vibration& vibration, double step_size) const;
   void mass_failed(int row);
+  void announce_mass_matrix();
 
   DynamicSolverType type_ = DynamicSolverType::ExplicitEuler;
   RungeKuttaMethod method_;
@@ -68,6 +90,9 @@ class ExplicitSolver : public Solver {
   bool verlet_ = false, lie_ = false, constant_mass_ = false, warned_minimum_ = false;
   // What was computed at the end of a step is the first stage of the next, if nobody changes the system in between.
   bool nobody_interferes_ = false, end_known_ = false, first_stage_known_ = false;
+  int steps_above_tolerance_ = 0;   // in a row, at the smallest step size
+  double growth_limit_ = 0;         // of the sum of squares of coordinates and velocities
+  bool searching_ = false;          // for the first evaluation that is not finite
   MassOperator mass_;
   std::vector<int> eliminated_;
   std::vector<Vector> stage_q_, stage_v_, stage_y_;  // derivatives at the stages

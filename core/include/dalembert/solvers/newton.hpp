@@ -17,6 +17,7 @@ class NewtonSolver : public Solver {
  public:
   void initialize_data() override;
   bool newton() override;
+  void free_memory() override;
 
   // Residual of the current state; returns the number that is compared with the tolerances.
   virtual double compute_residual() = 0;
@@ -52,9 +53,11 @@ class NewtonSolver : public Solver {
   friend class Lockstep;
   struct Loop {
     double initial_residual = 0;
+    double first_residual = 0;  // after the first iteration
     double best_residual = 0;
     int idle = 0;
     bool restarted = false;      // modified Newton has been started again from the beginning of the step
+    bool lost = false;           // the residual is not finite, or beyond all bounds
     bool one_more_step = false;  // after a restart, convergence counts only if confirmed by another iteration
   };
 
@@ -66,6 +69,8 @@ class NewtonSolver : public Solver {
   void jacobian_renewed();
   void judge(double residual);
   bool succeeded() const { return conv.newtonConverged && !conv.stopNewton; }
+  bool leaves_correction() const;
+  void correct_motion();
 
   void iterate();
   bool check_convergence();
@@ -76,7 +81,13 @@ class NewtonSolver : public Solver {
   double evaluate_residual();
   double relative_increment();
   double round_off_level();
+  // By which ODE2 equations are multiplied in `residual_`.
+  virtual double row_scale() const { return 1; }
+  std::vector<double> unscaled_residual() const;
   void report_failure();
+  void report_not_finite();
+  void announce_matrices();
+  void announce_inverse();
   // Refuses entries of the user's Jacobian that the system matrix has no place for.
   void check_entry(const MatrixEntry& entry) const;
 

@@ -15,7 +15,8 @@ inline bool wants_differences(const NewtonNumericalDifferentiationSettings& s) {
   return s.doSystemWideDifferentiation || s.forAE || s.forODE2 || s.forODE2connectors;
 }
 
-// The same matrix as System::tangent, from differences along the same directions.
+// The same matrix as System::tangent; entries that the options choose come from differences along the same directions. Of the
+// whole system at once, these are all, also what no item says that it depends on.
 void numerical_tangent(System& system, const State& state, const Conditions& conditions, const Weights& weights,
                        const NewtonNumericalDifferentiationSettings& options, const Pattern& pattern, std::span<double> values);
 

@@ -52,7 +52,7 @@ class SecondOrderSolver : public NewtonSolver {
   void trace(Trace& trace);
 
   bool newmark() const;
-  double row_scale() const;    // of the ODE2 equations in Newton's method
+  double row_scale() const final;  // of the ODE2 equations in Newton's method
   double beta_prime() const;   // acceleration per increment of a coordinate
   double gamma_prime() const;  // velocity per increment of a coordinate
   void predict();

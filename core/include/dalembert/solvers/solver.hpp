@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <exception>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,13 +19,17 @@
 
 namespace dalembert {
 
+class Model;
+
 // What surrounds a system while it is solved.
 struct SolverEnvironment {
   SolverHooks hooks;
   std::vector<SensorChannel> sensors;
   SensorStorage* sensor_storage = nullptr;
   std::string build;  // version of program, Python and platform, for file headers
+  const Model* model = nullptr;  // that the system was assembled from, to name items in a diagnosis
 };
+const SolverEnvironment& no_environment();
 
 // Every public function that works on a system needs `attach` before. The steps of a solution are virtual functions, so
 // that a user may replace single ones.
@@ -34,15 +40,19 @@ class Solver {
   Solver(const Solver&) = delete;
   Solver& operator=(const Solver&) = delete;
 
-  // All three must live until the next attach.
+  // All three must live until the next attach, or the environment until it is to be forgotten.
   void attach(System& system, const SimulationSettings& settings, const SolverEnvironment& environment);
+  void forget_environment();
 
   // ---- a whole solution ------------------------------------------------------------------------------------------
-  // Initialize, solve all steps, finalize. False: failed, see diagnosis(). Exceptions of hooks and items pass through.
+  // Initialize, solve all steps, finalize. False: failed, see diagnosis(). Exceptions of hooks, items and files pass through,
+  // with the state of the last completed step.
   bool solve_system();
   bool initialize();
   bool solve_steps();
   void finalize();
+  // What was needed for the last solution alone; `initialize` makes it anew.
+  virtual void free_memory() {}
 
   // ---- parts of initialize, in this order --------------------------------------------------------------------------
   virtual void pre_initialize() {}
@@ -67,6 +77,7 @@ class Solver {
   virtual bool is_static() const { return false; }
   virtual std::string name() const = 0;
   virtual bool controls_step_size() const { return false; }
+  virtual bool obeys_constraints() const { return true; }
   virtual double load_factor() const { return 1; }
   double end_time() const;
 
@@ -106,13 +117,24 @@ class Solver {
   void save_all_but_motion();  // q, v and a are left to the caller
   // What a restart needs besides the state.
   virtual std::span<const double> restart_values() const { return {}; }
+  // At most the recommended step size, or the current one times `factor` if there is no recommendation.
+  double reduced_step_size(double factor) const;
   // Whether the user has replaced a part of a step, which may change what the solver does.
   virtual bool has_replaced_parts() const { return false; }
   virtual int recovery_steps() const { return settings_->timeIntegration.adaptiveStepRecoverySteps; }
   virtual int recovery_iterations() const { return settings_->timeIntegration.adaptiveStepRecoveryIterations; }
   void warn(std::string_view text);
-  // Fills the diagnosis with what is known at this point. Equations with the largest residuals are taken from `residual`.
-  void diagnose(FailureReason reason, std::span<const double> residual = {});
+  // As the console shows it.
+  std::string number(double value) const;
+  // ---- diagnosis: what is known at this point ----------------------------------------------------------------------
+  Diagnosis& diagnose(FailureReason reason);
+  // With the equations that have the largest residuals.
+  void diagnose(FailureReason reason, std::span<const double> residual);
+  // Names what is not finite in the current state or, if there is nothing, in `residual`, with the items that it comes from.
+  void diagnose_not_finite(std::span<const double> residual = {});
+  // Adds the largest of the numbers, with the items of their rows; the list stays short and begins with the largest.
+  void add_largest(std::vector<NamedValue>& list, std::span<const double> numbers, const char* vector, int first_row) const;
+  virtual void advise_on_growth();  // adds what to do about it
   // Asks the hooks whether to stop; called where a few milliseconds may have passed.
   void poll_interrupt();
 
@@ -124,9 +146,11 @@ class Solver {
 
  private:
   friend class Lockstep;
+  void check_constraints();  // warns of initial values that do not fulfil them, or refuses these
   // ---- the parts of solve_steps ------------------------------------------------------------------------------------
   void start_steps();
   bool next_step();
+  void take_step();
   bool try_step();
   void begin_step();
   void begin_discontinuous_iteration();
@@ -135,9 +159,15 @@ class Solver {
   void step_succeeded();
   void end_steps();
   // Out of the way of steps that need none of them.
+  void warn_of_step_sizes();
   void announce_step();
   void announce_discontinuous_iteration();
   void announce_increase();
+  bool starts_finite();
+  void time_is_over();
+  std::vector<NamedValue> not_finite(const State& state) const;
+  std::vector<std::string> sources_of_not_finite();
+  std::string describe_data(int index) const;
   void call_pre_step();
   void poll();
   bool time_to_look();
@@ -145,23 +175,32 @@ class Solver {
   void print_progress(bool to_console, bool to_file);
   void wait_for_real_time();
   void summarize();
+  void warn_of_files_written_twice();
+  template <class File>
+  void close(File& file);
+  void announce_end();
   void close_files();
+  void announce_solution();
   void leave();
+  void abandon();
+  std::string unwritten_text() const;
   std::string position_text() const;
   RunDescription run_description() const;
 
   System* system_ = nullptr;
   const SimulationSettings* settings_ = nullptr;
-  const SolverEnvironment* environment_ = nullptr;
+  const SolverEnvironment* environment_ = &no_environment();
   SolutionFile solution_file_;
   SensorRecorder sensors_;
   OutputFile information_file_;
+  std::exception_ptr unwritten_;  // the first FileError of the run
   // The clock is read every (look_mask_ + 1)-th step only, as seldom as a few milliseconds allow.
   std::uint32_t steps_taken_ = 0, look_mask_ = 0;
   double last_look_ = 0;
   double last_restart_ = 0;
-  int steps_since_reduction_ = 0;
+  StepCount steps_since_reduction_ = 0;
   bool end_reached_ = false;
+  bool step_completed_ = false;  // the state is that of the end of a step, not one that is tried
   bool silent_ = false;  // while all steps are solved: nothing happens at their ends
 };
 

@@ -14,7 +14,6 @@ class StaticSolver : public NewtonSolver {
   double load_factor() const override;
 
   void pre_initialize() override;
-  void initialize_data() override;
   void initial_conditions() override;
   void update_current_time() override;
   bool reduce_step_size() override;
@@ -22,6 +21,7 @@ class StaticSolver : public NewtonSolver {
   double compute_residual() override;
   void compute_update(bool initial) override;
   void compute_jacobian() override;
+  double geometric_factor() const { return geometric_factor_; }  // of consecutive loads, with loadStepGeometric
 
  protected:
   int recovery_steps() const override { return settings().staticSolver.adaptiveStepRecoverySteps; }

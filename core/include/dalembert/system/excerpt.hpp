@@ -27,11 +27,10 @@ Excerpt excerpt(const Model& model, ItemKind kind, int number);
 // Keeps the last ones: while a model is built, the same items are asked again and again.
 class Excerpts {
  public:
-  // Valid until the next call.
-  const Excerpt& of(const Model& model, ItemKind kind, int number);
+  std::shared_ptr<const Excerpt> of(const Model& model, ItemKind kind, int number);
 
  private:
-  std::array<Excerpt, 4> kept_;
+  std::array<std::shared_ptr<const Excerpt>, 4> kept_;
   std::size_t next_ = 0;
 };
 

@@ -22,6 +22,7 @@
 #include "dalembert/system/load_dependencies.hpp"
 #include "dalembert/system/physics.hpp"
 #include "dalembert/system/system.hpp"
+#include "dalembert/system/unit_vectors.hpp"
 #include "dalembert/system/workers.hpp"
 
 namespace dalembert {
@@ -185,6 +186,7 @@ struct SystemParts {
   bool functions_in_regions = false;  // of the user, which only the thread of the solver may call: it does it all
   std::unique_ptr<Workers> workers;   // null: one thread does it all
   std::vector<System::LieBlock> lie_blocks;
+  std::vector<UnitVector> unit_vectors;
   Ports ports;
   std::vector<double> static_signs;  // of the algebraic variables
   bool constant_mass = true;
@@ -193,7 +195,7 @@ struct SystemParts {
   using States = std::array<State, 6>;  // by ConfigurationType
   std::shared_ptr<States> kept_states = std::make_shared<States>();  // views from outside keep them
   States& states = *kept_states;
-  std::uint64_t structure = 0, values = 0;  // of the model, as assembled
+  std::uint64_t structure = 0, equations = 0, values = 0;  // changes of the model, as assembled
 
   std::optional<Pattern> dense_pattern, mass_pattern;  // made when asked for
   std::list<Pattern> sparse_patterns;  // likewise; the last is that of solvers that begin, others may still use those before

@@ -17,7 +17,11 @@ namespace dalembert {
 
 struct Physics {
   virtual ~Physics() = default;
-  // Refuses parameters that do not fit the nodes and markers of the item; `item` is how errors name it.
+  // Refuses parameters that contradict each other; `item` is how errors name it.
+  virtual void check_values(const void* /*record*/, const ItemLabel& /*item*/) const {}
+  // What of them no real system has, though it can be computed; empty: nothing.
+  virtual std::string doubt(const void* /*record*/) const { return {}; }
+  // Refuses parameters that do not fit the nodes and markers of the item.
   virtual void check(const void* /*record*/, const Placement&, const Ports&, const ItemLabel& /*item*/) const {}
   // With these parameters the item does not need the data node that its type asks for.
   virtual bool works_without_data(const void* /*record*/) const { return false; }

@@ -42,6 +42,8 @@ struct Discontinuity {
   double recommended_step_size = -1;  // -1: no recommendation
 };
 
+enum class CoordinateUnit { unknown, radian, meter };  // the more is known, the greater
+
 class System {
  public:
   System();
@@ -54,6 +56,12 @@ class System {
   bool assembled() const;
   // Take over changed parameters of items (of the same structure) from the model.
   void refresh(const Model& model);
+  // The same from the next evaluation on, for functions that are called in the middle of one. The model has to live as long.
+  void refresh_later(const Model& model) { late_ = &model; }
+  // Take over added, deleted and changed sensors; false: other items have changed as well.
+  bool renew_sensors(const Model& model);
+  // Counts the assemblings: who keeps anything of a system has to look for it again when it has grown.
+  std::uint64_t version() const { return version_; }
 
   // So many threads share the evaluations from now on, until the next Assemble; fewer if the system is small. Results are
   // the same, bit for bit.
@@ -90,6 +98,10 @@ class System {
   void right_hand_sides(const State& state, const Conditions& conditions, std::span<double> rhs, std::span<double> y_t);
   // Constraint equations only; sizes().ae entries.
   void gaps(const State& state, const Conditions& conditions, std::span<double> g);
+  // What each ODE2 coordinate measures: components of positions, the other coordinates of such nodes, or no one knows what.
+  std::vector<CoordinateUnit> coordinate_units() const;
+  // The diagonal of the box around all markers and nodes in space, in m, as the last evaluation has left them; 1 if there is none.
+  double extent() const;
 
   // Coordinates that the ObjectConnectorCoordinate constraints simply fix to zero or tie to ground, for explicit
   // integrators that eliminate them; empty optional: there are constraints of another kind.
@@ -102,6 +114,9 @@ class System {
     int rotation;  // first of the three rotation coordinates in the ODE2 vector
   };
   std::span<const LieBlock> lie_blocks() const;
+  // Vectors of length one, such as Euler parameters, which solvers that constrain their rates alone let drift: they are divided by
+  // their length, and their rates and accelerations with them, which leaves the turn of their direction as it is.
+  void restore_unit_lengths(State& state) const;
 
   // One factor per algebraic variable: -1 for multipliers, which static solvers count with the opposite sign, 1 for
   // coordinates among them.
@@ -157,6 +172,8 @@ class System {
   State* states_;  // of the parts, by ConfigurationType
   Sizes sizes_;
   bool assembled_ = false;
+  std::uint64_t version_ = 0;
+  const Model* late_ = nullptr;       // whose changes the next evaluation takes over
   const State* evaluated_ = nullptr;  // whose marker frames and forces the ports hold
   int evaluations_ = 0;
 };

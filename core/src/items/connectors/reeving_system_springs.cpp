@@ -319,8 +319,6 @@ struct ReevingPhysics final : ObjectPhysics {
       complain("sheavesAxes", std::to_string(p.sheavesAxes.size()) + " axes", std::to_string(n) + " axes" + each);
     if (static_cast<int>(p.sheavesRadii.size()) != n)
       complain("sheavesRadii", std::to_string(p.sheavesRadii.size()) + " radii", std::to_string(n) + " radii" + each);
-    for (const auto& axis : p.sheavesAxes)
-      if (std::abs(norm(axis) - 1) > 1e-6) complain("sheavesAxes", "an axis of length " + std::to_string(norm(axis)), "unit vectors");
     if (p.regularizationForce == 0) complain("regularizationForce", "0", "a positive or a negative force");
   }
 };

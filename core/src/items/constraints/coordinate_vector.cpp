@@ -62,7 +62,7 @@ class CoordinateVectorBatch final : public Term {
     if (equations(p) != static_cast<int>(e.rows.size()) || quadratic(p) != quadratic(e.parameters))
       refuse(ErrorKind::state,
              {"object " + std::to_string(e.item) + " (ObjectConnectorCoordinateVector)", "",
-              "its matrices have changed their sizes since the system was assembled", "", "", "Call Assemble() again"});
+              "its matrices have changed their sizes since the system was assembled", "", "", "Use mbs.ModifyObject(...), then mbs.Assemble()"});
     e.parameters = p;
   }
   void visit(BlockVisitor& visitor, const Ports& ports) const override {

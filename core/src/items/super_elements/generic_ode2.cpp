@@ -35,7 +35,7 @@ class GenericODE2Batch final : public Term {
         !renewed.damping.same_places(e.damping))
       refuse(ErrorKind::state, {"object " + std::to_string(e.item) + " (ObjectGenericODE2)", "",
                                 "its matrices have entries at other places than when the system was assembled", "", "",
-                                "Call Assemble() again"});
+                                "Use mbs.ModifyObject(...), then mbs.Assemble()"});
     e = std::move(renewed);
   }
   // A full block for dense matrices and user functions, then the places of the sparse matrices.

@@ -3,12 +3,20 @@
 
 #include "dalembert/bodies/rigid_body_parameters.hpp"
 #include "dalembert/contracts/element.hpp"
+#include "dalembert/model/value_checks.hpp"
 
 namespace dalembert {
 
 struct ObjectRigidBody {
   using Parameters = ObjectRigidBodyParameters;
   static constexpr bool constant_mass = true;  // in the body frame; the node decides about its coordinates
+
+  static void check(const Parameters& p, const ItemLabel& item) {
+    check_inertia(p.physicsMass, inertia_tensor(p), p.physicsCenterOfMass, item);
+  }
+  static std::string doubt(const Parameters& p) {
+    return judge_inertia(p.physicsMass, inertia_tensor(p), p.physicsCenterOfMass).problem;
+  }
 
   static double mass(const Parameters& p) { return p.physicsMass; }
   static const Vec3<double>& centre(const Parameters& p) { return p.physicsCenterOfMass; }
@@ -44,6 +52,11 @@ struct ObjectRigidBody {
   }
 
  private:
+  static Mat3<double> inertia_tensor(const Parameters& p) {
+    const auto& j = p.physicsInertia;
+    return {j[0], j[5], j[4], j[5], j[1], j[3], j[4], j[3], j[2]};
+  }
+
   // Inertia force of an eccentric centre of mass, in own axes, without the acceleration of the node.
   template <class T, class S>
   static Vec3<S> swing(const MassProperties<T>& b, const SpinMotion<S>& node) {

@@ -3,12 +3,17 @@
 
 #include "dalembert/bodies/rigid_body_2d_parameters.hpp"
 #include "dalembert/contracts/element.hpp"
+#include "dalembert/model/value_checks.hpp"
 
 namespace dalembert {
 
 struct ObjectRigidBody2D {
   using Parameters = ObjectRigidBody2DParameters;
   static constexpr bool constant_mass = false;  // with an eccentric centre of mass it turns with the body
+
+  static void check(const Parameters& p, const ItemLabel& item) {
+    check_planar_inertia(p.physicsMass, p.physicsInertia, p.physicsCenterOfMass, item);
+  }
 
   static double mass(const Parameters& p) { return p.physicsMass; }
   static Vec3<double> centre(const Parameters& p) { return {p.physicsCenterOfMass[0], p.physicsCenterOfMass[1], 0.0}; }

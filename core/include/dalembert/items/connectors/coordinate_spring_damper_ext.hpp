@@ -77,9 +77,9 @@ struct ObjectConnectorCoordinateSpringDamperExt {
   template <class S>
   static S force(const Parameters& p, const Context& c, const Difference<S>& d) {
     if (p.springForceUserFunction)
-      return call_scalar(p.springForceUserFunction, c, d.value, d.rate, p.stiffness, p.damping, p.offset, p.fDynamicFriction,
-                         p.fStaticFrictionOffset, p.exponentialDecayStatic, p.fViscousFriction, p.frictionProportionalZone,
-                         p.velocityOffset);
+      return call_scalar(p.springForceUserFunction, c, d.value, d.rate, p.stiffness, p.damping, p.offset, p.velocityOffset,
+                         p.fDynamicFriction, p.fStaticFrictionOffset, p.exponentialDecayStatic, p.fViscousFriction,
+                         p.frictionProportionalZone);
     S f = p.stiffness * (d.value - p.offset) + p.damping * (d.rate - p.velocityOffset);
     if (p.frictionProportionalZone != 0) f += curve(p)(d.rate);
     if (has_bristles(p) && c.data != nullptr) f += bristle_force(p, c.data, d);

@@ -6,6 +6,7 @@
 #include "dalembert/contracts/user_function.hpp"
 #include "dalembert/enums.hpp"
 #include "dalembert/frames.hpp"
+#include "dalembert/math/lanes.hpp"
 
 namespace dalembert {
 
@@ -13,7 +14,7 @@ struct ObjectConnectorSpringDamper {
   using Parameters = ObjectConnectorSpringDamperParameters;
   using Port = PointPort;
 
-  // Force along the line between the points; coinciding points have no line, and no force.
+  // Force along the line between the points, or along their relative velocity while they coincide; without either, none.
   template <class S>
   static std::array<Force<S>, 2> forces(const Parameters& p, const Context& c, const PointFrame<S>& m0, const PointFrame<S>& m1) {
     const Line<S> line(m0, m1);
@@ -40,21 +41,24 @@ struct ObjectConnectorSpringDamper {
     return law.tension(line.length, line.rate) * line.axis;
   }
 
-  // The tension changes along the line, the line turns with what moves across it.
+  // The tension changes along the line, the line turns with what moves across it. Where the points coincide, it is the relative
+  // velocity that turns it; that the line jumps once they part has no derivative.
   static SpanTangent<3> tangent(const Parameters& p, const PointFrame<double>& m0, const PointFrame<double>& m1) {
     const Line<double> line(m0, m1);
-    if (line.length == 0) return {};
-    const Vec3<double> across = m1.velocity - m0.velocity - line.rate * line.axis;
-    const Vec3<double> slope = p.stiffness * line.axis + (p.damping / line.length) * across;
-    const double turning = tension(p, Context{}, line) / line.length;
+    if (is_zero(line.axis)) return {};
+    const bool coincide = is_zero(line.span);
+    Vec3<double> slope = p.stiffness * line.axis;
+    if (!coincide) slope += (p.damping / line.length) * (m1.velocity - m0.velocity - line.rate * line.axis);
     SpanTangent<3> t;
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
-        t.by_span(i, j) = line.axis[i] * (slope[j] - turning * line.axis[j]);
+        t.by_span(i, j) = line.axis[i] * slope[j];
         t.by_rate(i, j) = p.damping * line.axis[i] * line.axis[j];
       }
-      t.by_span(i, i) += turning;
-    }
+    const double turning = tension(p, Context{}, line) / (coincide ? line.rate : line.length);
+    Mat3<double>& turned = coincide ? t.by_rate : t.by_span;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) turned(i, j) += turning * ((i == j ? 1.0 : 0.0) - line.axis[i] * line.axis[j]);
     return t;
   }
 
@@ -80,21 +84,50 @@ struct ObjectConnectorSpringDamper {
 
     Line(const PointFrame<S>& m0, const PointFrame<S>& m1) : Line(m1.position - m0.position, m1.velocity - m0.velocity) {}
     Line(const Vec3<S>& from_0_to_1, const Vec3<S>& velocity) : span(from_0_to_1) {
-      const S square = dot(span, span);
-      if constexpr (OneNumber<S>) {
-        if (value_of(square) == 0) return;  // derivatives have no value there
+      Vec3<S> along = span;
+      S square = dot(along, along);
+      const bool coincide = any_zero(square);
+      if (coincide) [[unlikely]] {
+        along = where_zero(square, velocity, span);
+        square = dot(along, along);
+        if constexpr (OneNumber<S>) {
+          if (value_of(square) == 0) return;  // derivatives have no value there
+        }
       }
       using std::sqrt;
       length = sqrt(square);
-      axis = (1.0 / one_for_zero(length)) * span;
+      axis = (1.0 / one_for_zero(length)) * along;
+      if (coincide) [[unlikely]] length = dot(axis, span);
       rate = dot(axis, velocity);
     }
   };
 
+  template <OneNumber S>
+  static bool any_zero(const S& square) {
+    return value_of(square) == 0;
+  }
+  template <int N>
+  DALEMBERT_INLINE static bool any_zero(const Lanes<N>& square) {
+    const auto zero = square.x == typename Lanes<N>::Register{};
+    auto any = zero[0];
+    for (int lane = 1; lane < N; ++lane) any |= zero[lane];
+    return any != 0;
+  }
+  // The first vector where the square is zero, else the second.
+  template <OneNumber S>
+  static Vec3<S> where_zero(const S&, const Vec3<S>& first, const Vec3<S>&) {
+    return first;
+  }
+  template <int N>
+  DALEMBERT_INLINE static Vec3<Lanes<N>> where_zero(const Lanes<N>& square, const Vec3<Lanes<N>>& first, const Vec3<Lanes<N>>& second) {
+    return vector_of<3>([&](int i) { return Lanes<N>(square.x == 0.0 ? first[i].x : second[i].x); });
+  }
+
   template <class S>
   static S tension(const Parameters& p, const Context& c, const Line<S>& line) {
     if (p.springForceUserFunction)
-      return call_scalar(p.springForceUserFunction, c, line.length - p.referenceLength, line.rate, p.stiffness, p.damping, p.force);
+      return call_scalar(p.springForceUserFunction, c, line.length - p.referenceLength, line.rate - p.velocityOffset, p.stiffness,
+                         p.damping, p.force);
     return law(p).tension(line.length, line.rate);
   }
 };

@@ -3,6 +3,7 @@
 
 #include "dalembert/constraints/distance_parameters.hpp"
 #include "dalembert/contracts/context.hpp"
+#include "dalembert/contracts/line_of_action.hpp"
 #include "dalembert/enums.hpp"
 #include "dalembert/frames.hpp"
 
@@ -14,7 +15,9 @@ struct ObjectConnectorDistance {
   static constexpr int equations = 1;
 
   template <class S>
-  static Vec<S, 1> gap(const Parameters& p, const Context&, const PointFrame<S>& m0, const PointFrame<S>& m1) {
+  static Vec<S, 1> gap(const Parameters& p, const Context& c, const PointFrame<S>& m0, const PointFrame<S>& m1) {
+    if (coincide(m0, m1))
+      refuse_coinciding(c, "ObjectConnectorDistance", "Keep the points apart, or use ObjectJointSpherical for points that stay together");
     return {norm(m1.position - m0.position) - p.distance};
   }
   template <class S>

@@ -34,7 +34,7 @@ struct ObjectJointRollingDisc {
     const auto vector = [&](const Vec3<double>& v) { values.assign(v.x.begin(), v.x.end()); };
     switch (variable) {
       case OutputVariableType::Position: vector(point); return true;
-      case OutputVariableType::Velocity: vector(trail_velocity(p, m0, m1, contact, point)); return true;
+      case OutputVariableType::Velocity: vector(trail_velocity(p, m0, m1, contact, contact.arm)); return true;
       case OutputVariableType::ForceLocal: vector(-lambda); return true;
       case OutputVariableType::RotationMatrix: assign_contact_axes(contact, values); return true;
       default: return false;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dalembert/contracts/element.hpp"
+#include "dalembert/model/errors.hpp"
 #include "dalembert/nodes/point_2d_slope1_parameters.hpp"
 
 namespace dalembert {
@@ -12,6 +13,13 @@ struct NodePoint2DSlope1 {
   static constexpr int size = 4;
   static constexpr bool constant_jacobian = false;
   static constexpr int translations = 2;
+
+  static void check(const Parameters& p, const ItemLabel& item) {
+    Vec<double, 2> slope = segment<2>(p.referenceCoordinates, 2);
+    if (norm(slope) == 0) refuse_slope("referenceCoordinates", item);
+    slope += segment<2>(p.initialCoordinates, 2);
+    if (norm(slope) == 0) refuse_slope("initialCoordinates", item);
+  }
 
   template <class S>
   static Motion<S> motion(const Coordinates<S, size>& x) {
@@ -33,6 +41,11 @@ struct NodePoint2DSlope1 {
   static Vec<S, size> pull_back(const Coordinates<S, size>& x, const Vec3<S>& force, const Vec3<S>& moment) {
     const S m = moment[2] / (x.q[2] * x.q[2] + x.q[3] * x.q[3]);
     return {force[0], force[1], -(x.q[3] * m), x.q[2] * m};
+  }
+
+ private:
+  [[noreturn]] static void refuse_slope(const char* name, const ItemLabel& item) {
+    refuse(ErrorKind::value, {item, name, "the slope vector has no length", "", "a slope vector along the axis, of length 1 if nothing is stretched", ""});
   }
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dalembert/contracts/element.hpp"
+#include "dalembert/model/value_checks.hpp"
 #include "dalembert/nodes/rigid_body_ep_parameters.hpp"
 
 namespace dalembert {
@@ -14,6 +15,13 @@ struct NodeRigidBodyEP {
   static constexpr int translations = 3;
   static constexpr int unit_from = 3;  // Euler parameters form a unit vector
   static constexpr bool products_alone = true;
+
+  static void check(const Parameters& p, const ItemLabel& item) {
+    Vec<double, 4> e = segment<4>(p.referenceCoordinates, unit_from);
+    check_unit_length(e.x, "referenceCoordinates", "four Euler parameters, from the fourth value on", item);
+    e += segment<4>(p.initialCoordinates, unit_from);
+    check_unit_length(e.x, "initialCoordinates", "values that, added to referenceCoordinates, give four Euler parameters", item);
+  }
 
   template <class S>
   static Mat3<S> rotation(const Coordinates<S, size>& x) {

@@ -1,0 +1,44 @@
+// What values have to be beyond their type: one judgement for arguments, parameters and models.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "dalembert/math/fixed.hpp"
+#include "dalembert/model/errors.hpp"
+#include "dalembert/reflection/row.hpp"
+
+namespace dalembert {
+
+// What is doubtful is used, with a warning.
+enum class Fit : std::uint8_t { right, doubtful, wrong };
+
+struct Verdict {
+  Fit fit = Fit::right;
+  std::string problem = {};  // what is wrong, as a sentence; empty if nothing is
+};
+
+// Rotations are orthogonal and have the determinant 1, both to 1e-8. Where only some of the columns count, reflections are doubtful.
+Verdict judge_rotation(const Mat3<double>& a, Fit of_reflections = Fit::wrong);
+// Of length 1, to 1e-8.
+Verdict judge_unit_vector(const Vec3<double>& v);
+// A member by the check of its row; of a list, the worst entry.
+Verdict judge(const Row& row, const void* member);
+
+// What a check asks for, as in "but expected ...", and what to do; empty for those of numbers.
+std::string demand(Check check);
+std::string advice(Check check);
+
+// The inertia of a body about a reference point, from which its centre of mass counts. About that, no principal moment is negative,
+// which is wrong, nor larger than the sum of the others, which is doubtful. Numbers of a few digits may be off by 1e-4 of the
+// largest component.
+Verdict judge_inertia(double mass, const Mat3<double>& about_reference, const Vec3<double>& centre);
+
+// For kernels: the parameters physicsMass, physicsInertia and physicsCenterOfMass, the latter in the plane for planar bodies.
+void check_inertia(double mass, const Mat3<double>& about_reference, const Vec3<double>& centre, const ItemLabel& item);
+void check_planar_inertia(double mass, double about_reference, const Vec<double, 2>& centre, const ItemLabel& item);
+// Values of length 1, to 1e-8.
+void check_unit_length(std::span<const double> values, const char* parameter, const char* expected, const ItemLabel& item);
+
+}  // namespace dalembert

@@ -1,0 +1,214 @@
+// What a solver can tell about its failure.
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <numeric>
+
+#include "dalembert/model/model.hpp"
+#include "dalembert/output/numbers.hpp"
+#include "dalembert/solvers/solver.hpp"
+#include "finite.hpp"
+
+namespace dalembert {
+
+namespace {
+
+constexpr std::size_t most_named = 5;
+
+struct Part {
+  const char* name;  // as methods of systemData are named
+  std::vector<double> State::*vector;
+};
+// Causes come before what follows from them.
+constexpr Part parts[] = {{"Data", &State::data},    {"ODE2", &State::q},     {"ODE2_t", &State::v}, {"ODE1", &State::y},
+                          {"AE", &State::lambda},    {"ODE2_tt", &State::a},  {"ODE1_t", &State::y_t}};
+
+int first_row_of(const Sizes& sizes, std::vector<double> State::*vector) {
+  if (vector == &State::y || vector == &State::y_t) return sizes.ode2;
+  return vector == &State::lambda ? sizes.first_ae() : 0;
+}
+
+// Outputs that say what a connector or joint does to its markers.
+constexpr OutputVariableType efforts[] = {OutputVariableType::Force, OutputVariableType::Torque, OutputVariableType::ForceLocal,
+                                          OutputVariableType::TorqueLocal};
+
+// Whether `read(values)` gives a number that is not finite; what cannot be read is not to blame.
+template <class Read>
+bool gives_not_finite(Read&& read) {
+  std::vector<double> values;
+  try {
+    read(values);
+  } catch (const std::exception&) {
+    return false;
+  }
+  return !all_finite(values);
+}
+
+}  // namespace
+
+Diagnosis& Solver::diagnose(FailureReason reason) {
+  diagnosis_ = Diagnosis();
+  Diagnosis& d = diagnosis_;
+  d.reason = reason;
+  d.solver = name();
+  d.step = it.currentStepIndex;
+  d.newton_iteration = it.newtonSteps;
+  d.time = it.currentTime;
+  d.step_size = it.currentStepSize;
+  d.load_factor = is_static() ? load_factor() : 1;
+  d.residual = conv.residual;
+  d.relative_residual = initial_residual_ > 0 ? conv.residual / initial_residual_ : 0;
+  d.tolerance_relative = newton_settings.relativeTolerance;
+  d.tolerance_absolute = newton_settings.absoluteTolerance;
+  if (conv.linearSolverFailed && conv.linearSolverCausingRow >= 0) {
+    d.singular_row = conv.linearSolverCausingRow;
+    if (settings_->linearSolverSettings.showCausingItems) d.singular_items = system_->describe_row(d.singular_row);
+    d.advice = {"look for redundant constraints, coordinates without mass or stiffness, and zero parameters at these items",
+                "use linearSolverType=exu.LinearSolverType.EigenDense with linearSolverSettings.ignoreSingularJacobian=True "
+                "to go on with redundant constraints"};
+  }
+  return d;
+}
+
+void Solver::diagnose(FailureReason reason, std::span<const double> residual) {
+  Diagnosis& d = diagnose(reason);
+  if (reason == FailureReason::discontinuous) {
+    d.residual = conv.discontinuousIterationError;
+    d.newton_iteration = it.discontinuousIteration;
+    d.relative_residual = d.tolerance_relative = 0;
+    d.tolerance_absolute = discontinuous.iterationTolerance;
+  }
+  add_largest(d.values, residual, "equation", 0);
+  d.advice.push_back(is_static() ? "use more load steps (staticSolver.numberOfLoadSteps)"
+                                 : "use smaller steps (timeIntegration.numberOfSteps)");
+  d.advice.push_back("check initial values, and parameters of the items named above for wrong units");
+  if (newton_settings.useModifiedNewton) d.advice.push_back("use full Newton (newton.useModifiedNewton=False)");
+  if (reason == FailureReason::discontinuous) d.advice.push_back("allow more discontinuous.maxIterations");
+}
+
+void Solver::add_largest(std::vector<NamedValue>& list, std::span<const double> numbers, const char* vector, int first_row) const {
+  const auto larger = [](double x, double y) {  // in size; what is not a number comes first
+    if (std::isnan(x) || std::isnan(y)) return std::isnan(x) && !std::isnan(y);
+    return std::abs(x) > std::abs(y);
+  };
+  std::vector<int> order(numbers.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto count = std::min(order.size(), most_named);
+  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
+                    [&](int i, int j) { return larger(numbers[i], numbers[j]); });
+  for (const int i : std::span(order).first(count)) {
+    if (numbers[i] != 0) list.push_back({i, numbers[i], vector, system_->describe_row(first_row + i)});
+  }
+  std::ranges::stable_sort(list, larger, &NamedValue::value);
+  list.resize(std::min(list.size(), most_named));
+}
+
+std::vector<NamedValue> Solver::not_finite(const State& state) const {
+  std::vector<NamedValue> found;
+  for (const Part& part : parts) {
+    const std::vector<double>& numbers = state.*part.vector;
+    for (std::size_t i = 0; i < numbers.size() && found.size() < most_named; ++i) {
+      if (std::isfinite(numbers[i])) continue;
+      const int index = static_cast<int>(i);
+      found.push_back({index, numbers[i], part.name,
+                       part.vector == &State::data ? describe_data(index)
+                                                   : system_->describe_row(first_row_of(sizes_, part.vector) + index)});
+    }
+  }
+  return found;
+}
+
+std::string Solver::describe_data(int index) const {
+  if (environment_->model == nullptr) return "";
+  for (int node = 0; node < environment_->model->count(ItemKind::node); ++node) {
+    const std::vector<int> own = system_->node_ltg(node, System::Coordinates::data);
+    if (const auto at = std::ranges::find(own, index); at != own.end())
+      return environment_->model->describe(ItemKind::node, node) + ", data coordinate " + std::to_string(at - own.begin());
+  }
+  return "";
+}
+
+void Solver::diagnose_not_finite(std::span<const double> residual) {
+  std::vector<NamedValue> values = not_finite(current());
+  const bool follows = values.empty() || values.front().vector == "ODE2_tt" || values.front().vector == "ODE1_t";
+  std::vector<std::string> sources;
+  if (follows) sources = sources_of_not_finite();
+  if (values.empty()) add_largest(values, residual, "equation", 0);
+  const bool finite = std::ranges::all_of(values, [](const NamedValue& v) { return std::isfinite(v.value); });
+  Diagnosis& d = diagnose(finite ? FailureReason::unbounded : FailureReason::not_finite);
+  d.values = std::move(values);
+  d.sources = std::move(sources);
+  d.singular_row = -1;
+  d.advice.clear();
+  if (it.currentStepIndex > 0) advise_on_growth();
+  d.advice.push_back("check initial values, parameters and user functions of the items named above: divisions by zero, roots of negative "
+                     "numbers, wrong units");
+}
+
+void Solver::advise_on_growth() {
+  diagnosis_.advice.push_back(is_static() ? "use more load steps (staticSolver.numberOfLoadSteps)"
+                                          : "use smaller steps (timeIntegration.numberOfSteps)");
+}
+
+// Loads and connectors whose values are not finite in the current state, although its coordinates are.
+std::vector<std::string> Solver::sources_of_not_finite() {
+  std::vector<std::string> found;
+  if (environment_->model == nullptr) return found;
+  const Model& model = *environment_->model;
+  const auto ask = [&](ItemKind kind, int number, auto&& read) {
+    if (found.size() < most_named && gives_not_finite(read)) found.push_back(model.describe(kind, number));
+    return found.size() < most_named;
+  };
+  for (int i = 0; i < model.count(ItemKind::load); ++i) {
+    if (!ask(ItemKind::load, i, [&](std::vector<double>& x) { system_->load_values(i, current().time, x); })) return found;
+  }
+  for (int i = 0; i < model.count(ItemKind::object); ++i) {
+    const auto outputs = model.item(ItemKind::object, i).type->outputs;
+    const auto effort = std::ranges::find_first_of(outputs, efforts);
+    if (effort == outputs.end()) continue;
+    if (!ask(ItemKind::object, i, [&](std::vector<double>& x) { system_->object_output(i, *effort, ConfigurationType::Current, x); })) break;
+  }
+  return found;
+}
+
+bool Solver::starts_finite() {
+  const State& first = system_->state(ConfigurationType::Initial);
+  std::vector<NamedValue> values = not_finite(first);
+  if (values.empty()) return true;
+  it.currentTime = is_static() ? settings_->staticSolver.loadStepStart : settings_->timeIntegration.startTime;
+  Diagnosis& d = diagnose(FailureReason::not_finite);
+  d.values = std::move(values);
+  d.advice = {"set finite initial values: initialCoordinates and initialVelocities of the nodes named above, or "
+              "mbs.systemData.SetODE2Coordinates(..., exu.ConfigurationType.Initial) and its siblings"};
+  return false;
+}
+
+[[gnu::noinline]] void Solver::time_is_over() {
+  stop_ = output.simulationTimeout = true;
+  const std::string limit = format_number(hooks().timeout) + " seconds";
+  diagnose(FailureReason::time_limit).advice = {"raise exudyn.special.solver.timeout (" + limit + "), or set it to -1 for no limit",
+                                                "go on from the state that was reached: updateInitialValues and timeIntegration.startTime"};
+  warn(name() + ": the time limit of " + limit + " (exudyn.special.solver.timeout) is reached at time " + format_number(it.currentTime) +
+       ", before the end of the simulation: the solver stops");
+}
+
+std::string Solver::error_string() const {
+  if (output.finishedSuccessfully) return "";
+  if (diagnosis_.failed()) return diagnosis_.headline();
+  if (unwritten_) return unwritten_text();
+  if (!output.initializationSuccessful) return "initialization not successful";
+  std::string text;
+  const auto add = [&text](bool flag, const char* words) {
+    if (flag) text += (text.empty() ? "" : "; ") + std::string(words);
+  };
+  add(conv.linearSolverFailed, "linear solver failed (Jacobian singular)");
+  add(conv.massMatrixNotInvertible, "mass matrix was not invertible");
+  add(conv.stepReductionFailed, "reduction of step size reached minimum step size");
+  add(conv.stopNewton, "Newton has been stopped");
+  add(!conv.newtonConverged && !conv.linearSolverFailed, "Newton did not converge");
+  add(conv.newtonSolutionDiverged, "solution diverged");
+  add(!conv.discontinuousIterationSuccessful, "discontinuous iteration was not successful");
+  return text.empty() ? "error in a user function or in an item" : text;
+}
+
+}  // namespace dalembert

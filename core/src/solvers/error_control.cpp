@@ -1,0 +1,94 @@
+// Explicit solvers: step sizes from an estimated error. Hairer, Norsett, Wanner I, section II.4.
+#include <algorithm>
+#include <cmath>
+
+#include "dalembert/output/numbers.hpp"
+#include "dalembert/solvers/explicit.hpp"
+
+namespace dalembert {
+
+namespace {
+
+// A jump is passed in a few of the smallest steps; so many in a row with an error above the tolerances do not come from one.
+constexpr int most_steps_above_tolerance = 100;
+
+}  // namespace
+
+// In units of the tolerances. Signed values enter the scale, not magnitudes: step sizes are to be those that users of this interface
+// know; but the scale does not vanish where value and tolerances cancel.
+double ExplicitSolver::scaled_error(double second, double first, double old) const {
+  const double absolute = settings().timeIntegration.absoluteTolerance;
+  const double scale = absolute + std::max(second, old) * settings().timeIntegration.relativeTolerance;
+  return (second - first) / std::max(std::abs(scale), 0.01 * absolute);
+}
+
+// Distance of the two approximations, root mean square over ODE1, positions and velocities.
+double ExplicitSolver::estimated_error() {
+  move_from_start(second_, second_q_, second_v_, second_y_);
+  eliminate(second_q_);
+  eliminate(second_v_);
+  const State &now = current(), &start = start_of_step();
+  double sum = 0;
+  const auto add_errors = [&](const Vector& second, const Vector& first, const Vector& old) {
+    for (std::size_t i = 0; i < second.size(); ++i) {
+      const double e = scaled_error(second[i], first[i], old[i]);
+      sum += e * e;
+    }
+  };
+  add_errors(second_y_, now.y, start.y);
+  add_errors(second_q_, now.q, start.q);
+  add_errors(second_v_, now.v, start.v);
+  return std::sqrt(sum / (sizes_.ode1 + 2 * sizes_.ode2));
+}
+
+// False: the step has to be repeated, or the solver gives up.
+bool ExplicitSolver::control_step_size() {
+  const TimedPart time(timer, timer.errorEstimator);
+  const auto& s = settings().timeIntegration;
+  it.automaticStepSizeError = estimated_error();
+  if (std::isnan(it.automaticStepSizeError)) return lose_step();
+  const double error = it.automaticStepSizeError == 0 ? 1e-12 : it.automaticStepSizeError;
+  const double h = it.currentStepSize;
+  const double optimal = h * std::pow(1 / error, 1.0 / method_.order);
+  if (optimal < h && h <= it.minStepSize) return hold_at_minimum();
+  const double largest = std::min(it.maxStepSize, h * s.stepSizeMaxIncrease);
+  it.currentStepSize = std::min(largest, std::max(it.minStepSize, s.stepSizeSafety * optimal));
+  steps_above_tolerance_ = 0;
+  if (!(optimal < h)) return true;
+  ++it.rejectedAutomaticStepSizeSteps;
+  return false;
+}
+
+[[gnu::noinline]] bool ExplicitSolver::hold_at_minimum() {
+  if (!warned_minimum_) {
+    warn("automatic step size reached timeIntegration.minimumStepSize at time " + format_number(it.currentTime) +
+         "; the error becomes larger than the tolerances");
+    warned_minimum_ = true;
+  }
+  if (++steps_above_tolerance_ > most_steps_above_tolerance) {
+    diagnose_error_control();
+    conv.newtonConverged = false;
+    conv.stopNewton = true;
+    return false;
+  }
+  it.currentStepSize = it.minStepSize;  // the last step of all may be smaller
+  return true;
+}
+
+void ExplicitSolver::diagnose_error_control() {
+  Diagnosis& d = diagnose(FailureReason::error_control);
+  const State &now = current(), &start = start_of_step();
+  const auto add_errors = [&](Vector second, const Vector& first, const Vector& old, const char* vector, int first_row) {
+    for (std::size_t i = 0; i < second.size(); ++i) second[i] = std::abs(scaled_error(second[i], first[i], old[i]));
+    add_largest(d.values, second, vector, first_row);
+  };
+  add_errors(second_q_, now.q, start.q, "ODE2", 0);
+  add_errors(second_v_, now.v, start.v, "ODE2_t", 0);
+  add_errors(second_y_, now.y, start.y, "ODE1", sizes_.ode2);
+  d.advice = {"look for what jumps at the items named above: contact, friction, user functions that are not continuous",
+              "use an implicit solver (exu.DynamicSolverType.GeneralizedAlpha) if they are stiff",
+              "allow larger errors (timeIntegration.relativeTolerance, absoluteTolerance), or smaller steps "
+              "(timeIntegration.minimumStepSize)"};
+}
+
+}  // namespace dalembert

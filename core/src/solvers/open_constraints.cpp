@@ -1,0 +1,162 @@
+#include "dalembert/solvers/open_constraints.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dalembert/model/errors.hpp"
+#include "dalembert/output/numbers.hpp"
+#include "dalembert/solvers/numerical_tangent.hpp"
+#include "dalembert/solvers/solver.hpp"
+
+namespace dalembert {
+
+namespace {
+
+constexpr Weights along_velocities{.q = 0, .v = 1, .a = 0, .y = 1, .y_t = 0};
+constexpr Weights along_positions{.q = 1, .v = 0, .a = 0, .y = 1, .y_t = 0};
+constexpr int dense_limit = 40;  // unknowns
+
+double largest(std::span<const double> numbers) {
+  double size = 0;
+  for (const double x : numbers) size = std::max(size, std::abs(x));
+  return size;
+}
+
+// f(constraint, coordinate, derivative) of the constraint equations along the weights.
+template <class F>
+void each_gradient(System& system, const State& state, const Conditions& conditions, const Weights& weights, F&& f) {
+  const Sizes& s = system.sizes();
+  const Pattern& pattern = system.pattern(s.total() <= dense_limit);
+  std::vector<double> values(static_cast<std::size_t>(pattern.values()));
+  system.tangent(state, conditions, weights, pattern, values);
+  for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
+    if (row >= s.first_ae() && column < s.ode2 && values[slot] != 0) f(row - s.first_ae(), column, values[slot]);
+  });
+}
+
+State without_multipliers(State state) {
+  std::ranges::fill(state.lambda, 0.0);
+  return state;
+}
+
+Conditions at_level(Conditions conditions, bool of_rates) {
+  conditions.rate_level = of_rates;
+  return conditions;
+}
+
+const char* symbol(CoordinateUnit unit) {
+  switch (unit) {
+    case CoordinateUnit::meter: return " m";
+    case CoordinateUnit::radian: return " rad";
+    default: return "";
+  }
+}
+
+}  // namespace
+
+std::string OpenConstraint::text(const System& system) const {
+  const bool bare = unit == CoordinateUnit::unknown;
+  const std::string item = system.describe_row(system.sizes().first_ae() + row);
+  if (!of_rate) return item + ": gap " + format_number(gap) + symbol(unit);
+  return item + ": rate of the gap " + format_number(gap) + (bare ? " 1/s" : symbol(unit) + std::string("/s"));
+}
+
+ConstraintRates constraint_rates(System& system, const State& state, const Conditions& conditions) {
+  const auto n = static_cast<std::size_t>(system.sizes().ae);
+  const State still = without_multipliers(state);
+  const Conditions position = at_level(conditions, false), rate = at_level(conditions, true);
+  ConstraintRates now{std::vector<double>(n), std::vector<double>(n), std::vector<char>(n), std::vector<CoordinateUnit>(n)};
+  std::vector<double> along(n), before(n), after(n);  // along: the part of the velocities
+  const std::vector<CoordinateUnit> units = system.coordinate_units();
+  each_gradient(system, still, position, along_velocities, [&](int k, int, double) { now.of_velocities[k] = 1; });
+  each_gradient(system, still, rate, along_velocities, [&](int k, int j, double g) {
+    along[k] += g * state.v[j];
+    now.speeds[k] += std::abs(g * state.v[j]);
+    now.units[k] = std::max(now.units[k], units[j]);
+  });
+  system.gaps(still, rate, now.rates);
+  if (conditions.rate_level) return now;  // that is what the solver goes by
+  State later = still;
+  const double step = 1e-6 * std::max(1.0, std::abs(state.time));
+  later.time += step;
+  system.gaps(still, position, before);
+  system.gaps(later, position, after);
+  for (std::size_t k = 0; k < n; ++k)
+    if (!now.of_velocities[k] && after[k] != before[k]) now.rates[k] = along[k] + (after[k] - before[k]) / step;
+  return now;
+}
+
+namespace {
+
+// Without a look at rates, which functions of static models need not know.
+ConstraintRates constraints_at_rest(System& system, const State& state, const Conditions& conditions) {
+  const auto n = static_cast<std::size_t>(system.sizes().ae);
+  const State still = without_multipliers(state);
+  ConstraintRates now{std::vector<double>(n), std::vector<double>(n), std::vector<char>(n), std::vector<CoordinateUnit>(n)};
+  const std::vector<CoordinateUnit> units = system.coordinate_units();
+  each_gradient(system, still, conditions, along_velocities, [&](int k, int, double) { now.of_velocities[k] = 1; });
+  each_gradient(system, still, conditions, along_positions, [&](int k, int j, double) { now.units[k] = std::max(now.units[k], units[j]); });
+  return now;
+}
+
+}  // namespace
+
+std::vector<OpenConstraint> open_constraints(System& system, const State& state, const Conditions& conditions,
+                                             const GapTolerances& tolerances) {
+  std::vector<OpenConstraint> open;
+  const State still = without_multipliers(state);
+  std::vector<double> gaps(still.lambda.size()), rates(gaps.size());
+  system.gaps(still, at_level(conditions, false), gaps);
+  const double extent = system.extent();
+  if (tolerances.rates) system.gaps(still, at_level(conditions, true), rates);
+  if (std::max(largest(gaps), largest(rates)) <= tolerances.position * std::min(1.0, extent)) return open;
+
+  const ConstraintRates now = tolerances.rates ? constraint_rates(system, state, conditions)
+                                               : constraints_at_rest(system, state, at_level(conditions, false));
+  const auto look = [&](int k, bool of_rate, double gap, double speed) {
+    const CoordinateUnit unit = now.units[k];
+    const double limit =
+        std::max(tolerances.position * (unit == CoordinateUnit::meter ? extent : 1.0), speed * tolerances.velocity);
+    if (std::abs(gap) > limit) open.push_back({k, of_rate, gap, std::abs(gap) / std::max(limit, 1e-300), unit});
+  };
+  for (int k = 0; k < system.sizes().ae; ++k) {
+    if (!now.of_velocities[k]) look(k, false, gaps[k], 0);
+    if (tolerances.rates) look(k, true, now.rates[k], now.speeds[k]);
+  }
+  std::ranges::stable_sort(open, std::ranges::greater{}, &OpenConstraint::excess);
+  return open;
+}
+
+namespace {
+
+std::string listed(const std::vector<OpenConstraint>& open, const System& system) {
+  constexpr std::size_t most = 5;
+  std::string text = std::to_string(open.size()) + (open.size() == 1 ? " constraint equation:" : " constraint equations:");
+  for (std::size_t i = 0; i < std::min(most, open.size()); ++i) text += "\n  " + open[i].text(system);
+  return open.size() > most ? text + "\n  ..." : text;
+}
+
+}  // namespace
+
+// A static solver closes gaps, which may well be what it is asked to do.
+void Solver::check_constraints() {
+  const auto& s = settings_->initialConditions;
+  if (!s.checkConstraints || sizes_.ae == 0 || !obeys_constraints()) return;
+  const auto open = open_constraints(*system_, current(), conditions_, {s.positionTolerance, s.velocityTolerance, !is_static()});
+  if (open.empty()) return;
+  const bool any_rate = std::ranges::any_of(open, &OpenConstraint::of_rate), any_gap = !std::ranges::all_of(open, &OpenConstraint::of_rate);
+  std::string text = name() + ": the initial values contradict " + listed(open, *system_) + "\n ";
+  if (any_gap && is_static()) text += " The load steps close the gaps.";
+  if (any_gap && !is_static()) {
+    text += conditions_.rate_level ? " Gaps stay: velocities alone are constrained here."
+                                   : " Gaps close in the first step, with large velocities and forces.";
+  }
+  if (any_rate) text += " Velocities against constraints vanish in the first step.";
+  text += " mbs.ComputeConsistentInitialConditions() finds initial values that fulfil all constraints; "
+          "simulationSettings.initialConditions says what is tolerated.";
+  if (s.inconsistentIsError) throw ModelError(ErrorKind::value, text);
+  if (is_static()) say(1, text + "\n");
+  else warn(text);
+}
+
+}  // namespace dalembert

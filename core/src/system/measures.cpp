@@ -1,0 +1,48 @@
+// What coordinates measure, and the size of the model in space.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "dalembert/system/parts.hpp"
+
+namespace dalembert {
+namespace {
+
+// A single coordinate may be anything.
+bool is_in_space(const NodePlace& node) { return node.ode2 >= 0 && node.translations > 1; }
+
+}  // namespace
+
+std::vector<CoordinateUnit> System::coordinate_units() const {
+  std::vector<CoordinateUnit> units(static_cast<std::size_t>(sizes_.ode2), CoordinateUnit::unknown);
+  for (const NodePlace& node : parts_->nodes) {
+    if (!is_in_space(node)) continue;
+    const auto first = units.begin() + node.ode2;
+    std::fill(first, first + node.translations, CoordinateUnit::meter);
+    std::fill(first + node.translations, first + node.sizes.ode2, CoordinateUnit::radian);
+  }
+  return units;
+}
+
+double System::extent() const {
+  const SystemParts& parts = *parts_;
+  const Ports& ports = parts.ports;
+  Vec3<double> low, high;
+  low.x.fill(std::numeric_limits<double>::infinity());
+  high.x.fill(-std::numeric_limits<double>::infinity());
+  const auto include = [&](const double* point, int components) {
+    for (int i = 0; i < 3; ++i) {
+      low[i] = std::min(low[i], i < components ? point[i] : 0.0);
+      high[i] = std::max(high[i], i < components ? point[i] : 0.0);
+    }
+  };
+  for (const PortLayout& port : ports.ports)
+    if (port.values == PointPort::values || port.values == RigidPort::values) include(ports.values.data() + port.first_value, 3);
+  for (const NodePlace& node : parts.nodes)
+    if (is_in_space(node)) include(parts.total.data() + node.ode2, node.translations);
+  const Vec3<double> span = high - low;
+  const double diagonal = std::sqrt(dot(span, span));
+  return std::isfinite(diagonal) && diagonal > 0 ? diagonal : 1;
+}
+
+}  // namespace dalembert

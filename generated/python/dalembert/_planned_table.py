@@ -1,0 +1,86 @@
+# Generated from specs/ by codegen/templates/planned_table.py.j2. Do not edit; run `python -m codegen`.
+# tests/codegen/test_freshness.py compares this file with its sources.
+"""What the interface has and the package does not have yet."""
+
+from typing import NamedTuple
+
+
+class Planned(NamedTuple):
+    """What it is for, what to do until it is there, and which members are planned if it is not the whole."""
+
+    what: str
+    instead: str
+    members: tuple[str, ...]
+
+
+ITEMS = (
+    "NodeGenericAE",
+    "NodePointSlope1",
+    "NodePointSlope12",
+    "NodePointSlope23",
+    "ObjectFFRF",
+    "ObjectFFRFreducedOrder",
+    "ObjectKinematicTree",
+    "ObjectALEANCFCable2D",
+    "ObjectANCFBeam",
+    "ObjectANCFCable",
+    "ObjectANCFThinPlate",
+    "ObjectBeamGeometricallyExact",
+    "ObjectBeamGeometricallyExact2D",
+    "ObjectContactCircleCable2D",
+    "ObjectContactConvexRoll",
+    "ObjectContactCurveCircles",
+    "ObjectContactFrictionCircleCable2D",
+    "ObjectContactSphereSphere",
+    "ObjectContactSphereTriangle",
+    "ObjectJointALEMoving2D",
+    "ObjectJointSliding",
+    "ObjectJointSliding2D",
+    "MarkerBodyBeamShape",
+    "MarkerBodyCable2DCoordinates",
+    "MarkerBodyCable2DShape",
+    "MarkerKinematicTreeRigid",
+    "SensorKinematicTree",
+)
+MODULES = {
+    "GUI": Planned('dialogs for settings', 'set the attributes of SimulationSettings() and SC.visualizationSettings', ()),
+    "artificialIntelligence": Planned('environments for reinforcement learning', 'call mbs.SolveDynamic for each action, with updateInitialValues=True and the next startTime and endTime; states are in mbs.systemData', ()),
+    "robotics": Planned('serial robots, mobile robots, inverse kinematics and trajectories', 'make links by mbs.CreateRigidBody and mbs.CreateRevoluteJoint; dalembert.kinematicTree has the equations of trees of links', ()),
+    "robotics.future": Planned('inverse kinematics of standard robots', '', ()),
+    "robotics.mobile": Planned('vehicles with mecanum wheels', '', ()),
+    "robotics.models": Planned('data of standard robots', '', ()),
+    "robotics.motion": Planned('trajectories with limited velocities and accelerations', '', ()),
+    "robotics.roboticsCore": Planned('Robot, RobotLink and inverse kinematics', '', ()),
+    "robotics.special": Planned('measures of manipulability', '', ()),
+    "robotics.utilities": Planned('lidar sensors, robots from URDF files', '', ()),
+    "resultsMonitor": Planned('a window that shows sensor files while a solver writes them', 'call PlotSensor with the name of the file', ()),
+    "rosInterface": Planned('publishers and subscribers of ROS', 'talk to ROS in a PreStep user function, or by CreateTCPIPconnection', ()),
+}
+FUNCTIONS = {
+    "FEM.CMSObjectComputeNorm": Planned('the norm of an output variable over the nodes of a flexible body', '', ()),
+    "FEM.FEMinterface": Planned('meshes and modes for flexible bodies', 'read matrices by the Read... functions of dalembert.FEM, and add them as ObjectGenericODE2', ('CheckConsistency', 'ComputeCampbellDiagram', 'ComputeEigenModesWithBoundaryNodes', 'ComputeEigenmodesNGsolve', 'ComputeHurtyCraigBamptonModes', 'ComputeHurtyCraigBamptonModesNGsolve', 'ComputePostProcessingModes', 'ComputePostProcessingModesNGsolve', 'ConvertElementsLists2Numpy', 'ConvertSurfaceLists2Numpy', 'CreateLinearFEMObjectGenericODE2', 'CreateNGsolveBoundaryNodeSets', 'CreateNonlinearFEMObjectGenericODE2NGsolve', 'GetBoundaryNodeSetsAsLists', 'GetGyroscopicMatrix', 'GetNodeWeightsFromSurfaceAreas', 'GetNodesOfNGsolveBoundary', 'GetRigidBodyInertia', 'GetSurfaceTriangles', 'ImportFromAbaqusInputFile', 'ImportMeshFromNGsolve', 'InternalComputePostprocessingMode', 'LoadFromFile', 'NumpyArray2ListOfLists', 'ReadElementsFromAnsys', 'ReadMassMatrixFromAbaqus', 'ReadMassMatrixFromAnsys', 'ReadNodalCoordinatesFromAnsys', 'ReadStiffnessMatrixFromAbaqus', 'ReadStiffnessMatrixFromAnsys', 'SaveToFile', 'VolumeToSurfaceElements')),
+    "FEM.KirchhoffMaterial": Planned('materials of NGsolve, arguments materials and fes', 'give the elastic constants as numbers', ()),
+    "FEM.ObjectFFRFinterface": Planned('a flexible body with all coordinates of its mesh', 'ObjectGenericODE2 has linear flexible bodies that do not rotate', ()),
+    "FEM.ObjectFFRFreducedOrderInterface": Planned('a flexible body with modes', 'ObjectGenericODE2 has linear flexible bodies that do not rotate', ()),
+    "FEM.ReadElementsFromAnsysTxt": Planned('elements of an exported list', '', ()),
+    "FEM.ReadNodesFromAbaqusInp": Planned('nodes of an ABAQUS input file', '', ()),
+    "FEM.Tet4": Planned('matrices of a tetrahedron', '', ('ComputeMatrices',)),
+    "GeneralContact": Planned('contact of many spheres, triangles and cables with each other', 'a few contacts may be springs with user functions that push only, such as ObjectConnectorSpringDamper', ()),
+    "MainSystem.AddGeneralContact": Planned('contact of many bodies with each other', '', ()),
+    "MainSystem.CreateDistanceSensor": Planned('distances from meshes, by GeneralContact', '', ()),
+    "MainSystem.CreateDistanceSensorGeometry": Planned('meshes for distance sensors, by GeneralContact', '', ()),
+    "MainSystem.CreateFFRFReducedOrderObject": Planned('flexible bodies in a floating frame', 'ObjectGenericODE2 has linear flexible bodies that do not rotate', ()),
+    "MainSystem.CreateKinematicTree": Planned('kinematic trees', 'make links by mbs.CreateRigidBody and joints by mbs.CreateRevoluteJoint and mbs.CreatePrismaticJoint', ()),
+    "MainSystem.CreateSphereQuadContact": Planned('contact of a sphere with a quadrangle', 'use mbs.CreateCartesianSpringDamper with a user function that pushes only', ()),
+    "MainSystem.CreateSphereSphereContact": Planned('contact between spheres', 'use mbs.CreateSpringDamper with a user function that pushes only', ()),
+    "MainSystem.CreateSphereTriangleContact": Planned('contact of a sphere with a triangle', 'use mbs.CreateCartesianSpringDamper with a user function that pushes only', ()),
+    "beams.GenerateAleSlidingJoint": Planned('an ALE sliding joint along cables', '', ()),
+    "beams.GenerateSlidingJoint": Planned('a sliding joint along cables', '', ()),
+    "beams.GenerateStraightLineANCFCable": Planned('a straight line of cables in space', 'use GenerateStraightLineANCFCable2D for motion in a plane', ()),
+    "MainSystem.DeleteGeneralContact": Planned('contact of many bodies with each other', '', ()),
+    "MainSystem.GetGeneralContact": Planned('contact of many bodies with each other', '', ()),
+    "SolverFileData": Planned('files of a solver', '', ()),
+    "SolverLocalData": Planned('vectors and matrices of a solver', 'the state of the system is in mbs.systemData, and solvers have GetSystemJacobian and GetSystemMassMatrix', ()),
+    "VisuGeneralContact": Planned('how GeneralContact is drawn', '', ()),
+    "shells.ShellMesh": Planned('meshes of shells', '', ()),
+}

@@ -1,0 +1,313 @@
+"""Positions and velocities at the start that fulfil all constraints."""
+
+# ruff: noqa: B006  (empty lists as defaults; they are never written to)
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from dalembert._checks import FloatArray, IntArray
+from dalembert._core import ConfigurationType, SimulationSettings, testing
+from dalembert._projection import REGULAR, SMALLER, SMALLEST, LinearizedConstraints, weights
+from dalembert._quiet import assemble_if_needed
+
+_NAME = "ComputeConsistentInitialConditions"
+_ROUND_OFF = 1e-10  # gaps of this size, relative to that of the model, are accepted where nothing makes them smaller
+_LARGEST_TURN = 1.0  # rad in one step
+_LISTED = 5
+
+
+@dataclass(frozen=True)
+class ConsistentInitialConditions:
+    """What ComputeConsistentInitialConditions found and changed.
+
+    positionGaps, velocityGaps: the largest gap (m, rad) and rate of a gap (m/s, rad/s) before and after.
+    contradictions: what the initial values contradicted before, one text per equation, the worst first.
+    iterations: steps that closed the gaps of positions.
+    equations: number of constraint equations; redundantEquations: how many of them follow from others at the positions
+        found; None: too many to be counted.
+    displacements, velocityChanges: the largest change of a coordinate of each node that was changed, by node number.
+    """
+
+    positionGaps: tuple[float, float]
+    velocityGaps: tuple[float, float]
+    contradictions: list[str]
+    iterations: int
+    equations: int
+    redundantEquations: int | None
+    displacements: dict[int, float]
+    velocityChanges: dict[int, float]
+
+    def __str__(self) -> str:
+        def change(values: dict[int, float]) -> str:
+            node = max(values, key=lambda n: values[n], default=None)
+            return "none" if node is None else f"{len(values)} nodes, node {node} the most, by {values[node]:.3g}"
+
+        lines = [
+            "positions: largest gap {:.3g}, was {:.3g}; moved: ".format(*reversed(self.positionGaps))
+            + change(self.displacements),
+            "velocities: largest rate of a gap {:.3g}, was {:.3g}; changed: ".format(*reversed(self.velocityGaps))
+            + change(self.velocityChanges),
+            f"{self.equations} equations, {self.redundantEquations} of them redundant; {self.iterations} iterations",
+        ]
+        return "\n".join(lines)
+
+
+class _Nodes:
+    """Which coordinates are rotations that do not simply add up, and which stay."""
+
+    def __init__(self, mbs: Any, fixedCoordinates: Sequence[int], fixedNodes: Sequence[Any]) -> None:
+        self.coordinates: dict[int, list[int]] = {}
+        turning: dict[str, list[list[int]]] = {"RigidBodyEP": [], "RigidBodyRotVecLG": []}
+        for node in range(mbs.systemData.NumberOfNodes()):
+            numbers = mbs.systemData.GetNodeLTGODE2(node)
+            if numbers:
+                self.coordinates[node] = numbers
+                turning.get(mbs.GetNode(node)["nodeType"], []).append(numbers[3:])
+        self.held = np.zeros(len(mbs.systemData.GetODE2Coordinates()))
+        for node in fixedNodes:
+            self.held[mbs.systemData.GetNodeLTGODE2(node)] = 1
+        for i in fixedCoordinates:
+            if not 0 <= i < len(self.held):
+                raise ValueError(
+                    f"{_NAME}: fixedCoordinates: expected ODE2 indices below {len(self.held)}, received {i}"
+                )
+            self.held[i] = 1
+        lie = np.array(turning["RigidBodyRotVecLG"], dtype=int).reshape(-1, 3)
+        parts = lie[~np.isin(self.held[lie].sum(axis=1), (0, 3))]
+        if len(parts):
+            raise ValueError(
+                f"{_NAME}: fixedCoordinates: received a part of {parts[0].tolist()}, the rotation vector of a Lie "
+                "group node; expected all of its components, or none: they do not change one by one"
+            )
+        units = np.array(turning["RigidBodyEP"], dtype=int).reshape(-1, 4)
+        self.units: IntArray = units[self.held[units].sum(axis=1) == 0]
+        self.lie: IntArray = lie
+
+    def largest_turn(self, increment: FloatArray) -> float:
+        """Return the largest angle by which a body turns, in rad."""
+        turns = [np.linalg.norm(increment[self.lie], axis=1), 2 * np.linalg.norm(increment[self.units], axis=1)]
+        return float(np.concatenate(turns).max(initial=0.0))
+
+    def normalized(self, q: FloatArray, reference: FloatArray) -> FloatArray:
+        """Return coordinates with Euler parameters of unit length."""
+        units = (q + reference)[self.units]
+        lengths = np.linalg.norm(units, axis=1, keepdims=True)
+        result = q.copy()
+        result[self.units] = np.where(lengths == 1, q[self.units], units / lengths - reference[self.units])
+        return result
+
+    def moved(self, mbs: Any, state: Any, increment: FloatArray, reference: FloatArray) -> FloatArray:
+        """Return coordinates after an increment; rotations go along great circles, whichever their parameters are."""
+        q = np.asarray(testing.compose(mbs, state, increment))
+        units, steps = (state.q + reference)[self.units], increment[self.units]
+        steps = steps - np.sum(steps * units, axis=1, keepdims=True) * units
+        angles = np.linalg.norm(steps, axis=1, keepdims=True)
+        turned = np.cos(angles) * units + np.sinc(angles / np.pi) * steps
+        q[self.units] = np.where(angles == 0, state.q[self.units], turned - reference[self.units])
+        q[self.held == 1] = state.q[self.held == 1]
+        return q
+
+    def changes(self, change: FloatArray) -> dict[int, float]:
+        """Return the largest change among the coordinates of each node that was changed."""
+        found = {node: float(np.abs(change[numbers]).max()) for node, numbers in self.coordinates.items()}
+        return {node: value for node, value in found.items() if value > 0}
+
+
+class _Projection:
+    """A state that is moved onto the constraints."""
+
+    def __init__(self, mbs: Any, nodes: _Nodes, time: float | None, tolerance: float) -> None:
+        data, initial = mbs.systemData, ConfigurationType.Initial
+        self.mbs, self.nodes = mbs, nodes
+        self.reference = np.array(data.GetODE2Coordinates(ConfigurationType.Reference))
+        self.state = testing.State(mbs)
+        self.state.q, self.state.v = data.GetODE2Coordinates(initial), data.GetODE2Coordinates_t(initial)
+        self.state.y, self.state.data = data.GetODE1Coordinates(initial), data.GetDataCoordinates(initial)
+        self.state.lam = np.zeros_like(self.state.lam)
+        self.state.t = data.GetTime(initial) if time is None else time
+        self.of_velocities = testing.constraint_rates(mbs, self.state)[2] == 1
+        self.tolerance = tolerance * max(1.0, testing.extent(mbs))
+        self.round_off = max(self.tolerance, _ROUND_OFF * max(1.0, testing.extent(mbs)))
+
+    def gaps(self, q: FloatArray | None = None) -> FloatArray:
+        """Return the gaps of positions; zeros for equations of velocities."""
+        state = self.state
+        if q is not None:
+            state = state.copy()
+            state.q = q
+        return np.where(self.of_velocities, 0.0, testing.gaps(self.mbs, state))
+
+    def rates(self) -> FloatArray:
+        return np.asarray(testing.constraint_rates(self.mbs, self.state)[0])
+
+    def linearized(self, rate_level: bool) -> LinearizedConstraints:
+        from scipy.sparse import coo_array
+
+        size, equations = len(self.state.q), len(self.of_velocities)
+        first = size + len(self.state.y)
+        state = self.state.copy()
+        state.rate_level = rate_level
+        rows, columns, values = testing.tangent_entries(self.mbs, state, cq=1 - rate_level, cv=float(rate_level))
+        wanted = (rows >= first) & (columns < size)
+        if not rate_level:
+            wanted &= ~self.of_velocities[np.maximum(rows - first, 0)]
+        gradient = coo_array((values[wanted], (rows[wanted] - first, columns[wanted])), shape=(equations, size))
+        rows, columns, values = testing.mass_entries(self.mbs, state)
+        mass = coo_array((values, (rows, columns)), shape=(size, size))
+        return LinearizedConstraints(weights(mass), gradient.tocsr(), self.nodes.held)
+
+    def close_gaps(self, maxIterations: int) -> int:
+        """Move positions until all gaps are closed; return the number of steps."""
+        gaps, damping, scale = self.gaps(), 0.0, None
+        if _largest(gaps) <= self.tolerance:
+            return 0
+        self.state.q = self.nodes.normalized(self.state.q, self.reference)
+        gaps = self.gaps()
+        for iteration in range(maxIterations):
+            if _largest(gaps) <= self.tolerance:
+                return iteration
+            constraints = self.linearized(rate_level=False)
+            if scale is None:  # of all steps: they are compared
+                scale = np.ones_like(gaps)
+                scale[constraints.rows] = constraints.row_scale
+            moved = self._better(constraints, gaps, scale, damping)
+            if moved is None:
+                break
+            self.state.q, gaps, damping = moved
+        if _largest(gaps) > self.round_off:
+            raise ValueError(self._refusal("positions", rates=False))
+        return iteration + 1
+
+    def _better(
+        self, constraints: LinearizedConstraints, gaps: FloatArray, scale: FloatArray, damping: float
+    ) -> tuple[FloatArray, FloatArray, float] | None:
+        """Return positions with smaller gaps, their gaps, and the damping of the next step; None: none were found."""
+        merit = np.linalg.norm(scale * gaps)
+        while damping <= 1e4:
+            step = constraints.solver(max(damping, REGULAR))(-gaps)
+            step *= min(1.0, _LARGEST_TURN / max(self.nodes.largest_turn(step), 1e-300))
+            q = self.nodes.moved(self.mbs, self.state, step, self.reference)
+            after = self.gaps(q)
+            if np.linalg.norm(scale * after) < (1 - 1e-6) * merit:
+                return q, after, damping / 100
+            damping = max(100 * damping, 1e-8)
+        return None
+
+    def project_velocities(self) -> None:
+        """Change velocities such that gaps stay as they are; passes after the first remove what it leaves."""
+        rates = self.rates()
+        if _largest(rates) <= self.tolerance:
+            return
+        constraints = self.linearized(rate_level=True)
+        for eps in (REGULAR, SMALLER, SMALLEST):
+            rates = self._passes(constraints.solver(eps), rates)
+            if _largest(rates) <= self.tolerance:
+                return
+        rates, speeds, _ = testing.constraint_rates(self.mbs, self.state)
+        if (np.abs(rates) > self.round_off * np.maximum(speeds, 1.0)).any():
+            raise ValueError(self._refusal("velocities", rates=True))
+
+    def _passes(self, solve: Callable[[FloatArray], FloatArray], rates: FloatArray) -> FloatArray:
+        """Change velocities as long as rates become much smaller; return what is left of them."""
+        while True:
+            before = self.state.v
+            v = before + solve(-rates)
+            v[self.nodes.held == 1] = before[self.nodes.held == 1]
+            self.state.v = v
+            after = self.rates()
+            if not _largest(after) < _largest(rates) / 2:
+                self.state.v = before
+                return rates
+            rates = after
+
+    def _refusal(self, what: str, rates: bool) -> str:
+        remaining = self.contradictions(rates)
+        return "\n".join(
+            [
+                f"mbs.{_NAME}: no {what} near the initial values fulfil all constraints; what remains:",
+                *(f"  {text}" for text in remaining[:_LISTED]),
+                *["  ..."] * (len(remaining) > _LISTED),
+                "These constraints contradict each other or what is held, or the initial values are too far away: "
+                "correct them, or hold less. The system is as it was.",
+            ]
+        )
+
+    def contradictions(self, rates: bool = True) -> list[str]:
+        found = testing.open_constraints(self.mbs, self.state, self.tolerance, 1e-9, rates)
+        return [text for _, of_rate, _, _, text in found if rates or not of_rate]
+
+
+def _largest(values: FloatArray) -> float:
+    return float(np.abs(values).max(initial=0.0))
+
+
+def _store(mbs: Any, projection: _Projection, changed: Sequence[int]) -> None:
+    """Make the state the initial values of the nodes."""
+    for node in changed:
+        numbers = projection.nodes.coordinates[node]
+        known = mbs.GetNode(node)
+        velocities = "initialVelocities" if "initialVelocities" in known else "initialCoordinates_t"
+        mbs.SetNodeParameter(node, "initialCoordinates", projection.state.q[numbers].tolist())
+        mbs.SetNodeParameter(node, velocities, projection.state.v[numbers].tolist())
+
+
+def ComputeConsistentInitialConditions(
+    mbs: Any,
+    simulationSettings: SimulationSettings | None = None,
+    positions: bool = True,
+    velocities: bool = True,
+    fixedCoordinates: Sequence[int] = [],
+    fixedNodes: Sequence[Any] = [],
+    tolerance: float = 1e-12,
+    maxIterations: int = 50,
+    storeInNodes: bool = True,
+    autoAssemble: bool = True,
+) -> ConsistentInitialConditions:
+    """Change initial positions and velocities such that all constraints are fulfilled, and return what was changed.
+
+    Positions go onto the constraints in steps of which each is the smallest in the metric of the mass matrix: heavy
+    bodies move less than light ones. Velocities change once, by as little as a plastic impact would change them.
+    Coordinates without mass count as if they had one of 1. Constraints may be redundant. Initial and current
+    configuration hold the result; accelerations and multipliers follow when a solver starts.
+
+    simulationSettings: constraints that change with time are taken at timeIntegration.startTime.
+    positions, velocities: what may be changed.
+    fixedCoordinates, fixedNodes: ODE2 coordinates (global indices) and nodes that stay as they are, bit for bit.
+    tolerance: of the gaps, relative to the size of the model if that is more than 1 m.
+    storeInNodes: write the result to initialCoordinates and initialVelocities of the nodes; otherwise the next
+        mbs.Assemble() returns to the values of before.
+
+    ValueError names the constraints that cannot be fulfilled, and what is left of their gaps; the system is as before.
+    """
+    assemble_if_needed(_NAME, mbs, autoAssemble)
+    nodes = _Nodes(mbs, fixedCoordinates, fixedNodes)
+    time = None if simulationSettings is None else simulationSettings.timeIntegration.startTime
+    projection = _Projection(mbs, nodes, time, tolerance)
+    state = projection.state
+    q, v = np.array(state.q), np.array(state.v)
+    contradictions = projection.contradictions()
+    gap, rate = _largest(projection.gaps()), _largest(projection.rates())
+    iterations = projection.close_gaps(maxIterations) if positions else 0
+    if velocities:
+        projection.project_velocities()
+    redundant = projection.linearized(rate_level=True).redundant()
+    displacements, velocityChanges = nodes.changes(state.q - q), nodes.changes(state.v - v)
+    for configuration in (ConfigurationType.Initial, ConfigurationType.Current):
+        mbs.systemData.SetODE2Coordinates(state.q, configuration)
+        mbs.systemData.SetODE2Coordinates_t(state.v, configuration)
+    if storeInNodes:
+        _store(mbs, projection, sorted(displacements.keys() | velocityChanges.keys()))
+    return ConsistentInitialConditions(
+        positionGaps=(gap, _largest(projection.gaps())),
+        velocityGaps=(rate, _largest(projection.rates())),
+        contradictions=contradictions,
+        iterations=iterations,
+        equations=len(projection.of_velocities),
+        redundantEquations=redundant,
+        displacements=displacements,
+        velocityChanges=velocityChanges,
+    )

@@ -1,0 +1,136 @@
+"""Smallest changes, in the metric of the mass matrix, that fulfil linearized constraints, redundant ones among them.
+
+In scaled unknowns and equations the step solves [[M, G^T], [G, -eps I]] (x, y) = (0, b), which has a solution whatever
+the rank of G. In directions that constraints hold well, x is that of eps = 0; the rest is left to the next step.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from dalembert._checks import FloatArray, IntArray
+
+REGULAR, SMALLER, SMALLEST = 1e-10, 1e-12, 1e-14  # eps where nothing speaks against it; where that converges slowly
+_RANK = 1e-12  # eps for counting
+_LARGEST_BLOCK = 12  # coordinates of a mass matrix block that is searched for motions without inertia
+_MASSLESS = 1e-10  # share of the largest inertia in a block
+_MOST_REDUNDANT = 400  # equations, that are counted
+
+
+def _without_inertia(blocks: FloatArray) -> tuple[IntArray, FloatArray]:
+    """Return motions of coordinates with mass that have no kinetic energy: numbers of blocks, and a unit vector each.
+
+    The lengthening of Euler parameters is one: weights of such motions must not touch those normal to them.
+    """
+    masses = np.diagonal(blocks, axis1=1, axis2=2)
+    massive = masses > 0
+    scale = np.where(massive, 1 / np.sqrt(np.where(massive, masses, 1.0)), 0.0)
+    scaled = blocks * scale[:, :, None] * scale[:, None, :] + np.eye(blocks.shape[1]) * ~massive[:, :, None]
+    inertia, motions = np.linalg.eigh(scaled)
+    null = inertia < _MASSLESS * inertia[:, -1:]
+    vanishing = np.where(null[:, None, :], scale[:, :, None] * motions, 0.0)
+    orthonormal = np.linalg.qr(vanishing)[0]  # the motions without inertia come first
+    block, column = np.nonzero(null)
+    return block, orthonormal[block, :, column]
+
+
+def weights(mass: Any) -> Any:
+    """Return the mass matrix with weights for what has none: 1 for coordinates, the largest of the body for motions."""
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+
+    size = mass.shape[0]
+    entries = mass.tocoo()
+    rows, columns, values = [np.arange(size)], [np.arange(size)], [np.where(mass.diagonal() > 0, 0.0, 1.0)]
+    labels = connected_components(mass, directed=False)[1]
+    counts = np.bincount(labels)
+    order = np.argsort(labels, kind="stable")
+    place = np.empty(size, dtype=int)  # of each coordinate in its block
+    place[order] = np.arange(size) - np.repeat(np.cumsum(counts) - counts, counts)
+    for count in range(2, _LARGEST_BLOCK + 1):
+        numbers = np.cumsum(counts == count) - 1  # of the blocks of this size
+        members = order[counts[labels[order]] == count].reshape(-1, count)
+        inside = counts[labels[entries.row]] == count
+        blocks = np.zeros((len(members), count, count))
+        row, column = entries.row[inside], entries.col[inside]
+        blocks[numbers[labels[row]], place[row], place[column]] = entries.data[inside]
+        if len(blocks):
+            block, motion = _without_inertia(blocks)
+            weight = blocks[block].max(axis=(1, 2))
+            rows.append(np.repeat(members[block], count, axis=1).ravel())
+            columns.append(np.tile(members[block], count).ravel())
+            values.append((weight[:, None, None] * motion[:, :, None] * motion[:, None, :]).ravel())
+    added = coo_array((np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))), shape=mass.shape)
+    return (mass + added).tocsr()
+
+
+class LinearizedConstraints:
+    """G x = b at one state; `held` coordinates do not move. Rows that nothing moves are left out."""
+
+    def __init__(self, mass: Any, gradient: Any, held: FloatArray) -> None:
+        from scipy.sparse import diags_array
+
+        free = diags_array(1.0 - held)
+        self._mass = free @ mass @ free + diags_array(held)
+        gradient = (gradient @ free).tocsr()
+        self._scale = 1 / np.sqrt(self._mass.diagonal())
+        squares = gradient.multiply(gradient) @ self._scale**2
+        self.rows = np.flatnonzero(squares > 0)
+        self.row_scale = 1 / np.sqrt(squares[self.rows])
+        self._gradient = gradient[self.rows]
+
+    def _factor(self, eps: float) -> Any:
+        from scipy.sparse import block_array, csc_array, diags_array, eye_array
+        from scipy.sparse.linalg import splu
+
+        scale, row_scale = diags_array(self._scale), diags_array(self.row_scale)
+        gradient = row_scale @ self._gradient @ scale
+        matrix = block_array(
+            [[scale @ self._mass @ scale, gradient.T], [gradient, -eps * eye_array(len(self.rows))]], format="csc"
+        )
+        return splu(csc_array(matrix))
+
+    def solver(self, eps: float) -> Callable[[FloatArray], FloatArray]:
+        """Return the function that finds the smallest x with G x = b; entries of b for rows left out are ignored."""
+        if not len(self.rows):
+            return lambda right: np.zeros_like(self._scale)
+        factor, size = self._factor(eps), len(self._scale)
+
+        def solve(right: FloatArray) -> FloatArray:
+            scaled = np.concatenate((np.zeros(size), self.row_scale * right[self.rows]))
+            return np.asarray(self._scale * factor.solve(scaled)[:size])
+
+        return solve
+
+    def redundant(self) -> int | None:
+        """Count the equations that follow from others; None: very many.
+
+        eps (S + eps)^-1 with S = G M^-1 G^T has eigenvalues of one for combinations of rows that vanish, and small ones
+        otherwise. Subspace iteration finds the former, eight at a time.
+        """
+        size, count = len(self._scale), len(self.rows)
+        if count == 0:
+            return 0
+        factor = self._factor(_RANK)
+
+        def apply(block: FloatArray) -> FloatArray:
+            right = np.vstack((np.zeros((size, block.shape[1])), block))
+            return np.asarray(-_RANK * factor.solve(right)[size:])
+
+        known = np.zeros((count, 0))
+        random = np.random.default_rng(0)
+        while known.shape[1] < min(count, _MOST_REDUNDANT):
+            block = random.standard_normal((count, min(8, count - known.shape[1])))
+            for _ in range(2):
+                block = np.linalg.qr(apply(block - known @ (known.T @ block)))[0]
+            block = np.linalg.qr(block - known @ (known.T @ block))[0]
+            image = block.T @ apply(block)
+            shares, directions = np.linalg.eigh((image + image.T) / 2)
+            vanishing = block @ directions[:, shares > 0.5]
+            known = np.hstack((known, vanishing))
+            if vanishing.shape[1] < block.shape[1]:
+                return int(known.shape[1])
+        return count if known.shape[1] == count else None

@@ -1,0 +1,77 @@
+"""Every exemption is needed: where the exempted items are tested all the same, the test fails."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import Any
+
+import exemptions
+import pytest
+from scenes import ITEMS
+from test_invariance import check_forces
+from test_momentum import BETWEEN, check_balance
+from test_output_rates import check_rates_of_outputs
+from test_repeated_solves import joins
+from test_tangent import WEIGHTS, check_tangent
+from test_virtual_work import CONSTRAINTS, check_gaps, check_rates
+from variants import ALL_VARIANTS, Variant
+
+LISTS = {name: table for name, table in vars(exemptions).items() if isinstance(table, dict) and name.isupper()}
+
+
+def fails(check: Callable[[Variant], Any], variants: Iterable[Variant]) -> bool:
+    """Whether the check fails for one of the models at least."""
+    for variant in variants:
+        try:
+            check(variant)
+        except AssertionError:
+            return True
+    return False
+
+
+def using(name: str, variants: Iterable[Variant]) -> list[Variant]:
+    return [variant for variant in variants if name in variant.uses]
+
+
+@pytest.mark.parametrize("name", LISTS)
+def test_names_and_reasons(name: str) -> None:
+    for entry, reason in LISTS[name].items():
+        item = entry if isinstance(entry, str) else entry[0]
+        assert ITEMS[item].ready and len(reason.split()) > 4, entry
+
+
+@pytest.mark.parametrize("name", exemptions.NO_MOMENT)
+def test_moments(name: str) -> None:
+    assert fails(lambda v: check_balance(v, moments=True), [v for v in BETWEEN if v.item == name])
+
+
+@pytest.mark.parametrize("name", [*exemptions.GLOBAL_AXES, *exemptions.GLOBAL_MARKER])
+def test_rotations_of_the_whole(name: str) -> None:
+    assert fails(check_forces, using(name, [v for v in ALL_VARIANTS if v.pairs]))
+
+
+@pytest.mark.parametrize("name", [*exemptions.NONHOLONOMIC, *exemptions.NOT_OF_VALUES])
+def test_work_of_the_gaps(name: str) -> None:
+    assert fails(check_gaps, using(name, CONSTRAINTS))
+
+
+@pytest.mark.parametrize("name", [*exemptions.NOT_OF_RATES, *exemptions.VELOCITY_LEVEL])
+def test_work_of_the_rates(name: str) -> None:
+    assert fails(check_rates, using(name, CONSTRAINTS))
+
+
+@pytest.mark.parametrize("name", exemptions.HOLDS_JACOBIAN)
+def test_tangent_with_the_jacobian_of_a_user(name: str) -> None:
+    variants = [v for v in ALL_VARIANTS if v.item == name and v.functions]
+    assert fails(lambda v: check_tangent(v, WEIGHTS["together"], rate_level=False, state=0, exempt=False), variants)
+
+
+@pytest.mark.parametrize("name", exemptions.ODD_IN_JOINTS)
+def test_odd_in_joints(name: str) -> None:
+    """There are joints on these items at all, which are tested but not solved."""
+    assert using(name, filter(joins, ALL_VARIANTS))
+
+
+@pytest.mark.parametrize(("name", "output"), exemptions.RATE_OF_OUTPUTS, ids=".".join)
+def test_rates_of_outputs(name: str, output: str) -> None:
+    assert fails(lambda v: check_rates_of_outputs(v, exempt=set()), using(name, ALL_VARIANTS))

@@ -1,0 +1,127 @@
+"""Sensors tell what the outputs of their items are, at any time and in what they store; two runs store what two fresh runs do."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+from scenes import EP, ITEMS, READY, Scene
+from test_output_rates import items_of
+from test_outputs import CONFIGURATIONS
+from test_repeated_solves import build, settings, solvable
+from variants import Variant, variants_with
+
+import dalembert as exu
+from codegen.model import Item
+
+SENSED = [item for item in READY if item.outputs]
+Read = Callable[[Any], np.ndarray]
+LOCAL = [0.1, 0.2, 0]
+
+
+def model_with(item: Item, seed: int) -> Scene:
+    if item.name == "ObjectGround":
+        scene = build(Variant("ObjectMassPoint", (("", EP), ("", EP))), seed)
+        scene.mbs.AddObject(exu.ObjectGround(referencePosition=[1, 2, 3]))
+        return scene
+    return build(next(v for v in variants_with(item) if solvable(v)), seed)
+
+
+def sensors_of(scene: Scene) -> list[tuple[Any, Read]]:
+    """One for each output of each item, with the function that reads the output itself."""
+    mbs, pairs = scene.mbs, []
+
+    def add(cls: Any, read: Read, **rows: Any) -> None:
+        pairs.append((mbs.AddSensor(cls(storeInternal=True, writeToFile=False, **rows)), read))
+
+    for kind, number, item in items_of(scene):
+        for output in item.outputs:
+            variable = getattr(exu.OutputVariableType, output.name)
+            row = {"outputVariableType": variable}
+            if kind == "Node":
+                add(
+                    exu.SensorNode, lambda c, n=number, v=variable: mbs.GetNodeOutput(n, v, c), nodeNumber=number, **row
+                )
+            elif item.object_type in ("Body", "FiniteElement"):
+                add(
+                    exu.SensorBody,
+                    lambda c, n=number, v=variable: mbs.GetObjectOutputBody(n, v, LOCAL, c),
+                    bodyNumber=number,
+                    localPosition=LOCAL,
+                    **row,
+                )
+            else:
+                add(
+                    exu.SensorObject,
+                    lambda c, n=number, v=variable: mbs.GetObjectOutput(n, v, c),
+                    objectNumber=number,
+                    **row,
+                )
+        if item.object_type == "SuperElement" and "MarkerSuperElementPosition" in {i.name for i in READY}:
+            variable = exu.OutputVariableType.Velocity
+            add(
+                exu.SensorSuperElement,
+                lambda c, n=number, v=variable: mbs.GetObjectOutputSuperElement(n, v, 1, c),
+                bodyNumber=number,
+                meshNodeNumber=1,
+                outputVariableType=variable,
+            ) if len(mbs.GetObject(number)["nodeNumbers"]) > 1 else None
+    for number, entry in enumerate(mbs.GetDictionary()["markerList"]):
+        if "Position" in ITEMS[f"Marker{entry['markerType']}"].provides:
+            variable = exu.OutputVariableType.Position
+            add(
+                exu.SensorMarker,
+                lambda c, n=number, v=variable: mbs.GetMarkerOutput(n, v, c),
+                markerNumber=number,
+                outputVariableType=variable,
+            )
+    for number in range(len(mbs.GetDictionary()["loadList"])):
+        add(exu.SensorLoad, lambda c, n=number: mbs.GetLoadValues(n), loadNumber=number)
+
+    def twice(mbs: Any, t: float, sensors: Any, factors: Any, configuration: Any) -> Any:
+        return 2 * np.atleast_1d(mbs.GetSensorValues(sensors[0], configuration))
+
+    first, read = pairs[0]
+    add(
+        exu.SensorUserFunction,
+        lambda c: 2 * np.atleast_1d(read(c)),
+        sensorNumbers=[first],
+        sensorUserFunction=twice,
+    )
+    mbs.Assemble()
+    return pairs
+
+
+@pytest.mark.parametrize("item", SENSED, ids=lambda item: item.name)
+def test_sensors_tell_the_outputs(item: Item) -> None:
+    scene = model_with(item, seed=81)
+    for sensor, read in sensors_of(scene):
+        for configuration in CONFIGURATIONS:
+            np.testing.assert_array_equal(scene.mbs.GetSensorValues(sensor, configuration), read(configuration))
+
+
+@pytest.mark.parametrize("item", SENSED, ids=lambda item: item.name)
+def test_what_sensors_store(item: Item) -> None:
+    """After every step, what a function that is called then reads; the second of two runs stores what a fresh one does."""
+    histories = []
+    for runs in (2, 1):
+        scene = model_with(item, seed=82)
+        pairs = sensors_of(scene)
+        for _ in range(runs):
+            told: list[list[np.ndarray]] = []
+            scene.mbs.SetPostStepUserFunction(
+                lambda mbs, t, pairs=pairs, told=told: bool(
+                    told.append([np.atleast_1d(read(exu.ConfigurationType.Current)) for _, read in pairs]) is None
+                )
+            )
+            s = settings()
+            s.solutionSettings.sensorsWritePeriod = 0
+            scene.mbs.SolveDynamic(s)
+        stored = [scene.mbs.GetSensorStoredData(sensor) for sensor, _ in pairs]
+        for k, history in enumerate(stored):
+            np.testing.assert_array_equal(history[:, 1:], [values[k] for values in told])
+        histories.append(stored)
+    for first, second in zip(*histories, strict=True):
+        np.testing.assert_array_equal(first, second)
