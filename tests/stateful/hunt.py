@@ -22,29 +22,11 @@ from pathlib import Path
 from random import Random
 
 import conftest  # noqa: F401  (finds the modules beside)
-from session import VARIANTS, Session
+from session import LENGTH, Session, Steps, run, some_steps
 
-SESSIONS, LENGTH = 50, 40  # sessions per process, rules per session
+SESSIONS = 50  # per process
 LONGEST = 300.0  # s for one process that reduces; LONGEST * 10 for one that works
 ATTEMPTS = 200  # to leave out steps of a finding
-Steps = list[tuple[str, dict[str, int]]]
-RULES = sorted(rule.function.__name__ for rule in Session().rules)
-
-
-def some_steps(random: Random) -> Steps:
-    def draws(name: str) -> dict[str, int]:
-        if name in ("start", "add_model"):
-            return {"n": random.randrange(len(VARIANTS)), "seed": random.randrange(10)}
-        return {"draw": random.randrange(2**32)}
-
-    return [(name, draws(name)) for name in ["start", *(random.choice(RULES) for _ in range(LENGTH))]]
-
-
-def run(steps: Steps) -> None:
-    session = Session()
-    for name, draws in steps:
-        getattr(session, name)(**draws)
-        session.can_be_shown()
 
 
 def work(seed: str, journal: Path, end: float) -> None:

@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
+from random import Random
 
 import pytest
-from hypothesis import HealthCheck, settings
-from hypothesis.stateful import run_state_machine_as_test
-from session import Session
-
-ORDINARY = settings(
-    max_examples=60, stateful_step_count=40, derandomize=True, deadline=None, database=None,
-    suppress_health_check=list(HealthCheck),
-)  # fmt: skip
+from session import run, some_steps
 
 
-def test_any_order(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("seed", range(100))
+def test_any_order(seed: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
-    run_state_machine_as_test(Session, settings=ORDINARY)
+    steps = some_steps(Random(seed))
+    try:
+        run(steps)
+    except BaseException as error:
+        error.add_note(f"to see the calls: python tests/stateful/hunt.py --replay '{json.dumps(steps)}'")
+        raise

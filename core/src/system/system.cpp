@@ -52,10 +52,11 @@ std::shared_ptr<const void> System::hold_states() const { return parts_->kept_st
 
 namespace {
 
-// New parameters have to fit nodes and markers, as at Assemble().
+// New parameters have to fit each other, nodes and markers, as at Assemble().
 void check_change(SystemParts& parts, const Model& model, Placing& placing, const ItemReference& item) {
   const ItemLabel label{model, item.kind, item.number};
   const Item& changed = model.item(item.kind, item.number);
+  if (changed.type->physics != nullptr) changed.type->physics->check_values(changed.record.get(), label);
   if (item.kind == ItemKind::object)
     changed.type->physics->check(changed.record.get(), placing.of_object(item.number), parts.ports, label);
   if (item.kind == ItemKind::marker)
