@@ -93,7 +93,7 @@ def snapshot(mbs: Any) -> list[Any]:
 def model_of(mbs: Any) -> str:
     """Items and functions; utilities keep solvers among the variables, which no copy has."""
     items = {key: value for key, value in mbs.GetDictionary().items() if not key.lower().endswith("variables")}
-    return re.sub(r"<function .*?>", "<function>", repr(items))
+    return re.sub(r"<function .*? at 0x\w+>", "<function>", repr(items))
 
 
 def state_of(mbs: Any) -> list[np.ndarray]:
@@ -101,13 +101,13 @@ def state_of(mbs: Any) -> list[np.ndarray]:
 
 
 def fresh(mbs: Any) -> Any:
-    """The same model, through a pickle, from the same start."""
+    """The same model, through a pickle, in the same state."""
     made = pickle.loads(pickle.dumps(mbs))
     made.Assemble()
-    start = exu.ConfigurationType.Initial
-    made.systemData.SetSystemState(mbs.systemData.GetSystemState(start), start)
-    made.systemData.SetODE2Coordinates_tt(mbs.systemData.GetODE2Coordinates_tt(start), start)
-    made.systemData.SetODE1Coordinates_t(mbs.systemData.GetODE1Coordinates_t(start), start)
+    for configuration in (exu.ConfigurationType.Initial, exu.ConfigurationType.Current):
+        made.systemData.SetSystemState(mbs.systemData.GetSystemState(configuration), configuration)
+        made.systemData.SetODE2Coordinates_tt(mbs.systemData.GetODE2Coordinates_tt(configuration), configuration)
+        made.systemData.SetODE1Coordinates_t(mbs.systemData.GetODE1Coordinates_t(configuration), configuration)
     return made
 
 
@@ -226,7 +226,7 @@ class Session:
             words = str(error).split()
             if error is None or words[0] not in KINDS:
                 return
-            self.call(f"mbs.Delete{words[0].title()}(", getattr(self.mbs, f"Delete{words[0].title()}"), int(words[1]))
+            self.call(f"mbs.Delete{words[0].title()}(", getattr(self.mbs, f"Delete{words[0].title()}"), int(words[1].rstrip(",")))
 
     @rule
     def assemble_in_parts(self, draw: int) -> None:
