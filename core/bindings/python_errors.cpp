@@ -31,6 +31,10 @@ void set_os_error(const FileError& error) noexcept {
   Py_DECREF(instance);
 }
 
+void set_memory_error() noexcept {
+  PyErr_SetString(PyExc_MemoryError, "there is not enough memory for what was asked for: use smaller sizes, or sparse matrices");
+}
+
 }  // namespace
 
 void set_python_error() noexcept {
@@ -45,7 +49,7 @@ void set_python_error() noexcept {
   } catch (const py::builtin_exception& error) {
     error.set_error();
   } catch (const std::bad_alloc&) {
-    PyErr_NoMemory();
+    set_memory_error();
   } catch (const std::invalid_argument& error) {
     PyErr_SetString(PyExc_ValueError, error.what());
   } catch (const std::exception& error) {
@@ -102,6 +106,8 @@ void register_errors(py::module_&) {
       PyErr_SetString(exception_of(error.kind()), error.what());
     } catch (const FileError& error) {
       set_os_error(error);
+    } catch (const std::bad_alloc&) {
+      set_memory_error();
     }
   });
 }

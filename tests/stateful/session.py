@@ -34,7 +34,7 @@ MOST_ITEMS = 60
 LENGTH = 40  # rules of a session
 
 # Refusals, with a text of ours; what functions of the user raise comes out as it is.
-REFUSALS = (TypeError, ValueError, IndexError, AttributeError, NotImplementedError)
+REFUSALS = (MemoryError, TypeError, ValueError, IndexError, AttributeError, NotImplementedError)
 FROM_FUNCTIONS = (KeyError, ZeroDivisionError)
 # Words of pybind11, the standard library and Eigen, which tell a user nothing.
 INTERNAL = (

@@ -8,23 +8,25 @@
 namespace dalembert {
 
 int InnerMarkers::add(const ItemType& node, FrameShape shape, const void* record, std::span<const int> dofs) {
-  return add(node, {}, shape, record, dofs, {});
+  return add({&node, record, {}, {}, static_cast<int>(dofs.size())}, shape, dofs, {});
 }
 
-int InnerMarkers::add(const ItemType& owner, const std::vector<const ItemType*>& nodes, FrameShape shape, const void* record,
-                      std::span<const int> dofs, const Vec3<double>& local) {
-  auto group = std::ranges::find_if(groups_, [&](const Group& g) { return g.owner == &owner && g.nodes == nodes && g.shape == shape; });
+int InnerMarkers::add(const MarkerOwner& owner, FrameShape shape, std::span<const int> dofs, const Vec3<double>& local) {
+  auto group = std::ranges::find_if(
+      groups_, [&](const Group& g) { return g.owner == owner.type && g.nodes == owner.nodes && g.shape == shape; });
   if (group == groups_.end()) {
-    const auto* node = dynamic_cast<const NodePhysics*>(owner.physics);
-    auto batch = node != nullptr ? node->make_marker(shape) : dynamic_cast<const ObjectPhysics&>(*owner.physics).make_marker(shape, nodes);
+    const auto* node = dynamic_cast<const NodePhysics*>(owner.type->physics);
+    auto batch = node != nullptr ? node->make_marker(shape)
+                                 : dynamic_cast<const ObjectPhysics&>(*owner.type->physics).make_marker(shape, owner.nodes);
     if (batch == nullptr) return -1;
-    groups_.push_back({&owner, nodes, shape, std::move(batch)});
+    groups_.push_back({owner.type, owner.nodes, shape, std::move(batch)});
     group = groups_.end() - 1;
   }
   Placement p;
   p.item = static_cast<int>(members_.size());
-  p.owner = record;
-  p.owner_type = &owner;
+  p.owner = owner.record;
+  p.owner_type = owner.type;
+  p.node_records = owner.node_records;
   p.dofs.assign(dofs.begin(), dofs.end());
   ports.append(group->batch->value_count(&local, p), group->batch->force_count(&local, p), p.dofs);
   group->batch->add(&local, p, ports);

@@ -71,6 +71,7 @@ class Checker {
     }
     if (kind_ == ItemKind::node) check_coordinates();
     if (kind_ == ItemKind::object) check_ends();
+    if (kind_ == ItemKind::load) check_follower();
     if (type.physics != nullptr) type.physics->check_values(item_.record.get(), {model_, kind_, number_});
   }
 
@@ -193,6 +194,17 @@ class Checker {
              "markers on two bodies that move against each other", "A body cannot be joined to itself");
   }
 
+  // A load that turns with its marker reads the marker's orientation.
+  void check_follower() const {
+    const auto* physics = dynamic_cast<const LoadPhysics*>(item_.type->physics);
+    if (physics == nullptr || !physics->body_fixed(item_.record.get())) return;
+    const Row& row = *std::ranges::find(item_.type->rows, "markerNumber", &Row::name);
+    const int marker = index_values(row, item_.record.get()).front();
+    if (meets(provisions_.of(*model_.item(ItemKind::marker, marker).type), Capability::orientation)) return;
+    complain(row, model_.describe(ItemKind::marker, marker) + ", which has no orientation",
+             "with bodyFixed = True a marker that provides Orientation", "Use a marker of a rigid body, or bodyFixed = False");
+  }
+
   // Generic nodes state how many coordinates they have; their start values have as many, or none for zeros.
   void check_coordinates() const {
     const void* record = item_.record.get();
@@ -222,6 +234,11 @@ void Model::check() const {
     const ItemKind kind = static_cast<ItemKind>(k);
     for (int i = 0; i < count(kind); ++i) Checker(*this, provisions, kind, i).run();
   }
+}
+
+void Model::check(std::span<const ItemReference> some) const {
+  Provisions provisions;
+  for (const ItemReference& item : some) Checker(*this, provisions, item.kind, item.number).run();
 }
 
 std::string Model::doubt() const {

@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "dalembert/model/errors.hpp"
 #include "dalembert/model/member.hpp"
 
 namespace dalembert {
@@ -15,8 +16,12 @@ class Copier {
 
   // Copies an item after those that it refers to, with their new numbers; each one once.
   int copy(ItemKind kind, int number) {
-    const auto found = numbers_.find({kind, number});
-    if (found != numbers_.end()) return found->second;
+    const auto [found, is_new] = numbers_.try_emplace({kind, number}, being_copied);
+    if (found->second == being_copied && !is_new)
+      refuse(ErrorKind::value, {from_.describe(kind, number), "", "it refers to itself, by what it refers to", "", "", ""});
+    if (!is_new) return found->second;
+    const ItemReference here{kind, number};
+    from_.check({&here, 1});  // also that there is a body where one is asked for
     const Item& item = from_.item(kind, number);
     sources.push_back({kind, number, item.record});
     const std::shared_ptr<void> record = item.type->record.copy(item.record.get());
@@ -36,6 +41,8 @@ class Copier {
   std::vector<Excerpt::Source> sources;
 
  private:
+  static constexpr int being_copied = -1;
+
   const Model& from_;
   std::map<std::pair<ItemKind, int>, int> numbers_;
 };

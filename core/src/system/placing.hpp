@@ -79,8 +79,11 @@ class Placing {
     for (const int o : objects) {
       const ObjectPlace& object = parts_.objects[o];
       const auto below = object.nodes.of(parts_.references);
-      p.owners.push_back({object.type, object.record.get(), node_types(below), 0});
-      for (const int n : below) p.owners.back().dofs += parts_.nodes[n].sizes.ode2;
+      MarkerOwner& owner = p.owners.emplace_back(object.type, object.record.get(), node_types(below));
+      for (const int n : below) {
+        owner.node_records.push_back(parts_.nodes[n].record.get());
+        owner.dofs += parts_.nodes[n].sizes.ode2;
+      }
     }
     return p;
   }

@@ -52,11 +52,10 @@ std::shared_ptr<const void> System::hold_states() const { return parts_->kept_st
 
 namespace {
 
-// New parameters have to fit each other, nodes and markers, as at Assemble().
+// New parameters have to fit nodes and markers, as at Assemble().
 void check_change(SystemParts& parts, const Model& model, Placing& placing, const ItemReference& item) {
   const ItemLabel label{model, item.kind, item.number};
   const Item& changed = model.item(item.kind, item.number);
-  if (changed.type->physics != nullptr) changed.type->physics->check_values(changed.record.get(), label);
   if (item.kind == ItemKind::object)
     changed.type->physics->check(changed.record.get(), placing.of_object(item.number), parts.ports, label);
   if (item.kind == ItemKind::marker)
@@ -79,6 +78,7 @@ void System::refresh(const Model& model) {
   if (!assembled_ || parts.structure != model.structure_changes() || parts.values == model.value_changes()) return;
   auto [changed, all_known] = model.changed_since(parts.values);
   if (!all_known) changed = all_items(model);
+  model.check(changed);
   Placing placing(parts);
   for (const ItemReference& item : changed) check_change(parts, model, placing, item);
   evaluated_ = nullptr;

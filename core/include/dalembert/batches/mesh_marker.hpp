@@ -11,10 +11,9 @@ namespace dalembert {
 // Frame markers on nodes and bodies of any types, inside another marker: they have ports of their own.
 class InnerMarkers {
  public:
-  // The number of the new marker's port; -1: the node or body has no such frame. A body comes with the types of its nodes.
+  // The number of the new marker's port; -1: the node or body has no such frame.
   int add(const ItemType& node, FrameShape shape, const void* record, std::span<const int> dofs);
-  int add(const ItemType& owner, const std::vector<const ItemType*>& nodes, FrameShape shape, const void* record,
-          std::span<const int> dofs, const Vec3<double>& local);
+  int add(const MarkerOwner& owner, FrameShape shape, std::span<const int> dofs, const Vec3<double>& local);
   void refresh(int port, const Vec3<double>& local);
   void refresh_owner(int port, const void* record);
 

@@ -49,7 +49,7 @@ class RelativeMarkerBatch final : public MarkerBatch {
       const MarkerOwner& owner = placement.owners[m];
       const auto own = dofs.first(static_cast<std::size_t>(owner.dofs));
       dofs = dofs.subspan(own.size());
-      e.bodies[m] = bodies_.add(*owner.type, owner.nodes, FrameShape::rigid, owner.record, own, locals[m]);
+      e.bodies[m] = bodies_.add(owner, FrameShape::rigid, own, locals[m]);
       if (e.bodies[m] < 0)
         refuse(ErrorKind::value, {"marker " + std::to_string(e.marker), "bodyNumbers", "",
                                   "a " + std::string(owner.type->name) + ", which has no rigid frame", "two rigid bodies", ""});

@@ -63,6 +63,7 @@ class Model {
   std::string doubt() const;
   // Refuse a model that cannot be assembled: indices, types of nodes and markers, array lengths. Throws ModelError.
   void check() const;
+  void check(std::span<const ItemReference> some) const;  // the same for these items
 
   std::uint64_t structure_changes() const { return structure_changes_; }  // grown: Assemble is needed
   std::uint64_t equation_changes() const { return equation_changes_; }    // the same without those of sensors

@@ -63,6 +63,7 @@ struct MarkerOwner {
   const ItemType* type = nullptr;
   const void* record = nullptr;
   std::vector<const ItemType*> nodes;  // types of a body's nodes
+  std::vector<const void*> node_records;
   int dofs = 0;                        // how many of Placement::dofs are its own
 };
 
