@@ -50,6 +50,8 @@ void set_python_error() noexcept {
     error.set_error();
   } catch (const std::bad_alloc&) {
     set_memory_error();
+  } catch (const std::length_error&) {
+    set_memory_error();
   } catch (const std::invalid_argument& error) {
     PyErr_SetString(PyExc_ValueError, error.what());
   } catch (const std::exception& error) {
@@ -107,6 +109,8 @@ void register_errors(py::module_&) {
     } catch (const FileError& error) {
       set_os_error(error);
     } catch (const std::bad_alloc&) {
+      set_memory_error();
+    } catch (const std::length_error&) {
       set_memory_error();
     }
   });

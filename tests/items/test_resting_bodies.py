@@ -87,6 +87,19 @@ def test_holds_a_spring_like_ground(carrier: tuple[str, str]) -> None:
     np.testing.assert_array_equal(*ends)
 
 
+@each_resting
+def test_a_marker_between_bodies_takes_it_as_rest(carrier: tuple[str, str]) -> None:
+    scene, resting, moving = scene_with(carrier)
+    mbs = scene.mbs
+    bodies = [resting.body, scene.carrier("ObjectRigidBody", "NodeRigidBodyEP").body]
+    marker = mbs.AddMarker(exu.MarkerBodiesRelativeTranslationCoordinate(bodyNumbers=bodies, axis0=[1, 0, 0]))
+    mbs.Assemble()
+    origins = [mbs.GetObjectOutputBody(b, exu.OutputVariableType.Position, [0, 0, 0]) for b in bodies]
+    axes = mbs.GetObjectOutputBody(bodies[0], exu.OutputVariableType.RotationMatrix, [0, 0, 0]).reshape(3, 3)
+    measured = mbs.GetMarkerOutput(marker, exu.OutputVariableType.Coordinates)
+    np.testing.assert_allclose(measured, axes[:, 0] @ (origins[1] - origins[0]), rtol=1e-12)
+
+
 def test_the_mass_point_may_rest() -> None:
     """The list above is not empty by mistake."""
     assert ("ObjectMassPoint", "NodePointGround") in RESTING

@@ -6,6 +6,7 @@ import re
 from contextlib import nullcontext
 from typing import Any
 
+import numpy as np
 import pytest
 
 import dalembert as exu
@@ -41,6 +42,13 @@ def wrong_marker_type(mbs: exu.MainSystem) -> None:
     mbs.AddLoad(exu.LoadTorqueVector(markerNumber=marker, loadVector=[0, 0, 1]))
 
 
+def follower_without_orientation(mbs: exu.MainSystem) -> None:
+    node = mbs.AddNode(exu.NodeRigidBody2D())
+    mbs.AddObject(exu.RigidBody2D(nodeNumber=node, physicsMass=1, physicsInertia=1))
+    marker = mbs.AddMarker(exu.MarkerNodePosition(nodeNumber=node))
+    mbs.AddLoad(exu.LoadForceVector(markerNumber=marker, loadVector=[0, 1, 0], bodyFixed=True))
+
+
 def marker_on_connector(mbs: exu.MainSystem) -> None:
     ground = mbs.AddObject(exu.ObjectGround())
     marker = mbs.AddMarker(exu.MarkerBodyPosition(bodyNumber=ground))
@@ -70,6 +78,7 @@ def deleted_marker(mbs: exu.MainSystem) -> None:
         (wrong_node_type, "object 0 'object0' (ObjectMass1D), parameter 'nodeNumber': received node 0 'node0' (NodePoint), which provides Position, but expected a node that provides GenericODE2."),
         (node_too_large, "object 0 'object0' (ObjectMass1D), parameter 'nodeNumber': received nodes with 2 coordinates together, but expected 1."),
         (wrong_marker_type, "load 0 'load0' (LoadTorqueVector), parameter 'markerNumber': received marker 0 'marker0' (MarkerBodyPosition), which provides Object, Body, Position, but expected a marker that provides Orientation."),
+        (follower_without_orientation, "load 0 'load0' (LoadForceVector), parameter 'markerNumber': received marker 0 'marker0' (MarkerNodePosition), which has no orientation, but expected with bodyFixed = True a marker that provides Orientation."),
         (marker_on_connector, "marker 2 'marker2' (MarkerBodyPosition), parameter 'bodyNumber': received object 1 'object1' (ObjectConnectorSpringDamper), but expected a body (also ground, a finite element or a super element)."),
         (wrong_number_of_coordinates, "node 0 'node0' (NodeGenericODE2), parameter 'referenceCoordinates': received 3 values, but expected 2 values as numberOfODE2Coordinates is 2."),
         (deleted_marker, "object 1 'object1' (ObjectConnectorSpringDamper), parameter 'markerNumbers': received the invalid index -1, but expected the number of a marker."),
@@ -107,6 +116,34 @@ def test_points_have_no_rigid_frame(mbs: exu.MainSystem, node: Any) -> None:
     mbs.AddMarker(exu.MarkerNodeRigid(nodeNumber=mbs.AddNode(node())))
     with pytest.raises(ValueError, match=rf"\(MarkerNodeRigid\): this combination is not available: {node.__name__}\."):
         mbs.Assemble()
+
+
+def test_reading_refuses_what_refers_to_itself(mbs: exu.MainSystem) -> None:
+    """A marker that is moved onto the connector that it belongs to, and read before Assemble."""
+    ground = mbs.AddObject(exu.ObjectGround())
+    markers = [mbs.AddMarker(exu.MarkerBodyPosition(bodyNumber=ground)) for _ in range(2)]
+    spring = mbs.AddObject(exu.SpringDamper(markerNumbers=markers))
+    mbs.ModifyMarker(markers[0], {"bodyNumber": spring})
+    with pytest.raises(ValueError, match=r"marker 0 .* parameter 'bodyNumber': received object 1 .*SpringDamper"):
+        mbs.GetMarkerOutput(markers[0], exu.OutputVariableType.Position, exu.ConfigurationType.Reference)
+
+
+def test_values_that_do_not_fit_each_other_are_refused_when_set(mbs: exu.MainSystem) -> None:
+    node = mbs.AddNode(exu.NodeRigidBodyRxyz())
+    body = mbs.AddObject(exu.RigidBody(physicsMass=2, physicsInertia=[1, 1, 1, 0, 0, 0], nodeNumber=node))
+    data = mbs.AddNode(exu.NodeGenericData(numberOfDataCoordinates=3, initialCoordinates=[0, 0, 0]))
+    mbs.Assemble()
+    with pytest.raises(ValueError, match="a principal moment about the center of mass is negative"):
+        mbs.SetObjectParameter(body, "physicsCenterOfMass", [0, 0, 1])
+    with pytest.raises(ValueError, match="received 2 values, but expected 3 values as numberOfDataCoordinates is 3"):
+        mbs.SetNodeParameter(data, "initialCoordinates", [1, 2])
+    np.testing.assert_array_equal(mbs.GetObject(body)["physicsCenterOfMass"], [0, 0, 0])
+    np.testing.assert_array_equal(mbs.GetNode(data)["initialCoordinates"], [0, 0, 0])
+
+
+def test_memory_that_is_not_there_is_named() -> None:
+    with pytest.raises(MemoryError, match="there is not enough memory for what was asked for"):
+        exu.MatrixContainer().Initialize(2**31 - 1, 2**31 - 1)
 
 
 def test_consistency_follows_the_structure(mbs: exu.MainSystem) -> None:
