@@ -11,6 +11,7 @@ from codegen.names import nearest
 from codegen.scene import EXEMPT, FRAMES, End, NodePlace, SceneTable
 
 WORD = " on "
+GAP = "gap"  # of the constraint equations, in `closed`
 LEAST_WORDS = 5  # of a reason
 KEYS = tuple(f.name for f in fields(SceneTable))
 _KINDS: dict[str, tuple[type, str]] = {
@@ -22,7 +23,7 @@ _KINDS: dict[str, tuple[type, str]] = {
         ("isotropic", "per_marker", "closed", "values", "exempt", "exempt_outputs"), (dict, "a table { ... }")
     ),
 }
-# Which kinds of items, besides those of the comments above, a key is for.
+# Which kinds of items a key is for; others are for all.
 _ONLY: dict[str, tuple[str, ...]] = {
     "frame": ("node",),
     "isotropic": ("object",), "local": ("object",), "small_deformations": ("object",), "nodes": ("object",),
@@ -42,55 +43,55 @@ def read_scene(raw: Mapping[str, Any], kind: str, rows: Iterable[str], outputs: 
             raise SpecError(f"{key}: {value!r} is not {words}")
         if kind not in _ONLY.get(key, (kind,)):
             raise SpecError(f"{key}: not for a {kind}, but for a {' or '.join(_ONLY[key])}")
-    _check_words(raw)
-    _check_rows(raw, list(rows), list(outputs))
     made = dict(raw)
-    for key, make in _MAKE.items():
-        if key in made:
-            made[key] = tuple(make(key, entry) for entry in made[key])
-    return SceneTable(**made)
+    for key in raw.keys() & _ENTRIES.keys():
+        made[key] = tuple(_ENTRIES[key](key, entry) for entry in raw[key])
+    table = SceneTable(**made)
+    _check_words(table)
+    _check_rows(table, list(rows), list(outputs))
+    return table
 
 
-def _known(what: str, word: str, known: Iterable[str]) -> None:
+def _known(what: str, word: str, known: Iterable[str], key: str = "") -> None:
     if word not in (names := list(known)):
-        raise SpecError(f"unknown {what} {word!r}; {nearest(word, names)}")
+        raise SpecError(f"{key + ': ' if key else ''}unknown {what} {word!r}; {nearest(word, names)}")
 
 
-def _check_words(raw: Mapping[str, Any]) -> None:
-    if "frame" in raw:
-        _known("frame", raw["frame"], FRAMES)
-    for word in raw.get("fits", ()):
-        _known("word in fits:", word, MARKER_CAPABILITIES)
-    for check in raw.get("exempt", {}):
-        _known("check in exempt:", check, EXEMPT)
-    for table in ("exempt", "exempt_outputs"):
-        for name, reason in raw.get(table, {}).items():
+def _check_words(scene: SceneTable) -> None:
+    if scene.frame:
+        _known("frame", scene.frame, FRAMES)
+    for word in scene.fits or ():
+        _known("capability", word, MARKER_CAPABILITIES, "fits")
+    for check in scene.exempt:
+        _known("check", check, EXEMPT, "exempt")
+    for key, table in (("exempt", scene.exempt), ("exempt_outputs", scene.exempt_outputs)):
+        for name, reason in table.items():
             if not isinstance(reason, str) or len(reason.split()) < LEAST_WORDS:
-                raise SpecError(f"{table}.{name}: {reason!r} is not a reason of at least {LEAST_WORDS} words")
+                raise SpecError(f"{key}.{name}: {reason!r} is not a reason of at least {LEAST_WORDS} words")
 
 
-def _check_rows(raw: Mapping[str, Any], rows: list[str], outputs: list[str]) -> None:
+def _check_rows(scene: SceneTable, rows: list[str], outputs: list[str]) -> None:
     """Parameters and outputs that the table names are those of the item."""
-    tables = [(key, raw.get(key, {})) for key in ("values", "isotropic", "per_marker", "closed")]
-    tables += [("options", option) for option in raw.get("options", ())]
-    for key, table in tables:
+    tables = [(key, getattr(scene, key)) for key in ("values", "isotropic", "per_marker", "closed")]
+    for key, table in [*tables, *(("options", option) for option in scene.options)]:
         for name in table:
-            _known(f"parameter in {key}:", name, rows)
-    for name in raw.get("exempt_outputs", {}):
-        _known("output in exempt_outputs:", name, outputs)
-    told = [name for pair in raw.get("power", ()) for name in pair]
-    told += [raw["second_body"]] if "second_body" in raw else []
-    for name in told:
-        _known("output:", name.removeprefix("rate of ").removeprefix("-"), outputs)
+            _known("parameter", name, rows, key)
+    told = [("power", name.removeprefix("rate of ")) for pair in scene.power for name in pair]
+    told += [("second_body", scene.second_body.removeprefix("-"))] if scene.second_body else []
+    told += [("closed", name) for name in scene.closed.values() if name != GAP]
+    for key, name in [*told, *(("exempt_outputs", name) for name in scene.exempt_outputs)]:
+        _known("output", name, outputs, key)
 
 
-def read_end(text: Any) -> End:
+def read_end(key: str, text: Any) -> End:
     kinds = ("Marker", "Object", "Node")
     found = dict.fromkeys(kinds, "")
     words = text.split(WORD) if isinstance(text, str) else []
     order = [next((k for k in kinds if word.startswith(k)), "") for word in words]
     if not words or order != [k for k in kinds if k in order]:
-        raise SpecError(f"{text!r} is not a place such as 'MarkerBodyRigid on ObjectRigidBody on NodeRigidBodyEP'")
+        raise SpecError(
+            f"{key}: {text!r} is not a place such as 'MarkerBodyRigid on ObjectRigidBody on NodeRigidBodyEP'"
+        )
     found |= zip(order, words, strict=True)
     return End(found["Marker"], found["Object"], found["Node"])
 
@@ -98,28 +99,41 @@ def read_end(text: Any) -> End:
 def _pair(key: str, entry: Any) -> tuple[End, ...]:
     if not isinstance(entry, list) or not entry:
         raise SpecError(f"{key}: {entry!r} is not a list of places, one per marker")
-    return tuple(read_end(text) for text in entry)
+    return tuple(read_end(key, text) for text in entry)
 
 
 def _node(key: str, entry: Any) -> NodePlace:
     known = [f.name for f in fields(NodePlace)]
-    if not isinstance(entry, Mapping):
-        raise SpecError(f"{key}: {entry!r} is not a table of {', '.join(known)}")
-    for name in entry:
-        _known(f"key in {key}:", name, known)
+    for name in _table(key, entry):
+        _known("key", name, known, key)
     return NodePlace(entry.get("type", ""), tuple(entry.get("at", NodePlace.at)), entry.get("values", {}))
 
 
-def _tuple(key: str, entry: Any) -> Any:
-    return tuple(entry) if isinstance(entry, list) else entry
+def _table(key: str, entry: Any) -> Any:
+    if not isinstance(entry, Mapping):
+        raise SpecError(f"{key}: {entry!r} is not a table {{ ... }}")
+    return entry
 
 
-_MAKE: dict[str, Any] = {
+def _power(key: str, entry: Any) -> Any:
+    if not isinstance(entry, list) or [type(name) for name in entry] != [str, str]:
+        raise SpecError(f"{key}: {entry!r} is not a pair [force, velocity] of outputs")
+    return tuple(entry)
+
+
+def _local(key: str, entry: Any) -> Any:
+    if not isinstance(entry, list) or len(entry) != 3 or not all(isinstance(x, float) for x in entry):
+        raise SpecError(f"{key}: {entry!r} is not a place [x, y, z]")
+    return tuple(entry)
+
+
+# What the entries of lists are made of.
+_ENTRIES: dict[str, Any] = {
     "pairs": _pair,
-    "beside": lambda key, entry: read_end(entry),
+    "beside": read_end,
     "nodes": _node,
-    "local": _tuple,
-    "power": _tuple,
-    "fits": _tuple,
-    "options": _tuple,
+    "local": _local,
+    "power": _power,
+    "fits": lambda key, entry: entry,
+    "options": _table,
 }
