@@ -70,6 +70,7 @@ def _cpp_files(specs: Specs) -> dict[str, str]:
     numbers = {enum.name: number for number, enum in enumerate(specs.enums)}
     files = {
         "src/registry.cpp": fill("registry.cpp.j2", items=specs.items),
+        "src/item_texts.cpp": fill("item_texts.cpp.j2", items=specs.items),
         "include/dalembert/enums.hpp": fill("enums.hpp.j2", enums=specs.enums),
         "src/enums.cpp": fill("enums.cpp.j2", enums=specs.enums),
     }
