@@ -90,6 +90,10 @@ def _python_files(specs: Specs) -> dict[str, str]:
         "python/dalembert/_core_items.pyi": fill("core_items.pyi.j2", items=specs.items),
         "python/dalembert/_core_enums.pyi": fill("core_enums.pyi.j2", enums=specs.enums),
         "python/dalembert/_core_settings.pyi": fill("core_settings.pyi.j2", files=parts),
+        "python/dalembert/_function_sizes.py": fill(
+            "function_sizes.py.j2",
+            functions=[(item, f) for item in specs.items for f in item.user_functions if python.has_arrays(f)],
+        ),
         "python/dalembert/_planned_table.py": fill(
             "planned_table.py.j2", items=[item for item in specs.items if not item.ready], planned=specs.planned
         ),

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
-from dalembert._files import naming
+from dalembert._io.files import naming
 
 
 def _run(arguments: argparse.Namespace) -> int:
