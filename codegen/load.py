@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from codegen.load_planned import load_planned
+from codegen.load_scene import read_scene
 from codegen.load_settings import load_enum, load_settings
 from codegen.model import (
     STANDARD_ARGUMENTS,
@@ -21,12 +22,13 @@ from codegen.model import (
 from codegen.model_settings import Enum, Specs, value_type
 from codegen.names import FOLDERS, nearest
 from codegen.rows import at, check_keys, known_key, parameter, parse, text
+from codegen.scene import SceneTable
 
 TABLES = ("parameters", "visualization", "outputs")
 TOP_LEVEL = (
     "name", "type_name", "object_type", "short_names", "summary", "provides", "requested_nodes", "requested_markers",
     "physics",
-    "nodes", "irregular", "beyond_reference", *TABLES, "user_functions", "docs", "example",
+    "nodes", "irregular", "beyond_reference", *TABLES, "user_functions", "scene", "docs", "example",
 )  # fmt: skip
 WORD_LISTS = ("short_names", "provides", "requested_nodes", "requested_markers", "nodes")
 OUTPUT_KEYS = ("size", "unit", "from", "symbol", "doc")
@@ -88,7 +90,17 @@ def load_item(path: str, content: str, groups: Groups, enums: Mapping[str, Enum]
             quantities=tuple(_quantity(i, row) for i, row in enumerate(docs.get("quantities", ()))),
             examples=tuple(docs.get("examples", ())),
             example=_example(raw["example"]) if "example" in raw else None,
+            scene=_scene(path, raw, tables),
         )
+
+
+def _scene(path: str, raw: Mapping[str, Any], tables: Mapping[str, Any]) -> SceneTable:
+    with at("scene"):
+        table = raw.get("scene", {})
+        if not isinstance(table, Mapping):
+            raise SpecError(f"a table belongs here, not {table!r}")
+        kind = FOLDERS[path.split("/")[1]][0]
+        return read_scene(table, kind, tables["parameters"], tables["outputs"])
 
 
 def _words(raw: Mapping[str, Any], key: str) -> Any:
@@ -127,6 +139,7 @@ def _check_references(items: Iterable[Item], enums: Mapping[str, Enum], root: Pa
         for name in item.nodes:
             if name not in nodes:
                 raise SpecError(f"{item.path}: nodes: no node item is named {name!r}; {nearest(name, nodes)}")
+        _check_scene(item, {other.name: other for other in items})
         for row in item.rows:
             if row.type.storage == "output_variable" and row.default not in {
                 v.name for v in enums[row.type.name].values
@@ -135,6 +148,25 @@ def _check_references(items: Iterable[Item], enums: Mapping[str, Enum], root: Pa
         for example in item.examples:
             if not (root / "examples" / f"{example}.py").exists():
                 raise SpecError(f"{item.path}: docs.examples: there is no examples/{example}.py")
+
+
+def _check_scene(item: Item, items: Mapping[str, Item]) -> None:
+    """Whom the scene names: they exist, and each body stands on a node that it is made for."""
+    for key, end in item.scene.ends:
+        with at(f"{item.path}: scene: {key}"):
+            for name in end.names:
+                known_key(name, items)
+            fitting = items[end.body].nodes if end.body else ()
+            if end.body and end.node and end.node not in fitting:
+                raise SpecError(f"{end.body} is not made for {end.node}; {nearest(end.node, fitting)}")
+            if not end.node and len(fitting) > 1:
+                raise SpecError(f"{end.body} needs 'on' and one of its nodes; known are {', '.join(fitting)}")
+    for node in item.scene.nodes:
+        with at(f"{item.path}: scene: nodes"):
+            if node.type:
+                known_key(node.type, [name for name, other in items.items() if other.kind == "node"])
+            for name in node.values:
+                known_key(name, [row.name for row in items[node.type].parameters] if node.type else [])
 
 
 def _splice(table: str, raw: Mapping[str, Any], groups: Groups) -> dict[str, Any]:

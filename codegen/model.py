@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import keyword
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from codegen.names import FOLDERS, nearest, stem_of
+from codegen.scene import SceneTable
 from codegen.types import ParameterType, ValueType
 
 # Which storages a check is for; none: any.
@@ -274,6 +275,7 @@ class Item:
     quantities: tuple[Quantity, ...] = ()
     examples: tuple[str, ...] = ()
     example: Example | None = None
+    scene: SceneTable = field(default_factory=SceneTable)
 
     def __post_init__(self) -> None:
         check_identifier(self.name)

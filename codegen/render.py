@@ -70,6 +70,7 @@ def _cpp_files(specs: Specs) -> dict[str, str]:
     numbers = {enum.name: number for number, enum in enumerate(specs.enums)}
     files = {
         "src/registry.cpp": fill("registry.cpp.j2", items=specs.items),
+        "src/item_texts.cpp": fill("item_texts.cpp.j2", items=specs.items),
         "include/dalembert/enums.hpp": fill("enums.hpp.j2", enums=specs.enums),
         "src/enums.cpp": fill("enums.cpp.j2", enums=specs.enums),
     }
@@ -89,6 +90,10 @@ def _python_files(specs: Specs) -> dict[str, str]:
         "python/dalembert/_core_items.pyi": fill("core_items.pyi.j2", items=specs.items),
         "python/dalembert/_core_enums.pyi": fill("core_enums.pyi.j2", enums=specs.enums),
         "python/dalembert/_core_settings.pyi": fill("core_settings.pyi.j2", files=parts),
+        "python/dalembert/_function_sizes.py": fill(
+            "function_sizes.py.j2",
+            functions=[(item, f) for item in specs.items for f in item.user_functions if python.has_arrays(f)],
+        ),
         "python/dalembert/_planned_table.py": fill(
             "planned_table.py.j2", items=[item for item in specs.items if not item.ready], planned=specs.planned
         ),

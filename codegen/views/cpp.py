@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from typing import Any
 
-from codegen.model import MARKER_CAPABILITIES, NODE_CAPABILITIES, Item, Parameter, UserFunction
+from codegen.model import MARKER_CAPABILITIES, NODE_CAPABILITIES, Item, Output, Parameter, UserFunction
 from codegen.model_settings import Enum
 from codegen.names import snake_case
 from codegen.types import ParameterType
@@ -35,6 +35,16 @@ def cpp_string(text: str) -> str:
 def cpp_comment(text: str) -> str:
     """One line of plain text: RST markup is taken off."""
     return " ".join(text.replace("``", "").replace(":math:", "").replace("\\", "").split())
+
+
+def one_line(text: str) -> str:
+    return " ".join(text.split())
+
+
+def cpp_output_text(output: Output) -> str:
+    """An entry of a table of `OutputText`; its size is 0 where it depends on the item."""
+    size = output.size if isinstance(output.size, int) else 0
+    return f'{{"{output.name}", {size}, {cpp_string(output.unit)}, {cpp_string(one_line(output.doc))}}}'
 
 
 def cpp_strings(texts: tuple[str, ...]) -> str:

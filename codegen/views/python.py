@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from codegen.model import Argument, Item, Parameter, UserFunction
+from codegen.model import BODY_FOLDERS, Argument, Item, Parameter, UserFunction
 from codegen.model_settings import Enum, Planned
 
 # What an attribute gives, by storage, where it is less than what may be assigned to it.
@@ -51,6 +51,17 @@ def _callable(function: UserFunction) -> str:
     standard = {"mbs": "MainSystem", "t": "float", "itemNumber": "int"}
     arguments = [standard[name] for name in function.standard] + [a.type.python for a in function.arguments]
     return f"Callable[[{', '.join(arguments)}], {_accepted(function.returns)}]"
+
+
+def has_arrays(function: UserFunction) -> bool:
+    return any(argument.shape and argument.type.real for argument in function.arguments)
+
+
+def argument_sizes(function: UserFunction, item: Item) -> str:
+    """`(3, 6, NODES)`: the length of each array that the function receives."""
+    open_size = "NODES" if item.folder in BODY_FOLDERS else "ASSEMBLE"
+    sizes = [str(a.shape[0] or open_size) for a in function.arguments if a.shape and a.type.real]
+    return f"({', '.join(sizes)}{',' * (len(sizes) == 1)})"
 
 
 def _accepted(result: Argument) -> str:

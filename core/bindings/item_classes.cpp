@@ -308,7 +308,7 @@ PyGetSetDef* make_attributes(const ItemType& type, bool visualization) {
     if ((row.role == Role::visualization) != visualization) continue;
     const auto add = [&](std::string_view name) {
       attributes.push_back({keep(std::string(name)), get_attribute<Object>, set_attribute<Object>,
-                            keep(row_doc(row)), const_cast<Row*>(&row)});
+                            keep(row_doc(type, row)), const_cast<Row*>(&row)});
     };
     add(row.name);
     for (const std::string_view alias : row.aliases) add(alias);
@@ -406,6 +406,11 @@ void register_items(py::module_& module) {
   const auto add = [&](const std::string& name, PyTypeObject* type) {
     module.add_object(name.c_str(), py::reinterpret_borrow<py::object>(reinterpret_cast<PyObject*>(type)), true);
   };
+  module.def("_parameters_of", [](const py::type& cls) {
+    const auto found = by_python_type.find(reinterpret_cast<const PyTypeObject*>(cls.ptr()));
+    if (found == by_python_type.end()) throw py::type_error("_parameters_of: " + py::repr(cls).cast<std::string>() + " is no item class");
+    return described_parameters(*found->second, found->first == found->second->visualization_type);
+  }, py::arg("cls"), py::pos_only(), "(name, type, check, facts, text) of the parameters of an item class or a visualization class.");
   add("Item", item_base);
   add("Visualization", visualization_base);
   for (const ItemType* type : item_types()) {

@@ -2,9 +2,12 @@
 
 #include <pybind11/numpy.h>
 
+#include <algorithm>
+
 #include "conversion.hpp"
 #include "dalembert/model/member.hpp"
 #include "dalembert/model/value_checks.hpp"
+#include "dalembert/reflection/item_texts.hpp"
 #include "item_equality.hpp"
 
 namespace dalembert {
@@ -78,6 +81,50 @@ std::string visualization_literal(const ItemClass& item_class) {
   return text + "}";
 }
 
+// What the spec says of an item type.
+const ItemText& text_of(const ItemType& type) {
+  const auto types = item_types();
+  return item_texts()[static_cast<std::size_t>(std::find(types.begin(), types.end(), &type) - types.begin())];
+}
+
+std::string_view row_text(const ItemType& type, const Row& row) {
+  return text_of(type).rows[static_cast<std::size_t>(&row - type.rows.data())];
+}
+
+std::string type_words(const Row& row) {
+  std::string text(storage_text(row.storage));
+  if (row.size > 0) text += " of length " + std::to_string(row.size);
+  return text;
+}
+
+std::string_view check_name(Check check) {
+  switch (check) {
+    case Check::none: return "";
+    case Check::non_negative: return "non_negative";
+    case Check::positive: return "positive";
+    case Check::rotation: return "rotation";
+    case Check::orthogonal: return "orthogonal";
+    case Check::unit_vector: return "unit_vector";
+  }
+  return "";
+}
+
+std::string facts_after_type(const Row& row) {
+  std::string text;
+  if (row.check == Check::positive) text += ", > 0";
+  if (row.check == Check::non_negative) text += ", >= 0";
+  if (const std::string demanded = demand(row.check); !demanded.empty()) text += ", " + demanded;
+  if (!row.unit.empty()) text += ", unit " + std::string(row.unit);
+  if (row.needs_assemble) text += "; changes need Assemble()";
+  return text;
+}
+
+std::string output_line(const OutputText& output) {
+  const std::string size = output.size == 1 ? "float" : output.size == 0 ? "numbers" : std::to_string(output.size) + " numbers";
+  return "    " + std::string(output.name) + ": " + size + ", unit " + std::string(output.unit) + "\n        " +
+         std::string(output.text) + "\n";
+}
+
 std::string words(std::span<const std::string_view> list) {
   std::string text;
   for (const std::string_view word : list) text += (text.empty() ? "" : ", ") + std::string(word);
@@ -86,15 +133,19 @@ std::string words(std::span<const std::string_view> list) {
 
 }  // namespace
 
-std::string row_doc(const Row& row) {
-  std::string text(storage_text(row.storage));
-  if (row.size > 0) text += " of length " + std::to_string(row.size);
-  if (row.check == Check::positive) text += ", > 0";
-  if (row.check == Check::non_negative) text += ", >= 0";
-  if (const std::string demanded = demand(row.check); !demanded.empty()) text += ", " + demanded;
-  if (!row.unit.empty()) text += ", unit " + std::string(row.unit);
-  if (row.needs_assemble) text += "; changes need Assemble()";
-  return text;
+std::string row_doc(const ItemType& type, const Row& row) {
+  return type_words(row) + facts_after_type(row) + "\n" + std::string(row_text(type, row));
+}
+
+py::list described_parameters(const ItemClass& item_class, bool visualization) {
+  py::list made;
+  for (const auto& argument : visualization ? item_class.visualization_arguments : item_class.arguments) {
+    if (argument.row == nullptr) continue;
+    const Row& row = *argument.row;
+    made.append(py::make_tuple(row.name, type_words(row), check_name(row.check), facts_after_type(row),
+                               row_text(*item_class.type, row)));
+  }
+  return made;
 }
 
 std::string class_doc(const ItemClass& item_class, bool visualization) {
@@ -106,17 +157,24 @@ std::string class_doc(const ItemClass& item_class, bool visualization) {
     if (!signature.empty()) signature += ", ";
     if (argument.row == nullptr) {
       signature += "visualization=" + visualization_literal(item_class);
-      parameters += "    visualization: V" + std::string(type.name) + " or dict\n";
+      parameters += "    visualization: V" + std::string(type.name) + " or dict\n        how the item is drawn\n";
       continue;
     }
-    signature += std::string(argument.row->name) + "=" + literal(*argument.row, item_class.defaults.get());
-    parameters += "    " + std::string(argument.row->name) + ": " + row_doc(*argument.row) + "\n";
+    const Row& row = *argument.row;
+    const std::string value = literal(row, item_class.defaults.get());
+    signature += std::string(row.name) + "=" + value;
+    parameters += "    " + std::string(row.name) + ": " + type_words(row) + " = " + value + facts_after_type(row) + "\n        " +
+                  std::string(row_text(type, row)) + "\n";
   }
   std::string text = name + "(" + signature + ")\n--\n\n";
-  text += visualization ? "How a " + std::string(type.name) + " is drawn.\n" : std::string(kind_title(type.kind)) + " '" + std::string(type.type_name) + "'.\n";
+  const ItemText& of_spec = text_of(type);
+  text += visualization ? "How a " + std::string(type.name) + " is drawn.\n" : std::string(of_spec.summary) + "\n";
   text += "\nParameters:\n" + parameters;
-  if (!visualization && !type.provides.empty()) text += "\nProvides: " + words(type.provides) + "\n";
-  if (!visualization && type.physics == nullptr && type.kind != ItemKind::sensor)
+  if (visualization) return text;
+  if (!of_spec.outputs.empty()) text += "\nOutput variables:\n";
+  for (const OutputText& output : of_spec.outputs) text += output_line(output);
+  if (!type.provides.empty()) text += "\nProvides: " + words(type.provides) + "\n";
+  if (type.physics == nullptr && type.kind != ItemKind::sensor)
     text += "\nIts physics is planned: it can be described, but not yet added to a system.\n";
   return text;
 }

@@ -7,9 +7,12 @@
 
 namespace dalembert {
 
-std::string row_doc(const Row& row);
-// Begins with a signature that inspect.signature understands.
+// Type, check and unit of a parameter; what it is stands in a line of its own.
+std::string row_doc(const ItemType& type, const Row& row);
+// Begins with a signature that inspect.signature understands; then summary, parameters and output variables.
 std::string class_doc(const ItemClass& item_class, bool visualization);
+// What functions in Python that pass parameters on need of an item class: (name, type, check, facts, text) of each parameter.
+py::list described_parameters(const ItemClass& item_class, bool visualization);
 // NodePoint(name='foot', referenceCoordinates=[1.0, 0.0, 0.0]): what differs from the defaults.
 std::string item_repr(const ItemClass& item_class, const void* record, bool visualization);
 

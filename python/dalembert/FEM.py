@@ -15,7 +15,7 @@ import numpy.typing as npt
 import scipy.sparse
 
 from dalembert._checks import FloatArray
-from dalembert._fem_files import (
+from dalembert._io.fem_files import (
     ReadElementsFromAnsysTxt,
     ReadMatrixDOFmappingVectorFromAnsysTxt,
     ReadMatrixFromAnsysMMF,

@@ -32,7 +32,7 @@ from dalembert._version import (
     interface_version as interface_version,
 )
 from dalembert.mainSystemExtensions import methods as _methods  # noqa: F401  importing it extends MainSystem
-from dalembert._diagnosis import SolverError as SolverError
+from dalembert._solving.diagnosis import SolverError as SolverError
 from dalembert.solver import (
     ComputeLinearizedSystem as ComputeLinearizedSystem,
     ComputeODE2Eigenvalues as ComputeODE2Eigenvalues,

@@ -5,11 +5,6 @@ from typing import Any, Literal, NoReturn, overload
 
 from numpy.typing import ArrayLike
 
-from dalembert import _consistent as consistent
-from dalembert import _distance_sensor as distance_sensor
-from dalembert import _linearized as linearized
-from dalembert import _system_graph as system_graph
-from dalembert import _variations as variations
 from dalembert import interactive, plot, solver
 from dalembert._core import SystemContainer
 from dalembert._core_base import *
@@ -20,7 +15,12 @@ from dalembert._core_items import _Load, _Marker, _Node, _Object, _Sensor
 from dalembert._core_settings import *
 from dalembert._core_system_data import SystemData
 from dalembert._core_types import Array, Matrix, MatrixLike, Vector
-from dalembert._inertia import RigidBodyInertia
+from dalembert._geometry.inertia import RigidBodyInertia
+from dalembert._plots import system_graph as system_graph
+from dalembert._solving import consistent as consistent
+from dalembert._solving import linearized as linearized
+from dalembert._studies import variations as variations
+from dalembert.create import _distance_sensor as distance_sensor
 from dalembert.create import bodies, connectors, joints, loads
 
 # Functions that solvers call. Step functions return whether to go on, PostNewton [error, recommended step size].

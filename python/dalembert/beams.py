@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from dalembert import itemInterface as eii
 from dalembert._checks import FloatArray, shape_error
-from dalembert._reeving import CreateReevingCurve
+from dalembert._geometry.reeving import CreateReevingCurve
 
 __all__ = [
     "CreateReevingCurve",

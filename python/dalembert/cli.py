@@ -6,11 +6,12 @@ import argparse
 import difflib
 import runpy
 import sys
+import textwrap
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
-from dalembert._files import naming
+from dalembert._io.files import naming
 
 
 def _run(arguments: argparse.Namespace) -> int:
@@ -74,13 +75,8 @@ def _count(names: Sequence[str]) -> str:
     return str(run) if run == len(names) else f"{run} of {len(names)}"
 
 
-def _shorten(value: Any) -> str:
-    text = " ".join(repr(value.tolist() if hasattr(value, "tolist") else value).split())
-    return text if len(text) <= 60 else text[:57] + "..."
-
-
 def _items(arguments: argparse.Namespace) -> int:
-    """List all items, or the parameters of one item with type and default."""
+    """List all items, or what one item is: parameters with type, default, unit and meaning, and output variables."""
     from dalembert import itemInterface
     from dalembert._planned_table import ITEMS
 
@@ -98,12 +94,17 @@ def _items(arguments: argparse.Namespace) -> int:
         print(f"dalembert items: there is no item '{arguments.name}'{hint}", file=sys.stderr)
         return 2
     cls = getattr(itemInterface, arguments.name)
-    summary = (cls.__doc__ or "").strip().split("\n--\n\n")[-1].split("\n\n")[0]
     state = " (planned: it is refused when it is added)" if cls.__name__ in ITEMS else ""
-    print(f"{cls.__name__}: {' '.join(summary.split())}{state}\n")
-    rows = [(key, type(value).__name__, _shorten(value)) for key, value in dict(cls()).items()]
-    _print_table([("parameter", "type", "default"), *rows])
+    summary, _, rest = (cls.__doc__ or "").partition("\n")
+    print(f"{cls.__name__}: {summary}{state}")
+    print("\n".join(_wrapped(line) for line in rest.splitlines()))
     return 0
+
+
+def _wrapped(line: str) -> str:
+    """Return a line of a docstring, folded to the width of a page below its own beginning."""
+    indent = " " * (len(line) - len(line.lstrip()))
+    return textwrap.fill(line, 110, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
 
 
 def _slider_crank(endTime: float) -> tuple[Any, list[Any]]:

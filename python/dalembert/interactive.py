@@ -12,7 +12,7 @@ import numpy as np
 
 from dalembert import _core
 from dalembert._core import ConfigurationType, OutputVariableType, Print
-from dalembert._solution_files import LoadSolutionFile, SetSolutionState
+from dalembert._io.solution_states import LoadSolutionFile, SetSolutionState
 
 _noticed: set[str] = set()
 

@@ -14,9 +14,9 @@ import numpy as np
 import numpy.typing as npt
 
 from dalembert._checks import FloatArray, as_matrix, as_rotation, as_vector, shape_error
-from dalembert._inertia import RigidBodyInertia
-from dalembert._rotations import RotationMatrixX, RotationMatrixY, RotationMatrixZ, Skew, Skew2Vec
-from dalembert._transformations import (
+from dalembert._geometry.inertia import RigidBodyInertia
+from dalembert._geometry.rotations import RotationMatrixX, RotationMatrixY, RotationMatrixZ, Skew, Skew2Vec
+from dalembert._geometry.transformations import (
     RotationTranslation2T66Inverse,
     RotationX2T66,
     RotationY2T66,

@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from dalembert._checks import FloatArray, as_matrix, as_rotation, as_vector
-from dalembert._rotations import (
+from dalembert._geometry.rotations import (
     _GIMBAL,
     EulerParameters2RotationMatrix,
     RotationMatrix2RotationVector,
@@ -26,7 +26,7 @@ from dalembert._rotations import (
     Skew2Vec,
     quaternion_product,
 )
-from dalembert._transformations import HomogeneousTransformation, HT2rotationMatrix, HT2translation
+from dalembert._geometry.transformations import HomogeneousTransformation, HT2rotationMatrix, HT2translation
 
 
 def Sinc(x: float) -> float:

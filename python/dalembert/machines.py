@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from dalembert._checks import FloatArray, as_vector, shape_error, unit_vector
-from dalembert._rotations import ComputeOrthonormalBasis, ComputeOrthonormalBasisVectors, RotationMatrix2D
+from dalembert._geometry.rotations import ComputeOrthonormalBasis, ComputeOrthonormalBasisVectors, RotationMatrix2D
 
 _SMALL = 0.02  # below this, the series of the involute is more accurate than tan(x) - x
 

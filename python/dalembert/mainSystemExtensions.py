@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from dalembert import _pickling, _planned, create, solver
-from dalembert._consistent import ComputeConsistentInitialConditions
+from dalembert import _planned, create, solver
 from dalembert._core import MainSystem
-from dalembert._distance_sensor import CreateDistanceSensor, CreateDistanceSensorGeometry
-from dalembert._repr_html import _repr_html_
-from dalembert._system_graph import DrawSystemGraph
-from dalembert._variations import SolveVariations
+from dalembert._io import pickling
+from dalembert._plots.repr_html import _repr_html_
+from dalembert._plots.system_graph import DrawSystemGraph
+from dalembert._solving.consistent import ComputeConsistentInitialConditions
+from dalembert._studies.variations import SolveVariations
+from dalembert.create._distance_sensor import CreateDistanceSensor, CreateDistanceSensorGeometry
 from dalembert.create._interface import (  # noqa: F401
     GetMarkersPosRot,
     JointPreCheckCalcBodyMarkers,
@@ -33,10 +34,10 @@ methods: dict[str, Callable[..., Any]] = (
             DrawSystemGraph,
             PlotSensor,
             SolutionViewer,
-            _pickling.GetDictionary,
-            _pickling.__copy__,
-            _pickling.__deepcopy__,
-            _pickling.__reduce__,
+            pickling.GetDictionary,
+            pickling.__copy__,
+            pickling.__deepcopy__,
+            pickling.__reduce__,
             _repr_html_,
             solver.ComputeLinearizedSystem,
             solver.ComputeODE2Eigenvalues,

@@ -11,9 +11,9 @@ import numpy as np
 import numpy.typing as npt
 
 from dalembert._checks import FloatArray
-from dalembert._images import LoadImage, PlotImage, save_figure, show_figure
-from dalembert._result_files import FileStripSpaces, ParseOutputFileHeader
-from dalembert._sensor_curves import (
+from dalembert._io.result_files import FileStripSpaces, ParseOutputFileHeader
+from dalembert._plots.images import LoadImage, PlotImage, save_figure, show_figure
+from dalembert._plots.sensor_curves import (
     componentNorm,
     coordinates,
     is_empty,

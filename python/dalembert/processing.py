@@ -9,7 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from dalembert._execution import (
+from dalembert._plots.images import show_figure
+from dalembert._studies.execution import (
     AddComputationIndexAndFunctionData,
     Function,
     GetVersionPlatformString,
@@ -20,9 +21,8 @@ from dalembert._execution import (
     number_of_threads,
     write,
 )
-from dalembert._genetic import GeneticOptimization
-from dalembert._images import show_figure
-from dalembert._sensitivity import ComputeSensitivities, PlotSensitivityResults
+from dalembert._studies.genetic import GeneticOptimization
+from dalembert._studies.sensitivity import ComputeSensitivities, PlotSensitivityResults
 
 __all__ = [
     "AddComputationIndexAndFunctionData",

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from dalembert._checks import FloatArray, as_rotation, as_vector, shape_error
-from dalembert._inertia import (
+from dalembert._geometry.inertia import (
     InertiaCuboid,
     InertiaCylinder,
     InertiaHollowSphere,
@@ -19,7 +19,7 @@ from dalembert._inertia import (
     RigidBodyInertia,
     TreeLink,
 )
-from dalembert._rotations import (
+from dalembert._geometry.rotations import (
     AngularVelocity2EulerParameters_t,
     AngularVelocity2RotXYZ_t,
     ComputeOrthonormalBasis,
@@ -51,7 +51,7 @@ from dalembert._rotations import (
     Skew2Vec,
     eulerParameters0,
 )
-from dalembert._transformations import (
+from dalembert._geometry.transformations import (
     HT,
     HT0,
     HomogeneousTransformation,

@@ -6,10 +6,10 @@ from typing import Any
 
 from dalembert import _core
 from dalembert._core import ConfigurationType, DynamicSolverType, SimulationSettings
-from dalembert._diagnosis import CheckSolverInfoStatistics, SolverError, SolverErrorMessage
-from dalembert._integrators import is_implicit, trapezoidal_rule
-from dalembert._linearized import ComputeLinearizedSystem, ComputeODE2Eigenvalues, ComputeSystemDegreeOfFreedom
-from dalembert._quiet import DeactivateWritingOfSolvers, RestoreSimulationSettings, assemble_if_needed
+from dalembert._solving.diagnosis import CheckSolverInfoStatistics, SolverError, SolverErrorMessage
+from dalembert._solving.integrators import is_implicit, trapezoidal_rule
+from dalembert._solving.linearized import ComputeLinearizedSystem, ComputeODE2Eigenvalues, ComputeSystemDegreeOfFreedom
+from dalembert._solving.quiet import DeactivateWritingOfSolvers, RestoreSimulationSettings, assemble_if_needed
 
 __all__ = [
     "CheckSolverInfoStatistics",

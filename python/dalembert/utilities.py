@@ -14,26 +14,28 @@ import numpy.typing as npt
 from dalembert import graphics as graphics
 from dalembert._checks import FloatArray
 from dalembert._core import ItemType, Print
-from dalembert._distance_sensor import (
+from dalembert.create._distance_sensor import (
     CreateDistanceSensor as CreateDistanceSensor,
     CreateDistanceSensorGeometry as CreateDistanceSensorGeometry,
 )
-from dalembert._solution_files import (
-    AnimateSolution as AnimateSolution,
+from dalembert._io.binary_solutions import (
     BinaryReadArrayIndex as BinaryReadArrayIndex,
     BinaryReadIndex as BinaryReadIndex,
     BinaryReadReal as BinaryReadReal,
     BinaryReadRealVector as BinaryReadRealVector,
     BinaryReadString as BinaryReadString,
-    InitializeFromRestartFile as InitializeFromRestartFile,
     LoadBinarySolutionFile as LoadBinarySolutionFile,
-    LoadSolutionFile as LoadSolutionFile,
     NumpyInt8ArrayToString as NumpyInt8ArrayToString,
-    RecoverSolutionFile as RecoverSolutionFile,
+)
+from dalembert._io.solution_states import (
+    AnimateSolution as AnimateSolution,
+    InitializeFromRestartFile as InitializeFromRestartFile,
+    LoadSolutionFile as LoadSolutionFile,
     SetSolutionState as SetSolutionState,
 )
-from dalembert._system_graph import DrawSystemGraph as DrawSystemGraph
-from dalembert._tcpip import (
+from dalembert._io.text_solutions import RecoverSolutionFile as RecoverSolutionFile
+from dalembert._plots.system_graph import DrawSystemGraph as DrawSystemGraph
+from dalembert._io.tcpip import (
     CloseTCPIPconnection as CloseTCPIPconnection,
     CreateTCPIPconnection as CreateTCPIPconnection,
     TCPIPdata as TCPIPdata,

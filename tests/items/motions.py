@@ -1,8 +1,9 @@
-"""Motions of frames, and what the coordinates of each node type are for a given motion."""
+"""Motions of frames, and what the coordinates of each node type are for a given motion; the specs say of which frame they are."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,8 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 import dalembert as exu
+from codegen.load import load
+from codegen.model import Item
 
 Array = NDArray[np.float64]
 EZ = np.array([0.0, 0.0, 1.0])
@@ -153,16 +156,12 @@ class NodeKind:
         return getattr(exu, self.name)(**made)
 
 
+ITEMS: dict[str, Item] = {item.name: item for item in load(Path(__file__).parents[2]).items}
 KINDS = {
-    kind.name: kind
-    for kind in (
-        NodeKind("NodePoint", "point"),
-        NodeKind("NodePointGround", "point", resting=True),
-        NodeKind("NodeRigidBodyEP", "ep"),
-        NodeKind("NodeRigidBodyRxyz", "rxyz"),
-        NodeKind("NodeRigidBodyRotVecLG", "rotation_vector"),
-        NodeKind("NodePoint2D", "point", planar=True),
-        NodeKind("NodeRigidBody2D", "angle", planar=True),
-        NodeKind("NodePoint2DSlope1", "slope", planar=True),
+    item.name: NodeKind(
+        item.name, item.scene.frame, planar="Position2D" in item.provides and not grounded, resting=grounded
     )
+    for item in ITEMS.values()
+    if item.ready and item.scene.frame
+    for grounded in ["Ground" in item.provides]
 }

@@ -1,50 +1,73 @@
 """Small random models around an item, made from its spec: bodies in rotated and moving states, markers on them, and what acts on
-the markers."""
+the markers. Which nodes, markers and values these are is said by the [scene] tables of the specs."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from motions import EZ, KINDS, Array, Motion, NodeKind, Place, random_motion, random_rotation
+from motions import EZ, ITEMS, KINDS, Array, Motion, NodeKind, Place, random_motion, random_rotation
 from user_functions import functions_of
 
 import dalembert as exu
-from codegen.load import load
 from codegen.model import Item, Parameter
+from codegen.scene import End, NodePlace
 from dalembert._core import testing
 
 if TYPE_CHECKING:
     from variants import Variant
 
-ITEMS: dict[str, Item] = {item.name: item for item in load(Path(__file__).parents[2]).items}
 READY = [item for item in ITEMS.values() if item.ready]
-ON_NODES = [(item.name, node) for item in READY for node in item.nodes]
-# Bodies on ground nodes rest, and have no equations.
-RESTING = [carrier for carrier in ON_NODES if "Ground" in ITEMS[carrier[1]].provides]
-BODIES = [carrier for carrier in ON_NODES if carrier not in RESTING]
-SCALAR_BODIES = ("ObjectMass1D", "ObjectRotationalMass1D")  # one coordinate, and a frame of their own
-GENERIC = ("ObjectGenericODE2", "Points")
-CABLE = ("ObjectANCFCable2D", "NodePoint2DSlope1")
-EP, RXYZ, LIE = (("ObjectRigidBody", f"NodeRigidBody{frame}") for frame in ("EP", "Rxyz", "RotVecLG"))
-POINT, POINT_2D, RIGID_2D = (
-    ("ObjectMassPoint", "NodePoint"),
-    ("ObjectMassPoint2D", "NodePoint2D"),
-    ("ObjectRigidBody2D", "NodeRigidBody2D"),
-)
-MASS_1D, ROTOR_1D = ((name, "Node1D") for name in SCALAR_BODIES)
-GROUND, GROUND_NODE = ("ObjectGround", ""), ("", "NodePointGround")
-RESTING_POINT = ("ObjectMassPoint", "NodePointGround")
-GENERIC_NODE = ("", "NodeGenericODE2")
-FIRST_ORDER = ("ObjectGenericODE1", "NodeGenericODE1")
-DATA_COORDINATES = {  # others: 3
-    "ObjectConnectorRigidBodySpringDamper": 2,
-    "ObjectConnectorTorsionalSpringDamper": 1,
-    "ObjectContactCoordinate": 1,
-    "ObjectContactSphereTorus": 4,
-}
+
+
+def nodes_label(item: Item) -> str:
+    """The nodes of a body that does not choose among types: `NodeGenericODE1`, `Points`, `RigidBodyEP+GenericODE2`."""
+    types = [node.type.removeprefix("Node") for node in item.scene.nodes]
+    if len(types) < 2:
+        return f"Node{types[0]}" if types else ""
+    return f"{types[0]}s" if len(set(types)) == 1 else "+".join(dict.fromkeys(types))
+
+
+def carriers_of(item: Item) -> list[tuple[str, str]]:
+    """A body on each type of node that it is made for."""
+    return [(item.name, node) for node in item.nodes or [nodes_label(item)]]
+
+
+def placed(end: End) -> tuple[str, tuple[str, str]]:
+    """A marker and the carrier that it is on."""
+    if not end.body:
+        return end.marker, ("", end.node)
+    return end.marker, (end.body, end.node or carriers_of(ITEMS[end.body])[0][1])
+
+
+def rests(carrier: tuple[str, str]) -> bool:
+    """On a ground node, without equations."""
+    return carrier[1] in ITEMS and "Ground" in ITEMS[carrier[1]].provides
+
+
+def is_ground(carrier: tuple[str, str]) -> bool:
+    return carrier[0] in ITEMS and {"Ground", "Body"} <= set(ITEMS[carrier[0]].provides)
+
+
+def of_one_coordinate(carrier: tuple[str, str]) -> bool:
+    """A body with a frame of its own, which one coordinate moves."""
+    return carrier[0] in ITEMS and not is_ground(carrier) and has_row(ITEMS[carrier[0]], "referencePosition")
+
+
+def on_one_frame(carrier: tuple[str, str]) -> bool:
+    """A body that moves as its node does."""
+    return bool(carrier[0]) and carrier[1] in KINDS and not ITEMS[carrier[0]].scene.nodes
+
+
+def has_row(item: Item, name: str) -> bool:
+    return any(row.name == name for row in item.parameters)
+
+
+ON_NODES = [carrier for item in READY if item.nodes for carrier in carriers_of(item)]
+RESTING = [carrier for carrier in ON_NODES if rests(carrier)]
+BODIES = [carrier for carrier in ON_NODES if not rests(carrier)]
+RIGID = {node: carrier for carrier in reversed(BODIES) for node in carrier[1:] if on_one_frame(carrier)}  # by node
 
 
 def on_markers(item: Item) -> bool:
@@ -69,9 +92,17 @@ def draw(rng: np.random.Generator, row: Parameter, planar: bool = False) -> Any:
     return None
 
 
+def one_for_each(values: list[Any], markers: int) -> list[Any]:
+    """Of a list with the values of some markers: as many, the first and the last among them."""
+    return [values[round(i * (len(values) - 1) / (markers - 1))] for i in range(markers)]
+
+
 def random_direction(rng: np.random.Generator, planar: bool = False) -> Array:
     vector = rng.normal(size=3) * ([1, 1, 0] if planar else 1)
     return vector / np.linalg.norm(vector)
+
+
+BOX = np.array([[-0.5] * 3, [0.5] * 3])
 
 
 @dataclass
@@ -81,9 +112,8 @@ class Carrier:
     body: Any = None
     nodes: list[Any] = field(default_factory=list)
     motion: Motion | None = None
-    length: float = 0.0  # of a cable
-    coordinates: int = 0  # ODE2, of all nodes
-    point_mass: bool = False
+    local: Array = field(default_factory=lambda: BOX)  # bounds of local points at which loads may act
+    coordinates: int = 0  # of all nodes
 
 
 class Scene:
@@ -114,51 +144,52 @@ class Scene:
         return number
 
     def carrier(self, body: str, node: str, position: Array | None = None) -> Carrier:
+        """A body on nodes of a type, or a node alone."""
         reference, motion = self.motion(), self.motion()
         if position is not None:
             motion = replace(motion, position=position)
-        if body == "ObjectGround":
-            frame = {
-                "referencePosition": motion.at(self.place).position,
-                "referenceRotation": motion.at(self.place).rotation,
-            }
-            return Carrier(self.mbs.AddObject(exu.ObjectGround(**frame)), [], motion)
         if body == "":
             return self._bare_node(node, reference, motion)
-        if body in SCALAR_BODIES:
-            return self._scalar_body(body, node, motion)
-        if body == "ObjectGenericODE2":
-            return self._generic(reference)
-        if body == "ObjectGenericODE1":
-            return self._first_order()
-        if body == "ObjectANCFCable2D":
-            return self._cable(reference, motion)
+        item, at = ITEMS[body], motion.at(self.place)
+        if is_ground((body, node)):
+            frame = {"referencePosition": at.position, "referenceRotation": at.rotation}
+            return Carrier(self.mbs.AddObject(getattr(exu, body)(**frame)), [], motion)
+        if item.scene.nodes:
+            return self._on_many_nodes(item, node, reference, motion)
+        if of_one_coordinate((body, node)):
+            return self._scalar_body(item, node, at)
         kind = KINDS[node]
         if kind.resting:
             reference = motion = motion.at_rest()
         number = self.node(node, reference, motion)
-        made = self.mbs.AddObject(getattr(exu, body)(nodeNumber=number, **self._inertia(body)))
+        made = self.mbs.AddObject(getattr(exu, body)(nodeNumber=number, **self._inertia(item) | self._fixed(item)))
         self.bodies.append(made)
         point = kind.frame == "point"
-        frame = replace(motion, rotation=np.eye(3)) if point else motion
+        frame_motion = replace(motion, rotation=np.eye(3)) if point else motion
         coordinates = 0 if kind.resting else len(kind.total(motion))
-        return Carrier(made, [number], frame, coordinates=coordinates, point_mass=point)
+        return Carrier(made, [number], frame_motion, coordinates=coordinates, local=np.zeros((2, 3)) if point else BOX)
 
-    def _inertia(self, body: str) -> dict[str, Any]:
-        rng, size = self.rng, 2 if body == "ObjectRigidBody2D" else 3
-        mass, arm = rng.uniform(1, 2), rng.uniform(-0.5, 0.5, size)
-        if body == "ObjectRigidBody":
+    def _fixed(self, item: Item) -> dict[str, Any]:
+        """Values of the spec and of the variant."""
+        alike = {name: np.kron(matrix, np.eye(3)) for name, matrix in item.scene.isotropic.items()}
+        return {**item.scene.values, **alike, **self.options.get(item.name, {})}
+
+    def _inertia(self, item: Item) -> dict[str, Any]:
+        """Mass, centre of mass and moments of inertia about the node, as far as the body has them."""
+        rng, shapes = self.rng, {row.name: row.type.shape for row in item.parameters}
+        mass, arm = rng.uniform(1, 2), rng.uniform(-0.5, 0.5, shapes.get("physicsCenterOfMass", (3,))[0])
+        if "physicsInertia" not in shapes:
+            return {"physicsMass": mass}
+        if shapes["physicsInertia"]:
             root = rng.uniform(-0.5, 0.5, (3, 3))
             j = root @ root.T + np.eye(3) + mass * (arm @ arm * np.eye(3) - np.outer(arm, arm))
             inertia: Any = [j[0, 0], j[1, 1], j[2, 2], j[1, 2], j[0, 2], j[0, 1]]
-        elif body == "ObjectRigidBody2D":
-            inertia = rng.uniform(1, 2) + mass * arm @ arm
         else:
-            return {"physicsMass": mass}
+            inertia = rng.uniform(1, 2) + mass * arm @ arm
         return {"physicsMass": mass, "physicsInertia": inertia, "physicsCenterOfMass": arm}
 
     def _bare_node(self, name: str, reference: Motion, motion: Motion) -> Carrier:
-        if name == "NodePointGround":
+        if name in KINDS:
             resting = replace(motion.at_rest(), rotation=np.eye(3))
             return Carrier(None, [self.node(name, motion, motion)], resting)
         return Carrier(None, [self._free_coordinates(3)], coordinates=3)
@@ -180,107 +211,107 @@ class Scene:
         roots = {name: self.rng.uniform(-1, 1, (n, n)) for name in names}
         return {name: root @ root.T + np.eye(n) for name, root in roots.items()}
 
-    def _scalar_body(self, body: str, node_type: str, motion: Motion) -> Carrier:
-        rng, placed = self.rng, motion.at(self.place)
+    def _scalar_body(self, item: Item, node_type: str, placed: Motion) -> Carrier:
+        rng = self.rng
         q, v = rng.uniform(-1, 1, 2), 0.0 if self.resting else rng.uniform(-1, 1)
         start: dict[str, Any] = {"referenceCoordinates": q[:1], "initialCoordinates": q[1:]}
-        if node_type == "Node1D":
-            node = self.mbs.AddNode(exu.Node1D(**start, initialVelocities=[v]))
-        else:
-            node = self.mbs.AddNode(exu.NodeGenericODE2(numberOfODE2Coordinates=1, **start, initialCoordinates_t=[v]))
-        inertia = {"physicsMass" if body == "ObjectMass1D" else "physicsInertia": rng.uniform(1, 2)}
-        made = self.mbs.AddObject(
-            getattr(exu, body)(
-                nodeNumber=node, referencePosition=placed.position, referenceRotation=placed.rotation, **inertia
-            )
-        )
+        rates = next(name for name in ("initialVelocities", "initialCoordinates_t") if has_row(ITEMS[node_type], name))
+        sizes = {row.name: 1 for row in ITEMS[node_type].parameters if row.name.startswith("numberOf")}
+        node = self.mbs.AddNode(getattr(exu, node_type)(**sizes, **start, **{rates: [v]}))
+        inertia = {row.name: rng.uniform(1, 2) for row in item.parameters if row.name.startswith("physics")}
+        frame = {"referencePosition": placed.position, "referenceRotation": placed.rotation}
+        made = self.mbs.AddObject(getattr(exu, item.name)(nodeNumber=node, **frame, **inertia))
         self.bodies.append(made)
         return Carrier(made, [node], coordinates=1)
 
-    def _generic(self, reference: Motion) -> Carrier:
-        """A super element of four points in a slightly deformed state: springs and dampers that act alike in all directions,
-        so that the law has no frame."""
-        nodes = []
-        for corner in np.array([[1.0, 0, 0], [0, 1, 0], [-1, 0, 0.5], [0, -1, -0.5]]):
-            m, noise = self.motion(), 0.1 * self.rng.normal(size=3)
-            start = replace(reference, position=reference.point(corner))
-            nodes.append(self.node("NodePoint", start, replace(m, position=start.position + noise)))
-        ring = 2 * np.eye(4) - np.roll(np.eye(4), 1, axis=0) - np.roll(np.eye(4), -1, axis=0)
-        matrices = {
-            "massMatrix": np.diag([1.5, 2.5, 1.0, 2.0]),
-            "stiffnessMatrix": 3 * ring,
-            "dampingMatrix": 0.5 * ring,
+    def _on_many_nodes(self, item: Item, node: str, reference: Motion, motion: Motion) -> Carrier:
+        """A body on the nodes of its spec: near their places in the reference, or in any deformed state."""
+        nodes, coordinates = [], 0
+        for entry in item.scene.nodes:
+            name = entry.type or node
+            if name not in KINDS:
+                nodes.append(self._generalized_node(name, entry))
+                coordinates += next(value for key, value in entry.values.items() if key.startswith("numberOf"))
+                continue
+            start = replace(reference, position=reference.point(entry.at))
+            here = self._near(start) if item.scene.small_deformations else self._deformed(motion, entry, KINDS[name])
+            nodes.append(self.node(name, start, here))
+            coordinates += len(KINDS[name].total(here))
+        rows = {row.name: draw(self.rng, row) for row in item.parameters if row.type.storage == "real"}
+        key = "nodeNumbers" if has_row(item, "nodeNumbers") else "nodeNumber"
+        numbers = nodes if key == "nodeNumbers" else nodes[0]
+        made = self.mbs.AddObject(getattr(exu, item.name)(**{key: numbers}, **rows | self._fixed(item)))
+        if item.object_type != "Object":
+            self.bodies.append(made)
+        frame = reference if item.scene.small_deformations else motion
+        return Carrier(made, nodes, frame, np.array(item.scene.local or BOX), coordinates)
+
+    def _near(self, start: Motion) -> Motion:
+        """Slightly displaced."""
+        m, noise = self.motion(), 0.1 * self.rng.normal(size=3)
+        return replace(m, position=start.position + noise)
+
+    def _deformed(self, motion: Motion, entry: NodePlace, kind: NodeKind) -> Motion:
+        """The node in the origin of the body moves with it, others have been pulled and turned away."""
+        if not any(entry.at):
+            return motion
+        position = motion.point(1.1 * np.array(entry.at))
+        m = self.motion()
+        return replace(m, position=position, rotation=motion.rotation @ random_rotation(self.rng, kind.planar))
+
+    def _generalized_node(self, name: str, entry: NodePlace) -> Any:
+        """A node whose coordinates belong to no frame; what the spec leaves open is drawn."""
+        n = next(value for key, value in entry.values.items() if key.startswith("numberOf"))
+        rows = ("referenceCoordinates", "initialCoordinates", "initialCoordinates_t")
+        drawn = {
+            key: 0.1 * self.rng.uniform(-1, 1, n)
+            for key in rows
+            if has_row(ITEMS[name], key) and key not in entry.values
         }
-        made = self.mbs.AddObject(
-            exu.ObjectGenericODE2(nodeNumbers=nodes, **{k: np.kron(m, np.eye(3)) for k, m in matrices.items()})
-        )
-        self.bodies.append(made)
-        return Carrier(made, nodes, reference, coordinates=12)
-
-    def _first_order(self) -> Carrier:
-        start = {"referenceCoordinates": [0.1, 0.2], "initialCoordinates": [0.5, -0.3]}
-        node = self.mbs.AddNode(exu.NodeGenericODE1(numberOfODE1Coordinates=2, **start))
-        rows = {"systemMatrix": [[-1.0, 2.0], [-3.0, -0.5]], "rhsVector": [0.3, 0.7]}
-        return Carrier(self.mbs.AddObject(exu.ObjectGenericODE1(nodeNumbers=[node], **rows)), [node], coordinates=2)
-
-    def _cable(self, reference: Motion, motion: Motion) -> Carrier:
-        rng, length = self.rng, 1.5
-        along = np.array([length, 0, 0])
-        end = self.motion()
-        end = replace(end, position=motion.point(1.1 * along), rotation=motion.rotation @ random_rotation(rng, True))
-        ends = [replace(reference, position=reference.point(along)), end]
-        nodes = [
-            self.node("NodePoint2DSlope1", r, m) for r, m in zip([reference, ends[0]], [motion, ends[1]], strict=True)
-        ]
-        rows = {row.name: draw(rng, row) for row in ITEMS["ObjectANCFCable2D"].parameters if row.type.storage == "real"}
-        rows |= {"physicsLength": length, "physicsReferenceAxialStrain": 0.05, "physicsReferenceCurvature": 0.1}
-        rows |= self.options.get("ObjectANCFCable2D", {})
-        made = self.mbs.AddObject(exu.ObjectANCFCable2D(nodeNumbers=nodes, **rows))
-        self.bodies.append(made)
-        return Carrier(made, nodes, motion, length, coordinates=8)
+        if self.resting and "initialCoordinates_t" in drawn:
+            drawn["initialCoordinates_t"] = np.zeros(n)
+        return self.mbs.AddNode(getattr(exu, name)(**drawn, **entry.values))
 
     # ---- markers -------------------------------------------------------------------------------------------------------
     def marker(self, name: str, on: Carrier, point: Array | None = None) -> Any:
         """`point`: global position, where the marker is to sit."""
-        rng, cls = self.rng, getattr(exu, name)
-        if name.startswith("MarkerNode"):
-            key, number = "nodeNumber", on.nodes[0]
-        elif name.startswith("MarkerBodiesRelative"):
-            return self._relative_marker(cls, on)
-        else:
-            key, number = ("objectNumber" if name == "MarkerObjectODE2Coordinates" else "bodyNumber"), on.body
-        rows: dict[str, Any] = {key: number}
-        if name in ("MarkerBodyPosition", "MarkerBodyRigid"):
-            local = rng.uniform(-0.5, 0.5, 3)
-            if on.length:
-                local = np.array([rng.uniform(0, on.length), rng.uniform(-0.1, 0.1), 0])
-            if self.planar:
-                local[2] = 0
-            if on.point_mass:
-                local = np.zeros(3)  # a force beside a mass point would act like one at the mass
-            if point is not None and on.motion is not None:
-                local = on.motion.rotation.T @ (point - on.motion.position)
-            rows["localPosition"] = local
-        elif name in ("MarkerNodeCoordinate", "MarkerNodeODE1Coordinate"):
+        rng, item = self.rng, ITEMS[name]
+        rows: dict[str, Any] = {}
+        for row in item.parameters:
+            storage = row.type.storage
+            if storage in ("node", "object") and not row.optional:
+                rows[row.name] = on.nodes[0] if storage == "node" else on.body
+        if has_row(item, "bodyNumbers"):
+            rows = self._two_bodies(item, on)
+        elif has_row(item, "localPosition"):
+            rows["localPosition"] = self._local_position(on, point)
+        elif has_row(item, "coordinate"):
             rows["coordinate"] = int(rng.integers(on.coordinates // len(on.nodes))) if on.coordinates else 0
-        elif name == "MarkerNodeRotationCoordinate":
+        elif has_row(item, "rotationCoordinate"):
             rows["rotationCoordinate"] = int(rng.integers(3))
-        elif name.startswith("MarkerSuperElement"):
-            rows |= {"meshNodeNumbers": [0, 1, 2, 3], "weightingFactors": [0.25, 0.35, 0.3, 0.1]}
-        return self.mbs.AddMarker(cls(**rows))
+        return self.mbs.AddMarker(getattr(exu, name)(**rows | self._fixed(item)))
 
-    def _relative_marker(self, cls: Any, on: Carrier) -> Any:
-        """Between a carrier and another body."""
-        other = self.carrier(*(RIGID_2D if self.planar else RXYZ))
+    def _local_position(self, on: Carrier, point: Array | None) -> Array:
+        """That of a point, or a random one."""
+        local = np.array([self.rng.uniform(a, b) if a < b else a for a, b in np.transpose(on.local)])
+        if point is not None and on.motion is not None:
+            local = on.motion.rotation.T @ (point - on.motion.position)
+        elif self.planar:
+            local[2] = 0
+        return local
+
+    def _two_bodies(self, item: Item, on: Carrier) -> dict[str, Any]:
+        """Rows of a marker between a carrier and another body."""
+        others = [placed(end)[1] for end in item.scene.beside]
+        other = self.carrier(*next(carrier for carrier in others if KINDS[carrier[1]].planar == self.planar))
         flat = np.array([1, 1, 0]) if self.planar else 1
         local = [self.rng.uniform(-0.5, 0.5, 3) * flat for _ in range(2)]
-        rows = {
+        return {
+            "bodyNumbers": [on.body, other.body],
             "axis0": random_direction(self.rng, self.planar),
-            "offset": 0.1,
             "localPosition0": local[0],
             "localPosition1": local[1],
         }
-        return self.mbs.AddMarker(cls(bodyNumbers=[on.body, other.body], **rows))
 
     def marker_point(self, number: Any, on: Carrier) -> Array:
         """Global position of a marker before the model is placed."""
@@ -294,11 +325,9 @@ class Scene:
         carriers: list[Carrier] = []
         markers: list[Any] = []
         for name, (body, node) in variant.pairs:
-            frames = item.name != "ObjectConnectorDistance" and "Coordinate" not in item.requested_markers
-            together = closed and markers and frames
+            together = closed and markers and not item.scene.closed and "Coordinate" not in item.requested_markers
             point = self.marker_point(markers[0], carriers[0]) if together else None
-            at_node = name.startswith("MarkerNode") or KINDS.get(node, KINDS["NodeRigidBodyEP"]).frame == "point"
-            carriers.append(self.carrier(body, node, point if at_node else None))
+            carriers.append(self.carrier(body, node, point if name and self._sits_at_node(name, body, node) else None))
             if name:
                 markers.append(self.marker(name, carriers[-1], point))
         if on_markers(item):
@@ -307,6 +336,11 @@ class Scene:
         self.mbs.Assemble()
         if closed:
             self._close(item)
+
+    def _sits_at_node(self, marker: str, body: str, node: str) -> bool:
+        """Whether a marker can be brought to a point only together with its carrier."""
+        long = bool(body and ITEMS[body].scene.local)
+        return long or has_row(ITEMS[marker], "nodeNumber") or (node in KINDS and KINDS[node].frame == "point")
 
     def _finish(self, item: Item, carriers: list[Carrier], functions: bool) -> None:
         """Bodies: the first carrier is the target."""
@@ -324,21 +358,23 @@ class Scene:
         rows = {
             row.name: draw(rng, row, self.planar) for row in item.parameters if not row.internal and row.name != "name"
         }
-        rows = {key: value for key, value in rows.items() if value is not None} | options
-        if item.name == "ObjectConnectorCoordinateVector":
-            rows |= self._coordinate_vector(markers, carriers, variant.functions)
-        rows |= self._special(item, rows, len(markers))
+        rows = {key: value for key, value in rows.items() if value is not None} | item.scene.values | options
+        rows |= {key: one_for_each(values, len(markers)) for key, values in item.scene.per_marker.items()}
+        if has_row(item, "scalingMarker0"):
+            rows |= self._coordinate_vector(carriers, variant.functions)
+        if item.scene.nodes:
+            rows["nodeNumbers"] = [self._generalized_node(entry.type, entry) for entry in item.scene.nodes]
         if closed and "rotationMarker1" in rows:
             first, second = (c.motion.rotation for c in carriers if c.motion is not None)
             rows["rotationMarker1"] = second.T @ first @ rows["rotationMarker0"]
-        if item.name == "ObjectJointPrismatic2D":
+        if has_row(item, "normalMarker1"):
             rows["axisMarker0"] = random_direction(rng, planar=True)
             first, second = (c.motion.rotation for c in carriers if c.motion is not None)
             rows["normalMarker1"] = second.T @ first @ np.cross(EZ, rows["axisMarker0"])
         if "loadVector" in rows and not rows.get("bodyFixed"):
             rows["loadVector"] = self.place.turn @ rows["loadVector"]
         if variant.data:
-            n = DATA_COORDINATES.get(item.name, 3)
+            n = item.scene.data
             rows["nodeNumber"] = self.mbs.AddNode(
                 exu.NodeGenericData(numberOfDataCoordinates=n, initialCoordinates=np.zeros(n))
             )
@@ -349,27 +385,7 @@ class Scene:
         else:
             self.target = ("Object", self.mbs.AddObject(getattr(exu, item.name)(markerNumbers=markers, **rows)))
 
-    def _special(self, item: Item, rows: dict[str, Any], markers: int) -> dict[str, Any]:
-        """Parameters that have to fit others."""
-        if item.name == "ObjectConnectorCoordinateSpringDamperExt":
-            return {"limitStopsLower": -rows["limitStopsUpper"]}
-        if item.name == "ObjectConnectorReevingSystemSprings":
-            radii = [0.0, *[0.1] * (markers - 2), 0.0]
-            axes = [(axis / np.linalg.norm(axis)).tolist() for axis in self.rng.normal(size=(markers, 3))]
-            return {"sheavesRadii": radii, "sheavesAxes": axes, "regularizationForce": 0.5, "referenceLength": 0.1}
-        if item.name == "ObjectConnectorHydraulicActuatorSimple":
-            start = {"referenceCoordinates": [0, 0], "initialCoordinates": [2.0, 3.0]}
-            node = self.mbs.AddNode(exu.NodeGenericODE1(numberOfODE1Coordinates=2, **start))
-            return {
-                "nodeNumbers": [node],
-                "offsetLength": 0.01,
-                "strokeLength": 20.0,
-                "systemPressure": 20.0,
-                "tankPressure": -9.0,
-            }
-        return {}
-
-    def _coordinate_vector(self, markers: list[Any], carriers: list[Carrier], functions: bool) -> dict[str, Any]:
+    def _coordinate_vector(self, carriers: list[Carrier], functions: bool) -> dict[str, Any]:
         """Two equations on all coordinates."""
         rng, sizes = self.rng, [carrier.coordinates for carrier in carriers]
         names = ("scalingMarker0", "scalingMarker1", "quadraticTermMarker0", "quadraticTermMarker1")
@@ -381,13 +397,15 @@ class Scene:
 
     def _close(self, item: Item) -> None:
         """Choose what a constraint prescribes such that the present state meets it."""
-        if item.name == "ObjectConnectorDistance":
-            span = self.mbs.GetObjectOutput(self.target[1], exu.OutputVariableType.Distance)
-            self.mbs.SetObjectParameter(self.target[1], "distance", span)
-        elif item.name in ("ObjectConnectorCoordinate", "ObjectConnectorCoordinateVector"):
-            gap = testing.gaps(self.mbs, testing.State(self.mbs))[self.mbs.systemData.GetObjectLTGAE(self.target[1])]
-            before = self.mbs.GetObjectParameter(self.target[1], "offset")
-            self.mbs.SetObjectParameter(self.target[1], "offset", before + (gap if np.ndim(before) else gap[0]))
+        for parameter, output in item.scene.closed.items():
+            if output == "gap":
+                rows = self.mbs.systemData.GetObjectLTGAE(self.target[1])
+                gap = testing.gaps(self.mbs, testing.State(self.mbs))[rows]
+                before = self.mbs.GetObjectParameter(self.target[1], parameter)
+                value = before + (gap if np.ndim(before) else gap[0])
+            else:
+                value = self.mbs.GetObjectOutput(self.target[1], getattr(exu.OutputVariableType, output))
+            self.mbs.SetObjectParameter(self.target[1], parameter, value)
 
     def state(self) -> testing.State:
         """The start, with accelerations of the bodies' motions."""

@@ -6,15 +6,15 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scenes import DATA_COORDINATES, READY, Scene
+from exemptions import DATA_OF_ANY_SIZE
+from scenes import READY, Scene
 from variants import ALL_VARIANTS
 
 import dalembert as exu
 from codegen.model import Item
 
-ANY_SIZE = {"ObjectConnectorRigidBodySpringDamper"}  # only its user functions read the data
 FRICTION = "ObjectConnectorCoordinateSpringDamperExt"
-WITH_DATA = [item for item in READY if item.name in {v.item for v in ALL_VARIANTS if v.data} - ANY_SIZE]
+WITH_DATA = [item for item in READY if item.name in {v.item for v in ALL_VARIANTS if v.data} - set(DATA_OF_ANY_SIZE)]
 
 
 def built(item: Item, **changes: Any) -> Scene:
@@ -24,15 +24,19 @@ def built(item: Item, **changes: Any) -> Scene:
     return scene
 
 
-@pytest.mark.parametrize("item", WITH_DATA, ids=lambda item: item.name)
-@pytest.mark.parametrize("more", [-1, 1], ids=["fewer", "more"])
-def test_number_of_data_coordinates(item: Item, more: int) -> None:
-    n = DATA_COORDINATES.get(item.name, 3) + more
+def check_number_of_data_coordinates(item: Item, more: int) -> None:
+    n = item.scene.data + more
     scene = built(item)
     node = scene.mbs.AddNode(exu.NodeGenericData(numberOfDataCoordinates=n, initialCoordinates=[0] * n))
     scene.mbs.SetObjectParameter(scene.target[1], "nodeNumber", node)
     with pytest.raises(ValueError, match=rf"\({item.name}\).*'nodeNumber'.*{n} data coordinates.*= {n - more}"):
         scene.mbs.Assemble()
+
+
+@pytest.mark.parametrize("item", WITH_DATA, ids=lambda item: item.name)
+@pytest.mark.parametrize("more", [-1, 1], ids=["fewer", "more"])
+def test_number_of_data_coordinates(item: Item, more: int) -> None:
+    check_number_of_data_coordinates(item, more)
 
 
 @pytest.mark.parametrize(

@@ -8,12 +8,13 @@ from typing import Any
 import exemptions
 import pytest
 from scenes import ITEMS
-from test_invariance import check_forces
+from test_data_nodes import check_number_of_data_coordinates
+from test_invariance import check_accelerations, check_forces
 from test_momentum import BETWEEN, check_balance
 from test_output_rates import check_rates_of_outputs
 from test_repeated_solves import joins
 from test_tangent import WEIGHTS, check_tangent
-from test_virtual_work import CONSTRAINTS, check_gaps, check_rates
+from test_virtual_work import CONSTRAINTS, check_gaps, check_rates, free_equations, reactions
 from variants import ALL_VARIANTS, Variant
 
 LISTS = {name: table for name, table in vars(exemptions).items() if isinstance(table, dict) and name.isupper()}
@@ -58,6 +59,45 @@ def test_work_of_the_gaps(name: str) -> None:
 @pytest.mark.parametrize("name", [*exemptions.NOT_OF_RATES, *exemptions.VELOCITY_LEVEL])
 def test_work_of_the_rates(name: str) -> None:
     assert fails(check_rates, using(name, CONSTRAINTS))
+
+
+@pytest.mark.parametrize("name", exemptions.GLOBAL_WHEN_PARTIAL)
+def test_rotations_with_free_axes(name: str) -> None:
+    partial = [v for v in ALL_VARIANTS if v.item == name and not all(dict(v.options)["constrainedAxes"])]
+    assert fails(check_forces, partial) or fails(check_accelerations, partial)
+
+
+@pytest.mark.parametrize("name", exemptions.GLOBAL_FUNCTIONS)
+def test_rotations_with_user_functions(name: str) -> None:
+    variants = [v for v in ALL_VARIANTS if v.item == name and v.functions]
+    assert fails(check_forces, variants) or fails(check_accelerations, variants)
+
+
+@pytest.mark.parametrize("name", exemptions.NO_FORCES)
+def test_work_on_what_takes_no_forces(name: str) -> None:
+    joints = [
+        v for v in ALL_VARIANTS if name in v.uses and joins(v) and "Coordinate" not in ITEMS[v.item].requested_markers
+    ]
+    assert fails(check_rates, joints)
+
+
+@pytest.mark.parametrize("name", exemptions.OUT_OF_THE_PLANE)
+def test_equations_out_of_the_plane(name: str) -> None:
+    """In plane models, one of its reactions at least does nothing."""
+    scene = next(v for v in ALL_VARIANTS if v.item == name and v.planar).build()
+    s = scene.state()
+    assert (~reactions(scene, s).any(axis=0) & ~free_equations(scene, s)).any()
+
+
+@pytest.mark.parametrize("name", exemptions.DATA_OF_ANY_SIZE)
+def test_data_of_another_size_are_accepted(name: str) -> None:
+    with pytest.raises(pytest.fail.Exception, match="DID NOT RAISE"):
+        check_number_of_data_coordinates(ITEMS[name], more=1)
+
+
+@pytest.mark.parametrize("name", exemptions.WITHOUT_DATA)
+def test_data_may_be_left_out(name: str) -> None:
+    next(v for v in ALL_VARIANTS if v.item == name and not v.data).build()
 
 
 @pytest.mark.parametrize("name", exemptions.HOLDS_JACOBIAN)

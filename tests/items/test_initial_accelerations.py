@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from exemptions import NOT_OF_RATES, NOT_OF_VALUES
-from scenes import ITEMS, SCALAR_BODIES
+from exemptions import NOT_OF_RATES, NOT_OF_VALUES, OUT_OF_THE_PLANE
+from scenes import ITEMS, of_one_coordinate, rests
 from test_invariance import accelerations
 from test_virtual_work import CONSTRAINTS
 from variants import Variant
@@ -17,9 +17,9 @@ from dalembert._core import testing
 def has_motion(variant: Variant) -> bool:
     """Equations that leave a motion, and that are independent at the start."""
     item = ITEMS[variant.item]
-    flat = variant.planar and "Orientation" in item.requested_markers and not item.name.endswith("2D")
-    flat |= variant.planar and item.name == "ObjectJointSpherical"  # equations out of the plane
-    fixed = "NodePointGround" in variant.uses and "Coordinate" not in item.requested_markers
+    flat = variant.planar and "Orientation" in item.requested_markers and not item.scene.planar
+    flat |= variant.planar and item.name in OUT_OF_THE_PLANE
+    fixed = any(rests(c) for _, c in variant.pairs) and "Coordinate" not in item.requested_markers
     return not (flat or fixed)
 
 
@@ -42,7 +42,7 @@ def fulfil_constraints_of_velocities(mbs: exu.MainSystem) -> None:
 @pytest.mark.parametrize("variant", START, ids=lambda variant: variant.id)
 def test_accelerations_at_the_start(variant: Variant) -> None:
     """The solver takes second derivatives of constraints by differences of rates: 1e-10 of their size is rounding."""
-    moving = variant.build(seed=81, closed=not any(body in SCALAR_BODIES for _, (body, _) in variant.pairs))
+    moving = variant.build(seed=81, closed=not any(of_one_coordinate(carrier) for _, carrier in variant.pairs))
     mbs = moving.mbs
     nodes = [i for i in range(mbs.systemData.NumberOfNodes()) if len(mbs.systemData.GetNodeLTGODE2(i))]
     sensors = [

@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from exemptions import GLOBAL_AXES, GLOBAL_MARKER
-from motions import Place, random_rotation
+from exemptions import GLOBAL_AXES, GLOBAL_FUNCTIONS, GLOBAL_MARKER, GLOBAL_WHEN_PARTIAL
+from motions import KINDS, Place, random_rotation
 from scenes import ITEMS, Scene
 from test_momentum import in_touch
 from variants import ALL_VARIANTS, Variant
@@ -15,22 +15,17 @@ from variants import ALL_VARIANTS, Variant
 import dalembert as exu
 from dalembert._core import testing
 
-# Single coordinates of nodes with frames are no scalars, those of these nodes are.
-SCALAR_NODES = {"Node1D", "NodeGenericODE2", "NodePointGround"}
+# Single coordinates of nodes with frames are no scalars, those of other nodes and of ground are.
+NOT_SCALAR = {name for name, kind in KINDS.items() if not kind.resting}
 
 
 def knows_axes(variant: Variant) -> bool:
     item = ITEMS[variant.item]
     if "Coordinate" in item.requested_markers:
-        return not {node for _, (_, node) in variant.pairs} <= SCALAR_NODES
-    partial = variant.item == "ObjectJointSpherical" and dict(variant.options)["constrainedAxes"] != [1, 1, 1]
-    functions = variant.functions and (item.kind == "load" or variant.item == "ObjectGenericODE2")
-    prescribed = (
-        variant.item == "ObjectJointGeneric" and variant.functions
-    )  # with three constrained translations: global
-    if variant.uses & set(GLOBAL_MARKER):
-        return True
-    return variant.item in GLOBAL_AXES or partial or functions or prescribed
+        return bool(variant.uses & NOT_SCALAR)
+    partial = variant.item in GLOBAL_WHEN_PARTIAL and not all(dict(variant.options)["constrainedAxes"])
+    functions = variant.item in GLOBAL_FUNCTIONS and variant.functions
+    return bool(variant.uses & {*GLOBAL_AXES, *GLOBAL_MARKER}) or partial or functions
 
 
 FREE = [v for v in ALL_VARIANTS if v.pairs and not knows_axes(v)]
@@ -139,8 +134,7 @@ def told(scene: Scene) -> dict[str, np.ndarray]:
     return outputs
 
 
-@each_free
-def test_accelerations_and_outputs_are_invariant(variant: Variant) -> None:
+def check_accelerations(variant: Variant) -> None:
     """Rounding is magnified by the condition of the equations of motion, some 1e2 to 1e3 here; a prescribed motion has its
     rate by a difference quotient of step 1e-6."""
     place, scenes = pair(variant, seed=42)
@@ -164,3 +158,8 @@ def test_accelerations_and_outputs_are_invariant(variant: Variant) -> None:
             wanted = place.turn @ value
         scale = max(1, np.abs(value).max())
         np.testing.assert_allclose(outputs[1][key], wanted, rtol=0, atol=tolerance * scale, err_msg=key)
+
+
+@each_free
+def test_accelerations_and_outputs_are_invariant(variant: Variant) -> None:
+    check_accelerations(variant)

@@ -8,8 +8,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-from exemptions import NOT_OF_RATES, NOT_OF_VALUES, RATE_OF_OUTPUTS, VELOCITY_LEVEL
-from scenes import GROUND, ITEMS, ROTOR_1D, Scene
+from exemptions import NO_FORCES, NOT_OF_RATES, NOT_OF_VALUES, RATE_OF_OUTPUTS
+from motions import KINDS
+from scenes import ITEMS, Scene, is_ground, on_one_frame
 from scipy.spatial.transform import Rotation
 from test_momentum import effect, in_touch
 from test_virtual_work import free_equations
@@ -138,38 +139,18 @@ def test_rates_and_frames_of_outputs(variant: Variant) -> None:
     check_rates_of_outputs(variant, exempt=RATE_OF_OUTPUTS)
 
 
-# What the forces of an item do on which velocity is the power that the item takes from the system.
-LOCAL_FORCE, LOCAL_TORQUE = ("ForceLocal", "VelocityLocal"), ("TorqueLocal", "AngularVelocityLocal")
-CONJUGATE = {
-    "ObjectConnectorCartesianSpringDamper": [("Force", "Velocity")],
-    "ObjectConnectorCoordinate": [("Force", "rate of ConstraintEquation")],
-    "ObjectConnectorCoordinateSpringDamper": [("Force", "Velocity")],
-    "ObjectConnectorCoordinateSpringDamperExt": [("Force", "Velocity")],
-    "ObjectConnectorCoordinateVector": [("Force", "rate of ConstraintEquation")],
-    "ObjectConnectorDistance": [("Force", "rate of Distance")],
-    "ObjectConnectorGravity": [("Force", "rate of Displacement")],
-    "ObjectConnectorHydraulicActuatorSimple": [("Force", "Velocity")],
-    "ObjectConnectorLinearSpringDamper": [LOCAL_FORCE],
-    "ObjectConnectorRigidBodySpringDamper": [LOCAL_FORCE, LOCAL_TORQUE],
-    "ObjectConnectorSpringDamper": [("Force", "Velocity")],
-    "ObjectConnectorTorsionalSpringDamper": [LOCAL_TORQUE],
-    "ObjectJointGeneric": [LOCAL_FORCE],
-    "ObjectJointPrismaticX": [LOCAL_FORCE],
-    "ObjectJointRevoluteZ": [LOCAL_FORCE],
-    "ObjectJointSpherical": [("Force", "rate of Displacement")],
-}
-# Forces in a frame of the contact, which is an output as well.
-FRAMED = ("ObjectConnectorRollingDiscPenalty", "ObjectJointRollingDisc")
-ON_SECOND_BODY = dict.fromkeys(FRAMED, 1) | {"ObjectContactSphereTorus": -1}  # the torus tells the force on the first
-TRANSLATIONS = {"ObjectJointPrismaticX": 2}  # equations of a joint that come first; of others three
+# Items that tell on which velocity their forces have the power that they take from the system, and those that act at a point between
+# two bodies, and tell the force on the second.
+CONJUGATE = {item.name: item.scene.power for item in ITEMS.values() if item.scene.power}
+ON_SECOND_BODY = {item.name: item.scene.second_body for item in ITEMS.values() if item.scene.second_body}
 
 
 def follows(variant: Variant) -> bool:
     """Whether forces on the markers of a variant are those of virtual work, and values of markers have rates."""
-    level = variant.item in VELOCITY_LEVEL or variant.item == "ObjectConnectorCoordinate"
+    level = "Coordinate" in ITEMS[variant.item].requested_markers
     return not (
         variant.uses & {*NOT_OF_RATES, *NOT_OF_VALUES}
-        or ROTOR_1D in [carrier for _, carrier in variant.pairs]
+        or variant.uses & set(NO_FORCES)
         and ITEMS[variant.item].requested_markers != ("Coordinate",)
         or level
         and dict(variant.options).get("velocityLevel")
@@ -183,7 +164,10 @@ def is_joint(variant: Variant) -> bool:
 
 def of_bodies(variant: Variant) -> bool:
     """Both markers on rigid bodies, so that a joint can be closed."""
-    return all(body in ("ObjectRigidBody", "ObjectRigidBody2D", "ObjectGround") for _, (body, _) in variant.pairs)
+    return all(
+        is_ground(carrier) or on_one_frame(carrier) and KINDS[carrier[1]].frame != "point"
+        for _, carrier in variant.pairs
+    )
 
 
 WITH_POWER = [v for v in ALL_VARIANTS if v.item in CONJUGATE and follows(v) and (of_bodies(v) or not is_joint(v))]
@@ -208,7 +192,7 @@ def test_power_of_forces_and_torques(variant: Variant) -> None:
     s = in_touch(scene, scene.state())
     own = np.zeros(len(s.lam), dtype=bool)
     rows = scene.mbs.systemData.GetObjectLTGAE(scene.target[1])
-    own[rows[: TRANSLATIONS.get(variant.item, 3) if is_joint(variant) else None]] = True
+    own[rows[: ITEMS[variant.item].scene.force_equations if is_joint(variant) else None]] = True
     s.lam = np.where(own & ~free_equations(scene, s), np.random.default_rng(74).normal(size=len(s.lam)), 0)
     power = power_of_outputs(scene, ITEMS[variant.item], s)
     taken = float(effect(scene, s) @ s.v)
@@ -229,7 +213,8 @@ def test_force_on_the_second_body(variant: Variant) -> None:
     s.lam = np.random.default_rng(76).normal(size=len(s.lam))
     show(scene, s)
     told = read_all(scene, "Object", scene.target[1], ITEMS[variant.item])
-    force = told["RotationMatrix"].reshape(3, 3) @ told["ForceLocal"] if variant.item in FRAMED else told["Force"]
+    name = ON_SECOND_BODY[variant.item].removeprefix("-")
+    force = told["RotationMatrix"].reshape(3, 3) @ told[name] if name.endswith("Local") else told[name]
     assert np.linalg.norm(force) > 0.01
-    sign = ON_SECOND_BODY[variant.item] * (-1 if variant.pairs[1][1] == GROUND else 1)
+    sign = (-1 if ON_SECOND_BODY[variant.item].startswith("-") else 1) * (-1 if is_ground(variant.pairs[1][1]) else 1)
     close(-scene.wrenches(effect(scene, s))[-1, :3], sign * force, variant.item, 1e-12)

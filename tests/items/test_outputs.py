@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 from motions import tait_bryan
-from scenes import EP, ITEMS, LIE, READY, RXYZ, Scene, on_markers
+from scenes import ITEMS, READY, RIGID, Scene, carriers_of, is_ground, on_markers
 from variants import ALL_VARIANTS, Variant, variants_with
 
 import dalembert as exu
@@ -26,8 +26,8 @@ def find(scene: Scene, item: Item) -> Any:
 
 
 def scene_with(item: Item) -> Scene:
-    if item.name == "ObjectGround":
-        scene = Variant("ObjectMassPoint", (("", EP),)).build()
+    if is_ground((item.name, "")):
+        scene = Variant("ObjectMassPoint", (("", RIGID["NodeRigidBodyEP"]),)).build()
         scene.mbs.AddObject(exu.ObjectGround(referencePosition=[1, 2, 3]))
         scene.mbs.Assemble()
         return scene
@@ -53,7 +53,7 @@ def coordinates(scene: Scene, item: Item) -> int:
     row = next((r for r in item.parameters if r.name.startswith("numberOf")), None)
     if row:
         return int(scene.mbs.GetNode(number)[row.name])
-    return 0 if item.name == "NodePointGround" else len(scene.mbs.GetNode(number)["referenceCoordinates"])
+    return 0 if "Ground" in item.provides else len(scene.mbs.GetNode(number)["referenceCoordinates"])
 
 
 @pytest.mark.parametrize(("item", "output"), WITH_OUTPUTS, ids=[f"{i.name}.{o.name}" for i, o in WITH_OUTPUTS])
@@ -76,7 +76,7 @@ def test_size_in_every_configuration(item: Item, output: Output) -> None:
 
 
 def with_reference_coordinates(item: Item) -> bool:
-    return "referenceCoordinates" in {row.name for row in item.parameters} and item.name != "NodePointGround"
+    return "referenceCoordinates" in {row.name for row in item.parameters} and "Ground" not in item.provides
 
 
 @pytest.mark.parametrize("item", list(filter(with_reference_coordinates, READY)), ids=lambda item: item.name)
@@ -101,7 +101,7 @@ def test_what_an_item_does_not_have_is_refused(item: Item) -> None:
         reader(scene, item)(getattr(exu.OutputVariableType, missing), Configuration.Current)
 
 
-@pytest.mark.parametrize("carrier", [EP, RXYZ, LIE], ids="/".join)
+@pytest.mark.parametrize("carrier", carriers_of(ITEMS["ObjectRigidBody"]), ids="/".join)
 def test_rigid_bodies_tell_their_motion(carrier: tuple[str, str]) -> None:
     """At a local point, from the motion that the model was made of."""
     scene = Variant("ObjectRigidBody", (("", carrier), ("", carrier))).build(seed=52)
@@ -165,7 +165,7 @@ def test_every_ready_item_is_in_a_model() -> None:
     """So that nothing escapes the tests on models: items, and each of their user functions."""
     sensors = {item.name for item in READY if item.kind == "sensor"}
     assert {item.name for item in READY if not variants_with(item)} == sensors | (
-        {"ObjectGround"} - {n for v in ALL_VARIANTS for n in v.uses}
+        {i.name for i in READY if is_ground((i.name, ""))} - {n for v in ALL_VARIANTS for n in v.uses}
     )
     with_functions = {v.item for v in ALL_VARIANTS if v.functions}
     called = {i.name for i in READY if any(r.type.function for r in i.parameters) and i.kind != "sensor"}

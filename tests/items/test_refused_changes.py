@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scenes import READY, Scene
+from scenes import READY, Scene, is_ground
 from test_outputs import find
 from variants import variants_with
 
@@ -17,7 +17,7 @@ INDEX = {"node": exu.NodeIndex, "object": exu.ObjectIndex, "marker": exu.MarkerI
 ROWS = [
     (item, row)
     for item in READY
-    if item.kind != "sensor" and item.name != "ObjectGround"
+    if item.kind != "sensor" and not is_ground((item.name, ""))
     for row in item.parameters
     if not row.internal and row.name != "name"
 ]

@@ -7,14 +7,15 @@ from typing import Any
 import numpy as np
 import pytest
 from exemptions import ODD_IN_JOINTS
-from scenes import ITEMS, READY, Scene
+from motions import KINDS
+from scenes import ITEMS, READY, Scene, is_ground
 from variants import ALL_VARIANTS, Variant, variants_with
 
 import dalembert as exu
 from codegen.model import Item
 from dalembert._core import testing
 
-PLAIN = [item for item in READY if item.kind != "sensor" and item.name != "ObjectGround"]  # those: test_sensors.py
+PLAIN = [item for item in READY if item.kind != "sensor" and not is_ground((item.name, ""))]  # those: test_sensors.py
 
 
 def joins(variant: Variant) -> bool:
@@ -25,15 +26,13 @@ def solvable(variant: Variant) -> bool:
     """Bodies that cannot follow a joint are left out, and Euler parameters without their condition."""
     item = ITEMS[variant.item]
     frames = "Coordinate" not in item.requested_markers
-    redundant = (
-        joins(variant) and frames and variant.planar and not item.name.endswith("2D")
-    )  # equations out of the plane
+    redundant = joins(variant) and frames and variant.planar and not item.scene.planar  # equations out of the plane
     fits = not joins(variant) or not ((frames and variant.uses & set(ODD_IN_JOINTS)) or variant.functions)
     return fits and not redundant and dict(variant.options).get("addConstraintEquation", True)
 
 
 def explicit(variant: Variant) -> bool:
-    return not joins(variant) and "NodeRigidBodyEP" not in variant.uses
+    return not joins(variant) and not any(name in KINDS and KINDS[name].frame == "ep" for name in variant.uses)
 
 
 def build(variant: Variant, seed: int) -> Scene:

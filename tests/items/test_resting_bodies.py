@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scenes import ITEMS, POINT, RESTING, Carrier, Scene
+from scenes import ITEMS, RESTING, RIGID, Carrier, Scene
 from test_outputs import CONFIGURATIONS
 from test_repeated_solves import settings
 from variants import Variant
@@ -21,7 +21,7 @@ LOCAL = np.array([0.3, -0.2, 0.5])
 def scene_with(carrier: tuple[str, str]) -> tuple[Scene, Carrier, Carrier]:
     """A resting and a moving body, not joined."""
     scene = Variant(carrier[0]).build(seed=91)
-    made = scene.carrier(*carrier), scene.carrier(*POINT)
+    made = scene.carrier(*carrier), scene.carrier(*RIGID["NodePoint"])
     scene.mbs.Assemble()
     return scene, *made
 

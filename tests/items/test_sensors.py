@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scenes import EP, ITEMS, READY, Scene
+from scenes import ITEMS, READY, RIGID, Scene, is_ground
 from test_output_rates import items_of
 from test_outputs import CONFIGURATIONS
 from test_repeated_solves import build, settings, solvable
@@ -22,8 +22,8 @@ LOCAL = [0.1, 0.2, 0]
 
 
 def model_with(item: Item, seed: int) -> Scene:
-    if item.name == "ObjectGround":
-        scene = build(Variant("ObjectMassPoint", (("", EP), ("", EP))), seed)
+    if is_ground((item.name, "")):
+        scene = build(Variant("ObjectMassPoint", (("", RIGID["NodeRigidBodyEP"]),) * 2), seed)
         scene.mbs.AddObject(exu.ObjectGround(referencePosition=[1, 2, 3]))
         return scene
     return build(next(v for v in variants_with(item) if solvable(v)), seed)

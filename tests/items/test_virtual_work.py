@@ -4,18 +4,16 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from exemptions import NONHOLONOMIC, NOT_OF_RATES, NOT_OF_VALUES, VELOCITY_LEVEL
-from scenes import ITEMS, ROTOR_1D, Scene
+from exemptions import NO_FORCES, NONHOLONOMIC, NOT_OF_RATES, NOT_OF_VALUES, VELOCITY_LEVEL
+from scenes import ITEMS, Scene
 from test_tangent import moved, random_state
 from variants import ALL_VARIANTS, Variant
 
 from dalembert._core import testing
 
 CONSTRAINTS = [
-    v
-    for v in ALL_VARIANTS
-    if ITEMS[v.item].object_type in ("Constraint", "Joint") and ROTOR_1D not in [carrier for _, carrier in v.pairs]
-]  # a rotor takes moments about its axis, but no forces
+    v for v in ALL_VARIANTS if ITEMS[v.item].object_type in ("Constraint", "Joint") and not v.uses & set(NO_FORCES)
+]
 each_constraint = pytest.mark.parametrize("variant", CONSTRAINTS, ids=lambda variant: variant.id)
 
 

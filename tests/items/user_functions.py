@@ -70,12 +70,13 @@ def generic_ode2() -> dict[str, Callable[..., Any]]:
 
 def functions_of(item: Item, rows: dict[str, Any]) -> dict[str, Any]:
     """All user functions of an item with the given parameters."""
-    if item.name == "ObjectConnectorCoordinateVector":
+    names = {row.name for row in item.parameters}
+    if "constraintUserFunction" in names:
         sizes = [rows[f"scalingMarker{i}"].shape for i in range(2)]
         return coordinate_vector(sizes[0][0], sizes[0][1] + sizes[1][1])
-    if item.name == "ObjectGenericODE2":
+    if "massMatrixUserFunction" in names:
         return generic_ode2()
-    made = {f.name: smooth(f) for f in item.user_functions if f.name in {row.name for row in item.parameters}}
+    made = {f.name: smooth(f) for f in item.user_functions if f.name in names}
     if "offsetUserFunction" in made:
         size = item.user_functions[0].returns.shape[0] if item.user_functions[0].returns.shape else 1
         made["offsetUserFunction"], made["offsetUserFunction_t"] = prescribed(1.5, size or 1)

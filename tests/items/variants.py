@@ -1,75 +1,31 @@
-"""Which random models are tested: every ready item on each node type or kind of marker, with all its options and user functions."""
+"""Which random models are tested: every ready item on each node type or kind of marker, with all its options and user functions, as
+the [scene] tables of the specs say."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
+from exemptions import NO_FORCES, WITHOUT_DATA
 from motions import KINDS, Place
 from scenes import (
     BODIES,
-    CABLE,
-    EP,
-    FIRST_ORDER,
-    GENERIC,
-    GENERIC_NODE,
-    GROUND,
-    GROUND_NODE,
     ITEMS,
-    LIE,
-    MASS_1D,
-    POINT,
-    POINT_2D,
     READY,
-    RESTING_POINT,
-    RIGID_2D,
-    ROTOR_1D,
-    RXYZ,
+    RIGID,
     Scene,
+    carriers_of,
+    is_ground,
     on_markers,
+    placed,
 )
 
 from codegen.model import Item
+from codegen.scene import End
 
-# Options that change the equations of an item; every one is tested on the item's first pair of markers.
-OPTIONS: dict[str, list[dict[str, Any]]] = {
-    "ObjectJointGeneric": [
-        {"constrainedAxes": [1, 1, 1, 1, 1, 1]},
-        {"constrainedAxes": [1, 1, 1, 1, 1, 1], "alternativeConstraints": True},
-        {"constrainedAxes": [1, 1, 1, 1, 1, 0]},
-        {"constrainedAxes": [1, 0, 1, 1, 0, 1]},
-        {"constrainedAxes": [0, 1, 0, 0, 1, 1]},
-        {"constrainedAxes": [0, 0, 1, 1, 0, 0]},
-        {"constrainedAxes": [1, 1, 0, 0, 1, 0]},
-        {"constrainedAxes": [0, 0, 0, 0, 0, 1]},
-    ],
-    "ObjectJointSpherical": [{"constrainedAxes": [1, 1, 1]}, {"constrainedAxes": [1, 0, 1]}],
-    "ObjectConnectorRigidBodySpringDamper": [{}, {"intrinsicFormulation": True}],
-    "ObjectConnectorCoordinateSpringDamperExt": [
-        {"frictionProportionalZone": 0.01},
-        {"frictionProportionalZone": 0.0},
-        {"frictionProportionalZone": 20.0, "useLimitStops": True},
-    ],
-    "ObjectContactSphereTorus": [{}, {"impactModel": 1}, {"impactModel": 2, "contactStiffnessExponent": 1.0}],
-    "ObjectConnectorCoordinate": [{"velocityLevel": False}, {"velocityLevel": True}],
-    "ObjectConnectorCoordinateVector": [{"velocityLevel": False}, {"velocityLevel": True}],
-    "ObjectANCFCable2D": [
-        {"useReducedOrderIntegration": 0, "strainIsRelativeToReference": 0.0},
-        {"useReducedOrderIntegration": 1, "strainIsRelativeToReference": 1.0},
-        {"useReducedOrderIntegration": 2, "strainIsRelativeToReference": 0.5},
-    ],
-    "ObjectConnectorHydraulicActuatorSimple": [{"useChamberVolumeChange": False}, {"useChamberVolumeChange": True}],
-    "LoadForceVector": [{}, {"bodyFixed": True}],
-    "LoadTorqueVector": [{}, {"bodyFixed": True}],
-    "NodeRigidBodyEP": [{}, {"addConstraintEquation": False}],
-}
-
-
-def optional_data(item: Item) -> bool:
-    """May the data node be left out?"""
-    rows = [row for row in item.parameters if row.type.storage == "node"]
-    return all(row.optional for row in rows) or item.name == "ObjectConnectorCoordinateSpringDamperExt"
+Pair = tuple[tuple[str, tuple[str, str]], ...]  # markers, each on a body and its node; without a name: a body beside
+SHAPES = {"Position", "Orientation", "Coordinate", "BodyMass"}  # of what markers pass on
 
 
 @dataclass(frozen=True)
@@ -77,7 +33,7 @@ class Variant:
     """Which model: items on markers (class names) on carriers (body, node)."""
 
     item: str
-    pairs: tuple[tuple[str, tuple[str, str]], ...] = ()
+    pairs: Pair = ()
     options: tuple[tuple[str, Any], ...] = ()
     functions: bool = False
     data: bool = False
@@ -96,12 +52,9 @@ class Variant:
     @property
     def uses(self) -> set[str]:
         """Names of the items in the model, as far as the variant decides them."""
-        names = {
-            self.item,
-            *(marker for marker, _ in self.pairs),
-            *(name for _, carrier in self.pairs for name in carrier),
-        }
-        return (names | ({"NodeGenericData"} if self.data else set())) - {"", "Points"}
+        names = {self.item, *(name for marker, carrier in self.pairs for name in (marker, *carrier))}
+        names |= {node.type for name in names & ITEMS.keys() for node in ITEMS[name].scene.nodes}
+        return (names | ({"NodeGenericData"} if self.data else set())) & ITEMS.keys()
 
     @property
     def planar(self) -> bool:
@@ -114,116 +67,99 @@ class Variant:
 
 
 # ---- which models --------------------------------------------------------------------------------------------------------
-def frame_pairs(rigid: bool) -> Iterator[tuple[tuple[str, tuple[str, str]], ...]]:
-    body, node = ("MarkerBodyRigid", "MarkerNodeRigid") if rigid else ("MarkerBodyPosition", "MarkerNodePosition")
-    yield (body, EP), (body, RXYZ)
-    yield (body, RXYZ), (body, LIE)
-    yield (node, LIE), (node, EP)
-    yield (body, GROUND), (body, LIE)
-    yield (body, EP), (body, GROUND)
-    yield (body, RIGID_2D), (body, RIGID_2D)
-    yield ("MarkerBodyRigid", LIE), (node, RXYZ)
-    if rigid:
-        yield (node, RIGID_2D), (body, CABLE)
-        yield (body, ROTOR_1D), (body, EP)
-        yield ("MarkerSuperElementRigid", GENERIC), (body, LIE)
-        yield (body, CABLE), (body, RIGID_2D)
-    else:
-        yield (body, POINT), ("MarkerSuperElementPosition", GENERIC)
-        yield (node, GROUND_NODE), (body, POINT)
-        yield (body, POINT), (body, RESTING_POINT)
-        yield (body, POINT_2D), (body, CABLE)
-        yield (body, MASS_1D), (body, ROTOR_1D)
-        yield (node, CABLE), ("MarkerBodyRigid", RIGID_2D)
+def made(pair: Iterable[End]) -> Pair:
+    return tuple(placed(end) for end in pair)
 
 
-def planar_pairs(rigid: bool) -> Iterator[tuple[tuple[str, tuple[str, str]], ...]]:
-    body, node = ("MarkerBodyRigid", "MarkerNodeRigid") if rigid else ("MarkerBodyPosition", "MarkerNodePosition")
-    yield (body, RIGID_2D), (body, RIGID_2D)
-    yield (node, RIGID_2D), (body, GROUND)
-    yield (body, CABLE), (body, RIGID_2D)
-    if not rigid:
-        yield (body, POINT_2D), ("MarkerBodyRigid", RIGID_2D)
+def shape(marker: str) -> set[str]:
+    """What a marker passes on, of what connectors ask for; coordinates are nothing besides."""
+    provides = set(ITEMS[marker].provides) & SHAPES
+    return {"Coordinate"} if "Coordinate" in provides else provides
 
 
-def coordinate_pairs() -> Iterator[tuple[tuple[str, tuple[str, str]], ...]]:
-    one, turn = "MarkerNodeCoordinate", "MarkerNodeRotationCoordinate"
-    yield (one, MASS_1D), (one, ROTOR_1D)
-    yield (one, EP), (one, RXYZ)
-    yield (one, GROUND_NODE), (one, GENERIC_NODE)
-    yield (turn, RXYZ), (turn, LIE)
-    yield (one, POINT_2D), (turn, EP)
-    yield (one, RIGID_2D), (one, CABLE)
+def shared(pair: Pair) -> set[str]:
+    return set.intersection(*(shape(marker) for marker, _ in pair if marker))
 
 
-def vector_pairs() -> Iterator[tuple[tuple[str, tuple[str, str]], ...]]:
-    vector, whole = "MarkerNodeCoordinates", "MarkerObjectODE2Coordinates"
-    yield (vector, POINT), (vector, EP)
-    yield (vector, RXYZ), (vector, GENERIC_NODE)
-    yield (whole, CABLE), (vector, RIGID_2D)
-    yield (vector, MASS_1D), (whole, GENERIC)
+def is_ready(pair: Pair) -> bool:
+    return all(
+        not name or ITEMS[name].ready for marker, carrier in pair for name in (marker, *carrier) if name in ITEMS
+    )
 
 
-def relative_pairs() -> Iterator[tuple[tuple[str, tuple[str, str]], ...]]:
-    turning, sliding = (f"MarkerBodiesRelative{motion}Coordinate" for motion in ("Rotation", "Translation"))
-    yield (sliding, EP), ("MarkerNodeCoordinate", MASS_1D)
-    yield (turning, LIE), ("MarkerNodeCoordinate", MASS_1D)
-    yield (turning, EP), (sliding, LIE)
-    yield (sliding, RIGID_2D), ("MarkerNodeCoordinate", GROUND_NODE)
+def on_every_body(marker: Item) -> list[Pair]:
+    beside = tuple(("", carrier) for _, carrier in made(marker.scene.beside))
+    bodies = [body for body in BODIES if body[0] not in NO_FORCES] if marker.scene.every_body else []
+    return [((marker.name, body), *beside) for body in bodies]
 
 
-def pairs_of(item: Item) -> list[tuple[tuple[str, tuple[str, str]], ...]]:
-    requested = set(item.requested_markers)
-    if item.name == "ObjectConnectorCoordinateVector":
-        return list(vector_pairs())
-    if item.name == "ObjectConnectorReevingSystemSprings":
-        body = "MarkerBodyRigid"
-        return [((body, EP), (body, RXYZ), (body, LIE)), *frame_pairs(True)]
-    if "Coordinate" in requested:
-        pairs = [*coordinate_pairs(), *relative_pairs()]
-        if item.kind == "load":
-            pairs.append((("MarkerNodeODE1Coordinate", FIRST_ORDER), ("", POINT)))
-    elif "BodyMass" in requested:
-        pairs = [(("MarkerBodyMass", body), ("", POINT)) for body in BODIES if body[0] != ROTOR_1D[0]]
-    elif item.name.endswith("2D"):
-        pairs = list(planar_pairs("Orientation" in requested))
-    else:
-        pairs = list(frame_pairs("Orientation" in requested))
-    pairs = [pair for pair in pairs if all(not marker or ITEMS[marker].ready for marker, _ in pair)]
+def all_pairs() -> list[Pair]:
+    """Of markers first, then of bodies and nodes; those with markers of one type are the plain ones, and lead."""
+    owners = sorted((item for item in ITEMS.values() if not on_markers(item)), key=lambda item: item.kind != "marker")
+    pairs = [pair for item in owners for pair in [*map(made, item.scene.pairs), *on_every_body(item)]]
+    return sorted(filter(is_ready, pairs), key=lambda pair: len({marker for marker, _ in pair if marker}))
+
+
+ALL_PAIRS = all_pairs()
+
+
+def is_planar(pair: Pair) -> bool:
+    """All that moves does so in the plane."""
+    moving = [node for _, (body, node) in pair if not is_ground((body, node))]
+    return all(node in KINDS and KINDS[node].planar for node in moving)
+
+
+def fitting(item: Item) -> list[Pair]:
+    """Pairs whose markers provide what the item asks for, and as little else as possible."""
+    asked = set(item.requested_markers if item.scene.fits is None else item.scene.fits) & SHAPES
+    if not asked:
+        return []
+    enough = [pair for pair in ALL_PAIRS if asked <= shared(pair)]
+    least = min(len(shared(pair)) for pair in enough)
+    pairs = [pair for pair in enough if len(shared(pair)) == least]
+    return [pair for pair in pairs if is_planar(pair)] if item.scene.planar else pairs
+
+
+def pairs_of(item: Item) -> list[Pair]:
+    """Its own, then those that fit. A load acts on the first marker; other bodies stand by."""
+    pairs = list(dict.fromkeys([*filter(is_ready, map(made, item.scene.pairs)), *fitting(item)]))
     if item.kind != "load":
-        return pairs
-    return [(pair[0], *(("", carrier) for _, carrier in pair[1:])) for pair in pairs if pair[0][1] != GROUND]
+        return [pair for pair in pairs if all(marker for marker, _ in pair)]
+    return [(pair[0], *(("", carrier) for _, carrier in pair[1:])) for pair in pairs if not is_ground(pair[0][1])]
+
+
+def optional_data(item: Item) -> bool:
+    """May the data node be left out?"""
+    rows = [row for row in item.parameters if row.type.storage == "node"]
+    return all(row.optional for row in rows) or item.name in WITHOUT_DATA
 
 
 def variants_about(item: Item) -> Iterator[Variant]:
     """The models whose target is the item."""
-    if item.name == "ObjectGenericODE1":
-        yield Variant(item.name, (("", FIRST_ORDER),))
-        yield Variant(item.name, (("", FIRST_ORDER),), functions=True)
-    elif on_markers(item):
-        options = [tuple(o.items()) for o in OPTIONS.get(item.name, [{}])]
-        pairs = pairs_of(item)
-        data = "GenericData" in item.requested_nodes
-        if item.name == "LoadForceVector":  # a follower force needs an orientation
-            pairs = [(("MarkerBodyRigid", EP), ("", POINT)), *pairs]
-        yield from (Variant(item.name, pairs[0], o, data=data) for o in options)
-        optional = data and optional_data(item)
-        if optional:
-            yield Variant(item.name, pairs[0], options[0])
-        yield from (Variant(item.name, pair, options[0], data=data and not optional) for pair in pairs[1:])
-        if item.user_functions:
-            yield Variant(item.name, pairs[0], options[0], functions=True, data=data)
-    elif item.kind == "object" and item.name != "ObjectGround":
-        carriers = [body for body in [*BODIES, GENERIC] if body[0] == item.name]
-        yield from (
-            Variant(item.name, (("", carrier), ("", carrier)), tuple(o.items()))
-            for carrier in carriers
-            for o in OPTIONS.get(item.name, [{}])
-        )
+    options = [tuple(option.items()) for option in item.scene.options]
+    if on_markers(item):
+        yield from on_pairs(item, options)
+    elif item.kind == "object" and not is_ground((item.name, "")):
+        carriers = [body for body in carriers_of(item) if body in BODIES or not item.nodes]
+        copies = 1 if item.object_type == "Object" else 2
+        yield from (Variant(item.name, (("", carrier),) * copies, o) for carrier in carriers for o in options)
         if any(row.type.function for row in item.parameters):
             yield Variant(item.name, (("", carriers[0]),), functions=True)
-    elif item.name in OPTIONS:
-        yield from (Variant(item.name, (("", EP), ("", EP)), tuple(o.items())) for o in OPTIONS[item.name])
+    elif item.kind == "node" and item.scene.options != ({},):
+        yield from (Variant(item.name, (("", RIGID[item.name]),) * 2, o) for o in options)
+
+
+def on_pairs(item: Item, options: list[tuple[tuple[str, Any], ...]]) -> Iterator[Variant]:
+    """All options on the first pair of markers, and the first option on all others."""
+    pairs = pairs_of(item)
+    data = "GenericData" in item.requested_nodes
+    yield from (Variant(item.name, pairs[0], o, data=data) for o in options)
+    optional = data and optional_data(item)
+    if optional:
+        yield Variant(item.name, pairs[0], options[0])
+    yield from (Variant(item.name, pair, options[0], data=data and not optional) for pair in pairs[1:])
+    if item.user_functions:
+        yield Variant(item.name, pairs[0], options[0], functions=True, data=data)
 
 
 ALL_VARIANTS = [variant for item in READY for variant in variants_about(item)]

@@ -86,7 +86,8 @@ def test_parameters_of_an_item(capsys):
     assert cli.main(["items", "MassPoint"]) == 0
     lines = capsys.readouterr().out.splitlines()
     assert lines[0].startswith("ObjectMassPoint")
-    assert any(line.split()[:2] == ["physicsMass", "float"] for line in lines)
+    assert "    physicsMass: float = 0.0, >= 0, unit kg" in lines
+    assert "    Position: 3 numbers, unit m" in lines
 
 
 def test_misspelled_items(capsys):

@@ -169,7 +169,7 @@ def limited_files() -> Iterator[None]:
 def save_figure(name: str) -> None:
     import matplotlib.pyplot as plt
 
-    from dalembert._images import save_figure as save
+    from dalembert._plots.images import save_figure as save
 
     figure = plt.figure()
     try:

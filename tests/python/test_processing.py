@@ -12,7 +12,7 @@ import pytest
 from dask.distributed import Client, LocalCluster
 
 from dalembert import processing
-from dalembert._result_files import ParseOutputFileHeader
+from dalembert._io.result_files import ParseOutputFileHeader
 
 
 def bumpy(parameters: dict[str, Any]) -> float:

@@ -244,7 +244,7 @@ def test_degrees_of_freedom_and_redundancy(useSVD):
 
 
 def test_allocations_are_reported(monkeypatch, capfd):
-    monkeypatch.setattr("dalembert._diagnosis._ALLOCATION_THRESHOLD", 10)
+    monkeypatch.setattr("dalembert._solving.diagnosis._ALLOCATION_THRESHOLD", 10)
     stat = np.array(exu.special.InfoStat(False), dtype=float)
     stat[[0, 2, 4]] -= 100
     solver.CheckSolverInfoStatistics("some solver", stat, 50)

@@ -6,11 +6,21 @@ from collections.abc import Callable
 from typing import Any
 
 from dalembert.create import bodies, connectors, joints, loads
-from dalembert.create._arguments import checked
+from dalembert.create._arguments import COMMON, Check, checked
+from dalembert.create._mirrors import checks_of, documentation
+
+
+def _made(function: Callable[..., Any], own: dict[str, Check]) -> Callable[..., Any]:
+    """Return the function with checks and documentation of its arguments."""
+    checks = checks_of(function) | COMMON | own
+    made = checked(function, checks)
+    made.__doc__ = documentation(function, checks)
+    return made
+
 
 # What MainSystem gets, by the name of the method.
 functions: dict[str, Callable[..., Any]] = {
-    name: checked(function, module.CHECKS[name])
+    name: _made(function, getattr(module, "CHECKS", {}).get(name, {}))
     for module in (bodies, connectors, joints, loads)
     for name, function in vars(module).items()
     if name.startswith("Create")

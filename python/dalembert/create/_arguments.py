@@ -117,18 +117,14 @@ ANYTHING = Check(lambda value: True, "anything")
 TEXT = Check(lambda value: isinstance(value, str), "a string")
 FLAG = Check(lambda value: isinstance(value, (bool, int, np.bool_, np.integer)), "a bool")
 NUMBER = Check(_is_number, "a finite number")
+POSITIVE = Check(lambda value: _is_number(value) and value > 0, "a finite number greater than zero")
 NOT_NEGATIVE = Check(lambda value: _is_number(value) and value >= 0, "a finite number that is not negative")
 GRAPHICS = Check(lambda value: isinstance(value, list), "a (possibly empty) list of graphics data")
 BODY_PAIR = list_of(2, "body, node or marker numbers")
 
-# Arguments that mean the same in every function that has them.
+# Arguments that mean the same in every function that has them, and are no parameters of items.
 COMMON = {
-    "name": TEXT,
-    "show": FLAG,
-    "color": vector(4),
-    "drawSize": NUMBER,
     "useGlobalFrame": FLAG,
-    "activeConnector": FLAG,
     "bodyNumbers": BODY_PAIR,
     "bodyOrNodeList": BODY_PAIR,
     "bodyList": BODY_PAIR,
@@ -145,13 +141,13 @@ def argument_error(function: str, argument: str, expected: str, received: Any) -
 
 
 def checked(function: Callable[..., Any], checks: dict[str, Check]) -> Callable[..., Any]:
-    """Return the function with a check of the arguments that a caller gives, by `checks` and by COMMON.
+    """Return the function with a check of the arguments that a caller gives, by `checks`.
 
     Raises ValueError for a wrong value and TypeError for an unknown argument, with the nearest known one, before any
     item has been added.
     """
     names = list(inspect.signature(function).parameters)
-    table = {name: (COMMON | checks).get(name, ANYTHING) for name in names}
+    table = {name: checks.get(name, ANYTHING) for name in names}
     tests = {name: check.test for name, check in table.items()}
     anything = ANYTHING.test
 

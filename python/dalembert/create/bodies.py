@@ -98,8 +98,8 @@ def CreateMassPoint(
 ) -> Any:
     """Add a mass point with its node, and its weight if there is gravity; return the body's ObjectIndex.
 
-    Vectors are in the global frame (m, m/s, m/s^2), the mass in kg; in 2D only x and y count. With returnDict, a dict
-    with nodeNumber, bodyNumber and, if there is gravity, markerBodyMass and loadNumber is returned.
+    In 2D only x and y of vectors count. With returnDict, a dict with nodeNumber, bodyNumber and, if there is gravity,
+    markerBodyMass and loadNumber is returned.
     """
     node_type: Any = items.NodePoint
     body_type: Any = items.ObjectMassPoint
@@ -242,9 +242,7 @@ def CreateRigidBody(
 ) -> Any:
     """Add a rigid body with its node, and its weight if there is gravity; return the body's ObjectIndex.
 
-    Positions (m), velocities (m/s), the angular velocity (rad/s) and gravity (m/s^2) are in the global frame. The
-    initial rotation multiplies the reference rotation from the right; in 2D it is the total rotation. Without
-    graphicsDataList, the body is drawn in the shape of its inertia. With returnDict, a dict with nodeNumber,
+    Without graphicsDataList, the body is drawn in the shape of its inertia. With returnDict, a dict with nodeNumber,
     bodyNumber and, if there is gravity, markerBodyMass and loadNumber is returned.
     """
     if not isinstance(inertia, RigidBodyInertia):
@@ -284,7 +282,7 @@ def CreateRigidBody(
     return _add_gravity(mbs, node, body, gravity, returnDict)
 
 
-# What arguments must be, besides what COMMON says.
+# What arguments must be, besides what parameters of the mirrored item and COMMON say.
 CHECKS: dict[str, dict[str, Check]] = {
     "CreateGround": {
         "referencePosition": vector(3),

@@ -15,7 +15,6 @@ from dalembert.create._arguments import (
     FLAG,
     NO_PAIR,
     NOT_NEGATIVE,
-    NUMBER,
     ZERO3,
     Check,
     Connected,
@@ -25,7 +24,6 @@ from dalembert.create._arguments import (
     argument_error,
     is_body,
     list_of,
-    matrix,
     require_axis,
     rotation_matrix,
     vector,
@@ -64,8 +62,7 @@ def CreateSpringDamper(
 ) -> ObjectIndex:
     """Add a spring-damper along the line between two points of bodies, nodes or markers; return its ObjectIndex.
 
-    Stiffness in N/m, damping in Ns/m, force in N, local positions in m in the frames of the bodies. Without
-    referenceLength (m), the distance in the reference configuration is the unstretched length.
+    Without referenceLength, the distance in the reference configuration is the unstretched length.
     """
     ends = connector_ends("CreateSpringDamper", bodyNumbers, localPosition0, localPosition1, bodyOrNodeList, bodyList)
     if referenceLength is None:
@@ -101,10 +98,7 @@ def CreateCartesianSpringDamper(
     drawSize: float = -1,
     color: Vector = DEFAULT_COLOR,
 ) -> ObjectIndex:
-    """Add a spring-damper along the global axes between points of bodies, nodes or markers; return its ObjectIndex.
-
-    Per axis: stiffness in N/m, damping in Ns/m, offset of the unstretched spring in m.
-    """
+    """Add a spring-damper along the global axes between points of bodies, nodes or markers; return its ObjectIndex."""
     ends = connector_ends(
         "CreateCartesianSpringDamper", bodyNumbers, localPosition0, localPosition1, bodyOrNodeList, bodyList
     )
@@ -143,8 +137,7 @@ def CreateRigidBodySpringDamper(
 ) -> ObjectIndex:
     """Add a spring-damper in six directions (three translations, three rotations); return its ObjectIndex.
 
-    Stiffness (N/m, Nm/rad), damping (Ns/m, Nms/rad) and offset (m, rad) count along the joint axes, the columns of
-    rotationMatrixJoint, given in the global frame or, if not useGlobalFrame, in the frame of the first item.
+    Stiffness, damping and offset count along the joint axes, the columns of rotationMatrixJoint.
     """
     ends = connector_ends(
         "CreateRigidBodySpringDamper", bodyNumbers, localPosition0, localPosition1, bodyOrNodeList, bodyList
@@ -200,12 +193,7 @@ def CreateTorsionalSpringDamper(
     drawSize: float = -1,
     color: Vector = DEFAULT_COLOR,
 ) -> ObjectIndex:
-    """Add a torsional spring-damper about an axis between two bodies or markers; return its ObjectIndex.
-
-    Position (m) and axis are in the global frame or, if not useGlobalFrame, in the frame of the first body; stiffness
-    in Nm/rad, damping in Nms/rad, offset in rad, velocityOffset in rad/s, torque in Nm. unlimitedRotations adds a
-    data node that counts turns.
-    """
+    """Add a torsional spring-damper about an axis between two bodies or markers; return its ObjectIndex."""
     require_axis("CreateTorsionalSpringDamper", axis)
     place = joint_place(mbs, "CreateTorsionalSpringDamper", bodyNumbers, position, useGlobalFrame)
     rotation0, rotation1 = place.local_frames(frame_with_z(place.to_global(axis, useGlobalFrame)))
@@ -346,38 +334,13 @@ def CreateCoordinateConstraint(
     )
 
 
-# What arguments must be, besides what COMMON says.
+# What arguments must be, besides what parameters of the mirrored item and COMMON say.
 CHECKS: dict[str, dict[str, Check]] = {
-    "CreateSpringDamper": {
-        "referenceLength": NOT_NEGATIVE.optional(),
-        "stiffness": NUMBER,
-        "damping": NUMBER,
-        "force": NUMBER,
-        "velocityOffset": NUMBER,
-    },
-    "CreateCartesianSpringDamper": {"stiffness": vector(3), "damping": vector(3), "offset": vector(3)},
-    "CreateRigidBodySpringDamper": {
-        "stiffness": matrix(6),
-        "damping": matrix(6),
-        "offset": vector(6),
-        "rotationMatrixJoint": rotation_matrix(),
-        "intrinsicFormulation": FLAG,
-    },
-    "CreateTorsionalSpringDamper": {
-        "axis": vector(3),
-        "stiffness": NOT_NEGATIVE,
-        "damping": NOT_NEGATIVE,
-        "offset": NUMBER,
-        "velocityOffset": NUMBER,
-        "torque": NUMBER,
-        "unlimitedRotations": FLAG,
-    },
+    "CreateRigidBodySpringDamper": {"rotationMatrixJoint": rotation_matrix()},
+    "CreateTorsionalSpringDamper": {"axis": vector(3), "unlimitedRotations": FLAG},
     "CreateDistanceConstraint": {"distance": NOT_NEGATIVE.optional()},
     "CreateCoordinateConstraint": {
         "bodyNumbers": list_of(2, "body numbers"),
         "coordinates": list_of(2, "indices of coordinates of the bodies"),
-        "offset": NUMBER,
-        "factorValue1": NUMBER,
-        "velocityLevel": FLAG,
     },
 }

@@ -11,9 +11,7 @@ from dalembert import itemInterface as items
 from dalembert._core import MainSystem, ObjectIndex
 from dalembert.create._arguments import (
     DEFAULT_COLOR,
-    FLAG,
     NO_PAIR,
-    NUMBER,
     Check,
     Connected,
     Matrix,
@@ -25,7 +23,6 @@ from dalembert.create._arguments import (
     require_axis,
     require_two_bodies,
     rotation_matrix,
-    unit_vector,
     vector,
 )
 from dalembert.create._frames import add_joint_markers, joint_place, marker_names
@@ -47,8 +44,7 @@ def CreateRevoluteJoint(
 ) -> ObjectIndex:
     """Add a hinge between two bodies or markers and return its ObjectIndex.
 
-    Position (m) and axis of the hinge are given in the reference configuration, in the global frame or, if not
-    useGlobalFrame, in the frame of the first body. A marker sets the position: then position must be [].
+    If one of them is a marker, it sets the position: then position must be [].
     """
     require_axis("CreateRevoluteJoint", axis)
     place = joint_place(mbs, "CreateRevoluteJoint", bodyNumbers, position, useGlobalFrame)
@@ -80,8 +76,7 @@ def CreatePrismaticJoint(
 ) -> ObjectIndex:
     """Add a slider between two bodies or markers and return its ObjectIndex.
 
-    Position (m) and axis of sliding are given in the reference configuration, in the global frame or, if not
-    useGlobalFrame, in the frame of the first body. A marker sets the position: then position must be [].
+    If one of them is a marker, it sets the position: then position must be [].
     """
     require_axis("CreatePrismaticJoint", axis)
     place = joint_place(mbs, "CreatePrismaticJoint", bodyNumbers, position, useGlobalFrame)
@@ -113,9 +108,7 @@ def CreateSphericalJoint(
 ) -> ObjectIndex:
     """Add a ball joint between two bodies or markers and return its ObjectIndex.
 
-    The position (m) is given in the reference configuration, in the global frame or, if not useGlobalFrame, in the
-    frame of the first body. constrainedAxes says which global directions are held. A marker sets the position: then
-    position must be [].
+    If one of them is a marker, it sets the position: then position must be [].
     """
     place = joint_place(mbs, "CreateSphericalJoint", bodyNumbers, position, useGlobalFrame)
     return mbs.AddObject(
@@ -145,9 +138,8 @@ def CreateGenericJoint(
 ) -> ObjectIndex:
     """Add a joint with freely chosen constrained directions between two bodies or markers; return its ObjectIndex.
 
-    constrainedAxes holds three translations and three rotations along the joint axes, the columns of
-    rotationMatrixAxes. Axes and position (m) are given in the reference configuration, in the global frame or, if not
-    useGlobalFrame, in the frame of the first body. A marker sets the position: then position must be [].
+    Translations and rotations count along the joint axes, the columns of rotationMatrixAxes. If one of the bodies is a
+    marker, it sets the position: then position must be [].
     """
     place = joint_place(mbs, "CreateGenericJoint", bodyNumbers, position, useGlobalFrame)
     axes = np.asarray(rotationMatrixAxes, dtype=float)
@@ -184,14 +176,7 @@ def _rolling_markers(
     ]
 
 
-_ROLLING_CHECKS = {
-    "axisPosition": vector(3),
-    "axisVector": unit_vector(),
-    "discRadius": NUMBER,
-    "planePosition": vector(3),
-    "planeNormal": unit_vector(),
-    "discWidth": NUMBER,
-}
+_ROLLING_CHECKS = {"axisPosition": vector(3), "planePosition": vector(3)}
 
 
 def CreateRollingDisc(
@@ -211,8 +196,7 @@ def CreateRollingDisc(
 ) -> ObjectIndex:
     """Let a disc, fixed to the second body, roll without slip on a plane of the first body; return the ObjectIndex.
 
-    Axis position (m) and axis vector are in the frame of the disc's body; position (m) and normal of the plane are in
-    the frame of the first body. constrainedAxes: lateral, rolling and normal direction.
+    Markers are added at the axis position and at the plane position; axis and normal are in the frames of the bodies.
     """
     markers = _rolling_markers(mbs, "CreateRollingDisc", name, bodyNumbers, planePosition, axisPosition)
     return mbs.AddObject(
@@ -253,9 +237,7 @@ def CreateRollingDiscPenalty(
 ) -> ObjectIndex:
     """Let a disc, fixed to the second body, roll with contact and friction forces on a plane of the first body.
 
-    Frames as in CreateRollingDisc. Contact stiffness in N/m, contact damping in Ns/m; friction has a coefficient (-)
-    and a viscous part (Ns/m) per local direction, dryFrictionAngle (rad) turns these directions about the plane normal,
-    dryFrictionProportionalZone (m/s) is the velocity of regularization. Returns the ObjectIndex.
+    Frames as in CreateRollingDisc. Returns the ObjectIndex.
     """
     markers = _rolling_markers(mbs, "CreateRollingDiscPenalty", name, bodyNumbers, planePosition, axisPosition)
     history = mbs.AddNode(items.NodeGenericData(initialCoordinates=[0, 0, 0], numberOfDataCoordinates=3))
@@ -281,27 +263,12 @@ def CreateRollingDiscPenalty(
     )
 
 
-# What arguments must be, besides what COMMON says.
+# What arguments must be, besides what parameters of the mirrored item and COMMON say.
 CHECKS: dict[str, dict[str, Check]] = {
-    "CreateRevoluteJoint": {"axis": vector(3), "axisRadius": NUMBER, "axisLength": NUMBER},
-    "CreatePrismaticJoint": {"axis": vector(3), "axisRadius": NUMBER, "axisLength": NUMBER},
-    "CreateSphericalJoint": {"constrainedAxes": flags(3), "jointRadius": NUMBER},
-    "CreateGenericJoint": {
-        "rotationMatrixAxes": rotation_matrix(),
-        "constrainedAxes": flags(6),
-        "axesRadius": NUMBER,
-        "axesLength": NUMBER,
-    },
-    "CreateRollingDisc": dict(**_ROLLING_CHECKS, constrainedAxes=flags(3)),
-    "CreateRollingDiscPenalty": dict(
-        **_ROLLING_CHECKS,
-        contactStiffness=NUMBER,
-        contactDamping=NUMBER,
-        dryFriction=vector(2),
-        dryFrictionAngle=NUMBER,
-        dryFrictionProportionalZone=NUMBER,
-        viscousFriction=vector(2),
-        rollingFrictionViscous=NUMBER,
-        useLinearProportionalZone=FLAG,
-    ),
+    "CreateRevoluteJoint": {"axis": vector(3)},
+    "CreatePrismaticJoint": {"axis": vector(3)},
+    "CreateSphericalJoint": {"constrainedAxes": flags(3)},
+    "CreateGenericJoint": {"rotationMatrixAxes": rotation_matrix(), "constrainedAxes": flags(6)},
+    "CreateRollingDisc": {**_ROLLING_CHECKS, "constrainedAxes": flags(3)},
+    "CreateRollingDiscPenalty": _ROLLING_CHECKS,
 }

@@ -8,7 +8,7 @@ import numpy as np
 
 from dalembert import itemInterface as items
 from dalembert._core import LoadIndex, MainSystem, MarkerIndex, ObjectIndex
-from dalembert.create._arguments import FLAG, ZERO3, Check, UserFunction, Vector, argument_error, is_body, vector
+from dalembert.create._arguments import ZERO3, UserFunction, Vector, argument_error, is_body
 
 
 def _load_marker(mbs: Any, function: str, bodyNumber: Any, localPosition: Vector, rigid: bool) -> Any:
@@ -74,10 +74,3 @@ def CreateTorque(
             loadVectorUserFunction=loadVectorUserFunction,
         )
     )
-
-
-# What arguments must be, besides what COMMON says.
-CHECKS: dict[str, dict[str, Check]] = {
-    "CreateForce": {"loadVector": vector(3), "bodyFixed": FLAG},
-    "CreateTorque": {"loadVector": vector(3), "bodyFixed": FLAG},
-}

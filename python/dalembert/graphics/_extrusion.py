@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from dalembert import graphicsDataUtilities as outlines
 from dalembert._checks import as_matrix, as_points, as_vector, unit_vector
-from dalembert._rotations import GramSchmidt, RotationMatrix2D, RotationMatrixZ
+from dalembert._geometry.rotations import GramSchmidt, RotationMatrix2D, RotationMatrixZ
 from dalembert.graphics._mesh import GraphicsData, triangle_list, unit_rows
 from dalembert.graphics._revolution import SolidOfRevolution
 from dalembert.graphics._solids import Cylinder

@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from dalembert import graphicsDataUtilities as meshes
 from dalembert._checks import FloatArray, as_matrix, as_vector
-from dalembert._files import naming
+from dalembert._io.files import naming
 from dalembert.graphics._mesh import GraphicsData, require_type, triangle_list, triangle_normals
 from dalembert.graphics._operations import FromPointsAndTrigs, _normalized
 

@@ -9,8 +9,8 @@ import numpy as np
 import numpy.typing as npt
 
 from dalembert._checks import FloatArray, as_matrix, as_points, as_vector, shape_error
-from dalembert._rotations import ComputeOrthonormalBasisVectors
-from dalembert._transformations import HT2rotationMatrix, HT2translation
+from dalembert._geometry.rotations import ComputeOrthonormalBasisVectors
+from dalembert._geometry.transformations import HT2rotationMatrix, HT2translation
 from dalembert.graphics._elements import Text
 from dalembert.graphics._mesh import (
     GraphicsData,

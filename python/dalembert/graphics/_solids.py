@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from dalembert._checks import FloatArray, as_points, as_vector, shape_error, unit_vector
-from dalembert._rotations import ComputeOrthonormalBasisVectors, RotationVector2RotationMatrix
+from dalembert._geometry.rotations import ComputeOrthonormalBasisVectors, RotationVector2RotationMatrix
 from dalembert.graphics._mesh import (
     GraphicsData,
     at_least,

@@ -10,8 +10,8 @@ import numpy as np
 import numpy.typing as npt
 
 from dalembert._checks import FloatArray, as_array, as_matrix, as_rotation, as_transformation, as_vector, shape_error
-from dalembert._rotations import Skew
-from dalembert._transformations import HT0, HTtranslate, InertiaTensor2Inertia6D
+from dalembert._geometry.rotations import Skew
+from dalembert._geometry.transformations import HT0, HTtranslate, InertiaTensor2Inertia6D
 
 
 class TreeLink:

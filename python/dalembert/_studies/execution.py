@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from dalembert._files import naming
+from dalembert._io.files import naming
 
 ParameterSet = dict[str, Any]
 Function = Callable[[ParameterSet], Any]

@@ -9,8 +9,8 @@ import numpy as np
 from dalembert import _core
 from dalembert._checks import FloatArray
 from dalembert._core import SimulationSettings
-from dalembert._diagnosis import SolverError
-from dalembert._quiet import quiet_static_solver
+from dalembert._solving.diagnosis import SolverError
+from dalembert._solving.quiet import quiet_static_solver
 
 
 class _Matrices(NamedTuple):

@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from typing import Any
 
 from dalembert import _core
-from dalembert._diagnosis import SolverError
+from dalembert._solving.diagnosis import SolverError
 
 
 def assemble_if_needed(function: str, mbs: Any, autoAssemble: bool) -> None:

@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from dalembert._checks import FloatArray, as_matrix, as_rotation, as_transformation, as_vector
-from dalembert._rotations import RotationMatrixX, RotationMatrixY, RotationMatrixZ, Skew, Skew2Vec
+from dalembert._geometry.rotations import RotationMatrixX, RotationMatrixY, RotationMatrixZ, Skew, Skew2Vec
 
 
 def HomogeneousTransformation(A: npt.ArrayLike, r: npt.ArrayLike) -> FloatArray:

@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 
 from dalembert._checks import FloatArray
-from dalembert._files import read_table, require_last_line
-from dalembert._result_files import ParseOutputFileHeader
+from dalembert._io.files import read_table, require_last_line
+from dalembert._io.result_files import ParseOutputFileHeader
 
 # Instead of a component number: the norm of all values of a sensor.
 componentNorm = -2

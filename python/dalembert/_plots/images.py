@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from dalembert._checks import FloatArray, as_array, shape_error
-from dalembert._files import naming, numbers_of, refuse_line
+from dalembert._io.files import naming, numbers_of, refuse_line
 
 Image = dict[str, list[Any]]
 

@@ -11,8 +11,8 @@ import numpy as np
 
 from dalembert._checks import FloatArray, IntArray
 from dalembert._core import ConfigurationType, SimulationSettings, testing
-from dalembert._projection import REGULAR, SMALLER, SMALLEST, LinearizedConstraints, weights
-from dalembert._quiet import assemble_if_needed
+from dalembert._solving.projection import REGULAR, SMALLER, SMALLEST, LinearizedConstraints, weights
+from dalembert._solving.quiet import assemble_if_needed
 
 _NAME = "ComputeConsistentInitialConditions"
 _ROUND_OFF = 1e-10  # gaps of this size, relative to that of the model, are accepted where nothing makes them smaller

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from dalembert._checks import as_array, shape_error
-from dalembert._files import naming
+from dalembert._io.files import naming
 
 _numbers = (bool, int, float, np.bool_, np.integer, np.floating)
 _enumerations = (

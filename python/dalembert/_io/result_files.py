@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any
 
-from dalembert._files import naming
+from dalembert._io.files import naming
 
 _MAXIMUM_HEADER = 10
 

@@ -12,9 +12,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from dalembert import _core
 from dalembert._core import DynamicSolverType, SimulationSettings
-from dalembert._execution import number_of_threads
-from dalembert._integrators import is_implicit, trapezoidal_rule
-from dalembert._quiet import assemble_if_needed
+from dalembert._solving.integrators import is_implicit, trapezoidal_rule
+from dalembert._solving.quiet import assemble_if_needed
+from dalembert._studies.execution import number_of_threads
 
 _Parameters = Mapping[tuple[Any, str], ArrayLike]
 

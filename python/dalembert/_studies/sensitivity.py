@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from dalembert._execution import (
+from dalembert._studies.execution import (
     AddComputationIndexAndFunctionData,
     Function,
     ParameterSet,

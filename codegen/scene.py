@@ -1,0 +1,93 @@
+"""The [scene] table of an item: where the tests of all items put it.
+
+It says which nodes, markers and values make a model of it, which options differ in their equations, and what such tests
+leave out, with the reason.
+
+Tests read it through `Item.scene`; no generated file depends on it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+# What the coordinates of a node are for a motion of its frame; tests/items/motions.py knows each.
+FRAMES = ("point", "ep", "rxyz", "rotation_vector", "angle", "slope")
+# Checks that an item may be left out of, and what they ask.
+EXEMPT = {
+    "moments": "what acts between two bodies leaves their angular momentum alone",
+    "rotations": "a model that is turned as a whole moves in the turned way",
+    "partial_rotations": "the same, with some of the axes free",
+    "function_rotations": "the same, with user functions",
+    "forces": "a force on it in any direction has an effect",
+    "plane": "its equations are independent in plane models",
+    "holonomic": "reactions are the virtual work of the gaps",
+    "values": "rates of its markers' values are their rates",
+    "rates": "reactions are the virtual work of the rates",
+    "rates_on_velocity_level": "the same, for equations of velocities",
+    "user_jacobian": "the tangent is complete with the Jacobian of a user",
+    "joints": "it can follow any joint of frames",
+    "data_size": "a data node of another size is refused",
+    "without_data": "it needs its data node",
+}
+
+
+@dataclass(frozen=True)
+class End:
+    """Where a marker is, or a body that stands by: `MarkerBodyRigid on ObjectRigidBody on NodeRigidBodyEP`.
+
+    Without a node: that of the body, which has one type of node only, or none; without a body: the node alone.
+    """
+
+    marker: str
+    body: str
+    node: str
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        return tuple(filter(None, (self.marker, self.body, self.node)))
+
+
+@dataclass(frozen=True)
+class NodePlace:
+    """A node of a body or connector: its type (none: that of the model), its place in the axes of the body, rows."""
+
+    type: str = ""
+    at: tuple[float, ...] = (0.0, 0.0, 0.0)
+    values: Mapping[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class SceneTable:
+    # nodes
+    frame: str = ""
+    # bodies
+    nodes: tuple[NodePlace, ...] = ()
+    small_deformations: bool = False
+    isotropic: Mapping[str, list[list[float]]] = field(default_factory=dict)
+    local: tuple[tuple[float, ...], ...] = ()
+    # markers
+    every_body: bool = False
+    beside: tuple[End, ...] = ()
+    # connectors, contacts, constraints, joints, loads
+    fits: tuple[str, ...] | None = None
+    planar: bool = False
+    data: int = 3
+    per_marker: Mapping[str, list[Any]] = field(default_factory=dict)
+    closed: Mapping[str, str] = field(default_factory=dict)
+    power: tuple[tuple[str, str], ...] = ()
+    force_equations: int = 3
+    second_body: str = ""
+    # all
+    pairs: tuple[tuple[End, ...], ...] = ()
+    values: Mapping[str, Any] = field(default_factory=dict)
+    options: tuple[Mapping[str, Any], ...] = ({},)
+    exempt: Mapping[str, str] = field(default_factory=dict)
+    exempt_outputs: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def ends(self) -> Iterator[tuple[str, End]]:
+        """All places that it names, with the key that does."""
+        yield from (("pairs", end) for pair in self.pairs for end in pair)
+        yield from (("beside", end) for end in self.beside)

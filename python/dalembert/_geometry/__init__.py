@@ -1,0 +1,1 @@
+"""Rotations, rigid transformations, inertia, and curves of ropes."""

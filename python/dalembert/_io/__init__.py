@@ -1,0 +1,1 @@
+"""Files and connections: results, solutions, meshes, dictionaries, pickling, TCP/IP."""

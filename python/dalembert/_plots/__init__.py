@@ -1,0 +1,1 @@
+"""Pictures: curves of sensors, images, the graph of a system, tables in notebooks."""

@@ -1,0 +1,1 @@
+"""What stands around solvers: consistent starts, linearized systems, diagnosis of failures."""

@@ -1,0 +1,1 @@
+"""Many computations of one model: variations, optimization, sensitivities, and what runs them side by side."""

@@ -1,0 +1,1 @@
+"""Small functions for models: checks of types, excitations, matrices, symbolic functions."""

@@ -1,0 +1,153 @@
+"""What Create functions take from the items whose parameters they pass on: checks, types, units and texts.
+
+A Create function mirrors the parameters of one item, and of its visualization, by their names; these are described in
+specs/ alone. What an item does not have is described here.
+"""
+
+from __future__ import annotations
+
+import inspect
+import re
+from collections.abc import Callable
+from enum import Enum
+from typing import Any, NamedTuple
+
+from dalembert import itemInterface as items
+from dalembert._core import _parameters_of
+from dalembert.create._arguments import (
+    ANYTHING,
+    FLAG,
+    NOT_NEGATIVE,
+    NUMBER,
+    POSITIVE,
+    TEXT,
+    Check,
+    matrix,
+    rotation_matrix,
+    unit_vector,
+    vector,
+)
+
+
+class Row(NamedTuple):
+    """A parameter of an item: `facts` are check and unit in words."""
+
+    name: str
+    type: str
+    check: str
+    facts: str
+    text: str
+
+
+# The items that a Create function mirrors; the first that has a parameter describes it.
+MIRRORS: dict[str, tuple[str, ...]] = {
+    "CreateGround": ("ObjectGround",),
+    "CreateMassPoint": ("ObjectMassPoint", "NodePoint"),
+    "CreateRigidBody": ("ObjectRigidBody", "NodeRigidBodyEP"),
+    "CreateSpringDamper": ("ObjectConnectorSpringDamper",),
+    "CreateCartesianSpringDamper": ("ObjectConnectorCartesianSpringDamper",),
+    "CreateRigidBodySpringDamper": ("ObjectConnectorRigidBodySpringDamper",),
+    "CreateTorsionalSpringDamper": ("ObjectConnectorTorsionalSpringDamper",),
+    "CreateDistanceConstraint": ("ObjectConnectorDistance",),
+    "CreateCoordinateConstraint": ("ObjectConnectorCoordinate",),
+    "CreateRevoluteJoint": ("ObjectJointRevoluteZ",),
+    "CreatePrismaticJoint": ("ObjectJointPrismaticX",),
+    "CreateSphericalJoint": ("ObjectJointSpherical",),
+    "CreateGenericJoint": ("ObjectJointGeneric",),
+    "CreateRollingDisc": ("ObjectJointRollingDisc",),
+    "CreateRollingDiscPenalty": ("ObjectConnectorRollingDiscPenalty",),
+    "CreateForce": ("LoadForceVector",),
+    "CreateTorque": ("LoadTorqueVector",),
+}
+# Arguments that have another name than the parameter.
+RENAMED = {"axisVector": "discAxis", "graphicsDataList": "graphicsData"}
+# What no item has as a parameter.
+TEXTS = {
+    "referencePosition": "position in the reference configuration, in the global frame (m)",
+    "referenceRotationMatrix": "rotation in the reference configuration, from local to global axes",
+    "initialDisplacement": "displacement at the start, from the reference position, in the global frame (m)",
+    "initialVelocity": "velocity at the start, in the global frame (m/s)",
+    "initialAngularVelocity": "angular velocity at the start, in the global frame (rad/s)",
+    "initialRotationMatrix": "rotation at the start, from the right of the reference rotation; in 2D the total one",
+    "inertia": "mass, centre of mass and inertia, such as InertiaCuboid(...)",
+    "gravity": "acceleration of gravity (m/s^2); adds the weight of the body as a load",
+    "nodeType": "how rotations are described by coordinates",
+    "create2D": "True: a body in the xy plane",
+    "returnDict": "True: returns a dictionary with the numbers of all items that were added",
+    "bodyNumbers": "the two bodies, nodes or markers that are joined, by their numbers",
+    "bodyOrNodeList": "former name of bodyNumbers, where nodes are given",
+    "bodyList": "deprecated: use bodyNumbers",
+    "bodyNumber": "body, or marker, on which the load acts",
+    "localPosition": "point of action in the frame of the body (m)",
+    "localPosition0": "point on the first body, in its frame (m)",
+    "localPosition1": "point on the second body, in its frame (m)",
+    "position": "position of the joint in the reference configuration (m), see useGlobalFrame; [] if a marker sets it",
+    "axis": "axis of the joint in the reference configuration, of any length, see useGlobalFrame",
+    "rotationMatrixJoint": "axes of the joint as columns, see useGlobalFrame",
+    "rotationMatrixAxes": "axes of the joint as columns, see useGlobalFrame",
+    "useGlobalFrame": "True: given in the global frame; False: in the frame of the first body",
+    "unlimitedRotations": "True: adds a data node that counts turns",
+    "coordinates": "index of the coordinate of each body, counted over its nodes; None for ground",
+    "axisPosition": "centre of the disc in the frame of its body (m)",
+    "planePosition": "point of the plane in the frame of its body (m)",
+}
+_VECTOR, _MATRIX = re.compile(r"(\d+) numbers"), re.compile(r"(\d+) x \1 numbers")
+_NUMBERS = {"": NUMBER, "non_negative": NOT_NEGATIVE, "positive": POSITIVE}
+
+
+def mirrored(function: Callable[..., Any]) -> dict[str, Row]:
+    """Return the parameters of items that arguments of the function stand for."""
+    classes = [getattr(items, prefix + name) for name in MIRRORS[function.__name__] for prefix in ("", "V")]
+    rows: dict[str, Row] = {}
+    for row in (Row(*row) for cls in classes for row in _parameters_of(cls)):
+        rows.setdefault(row.name, row)
+    names = {name: RENAMED.get(name, name) for name in inspect.signature(function).parameters}
+    return {name: rows[row] for name, row in names.items() if row in rows and name not in TEXTS}
+
+
+def check_of(row: Row) -> Check:
+    """Return the check for values of a parameter; those without a simple one are left to the item."""
+    if row.type == "float":
+        return _NUMBERS[row.check]
+    if row.type == "bool":
+        return FLAG
+    if row.type == "str":
+        return TEXT
+    if match := _VECTOR.fullmatch(row.type):
+        return unit_vector() if row.check == "unit_vector" else vector(int(match[1]))
+    if match := _MATRIX.fullmatch(row.type):
+        return rotation_matrix() if row.check in ("rotation", "orthogonal") else matrix(int(match[1]))
+    return ANYTHING
+
+
+def checks_of(function: Callable[..., Any]) -> dict[str, Check]:
+    """Return the checks of the arguments that stand for parameters; None is accepted where it is the default."""
+    defaults = {name: p.default for name, p in inspect.signature(function).parameters.items()}
+    checks = {name: check_of(row) for name, row in mirrored(function).items()}
+    return {name: check.optional() if defaults[name] is None else check for name, check in checks.items()}
+
+
+def _literal(value: Any) -> str:
+    return str(value) if isinstance(value, Enum) else repr(value.tolist() if hasattr(value, "tolist") else value)
+
+
+def _type_of(parameter: inspect.Parameter, check: Check | None) -> str:
+    """Return what an argument that no item has must be, in words."""
+    if check is not None:
+        return check.expected.removesuffix(" or None")
+    if parameter.default is None:
+        return str(parameter.annotation).removesuffix(" | None")
+    return type(parameter.default).__name__
+
+
+def documentation(function: Callable[..., Any], checks: dict[str, Check]) -> str:
+    """Return the docstring of a Create function with a list of its arguments: type, default, check, unit, meaning."""
+    rows, lines = mirrored(function), []
+    for name, parameter in list(inspect.signature(function).parameters.items())[1:]:
+        row = rows.get(name)
+        kind = row.type if row else _type_of(parameter, checks.get(name))
+        text = row.text if row else TEXTS[name]
+        default, facts = _literal(parameter.default), row.facts if row else ""
+        lines.append(f"    {name}: {kind} = {default}{facts}\n        {text}")
+    own = inspect.getdoc(function) or ""
+    return f"{own}\n\nArguments:\n" + "\n".join(lines) + "\n"

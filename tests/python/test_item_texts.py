@@ -1,0 +1,96 @@
+"""What specs say in words is what help() shows: of item classes, of their parameters and of Create functions."""
+
+from __future__ import annotations
+
+import inspect
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parents[2]))
+
+from codegen.load import load
+from codegen.model import Item, Parameter
+from dalembert import create
+from dalembert import itemInterface as items
+from dalembert.create._mirrors import MIRRORS, mirrored
+
+ITEMS = load(Path(__file__).parents[2]).items
+# Defaults that the reference has otherwise than those of the item: the function finds a value, or has another habit.
+OTHER_DEFAULTS = {
+    ("CreateSpringDamper", "referenceLength"): None,
+    ("CreateDistanceConstraint", "distance"): None,
+    ("CreateRigidBodySpringDamper", "intrinsicFormulation"): True,
+}
+
+
+def line(text: str) -> str:
+    return " ".join(text.split())
+
+
+def lines_of(thing: Any) -> list[str]:
+    return [text.strip() for text in (thing.__doc__ or "").splitlines()]
+
+
+@pytest.mark.parametrize("item", ITEMS, ids=lambda item: item.name)
+def test_classes(item: Item) -> None:
+    """Summary, parameters with type, unit and meaning, outputs."""
+    classes = (getattr(items, item.name), item.parameters), (getattr(items, f"V{item.name}"), item.visualization)
+    assert lines_of(classes[0][0])[0] == line(item.summary)
+    for cls, rows in classes:
+        told = lines_of(cls)
+        for row in rows:
+            assert getattr(cls, row.name).__doc__.splitlines()[1] == line(row.doc)
+            if not row.internal:
+                assert_described(told, row)
+    told = lines_of(classes[0][0])
+    for output in item.outputs:
+        first = next(
+            i for i, text in enumerate(told) if text.startswith(f"{output.name}: ") and told[i + 1] == line(output.doc)
+        )
+        assert told[first].endswith(f", unit {output.unit}")
+
+
+def assert_described(told: list[str], row: Parameter) -> None:
+    first = next(i for i, text in enumerate(told) if text.startswith(f"{row.name}: "))
+    assert " = " in told[first]
+    assert not row.unit or f", unit {row.unit}" in told[first]
+    assert told[first + 1] == line(row.doc)
+
+
+@pytest.mark.parametrize("name", MIRRORS)
+def test_create_functions(name: str) -> None:
+    """Each argument is described; those that stand for parameters have the default and the text of the spec."""
+    function = create.functions[name]
+    told, rows = lines_of(function), mirrored(function)
+    classes = [getattr(items, prefix + item)() for item in MIRRORS[name] for prefix in ("", "V")]
+    for argument, parameter in list(inspect.signature(function).parameters.items())[1:]:
+        first = next(i for i, text in enumerate(told) if text.startswith(f"{argument}: "))
+        assert told[first + 1]
+        if argument in rows:
+            assert told[first + 1] == rows[argument].text
+            default = next(getattr(cls, rows[argument].name) for cls in classes if hasattr(cls, rows[argument].name))
+            np.testing.assert_equal(parameter.default, OTHER_DEFAULTS.get((name, argument), default))
+
+
+def test_every_create_function_mirrors_an_item() -> None:
+    assert set(MIRRORS) == set(create.functions)
+
+
+def test_other_defaults_are_others() -> None:
+    for (name, argument), default in OTHER_DEFAULTS.items():
+        item = getattr(items, MIRRORS[name][0])()
+        assert inspect.signature(create.functions[name]).parameters[argument].default is default
+        assert getattr(item, argument) != default
+
+
+def test_checks_are_those_of_the_spec() -> None:
+    """No check is said for a negative stiffness in the functions themselves."""
+    import dalembert as exu
+
+    mbs = exu.SystemContainer().AddSystem()
+    with pytest.raises(ValueError, match=r"CreateSpringDamper\(...\): argument 'stiffness': .*not negative.*-1"):
+        mbs.CreateSpringDamper(bodyNumbers=[0, 1], stiffness=-1)
