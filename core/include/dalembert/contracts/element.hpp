@@ -94,11 +94,11 @@ template <class E>
 concept TurningBody = TurningElement<E> && SpinBody<typename E::Kernel>;
 
 // Elements that obey the same law may be computed as lanes (math/lanes.hpp): residual and tangent are templates over them.
-// Their nodes have four coordinates each, which lie side by side.
+// The coordinates of a node, four or more, lie side by side.
 template <class E>
 concept LaneKernel = requires(const typename E::Parameters& p, const typename PreparedOf<E>::Type& k) {
   { E::same_law(p, k, p, k) } -> std::same_as<bool>;
-  requires E::node_size == 4;
+  requires E::node_size >= 4;
 };
 
 // A residual that is a constant mass matrix times accelerations, and nothing without them. Of a body: one mass, the same in
