@@ -47,6 +47,7 @@ HOLDS_JACOBIAN = {
 ODD_IN_JOINTS = {
     "ObjectMass1D": "cannot follow a joint of frames: it moves along one line",
     "ObjectRotationalMass1D": "cannot follow a joint of frames: it turns about one axis",
+    "ObjectANCFCable": "a random state of it is no equilibrium: stiff forces tear at a joint",
     "ObjectANCFCable2D": "a random state of it is no equilibrium: stiff forces tear at a joint",
     "ObjectGenericODE2": "its markers are those of small deformations, which random states are not",
 }

@@ -28,6 +28,7 @@ BODIES = [carrier for carrier in ON_NODES if carrier not in RESTING]
 SCALAR_BODIES = ("ObjectMass1D", "ObjectRotationalMass1D")  # one coordinate, and a frame of their own
 GENERIC = ("ObjectGenericODE2", "Points")
 CABLE = ("ObjectANCFCable2D", "NodePoint2DSlope1")
+CABLE_3D = ("ObjectANCFCable", "NodePointSlope1")
 EP, RXYZ, LIE = (("ObjectRigidBody", f"NodeRigidBody{frame}") for frame in ("EP", "Rxyz", "RotVecLG"))
 POINT, POINT_2D, RIGID_2D = (
     ("ObjectMassPoint", "NodePoint"),
@@ -82,6 +83,7 @@ class Carrier:
     nodes: list[Any] = field(default_factory=list)
     motion: Motion | None = None
     length: float = 0.0  # of a cable
+    thin: bool = False  # points beside the axis have no position
     coordinates: int = 0  # ODE2, of all nodes
     point_mass: bool = False
 
@@ -131,8 +133,8 @@ class Scene:
             return self._generic(reference)
         if body == "ObjectGenericODE1":
             return self._first_order()
-        if body == "ObjectANCFCable2D":
-            return self._cable(reference, motion)
+        if body in (CABLE[0], CABLE_3D[0]):
+            return self._cable(body, node, reference, motion)
         kind = KINDS[node]
         if kind.resting:
             reference = motion = motion.at_rest()
@@ -223,21 +225,21 @@ class Scene:
         rows = {"systemMatrix": [[-1.0, 2.0], [-3.0, -0.5]], "rhsVector": [0.3, 0.7]}
         return Carrier(self.mbs.AddObject(exu.ObjectGenericODE1(nodeNumbers=[node], **rows)), [node], coordinates=2)
 
-    def _cable(self, reference: Motion, motion: Motion) -> Carrier:
-        rng, length = self.rng, 1.5
+    def _cable(self, body: str, node: str, reference: Motion, motion: Motion) -> Carrier:
+        rng, length, planar = self.rng, 1.5, KINDS[node].planar
         along = np.array([length, 0, 0])
         end = self.motion()
-        end = replace(end, position=motion.point(1.1 * along), rotation=motion.rotation @ random_rotation(rng, True))
+        end = replace(end, position=motion.point(1.1 * along), rotation=motion.rotation @ random_rotation(rng, planar))
         ends = [replace(reference, position=reference.point(along)), end]
-        nodes = [
-            self.node("NodePoint2DSlope1", r, m) for r, m in zip([reference, ends[0]], [motion, ends[1]], strict=True)
-        ]
-        rows = {row.name: draw(rng, row) for row in ITEMS["ObjectANCFCable2D"].parameters if row.type.storage == "real"}
-        rows |= {"physicsLength": length, "physicsReferenceAxialStrain": 0.05, "physicsReferenceCurvature": 0.1}
-        rows |= self.options.get("ObjectANCFCable2D", {})
-        made = self.mbs.AddObject(exu.ObjectANCFCable2D(nodeNumbers=nodes, **rows))
+        nodes = [self.node(node, r, m) for r, m in zip([reference, ends[0]], [motion, ends[1]], strict=True)]
+        rows = {row.name: draw(rng, row) for row in ITEMS[body].parameters if row.type.storage == "real"}
+        special = {"physicsLength": length, "physicsReferenceAxialStrain": 0.05, "physicsReferenceCurvature": 0.1}
+        rows |= {key: value for key, value in special.items() if key in rows}
+        rows |= self.options.get(body, {})
+        made = self.mbs.AddObject(getattr(exu, body)(nodeNumbers=nodes, **rows))
         self.bodies.append(made)
-        return Carrier(made, nodes, motion, length, coordinates=8)
+        coordinates = 2 * len(KINDS[node].total(motion))
+        return Carrier(made, nodes, motion, length, coordinates=coordinates, thin=not planar)
 
     # ---- markers -------------------------------------------------------------------------------------------------------
     def marker(self, name: str, on: Carrier, point: Array | None = None) -> Any:
@@ -253,7 +255,7 @@ class Scene:
         if name in ("MarkerBodyPosition", "MarkerBodyRigid"):
             local = rng.uniform(-0.5, 0.5, 3)
             if on.length:
-                local = np.array([rng.uniform(0, on.length), rng.uniform(-0.1, 0.1), 0])
+                local = np.array([rng.uniform(0, on.length), 0 if on.thin else rng.uniform(-0.1, 0.1), 0])
             if self.planar:
                 local[2] = 0
             if on.point_mass:

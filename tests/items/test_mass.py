@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from scenes import BODIES, CABLE, GENERIC, ITEMS, SCALAR_BODIES
+from scenes import BODIES, CABLE, CABLE_3D, GENERIC, ITEMS, SCALAR_BODIES
 from test_tangent import random_state
 from variants import Variant, variants_about
 
@@ -13,7 +13,7 @@ from dalembert._core import testing
 BODY_TYPES = ("Body", "SuperElement", "FiniteElement")
 VARIANTS = [v for item in ITEMS.values() if item.ready and item.object_type in BODY_TYPES for v in variants_about(item)]
 each_body = pytest.mark.parametrize("variant", VARIANTS, ids=lambda variant: variant.id)
-RIGID = [carrier for carrier in BODIES if carrier != CABLE and carrier[0] not in SCALAR_BODIES]
+RIGID = [carrier for carrier in BODIES if carrier not in (CABLE, CABLE_3D) and carrier[0] not in SCALAR_BODIES]
 
 
 @each_body

@@ -10,6 +10,7 @@ from motions import KINDS, Place
 from scenes import (
     BODIES,
     CABLE,
+    CABLE_3D,
     EP,
     FIRST_ORDER,
     GENERIC,
@@ -55,6 +56,11 @@ OPTIONS: dict[str, list[dict[str, Any]]] = {
     "ObjectConnectorCoordinate": [{"velocityLevel": False}, {"velocityLevel": True}],
     "ObjectConnectorCoordinateVector": [{"velocityLevel": False}, {"velocityLevel": True}],
     "ObjectANCFCable2D": [
+        {"useReducedOrderIntegration": 0, "strainIsRelativeToReference": 0.0},
+        {"useReducedOrderIntegration": 1, "strainIsRelativeToReference": 1.0},
+        {"useReducedOrderIntegration": 2, "strainIsRelativeToReference": 0.5},
+    ],
+    "ObjectANCFCable": [
         {"useReducedOrderIntegration": 0, "strainIsRelativeToReference": 0.0},
         {"useReducedOrderIntegration": 1, "strainIsRelativeToReference": 1.0},
         {"useReducedOrderIntegration": 2, "strainIsRelativeToReference": 0.5},
@@ -133,6 +139,8 @@ def frame_pairs(rigid: bool) -> Iterator[tuple[tuple[str, tuple[str, str]], ...]
         yield (node, GROUND_NODE), (body, POINT)
         yield (body, POINT), (body, RESTING_POINT)
         yield (body, POINT_2D), (body, CABLE)
+        yield (body, CABLE_3D), (body, EP)
+        yield (node, CABLE_3D), (node, POINT)
         yield (body, MASS_1D), (body, ROTOR_1D)
         yield (node, CABLE), ("MarkerBodyRigid", RIGID_2D)
 
@@ -154,6 +162,7 @@ def coordinate_pairs() -> Iterator[tuple[tuple[str, tuple[str, str]], ...]]:
     yield (turn, RXYZ), (turn, LIE)
     yield (one, POINT_2D), (turn, EP)
     yield (one, RIGID_2D), (one, CABLE)
+    yield (one, CABLE_3D), (one, POINT)
 
 
 def vector_pairs() -> Iterator[tuple[tuple[str, tuple[str, str]], ...]]:
@@ -161,6 +170,7 @@ def vector_pairs() -> Iterator[tuple[tuple[str, tuple[str, str]], ...]]:
     yield (vector, POINT), (vector, EP)
     yield (vector, RXYZ), (vector, GENERIC_NODE)
     yield (whole, CABLE), (vector, RIGID_2D)
+    yield (whole, CABLE_3D), (vector, POINT)
     yield (vector, MASS_1D), (whole, GENERIC)
 
 

@@ -51,7 +51,7 @@ struct StrainElement {
   using Constants = typename E::Constants;
   using Map = typename E::Map;
   static constexpr int size = Map::size, node_size = E::node_size, dimension = Map::dimension, numbers = dimension * Map::vectors;
-  static constexpr bool constant_mass = E::constant_mass;
+  static constexpr bool constant_mass = E::constant_mass, constant_jacobian = E::constant_jacobian, oriented = E::oriented;
   template <class S>
   using Local = Vectors<S, dimension, Map::vectors>;
   template <class S>
@@ -255,21 +255,31 @@ struct StrainElement {
       } else {
         const auto force = forces_at<F, damped>(p, k, c, points.at[i], free[i], each_moving(interpolated<F>(shape, y), w.q),
                                                 each_moving(interpolated<F>(shape, rate), w.v));
-        LocalMatrix<T> by_local;  // of the fields' forces, as many rows as there are
-        for (int f = 0; f < F::fields; ++f)
-          for (int d = 0; d < dimension; ++d)
-            for (int v = 0; v < Map::vectors; ++v)
-              for (int a = 0; a < dimension; ++a) {
-                T sum(0.0);
-                for (int e = 0; e < F::fields; ++e)
-                  if (F::uses(e, v)) sum += shape[e][v] * force[f][d].d[dimension * e + a];
-                by_local(dimension * f + d, dimension * v + a) = sum;
-              }
-        add_rows<F>(shape, force, forces, [&](int row, int f, int d, double share) {
-          for (int j = 0; j < numbers; ++j) m(row, j) += share * by_local(dimension * f + d, j);
+        // Force on field f times its share in local vector v, summed over the fields.
+        const auto by_local = matrix_of<dimension * F::fields, numbers>([&](int row, int column) {
+          const auto& by_field = force[row / dimension][row % dimension].d;
+          return sum_of_shares<F, T>(shape, column / dimension, [&](int e) { return by_field[dimension * e + column % dimension]; });
         });
+        for (int v = 0; v < Map::vectors; ++v)
+          for (int d = 0; d < dimension; ++d) {
+            forces[v][d] += sum_of_shares<F, T>(shape, v, [&](int f) { return force[f][d].value; });
+            for (int j = 0; j < numbers; ++j)
+              m(dimension * v + d, j) += sum_of_shares<F, T>(shape, v, [&](int f) { return by_local(dimension * f + d, j); });
+          }
       }
     }
+  }
+  // The sum of what fields have times the shares of a local vector in them.
+  template <class F, class T, class Shape, class Of>
+  static T sum_of_shares(const Shape& shape, int vector, const Of& of) {
+    T sum(0.0);
+    bool first = true;
+    for (int f = 0; f < F::fields; ++f)
+      if (F::uses(f, vector)) {
+        sum = first ? T(shape[f][vector] * of(f)) : T(sum + shape[f][vector] * of(f));
+        first = false;
+      }
+    return sum;
   }
   template <class F, class Shape, class Fields, class S, class Call>
   static void add_rows(const Shape& shape, const Fields& force, Local<S>& forces, const Call& add_row) {

@@ -117,6 +117,8 @@ concept StrainKernel =
       { E::pull_back(p, x, v, v, v) } -> std::same_as<Vec<double, E::Map::size>>;
       { E::mass_load(p, x, v) } -> std::same_as<Vec<double, E::Map::size>>;
       { E::constant_mass } -> std::convertible_to<bool>;
+      { E::constant_jacobian } -> std::convertible_to<bool>;  // of its points
+      { E::oriented } -> std::convertible_to<bool>;           // else markers have a position only
     };
 
 // A law that reads the strains of another family at its own points. The first fields of both are the same.

@@ -9,6 +9,7 @@ namespace dalembert {
 
 struct ObjectANCFCable2D : AncfCableAxis<2> {
   using Parameters = ObjectANCFCable2DParameters;
+  static constexpr bool constant_jacobian = false, oriented = true;
 
   // Arguments of both user functions: what belongs to the own strain, then the other strain.
   template <class S>
@@ -36,12 +37,13 @@ struct ObjectANCFCable2D : AncfCableAxis<2> {
     }
     template <class S>
     static Vec<S, 1> strain(const Constants& k, const Vectors<S, 2, 2>& r) {
-      return {planar_cross(r[0], r[1]) / (k.length * dot(r[0], r[0]))};
+      return {(1 / k.length) * ((1.0 / dot(r[0], r[0])) * planar_cross(r[0], r[1]))};
     }
     template <class S>
     static Vectors<S, 2, 2> pull_back(const Constants& k, const Vectors<S, 2, 2>& r, const Vec<S, 1>& moment) {
-      const S scale = 1.0 / dot(r[0], r[0]), m = (1 / k.length) * moment[0] * scale, swelling = 2.0 * scale * m * planar_cross(r[0], r[1]);
-      return {Vec<S, 2>{m * r[1][1] - swelling * r[0][0], -(m * r[1][0]) - swelling * r[0][1]}, Vec<S, 2>{-(m * r[0][1]), m * r[0][0]}};
+      const S scale = 1.0 / dot(r[0], r[0]), twice = 2.0 * (scale * planar_cross(r[0], r[1]));
+      const S m = (1 / k.length) * (moment[0] * scale), minus = -m;
+      return {Vec<S, 2>{m * (r[1][1] - twice * r[0][0]), minus * (r[1][0] + twice * r[0][1])}, Vec<S, 2>{minus * r[0][1], m * r[0][0]}};
     }
   };
   struct BendingMoment : Bending {

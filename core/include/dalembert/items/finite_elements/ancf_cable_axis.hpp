@@ -108,9 +108,9 @@ struct AncfCableAxis {
     static Vec<S, 1> strain(const Constants&, const Vectors<S, D, 1>& r) {
       return {norm(r[0]) - 1.0};
     }
-    template <class S>
-    static Vectors<S, D, 1> pull_back(const Constants&, const Vectors<S, D, 1>& r, const Vec<S, 1>& force) {
-      return {(force[0] / norm(r[0])) * r[0]};
+    template <class S, class N>
+    static Vectors<S, D, 1> pull_back(const Constants&, const Vectors<S, D, 1>& r, const Vec<N, 1>& force) {
+      return {(force[0] * (1.0 / norm(r[0]))) * r[0]};
     }
   };
 
