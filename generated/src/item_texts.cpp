@@ -680,7 +680,7 @@ constexpr std::array<std::string_view, 14> ObjectANCFCable_rows{
     "axial strain at which the axial force is zero",
     "share of the strains of the reference configuration that are free of stress: 0 for an element that is straight and of length L without stress, 1 for a reference configuration without stress; values between serve for a transition",
     "node at axial position 0 and node at axial position L, both with position and one slope",
-    "integration of the elastic forces along the axis: 0 with 5 Gauss points for stretching and 3 for bending, 1 with 4 and 2",
+    "integration of the elastic forces along the axis: 0 with 5 Gauss points for stretching and 3 for bending; 1 with 4 and 2; 2 with 3 Lobatto points for stretching and 2 Gauss points for bending, with smoother axial forces but possibly modes without stiffness",
     "False: the item is not drawn",
     "radius of the cylinder that is drawn; 0 draws the axis only",
     "red, green, blue and opacity, each from 0 to 1; a negative red selects the default color of the kind from the visualization settings",

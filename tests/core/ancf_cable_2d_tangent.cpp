@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "dalembert/batches/strain_element.hpp"
 #include "dalembert/items/finite_elements/ancf_cable_2d.hpp"
 
 using namespace dalembert;
@@ -36,7 +37,7 @@ ObjectANCFCable2DParameters cable(int rule, bool damped, bool user) {
 }
 
 double largest_difference(const ObjectANCFCable2DParameters& p) {
-  using E = ObjectANCFCable2D;
+  using E = StrainElement<ObjectANCFCable2D>;
   const auto k = E::prepare(p, {0, 0, 1, 0.1, 0.7, 0.05, 0.9, -0.2});
   Coordinates<double, 8> x;
   x.q = {0.1, 0.2, 0.8, 0.3, 0.6, 0.5, 0.7, 0.6};

@@ -105,7 +105,7 @@ class NodeKind:
             "rxyz": lambda: tait_bryan(m.rotation),
             "rotation_vector": lambda: Rotation.from_matrix(m.rotation).as_rotvec(),
             "angle": lambda: [angle],
-            "slope": lambda: 1.25 * m.rotation[:2, 0],
+            "slope": lambda: 1.25 * m.rotation[: 2 if self.planar else 3, 0],
             "point": list,
         }
         return np.concatenate([position, rotation[self.frame]()])
@@ -122,7 +122,7 @@ class NodeKind:
             "rxyz": lambda: np.linalg.solve(tait_bryan_axes(m.rotation), omega),
             "rotation_vector": lambda: m.rotation.T @ omega,
             "angle": lambda: omega[2:],
-            "slope": lambda: 1.25 * np.cross(omega, m.rotation[:, 0])[:2],
+            "slope": lambda: 1.25 * np.cross(omega, m.rotation[:, 0])[: 2 if self.planar else 3],
             "point": list,
         }
         return np.asarray(rates[self.frame]())
@@ -141,12 +141,16 @@ class NodeKind:
                 a[3:] -= np.linalg.solve(axes, rate * np.cross(omega, axis))
                 omega = omega + rate * axis
         elif self.frame == "slope":
-            a[2:] -= 1.25 * (m.angular_velocity @ m.angular_velocity) * m.rotation[:2, 0]
+            swing = np.cross(m.angular_velocity, np.cross(m.angular_velocity, m.rotation[:, 0]))
+            a[len(a) // 2 :] += 1.25 * swing[: len(a) // 2]
         return a
 
     def others(self, m: Motion) -> Array:
         """Lengthening of the slope vector."""
-        return np.array([[0, 0, *m.rotation[:2, 0]]]).T if self.frame == "slope" else np.zeros((len(self.total(m)), 0))
+        n = 2 if self.planar else 3
+        return (
+            np.array([[0] * n + [*m.rotation[:n, 0]]]).T if self.frame == "slope" else np.zeros((len(self.total(m)), 0))
+        )
 
     def item(self, reference: Motion, m: Motion) -> Any:
         start = self.total(reference)

@@ -94,6 +94,7 @@ def coordinate_forces(scene: Scene, r: np.ndarray) -> np.ndarray:
 
 
 RELATIVE = {("ObjectConnectorRollingDiscPenalty", "Position")}  # to marker 0
+IN_GLOBAL_AXES = {("ObjectANCFCable", "CurvatureLocal"), ("ObjectANCFCable", "TorqueLocal")}  # it has no frame
 TURNING = {
     "RelativePosition",
     "Displacement",
@@ -130,7 +131,8 @@ def told(scene: Scene) -> dict[str, np.ndarray]:
             local = (np.array([0.3, -0.2, 0 if scene.planar else 0.1]) * (not point),) if body else ()
             get = scene.mbs.GetObjectOutputBody if body else scene.mbs.GetObjectOutput
             name = "RelativePosition" if (item.name, output.name) in RELATIVE else output.name
-            outputs[f"{int(number)} {name}"] = np.atleast_1d(get(number, variable, *local))
+            name = "Director1" if (item.name, output.name) in IN_GLOBAL_AXES else name
+            outputs[f"{int(number)} {name} {output.name}"] = np.atleast_1d(get(number, variable, *local))
     return outputs
 
 

@@ -1996,7 +1996,7 @@ class ObjectANCFCable(_Object):
     @nodeNumbers.setter
     def nodeNumbers(self, value: Sequence[NodeIndex | int]) -> None: ...
     useReducedOrderIntegration: int
-    """integration of the elastic forces along the axis: 0 with 5 Gauss points for stretching and 3 for bending, 1 with 4 and 2"""
+    """integration of the elastic forces along the axis: 0 with 5 Gauss points for stretching and 3 for bending; 1 with 4 and 2; 2 with 3 Lobatto points for stretching and 2 Gauss points for bending, with smoother axial forces but possibly modes without stiffness"""
     @property
     def visualization(self) -> VObjectANCFCable:
         """how the item is drawn"""

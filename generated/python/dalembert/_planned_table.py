@@ -15,7 +15,6 @@ class Planned(NamedTuple):
 
 ITEMS = (
     "NodeGenericAE",
-    "NodePointSlope1",
     "NodePointSlope12",
     "NodePointSlope23",
     "ObjectFFRF",
@@ -23,7 +22,6 @@ ITEMS = (
     "ObjectKinematicTree",
     "ObjectALEANCFCable2D",
     "ObjectANCFBeam",
-    "ObjectANCFCable",
     "ObjectANCFThinPlate",
     "ObjectBeamGeometricallyExact",
     "ObjectBeamGeometricallyExact2D",
@@ -76,7 +74,6 @@ FUNCTIONS = {
     "MainSystem.CreateSphereTriangleContact": Planned('contact of a sphere with a triangle', 'use mbs.CreateCartesianSpringDamper with a user function that pushes only', ()),
     "beams.GenerateAleSlidingJoint": Planned('an ALE sliding joint along cables', '', ()),
     "beams.GenerateSlidingJoint": Planned('a sliding joint along cables', '', ()),
-    "beams.GenerateStraightLineANCFCable": Planned('a straight line of cables in space', 'use GenerateStraightLineANCFCable2D for motion in a plane', ()),
     "MainSystem.DeleteGeneralContact": Planned('contact of many bodies with each other', '', ()),
     "MainSystem.GetGeneralContact": Planned('contact of many bodies with each other', '', ()),
     "SolverFileData": Planned('files of a solver', '', ()),

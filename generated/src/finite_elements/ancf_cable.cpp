@@ -5,6 +5,9 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/body.hpp"
+#include "dalembert/items/finite_elements/ancf_cable.hpp"
+#include "dalembert/items/nodes/point_slope1.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -45,6 +48,8 @@ constexpr std::array<OutputVariableType, 9> outputs{
     OutputVariableType::Acceleration,
 };
 
+const auto& physics = BodyPhysics<ObjectANCFCable, ObjectANCFCableRecord, NodePointSlope1>{};
+
 }  // namespace object_ancf_cable
 
 extern const ItemType object_ancf_cable_type;
@@ -60,7 +65,7 @@ const ItemType object_ancf_cable_type{
     .record = record_operations<object_ancf_cable::Record>(),
     .requested_node = Capability::position,
     .requested_marker = Capability::none,
-    .physics = nullptr,
+    .physics = &object_ancf_cable::physics,
     .spec = "specs/finite_elements/ancf_cable.toml",
 };
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/node.hpp"
+#include "dalembert/items/nodes/point_slope1.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -37,6 +39,8 @@ constexpr std::array<OutputVariableType, 8> outputs{
     OutputVariableType::Coordinates_tt,
 };
 
+const auto& physics = NodePhysicsOf<NodePointSlope1, NodePointSlope1Record>{};
+
 }  // namespace node_point_slope1
 
 extern const ItemType node_point_slope1_type;
@@ -52,7 +56,7 @@ const ItemType node_point_slope1_type{
     .record = record_operations<node_point_slope1::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = nullptr,
+    .physics = &node_point_slope1::physics,
     .spec = "specs/nodes/point_slope1.toml",
 };
 

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "dalembert/batches/make_frame_marker.hpp"
+#include "dalembert/batches/strain_element.hpp"
 #include "dalembert/batches/turning_body.hpp"
 #include "dalembert/model/errors.hpp"
 
@@ -50,11 +51,12 @@ struct BodyPhysics final : ObjectPhysics {
     if constexpr (sizeof...(Nodes) == 0) {
       f.template operator()<Body>();
     } else if constexpr (requires { Body::size; }) {
-      static_assert(ElementKernel<Body>, "see core/include/dalembert/contracts/element.hpp");
+      using Element = typename ElementOf<Body>::Type;
+      static_assert(ElementKernel<Element>, "see core/include/dalembert/contracts/element.hpp");
       const auto all = [&](std::string_view name) {
         return std::ranges::all_of(nodes, [&](const ItemType* node) { return node->name == name; });
       };
-      ((all(Nodes::item) ? (f.template operator()<Body>(), true) : false) || ...);
+      ((all(Nodes::item) ? (f.template operator()<Element>(), true) : false) || ...);
     } else {
       static_assert(BodyKernel<Body>, "see core/include/dalembert/contracts/element.hpp");
       ((nodes[0]->name == Nodes::item ? (f.template operator()<StandingOn<Nodes>>(), true) : false) || ...);

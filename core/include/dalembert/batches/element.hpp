@@ -182,7 +182,7 @@ class ElementBatch : public Term {
       const auto last = static_cast<int>(entries_.size()) - 1;
       if (lanes_.size() < entries_.size()) {
         lanes_.emplace_back();
-        for (int node = 0; node < n / 4; ++node) lanes_.back().nodes[node] = entries_.back().dofs[4 * node];
+        for (int i = 0; i < fours; ++i) lanes_.back().fours[i] = entries_.back().dofs[four(i)];
       }
       for (int i = std::max(changed, 1); i <= std::min(changed + 1, last); ++i) {
         const Entry &e = entries_[i], &previous = entries_[i - 1];
@@ -190,17 +190,44 @@ class ElementBatch : public Term {
       }
     }
   }
-  // Where the coordinates of each lane's node begin; lanes without an element repeat the last one.
+  // Numbers move in fours. Where those of a node are no multiple, the last four begin before the others end: what has moved
+  // already is read once more, and not added again.
+  static constexpr int node_size = [] {
+    if constexpr (LaneKernel<E>) return E::node_size;
+    return 4;
+  }();
+  static constexpr int fours_per_node = (node_size + 3) / 4, fours = n / node_size * fours_per_node;
+  static constexpr int four(int i) {
+    return i / fours_per_node * node_size + std::min(i % fours_per_node * 4, node_size - 4);
+  }
+  static constexpr bool moved_before(int i, int j) { return i % fours_per_node > 0 && four(i) + j < four(i - 1) + 4; }
+  // Number j of four i out of number(k), for those to be added.
+  template <int i, class Number>
+  static auto four_of(const Number& number) {
+    using S = decltype(number(0));
+    return [&]<int... j>(std::integer_sequence<int, j...>) {
+      return std::array<S, 4>{(moved_before(i, j) ? S(0.0) : number(four(i) + j))...};
+    }(std::make_integer_sequence<int, 4>{});
+  }
+  template <class Call>
+  static void each_four(const Call& call) {
+    [&]<int... i>(std::integer_sequence<int, i...>) { (call.template operator()<i>(), ...); }(std::make_integer_sequence<int, fours>{});
+  }
+  // Where four i of each lane begins; lanes without an element repeat the last one.
   template <int L, class T>
-  std::array<T*, L> places(T* vector, std::size_t first, int count, int node) const {
+  std::array<T*, L> places(T* vector, std::size_t first, int count, int i) const {
     std::array<T*, L> at;
-    for (int lane = 0; lane < L; ++lane) at[lane] = vector + lanes_[first + std::min(lane, count - 1)].nodes[node];
+    for (int lane = 0; lane < L; ++lane) at[lane] = vector + lanes_[first + std::min(lane, count - 1)].fours[i];
     return at;
   }
   template <int L>
   Vec<Lanes<L>, n> gather_lanes(const double* from, std::size_t first, int count) const {
-    const auto nodes = vector_of<n / 4>([&](int node) { return gather_fours<L>(places<L>(from, first, count, node)); });
-    return vector_of<n>([&nodes](int i) { return nodes[i / 4][i % 4]; });
+    Vec<Lanes<L>, n> x;
+    each_four([&]<int i>() {
+      const auto numbers = gather_fours<L>(places<L>(from, first, count, i));
+      for (int j = 0; j < 4; ++j) x[four(i) + j] = numbers[j];
+    });
+    return x;
   }
   template <int L>
   Coordinates<Lanes<L>, n> gather_lanes(const Evaluation& evaluation, std::size_t first, int count) const {
@@ -212,25 +239,27 @@ class ElementBatch : public Term {
     const Entry* e = &entries_[first];
     const auto x = gather_lanes<L>(evaluation, first, count);
     const auto f = element_residual<E, Lanes<L>>(e->parameters, e->constants, context(evaluation, *e), x);
-    for (int node = 0; node < n / 4; ++node)
-      scatter_fours<L>({f[4 * node], f[4 * node + 1], f[4 * node + 2], f[4 * node + 3]}, places<L>(r, first, count, node), count);
+    each_four([&]<int i>() {
+      scatter_fours<L>(four_of<i>([&](int row) { return f[row]; }), places<L>(r, first, count, i), count);
+    });
   }
   template <int L>
   void tangents_in_lanes(std::size_t first, int count, const Evaluation& evaluation, const Weights& weights, const int* slot,
                          double* values) const {
     const Entry* e = &entries_[first];
     const auto k = E::tangent(e->parameters, e->constants, context(evaluation, *e), gather_lanes<L>(evaluation, first, count), weights);
-    for (int row = 0; row < n; row += 4)
+    each_four([&]<int i>() {
       for (int column = 0; column < n; ++column) {
         std::array<double*, L> at;  // the rows of one node lie side by side (system/pattern.hpp)
-        for (int lane = 0; lane < L; ++lane) at[lane] = values + slot[(std::min(lane, count - 1) * n + row) * n + column];
-        scatter_fours<L>({k(row, column), k(row + 1, column), k(row + 2, column), k(row + 3, column)}, at, count);
+        for (int lane = 0; lane < L; ++lane) at[lane] = values + slot[(std::min(lane, count - 1) * n + four(i)) * n + column];
+        scatter_fours<L>(four_of<i>([&](int row) { return k(row, column); }), at, count);
       }
+    });
   }
 
   // All that the loop over lanes reads of an element whose law it knows.
   struct Lane {
-    std::array<int, n / 4> nodes{};  // where their coordinates begin, which follow each other
+    std::array<int, ElementBatch::fours> fours{};  // where they begin among the coordinates
     bool like_previous = false;      // obeys the law of the element before
   };
   std::vector<Lane> lanes_;

@@ -12,9 +12,9 @@ namespace dalembert {
 template <class Shape, class E>
 concept TurnsWith = TurningElement<E> && (Shape::values > 0 || TurningBody<E>);
 
-// All coordinates are components of the position: there is no orientation.
+// There is no orientation: all coordinates are components of the position, or the element says so.
 template <class E>
-concept PointMotion = E::size > 0 && requires { requires E::translations == E::size; };
+concept PointMotion = E::size > 0 && (requires { requires E::translations == E::size; } || requires { requires !E::oriented; });
 
 // `OwnerRecord` is void for nodes. None where the element has no such frame.
 template <class E, class OwnerRecord>

@@ -4,6 +4,7 @@
 // node. An item with coordinates of its own (ANCF cable) is an element itself (ElementKernel).
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <span>
 #include <string_view>
@@ -94,11 +95,11 @@ template <class E>
 concept TurningBody = TurningElement<E> && SpinBody<typename E::Kernel>;
 
 // Elements that obey the same law may be computed as lanes (math/lanes.hpp): residual and tangent are templates over them.
-// Their nodes have four coordinates each, which lie side by side.
+// The coordinates of a node, four or more, lie side by side.
 template <class E>
 concept LaneKernel = requires(const typename E::Parameters& p, const typename PreparedOf<E>::Type& k) {
   { E::same_law(p, k, p, k) } -> std::same_as<bool>;
-  requires E::node_size == 4;
+  requires E::node_size >= 4;
 };
 
 // A residual that is a constant mass matrix times accelerations, and nothing without them. Of a body: one mass, the same in
@@ -264,6 +265,10 @@ struct AtNode {
   static constexpr int translations = Node::translations;
   static constexpr bool planar = PlanarNode<Node>;
   static constexpr bool constant_jacobian = Node::constant_jacobian;
+  static constexpr bool oriented = [] {
+    if constexpr (requires { Node::oriented; }) return Node::oriented;
+    return true;
+  }();
   static constexpr int lie_rotation = OnNode<AtNode, Node>::lie_rotation;
 
   template <class S>
@@ -277,10 +282,16 @@ struct AtNode {
   }
 };
 
+// Where the coordinates of an element have rotation vectors that take increments on the group.
 template <class E>
-constexpr int lie_rotation_of() {
-  if constexpr (requires { E::lie_rotation; }) return E::lie_rotation;
-  return -1;
+constexpr auto lie_rotations_of() {
+  if constexpr (requires { E::lie_rotations; }) {
+    return E::lie_rotations;  // of several nodes
+  } else if constexpr (requires { requires E::lie_rotation >= 0; }) {
+    return std::array{E::lie_rotation};
+  } else {
+    return std::array<int, 0>{};
+  }
 }
 
 // The coordinates of an element out of the system's vectors.
@@ -306,16 +317,16 @@ Coordinates<Dual<N, S>, N> seeded(const Coordinates<S, N>& x, const Weights& w) 
     s.v[i] = D::seed(x.v[i], i, w.v);
     s.a[i] = D::seed(x.a[i], i, w.a);
   }
-  if constexpr (lie_rotation_of<E>() >= 0) {
-    constexpr int r = lie_rotation_of<E>();
-    const Vec3<double> rotation = segment<3>(x.q, r);
-    for (int j = 0; j < 3; ++j) {
-      Vec3<double> axis;
-      axis[j] = 1;
-      const Vec3<double> rate = rotation_vector_rate(rotation, axis);
-      for (int i = 0; i < 3; ++i) s.q[r + i].d[r + j] = w.q * rate[i];
+  for (const int r : lie_rotations_of<E>())
+    if constexpr (std::is_same_v<S, double>) {
+      const Vec3<double> rotation = segment<3>(x.q, r);
+      for (int j = 0; j < 3; ++j) {
+        Vec3<double> axis;
+        axis[j] = 1;
+        const Vec3<double> rate = rotation_vector_rate(rotation, axis);
+        for (int i = 0; i < 3; ++i) s.q[r + i].d[r + j] = w.q * rate[i];
+      }
     }
-  }
   return s;
 }
 

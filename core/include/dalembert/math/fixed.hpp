@@ -14,6 +14,7 @@ struct Vec {
   std::array<S, N> x{};
   constexpr S& operator[](int i) { return x[i]; }
   constexpr const S& operator[](int i) const { return x[i]; }
+  bool operator==(const Vec&) const = default;
 };
 template <class S>
 using Vec3 = Vec<S, 3>;
@@ -23,6 +24,7 @@ struct Mat {
   std::array<S, R * C> x{};
   constexpr S& operator()(int i, int j) { return x[i * C + j]; }
   constexpr const S& operator()(int i, int j) const { return x[i * C + j]; }
+  bool operator==(const Mat&) const = default;
 };
 template <class S>
 using Mat3 = Mat<S, 3, 3>;

@@ -1,0 +1,307 @@
+// Where residual and tangent of elements with quadrature are summed (contracts/strain_points.hpp): an element as the assembler
+// knows it, of what its kernel states.
+#pragma once
+
+#include <utility>
+
+#include "dalembert/contracts/strain_points.hpp"
+#include "dalembert/math/dual.hpp"
+#include "dalembert/math/lanes.hpp"
+
+namespace dalembert {
+
+// ---- one point --------------------------------------------------------------------------------------------------------
+template <class F, class Shape, class S, int D, std::size_t V>
+Vectors<S, D, F::fields> interpolated(const Shape& shape, const std::array<Vec<S, D>, V>& local) {
+  Vectors<S, D, F::fields> fields{};
+  for (int f = 0; f < F::fields; ++f)
+    for (int v = 0; v < static_cast<int>(V); ++v)
+      if (F::uses(f, v)) fields[f] += shape[f][v] * local[v];
+  return fields;
+}
+
+// The rate of the strains is their derivative along the rates of the fields: elements need not state it.
+template <class F, class K, class S, int D, std::size_t N>
+Vec<S, F::strains> strain_rate(const K& k, const std::array<Vec<S, D>, N>& fields, const std::array<Vec<S, D>, N>& rates) {
+  std::array<Vec<Dual<1, S>, D>, N> moving;
+  for (std::size_t f = 0; f < N; ++f)
+    for (int d = 0; d < D; ++d) {
+      moving[f][d].value = fields[f][d];
+      moving[f][d].d[0] = rates[f][d];
+    }
+  const auto strain = F::strain(k, moving);
+  return vector_of<F::strains>([&](int i) { return strain[i].d[0]; });
+}
+
+// Numbers of which each has a direction of its own.
+template <class T, int D, std::size_t N>
+auto each_moving(const std::array<Vec<T, D>, N>& a, double weight) {
+  constexpr int all = D * static_cast<int>(N);
+  std::array<Vec<Dual<all, T>, D>, N> s;
+  for (int n = 0; n < static_cast<int>(N); ++n)
+    for (int d = 0; d < D; ++d) s[n][d] = Dual<all, T>::seed(a[n][d], n * D + d, weight);
+  return s;
+}
+
+// ---- all points of an element --------------------------------------------------------------------------------------------
+template <class E>
+struct StrainElement {
+  static_assert(StrainKernel<E>, "see core/include/dalembert/contracts/strain_points.hpp");
+  using Parameters = typename E::Parameters;
+  using Constants = typename E::Constants;
+  using Map = typename E::Map;
+  static constexpr int size = Map::size, node_size = E::node_size, dimension = Map::dimension, numbers = dimension * Map::vectors;
+  static constexpr bool constant_mass = E::constant_mass, constant_jacobian = E::constant_jacobian, oriented = E::oriented;
+  template <class S>
+  using Local = Vectors<S, dimension, Map::vectors>;
+  template <class S>
+  using LocalMatrix = Mat<S, numbers, numbers>;
+
+  // Strains without stress at the points of each family.
+  template <class Families>
+  struct FreeStrainsOf;
+  template <class... F>
+  struct FreeStrainsOf<std::tuple<F...>> {
+    using Type = std::tuple<std::array<Vec<double, F::strains>, QuadratureRule::most>...>;
+  };
+  struct Prepared {
+    Constants constants;
+    typename FreeStrainsOf<typename E::Families>::Type free;
+    typename FreeStrainsOf<typename E::CallingFamilies>::Type free_where_called;
+    bool operator==(const Prepared&) const = default;
+  };
+
+  static Prepared prepare(const Parameters& p, const Vec<double, size>& reference) {
+    Prepared k{.constants = E::constants(p), .free = {}, .free_where_called = {}};
+    const Local<double> y = Map::local(k.constants, Coordinates<double, size>{.q = reference, .v = {}, .a = {}});
+    const auto fill = [&]<class F>(auto& free) {
+      for (int i = 0; i < F::points(k.constants).count; ++i) free[i] = stress_free<F>(p, k.constants, F::points(k.constants).at[i].shape, y);
+    };
+    each_of<typename E::Families>(k.free, fill);
+    each_of<typename E::CallingFamilies>(k.free_where_called, fill);
+    return k;
+  }
+
+  // User functions are called for one element at a time.
+  static bool same_law(const Parameters& p, const Prepared& k, const Parameters& other_p, const Prepared& other) {
+    return !E::calls(p) && !E::calls(other_p) && k == other;
+  }
+
+  // Inertia forces and the sum of w B' stress over all points.
+  template <class S>
+  static Vec<S, size> residual(const Parameters& p, const Prepared& k, const Context& c, const Coordinates<S, size>& x) {
+    const Local<S> y = Map::local(k.constants, x);
+    Local<S> forces{};
+    damped_or_not<S>(p, k, [&]<bool damped>() {
+      Local<S> rate{};
+      if constexpr (damped) rate = Map::local_rate(k.constants, x);
+      each_family<S>(p, k, [&]<class F>(const auto& free) { add_forces<F, damped>(p, k.constants, c, free, y, rate, forces); });
+    });
+    Vec<S, size> r = Map::pull_back(k.constants, x, forces);
+    r += E::inertia(k.constants, x);
+    return r;
+  }
+
+  // The sum of w (B' C B + geometric part): one sweep of dual numbers through strain, law and pull-back at each point.
+  template <class T>
+  static Mat<T, size, size> tangent(const Parameters& p, const Prepared& k, const Context& c, const Coordinates<T, size>& x,
+                                    const Weights& w) {
+    Mat<T, size, size> r{};
+    if (w.q != 0 || w.v != 0) {
+      const Local<T> y = Map::local(k.constants, x);
+      Local<T> forces{};
+      LocalMatrix<T> m{}, damping{};
+      damped_or_not<T>(p, k, [&]<bool damped>() {
+        Local<T> rate{};
+        if constexpr (damped) rate = Map::local_rate(k.constants, x);
+        each_family<T>(p, k, [&]<class F>(const auto& free) {
+          add_tangent<F, damped>(p, k.constants, c, free, y, rate, w, forces, m);
+          if constexpr (damped && !Map::linear) {
+            Local<T> ignored{};
+            add_tangent<F, damped>(p, k.constants, c, free, y, rate, Weights{.q = 0, .v = 1, .a = 0}, ignored, damping);
+          }
+        });
+      });
+      r = Map::tangent(k.constants, x, forces, m, damping, w);
+    }
+    E::add_inertia_tangent(k.constants, x, w, r);
+    return r;
+  }
+
+  template <class S>
+  static Motion<S> motion(const Parameters& p, const Coordinates<S, size>& x, const Vec3<double>& local) {
+    return E::motion(p, x, local);
+  }
+  template <class S>
+  static Vec<S, size> pull_back(const Parameters& p, const Coordinates<S, size>& x, const Vec3<double>& local, const Vec3<S>& force,
+                                const Vec3<S>& moment) {
+    return E::pull_back(p, x, local, force, moment);
+  }
+  template <class S>
+  static Vec<S, size> mass_load(const Parameters& p, const Coordinates<S, size>& x, const Vec3<S>& g) {
+    return E::mass_load(p, x, g);
+  }
+
+  // Fields, strains and stresses at any point, for outputs; `family` counts E::Families.
+  struct Section {
+    const Parameters& p;
+    const Context& c;
+    const Coordinates<double, size>& x;
+    const OutputRequest& request;
+    Constants k = E::constants(p);
+
+    template <int family>
+    auto fields() const {
+      using F = std::tuple_element_t<family, typename E::Families>;
+      return interpolated<F>(F::shape(E::along(k, request.local)), Map::local(k, x));
+    }
+    template <int family>
+    auto strain() const {
+      return std::tuple_element_t<family, typename E::Families>::strain(k, fields<family>());
+    }
+    template <int family>
+    auto stress() const {
+      return E::calls(p) ? stress_in<std::tuple_element_t<family, typename E::CallingFamilies>>()
+                         : stress_in<std::tuple_element_t<family, typename E::Families>>();
+    }
+
+   private:
+    template <class F>
+    auto stress_in() const {
+      const double xi = E::along(k, request.local);
+      const auto shape = F::shape(xi);
+      const auto at = interpolated<F>(shape, Map::local(k, x)), rates = interpolated<F>(shape, Map::local_rate(k, x));
+      const Coordinates<double, size> reference{.q = load<double, size>(request.reference.data()), .v = {}, .a = {}};
+      const auto free = stress_free<F>(p, k, shape, Map::local(k, reference));
+      return stress_at<F, true>(p, k, c, xi, free, at, rates);
+    }
+  };
+  static bool output(const Parameters& p, const Context& c, const Coordinates<double, size>& x, const OutputRequest& request,
+                     std::vector<double>& values) {
+    return E::output(Section{p, c, x, request}, values);
+  }
+
+ private:
+  // ---- families ----
+  template <class Families, class Free, class Call>
+  static void each_of(Free& free, const Call& call) {
+    [&]<std::size_t... i>(std::index_sequence<i...>) {
+      (call.template operator()<std::tuple_element_t<i, Families>>(std::get<i>(free)), ...);
+    }(std::make_index_sequence<std::tuple_size_v<Families>>{});
+  }
+  template <class S, class Call>
+  static void each_family(const Parameters& p, const Prepared& k, const Call& call) {
+    if constexpr (OneNumber<S>)
+      if (E::calls(p)) return each_of<typename E::CallingFamilies>(k.free_where_called, call);
+    each_of<typename E::Families>(k.free, call);
+  }
+  template <class S, class Call>
+  static void damped_or_not(const Parameters& p, const Prepared& k, const Call& call) {
+    E::damped(k.constants) || E::calls(p) ? call.template operator()<true>() : call.template operator()<false>();
+  }
+
+  template <class F, class Shape>
+  static Vec<double, F::strains> stress_free(const Parameters& p, const Constants& k, const Shape& shape, const Local<double>& reference) {
+    return F::stress_free(p, F::strain(k, interpolated<F>(shape, reference)));
+  }
+
+  // ---- points ----
+  template <class F, bool damped, class Fields, class Free>
+  static auto stress_at(const Parameters& p, const Constants& k, const Context& c, double position, const Free& free, const Fields& at,
+                        const Fields& rates) {
+    const auto strain = F::strain(k, at);
+    if constexpr (LawFamily<F, E>) {
+      return F::stress(p, k, c, position, strain, strain_rate<F>(k, at, rates), free);
+    } else {
+      auto stress = F::stiffness(k) * (strain - free);
+      if constexpr (damped) stress += F::damping(k) * strain_rate<F>(k, at, rates);
+      return stress;
+    }
+  }
+  // Forces on the fields of a point, times its weight.
+  template <class F, bool damped, class Point, class Fields, class Free>
+  static Fields forces_at(const Parameters& p, const Constants& k, const Context& c, const Point& point, const Free& free, const Fields& at,
+                          const Fields& rates) {
+    return F::pull_back(k, at, (point.weight * k.length) * stress_at<F, damped>(p, k, c, point.position, free, at, rates));
+  }
+
+  template <class F, bool damped, class Free, class S>
+  static void add_forces(const Parameters& p, const Constants& k, const Context& c, const Free& free, const Local<S>& y,
+                         const Local<S>& rate, Local<S>& forces) {
+    const auto& points = F::points(k);
+    for (int i = 0; i < points.count; ++i) {
+      const auto& shape = points.at[i].shape;
+      const auto force = forces_at<F, damped>(p, k, c, points.at[i], free[i], interpolated<F>(shape, y), interpolated<F>(shape, rate));
+      for (int f = 0; f < F::fields; ++f)
+        for (int v = 0; v < Map::vectors; ++v)
+          if (F::uses(f, v)) forces[v] += shape[f][v] * force[f];
+    }
+  }
+
+  // Forces on the local vectors, and their derivatives by these along the weights. Directions are the numbers of the fields, or
+  // those of the local vectors where these are fewer.
+  template <class F, bool damped, class Free, class T>
+  static void add_tangent(const Parameters& p, const Constants& k, const Context& c, const Free& free, const Local<T>& y,
+                          const Local<T>& rate, const Weights& w, Local<T>& forces, LocalMatrix<T>& m) {
+    const auto& points = F::points(k);
+    for (int i = 0; i < points.count; ++i) {
+      const auto& shape = points.at[i].shape;
+      if constexpr (Map::vectors <= F::fields) {
+        const auto force = forces_at<F, damped>(p, k, c, points.at[i], free[i], interpolated<F>(shape, each_moving(y, w.q)),
+                                                interpolated<F>(shape, each_moving(rate, w.v)));
+        add_rows<F>(shape, force, forces, [&](int row, int f, int d, double share) {
+          for (int j = 0; j < numbers; ++j) m(row, j) += share * force[f][d].d[j];
+        });
+      } else {
+        const auto force = forces_at<F, damped>(p, k, c, points.at[i], free[i], each_moving(interpolated<F>(shape, y), w.q),
+                                                each_moving(interpolated<F>(shape, rate), w.v));
+        // Force on field f times its share in local vector v, summed over the fields.
+        const auto by_local = matrix_of<dimension * F::fields, numbers>([&](int row, int column) {
+          const auto& by_field = force[row / dimension][row % dimension].d;
+          return sum_of_shares<F, T>(shape, column / dimension, [&](int e) { return by_field[dimension * e + column % dimension]; });
+        });
+        for (int v = 0; v < Map::vectors; ++v)
+          for (int d = 0; d < dimension; ++d) {
+            forces[v][d] += sum_of_shares<F, T>(shape, v, [&](int f) { return force[f][d].value; });
+            for (int j = 0; j < numbers; ++j)
+              m(dimension * v + d, j) += sum_of_shares<F, T>(shape, v, [&](int f) { return by_local(dimension * f + d, j); });
+          }
+      }
+    }
+  }
+  // The sum of what fields have times the shares of a local vector in them.
+  template <class F, class T, class Shape, class Of>
+  static T sum_of_shares(const Shape& shape, int vector, const Of& of) {
+    T sum(0.0);
+    bool first = true;
+    for (int f = 0; f < F::fields; ++f)
+      if (F::uses(f, vector)) {
+        sum = first ? T(shape[f][vector] * of(f)) : T(sum + shape[f][vector] * of(f));
+        first = false;
+      }
+    return sum;
+  }
+  template <class F, class Shape, class Fields, class S, class Call>
+  static void add_rows(const Shape& shape, const Fields& force, Local<S>& forces, const Call& add_row) {
+    for (int f = 0; f < F::fields; ++f)
+      for (int v = 0; v < Map::vectors; ++v)
+        if (F::uses(f, v))
+          for (int d = 0; d < dimension; ++d) {
+            forces[v][d] += shape[f][v] * force[f][d].value;
+            add_row(dimension * v + d, f, d, shape[f][v]);
+          }
+  }
+};
+
+// The element that a kernel with coordinates of its own makes.
+template <class E>
+struct ElementOf {
+  using Type = E;
+};
+template <class E>
+  requires requires { typename E::Families; }
+struct ElementOf<E> {
+  using Type = StrainElement<E>;
+};
+
+}  // namespace dalembert
