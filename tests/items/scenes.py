@@ -29,6 +29,7 @@ SCALAR_BODIES = ("ObjectMass1D", "ObjectRotationalMass1D")  # one coordinate, an
 GENERIC = ("ObjectGenericODE2", "Points")
 CABLE = ("ObjectANCFCable2D", "NodePoint2DSlope1")
 CABLE_3D = ("ObjectANCFCable", "NodePointSlope1")
+BEAM = "ObjectBeamGeometricallyExact"
 EP, RXYZ, LIE = (("ObjectRigidBody", f"NodeRigidBody{frame}") for frame in ("EP", "Rxyz", "RotVecLG"))
 POINT, POINT_2D, RIGID_2D = (
     ("ObjectMassPoint", "NodePoint"),
@@ -82,7 +83,8 @@ class Carrier:
     body: Any = None
     nodes: list[Any] = field(default_factory=list)
     motion: Motion | None = None
-    length: float = 0.0  # of a cable
+    length: float = 0.0  # of a cable or beam
+    centred: bool = False  # local positions count from its middle
     thin: bool = False  # points beside the axis have no position
     coordinates: int = 0  # ODE2, of all nodes
     point_mass: bool = False
@@ -135,6 +137,8 @@ class Scene:
             return self._first_order()
         if body in (CABLE[0], CABLE_3D[0]):
             return self._cable(body, node, reference, motion)
+        if body == BEAM:
+            return self._beam(node, reference, motion)
         kind = KINDS[node]
         if kind.resting:
             reference = motion = motion.at_rest()
@@ -241,6 +245,25 @@ class Scene:
         coordinates = 2 * len(KINDS[node].total(motion))
         return Carrier(made, nodes, motion, length, coordinates=coordinates, thin=not planar)
 
+    def _beam(self, node: str, reference: Motion, motion: Motion) -> Carrier:
+        """Of a section without any symmetry, bent and twisted already in its reference configuration."""
+        rng, length = self.rng, 1.5
+        section = exu.BeamSection()
+        roots = rng.uniform(-0.5, 0.5, (3, 6, 6))
+        stiffness, damping, inertia = (root @ root.T + np.eye(6) for root in roots)
+        section.stiffnessMatrix, section.dampingMatrix, section.inertia = stiffness, damping, inertia[:3, :3]
+        section.massPerLength = rng.uniform(1, 2)
+        ends = [
+            replace(self.motion(), position=start.point(stretch * np.array([length, 0.1, 0])), rotation=start.rotation @ turn)
+            for start, stretch, turn in ((reference, 1.0, random_rotation(rng)), (motion, 1.1, random_rotation(rng)))
+        ]
+        nodes = [self.node(node, r, m) for r, m in zip([reference, ends[0]], [motion, ends[1]], strict=True)]
+        made = self.mbs.AddObject(
+            exu.ObjectBeamGeometricallyExact(nodeNumbers=nodes, physicsLength=length, sectionData=section)
+        )
+        self.bodies.append(made)
+        return Carrier(made, nodes, motion, length, coordinates=2 * len(KINDS[node].total(motion)), centred=True)
+
     # ---- markers -------------------------------------------------------------------------------------------------------
     def marker(self, name: str, on: Carrier, point: Array | None = None) -> Any:
         """`point`: global position, where the marker is to sit."""
@@ -255,7 +278,8 @@ class Scene:
         if name in ("MarkerBodyPosition", "MarkerBodyRigid"):
             local = rng.uniform(-0.5, 0.5, 3)
             if on.length:
-                local = np.array([rng.uniform(0, on.length), 0 if on.thin else rng.uniform(-0.1, 0.1), 0])
+                start = -0.5 * on.length if on.centred else 0.0
+                local = np.array([start + rng.uniform(0, on.length), 0 if on.thin else rng.uniform(-0.1, 0.1), 0])
             if self.planar:
                 local[2] = 0
             if on.point_mass:

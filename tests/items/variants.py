@@ -8,6 +8,7 @@ from typing import Any
 
 from motions import KINDS, Place
 from scenes import (
+    BEAM,
     BODIES,
     CABLE,
     CABLE_3D,
@@ -134,6 +135,7 @@ def frame_pairs(rigid: bool) -> Iterator[tuple[tuple[str, tuple[str, str]], ...]
         yield (body, ROTOR_1D), (body, EP)
         yield ("MarkerSuperElementRigid", GENERIC), (body, LIE)
         yield (body, CABLE), (body, RIGID_2D)
+        yield (body, (BEAM, EP[1])), (node, (BEAM, LIE[1]))
     else:
         yield (body, POINT), ("MarkerSuperElementPosition", GENERIC)
         yield (node, GROUND_NODE), (body, POINT)
@@ -141,6 +143,7 @@ def frame_pairs(rigid: bool) -> Iterator[tuple[tuple[str, tuple[str, str]], ...]
         yield (body, POINT_2D), (body, CABLE)
         yield (body, CABLE_3D), (body, EP)
         yield (node, CABLE_3D), (node, POINT)
+        yield (body, (BEAM, LIE[1])), (body, (BEAM, RXYZ[1]))
         yield (body, MASS_1D), (body, ROTOR_1D)
         yield (node, CABLE), ("MarkerBodyRigid", RIGID_2D)
 
