@@ -16,7 +16,7 @@ LEAST_WORDS = 5  # of a reason
 KEYS = tuple(f.name for f in fields(SceneTable))
 _KINDS: dict[str, tuple[type, str]] = {
     **dict.fromkeys(("frame", "second_body"), (str, "a string")),
-    **dict.fromkeys(("small_deformations", "every_body", "planar"), (bool, "true or false")),
+    **dict.fromkeys(("small_deformations", "bent", "every_body", "planar"), (bool, "true or false")),
     **dict.fromkeys(("data", "force_equations"), (int, "an integer")),
     **dict.fromkeys(("nodes", "local", "beside", "fits", "power", "pairs", "options"), (list, "a list")),
     **dict.fromkeys(
@@ -27,6 +27,7 @@ _KINDS: dict[str, tuple[type, str]] = {
 _ONLY: dict[str, tuple[str, ...]] = {
     "frame": ("node",),
     "isotropic": ("object",), "local": ("object",), "small_deformations": ("object",), "nodes": ("object",),
+    "bent": ("object",),
     "every_body": ("marker",), "beside": ("marker",),
     "fits": ("object", "load"), "planar": ("object",), "data": ("object",), "per_marker": ("object",),
     "closed": ("object",),

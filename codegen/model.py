@@ -128,9 +128,8 @@ class Parameter:
 def default_problem(type_: ParameterType, default: Any, size: int) -> str:
     """What is wrong with a default value, or ''."""
     if default is None:
-        free = type_.index or type_.function or type_.opaque or type_.storage == "matrix_container"
-        return "" if free else f"missing; {type_.name} needs one"
-    if type_.function or type_.opaque or (type_.index and not type_.shape):
+        return "" if type_.complete else f"missing; {type_.name} needs one"
+    if type_.function or type_.opaque or type_.storage == "beam_section" or (type_.index and not type_.shape):
         return f"{type_.name} has none of its own; leave it out"
     if type_.storage == "boolean":
         return "" if isinstance(default, bool) else f"{default!r} is not true or false"

@@ -65,6 +65,7 @@ class SceneTable:
     # bodies
     nodes: tuple[NodePlace, ...] = ()
     small_deformations: bool = False
+    bent: bool = False
     isotropic: Mapping[str, list[list[float]]] = field(default_factory=dict)
     local: tuple[tuple[float, ...], ...] = ()
     # markers

@@ -36,6 +36,11 @@ class ParameterType:
         return self.storage == "user_function"
 
     @property
+    def complete(self) -> bool:
+        """Has a default of its own, without which nothing is missing."""
+        return self.index or self.function or self.opaque or self.storage in ("matrix_container", "beam_section")
+
+    @property
     def opaque(self) -> bool:
         """Kept for Python; the core never looks into it."""
         return self.storage == "opaque"
@@ -142,7 +147,7 @@ def _foreign() -> list[ParameterType]:
         ParameterType("KeyPressUserFunction", "Opaque", "opaque", call),
         ParameterType("BodyGraphicsData", "Opaque", "opaque", "Sequence[dict[str, Any]]", (None,)),
         ParameterType("BodyGraphicsDataList", "Opaque", "opaque", "Sequence[Sequence[dict[str, Any]]]", (None, None)),
-        ParameterType("BeamSection", "Opaque", "opaque", "BeamSection"),
+        ParameterType("BeamSection", "BeamSection", "beam_section", "BeamSection"),
         ParameterType("BeamSectionGeometry", "Opaque", "opaque", "BeamSectionGeometry"),
     ]
 

@@ -332,10 +332,13 @@ void read(PyObject*, const Row&, std::uint32_t&) { throw std::logic_error("items
 
 void read(PyObject* value, const Row& row, UserFunction& out) { out = read_user_function(value, row); }
 
-// Opaque rows hold lists of graphics data, user functions, or the sections of beams, whose class is told here.
-const char* section_class(const Row& row) {
-  return row.name == "sectionData" ? "BeamSection" : row.name == "sectionGeometry" ? "BeamSectionGeometry" : nullptr;
+void read(PyObject* value, const Row&, BeamSection& out) {
+  if (!py::isinstance<BeamSection>(value)) throw Refusal{ErrorKind::type, "a BeamSection", ""};
+  out = py::handle(value).cast<const BeamSection&>();
 }
+
+// Opaque rows hold lists of graphics data, user functions, or the outline of a beam's section, whose class is told here.
+const char* section_class(const Row& row) { return row.name == "sectionGeometry" ? "BeamSectionGeometry" : nullptr; }
 bool is_function(const Row& row) { return row.name.find("UserFunction") != std::string_view::npos; }
 
 void read(PyObject* value, const Row& row, Opaque& out) {
@@ -412,6 +415,11 @@ py::object write(const std::vector<JointType>& value, Form, PyObject*) {
   return list;
 }
 py::object write(std::uint32_t value, Form, PyObject*) { return py::int_(value); }
+// The item's own section, whose attributes may be set, or a copy.
+py::object write(const BeamSection& value, Form form, PyObject* owner) {
+  if (form == Form::view) return py::cast(&const_cast<BeamSection&>(value), py::return_value_policy::reference_internal, py::handle(owner));
+  return py::cast(value);
+}
 py::object write(const UserFunction& value, Form, PyObject*) {
   return value ? py::reinterpret_borrow<py::object>(function_of(value)) : py::int_(0);
 }

@@ -77,6 +77,7 @@ bool numeric(Storage storage) {
     case Storage::text:
     case Storage::output_variable:
     case Storage::joint_types:
+    case Storage::beam_section:
     case Storage::user_function:
     case Storage::opaque:
     case Storage::enumeration: return false;

@@ -36,7 +36,9 @@ const ItemClass& class_of_python_type(PyTypeObject* type) {
   throw std::logic_error("not an item class");
 }
 
-bool is_view(Storage storage) { return storage >= Storage::vector2 && storage <= Storage::matrix6; }
+bool is_view(Storage storage) {
+  return (storage >= Storage::vector2 && storage <= Storage::matrix6) || storage == Storage::beam_section;
+}
 
 // ---- life of the Python objects ------------------------------------------------------------------------------------
 

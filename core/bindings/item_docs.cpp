@@ -47,6 +47,7 @@ std::string_view storage_text(Storage storage) {
     case Storage::sensors: return "list of SensorIndex";
     case Storage::output_variable: return "OutputVariableType";
     case Storage::joint_types: return "list of JointType";
+    case Storage::beam_section: return "BeamSection";
     case Storage::user_function: return "function or 0";
     case Storage::opaque: return "object";
     case Storage::enumeration: return "enumeration";
@@ -58,6 +59,7 @@ std::string_view storage_text(Storage storage) {
 std::string literal(const Row& row, const void* record) {
   switch (row.storage) {
     case Storage::matrix_container:
+    case Storage::beam_section:
     case Storage::output_variable: return "None";
     case Storage::opaque: return row.name.find("UserFunction") != std::string_view::npos ? "0" : "[]";
     case Storage::user_function: return "0";

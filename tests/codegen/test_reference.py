@@ -100,7 +100,7 @@ def default_of(row: Parameter) -> Any:
 
 
 def expected_default(row: Parameter, fact: dict[str, Any]) -> Any:
-    if row.type.index or row.type.function or row.type.opaque or row.type.storage == "matrix_container":
+    if row.type.complete:
         return None
     if row.type.storage == "output_variable":
         return "_None" if "_None" in fact["default"] else fact["default"]

@@ -89,7 +89,16 @@ def draw(rng: np.random.Generator, row: Parameter, planar: bool = False) -> Any:
         return root @ root.T / 6 + np.eye(6)
     if storage.startswith("vector") and row.shape[0]:
         return rng.uniform(-1, 1, row.shape[0])
-    return None
+    return random_section(rng) if storage == "beam_section" else None
+
+
+def random_section(rng: np.random.Generator) -> Any:
+    """Without any symmetry."""
+    section = exu.BeamSection()
+    stiffness, damping, inertia = (root @ root.T + np.eye(6) for root in rng.uniform(-0.5, 0.5, (3, 6, 6)))
+    section.stiffnessMatrix, section.dampingMatrix, section.inertia = stiffness, damping, inertia[:3, :3]
+    section.massPerLength = rng.uniform(1, 2)
+    return section
 
 
 def one_for_each(values: list[Any], markers: int) -> list[Any]:
@@ -234,10 +243,13 @@ class Scene:
                 coordinates += next(value for key, value in entry.values.items() if key.startswith("numberOf"))
                 continue
             start = replace(reference, position=reference.point(entry.at))
+            if item.scene.bent:
+                start = replace(start, rotation=start.rotation @ random_rotation(self.rng, KINDS[name].planar))
             here = self._near(start) if item.scene.small_deformations else self._deformed(motion, entry, KINDS[name])
             nodes.append(self.node(name, start, here))
             coordinates += len(KINDS[name].total(here))
-        rows = {row.name: draw(self.rng, row) for row in item.parameters if row.type.storage == "real"}
+        drawn = ("real", "beam_section")
+        rows = {row.name: draw(self.rng, row) for row in item.parameters if row.type.storage in drawn}
         key = "nodeNumbers" if has_row(item, "nodeNumbers") else "nodeNumber"
         numbers = nodes if key == "nodeNumbers" else nodes[0]
         made = self.mbs.AddObject(getattr(exu, item.name)(**{key: numbers}, **rows | self._fixed(item)))

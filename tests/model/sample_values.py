@@ -38,6 +38,12 @@ def function(*arguments: Any) -> float:
     return 0.0
 
 
+def section() -> Any:
+    made = exu.BeamSection()
+    made.massPerLength, made.stiffnessMatrix = 2.0, np.diag([1.0, 2.0, 3.0, 4.0, 5.0, 6.0])
+    return made
+
+
 def parameters(item: Item) -> list[Parameter]:
     """The constructor's arguments of an item, without the name."""
     return [row for row in item.parameters if not row.internal and row.name != "name"]
@@ -82,6 +88,7 @@ def sample(row: Parameter) -> Any:
         "joint_types": [exu.JointType.RevoluteZ],
         "user_function": function,
         "opaque": [{"type": "Line"}],
+        "beam_section": section(),
     }
     return values[storage]
 

@@ -59,7 +59,7 @@ def test_dictionaries_and_json_bring_the_item_back(item: Item, make: Any) -> Non
             read[row.name] = exu.OutputVariableType(read[row.name])
         elif row.type.storage == "joint_types":
             read[row.name] = [exu.JointType(number) for number in read[row.name]]
-        elif row.type.opaque:
+        elif row.type.opaque or row.type.storage == "beam_section":
             read[row.name] = data[row.name]  # sections of beams: objects of Python
     kind = item.kind.title()
     added = []

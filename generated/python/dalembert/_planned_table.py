@@ -23,7 +23,6 @@ ITEMS = (
     "ObjectALEANCFCable2D",
     "ObjectANCFBeam",
     "ObjectANCFThinPlate",
-    "ObjectBeamGeometricallyExact",
     "ObjectBeamGeometricallyExact2D",
     "ObjectContactCircleCable2D",
     "ObjectContactConvexRoll",

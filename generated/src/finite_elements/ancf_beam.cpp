@@ -18,7 +18,7 @@ constexpr std::array<Row, 9> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "nodeNumbers", .storage = Storage::nodes, .offset = offsetof(Record, parameters.nodeNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
     {.name = "physicsLength", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsLength), .role = Role::parameter, .check = Check::positive, .unit = "m"},
-    {.name = "sectionData", .storage = Storage::opaque, .offset = offsetof(Record, parameters.sectionData), .role = Role::parameter},
+    {.name = "sectionData", .storage = Storage::beam_section, .offset = offsetof(Record, parameters.sectionData), .role = Role::parameter},
     {.name = "crossSectionPenaltyFactor", .storage = Storage::vector3, .offset = offsetof(Record, parameters.crossSectionPenaltyFactor), .role = Role::parameter, .unit = "1"},
     {.name = "crossSectionDamping", .storage = Storage::vector3, .offset = offsetof(Record, parameters.crossSectionDamping), .role = Role::parameter, .unit = "s"},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},

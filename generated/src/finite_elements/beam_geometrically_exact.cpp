@@ -5,6 +5,11 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/body.hpp"
+#include "dalembert/items/finite_elements/beam_geometrically_exact.hpp"
+#include "dalembert/items/nodes/rigid_body_ep.hpp"
+#include "dalembert/items/nodes/rigid_body_rot_vec_lg.hpp"
+#include "dalembert/items/nodes/rigid_body_rxyz.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -18,7 +23,7 @@ constexpr std::array<Row, 7> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "nodeNumbers", .storage = Storage::nodes, .offset = offsetof(Record, parameters.nodeNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
     {.name = "physicsLength", .storage = Storage::real, .offset = offsetof(Record, parameters.physicsLength), .role = Role::parameter, .check = Check::positive, .unit = "m"},
-    {.name = "sectionData", .storage = Storage::opaque, .offset = offsetof(Record, parameters.sectionData), .role = Role::parameter},
+    {.name = "sectionData", .storage = Storage::beam_section, .offset = offsetof(Record, parameters.sectionData), .role = Role::parameter},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
     {.name = "sectionGeometry", .storage = Storage::opaque, .offset = offsetof(Record, visualization.sectionGeometry), .role = Role::visualization},
     {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
@@ -35,6 +40,8 @@ constexpr std::array<OutputVariableType, 6> outputs{
     OutputVariableType::CurvatureLocal,
 };
 
+const auto& physics = BodyPhysics<ObjectBeamGeometricallyExact, ObjectBeamGeometricallyExactRecord, NodeRigidBodyEP, NodeRigidBodyRxyz, NodeRigidBodyRotVecLG>{};
+
 }  // namespace object_beam_geometrically_exact
 
 extern const ItemType object_beam_geometrically_exact_type;
@@ -50,7 +57,7 @@ const ItemType object_beam_geometrically_exact_type{
     .record = record_operations<object_beam_geometrically_exact::Record>(),
     .requested_node = Capability::position | Capability::orientation,
     .requested_marker = Capability::none,
-    .physics = nullptr,
+    .physics = &object_beam_geometrically_exact::physics,
     .spec = "specs/finite_elements/beam_geometrically_exact.toml",
 };
 

@@ -48,14 +48,16 @@ struct BodyPhysics final : ObjectPhysics {
 
   template <class F>
   static void choose(std::span<const ItemType* const> nodes, F&& f) {
+    [[maybe_unused]] const auto all = [&](std::string_view name) {
+      return std::ranges::all_of(nodes, [&](const ItemType* node) { return node->name == name; });
+    };
     if constexpr (sizeof...(Nodes) == 0) {
       f.template operator()<Body>();
+    } else if constexpr (requires { Body::nodes; }) {  // on the motions of several nodes of one type
+      ((all(Nodes::item) ? (f.template operator()<StrainElement<typename Body::template On<Nodes>>>(), true) : false) || ...);
     } else if constexpr (requires { Body::size; }) {
       using Element = typename ElementOf<Body>::Type;
       static_assert(ElementKernel<Element>, "see core/include/dalembert/contracts/element.hpp");
-      const auto all = [&](std::string_view name) {
-        return std::ranges::all_of(nodes, [&](const ItemType* node) { return node->name == name; });
-      };
       ((all(Nodes::item) ? (f.template operator()<Element>(), true) : false) || ...);
     } else {
       static_assert(BodyKernel<Body>, "see core/include/dalembert/contracts/element.hpp");

@@ -52,6 +52,10 @@ struct StrainElement {
   using Map = typename E::Map;
   static constexpr int size = Map::size, node_size = E::node_size, dimension = Map::dimension, numbers = dimension * Map::vectors;
   static constexpr bool constant_mass = E::constant_mass, constant_jacobian = E::constant_jacobian, oriented = E::oriented;
+  static constexpr auto lie_rotations = [] {
+    if constexpr (requires { Map::lie_rotations; }) return Map::lie_rotations;
+    else return std::array<int, 0>{};
+  }();
   template <class S>
   using Local = Vectors<S, dimension, Map::vectors>;
   template <class S>
@@ -83,7 +87,9 @@ struct StrainElement {
   }
 
   // User functions are called for one element at a time.
-  static bool same_law(const Parameters& p, const Prepared& k, const Parameters& other_p, const Prepared& other) {
+  static bool same_law(const Parameters& p, const Prepared& k, const Parameters& other_p, const Prepared& other)
+    requires Map::linear  // functions of angles are for single numbers
+  {
     return !E::calls(p) && !E::calls(other_p) && k == other;
   }
 
@@ -105,7 +111,9 @@ struct StrainElement {
   // The sum of w (B' C B + geometric part): one sweep of dual numbers through strain, law and pull-back at each point.
   template <class T>
   static Mat<T, size, size> tangent(const Parameters& p, const Prepared& k, const Context& c, const Coordinates<T, size>& x,
-                                    const Weights& w) {
+                                    const Weights& w)
+    requires Map::derives
+  {
     Mat<T, size, size> r{};
     if (w.q != 0 || w.v != 0) {
       const Local<T> y = Map::local(k.constants, x);
@@ -159,6 +167,12 @@ struct StrainElement {
     auto strain() const {
       return std::tuple_element_t<family, typename E::Families>::strain(k, fields<family>());
     }
+    // What of the strain has a stress.
+    template <int family>
+    auto elastic_strain() const {
+      using F = std::tuple_element_t<family, typename E::Families>;
+      return strain<family>() - free_strain<F>();
+    }
     template <int family>
     auto stress() const {
       return E::calls(p) ? stress_in<std::tuple_element_t<family, typename E::CallingFamilies>>()
@@ -171,9 +185,12 @@ struct StrainElement {
       const double xi = E::along(k, request.local);
       const auto shape = F::shape(xi);
       const auto at = interpolated<F>(shape, Map::local(k, x)), rates = interpolated<F>(shape, Map::local_rate(k, x));
+      return stress_at<F, true>(p, k, c, xi, free_strain<F>(), at, rates);
+    }
+    template <class F>
+    auto free_strain() const {
       const Coordinates<double, size> reference{.q = load<double, size>(request.reference.data()), .v = {}, .a = {}};
-      const auto free = stress_free<F>(p, k, shape, Map::local(k, reference));
-      return stress_at<F, true>(p, k, c, xi, free, at, rates);
+      return stress_free<F>(p, k, F::shape(E::along(k, request.local)), Map::local(k, reference));
     }
   };
   static bool output(const Parameters& p, const Context& c, const Coordinates<double, size>& x, const OutputRequest& request,

@@ -86,9 +86,11 @@ concept StrainMap = requires(const K& k, const Coordinates<double, M::size>& x, 
   { M::local(k, x) } -> std::same_as<Vectors<double, M::dimension, M::vectors>>;
   { M::local_rate(k, x) } -> std::same_as<Vectors<double, M::dimension, M::vectors>>;
   { M::pull_back(k, x, y) } -> std::same_as<Vec<double, M::size>>;
-  // J'mJ + d(J')y: `m` derives forces along the weights, `damping` by rates alone.
-  { M::tangent(k, x, y, m, m, w) } -> std::same_as<Mat<double, M::size, M::size>>;
   { M::linear } -> std::convertible_to<bool>;
+  requires !M::linear || M::derives;
+  // False: dual numbers go through the whole element, one direction per coordinate. True: the map states its derivative,
+  // J'mJ + d(J')y; `m` derives forces along the weights, `damping` by rates alone.
+  requires !M::derives || requires { { M::tangent(k, x, y, m, m, w) } -> std::same_as<Mat<double, M::size, M::size>>; };
 };
 
 namespace detail {
@@ -111,7 +113,7 @@ concept StrainKernel =
       { E::damped(k) } -> std::same_as<bool>;
       { E::along(k, v) } -> std::same_as<double>;  // from 0 to 1, of a local position
       { E::inertia(k, x) } -> std::same_as<Vec<double, E::Map::size>>;
-      E::add_inertia_tangent(k, x, w, m);
+      requires !E::Map::derives || requires { E::add_inertia_tangent(k, x, w, m); };
       { E::node_size } -> std::convertible_to<int>;
       { E::motion(p, x, v) } -> std::same_as<Motion<double>>;
       { E::pull_back(p, x, v, v, v) } -> std::same_as<Vec<double, E::Map::size>>;

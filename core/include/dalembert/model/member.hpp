@@ -58,6 +58,7 @@ decltype(auto) with_type(Storage storage, F&& f) {
     case Storage::sensors: return f(TypeTag<std::vector<SensorIndex>>{});
     case Storage::output_variable: return f(TypeTag<OutputVariableType>{});
     case Storage::joint_types: return f(TypeTag<std::vector<JointType>>{});
+    case Storage::beam_section: return f(TypeTag<BeamSection>{});
     case Storage::user_function: return f(TypeTag<UserFunction>{});
     case Storage::opaque: return f(TypeTag<Opaque>{});
     case Storage::enumeration: return f(TypeTag<std::uint32_t>{});

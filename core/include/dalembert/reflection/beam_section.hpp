@@ -14,6 +14,7 @@ struct BeamSection {
   Mat<double, 3, 3> inertia;          // kg m
   Mat<double, 6, 6> stiffnessMatrix;  // N, N m, N m^2
   Mat<double, 6, 6> dampingMatrix;    // times s
+  bool operator==(const BeamSection&) const = default;
 };
 
 // For drawing only.

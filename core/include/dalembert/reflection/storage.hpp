@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "dalembert/math/fixed.hpp"
+#include "dalembert/reflection/beam_section.hpp"
 
 namespace dalembert {
 
@@ -49,7 +50,7 @@ struct MatrixContainer {
   bool empty() const { return rows == 0 || columns == 0; }
 };
 
-// Something that lives outside the core (graphics data, a section object): kept, copied, never looked into.
+// Something that lives outside the core (graphics data, the outline of a section): kept, copied, never looked into.
 struct Opaque {
   std::shared_ptr<void> object;
 };
@@ -82,6 +83,7 @@ enum class Storage : std::uint8_t {
   nodes, objects, markers, loads, sensors,   // std::vector<ItemIndex<kind>>
   output_variable,  // OutputVariableType
   joint_types,      // std::vector<JointType>
+  beam_section,     // BeamSection
   user_function,    // UserFunction
   opaque,           // Opaque
   enumeration,      // any other generated enumeration (settings)

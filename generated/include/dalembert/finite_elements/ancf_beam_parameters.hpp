@@ -10,7 +10,7 @@ namespace dalembert {
 struct ObjectANCFBeamParameters {
   std::vector<NodeIndex> nodeNumbers = std::vector<NodeIndex>(2);
   double physicsLength = 0.0;
-  Opaque sectionData;
+  BeamSection sectionData;
   Vec<double, 3> crossSectionPenaltyFactor = {1.0, 1.0, 1.0};
   Vec<double, 3> crossSectionDamping = {};
 };

@@ -10,7 +10,7 @@ namespace dalembert {
 struct ObjectBeamGeometricallyExactParameters {
   std::vector<NodeIndex> nodeNumbers = std::vector<NodeIndex>(2);
   double physicsLength = 0.0;
-  Opaque sectionData;
+  BeamSection sectionData;
 };
 
 struct ObjectBeamGeometricallyExactVisualization {

@@ -57,7 +57,7 @@ struct AncfCableAxis {
 
   struct Map {
     static constexpr int dimension = D, vectors = 3, size = 4 * D;
-    static constexpr bool linear = true;
+    static constexpr bool linear = true, derives = true;
 
     template <class S>
     static Vectors<S, D, 3> local(const Constants& k, const Coordinates<S, size>& x) {
