@@ -27,7 +27,6 @@ ITEMS = (
     "ObjectANCFThinPlate",
     "ObjectBeamGeometricallyExact",
     "ObjectBeamGeometricallyExact2D",
-    "ObjectContactCircleCable2D",
     "ObjectContactConvexRoll",
     "ObjectContactCurveCircles",
     "ObjectContactFrictionCircleCable2D",
@@ -35,10 +34,7 @@ ITEMS = (
     "ObjectContactSphereTriangle",
     "ObjectJointALEMoving2D",
     "ObjectJointSliding",
-    "ObjectJointSliding2D",
     "MarkerBodyBeamShape",
-    "MarkerBodyCable2DCoordinates",
-    "MarkerBodyCable2DShape",
     "MarkerKinematicTreeRigid",
     "SensorKinematicTree",
 )

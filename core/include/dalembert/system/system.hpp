@@ -121,6 +121,8 @@ class System {
   // One factor per algebraic variable: -1 for multipliers, which static solvers count with the opposite sign, 1 for
   // coordinates among them.
   std::span<const double> static_signs() const;
+  // Equations of coordinates say what these are: they constrain no motion.
+  bool constrains_motion(int equation) const { return static_signs()[static_cast<std::size_t>(equation)] < 0; }
 
   // Update data coordinates after a converged Newton loop (friction, contact, post-Newton user functions of items).
   Discontinuity post_newton(State& state, const Conditions& conditions);
