@@ -16,7 +16,9 @@ RADIUS, STIFFNESS, MASS = 0.2, 1e4, 2.0
 class Press:
     """A circle above the middle of a cable of several elements between two hinges. `fixed`: the cable does not move."""
 
-    def __init__(self, height: float, fixed: bool = False, x: float = 0.0, speed: float = 0.0, load: float = 0.0, **contact: Any) -> None:
+    def __init__(
+        self, height: float, fixed: bool = False, x: float = 0.0, speed: float = 0.0, load: float = 0.0, **contact: Any
+    ) -> None:
         self.mbs = mbs = exu.SystemContainer().AddSystem()
         self.nodes = [
             mbs.AddNode(exu.NodePoint2DSlope1(referenceCoordinates=[x0, 0, 1, 0])) for x0 in np.linspace(-1, 1, 5)
@@ -149,7 +151,11 @@ def test_offset_of_the_shape_turns_with_the_cable() -> None:
     data = mbs.AddNode(exu.NodeGenericData(numberOfDataCoordinates=1, initialCoordinates=[0]))
     mbs.AddObject(
         exu.ObjectContactCircleCable2D(
-            markerNumbers=[circle, shape], nodeNumber=data, numberOfContactSegments=1, contactStiffness=100, circleRadius=0.15
+            markerNumbers=[circle, shape],
+            nodeNumber=data,
+            numberOfContactSegments=1,
+            contactStiffness=100,
+            circleRadius=0.15,
         )
     )
     mbs.Assemble()

@@ -19,12 +19,12 @@ ROTATIONS = pytest.mark.parametrize("rotation", [False, True], ids=["free", "gui
 
 def hermite(x: float, length: float) -> np.ndarray:
     """Weights of the nodes for position, slope and second derivative at a place: one row each."""
-    s, l = x / length, length
+    s, h = x / length, length
     return np.array(
         [
-            [1 - 3 * s**2 + 2 * s**3, l * (s - 2 * s**2 + s**3), 3 * s**2 - 2 * s**3, l * (s**3 - s**2)],
-            [(6 * s**2 - 6 * s) / l, 1 - 4 * s + 3 * s**2, (6 * s - 6 * s**2) / l, 3 * s**2 - 2 * s],
-            [(12 * s - 6) / l**2, (6 * s - 4) / l, (6 - 12 * s) / l**2, (6 * s - 2) / l],
+            [1 - 3 * s**2 + 2 * s**3, h * (s - 2 * s**2 + s**3), 3 * s**2 - 2 * s**3, h * (s**3 - s**2)],
+            [(6 * s**2 - 6 * s) / h, 1 - 4 * s + 3 * s**2, (6 * s - 6 * s**2) / h, 3 * s**2 - 2 * s],
+            [(12 * s - 6) / h**2, (6 * s - 4) / h, (6 - 12 * s) / h**2, (6 * s - 2) / h],
         ]
     )
 
@@ -66,7 +66,9 @@ class Bead:
 
     mass, inertia = 2.0, 0.3
 
-    def __init__(self, wire: Wire, s: float, fixed: bool = True, gravity: float = 9.0, speed: float = 0.0, **joint: Any) -> None:
+    def __init__(
+        self, wire: Wire, s: float, fixed: bool = True, gravity: float = 9.0, speed: float = 0.0, **joint: Any
+    ) -> None:
         self.mbs = mbs = exu.SystemContainer().AddSystem()
         self.wire = wire
         self.nodes = [mbs.AddNode(exu.NodePoint2DSlope1(referenceCoordinates=row)) for row in wire.nodes]
@@ -210,7 +212,9 @@ def test_axial_force_drives_the_body(force: float) -> None:
 @ROTATIONS
 def test_with_a_cable_that_floats(classical: bool, rotation: bool) -> None:
     """Nothing acts from outside: linear momentum stays. What the joint does to body and cable is in balance, and does no work."""
-    bead = Bead(valley(), 0.4, fixed=False, gravity=0, speed=1.0, classicalFormulation=classical, constrainRotation=rotation)
+    bead = Bead(
+        valley(), 0.4, fixed=False, gravity=0, speed=1.0, classicalFormulation=classical, constrainRotation=rotation
+    )
     mbs = bead.mbs
     mass = testing.mass_matrix(mbs, testing.State(mbs))
     reference = mbs.systemData.GetODE2Coordinates(exu.ConfigurationType.Reference)
@@ -255,7 +259,10 @@ def test_beyond_the_ends(classical: bool) -> None:
     [
         ({"slidingMarkerOffsets": [0.0]}, "slidingMarkerOffsets.*1 offsets.*4, one for each"),
         ({"slidingMarkerNumbers": []}, "slidingMarkerNumbers.*an empty list"),
-        ({"slidingMarkerNumbers": [exu.MarkerIndex(0)] * 4}, "slidingMarkerNumbers.*MarkerNodeCoordinate.*MarkerBodyCable2DCoordinates"),
+        (
+            {"slidingMarkerNumbers": [exu.MarkerIndex(0)] * 4},
+            "slidingMarkerNumbers.*MarkerNodeCoordinate.*MarkerBodyCable2DCoordinates",
+        ),
     ],
 )
 def test_refusals(change: dict[str, Any], message: str) -> None:

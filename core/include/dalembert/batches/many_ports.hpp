@@ -34,24 +34,23 @@ class ManyPortsBatch final : public Term, public AlgebraicCoordinates {
     for (const int position : acting.always) e.markers.push_back(placement.markers[static_cast<std::size_t>(position)]);
     e.always = static_cast<int>(e.markers.size());
     for (const int position : acting.alternatives) e.markers.push_back(placement.markers[static_cast<std::size_t>(position)]);
-    int first_slot = next_slot_;
+    e.is_full = K::forces_follow_motion(e.parameters);
     for (int i = 0; i < e.cases(); ++i) {
-      e.first_slots.push_back(first_slot);
-      int columns = static_cast<int>(e.rows.size());
-      e.each_marker(i, [&](int marker) { columns += ports.ports[marker].n; });
-      first_slot += columns * columns;
+      e.first_slots.push_back(next_slot_);
+      int coordinates = 0;
+      e.each_marker(i, [&](int marker) { coordinates += ports.ports[marker].n; });
+      next_slot_ += Block(e, coordinates).size();
     }
-    next_slot_ = first_slot;
     entries_.push_back(std::move(e));
   }
   void refresh(int entry, const void* record) override {
     Entry& e = entries_[static_cast<std::size_t>(entry)];
     e.parameters = parameters_between_markers<Parameters, Record>(record);
-    if (K::algebraic_equations(e.parameters, e.coordinates) != e.algebraic)
-      refuse(ErrorKind::state, {"object " + std::to_string(e.item), "", "the number of its equations has changed since the system was assembled",
+    if (K::algebraic_equations(e.parameters, e.coordinates) != e.algebraic || K::forces_follow_motion(e.parameters) != e.is_full)
+      refuse(ErrorKind::state, {"object " + std::to_string(e.item), "", "its equations have changed their number or their kind since the system was assembled",
                                 "", "", "Use mbs.ModifyObject(...), then mbs.Assemble()"});
   }
-  // For each alternative one block: coordinates of the markers, then the unknowns of the item.
+  // For each alternative: rows and columns are those of the coordinates of the markers, then those of the unknowns of the item.
   void visit(BlockVisitor& visitor, const Ports& ports) const override {
     std::vector<int> all;
     for (const Entry& e : entries_)
@@ -61,8 +60,10 @@ class ManyPortsBatch final : public Term, public AlgebraicCoordinates {
           const auto dofs = ports.marker_dofs(marker);
           all.insert(all.end(), dofs.begin(), dofs.end());
         });
+        const std::size_t coordinates = all.size();
         all.insert(all.end(), e.rows.begin(), e.rows.end());
-        visitor.block(all, all);
+        visitor.block(std::span(all).first(coordinates), e.is_full ? std::span<const int>(all) : std::span<const int>(e.rows));
+        visitor.block(e.rows, all);
       }
   }
   void mark(std::span<double> signs) const override {
@@ -89,9 +90,9 @@ class ManyPortsBatch final : public Term, public AlgebraicCoordinates {
       if (active(e.parameters)) {
         sweep(e, c, evaluation, weights, ports, values);
       } else {
-        const int coordinates = place_markers(e, 0, ports), columns = coordinates + static_cast<int>(e.rows.size());
-        for (int k = coordinates; k < coordinates + e.algebraic; ++k)
-          values[slots[static_cast<std::size_t>(e.first_slots[0] + k * columns + k)]] += 1;
+        const Block block(e, place_markers(e, 0, ports));
+        for (int k = 0; k < e.algebraic; ++k)
+          values[slots[static_cast<std::size_t>(e.first_slots[0] + block.unknown(k, block.coordinates + k))]] += 1;
       }
     }
   }
@@ -133,6 +134,7 @@ class ManyPortsBatch final : public Term, public AlgebraicCoordinates {
     std::vector<int> first_slots;  // by alternative
     std::vector<int> coordinates;  // by marker of its list: how many it selects
     int always = 0, algebraic = 0;
+    bool is_full = true;           // forces change with the coordinates
     int item = -1, first_data = -1, data_count = 0, first_ae = -1;
 
     int cases() const { return std::max(1, static_cast<int>(markers.size()) - always); }
@@ -142,6 +144,15 @@ class ManyPortsBatch final : public Term, public AlgebraicCoordinates {
       for (int i = 0; i < always; ++i) f(markers[static_cast<std::size_t>(i)]);
       if (static_cast<int>(markers.size()) > always) f(markers[static_cast<std::size_t>(always + chosen)]);
     }
+  };
+
+  // Where the entries of one alternative lie among its slots.
+  struct Block {
+    int coordinates, columns, left;  // left: the first column that rows of coordinates have
+    Block(const Entry& e, int n) : coordinates(n), columns(n + static_cast<int>(e.rows.size())), left(e.is_full ? 0 : n) {}
+    int size() const { return unknown(columns - coordinates, 0); }
+    int coordinate(int row, int column) const { return row * (columns - left) + column - left; }
+    int unknown(int row, int column) const { return coordinates * (columns - left) + row * columns + column; }
   };
 
   static bool active(const Parameters& p) { return p.activeConnector; }
@@ -160,7 +171,7 @@ class ManyPortsBatch final : public Term, public AlgebraicCoordinates {
     places_.clear();
     e.each_marker(K::alternative(e.parameters, context(e, evaluation)), [&](int marker) {
       const PortLayout& port = ports.ports[marker];
-      places_.push_back({port.first_value, port.values, port.first_force, port.forces});
+      places_.push_back({port.first_value, port.values, port.first_force, port.forces, port.n > 0});
     });
     Exchange<double> x(places_, ports.values.data(), forces);
     x.unknowns = unknowns_;
@@ -185,6 +196,7 @@ class ManyPortsBatch final : public Term, public AlgebraicCoordinates {
       const PortLayout& port = ports.ports[marker];
       next.values = port.values;
       next.forces = port.forces;
+      next.moves = port.n > 0;
       moving_places_.push_back(next);
       acting_.push_back({marker, coordinates});
       next.value += port.values;
@@ -198,19 +210,19 @@ class ManyPortsBatch final : public Term, public AlgebraicCoordinates {
 
   void sweep(const Entry& e, const Context& c, const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const {
     const int chosen = K::alternative(e.parameters, c);
-    const int coordinates = place_markers(e, chosen, ports), columns = coordinates + static_cast<int>(e.rows.size());
+    const Block block(e, place_markers(e, chosen, ports));
     const int* slot = slots.data() + e.first_slots[static_cast<std::size_t>(chosen)];
     take_unknowns(e, evaluation);
-    for (int first = 0; first < columns; first += sweep_width) {
+    for (int first = 0; first < block.columns; first += sweep_width) {
       move_frames(ports, first);
-      move_unknowns(e, weights, coordinates, first);
+      move_unknowns(e, weights, block.coordinates, first);
       Exchange<SweepDual> x(moving_places_, moving_values_.data(), moving_forces_.data());
       x.unknowns = moving_unknowns_;
       x.equations = moving_equations_;
       x.rate_level = evaluation.rate_level;
       K::template evaluate<SweepDual>(e.parameters, c, x);
-      for (std::size_t i = 0; i < acting_.size(); ++i) scatter(ports, i, columns, first, slot, values);
-      add_equations(e, weights, coordinates, columns, first, slot, values);
+      for (std::size_t i = 0; i < acting_.size(); ++i) scatter(ports, i, block, first, slot, values);
+      add_equations(e, weights, block, first, slot, values);
     }
   }
 
@@ -237,9 +249,11 @@ class ManyPortsBatch final : public Term, public AlgebraicCoordinates {
         moving_unknowns_[static_cast<std::size_t>(k)].d[static_cast<std::size_t>(column)] = k < e.algebraic ? 1 : weights.y;
   }
   // values -= J^T force.d in the rows of one marker.
-  void scatter(const Ports& ports, std::size_t i, int columns, int first, const int* slot, double* values) const {
+  void scatter(const Ports& ports, std::size_t i, const Block& block, int first, const int* slot, double* values) const {
     const auto [marker, offset] = acting_[i];
-    const int n = ports.ports[marker].n, forces = moving_places_[i].forces, count = std::min(sweep_width, columns - first);
+    const int begin = std::max(0, block.left - first), end = std::min(sweep_width, block.columns - first);
+    if (begin >= end) return;
+    const int n = ports.ports[marker].n, forces = moving_places_[i].forces;
     const double* jacobian = ports.jacobian(marker);
     const SweepDual* force = moving_forces_.data() + moving_places_[i].force;
     for (int row = 0; row < n; ++row) {
@@ -247,17 +261,17 @@ class ManyPortsBatch final : public Term, public AlgebraicCoordinates {
       for (int f = 0; f < forces; ++f)
         if (const double j = jacobian[f * n + row]; j != 0)
           for (int k = 0; k < sweep_width; ++k) sum[k] += j * force[f].d[k];
-      for (int k = 0; k < count; ++k) values[slot[(offset + row) * columns + first + k]] -= sum[k];
+      for (int k = begin; k < end; ++k) values[slot[block.coordinate(offset + row, first + k)]] -= sum[k];
     }
   }
   // Rows of constraints are divided by the weight of the coordinates.
-  void add_equations(const Entry& e, const Weights& weights, int coordinates, int columns, int first, const int* slot, double* values) const {
+  void add_equations(const Entry& e, const Weights& weights, const Block& block, int first, const int* slot, double* values) const {
     const double scale = 1 / (weights.q != 0 ? weights.q : weights.v);
-    const int count = std::min(sweep_width, columns - first);
+    const int count = std::min(sweep_width, block.columns - first);
     for (int row = 0; row < static_cast<int>(e.rows.size()); ++row)
       for (int k = 0; k < count; ++k) {
-        const double factor = row < e.algebraic && first + k < coordinates ? scale : 1;
-        values[slot[(coordinates + row) * columns + first + k]] += factor * moving_equations_[static_cast<std::size_t>(row)].d[static_cast<std::size_t>(k)];
+        const double factor = row < e.algebraic && first + k < block.coordinates ? scale : 1;
+        values[slot[block.unknown(row, first + k)]] += factor * moving_equations_[static_cast<std::size_t>(row)].d[static_cast<std::size_t>(k)];
       }
   }
 

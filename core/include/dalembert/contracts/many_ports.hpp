@@ -41,6 +41,7 @@ class Exchange {
  public:
   struct Place {
     int value = 0, values = 0, force = 0, forces = 0;  // where they begin, and how many there are
+    bool moves = false;                                // it has coordinates
   };
 
   Exchange(std::span<const Place> markers, const S* values, S* forces) : values_(values), forces_(forces), places_(markers) {}
@@ -52,6 +53,8 @@ class Exchange {
   }
   std::span<const S> values(int marker) const { return {values_ + place(marker).value, static_cast<std::size_t>(place(marker).values)}; }
   std::span<S> forces(int marker) { return {forces_ + place(marker).force, static_cast<std::size_t>(place(marker).forces)}; }
+  int selected(int marker) const { return place(marker).forces; }  // how many numbers of a marker have forces
+  bool moves(int marker) const { return place(marker).moves; }     // or it rests on ground
   // Adds what acts on a marker.
   template <class Force>
   void apply(int marker, const Force& force) {
@@ -90,7 +93,15 @@ class Connections {
   const ItemLabel& item() const { return item_; }
   int coordinates(int position) const { return port(position).forces; }
   const ItemType& type(int position) const { return *on_.marker_types[static_cast<std::size_t>(position)]; }
-  bool provides(int position, std::string_view what) const { return std::ranges::find(type(position).provides, what) != type(position).provides.end(); }
+  // Whether the frame of the port can be read at a marker: that of a rigid body begins with that of a point.
+  template <class Port>
+  bool gives(int position) const {
+    const PortLayout& at = port(position);
+    const auto is = [&]<class P>(P) { return at.values == P::values && at.forces == P::forces; };
+    if constexpr (Port::forces == ScalarPort::forces) return provides(position, "Coordinate") && is(ScalarPort());
+    else if constexpr (Port::forces == RigidPort::forces) return provides(position, "Orientation") && is(RigidPort());
+    else return provides(position, "Position") && (is(PointPort()) || is(RigidPort()));
+  }
 
   [[noreturn]] void refuse(const char* parameter, const std::string& received, const std::string& expected) const {
     dalembert::refuse(ErrorKind::value, {item_, parameter, "", received, expected, ""});
@@ -107,6 +118,7 @@ class Connections {
   }
 
  private:
+  bool provides(int position, std::string_view what) const { return std::ranges::find(type(position).provides, what) != type(position).provides.end(); }
   const PortLayout& port(int position) const { return ports_.ports[static_cast<std::size_t>(on_.markers[static_cast<std::size_t>(position)])]; }
 
   const Placement& on_;
@@ -126,6 +138,7 @@ struct AllMarkersAct {
 struct NoAlgebraicEquations {
   static int algebraic_equations(const auto&, std::span<const int>) { return 0; }
   static bool is_multiplier(const auto&, int) { return true; }
+  static bool forces_follow_motion(const auto&) { return true; }
 };
 struct NoHistory {
   static constexpr bool has_history = false;
@@ -144,6 +157,7 @@ concept ManyPortsKernel = requires(const typename K::Parameters& p, const Contex
   { K::alternative(p, c) } -> std::same_as<int>;  // which one acts: its place among the alternatives
   { K::algebraic_equations(p, coordinates) } -> std::same_as<int>;  // by the numbers of coordinates that the markers select
   { K::is_multiplier(p, 0) } -> std::same_as<bool>;  // of an algebraic unknown: a Lagrange multiplier, or a coordinate
+  { K::forces_follow_motion(p) } -> std::same_as<bool>;  // false: reactions of a linear constraint, which coordinates do not change
   { K::template evaluate<double>(p, c, x) } -> std::same_as<void>;
   requires std::same_as<decltype(K::has_history), const bool>;
   { K::update(p, c, given, history) } -> std::same_as<PostNewton>;

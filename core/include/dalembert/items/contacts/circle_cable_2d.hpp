@@ -43,7 +43,7 @@ struct ObjectContactCircleCable2D : AllMarkersAct, NoAlgebraicEquations, NoOutpu
   }
 
   static void check(const Parameters& p, const Connections& on) {
-    on.require(on.provides(circle, "Position"), circle, "markerNumbers", "a marker with a position for the circle");
+    on.require(on.gives<PointPort>(circle), circle, "markerNumbers", "a marker with a position for the circle");
     on.require(on.type(cable).name == "MarkerBodyCable2DShape", cable, "markerNumbers", "a MarkerBodyCable2DShape for the cable");
     const int segments = on.coordinates(cable) / 2 - 1;
     if (segments != p.numberOfContactSegments)

@@ -27,6 +27,7 @@ struct ObjectJointSliding2D {
   // ---- unknowns: two multipliers, the way within the step, and a multiplier for the rotation -----------------------------------
   static int algebraic_equations(const Parameters& p, std::span<const int>) { return p.constrainRotation ? 4 : 3; }
   static bool is_multiplier(const Parameters&, int k) { return k != way; }
+  static bool forces_follow_motion(const Parameters&) { return true; }
 
   template <class S>
   static void evaluate(const Parameters& p, const Context& c, Exchange<S>& x) {
@@ -77,8 +78,8 @@ struct ObjectJointSliding2D {
   }
 
   static void check(const Parameters& p, const Connections& on) {
-    const char* const capability = p.constrainRotation ? "Orientation" : "Position";
-    on.require(on.provides(0, capability), 0, "markerNumbers", p.constrainRotation ? "a rigid body marker for the body" : "a marker with a position for the body");
+    on.require(p.constrainRotation ? on.gives<RigidPort>(0) : on.gives<PointPort>(0), 0, "markerNumbers",
+               p.constrainRotation ? "a rigid body marker for the body" : "a marker with a position for the body");
     if (elements(p) == 0) on.refuse("slidingMarkerNumbers", "an empty list", "the markers of the cable elements, in their order");
     for (int i = 1; i < on.markers(); ++i)
       on.require(on.type(i).name == "MarkerBodyCable2DCoordinates", i, i == 1 ? "markerNumbers" : "slidingMarkerNumbers",
