@@ -25,6 +25,7 @@ EXEMPT = {
     "holonomic": "reactions are the virtual work of the gaps",
     "values": "rates of its markers' values are their rates",
     "rates": "reactions are the virtual work of the rates",
+    "coordinates": "all of its unknowns are multipliers",
     "rates_on_velocity_level": "the same, for equations of velocities",
     "user_jacobian": "the tangent is complete with the Jacobian of a user",
     "joints": "it can follow any joint of frames",

@@ -1,8 +1,10 @@
 // The equations of an assembled system at any state, for tests and for authors of integrators: dalembert._core.testing.
 #include <pybind11/numpy.h>
+#include <pybind11/stl.h>
 
 #include "console.hpp"
 #include "dalembert/model/errors.hpp"
+#include "dalembert/prototypes/spheres_in_box.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
 #include "dalembert/solvers/open_constraints.hpp"
 #include "main_system.hpp"
@@ -247,6 +249,24 @@ void register_updates(py::module_& module) {
              py::arg("row"), "Which items act on a row of the residual.");
 }
 
+void register_system_terms(py::module_& module) {
+  module.def(
+      "add_spheres_in_box",
+      [](MainSystem& main, const std::vector<int>& markers, const std::vector<double>& radii, const std::array<double, 3>& lower,
+         const std::array<double, 3>& upper, double margin, double stiffness, double restitution, bool all_pairs) {
+        require_idle(main, "testing.add_spheres_in_box(...)");
+        SpheresInBoxParameters p{markers, radii, {lower}, {upper}, margin, all_pairs};
+        p.contactStiffness = stiffness;
+        p.restitutionCoefficient = restitution;
+        main.assembled("add_spheres_in_box").add(std::make_unique<SpheresInBox>(p));
+      },
+      py::arg("mbs"), py::arg("markers"), py::arg("radii"), py::arg("lower"), py::arg("upper"), py::kw_only(), py::arg("margin"),
+      py::arg("stiffness"), py::arg("restitution") = 1.0, py::arg("all_pairs") = false,
+      "Contact of spheres at markers of points with each other and with the walls of a box, until the next Assemble(): a prototype.");
+  module.def("pattern_revisions", [](MainSystem& main) { return main.assembled("pattern_revisions").pattern_revisions(); }, py::arg("mbs"),
+             "How often the sparse pattern of the system matrix has been made anew.");
+}
+
 }  // namespace
 
 void register_evaluation(py::module_& module) {
@@ -258,6 +278,7 @@ void register_evaluation(py::module_& module) {
   register_constraints(testing);
   register_updates(testing);
   register_division(testing);
+  register_system_terms(testing);
 }
 
 }  // namespace dalembert

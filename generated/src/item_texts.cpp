@@ -1143,7 +1143,7 @@ constexpr std::array<OutputText, 4> ObjectConnectorDistance_outputs{{
 constexpr std::array<std::string_view, 13> ObjectContactCircleCable2D_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "marker m0 at the center of the circle and marker m1, the shape of the cable",
-    "NodeGenericData with one data coordinate per segment, the gap of the last update",
+    "NodeGenericData with one data coordinate per segment, the gap when contact opened or closed last; a segment is in contact while it is not positive",
     "number of segments; must be that of the shape marker",
     "contact stiffness per segment",
     "contact damping coefficient per segment",
@@ -1496,11 +1496,11 @@ constexpr std::array<OutputText, 4> ObjectJointSliding_outputs{{
 
 constexpr std::array<std::string_view, 12> ObjectJointSliding2D_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
-    "marker m0 of the sliding body, and marker m1 of the cable element on which it begins; m1 is updated when the body passes to a neighbouring element",
-    "shape or coordinate markers of all cable elements in the order in which they follow each other: the end of one element is the begin of the next",
-    "for each of these elements, the sum of the reference lengths of all elements before it; 0 for the first",
+    "marker m0 of the sliding body, and marker m1 of the cable element on which it begins, one of ``slidingMarkerNumbers``; which element the body is on follows from the data node",
+    "coordinate markers of all cable elements in the order in which they follow each other: the end of one element is the begin of the next",
+    "for each of these elements, the sum of the reference lengths of all elements before it; 0 for the first; one for each of ``slidingMarkerNumbers``",
     "NodeGenericData with two data coordinates: index of the current element in ``slidingMarkerNumbers``, and sliding coordinate at the begin of the step",
-    "True: the force along the cable is prescribed, and both components of position are constrained; index 3 only; False: only the normal direction is constrained, which index 2 integrators can solve as well",
+    "True: the force along the cable is prescribed, and both components of position are constrained; False: only the normal direction is constrained, by one multiplier",
     "True: marker m0, then a rigid body marker, keeps its orientation relative to the slope of the cable; False: it rotates freely",
     "force along the cable that drives the body; only for ``classicalFormulation``; changed during a simulation to move the body",
     "False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero",

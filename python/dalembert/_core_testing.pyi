@@ -1,5 +1,6 @@
 # dalembert._core.testing: the equations of an assembled system at any state, and linear solvers.
 
+from collections.abc import Sequence
 from typing import Self
 
 from numpy.typing import ArrayLike
@@ -92,3 +93,16 @@ def compose(mbs: MainSystem, state: State, increment: ArrayLike) -> Array: ...
 def post_newton(mbs: MainSystem, state: State) -> tuple[float, float]: ...
 def divide(mbs: MainSystem, coordinates: int, threads: int) -> int: ...
 def describe_row(mbs: MainSystem, row: int) -> str: ...
+def add_spheres_in_box(
+    mbs: MainSystem,
+    markers: Sequence[int],
+    radii: Sequence[float],
+    lower: Sequence[float],
+    upper: Sequence[float],
+    *,
+    margin: float,
+    stiffness: float,
+    restitution: float = 1.0,
+    all_pairs: bool = False,
+) -> None: ...
+def pattern_revisions(mbs: MainSystem) -> int: ...

@@ -372,6 +372,9 @@ class Scene:
         }
         rows = {key: value for key, value in rows.items() if value is not None} | item.scene.values | options
         rows |= {key: one_for_each(values, len(markers)) for key, values in item.scene.per_marker.items()}
+        # lists of markers besides: those of the second and all further places
+        lists = [row.name for row in item.parameters if row.type.storage == "markers"]
+        rows |= {name: markers[1:] for name in lists if name != "markerNumbers"}
         if has_row(item, "scalingMarker0"):
             rows |= self._coordinate_vector(carriers, variant.functions)
         if item.scene.nodes:

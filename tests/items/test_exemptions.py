@@ -14,7 +14,7 @@ from test_momentum import BETWEEN, check_balance
 from test_output_rates import check_rates_of_outputs
 from test_repeated_solves import joins
 from test_tangent import WEIGHTS, check_tangent
-from test_virtual_work import CONSTRAINTS, check_gaps, check_rates, free_equations, reactions
+from test_virtual_work import ALL_CONSTRAINTS, CONSTRAINTS, check_gaps, check_rates, free_equations, reactions
 from variants import ALL_VARIANTS, Variant
 
 LISTS = {name: table for name, table in vars(exemptions).items() if isinstance(table, dict) and name.isupper()}
@@ -59,6 +59,11 @@ def test_work_of_the_gaps(name: str) -> None:
 @pytest.mark.parametrize("name", [*exemptions.NOT_OF_RATES, *exemptions.VELOCITY_LEVEL])
 def test_work_of_the_rates(name: str) -> None:
     assert fails(check_rates, using(name, CONSTRAINTS))
+
+
+@pytest.mark.parametrize("name", exemptions.WITH_COORDINATES)
+def test_work_with_coordinates(name: str) -> None:
+    assert fails(check_rates, using(name, ALL_CONSTRAINTS))
 
 
 @pytest.mark.parametrize("name", exemptions.GLOBAL_WHEN_PARTIAL)

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from exemptions import ODD_IN_JOINTS
+from exemptions import ODD_IN_JOINTS, WITH_COORDINATES
 from motions import KINDS
 from scenes import ITEMS, READY, Scene, is_ground
 from variants import ALL_VARIANTS, Variant, variants_with
@@ -27,7 +27,8 @@ def solvable(variant: Variant) -> bool:
     item = ITEMS[variant.item]
     frames = "Coordinate" not in item.requested_markers
     redundant = joins(variant) and frames and variant.planar and not item.scene.planar  # equations out of the plane
-    fits = not joins(variant) or not ((frames and variant.uses & set(ODD_IN_JOINTS)) or variant.functions)
+    odd = frames and variant.uses & set(ODD_IN_JOINTS) and variant.item not in WITH_COORDINATES  # those go along with them
+    fits = not joins(variant) or not (odd or variant.functions)
     return fits and not redundant and dict(variant.options).get("addConstraintEquation", True)
 
 

@@ -116,7 +116,9 @@ InitialAccelerations initial_accelerations(System& system, const State& state, c
   leave_out_ode1(s, pattern, matrix);
   system.forces(still, position, std::span(x).first(static_cast<std::size_t>(s.ode2)));
   const std::vector<double> gap = gap_acceleration(system, still, position);
-  for (int i = 0; i < s.ae; ++i) x[s.first_ae() + i] = jumping[i] ? 0.0 : -gap[i];
+  std::vector<double> now(gap.size());
+  system.gaps(still, position, now);
+  for (int i = 0; i < s.ae; ++i) x[s.first_ae() + i] = !system.constrains_motion(i) ? -now[i] : jumping[i] ? 0.0 : -gap[i];
 
   InitialAccelerations result;
   const auto solver = make_linear_solver(pattern, type, options);

@@ -61,17 +61,28 @@ constexpr int first_jacobians = 8;
 void NewtonSolver::initialize_data() {
   Solver::initialize_data();
   system().complete_pattern();
+  full_newton_ = !newton_settings.useModifiedNewton;
+  take_pattern();
+  const auto n = static_cast<std::size_t>(sizes_.total());
+  residual_.assign(n, 0.0);
+  increment_.assign(n, 0.0);
+}
+
+// Dense patterns are never revised.
+void NewtonSolver::pattern_revised() {
+  if (pattern_->is_dense()) return;
+  take_pattern();
+  conv.jacobianUpdateRequested = true;
+}
+
+void NewtonSolver::take_pattern() {
   const Pattern* pattern = &system().pattern(dense());
   const auto& s = settings().linearSolverSettings;
-  full_newton_ = !newton_settings.useModifiedNewton;
   linear_ = make_linear_solver(*pattern, settings().linearSolverType,
                                {.pivot_threshold = s.pivotThreshold,
                                 .ignore_singular = s.ignoreSingularJacobian,
                                 .unsettled_matrices = full_newton_ ? first_jacobians : 0});
   pattern_ = pattern;
-  const auto n = static_cast<std::size_t>(sizes_.total());
-  residual_.assign(n, 0.0);
-  increment_.assign(n, 0.0);
   jacobian_.assign(static_cast<std::size_t>(pattern->values()), 0.0);
 }
 

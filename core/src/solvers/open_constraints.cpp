@@ -120,6 +120,7 @@ std::vector<OpenConstraint> open_constraints(System& system, const State& state,
     if (std::abs(gap) > limit) open.push_back({k, of_rate, gap, std::abs(gap) / std::max(limit, 1e-300), unit});
   };
   for (int k = 0; k < system.sizes().ae; ++k) {
+    if (!system.constrains_motion(k)) continue;
     if (!now.of_velocities[k]) look(k, false, gaps[k], 0);
     if (tolerances.rates) look(k, true, now.rates[k], now.speeds[k]);
   }

@@ -109,6 +109,7 @@ void Solver::initialize_data() {
   it = SolverIterationData();
   conv.errorCoordinateFactor =
       newton_settings.weightTolerancePerCoordinate ? std::sqrt(static_cast<double>(sizes_.total())) : 1.0;
+  if (system_->searches()) system_->search(initial(), conditions_);
   static const int cores = static_cast<int>(std::thread::hardware_concurrency());  // it takes a look into files
   system_->use_threads(std::min(settings_->parallel.numberOfThreads, cores));
   output.numberOfThreadsUsed = system_->threads();
@@ -196,6 +197,7 @@ void Solver::initial_conditions() {
     start_of_step() = current();
     while (next_step()) {
       save_start_of_step();
+      if (system_->searches()) [[unlikely]] system_->keep_history();
       take_step();
     }
   } catch (...) {
@@ -247,10 +249,12 @@ void Solver::begin_step() {
   if (newton_settings.modifiedNewtonJacUpdatePerStep) conv.jacobianUpdateRequested = true;
   it.lastStepSize = it.currentStepSize;
   diagnosis_.reason = FailureReason::none;  // of an earlier attempt
+  if (system_->searches()) [[unlikely]] search();
 }
 
 [[gnu::noinline]] void Solver::step_failed() {
   current() = start_of_step();
+  if (system_->searches()) system_->restore_history();
   const bool may_be_reduced = !conv.linearSolverFailed && (it.adaptiveStep || it.automaticStepSize);  // no step mends a singular matrix
   if (!may_be_reduced || !reduce_step_size()) {
     conv.stepReductionFailed = true;
@@ -351,6 +355,7 @@ void Solver::accept_newton() {
     if (conv.discontinuousIterationError <= discontinuous.iterationTolerance) {
       conv.discontinuousIterationSuccessful = true;
     } else if (it.discontinuousIteration < discontinuous.maxIterations) {
+      if (system_->searches()) search();
       reset_to_start_of_step();
       const double recommended = it.recommendedStepSize;
       if (recommended != -1 && recommended < (1 + 1e-8) * it.currentStepSize) return false;
@@ -368,6 +373,10 @@ void Solver::accept_newton() {
   say(2, "  discontinuous iteration " + std::to_string(it.discontinuousIteration) +
              ": error = " + number(conv.discontinuousIterationError) +
              ", tolerance = " + number(discontinuous.iterationTolerance) + "\n");
+}
+
+void Solver::search() {
+  if (system_->search(current(), conditions_)) pattern_revised();
 }
 
 double Solver::post_newton() {

@@ -59,13 +59,13 @@ void SystemParts::bind(const Pattern& pattern) {
   bound = &pattern;
 }
 
-void SystemParts::add_sparse_pattern() {
+Pattern SystemParts::make_sparse_pattern() const {
   CouplingCollector collector;
   for (const auto& term : terms) term->visit(collector, ports);
   for (const auto& batch : marker_batches) batch->visit(collector, ports);
   for (const auto& batch : rotating_nodes) batch->visit(collector, ports);
   for (const LoadDependency& dependency : load_dependencies) collector.block(dependency.rows, dependency.columns);
-  sparse_patterns.push_back(Pattern::sparse(sizes.total(), collector.couplings));
+  return Pattern::sparse(sizes.total(), collector.couplings);
 }
 
 const Pattern& System::pattern(bool dense) {

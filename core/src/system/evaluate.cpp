@@ -304,21 +304,17 @@ void System::restore_unit_lengths(State& state) const {
 Discontinuity System::post_newton(State& state, const Conditions& conditions) {
   evaluated_ = nullptr;
   SystemParts& parts = *parts_;
-  Discontinuity verdict;
-  if (!parts.has_history) return verdict;
+  PostNewton verdict;
+  if (!parts.has_history) return {};
   const Evaluation e = parts.evaluation(state, conditions);
   parts.update_ports(e);
   const double* start = parts.state(ConfigurationType::StartOfStep).data.data();
   for (const auto& term : parts.terms) {
     if (!term->has_history()) continue;
-    const PostNewton one = term->post_newton(e, parts.ports, start, state.data.data());
-    verdict.error = std::max(verdict.error, one.error);
-    if (one.recommended_step_size >= 0 &&
-        (verdict.recommended_step_size < 0 || one.recommended_step_size < verdict.recommended_step_size))
-      verdict.recommended_step_size = one.recommended_step_size;
+    verdict.add(term->post_newton(e, parts.ports, start, state.data.data(), state.lambda.data()));
   }
   each(parts.marker_batches, [&](const MarkerBatch& batch) { batch.post_newton(e, parts.ports, state.data.data()); });
-  return verdict;
+  return {verdict.error, verdict.recommended_step_size};
 }
 
 }  // namespace dalembert

@@ -222,8 +222,8 @@ void System::marker_output(int marker, Variable variable, ConfigurationType conf
     evaluated_ = parts.evaluating ? evaluated_ : nullptr;
     const PortLayout& port = parts.ports.ports[static_cast<std::size_t>(marker)];
     const double* frame = parts.ports.frame(marker);
-    const double *half = frame + port.values / 2, *end = frame + port.values;
-    rates ? values.assign(half, end) : values.assign(frame, half);
+    const double* first = rates ? frame + port.forces : frame;
+    values.assign(first, first + port.forces);
     return;
   }
   if (variable == Variable::CoordinatesTotal && place.type->name == "MarkerNodeCoordinate") {

@@ -30,6 +30,7 @@ class Placing {
     const auto markers = place.markers.of(parts_.references);
     p.item = number;
     p.markers.assign(markers.begin(), markers.end());
+    for (const int marker : markers) p.marker_types.push_back(parts_.markers[marker].type);
     p.first_ae = place.first_ae;
     return p;
   }

@@ -32,6 +32,7 @@ void System::assemble(const Model& model, const Division& division) {
   states_ = parts_->states.data();
   assembled_ = true;
   late_ = nullptr;
+  searches_ = false;
   ++version_;
 }
 

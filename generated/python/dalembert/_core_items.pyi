@@ -3456,7 +3456,7 @@ class ObjectContactCircleCable2D(_Object):
     def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
     @property
     def nodeNumber(self) -> NodeIndex:
-        """NodeGenericData with one data coordinate per segment, the gap of the last update"""
+        """NodeGenericData with one data coordinate per segment, the gap when contact opened or closed last; a segment is in contact while it is not positive"""
     @nodeNumber.setter
     def nodeNumber(self, value: NodeIndex | int) -> None: ...
     numberOfContactSegments: int
@@ -4641,17 +4641,17 @@ class ObjectJointSliding2D(_Object):
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     @property
     def markerNumbers(self) -> list[MarkerIndex]:
-        """marker m0 of the sliding body, and marker m1 of the cable element on which it begins; m1 is updated when the body passes to a neighbouring element [2]"""
+        """marker m0 of the sliding body, and marker m1 of the cable element on which it begins, one of ``slidingMarkerNumbers``; which element the body is on follows from the data node [2]"""
     @markerNumbers.setter
     def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
     @property
     def slidingMarkerNumbers(self) -> list[MarkerIndex]:
-        """shape or coordinate markers of all cable elements in the order in which they follow each other: the end of one element is the begin of the next [n]"""
+        """coordinate markers of all cable elements in the order in which they follow each other: the end of one element is the begin of the next [n]"""
     @slidingMarkerNumbers.setter
     def slidingMarkerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
     @property
     def slidingMarkerOffsets(self) -> Array:
-        """for each of these elements, the sum of the reference lengths of all elements before it; 0 for the first [n; m]"""
+        """for each of these elements, the sum of the reference lengths of all elements before it; 0 for the first; one for each of ``slidingMarkerNumbers`` [n; m]"""
     @slidingMarkerOffsets.setter
     def slidingMarkerOffsets(self, value: ArrayLike) -> None: ...
     @property
@@ -4660,7 +4660,7 @@ class ObjectJointSliding2D(_Object):
     @nodeNumber.setter
     def nodeNumber(self, value: NodeIndex | int) -> None: ...
     classicalFormulation: bool
-    """True: the force along the cable is prescribed, and both components of position are constrained; index 3 only; False: only the normal direction is constrained, which index 2 integrators can solve as well"""
+    """True: the force along the cable is prescribed, and both components of position are constrained; False: only the normal direction is constrained, by one multiplier"""
     constrainRotation: bool
     """True: marker m0, then a rigid body marker, keeps its orientation relative to the slope of the cable; False: it rotates freely"""
     axialForce: float

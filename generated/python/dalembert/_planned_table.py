@@ -24,7 +24,6 @@ ITEMS = (
     "ObjectANCFBeam",
     "ObjectANCFThinPlate",
     "ObjectBeamGeometricallyExact2D",
-    "ObjectContactCircleCable2D",
     "ObjectContactConvexRoll",
     "ObjectContactCurveCircles",
     "ObjectContactFrictionCircleCable2D",
@@ -32,10 +31,7 @@ ITEMS = (
     "ObjectContactSphereTriangle",
     "ObjectJointALEMoving2D",
     "ObjectJointSliding",
-    "ObjectJointSliding2D",
     "MarkerBodyBeamShape",
-    "MarkerBodyCable2DCoordinates",
-    "MarkerBodyCable2DShape",
     "MarkerKinematicTreeRigid",
     "SensorKinematicTree",
 )

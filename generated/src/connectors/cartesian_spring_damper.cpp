@@ -48,7 +48,7 @@ constexpr std::array<OutputVariableType, 4> outputs{
     OutputVariableType::Force,
 };
 
-const auto& physics = PairPhysics<ObjectConnectorCartesianSpringDamper, ObjectConnectorCartesianSpringDamperRecord>{};
+const auto& physics = ConnectorPhysics<ObjectConnectorCartesianSpringDamper, ObjectConnectorCartesianSpringDamperRecord>{};
 
 }  // namespace object_connector_cartesian_spring_damper
 

@@ -47,7 +47,7 @@ constexpr std::array<OutputVariableType, 3> outputs{
     OutputVariableType::Force,
 };
 
-const auto& physics = PairPhysics<ObjectConnectorCoordinateSpringDamper, ObjectConnectorCoordinateSpringDamperRecord>{};
+const auto& physics = ConnectorPhysics<ObjectConnectorCoordinateSpringDamper, ObjectConnectorCoordinateSpringDamperRecord>{};
 
 }  // namespace object_connector_coordinate_spring_damper
 

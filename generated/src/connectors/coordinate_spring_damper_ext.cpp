@@ -69,7 +69,7 @@ constexpr std::array<OutputVariableType, 3> outputs{
     OutputVariableType::Force,
 };
 
-const auto& physics = PairPhysics<ObjectConnectorCoordinateSpringDamperExt, ObjectConnectorCoordinateSpringDamperExtRecord>{};
+const auto& physics = ConnectorPhysics<ObjectConnectorCoordinateSpringDamperExt, ObjectConnectorCoordinateSpringDamperExtRecord>{};
 
 }  // namespace object_connector_coordinate_spring_damper_ext
 

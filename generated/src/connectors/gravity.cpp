@@ -37,7 +37,7 @@ constexpr std::array<OutputVariableType, 3> outputs{
     OutputVariableType::Force,
 };
 
-const auto& physics = PairPhysics<ObjectConnectorGravity, ObjectConnectorGravityRecord>{};
+const auto& physics = ConnectorPhysics<ObjectConnectorGravity, ObjectConnectorGravityRecord>{};
 
 }  // namespace object_connector_gravity
 

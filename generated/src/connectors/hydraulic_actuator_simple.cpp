@@ -5,12 +5,11 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/connector.hpp"
+#include "dalembert/items/connectors/hydraulic_actuator_simple.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
-
-// By hand: it adds to first order equations as well
-const Physics& object_connector_hydraulic_actuator_simple_physics();
 
 // Named, for several of these files may be compiled at once.
 namespace object_connector_hydraulic_actuator_simple {
@@ -60,7 +59,7 @@ constexpr std::array<OutputVariableType, 5> outputs{
     OutputVariableType::Force,
 };
 
-const auto& physics = object_connector_hydraulic_actuator_simple_physics();
+const auto& physics = ConnectorPhysics<ObjectConnectorHydraulicActuatorSimple, ObjectConnectorHydraulicActuatorSimpleRecord>{};
 
 }  // namespace object_connector_hydraulic_actuator_simple
 

@@ -51,7 +51,7 @@ constexpr std::array<OutputVariableType, 3> outputs{
     OutputVariableType::ForceLocal,
 };
 
-const auto& physics = PairPhysics<ObjectConnectorLinearSpringDamper, ObjectConnectorLinearSpringDamperRecord>{};
+const auto& physics = ConnectorPhysics<ObjectConnectorLinearSpringDamper, ObjectConnectorLinearSpringDamperRecord>{};
 
 }  // namespace object_connector_linear_spring_damper
 

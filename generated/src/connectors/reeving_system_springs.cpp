@@ -5,12 +5,11 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/connector.hpp"
+#include "dalembert/items/connectors/reeving_system_springs.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
-
-// By hand: it acts on any number of markers
-const Physics& object_connector_reeving_system_springs_physics();
 
 // Named, for several of these files may be compiled at once.
 namespace object_connector_reeving_system_springs {
@@ -44,7 +43,7 @@ constexpr std::array<OutputVariableType, 3> outputs{
     OutputVariableType::ForceLocal,
 };
 
-const auto& physics = object_connector_reeving_system_springs_physics();
+const auto& physics = ConnectorPhysics<ObjectConnectorReevingSystemSprings, ObjectConnectorReevingSystemSpringsRecord>{};
 
 }  // namespace object_connector_reeving_system_springs
 

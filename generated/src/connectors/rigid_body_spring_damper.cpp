@@ -73,7 +73,7 @@ constexpr std::array<OutputVariableType, 6> outputs{
     OutputVariableType::TorqueLocal,
 };
 
-const auto& physics = PairPhysics<ObjectConnectorRigidBodySpringDamper, ObjectConnectorRigidBodySpringDamperRecord>{};
+const auto& physics = ConnectorPhysics<ObjectConnectorRigidBodySpringDamper, ObjectConnectorRigidBodySpringDamperRecord>{};
 
 }  // namespace object_connector_rigid_body_spring_damper
 

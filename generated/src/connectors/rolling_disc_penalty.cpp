@@ -47,7 +47,7 @@ constexpr std::array<OutputVariableType, 5> outputs{
     OutputVariableType::RotationMatrix,
 };
 
-const auto& physics = PairPhysics<ObjectConnectorRollingDiscPenalty, ObjectConnectorRollingDiscPenaltyRecord>{};
+const auto& physics = ConnectorPhysics<ObjectConnectorRollingDiscPenalty, ObjectConnectorRollingDiscPenaltyRecord>{};
 
 }  // namespace object_connector_rolling_disc_penalty
 

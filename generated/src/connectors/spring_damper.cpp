@@ -51,7 +51,7 @@ constexpr std::array<OutputVariableType, 5> outputs{
     OutputVariableType::ForceLocal,
 };
 
-const auto& physics = PairPhysics<ObjectConnectorSpringDamper, ObjectConnectorSpringDamperRecord>{};
+const auto& physics = ConnectorPhysics<ObjectConnectorSpringDamper, ObjectConnectorSpringDamperRecord>{};
 
 }  // namespace object_connector_spring_damper
 

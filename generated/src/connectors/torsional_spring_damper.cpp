@@ -52,7 +52,7 @@ constexpr std::array<OutputVariableType, 3> outputs{
     OutputVariableType::TorqueLocal,
 };
 
-const auto& physics = PairPhysics<ObjectConnectorTorsionalSpringDamper, ObjectConnectorTorsionalSpringDamperRecord>{};
+const auto& physics = ConnectorPhysics<ObjectConnectorTorsionalSpringDamper, ObjectConnectorTorsionalSpringDamperRecord>{};
 
 }  // namespace object_connector_torsional_spring_damper
 

@@ -5,13 +5,12 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/constraint.hpp"
+#include "dalembert/items/constraints/coordinate_vector.hpp"
 #include "dalembert/reflection/compiled_call.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
-
-// By hand: it has as many equations as its matrices have rows
-const Physics& object_connector_coordinate_vector_physics();
 
 // Named, for several of these files may be compiled at once.
 namespace object_connector_coordinate_vector {
@@ -57,7 +56,7 @@ constexpr std::array<OutputVariableType, 4> outputs{
     OutputVariableType::Force,
 };
 
-const auto& physics = object_connector_coordinate_vector_physics();
+const auto& physics = ConstraintPhysics<ObjectConnectorCoordinateVector, ObjectConnectorCoordinateVectorRecord>{};
 
 }  // namespace object_connector_coordinate_vector
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/connector.hpp"
+#include "dalembert/items/contacts/circle_cable_2d.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -18,7 +20,7 @@ constexpr std::array<Row, 13> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "markerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.markerNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
     {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
-    {.name = "numberOfContactSegments", .storage = Storage::integer, .offset = offsetof(Record, parameters.numberOfContactSegments), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "numberOfContactSegments", .storage = Storage::integer, .offset = offsetof(Record, parameters.numberOfContactSegments), .role = Role::parameter, .check = Check::non_negative, .needs_assemble = true},
     {.name = "contactStiffness", .storage = Storage::real, .offset = offsetof(Record, parameters.contactStiffness), .role = Role::parameter, .check = Check::non_negative, .unit = "N/m"},
     {.name = "contactDamping", .storage = Storage::real, .offset = offsetof(Record, parameters.contactDamping), .role = Role::parameter, .check = Check::non_negative, .unit = "Ns/m"},
     {.name = "circleRadius", .storage = Storage::real, .offset = offsetof(Record, parameters.circleRadius), .role = Role::parameter, .check = Check::non_negative, .unit = "m"},
@@ -35,6 +37,8 @@ constexpr std::array<std::string_view, 1> provides{"Connector"};
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
+const auto& physics = ConnectorPhysics<ObjectContactCircleCable2D, ObjectContactCircleCable2DRecord>{};
+
 }  // namespace object_contact_circle_cable_2d
 
 extern const ItemType object_contact_circle_cable_2d_type;
@@ -50,7 +54,7 @@ const ItemType object_contact_circle_cable_2d_type{
     .record = record_operations<object_contact_circle_cable_2d::Record>(),
     .requested_node = Capability::generic_data,
     .requested_marker = Capability::none,
-    .physics = nullptr,
+    .physics = &object_contact_circle_cable_2d::physics,
     .spec = "specs/contacts/circle_cable_2d.toml",
 };
 

@@ -34,7 +34,7 @@ constexpr std::array<std::string_view, 1> provides{"Connector"};
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
-const auto& physics = PairPhysics<ObjectContactCoordinate, ObjectContactCoordinateRecord>{};
+const auto& physics = ConnectorPhysics<ObjectContactCoordinate, ObjectContactCoordinateRecord>{};
 
 }  // namespace object_contact_coordinate
 

@@ -50,7 +50,7 @@ constexpr std::array<OutputVariableType, 8> outputs{
     OutputVariableType::Torque,
 };
 
-const auto& physics = PairPhysics<ObjectContactSphereTorus, ObjectContactSphereTorusRecord>{};
+const auto& physics = ConnectorPhysics<ObjectContactSphereTorus, ObjectContactSphereTorusRecord>{};
 
 }  // namespace object_contact_sphere_torus
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/constraint.hpp"
+#include "dalembert/items/joints/sliding_2d.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -21,7 +23,7 @@ constexpr std::array<Row, 12> rows{{
     {.name = "slidingMarkerOffsets", .storage = Storage::vector, .offset = offsetof(Record, parameters.slidingMarkerOffsets), .role = Role::parameter, .unit = "m"},
     {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
     {.name = "classicalFormulation", .storage = Storage::boolean, .offset = offsetof(Record, parameters.classicalFormulation), .role = Role::parameter},
-    {.name = "constrainRotation", .storage = Storage::boolean, .offset = offsetof(Record, parameters.constrainRotation), .role = Role::parameter},
+    {.name = "constrainRotation", .storage = Storage::boolean, .offset = offsetof(Record, parameters.constrainRotation), .role = Role::parameter, .needs_assemble = true},
     {.name = "axialForce", .storage = Storage::real, .offset = offsetof(Record, parameters.axialForce), .role = Role::parameter, .unit = "N"},
     {.name = "activeConnector", .storage = Storage::boolean, .offset = offsetof(Record, parameters.activeConnector), .role = Role::parameter},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
@@ -38,6 +40,8 @@ constexpr std::array<OutputVariableType, 4> outputs{
     OutputVariableType::Force,
 };
 
+const auto& physics = ConstraintPhysics<ObjectJointSliding2D, ObjectJointSliding2DRecord>{};
+
 }  // namespace object_joint_sliding_2d
 
 extern const ItemType object_joint_sliding_2d_type;
@@ -53,7 +57,7 @@ const ItemType object_joint_sliding_2d_type{
     .record = record_operations<object_joint_sliding_2d::Record>(),
     .requested_node = Capability::generic_data,
     .requested_marker = Capability::none,
-    .physics = nullptr,
+    .physics = &object_joint_sliding_2d::physics,
     .spec = "specs/joints/sliding_2d.toml",
 };
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/marker.hpp"
+#include "dalembert/items/markers/body_cable_2d_coordinates.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -25,6 +27,8 @@ constexpr std::array<std::string_view, 3> provides{"Object", "Body", "Coordinate
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
+const auto& physics = MarkerPhysicsOf<MarkerBodyCable2DCoordinates, MarkerBodyCable2DCoordinatesRecord>{};
+
 }  // namespace marker_body_cable_2d_coordinates
 
 extern const ItemType marker_body_cable_2d_coordinates_type;
@@ -40,7 +44,7 @@ const ItemType marker_body_cable_2d_coordinates_type{
     .record = record_operations<marker_body_cable_2d_coordinates::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = nullptr,
+    .physics = &marker_body_cable_2d_coordinates::physics,
     .spec = "specs/markers/body_cable_2d_coordinates.toml",
 };
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/marker.hpp"
+#include "dalembert/items/markers/body_cable_2d_shape.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -17,7 +19,7 @@ using Record = MarkerBodyCable2DShapeRecord;
 constexpr std::array<Row, 5> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "bodyNumber", .storage = Storage::object, .offset = offsetof(Record, parameters.bodyNumber), .role = Role::parameter, .needs_assemble = true},
-    {.name = "numberOfSegments", .storage = Storage::integer, .offset = offsetof(Record, parameters.numberOfSegments), .role = Role::parameter, .check = Check::positive},
+    {.name = "numberOfSegments", .storage = Storage::integer, .offset = offsetof(Record, parameters.numberOfSegments), .role = Role::parameter, .check = Check::positive, .needs_assemble = true},
     {.name = "verticalOffset", .storage = Storage::real, .offset = offsetof(Record, parameters.verticalOffset), .role = Role::parameter, .unit = "m"},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
 }};
@@ -26,6 +28,8 @@ constexpr std::array<std::string_view, 0> short_names{};
 constexpr std::array<std::string_view, 3> provides{"Object", "Body", "Coordinate"};
 constexpr std::array<OutputVariableType, 0> outputs{
 };
+
+const auto& physics = MarkerPhysicsOf<MarkerBodyCable2DShape, MarkerBodyCable2DShapeRecord>{};
 
 }  // namespace marker_body_cable_2d_shape
 
@@ -42,7 +46,7 @@ const ItemType marker_body_cable_2d_shape_type{
     .record = record_operations<marker_body_cable_2d_shape::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = nullptr,
+    .physics = &marker_body_cable_2d_shape::physics,
     .spec = "specs/markers/body_cable_2d_shape.toml",
 };
 

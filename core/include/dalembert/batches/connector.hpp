@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "dalembert/batches/lawful_spans.hpp"
+#include "dalembert/batches/many_ports.hpp"
 #include "dalembert/batches/port_sweep.hpp"
 #include "dalembert/batches/span_tangent.hpp"
 #include "dalembert/contracts/context.hpp"
@@ -109,18 +110,13 @@ class PortBatch final : public Term {
   }
 
   // K::update(p, c, m0, m1, start, data): new history from the frames; returns the error and a recommended step size.
-  PostNewton post_newton(const Evaluation& evaluation, const Ports& ports, const double* start, double* data) override {
+  PostNewton post_newton(const Evaluation& evaluation, const Ports& ports, const double* start, double* data, double*) override {
     PostNewton result;
     if constexpr (has_update)
       for (const Entry& e : entries_) {
         if (e.first_data < 0 || !active(e.parameters)) continue;
         const auto frames = read(ports, e);
-        const PostNewton one = K::update(e.parameters, context(evaluation, e), frames[0], frames[1], start + e.first_data,
-                                         data + e.first_data);
-        result.error = std::max(result.error, one.error);
-        if (one.recommended_step_size >= 0 &&
-            (result.recommended_step_size < 0 || one.recommended_step_size < result.recommended_step_size))
-          result.recommended_step_size = one.recommended_step_size;
+        result.add(K::update(e.parameters, context(evaluation, e), frames[0], frames[1], start + e.first_data, data + e.first_data));
       }
     return result;
   }
@@ -241,5 +237,9 @@ struct PairPhysics final : ObjectPhysics {
                                   "a NodeGenericData with numberOfDataCoordinates = " + std::to_string(K::data_coordinates), ""});
   }
 };
+
+// Between two markers of one shape, or between any.
+template <class K, class Record>
+using ConnectorPhysics = std::conditional_t<requires { typename K::Port; }, PairPhysics<K, Record>, ManyPortsPhysics<K, Record>>;
 
 }  // namespace dalembert

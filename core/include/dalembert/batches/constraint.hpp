@@ -11,6 +11,7 @@
 
 #include "dalembert/batches/groups.hpp"
 #include "dalembert/batches/joint_tangent.hpp"
+#include "dalembert/batches/many_ports.hpp"
 #include "dalembert/batches/port_sweep.hpp"
 #include "dalembert/contracts/context.hpp"
 #include "dalembert/contracts/linear_equations.hpp"
@@ -339,7 +340,7 @@ class ConstraintBatch final : public Term {
 };
 
 template <class K, class Record>
-struct ConstraintPhysics final : ObjectPhysics {
+struct PairConstraintPhysics final : ObjectPhysics {
   std::unique_ptr<Term> make_batch(std::span<const ItemType* const>) const override {
     return std::make_unique<ConstraintBatch<K, Record>>();
   }
@@ -348,5 +349,9 @@ struct ConstraintPhysics final : ObjectPhysics {
     check_markers<typename K::Port>(placement, ports, item);
   }
 };
+
+// Between two markers of one shape, or between any.
+template <class K, class Record>
+using ConstraintPhysics = std::conditional_t<requires { typename K::Port; }, PairConstraintPhysics<K, Record>, ManyPortsPhysics<K, Record>>;
 
 }  // namespace dalembert

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "dalembert/batches/mapped_marker.hpp"
 #include "dalembert/batches/relative_marker.hpp"
 #include "dalembert/system/physics.hpp"
 
@@ -54,7 +55,8 @@ class CoordinateMarkerBatch : public MarkerBatch {
 // A marker kernel says either
 //   shape, local(p): the frame of its body or node at a local position, or
 //   coordinates(p, n): which of the n coordinates of its node it selects, and `totals` = true if with reference values, or
-//   measure(p, m0, m1), forces(p, m0, m1, f): a coordinate between two bodies (batches/relative_marker.hpp).
+//   measure(p, m0, m1), forces(p, m0, m1, f): a coordinate between two bodies (batches/relative_marker.hpp), or
+//   map, pull_back: numbers made of all coordinates of its body (contracts/mapped_marker.hpp).
 template <class K>
 concept FrameMarkerKernel = requires(const typename K::Parameters& p) {
   { K::shape } -> std::convertible_to<FrameShape>;
@@ -67,11 +69,12 @@ concept CoordinateMarkerKernel = requires(const typename K::Parameters& p) {
 
 template <class K, class Record>
 struct MarkerPhysicsOf final : MarkerPhysics {
-  static_assert(FrameMarkerKernel<K> || CoordinateMarkerKernel<K> || RelativeMarkerKernel<K>,
+  static_assert(FrameMarkerKernel<K> || CoordinateMarkerKernel<K> || RelativeMarkerKernel<K> || MappedMarkerKernel<K>,
                 "see core/include/dalembert/batches/marker.hpp");
 
   void check(const void* record, const Placement& on, const Ports&, const ItemLabel& item) const override {
     if constexpr (RelativeMarkerKernel<K>) check_relative_marker(static_cast<const Record*>(record)->parameters, on, item);
+    if constexpr (MappedMarkerKernel<K>) K::check_body(static_cast<const Record*>(record)->parameters, on, item);
   }
   bool works_without_data(const void*) const override { return RelativeMarkerKernel<K>; }
 
@@ -91,6 +94,8 @@ struct MarkerPhysicsOf final : MarkerPhysics {
   std::unique_ptr<MarkerBatch> make_batch(const ItemType&, std::span<const ItemType* const>) const override {
     if constexpr (RelativeMarkerKernel<K>) {
       return std::make_unique<RelativeMarkerBatch<K, Record>>();
+    } else if constexpr (MappedMarkerKernel<K>) {
+      return std::make_unique<MappedMarkerBatch<K, Record>>();
     } else if constexpr (requires { K::totals; }) {
       return std::make_unique<CoordinateMarkerBatch>(K::totals);
     } else if constexpr (CoordinateMarkerKernel<K>) {

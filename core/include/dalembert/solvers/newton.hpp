@@ -18,6 +18,7 @@ class NewtonSolver : public Solver {
   void initialize_data() override;
   bool newton() override;
   void free_memory() override;
+  void pattern_revised() override;
 
   // Residual of the current state; returns the number that is compared with the tolerances.
   virtual double compute_residual() = 0;
@@ -62,6 +63,7 @@ class NewtonSolver : public Solver {
   };
 
   // ---- the parts of newton ---------------------------------------------------------------------------------------
+  void take_pattern();
   void begin_newton();
   void judge_start(double residual);
   bool goes_on() const;

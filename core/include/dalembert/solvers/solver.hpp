@@ -114,6 +114,9 @@ class Solver {
   // Sets back what a discontinuous iteration has moved: everything except data.
   virtual void reset_to_start_of_step();
   virtual void save_start_of_step();
+  // Terms that are no items look for what acts in the current state.
+  void search();
+  virtual void pattern_revised() {}
   void save_all_but_motion();  // q, v and a are left to the caller
   // What a restart needs besides the state.
   virtual std::span<const double> restart_values() const { return {}; }

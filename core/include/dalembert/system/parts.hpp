@@ -22,6 +22,7 @@
 #include "dalembert/system/load_dependencies.hpp"
 #include "dalembert/system/physics.hpp"
 #include "dalembert/system/system.hpp"
+#include "dalembert/system/system_term.hpp"
 #include "dalembert/system/unit_vectors.hpp"
 #include "dalembert/system/workers.hpp"
 
@@ -179,6 +180,7 @@ struct SystemParts {
 
   // In the order of evaluation. Bodies come first: their order of entries fixes the order of sums.
   std::vector<std::unique_ptr<Term>> terms;
+  std::vector<SystemTerm*> system_terms;  // those among them that are no items
   std::vector<std::unique_ptr<MarkerBatch>> marker_batches;
   std::vector<std::unique_ptr<RotatingNodeBatch>> rotating_nodes;
   std::vector<LoadDependency> load_dependencies;
@@ -231,7 +233,8 @@ struct SystemParts {
   [[gnu::always_inline]] void each_region(F f) const {
     plan.regions.size() == 1 ? f(plan.regions.front()) : each_of_several_regions(f);
   }
-  void add_sparse_pattern();
+  Pattern make_sparse_pattern() const;
+  void add_sparse_pattern() { sparse_patterns.push_back(make_sparse_pattern()); }
   void bind(const Pattern& pattern);
 
   // Of an item that has been changed.

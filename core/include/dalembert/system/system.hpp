@@ -22,6 +22,7 @@
 namespace dalembert {
 
 class Model;
+class SystemTerm;
 class Workers;
 struct SystemParts;  // batches and index tables; dalembert/system/parts.hpp
 
@@ -121,6 +122,18 @@ class System {
   // One factor per algebraic variable: -1 for multipliers, which static solvers count with the opposite sign, 1 for
   // coordinates among them.
   std::span<const double> static_signs() const;
+  // Equations of coordinates say what these are: they constrain no motion.
+  bool constrains_motion(int equation) const { return static_signs()[static_cast<std::size_t>(equation)] < 0; }
+
+  // A contribution that is no item (system/system_term.hpp), to an assembled system; the next Assemble makes a system without it.
+  void add(std::unique_ptr<SystemTerm> term);
+  // Lets such terms look for what acts from now on. True: the sparse pattern is another one, and has to be analysed again.
+  bool search(const State& state, const Conditions& conditions);
+  bool searches() const { return searches_; }  // whether there are any
+  int pattern_revisions() const { return pattern_revisions_; }
+  // History of such terms, which is no part of a state: a step begins, or begins again.
+  void keep_history();
+  void restore_history();
 
   // Update data coordinates after a converged Newton loop (friction, contact, post-Newton user functions of items).
   Discontinuity post_newton(State& state, const Conditions& conditions);
@@ -176,6 +189,8 @@ class System {
   const Model* late_ = nullptr;       // whose changes the next evaluation takes over
   const State* evaluated_ = nullptr;  // whose marker frames and forces the ports hold
   int evaluations_ = 0;
+  int pattern_revisions_ = 0;
+  bool searches_ = false;
 };
 
 }  // namespace dalembert

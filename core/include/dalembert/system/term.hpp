@@ -1,6 +1,7 @@
 // What the assembler asks of a batch. A term adds to the equations; a marker batch moves frames out and forces back in.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <span>
 #include <vector>
@@ -56,6 +57,13 @@ using TracedPorts = PortsOf<Traced>;
 struct PostNewton {
   double error = 0;
   double recommended_step_size = -1;
+
+  // The larger error, the smaller of the recommended steps.
+  void add(const PostNewton& other) {
+    error = std::max(error, other.error);
+    const double step = other.recommended_step_size;
+    if (step >= 0 && (recommended_step_size < 0 || step < recommended_step_size)) recommended_step_size = step;
+  }
 };
 
 // A body or node that a marker sits on.
@@ -82,6 +90,7 @@ struct Placement {
   std::vector<int> node_sizes;       // ODE2 coordinates per node
   int rotating_node = -1;            // its only node, if that is one of the rotating nodes of the ports
   std::vector<int> markers;
+  std::vector<const ItemType*> marker_types;
   int first_data = -1;               // data coordinates, of its data node
   int data_count = 0;
   int first_ae = -1;                 // its algebraic equations, in the AE vector
@@ -91,6 +100,7 @@ struct Placement {
   void clear() {  // the lists keep their memory
     for (auto* list : {&dofs, &ode1, &nodes, &node_sizes, &markers}) list->clear();
     owners.clear();
+    marker_types.clear();
     reference.clear();
     node_records.clear();
     owner = nullptr;
@@ -131,8 +141,11 @@ class Term : public Batch {
   virtual bool has_mass() const { return false; }
   virtual bool constant_mass() const { return true; }
 
-  // History: new data coordinates after Newton. `start` has the data at the start of the step.
-  virtual PostNewton post_newton(const Evaluation&, const Ports&, const double* /*start*/, double* /*data*/) { return {}; }
+  // History: new data coordinates after Newton. `start` has the data at the start of the step. What data take over of algebraic
+  // unknowns is taken off there.
+  virtual PostNewton post_newton(const Evaluation&, const Ports&, const double* /*start*/, double* /*data*/, double* /*lambda*/) {
+    return {};
+  }
   virtual bool has_history() const { return false; }
 
   // Outputs. `motion` for bodies; `output` for what only the item knows; false: not an output of this item.

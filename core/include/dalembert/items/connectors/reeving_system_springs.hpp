@@ -1,23 +1,20 @@
 // ObjectConnectorReevingSystemSprings, specs/connectors/reeving_system_springs.toml: a rope over any number of sheaves.
+#pragma once
+
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <vector>
 
-#include "dalembert/batches/port_sweep.hpp"
 #include "dalembert/connectors/reeving_system_springs_parameters.hpp"
-#include "dalembert/contracts/context.hpp"
-#include "dalembert/model/errors.hpp"
-#include "dalembert/system/physics.hpp"
+#include "dalembert/contracts/many_ports.hpp"
 
 namespace dalembert {
-namespace {
+namespace reeving {
 
 using Parameters = ObjectConnectorReevingSystemSpringsParameters;
 
-const Parameters& parameters(const void* record) {
-  return static_cast<const ObjectConnectorReevingSystemSpringsRecord*>(record)->parameters;
-}
-
-Vec3<double> value_of(const Vec3<auto>& v) { return {dalembert::value_of(v[0]), dalembert::value_of(v[1]), dalembert::value_of(v[2])}; }
+inline Vec3<double> value_of(const Vec3<auto>& v) { return {dalembert::value_of(v[0]), dalembert::value_of(v[1]), dalembert::value_of(v[2])}; }
 
 // A circle about its axis; a point if its radius is zero.
 template <class S>
@@ -107,7 +104,7 @@ struct Span {
   }
 };
 
-double saturated(double x) { return std::tanh(x); }
+inline double saturated(double x) { return std::tanh(x); }
 template <int N>
 Dual<N> saturated(const Dual<N>& x) {
   const double t = std::tanh(x.value);
@@ -123,8 +120,10 @@ struct Rope {
   std::vector<Span<S>> spans;
   S length{}, rate{}, force{};
 
-  void evaluate(const Parameters& p, const Context& c) {
-    const int n = static_cast<int>(frames.size());
+  Rope(const Parameters& p, const Context& c, const Exchange<S>& x) {
+    const int n = rigid_markers(p, x.markers());
+    for (int i = 0; i < n; ++i) frames.push_back(x.template frame<RigidPort>(i));
+    for (int i = n; i < x.markers(); ++i) ends[static_cast<std::size_t>(i - n)] = x.template frame<ScalarPort>(i);
     const auto circle = [&](int i) {
       return Circle<S>{frames[i].position, frames[i].rotation * p.sheavesAxes[i], p.sheavesRadii[i]};
     };
@@ -139,6 +138,8 @@ struct Rope {
     }
     force = tension(p);
   }
+
+  static int rigid_markers(const Parameters& p, int markers) { return markers - (p.hasCoordinateMarkers ? 2 : 0); }
 
   // Tension at both ends of every span, at the points where it touches the sheaves.
   std::vector<Wrench<S>> wrenches(const Parameters& p) const {
@@ -187,147 +188,44 @@ struct Rope {
   }
 };
 
-class ReevingBatch final : public Term {
- public:
-  void add(const void* record, const Placement& placement, const Ports&) override {
-    entries_.push_back({parameters(record), placement.markers, placement.item});
-  }
-  void refresh(int entry, const void* record) override { entries_[entry].parameters = parameters(record); }
-  void visit(BlockVisitor& visitor, const Ports& ports) const override {
-    for (const Entry& e : entries_) {
-      std::vector<int> all;
-      for (const int marker : e.markers) {
-        const auto own = ports.marker_dofs(marker);
-        all.insert(all.end(), own.begin(), own.end());
-      }
-      visitor.block(all, all);
-    }
+}  // namespace reeving
+
+struct ObjectConnectorReevingSystemSprings : AllMarkersAct, NoAlgebraicEquations, NoHistory {
+  using Parameters = ObjectConnectorReevingSystemSpringsParameters;
+
+  template <class S>
+  static void evaluate(const Parameters& p, const Context& c, Exchange<S>& x) {
+    const reeving::Rope<S> rope(p, c, x);
+    const auto wrenches = rope.wrenches(p);
+    const int n = static_cast<int>(wrenches.size());
+    for (int i = 0; i < n; ++i) x.apply(i, wrenches[static_cast<std::size_t>(i)]);
+    for (int i = n; i < x.markers(); ++i) x.apply(i, S(p.coordinateFactors[i - n] * rope.force));
   }
 
-  void residual(const Evaluation& evaluation, Ports& ports, double*) const override {
-    for (const Entry& e : entries_) {
-      if (!e.parameters.activeConnector) continue;
-      const Rope<double> rope = e.rope(evaluation, ports);
-      const auto wrenches = rope.wrenches(e.parameters);
-      for (std::size_t i = 0; i < e.markers.size(); ++i) {
-        const std::array marker{e.markers[i]};
-        if (i < wrenches.size()) {
-          add_forces<RigidPort, 1>(ports, marker, 1.0, {wrenches[i]});
-        } else {
-          add_forces<ScalarPort, 1>(ports, marker, 1.0, {ScalarForce<double>{e.factor(i) * rope.force}});
-        }
-      }
-    }
-  }
-  void tangent(const Evaluation& evaluation, const Weights&, Ports& ports, double* values) const override {
-    const int* slot = slots.data();
-    for (const Entry& e : entries_) {
-      const std::vector<Columns<1>> columns = e.columns(ports);
-      const int total = columns[0].total;
-      if (e.parameters.activeConnector)
-        for (int first = 0; first < total; first += sweep_width) add_sweep(e, evaluation, ports, columns, first, slot, values);
-      slot += total * total;
-    }
-  }
-
-  bool output(int entry, OutputVariableType variable, const Vec3<double>&, const Evaluation& evaluation, const Ports& ports,
-              std::vector<double>& values) const override {
-    const Entry& e = entries_[entry];
-    const Rope<double> rope = e.rope(evaluation, ports);
+  static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable, std::vector<double>& values) {
+    const reeving::Rope<double> rope(p, c, x);
     switch (variable) {
       case OutputVariableType::Distance: values = {rope.length}; return true;
       case OutputVariableType::VelocityLocal: values = {rope.rate}; return true;
-      case OutputVariableType::ForceLocal: values = {e.parameters.activeConnector ? rope.force : 0.0}; return true;
+      case OutputVariableType::ForceLocal: values = {p.activeConnector ? rope.force : 0.0}; return true;
       default: return false;
     }
   }
 
- private:
-  struct Entry {
-    Parameters parameters;
-    std::vector<int> markers;
-    int item = -1;
-
-    std::size_t rigid_markers() const { return markers.size() - (parameters.hasCoordinateMarkers ? 2 : 0); }
-    double factor(std::size_t i) const { return parameters.coordinateFactors[static_cast<int>(i - rigid_markers())]; }
-
-    Rope<double> rope(const Evaluation& evaluation, const Ports& ports) const {
-      Rope<double> rope;
-      for (std::size_t i = 0; i < rigid_markers(); ++i) rope.frames.push_back(read_frame<RigidPort>(ports, markers[i]));
-      for (std::size_t i = rigid_markers(); i < markers.size(); ++i)
-        rope.ends[i - rigid_markers()] = read_frame<ScalarPort>(ports, markers[i]);
-      rope.evaluate(parameters, Context::of(evaluation, item));
-      return rope;
-    }
-    // Where each marker's coordinates begin among all of them.
-    std::vector<Columns<1>> columns(const Ports& ports) const {
-      std::vector<Columns<1>> columns;
-      int total = 0;
-      for (const int marker : markers) {
-        columns.emplace_back(ports, std::array{marker});
-        columns.back().offset[0] = std::exchange(total, total + columns.back().total);
-      }
-      for (Columns<1>& c : columns) c.total = total;
-      return columns;
-    }
-  };
-
-  static void add_sweep(const Entry& e, const Evaluation& evaluation, const Ports& ports, const std::vector<Columns<1>>& columns, int first,
-                        const int* slot, double* values) {
-    Rope<SweepDual> rope;
-    const std::size_t n = e.rigid_markers();
-    for (std::size_t i = 0; i < n; ++i)
-      rope.frames.push_back(read_moving_frame<RigidPort>(ports, e.markers[i], columns[i].offset[0], first));
-    for (std::size_t i = n; i < e.markers.size(); ++i)
-      rope.ends[i - n] = read_moving_frame<ScalarPort>(ports, e.markers[i], columns[i].offset[0], first);
-    rope.evaluate(e.parameters, Context::of(evaluation, e.item));
-    const auto wrenches = rope.wrenches(e.parameters);
-    for (std::size_t i = 0; i < e.markers.size(); ++i) {
-      const std::array marker{e.markers[i]};
-      if (i < n) {
-        scatter_forces<RigidPort, 1>(ports, marker, columns[i], first, -1.0, {wrenches[i]}, slot, values);
-      } else {
-        scatter_forces<ScalarPort, 1>(ports, marker, columns[i], first, -1.0, {ScalarForce<SweepDual>{e.factor(i) * rope.force}}, slot,
-                                      values);
-      }
-    }
-  }
-
-  std::vector<Entry> entries_;
-};
-
-struct ReevingPhysics final : ObjectPhysics {
-  std::unique_ptr<Term> make_batch(std::span<const ItemType* const>) const override { return std::make_unique<ReevingBatch>(); }
-  void check(const void* record, const Placement& on, const Ports& ports, const ItemLabel& item) const override {
-    const Parameters& p = parameters(record);
-    const int coordinates = p.hasCoordinateMarkers ? 2 : 0, count = static_cast<int>(on.markers.size()), n = count - coordinates;
-    const std::string also = coordinates == 0 ? "" : " and two coordinate markers";
-    const auto complain = [&](const char* parameter, const std::string& received, const std::string& expected) {
-      refuse(ErrorKind::value, {item, parameter, "", received, expected, ""});
-    };
-    if (n < 2) complain("markerNumbers", std::to_string(count) + " markers", "at least two rigid body markers" + also);
-    for (int i = 0; i < count; ++i) {
-      const PortLayout& port = ports.ports[on.markers[i]];
-      const bool rigid = port.values == RigidPort::values && port.forces == RigidPort::forces;
-      const bool scalar = port.values == ScalarPort::values && port.forces == ScalarPort::forces;
-      if (i < n ? !rigid : !scalar)
-        complain("markerNumbers", "marker " + std::to_string(on.markers[i]) + " at place " + std::to_string(i),
+  static void check(const Parameters& p, const Connections& on) {
+    const int count = on.markers(), n = reeving::Rope<double>::rigid_markers(p, count);
+    const std::string also = n == count ? "" : " and two coordinate markers";
+    if (n < 2) on.refuse("markerNumbers", std::to_string(count) + " markers", "at least two rigid body markers" + also);
+    for (int i = 0; i < count; ++i)
+      on.require(i < n ? on.gives<RigidPort>(i) : on.gives<ScalarPort>(i), i, "markerNumbers",
                  i < n ? "a rigid body marker" : "a marker of a single coordinate");
-    }
     const std::string each = ", one for each of the " + std::to_string(n) + " rigid body markers";
     if (static_cast<int>(p.sheavesAxes.size()) != n)
-      complain("sheavesAxes", std::to_string(p.sheavesAxes.size()) + " axes", std::to_string(n) + " axes" + each);
+      on.refuse("sheavesAxes", std::to_string(p.sheavesAxes.size()) + " axes", std::to_string(n) + " axes" + each);
     if (static_cast<int>(p.sheavesRadii.size()) != n)
-      complain("sheavesRadii", std::to_string(p.sheavesRadii.size()) + " radii", std::to_string(n) + " radii" + each);
-    if (p.regularizationForce == 0) complain("regularizationForce", "0", "a positive or a negative force");
+      on.refuse("sheavesRadii", std::to_string(p.sheavesRadii.size()) + " radii", std::to_string(n) + " radii" + each);
+    if (p.regularizationForce == 0) on.refuse("regularizationForce", "0", "a positive or a negative force");
   }
 };
-
-}  // namespace
-
-const Physics& object_connector_reeving_system_springs_physics() {
-  static const ReevingPhysics physics;
-  return physics;
-}
 
 }  // namespace dalembert

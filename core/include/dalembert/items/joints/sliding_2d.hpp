@@ -1,0 +1,198 @@
+// ObjectJointSliding2D, specs/joints/sliding_2d.toml
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "dalembert/contracts/many_ports.hpp"
+#include "dalembert/items/markers/body_cable_2d_coordinates.hpp"
+#include "dalembert/joints/sliding_2d_parameters.hpp"
+#include "dalembert/math/cubic_hermite.hpp"
+
+namespace dalembert {
+
+struct ObjectJointSliding2D {
+  using Parameters = ObjectJointSliding2DParameters;
+
+  // ---- markers: the body, the cable that it was put on (the data coordinate says where it is now), and all cables -------------
+  static ActingMarkers acting(const Parameters&, int markers) {
+    ActingMarkers acting{{0}, {}};
+    for (int i = 2; i < markers; ++i) acting.alternatives.push_back(i);
+    return acting;
+  }
+  static int alternative(const Parameters& p, const Context& c) { return element_of(p, c.data); }
+
+  // ---- unknowns: two multipliers, the way within the step, and a multiplier for the rotation -----------------------------------
+  static int algebraic_equations(const Parameters& p, std::span<const int>) { return p.constrainRotation ? 4 : 3; }
+  static bool is_multiplier(const Parameters&, int k) { return k != way; }
+  static bool forces_follow_motion(const Parameters&) { return true; }
+
+  template <class S>
+  static void evaluate(const Parameters& p, const Context& c, Exchange<S>& x) {
+    const Cable<S> here(p, c, x, x.unknowns[way]);
+    const Vec<S, 2> normal = across(here.slope);
+    const Vec<S, 2> multipliers{x.unknowns[0], x.unknowns[1]};
+    // Of the position and the slope of the cable; the body feels the opposite of the first.
+    Vec<S, 2> force, couple{};
+    if (p.classicalFormulation) {
+      force = -multipliers;
+    } else {
+      force = -multipliers[1] * normal;
+      couple = multipliers[1] * across(here.gap);
+    }
+    if (p.constrainRotation) add_rotation(p, x, here, force, couple);
+    set_equations(p, c, x, here, normal, multipliers);
+    x.apply(body, Vec<S, 2>(-force));
+    const std::span<S> on_cable = x.forces(cable);
+    for (int i = 0; i < 4; ++i)
+      for (int d = 0; d < 2; ++d) on_cable[2 * i + d] += here.weights.value[i] * force[d] + here.weights.slope[i] * couple[d];
+  }
+
+  // The way is taken over; a body that has left its element goes on in the next one.
+  static constexpr bool has_history = true;
+  static PostNewton update(const Parameters& p, const Context&, const Exchange<double>& x, const History& h) {
+    const int element = element_of(p, h.data), last = elements(p) - 1;
+    const double offset = p.slidingMarkerOffsets[static_cast<std::size_t>(element)], length = x.values(cable)[length_of_cable];
+    double& place = h.data[start_of_step];
+    place += std::exchange(h.algebraic[way], 0.0);
+    PostNewton verdict;
+    const double before = offset - place, behind = place - offset - length;
+    verdict.error = std::max({before, behind, 0.0});
+    const int next = element + (behind > 0) - (before > 0);
+    if (next < 0 || next > last) place = std::clamp(place, offset, offset + length);
+    h.data[current_element] = std::clamp(next, 0, last);
+    return verdict;
+  }
+
+  static bool output(const Parameters&, const Context& c, const Exchange<double>& x, OutputVariableType variable, std::vector<double>& values) {
+    const PointFrame<double>& frame = x.frame<PointPort>(body);
+    switch (variable) {
+      case OutputVariableType::Position: values.assign(frame.position.x.begin(), frame.position.x.end()); return true;
+      case OutputVariableType::Velocity: values.assign(frame.velocity.x.begin(), frame.velocity.x.end()); return true;
+      case OutputVariableType::SlidingCoordinate: values = {c.data[start_of_step] + x.unknowns[way]}; return true;
+      case OutputVariableType::Force: values = {x.unknowns[0], x.unknowns[1], 0}; return true;
+      default: return false;
+    }
+  }
+
+  static void check(const Parameters& p, const Connections& on) {
+    on.require(p.constrainRotation ? on.gives<RigidPort>(0) : on.gives<PointPort>(0), 0, "markerNumbers",
+               p.constrainRotation ? "a rigid body marker for the body" : "a marker with a position for the body");
+    if (elements(p) == 0) on.refuse("slidingMarkerNumbers", "an empty list", "the markers of the cable elements, in their order");
+    for (int i = 1; i < on.markers(); ++i)
+      on.require(on.type(i).name == "MarkerBodyCable2DCoordinates", i, i == 1 ? "markerNumbers" : "slidingMarkerNumbers",
+                 "a MarkerBodyCable2DCoordinates");
+    if (static_cast<int>(p.slidingMarkerOffsets.size()) != elements(p))
+      on.refuse("slidingMarkerOffsets", std::to_string(p.slidingMarkerOffsets.size()) + " offsets",
+                std::to_string(elements(p)) + ", one for each of slidingMarkerNumbers");
+    on.require_data(2);
+  }
+
+ private:
+  enum Marker { body = 0, cable = 1 };  // of those that act
+  enum Unknown { way = 2, rotation = 3 };
+  enum Data { current_element = 0, start_of_step = 1 };
+  static constexpr int n = MarkerBodyCable2DCoordinates::n, length_of_cable = MarkerBodyCable2DCoordinates::length;
+
+  static int elements(const Parameters& p) { return static_cast<int>(p.slidingMarkerNumbers.size()); }
+  static int element_of(const Parameters& p, const double* data) {
+    return std::clamp(static_cast<int>(std::lround(data[current_element])), 0, elements(p) - 1);
+  }
+  template <class S>
+  static Vec<S, 2> across(const Vec<S, 2>& v) {
+    return {-v[1], v[0]};
+  }
+  template <class S>
+  static Vec<S, 2> planar(const Vec3<S>& v) {
+    return {v[0], v[1]};
+  }
+
+  // The cable at a place, against the body.
+  template <class S>
+  struct Cable {
+    CubicHermite<S> weights;
+    Vec<S, 2> slope, bend, gap;
+
+    Cable(const Parameters& p, const Context& c, const Exchange<S>& x, const S& way)
+        : weights(way + (c.data[start_of_step] - p.slidingMarkerOffsets[static_cast<std::size_t>(element_of(p, c.data))]),
+                  value_of(x.values(cable)[length_of_cable])),
+          slope(planar_curve(weights.slope, x.values(cable).data())),
+          bend(planar_curve(weights.bend, x.values(cable).data())),
+          gap(planar_curve(weights.value, x.values(cable).data()) - planar(x.template frame<PointPort>(body).position)) {}
+
+    // Velocity of the cable against the body, and rate of its slope, both at a fixed place; how fast the body slides.
+    struct Rates {
+      Vec<S, 2> gap, slope;
+      S slide;
+    };
+    Rates rates(const Exchange<S>& x) const {
+      const S* v = x.values(cable).data() + n;
+      Rates r{planar_curve(weights.value, v) - planar(x.template frame<PointPort>(body).velocity), planar_curve(weights.slope, v), S(0)};
+      r.slide = -dot(r.gap, slope) / dot(slope, slope);
+      return r;
+    }
+    // Nearest to the body, after one step of Newton's method.
+    S nearest(const S& way) const { return way - dot(gap, slope) / (dot(slope, slope) + dot(gap, bend)); }
+  };
+
+  // The y axis of the body is normal to the slope: t n = 0. As the body turns when it slides along a curved cable, the moment
+  // comes with a force along the cable: the joint does no work.
+  template <class S>
+  static void add_rotation(const Parameters& p, Exchange<S>& x, const Cable<S>& here, Vec<S, 2>& force, Vec<S, 2>& couple) {
+    const S& multiplier = x.unknowns[rotation];
+    const Vec3<S> y = column(x.template frame<RigidPort>(body).rotation, 1);
+    couple -= multiplier * planar(y);
+    x.forces(body)[5] -= multiplier * (here.slope[1] * y[0] - here.slope[0] * y[1]);
+    if (!p.classicalFormulation) force += (multiplier * dot(here.bend, planar(y)) / dot(here.slope, here.slope)) * here.slope;
+  }
+
+  template <class S>
+  static void set_equations(const Parameters& p, const Context& c, Exchange<S>& x, const Cable<S>& here, const Vec<S, 2>& normal,
+                            const Vec<S, 2>& multipliers) {
+    const S along = dot(here.gap, here.slope);
+    if (x.rate_level) {
+      set_rates(p, c, x, here, along);
+    } else if (p.classicalFormulation) {
+      x.equations[0] = here.gap[0];
+      x.equations[1] = here.gap[1];
+    } else {
+      x.equations[1] = dot(here.gap, normal);
+    }
+    if (!p.classicalFormulation) {
+      x.equations[0] = multipliers[0];
+      x.equations[way] = along;
+    } else {
+      x.equations[way] = dot(multipliers, here.slope);
+      if (p.axialForce != 0) x.equations[way] -= p.axialForce * norm(here.slope);
+    }
+    if (!p.constrainRotation) return;
+    const Vec<S, 2> y = planar(column(x.template frame<RigidPort>(body).rotation, 1));
+    if (p.classicalFormulation) x.equations[way] += x.unknowns[rotation] * dot(here.bend, y);
+    if (!x.rate_level) x.equations[rotation] = dot(here.slope, y);
+  }
+
+  // Rates across the cable, at the place nearest to the body: they are those of the constraint from which the way is eliminated.
+  template <class S>
+  static void set_rates(const Parameters& p, const Context& c, Exchange<S>& x, const Cable<S>& here, const S& along) {
+    const Cable<S> foot(p, c, x, here.nearest(x.unknowns[way]));
+    const auto rates = foot.rates(x);
+    const Vec<S, 2> normal = across(foot.slope);
+    const S closing = dot(rates.gap, normal) + dot(foot.gap, across(rates.slope));
+    if (p.classicalFormulation) {
+      const S square = dot(foot.slope, foot.slope);
+      const Vec<S, 2> both = (closing / square) * normal + (along / square) * foot.slope;
+      x.equations[0] = both[0];
+      x.equations[1] = both[1];
+    } else {
+      x.equations[1] = closing;
+    }
+    if (!p.constrainRotation) return;
+    const RigidFrame<S>& frame = x.template frame<RigidPort>(body);
+    const Vec3<S> y = column(frame.rotation, 1);
+    x.equations[rotation] = dot(rates.slope + rates.slide * foot.bend, planar(y)) + dot(foot.slope, planar(cross(frame.angular_velocity, y)));
+  }
+};
+
+}  // namespace dalembert

@@ -1,0 +1,66 @@
+// Terms that are no items: how they enter an assembled system, and how patterns follow what they find.
+#include "dalembert/system/system_term.hpp"
+
+#include "dalembert/system/parts.hpp"
+#include "plan.hpp"
+
+namespace dalembert {
+namespace {
+
+class ContainmentCheck final : public BlockVisitor {
+ public:
+  explicit ContainmentCheck(const Pattern& pattern) : pattern_(pattern) {}
+  void entry(int row, int column) override { holds = holds && pattern_.contains(row, column); }
+  bool holds = true;
+
+ private:
+  const Pattern& pattern_;
+};
+
+}  // namespace
+
+// Markers under it are differentiated, and their forces pulled back, as if an item were connected.
+void System::add(std::unique_ptr<SystemTerm> term) {
+  SystemParts& parts = *parts_;
+  for (const int marker : term->markers()) parts.plan.connected.insert(parts.markers[static_cast<std::size_t>(marker)].member.batch);
+  for (RegionPlan& region : parts.plan.regions)
+    for (const MarkerBatch* batch : region.moving)
+      if (parts.plan.connected.contains(batch) && std::ranges::find(region.differentiated, batch) == region.differentiated.end())
+        region.differentiated.push_back(batch);
+  sort_loads(parts);
+  parts.plan.resting_evaluated = false;
+  parts.plan.regions[Regions::whole].terms.push_back(term.get());
+  parts.has_history = parts.has_history || term->has_history();
+  parts.system_terms.push_back(term.get());
+  parts.terms.push_back(std::move(term));
+  parts.bound = nullptr;
+  evaluated_ = nullptr;
+  searches_ = true;
+  if (!parts.sparse_patterns.empty()) parts.add_sparse_pattern();
+}
+
+bool System::search(const State& state, const Conditions& conditions) {
+  SystemParts& parts = *parts_;
+  evaluated_ = nullptr;
+  parts.update_ports(parts.evaluation(state, conditions));
+  bool changed = false;
+  for (SystemTerm* term : parts.system_terms) changed |= term->search(parts.ports);
+  if (!changed) return false;
+  parts.bound = nullptr;
+  if (parts.sparse_patterns.empty()) return false;
+  ContainmentCheck check(parts.sparse_patterns.back());
+  for (const SystemTerm* term : parts.system_terms) term->visit(check, parts.ports);
+  if (check.holds) return false;
+  parts.sparse_patterns.back() = parts.make_sparse_pattern();  // in its place: a solver at work keeps a pointer to it
+  ++pattern_revisions_;
+  return true;
+}
+
+void System::keep_history() {
+  for (SystemTerm* term : parts_->system_terms) term->keep();
+}
+void System::restore_history() {
+  for (SystemTerm* term : parts_->system_terms) term->restore();
+}
+
+}  // namespace dalembert
