@@ -19,7 +19,6 @@ ITEMS = (
     "NodePointSlope12",
     "NodePointSlope23",
     "ObjectFFRF",
-    "ObjectFFRFreducedOrder",
     "ObjectKinematicTree",
     "ObjectALEANCFCable2D",
     "ObjectANCFBeam",
