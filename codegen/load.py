@@ -28,7 +28,7 @@ TABLES = ("parameters", "visualization", "outputs")
 TOP_LEVEL = (
     "name", "type_name", "object_type", "short_names", "summary", "provides", "requested_nodes", "requested_markers",
     "physics",
-    "nodes", "irregular", "beyond_reference", *TABLES, "user_functions", "scene", "docs", "example",
+    "nodes", "sized", "irregular", "beyond_reference", *TABLES, "user_functions", "scene", "docs", "example",
 )  # fmt: skip
 WORD_LISTS = ("short_names", "provides", "requested_nodes", "requested_markers", "nodes")
 OUTPUT_KEYS = ("size", "unit", "from", "symbol", "doc")
@@ -80,6 +80,7 @@ def load_item(path: str, content: str, groups: Groups, enums: Mapping[str, Enum]
             **texts,
             **words,
             object_type=raw.get("object_type", ""),
+            sized=raw.get("sized", ""),
             irregular=raw.get("irregular", ""),
             beyond_reference=raw.get("beyond_reference"),
             parameters=_rows("parameters", tables, lambda n, r: parameter(n, r, enums)),

@@ -268,6 +268,7 @@ class Item:
     requested_nodes: tuple[str, ...] = ()
     requested_markers: tuple[str, ...] = ()
     nodes: tuple[str, ...] = ()
+    sized: str = ""  # a body with a number of coordinates that is known at run time only: the reason
     irregular: str = ""
     beyond_reference: str | None = None  # what it adds to the items of the reference; None: it is one of them
     equations: str = ""
@@ -295,7 +296,7 @@ class Item:
         if (
             self.ready
             and self.folder in BODY_FOLDERS
-            and not (self.nodes or self.irregular or self.name == "ObjectGround")
+            and not (self.nodes or self.sized or self.irregular or self.name == "ObjectGround")
         ):
             raise SpecError("nodes: a ready body names the nodes that its kernel is compiled for")
         if self.nodes and self.folder not in BODY_FOLDERS:

@@ -26,6 +26,11 @@ _ITEM_PHYSICS = {
     "markers": ("MarkerPhysicsOf", "marker"),
     "loads": ("LoadPhysicsOf", "load"),
 }
+_SIZED_BODY = ("SizedBodyPhysics", "sized_body")
+
+
+def _physics(item: Item) -> tuple[str, str]:
+    return _SIZED_BODY if item.sized else _ITEM_PHYSICS[item.folder]
 
 
 def cpp_string(text: str) -> str:
@@ -193,7 +198,7 @@ def physics_includes(item: Item, stems: dict[str, str]) -> list[str]:
     if item.kind == "sensor":
         return ["dalembert/system/physics.hpp"]
     kernels = [item.stem, *(stems[node] for node in item.nodes)]
-    batch = _ITEM_PHYSICS[item.folder][1]
+    batch = _physics(item)[1]
     return sorted([f"dalembert/batches/{batch}.hpp", *(f"dalembert/items/{stem}.hpp" for stem in kernels)])
 
 
@@ -211,4 +216,4 @@ def physics_expression(item: Item) -> str:
         return f"{snake_case(item.name)}_physics()"
     if item.kind == "sensor":
         return "SensorPhysics{}"
-    return f"{_ITEM_PHYSICS[item.folder][0]}<{', '.join((item.name, f'{item.name}Record', *item.nodes))}>{{}}"
+    return f"{_physics(item)[0]}<{', '.join((item.name, f'{item.name}Record', *item.nodes))}>{{}}"

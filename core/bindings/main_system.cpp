@@ -125,11 +125,17 @@ void MainSystem::add_load_dependencies(int load, std::span<const int> coordinate
 void MainSystem::assemble(const Label& method) {
   require_idle(*this, [&] { return "mbs." + method.text() + "()"; });
   system.assemble(model);
+  take_completed();
   excerpts = {};
   assembled_structure_ = model.structure_changes();
   refreshed_values_ = model.value_changes();
   if (const std::string doubt = model.doubt(); !doubt.empty())
     if (PyErr_WarnEx(PyExc_UserWarning, doubt.c_str(), 1) != 0) throw py::error_already_set();
+}
+
+// Parameters that assembling finds can be read from the items.
+void MainSystem::take_completed() {
+  for (auto& [object, record] : system.completed_records()) model_.complete(object, std::move(record));
 }
 
 // Sensors that were added or deleted have no part in the equations: the system takes them over. Other changes need Assemble().
@@ -162,6 +168,7 @@ System& MainSystem::assembled(const Label& method) {
       system.refresh_later(model);
     } else {
       system.refresh(model);
+      take_completed();
       refreshed_values_ = model.value_changes();
     }
   }

@@ -59,6 +59,7 @@ class MainSystem : public std::enable_shared_from_this<MainSystem> {
 
  private:
   void require_consistent(const Label& method) const;
+  void take_completed();
 
   Model model_;
   std::uint64_t assembled_structure_ = ~std::uint64_t{0}, refreshed_values_ = 0;

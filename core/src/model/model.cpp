@@ -122,6 +122,10 @@ int Model::add(Item item) {
   return number;
 }
 
+void Model::complete(int object, std::shared_ptr<const void> record) {
+  items(ItemKind::object)[static_cast<std::size_t>(object)].record = std::move(record);
+}
+
 void Model::replace(ItemKind kind, int number, Item item) {
   const Item& old = this->item(kind, number);
   if (old.type != item.type) {

@@ -175,9 +175,13 @@ class Builder {
   // An object's nodes and markers, before its markers' coordinates are known.
   void register_object(int number) {
     const Item& item = item_of(ItemKind::object, number);
-    physics<ObjectPhysics>(item, number);
+    const auto& physics = this->physics<ObjectPhysics>(item, number);
     const Stretch nodes = refer(item, ItemKind::node), markers = refer(item, ItemKind::marker);
     parts_.objects.push_back({item.type, item.record, {}, nodes, markers});
+    if (auto completed = physics.completed(item.record.get(), placing_.of_object(number), {model_, ItemKind::object, number})) {
+      parts_.objects.back().record = std::move(completed);
+      parts_.completed.push_back(number);
+    }
   }
 
   void place_marker(int number) {

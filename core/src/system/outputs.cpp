@@ -206,11 +206,19 @@ void System::object_output(int object, Variable variable, ConfigurationType conf
 
 void System::super_element_output(int object, Variable variable, int mesh_node, ConfigurationType configuration,
                                   Values& values) {
-  const ObjectPlace& place = parts_->objects.at(static_cast<std::size_t>(object));
-  if (mesh_node < 0 || mesh_node >= static_cast<int>(place.nodes.count))
-    refuse(ErrorKind::value, {parts_->describe(ItemKind::object, object), "meshNodeNumber", "", std::to_string(mesh_node),
-                              "a mesh node from 0 to " + std::to_string(static_cast<int>(place.nodes.count) - 1), ""});
-  node_output(place.nodes.of(parts_->references)[static_cast<std::size_t>(mesh_node)], variable, configuration, values);
+  SystemParts& parts = *parts_;
+  const ObjectPlace& place = parts.objects.at(static_cast<std::size_t>(object));
+  const auto& [batch, entry] = place.member;
+  const int own = batch->mesh_nodes(entry), count = own > 0 ? own : static_cast<int>(place.nodes.count);
+  if (mesh_node < 0 || mesh_node >= count)
+    refuse(ErrorKind::value, {parts.describe(ItemKind::object, object), "meshNodeNumber", "", std::to_string(mesh_node),
+                              "a mesh node from 0 to " + std::to_string(count - 1), ""});
+  if (own == 0) return node_output(place.nodes.of(parts.references)[static_cast<std::size_t>(mesh_node)], variable, configuration, values);
+  NumberList list(parts.free_numbers);
+  parts.list_coordinates(place, Coordinates::ode2, list.numbers);
+  if (batch->mesh_output(entry, mesh_node, variable, parts.output_evaluation(parts.state(configuration), list.numbers), values)) return;
+  refuse(ErrorKind::value, {parts.describe(ItemKind::object, object), "", "its mesh nodes have no output variable " + std::string(variable_name(variable)), "",
+                            "Position, Displacement, Velocity, Acceleration, DisplacementLocal, VelocityLocal, or that of its modes", ""});
 }
 
 void System::marker_output(int marker, Variable variable, ConfigurationType configuration, Values& values) {

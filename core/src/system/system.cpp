@@ -84,6 +84,11 @@ void System::refresh(const Model& model) {
   for (const ItemReference& item : changed) check_change(parts, model, placing, item);
   evaluated_ = nullptr;
   parts.plan.resting_evaluated = false;
+  const auto complete = [&](ObjectPlace& place, int number) {
+    const auto& physics = static_cast<const ObjectPhysics&>(*place.type->physics);
+    if (auto record = physics.completed(place.record.get(), placing.of_object(number), {model, ItemKind::object, number}))
+      place.record = std::move(record);
+  };
   const auto renew = [&](ItemKind kind, int number) {
     const auto& record = model.item(kind, number).record;
     const auto i = static_cast<std::size_t>(number);
@@ -96,12 +101,13 @@ void System::refresh(const Model& model) {
         break;
       case ItemKind::object:
         parts.objects[i].record = record;
-        parts.objects[i].member.batch->refresh(parts.objects[i].member.entry, record.get());
+        complete(parts.objects[i], number);
+        parts.objects[i].member.batch->refresh(parts.objects[i].member.entry, parts.objects[i].record.get());
         parts.look_for_functions(parts.objects[i]);
         for (MarkerPlace& marker : parts.markers)
           for (std::size_t k = 0; k < marker.objects.count; ++k)
             if (marker.objects.of(parts.references)[k] == number)
-              marker.member.batch->refresh_owners(marker.member.entry, static_cast<int>(k), record.get());
+              marker.member.batch->refresh_owners(marker.member.entry, static_cast<int>(k), parts.objects[i].record.get());
         break;
       case ItemKind::marker: {
         MarkerPlace& marker = parts.markers[i];
@@ -124,6 +130,12 @@ void System::refresh(const Model& model) {
   for (const ItemReference& item : changed) renew(item.kind, item.number);
   parts.values = model.value_changes();
   sort_loads(parts);
+}
+
+std::vector<std::pair<int, std::shared_ptr<const void>>> System::completed_records() const {
+  std::vector<std::pair<int, std::shared_ptr<const void>>> records;
+  for (const int number : parts_->completed) records.emplace_back(number, parts_->objects[static_cast<std::size_t>(number)].record);
+  return records;
 }
 
 bool System::renew_sensors(const Model& model) {

@@ -1413,7 +1413,7 @@ class VObjectFFRFreducedOrder(_Visualization):
     @triangleMesh.setter
     def triangleMesh(self, value: ArrayLike) -> None: ...
     showNodes: bool
-    """draw the nodes of the object at their deformed positions, whether or not the nodes themselves are shown"""
+    """draw the mesh nodes at their deformed positions"""
     def __init__(
         self,
         show: bool = True,
@@ -1429,17 +1429,17 @@ class ObjectFFRFreducedOrder(_Object):
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     @property
     def nodeNumbers(self) -> list[NodeIndex]:
-        """two nodes: the node of the body frame, and a generic node of second order with the modal coordinates [n]"""
+        """two nodes: the rigid body node of the body frame, and a ``NodeGenericODE2`` with the modal coordinates, whose reference coordinates are zero [n]"""
     @nodeNumbers.setter
     def nodeNumbers(self, value: Sequence[NodeIndex | int]) -> None: ...
     @property
     def massMatrixReduced(self) -> MatrixContainer:
-        """modal mass matrix, one row and column per mode [n x m; various]"""
+        """modal mass matrix, one row and column per mode, dense or sparse [n x m; various]"""
     @massMatrixReduced.setter
     def massMatrixReduced(self, value: MatrixLike | None) -> None: ...
     @property
     def stiffnessMatrixReduced(self) -> MatrixContainer:
-        """modal stiffness matrix, one row and column per mode [n x m; various]"""
+        """modal stiffness matrix, one row and column per mode, dense or sparse; empty for zero [n x m; various]"""
     @stiffnessMatrixReduced.setter
     def stiffnessMatrixReduced(self, value: MatrixLike | None) -> None: ...
     @property
@@ -1450,9 +1450,9 @@ class ObjectFFRFreducedOrder(_Object):
     forceUserFunction: Callable[[MainSystem, float, int, Array, Array], ArrayLike] | Literal[0]
     """function that gives generalized forces on the right hand side"""
     massMatrixUserFunction: Callable[[MainSystem, float, int, Array, Array], ArrayLike] | Literal[0]
-    """function that gives an additional mass matrix for all coordinates"""
+    """function that gives an additional mass matrix for all coordinates; its dependence on them is left out of the tangent"""
     computeFFRFterms: bool
-    """true: the inertia coupling of rigid body motion and deformation is computed by the object; false: only the given matrices act, and the user functions supply mass matrix and velocity terms"""
+    """True: the object computes inertia with its coupling of rigid body motion and deformation, stiffness and damping; False: nothing acts but what the user functions give"""
     @property
     def modeBasis(self) -> Array:
         """one column per mode, three rows per mesh node: displacements of the mesh in the body frame for a unit modal coordinate [n x m; various]"""
@@ -1460,18 +1460,18 @@ class ObjectFFRFreducedOrder(_Object):
     def modeBasis(self, value: ArrayLike) -> None: ...
     @property
     def outputVariableModeBasis(self) -> Array:
-        """values of an output variable per unit modal coordinate, one row per mesh node; for each mode as many columns as the variable has components; empty: none [n x m; various]"""
+        """values of an output variable per unit modal coordinate, one row per mesh node; for each mode six columns, one per component; empty: none [n x m; various]"""
     @outputVariableModeBasis.setter
     def outputVariableModeBasis(self, value: ArrayLike) -> None: ...
     outputVariableTypeModeBasis: OutputVariableType
-    """output variable that ``outputVariableModeBasis`` holds, such as stress or strain"""
+    """output variable that ``outputVariableModeBasis`` holds: ``StressLocal``, ``StrainLocal``, or ``_None``"""
     @property
     def referencePositions(self) -> Array:
         """reference positions of the mesh nodes in the body frame, three per node [n; m]"""
     @referencePositions.setter
     def referencePositions(self, value: ArrayLike) -> None: ...
     objectIsInitialized: bool
-    """leave it at false; the object sets it when its constant matrices are computed in ``Assemble()``, and setting it back to false has them computed anew"""
+    """leave it at False; ``Assemble()`` sets it, when it has found the parameters that follow from others"""
     physicsMass: float
     """total mass [kg]"""
     @property
@@ -1486,37 +1486,37 @@ class ObjectFFRFreducedOrder(_Object):
     def physicsCenterOfMass(self, value: ArrayLike) -> None: ...
     @property
     def mPsiTildePsi(self) -> Array:
-        """constant matrix of the inertia coupling, computed from mesh and modes by the class ``ObjectFFRFreducedOrderInterface``; empty as long as that class is not used [n x m; various]"""
+        """coupling of rotations and modes that changes with deformation: block :math:`i, j` is :math:`-\\int \\boldsymbol{\\psi}_i \\times \\boldsymbol{\\psi}_j\\, \\mathrm{d}m`; empty: ``Assemble()`` finds it from ``mPsiTildePsiTilde`` [n x m; various]"""
     @mPsiTildePsi.setter
     def mPsiTildePsi(self, value: ArrayLike) -> None: ...
     @property
     def mPsiTildePsiTilde(self) -> Array:
-        """constant matrix of the inertia coupling, computed from mesh and modes by the class ``ObjectFFRFreducedOrderInterface``; empty as long as that class is not used [n x m; various]"""
+        """inertia of the deformation: block :math:`i, j` is :math:`-\\int \\tilde{\\boldsymbol{\\psi}}_i \\tilde{\\boldsymbol{\\psi}}_j\\, \\mathrm{d}m` [n x m; various]"""
     @mPsiTildePsiTilde.setter
     def mPsiTildePsiTilde(self, value: ArrayLike) -> None: ...
     @property
     def mPhitTPsi(self) -> Array:
-        """constant matrix of the inertia coupling, computed from mesh and modes by the class ``ObjectFFRFreducedOrderInterface``; empty as long as that class is not used [n x m; various]"""
+        """coupling of translations and modes: column :math:`j` is :math:`\\int \\boldsymbol{\\psi}_j\\, \\mathrm{d}m` [n x m; various]"""
     @mPhitTPsi.setter
     def mPhitTPsi(self, value: ArrayLike) -> None: ...
     @property
     def mPhitTPsiTilde(self) -> Array:
-        """constant matrix of the inertia coupling, computed from mesh and modes by the class ``ObjectFFRFreducedOrderInterface``; empty as long as that class is not used [n x m; various]"""
+        """the skew symmetric matrices of the columns of ``mPhitTPsi``; empty: ``Assemble()`` finds it [n x m; various]"""
     @mPhitTPsiTilde.setter
     def mPhitTPsiTilde(self, value: ArrayLike) -> None: ...
     @property
     def mXRefTildePsi(self) -> Array:
-        """constant matrix of the inertia coupling, computed from mesh and modes by the class ``ObjectFFRFreducedOrderInterface``; empty as long as that class is not used [n x m; various]"""
+        """coupling of rotations and modes: column :math:`j` is :math:`-\\int \\mathbf{x} \\times \\boldsymbol{\\psi}_j\\, \\mathrm{d}m`; empty: ``Assemble()`` finds it from ``mXRefTildePsiTilde`` [n x m; various]"""
     @mXRefTildePsi.setter
     def mXRefTildePsi(self, value: ArrayLike) -> None: ...
     @property
     def mXRefTildePsiTilde(self) -> Array:
-        """constant matrix of the inertia coupling, computed from mesh and modes by the class ``ObjectFFRFreducedOrderInterface``; empty as long as that class is not used [n x m; various]"""
+        """what deformation does to the inertia: block :math:`j` is :math:`-\\int \\tilde{\\mathbf{x}}\\, \\tilde{\\boldsymbol{\\psi}}_j\\, \\mathrm{d}m` [n x m; various]"""
     @mXRefTildePsiTilde.setter
     def mXRefTildePsiTilde(self, value: ArrayLike) -> None: ...
     @property
     def physicsCenterOfMassTilde(self) -> Array:
-        """skew symmetric matrix of the center of mass, computed by the object [3 x 3; m]"""
+        """skew symmetric matrix of the center of mass, found by ``Assemble()`` [3 x 3; m]"""
     @physicsCenterOfMassTilde.setter
     def physicsCenterOfMassTilde(self, value: ArrayLike) -> None: ...
     @property

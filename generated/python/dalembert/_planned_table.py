@@ -18,7 +18,6 @@ ITEMS = (
     "NodePointSlope12",
     "NodePointSlope23",
     "ObjectFFRF",
-    "ObjectFFRFreducedOrder",
     "ObjectKinematicTree",
     "ObjectALEANCFCable2D",
     "ObjectANCFBeam",

@@ -5,13 +5,12 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/sized_body.hpp"
+#include "dalembert/items/bodies/generic_ode1.hpp"
 #include "dalembert/reflection/compiled_call.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
-
-// By hand: it has as many coordinates as its nodes
-const Physics& object_generic_ode1_physics();
 
 // Named, for several of these files may be compiled at once.
 namespace object_generic_ode1 {
@@ -43,7 +42,7 @@ constexpr std::array<OutputVariableType, 3> outputs{
     OutputVariableType::Coordinates_t,
 };
 
-const auto& physics = object_generic_ode1_physics();
+const auto& physics = SizedBodyPhysics<ObjectGenericODE1, ObjectGenericODE1Record>{};
 
 }  // namespace object_generic_ode1
 

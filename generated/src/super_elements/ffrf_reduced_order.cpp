@@ -5,6 +5,11 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/sized_body.hpp"
+#include "dalembert/items/nodes/rigid_body_ep.hpp"
+#include "dalembert/items/nodes/rigid_body_rot_vec_lg.hpp"
+#include "dalembert/items/nodes/rigid_body_rxyz.hpp"
+#include "dalembert/items/super_elements/ffrf_reduced_order.hpp"
 #include "dalembert/reflection/compiled_call.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
@@ -66,6 +71,8 @@ constexpr std::array<OutputVariableType, 3> outputs{
     OutputVariableType::Force,
 };
 
+const auto& physics = SizedBodyPhysics<ObjectFFRFreducedOrder, ObjectFFRFreducedOrderRecord, NodeRigidBodyEP, NodeRigidBodyRxyz, NodeRigidBodyRotVecLG>{};
+
 }  // namespace object_ffrf_reduced_order
 
 extern const ItemType object_ffrf_reduced_order_type;
@@ -81,7 +88,7 @@ const ItemType object_ffrf_reduced_order_type{
     .record = record_operations<object_ffrf_reduced_order::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = nullptr,
+    .physics = &object_ffrf_reduced_order::physics,
     .spec = "specs/super_elements/ffrf_reduced_order.toml",
 };
 

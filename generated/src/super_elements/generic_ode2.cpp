@@ -5,13 +5,12 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/sized_body.hpp"
+#include "dalembert/items/super_elements/generic_ode2.hpp"
 #include "dalembert/reflection/compiled_call.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
-
-// By hand: it has as many coordinates as its nodes
-const Physics& object_generic_ode2_physics();
 
 // Named, for several of these files may be compiled at once.
 namespace object_generic_ode2 {
@@ -69,7 +68,7 @@ constexpr std::array<OutputVariableType, 5> outputs{
     OutputVariableType::Force,
 };
 
-const auto& physics = object_generic_ode2_physics();
+const auto& physics = SizedBodyPhysics<ObjectGenericODE2, ObjectGenericODE2Record>{};
 
 }  // namespace object_generic_ode2
 

@@ -15,6 +15,11 @@ namespace dalembert {
 
 inline constexpr int sweep_width = 8;
 using SweepDual = Dual<sweep_width>;
+// Calls f(first, count) for the directions of each sweep over n of them.
+template <class F>
+void each_sweep(std::size_t n, const F& f) {
+  for (int first = 0, all = static_cast<int>(n); first < all; first += sweep_width) f(first, std::min(sweep_width, all - first));
+}
 
 // Refuses markers that give less than the frame of `Port`, or several coordinates instead of one. The frame of a rigid body
 // begins with that of a point.

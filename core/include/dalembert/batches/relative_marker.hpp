@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "dalembert/batches/mesh_marker.hpp"
+#include "dalembert/batches/inner_markers.hpp"
 #include "dalembert/batches/port_sweep.hpp"
 #include "dalembert/math/rotations.hpp"
 #include "dalembert/model/errors.hpp"

@@ -43,6 +43,8 @@ class Model {
   void replace(ItemKind kind, int number, Item item);
   // Write one parameter: `write` gets the member in a copy, which is kept only if `write` returns.
   void edit(ItemKind kind, int number, const Row& row, const std::function<void(void*)>& write);
+  // An object with parameters that Assemble finds: what they are found from has not changed.
+  void complete(int object, std::shared_ptr<const void> record);
   void rename(ItemKind kind, int number, std::string name);
   // Take the items of another model; changes go on counting.
   void become(Model other);

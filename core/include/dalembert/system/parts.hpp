@@ -174,6 +174,7 @@ struct SystemParts {
   std::vector<MarkerPlace> markers;
   std::vector<LoadPlace> loads;
   std::vector<SensorPlace> sensors;
+  std::vector<int> completed;    // objects with parameters that Assemble finds
   std::vector<int> references;  // what items refer to
   std::array<std::unordered_map<int, std::string>, item_kinds> given_names;  // of those that have one
   Model::Titles titles;

@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "dalembert/enums.hpp"
@@ -59,6 +60,8 @@ class System {
   void refresh(const Model& model);
   // The same from the next evaluation on, for functions that are called in the middle of one. The model has to live as long.
   void refresh_later(const Model& model) { late_ = &model; }
+  // Objects with parameters that assembling finds, and their records with these.
+  std::vector<std::pair<int, std::shared_ptr<const void>>> completed_records() const;
   // Take over added, deleted and changed sensors; false: other items have changed as well.
   bool renew_sensors(const Model& model);
   // Counts the assemblings: who keeps anything of a system has to look for it again when it has grown.

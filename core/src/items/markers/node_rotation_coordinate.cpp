@@ -1,7 +1,7 @@
 // MarkerNodeRotationCoordinate, specs/markers/node_rotation_coordinate.toml: it reads the rotation of any node.
 #include <algorithm>
 
-#include "dalembert/batches/mesh_marker.hpp"
+#include "dalembert/batches/inner_markers.hpp"
 #include "dalembert/batches/port_sweep.hpp"
 #include "dalembert/markers/node_rotation_coordinate_parameters.hpp"
 #include "dalembert/math/rotations.hpp"

@@ -1,42 +1,11 @@
-// MarkerSuperElementPosition, specs/markers/super_element_position.toml: what moves it depends on the super element.
+// MarkerSuperElementPosition, specs/markers/super_element_position.toml
+#include "dalembert/batches/mesh_marker.hpp"
 #include "dalembert/markers/super_element_position_parameters.hpp"
-#include "dalembert/model/errors.hpp"
-#include "dalembert/system/physics.hpp"
 
 namespace dalembert {
-namespace {
-
-const auto& parameters(const void* record) {
-  return static_cast<const MarkerSuperElementPositionRecord*>(record)->parameters;
-}
-const ObjectPhysics& object_physics(const ItemType& type) { return dynamic_cast<const ObjectPhysics&>(*type.physics); }
-
-struct SuperElementPosition final : MarkerPhysics {
-  void check(const void* record, const Placement& on, const Ports&, const ItemLabel& item) const override {
-    const auto& p = parameters(record);
-    const int count = object_physics(*on.owner_type).mesh_nodes(on.owner, on);
-    for (const int node : p.meshNodeNumbers)
-      if (node < 0 || node >= count)
-        refuse(ErrorKind::value,
-               {item, "meshNodeNumbers", "", std::to_string(node),
-                "mesh nodes from 0 to " + std::to_string(count - 1) + ", numbered within the super element", ""});
-    if (p.weightingFactors.size() != p.meshNodeNumbers.size())
-      refuse(ErrorKind::value,
-             {item, "weightingFactors", "", std::to_string(p.weightingFactors.size()) + " numbers",
-              std::to_string(p.meshNodeNumbers.size()) + " numbers, one for each of meshNodeNumbers", ""});
-  }
-  std::vector<int> coordinates(const void* record, const Placement& on) const override {
-    return object_physics(*on.owner_type).mesh_coordinates(on.owner, on, parameters(record).meshNodeNumbers);
-  }
-  std::unique_ptr<MarkerBatch> make_batch(const ItemType& item, std::span<const ItemType* const> nodes) const override {
-    return object_physics(item).make_mesh_marker(FrameShape::point, nodes);
-  }
-};
-
-}  // namespace
 
 const Physics& marker_super_element_position_physics() {
-  static const SuperElementPosition physics;
+  static const MeshMarkerPhysics<MarkerSuperElementPositionRecord, FrameShape::point> physics;
   return physics;
 }
 

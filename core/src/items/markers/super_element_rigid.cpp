@@ -1,34 +1,17 @@
-// MarkerSuperElementRigid, specs/markers/super_element_rigid.toml: what moves it depends on the super element.
+// MarkerSuperElementRigid, specs/markers/super_element_rigid.toml
+#include "dalembert/batches/mesh_marker.hpp"
 #include "dalembert/markers/super_element_rigid_parameters.hpp"
-#include "dalembert/model/errors.hpp"
-#include "dalembert/system/physics.hpp"
 
 namespace dalembert {
 namespace {
 
-const auto& parameters(const void* record) { return static_cast<const MarkerSuperElementRigidRecord*>(record)->parameters; }
-const ObjectPhysics& object_physics(const ItemType& type) { return dynamic_cast<const ObjectPhysics&>(*type.physics); }
-
-struct SuperElementRigid final : MarkerPhysics {
-  void check(const void* record, const Placement& on, const Ports&, const ItemLabel& item) const override {
+struct SuperElementRigid final : MeshMarkerPhysics<MarkerSuperElementRigidRecord, FrameShape::rigid> {
+  void check(const void* record, const Placement& on, const Ports& ports, const ItemLabel& item) const override {
     const auto& p = parameters(record);
-    const int count = object_physics(*on.owner_type).mesh_nodes(on.owner, on);
     if (p.meshNodeNumbers.empty()) refuse(ErrorKind::value, {item, "meshNodeNumbers", "", "an empty list", "mesh nodes", ""});
-    for (const int node : p.meshNodeNumbers)
-      if (node < 0 || node >= count)
-        refuse(ErrorKind::value, {item, "meshNodeNumbers", "", std::to_string(node),
-                                  "mesh nodes from 0 to " + std::to_string(count - 1) + ", numbered within the super element", ""});
-    if (p.weightingFactors.size() != p.meshNodeNumbers.size())
-      refuse(ErrorKind::value, {item, "weightingFactors", "", std::to_string(p.weightingFactors.size()) + " numbers",
-                                std::to_string(p.meshNodeNumbers.size()) + " numbers, one for each of meshNodeNumbers", ""});
+    MeshMarkerPhysics::check(record, on, ports, item);
     if (p.rotationsExponentialMap < 0 || p.rotationsExponentialMap > 2)
       refuse(ErrorKind::value, {item, "rotationsExponentialMap", "", std::to_string(p.rotationsExponentialMap), "0, 1 or 2", ""});
-  }
-  std::vector<int> coordinates(const void* record, const Placement& on) const override {
-    return object_physics(*on.owner_type).mesh_coordinates(on.owner, on, parameters(record).meshNodeNumbers);
-  }
-  std::unique_ptr<MarkerBatch> make_batch(const ItemType& item, std::span<const ItemType* const> nodes) const override {
-    return object_physics(item).make_mesh_marker(FrameShape::rigid, nodes);
   }
 };
 

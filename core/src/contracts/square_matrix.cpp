@@ -1,4 +1,4 @@
-#include "dalembert/batches/square_matrix.hpp"
+#include "dalembert/contracts/square_matrix.hpp"
 
 #include <algorithm>
 #include <tuple>
@@ -29,14 +29,14 @@ bool SquareMatrix::same_places(const SquareMatrix& other) const {
                             [](const auto& a, const auto& b) { return a.row == b.row && a.column == b.column; });
 }
 
-void SquareMatrix::add_product(const double* x, std::span<const int> dofs, double* y) const {
-  for (const auto& t : entries_) y[dofs[t.row]] += t.value * x[dofs[t.column]];
+void SquareMatrix::add_product(const double* x, std::span<const int> from, double* y, std::span<const int> to) const {
+  for (const auto& t : entries_) y[to[t.row]] += t.value * x[from[t.column]];
   if (dense_.empty()) return;
   const double* entry = dense_.data();
   for (int i = 0; i < rows_; ++i) {
     double sum = 0;
-    for (int j = 0; j < rows_; ++j) sum += *entry++ * x[dofs[j]];
-    y[dofs[i]] += sum;
+    for (int j = 0; j < rows_; ++j) sum += *entry++ * x[from[j]];
+    y[to[i]] += sum;
   }
 }
 
@@ -52,8 +52,12 @@ void SquareMatrix::add(double factor, SlotCursor& slot) const {
   for (const auto& t : entries_) slot.add(factor * t.value);
 }
 
-void SquareMatrix::add(double factor, std::span<double> values) const {
-  for (std::size_t i = 0; i < dense_.size(); ++i) values[i] += factor * dense_[i];
+void SquareMatrix::add(double factor, std::span<double> values, std::size_t columns) const {
+  if (dense_.empty() || factor == 0) return;
+  const auto n = static_cast<std::size_t>(rows_);
+  double* row = values.data() + (columns + 1) * (columns - n);
+  for (std::size_t i = 0; i < n; ++i, row += columns)
+    for (std::size_t j = 0; j < n; ++j) row[j] += factor * dense_[i * n + j];
 }
 
 }  // namespace dalembert

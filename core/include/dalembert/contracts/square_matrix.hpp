@@ -21,12 +21,13 @@ class SquareMatrix {
   bool same_places(const SquareMatrix& other) const;
 
   // y += A x, with x and y in the system's vectors.
-  void add_product(const double* x, std::span<const int> dofs, double* y) const;
+  void add_product(const double* x, std::span<const int> dofs, double* y) const { add_product(x, dofs, y, dofs); }
+  void add_product(const double* x, std::span<const int> from, double* y, std::span<const int> to) const;
   // Places of a sparse matrix, and its entries times `factor` in their order.
   void visit(BlockVisitor& visitor, std::span<const int> dofs) const;
   void add(double factor, SlotCursor& slot) const;
-  // A dense matrix: values += factor A, row by row.
-  void add(double factor, std::span<double> values) const;
+  // A dense matrix: values += factor A, in the last rows and columns of a larger one of so many columns.
+  void add(double factor, std::span<double> values, std::size_t columns) const;
 
  private:
   int rows_ = 0;

@@ -1,0 +1,62 @@
+// The law of one body of run-time size (contracts/sized_body.hpp), ready for evaluations: matrices, constant forces and user
+// functions, on the coordinates of the body.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "dalembert/contracts/sized_body.hpp"
+
+namespace dalembert {
+
+class LawOfBody {
+ public:
+  // Numbers of the body's coordinates in vectors of the system, and of its equations. Those from `begin` on are the law's.
+  void place(int order, const Placement& placement, int begin);
+  // `with_residual`: the tangent is full anyway.
+  void read(const SizedLaw& law, bool with_residual);
+
+  int item() const { return item_; }
+  const std::vector<int>& dofs() const { return dofs_; }
+  bool full() const { return full_; }  // all n x n places of the tangent are written
+  bool same_places(const LawOfBody& other) const;
+  bool has_mass_function() const { return static_cast<bool>(mass_); }
+
+  // Room for the arguments and results of user functions.
+  struct Work {
+    std::vector<double> q, v, force, matrix;
+    void make_room(const LawOfBody& law);
+  };
+  // A full block, then the places of the sparse matrices.
+  void visit(BlockVisitor& visitor) const;
+  void add_forces(const Evaluation& evaluation, Work& work, double* r) const;
+  void add_inertia(const Evaluation& evaluation, Work& work, double* r) const;
+  void add_tangent(const Evaluation& evaluation, const Weights& w, Work& work, std::span<double> block) const;
+  void add_sparse(const Weights& w, SlotCursor& slot) const;
+
+ private:
+  struct Term {
+    StateVector times{};
+    SquareMatrix matrix;
+  };
+  std::span<const int> own_dofs() const { return std::span(dofs_).subspan(begin_); }
+  std::span<const int> own_rows() const { return std::span(rows_).subspan(begin_); }
+  void call(const UserFunction& f, const Evaluation& evaluation, Work& work, std::span<double> result) const;
+  void take_arguments(const Evaluation& evaluation, Work& work) const;
+  void repeat(const UserFunction& f, double time, const Work& work, std::span<double> result) const;
+
+  int item_ = -1, order_ = 2;
+  std::size_t begin_ = 0;
+  std::vector<int> dofs_, rows_;
+  std::array<Term, 3> terms_;
+  std::vector<double> force_vector_;
+  UserFunction force_, mass_, jacobian_;
+  bool full_ = false;
+};
+
+// Refuses matrices and vectors of other sizes than so many coordinates, or none.
+void check_sizes(const SizedLaw& law, int coordinates, std::string_view called, const ItemLabel& item);
+
+}  // namespace dalembert

@@ -1,0 +1,102 @@
+// A place on a body that deforms in a frame. Its displacement u and its small rotation theta are linear in the coordinates of the
+// body: constant rows, prepared once however many mesh nodes the place stands for. With the frame at p, turned by A,
+//
+//      position    p + A (rest + u)              u = translation x,      theta = rotation x
+//      rotation    A exp(theta)
+//
+// A force and a moment on it go back by the same rows. Shabana, Dynamics of Multibody Systems, chapter 5; weighted nodes: as the
+// RBE3 elements of NASTRAN.
+#pragma once
+
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "dalembert/contracts/sized_coordinates.hpp"
+
+namespace dalembert {
+
+// The frame of a body that deforms in global axes.
+struct NoFrame {
+  static constexpr int size = 0;
+};
+
+// d(rotation vector)/dt to angular velocity in the turned axes, for the exponential map.
+template <class S>
+Mat3<S> rotation_vector_tangent(const Vec3<S>& rotation) {
+  S sinc, versine, residue;
+  const S square = dot(rotation, rotation);
+  RodriguesSeries::terms(square, sinc, versine, residue);
+  const Mat3<S> k = skew(rotation), kk = k * k;
+  Mat3<S> t = identity<S>();
+  for (int i = 0; i < 9; ++i) t.x[i] += residue * kk.x[i] - versine * k.x[i];
+  return t;
+}
+
+struct FramePlace {
+  double scale = 1;                           // of the force on the frame as a whole
+  Vec3<double> rest{};                        // in the frame
+  std::vector<double> translation = {}, rotation = {};  // three rows each, of as many coordinates as there are; empty: none
+  bool exponential_map = true;                // else rotations are linear
+  bool exact_rate = true;                     // the angular velocity is that of the exponential map
+  bool turns_moments = true;                  // moments act through the tangent of the exponential map
+
+  template <class Frame, class S>
+  Motion<S> motion(const SizedCoordinates<S>& x) const {
+    const Motion<S> frame = frame_motion<Frame>(x);
+    const Vec3<S> rate = frame.rotation * by(translation, x.v);
+    Motion<S> m = moved(frame, frame.rotation * (rest + by(translation, x.u)));
+    m.velocity += rate;
+    m.acceleration += frame.rotation * by(translation, x.a) + 2.0 * cross(frame.angular_velocity, rate);
+    if (rotation.empty()) return m;
+    const Vec3<S> angle = by(rotation, x.u);
+    Vec3<S> turning = by(rotation, x.v);
+    if (exact_rate) turning = rotation_vector_tangent(angle) * turning;
+    m.rotation = frame.rotation * (exponential_map ? rotation_vector_rotation(angle) : identity<S>() + skew(angle));
+    m.angular_velocity += m.rotation * turning;
+    return m;
+  }
+
+  // Generalized forces of a force and a moment in global axes.
+  template <class Frame, class S>
+  void pull_back(const SizedCoordinates<S>& x, const Vec3<double>& force, const Vec3<double>& moment, std::span<S> q) const {
+    const Motion<S> frame = frame_motion<Frame>(x);
+    const Vec3<S> f = transposed_times(frame.rotation, force);
+    for (S& entry : q) entry = S(0);
+    add(translation, f, q);
+    if (!rotation.empty()) {
+      Vec3<S> m = transposed_times(frame.rotation, moment);
+      if (turns_moments) m = transposed_times(rotation_vector_tangent(by(rotation, x.u)), m);
+      add(rotation, m, q);
+    }
+    if constexpr (Frame::size > 0) {
+      const Vec3<S> arm = frame.rotation * (rest + by(translation, x.u));
+      const auto whole = Frame::template pull_back<S>(x.template of_first<Frame>(), lifted_force<S>(force),
+                                                      lifted_force<S>(moment) + cross(arm, force));
+      for (int i = 0; i < Frame::size; ++i) q[i] += whole[i];
+    }
+  }
+
+ private:
+  template <class Frame, class S>
+  static Motion<S> frame_motion(const SizedCoordinates<S>& x) {
+    if constexpr (Frame::size > 0) return Frame::template motion<S>(x.template of_first<Frame>());
+    return {};
+  }
+  template <class S>
+  Vec3<S> lifted_force(const Vec3<double>& f) const {
+    return {S(scale * f[0]), S(scale * f[1]), S(scale * f[2])};
+  }
+  template <class S>
+  static Vec3<S> by(const std::vector<double>& rows, const SizedVector<S>& x) {
+    return rows.empty() ? Vec3<S>{} : SizedCoordinates<S>::combined(x, rows, 0);
+  }
+  template <class S>
+  static void add(const std::vector<double>& rows, const Vec3<S>& f, std::span<S> q) {
+    if (rows.empty()) return;
+    const std::size_t n = q.size();
+    for (std::size_t i = 0; i < n; ++i) q[i] += rows[i] * f[0] + rows[n + i] * f[1] + rows[2 * n + i] * f[2];
+  }
+};
+
+}  // namespace dalembert
