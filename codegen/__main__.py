@@ -1,6 +1,6 @@
 """`python -m codegen` writes generated/; `--check` only compares, and fails on a difference.
 
-`python -m codegen new object MyItem` starts a new item: a spec and the skeleton of its kernel.
+`python -m codegen new connector MyItem` starts a new item: a spec and the skeleton of its kernel.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ def main(argv: list[str] | None = None) -> int:
     arguments = parser.parse_args(argv)
     try:
         if arguments.command == "new":
-            print("\n".join(create(arguments.root, arguments.kind, arguments.name, arguments.folder)))
+            print("\n".join(create(arguments.root, arguments.kind, arguments.name)))
             return 0
         wanted = render(load(arguments.root))
     except SpecError as error:

@@ -1,45 +1,79 @@
-"""Start a new item: its spec, and the skeleton of its kernel."""
+"""Start a new item: its spec, and the skeleton of its kernel.
+
+A kind has two templates in templates/new/, `<kind>.toml.j2` and `<kind>.hpp.j2`: an item that is complete and small, to
+be changed into what is wanted. A kind without templates of its own starts as planned.
+"""
 
 from __future__ import annotations
 
 import argparse
+from dataclasses import dataclass
 from pathlib import Path
 
 from codegen.model import SpecError
-from codegen.names import FOLDERS, nearest, stem_of
-from codegen.render import fill
+from codegen.names import FOLDERS, stem_of
+from codegen.render import environment, fill
 
-# The folder of a kind, where none is asked for.
-DEFAULT_FOLDERS = {"node": "nodes", "object": "bodies", "marker": "markers", "load": "loads", "sensor": "sensors"}
-OBJECT_TYPES = {
-    "bodies": "Body", "super_elements": "SuperElement", "finite_elements": "FiniteElement", "connectors": "Connector",
-    "contacts": "Connector", "constraints": "Constraint", "joints": "Joint",
-}  # fmt: skip
+# Kind -> folder of specs/, and type of objects.
+KINDS = {
+    "node": ("nodes", ""),
+    "body": ("bodies", "Body"),
+    "super_element": ("super_elements", "SuperElement"),
+    "finite_element": ("finite_elements", "FiniteElement"),
+    "connector": ("connectors", "Connector"),
+    "contact": ("contacts", "Connector"),
+    "constraint": ("constraints", "Constraint"),
+    "joint": ("joints", "Joint"),
+    "marker": ("markers", ""),
+    "load": ("loads", ""),
+    "sensor": ("sensors", ""),
+}
+PLANNED = ("new/planned.toml.j2", "new/planned.hpp.j2")
+
+
+@dataclass(frozen=True)
+class NewItem:
+    """What the templates read."""
+
+    name: str
+    type_name: str
+    object_type: str
+    folder: str
+    stem: str
+    physics: str
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("kind", choices=DEFAULT_FOLDERS)
-    parser.add_argument("name", help="name of the item, with or without the kind in front: MyItem or ObjectMyItem")
-    parser.add_argument("--folder", default="", help="folder of specs/: " + ", ".join(FOLDERS))
+    parser.add_argument("kind", choices=KINDS)
+    parser.add_argument("name", help="name of the item, with or without what the names of its kind begin with")
 
 
-def create(root: Path, kind: str, name: str, folder: str = "") -> list[str]:
+def full_name(folder: str, name: str) -> str:
+    """`ObjectJointUniversal` of `Universal`, `JointUniversal` or itself."""
+    longest, shortest = FOLDERS[folder][1][0], FOLDERS[folder][1][-1]
+    if name.startswith(shortest):
+        return name
+    own = longest.removeprefix(shortest)
+    return shortest + name if own and name.startswith(own) else longest + name
+
+
+def create(root: Path, kind: str, name: str) -> list[str]:
     """Write spec and kernel skeleton; returns the paths written. Existing files are never touched."""
-    folder = folder or DEFAULT_FOLDERS[kind]
-    if folder not in FOLDERS or FOLDERS[folder][0] != kind:
-        of_kind = [f for f, (k, _) in FOLDERS.items() if k == kind]
-        raise SpecError(f"--folder: no folder {folder!r} of {kind} items; {nearest(folder, of_kind)}")
-    prefix = kind.capitalize()
-    full = name if name.startswith(prefix) else prefix + name
-    if not full.isidentifier() or full == prefix:
+    folder, object_type = KINDS[kind]
+    longest, shortest = FOLDERS[folder][1][0], FOLDERS[folder][1][-1]
+    full = full_name(folder, name)
+    if not full.isidentifier() or full in (longest, shortest):
         raise SpecError(f"name: {name!r} does not make the name of an item")
+    own = (f"new/{kind}.toml.j2", f"new/{kind}.hpp.j2")
+    complete = own[0] in environment().list_templates()
     stem = stem_of(full, folder)
-    context = {"name": full, "type_name": full.removeprefix(prefix), "stem": stem, "folder": folder}
-    files = {f"specs/{stem}.toml": fill("new_spec.toml.j2", **context, object_type=OBJECT_TYPES.get(folder, ""))}
+    item = NewItem(
+        full, full.removeprefix(shortest), object_type, folder, stem, physics="ready" if complete else "planned"
+    )
+    spec, kernel = own if complete else PLANNED
+    files = {f"specs/{stem}.toml": fill(spec, item=item)}
     if kind != "sensor":
-        files[f"core/include/dalembert/items/{stem}.hpp"] = fill(
-            "new_kernel.hpp.j2", name=full, stem=stem, folder=folder
-        )
+        files[f"core/include/dalembert/items/{stem}.hpp"] = fill(kernel, item=item)
     for path in files:
         if (root / path).exists():
             raise SpecError(f"{path}: exists already")

@@ -51,13 +51,18 @@ def filters_of(module: ModuleType) -> dict[str, Any]:
 def fill(template: str, **context: Any) -> str:
     """Render a template. A hole without a value fails, and so does a value without a hole."""
     env = environment()
-    assert env.loader is not None
-    source = env.loader.get_source(env, template)[0]
-    holes = meta.find_undeclared_variables(env.parse(source))
-    if unused := context.keys() - holes:
+    if unused := context.keys() - holes(env, template):
         raise TemplateError(f"{template}: no hole for {', '.join(sorted(unused))}")
     text = _TRAILING_SPACE.sub("", env.get_template(template).render(**context))
     return _BLANK_LINES.sub("\n\n", text).rstrip("\n") + "\n" if template.endswith(".rst.j2") else text
+
+
+def holes(env: Environment, template: str) -> set[str]:
+    """Names that a template, or one that it extends, needs values for."""
+    assert env.loader is not None
+    parsed = env.parse(env.loader.get_source(env, template)[0])
+    above = (holes(env, name) for name in meta.find_referenced_templates(parsed) if name)
+    return set(meta.find_undeclared_variables(parsed)).union(*above)
 
 
 def render(specs: Specs) -> dict[str, str]:

@@ -1,4 +1,4 @@
-"""`python -m codegen new` starts an item that passes the generator at once, and whose files compile."""
+"""`python -m codegen new` starts an item of each kind that passes the generator at once, and whose files compile."""
 
 from __future__ import annotations
 
@@ -10,24 +10,35 @@ import pytest
 
 from codegen.__main__ import main
 from codegen.load import load
+from codegen.new_item import KINDS
 
 CASES = [
     ("node", "Spin", "nodes", "NodeSpin", "spin"),
-    ("object", "Top", "bodies", "ObjectTop", "top"),
-    ("object", "ObjectConnectorRope2D", "connectors", "ObjectConnectorRope2D", "rope_2d"),
-    ("object", "JointUniversal", "joints", "ObjectJointUniversal", "universal"),
-    ("object", "Shell", "finite_elements", "ObjectShell", "shell"),
+    ("body", "Top", "bodies", "ObjectTop", "top"),
+    ("super_element", "Truss", "super_elements", "ObjectTruss", "truss"),
+    ("finite_element", "ObjectShell", "finite_elements", "ObjectShell", "shell"),
+    ("connector", "ObjectConnectorRope2D", "connectors", "ObjectConnectorRope2D", "rope_2d"),
+    ("contact", "Pads", "contacts", "ObjectContactPads", "pads"),
+    ("constraint", "Gear", "constraints", "ObjectConnectorGear", "gear"),
+    ("joint", "JointUniversal", "joints", "ObjectJointUniversal", "universal"),
     ("marker", "BodyEdge", "markers", "MarkerBodyEdge", "body_edge"),
     ("load", "Wind", "loads", "LoadWind", "wind"),
     ("sensor", "Energy", "sensors", "SensorEnergy", "energy"),
 ]
+# Contracts of these are not for a short kernel; sensors are read by a line of core/src/system/sensors.cpp.
+PLANNED = {"super_element", "finite_element", "sensor"}
+
+
+def test_every_kind_is_tested() -> None:
+    assert [kind for kind, *_ in CASES] == list(KINDS)
 
 
 @pytest.mark.parametrize(("kind", "name", "folder", "full", "stem"), CASES, ids=[case[3] for case in CASES])
 def test_new_item(copy: Path, root: Path, kind: str, name: str, folder: str, full: str, stem: str) -> None:
-    assert main(["--root", str(copy), "new", kind, name, "--folder", folder]) == 0
+    """The spec passes, the kernel fits its contract, and what is generated of both compiles."""
+    assert main(["--root", str(copy), "new", kind, name]) == 0
     item = next(item for item in load(copy).items if item.name == full)
-    assert (item.stem, item.physics, item.kind) == (f"{folder}/{stem}", "planned", kind)
+    assert (item.stem, item.physics) == (f"{folder}/{stem}", "planned" if kind in PLANNED else "ready")
     assert main(["--root", str(copy)]) == 0
     assert main(["--root", str(copy), "--check"]) == 0
     sources = [copy / f"generated/src/{folder}/{stem}.cpp"]
@@ -53,7 +64,7 @@ def compile_all(sources: list[Path], copy: Path, root: Path) -> None:
 
 def test_existing_files_are_never_touched(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
     before = (copy / "specs/bodies/mass_point.toml").read_text()
-    assert main(["--root", str(copy), "new", "object", "MassPoint"]) == 1
+    assert main(["--root", str(copy), "new", "body", "MassPoint"]) == 1
     assert "specs/bodies/mass_point.toml: exists already" in capsys.readouterr().err
     assert (copy / "specs/bodies/mass_point.toml").read_text() == before
 
@@ -61,13 +72,9 @@ def test_existing_files_are_never_touched(copy: Path, capsys: pytest.CaptureFixt
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (
-            ["object", "Top", "--folder", "boddies"],
-            "--folder: no folder 'boddies' of object items; did you mean 'bodies'?",
-        ),
-        (["load", "Wind", "--folder", "bodies"], "--folder: no folder 'bodies' of load items; known are loads"),
-        (["object", "my top"], "name: 'my top' does not make the name of an item"),
-        (["object", "Object"], "name: 'Object' does not make the name of an item"),
+        (["body", "my top"], "name: 'my top' does not make the name of an item"),
+        (["body", "Object"], "name: 'Object' does not make the name of an item"),
+        (["joint", "Joint"], "name: 'Joint' does not make the name of an item"),
     ],
 )
 def test_refused(copy: Path, capsys: pytest.CaptureFixture[str], arguments: list[str], message: str) -> None:

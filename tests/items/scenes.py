@@ -60,6 +60,11 @@ def on_one_frame(carrier: tuple[str, str]) -> bool:
     return bool(carrier[0]) and carrier[1] in KINDS and not ITEMS[carrier[0]].scene.nodes
 
 
+def moves_as_point(item: Item) -> bool:
+    """A body without orientation."""
+    return any(node in KINDS and KINDS[node].frame == "point" and not item.scene.nodes for node in item.nodes)
+
+
 def has_row(item: Item, name: str) -> bool:
     return any(row.name == name for row in item.parameters)
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from exemptions import GLOBAL_AXES, GLOBAL_FUNCTIONS, GLOBAL_MARKER, GLOBAL_WHEN_PARTIAL
 from motions import KINDS, Place, random_rotation
-from scenes import ITEMS, Scene
+from scenes import ITEMS, Scene, moves_as_point
 from test_momentum import in_touch
 from variants import ALL_VARIANTS, Variant
 
@@ -119,7 +119,7 @@ def told(scene: Scene) -> dict[str, np.ndarray]:
         item = next(i for i in ITEMS.values() if i.kind == "object" and i.type_name == data["objectType"])
         body = item.folder in ("bodies", "finite_elements")
         for output in item.outputs:
-            point = "MassPoint" in item.name  # has no orientation
+            point = moves_as_point(item)  # has no orientation
             if (
                 output.source == "coordinates"
                 or output.size == "n"

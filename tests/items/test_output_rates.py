@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from exemptions import NO_FORCES, NOT_OF_RATES, NOT_OF_VALUES, RATE_OF_OUTPUTS
 from motions import KINDS
-from scenes import ITEMS, Scene, is_ground, on_one_frame
+from scenes import ITEMS, Scene, is_ground, moves_as_point, on_one_frame
 from scipy.spatial.transform import Rotation
 from test_momentum import effect, in_touch
 from test_virtual_work import free_equations
@@ -43,7 +43,7 @@ def read_all(scene: Scene, kind: str, number: Any, item: Item, configuration: An
     """Outputs of one item; of bodies at a local point."""
     place: tuple[Any, ...] = ()
     if kind == "Object" and item.object_type in ("Body", "FiniteElement"):
-        point = "MassPoint" in item.name
+        point = moves_as_point(item)
         place = (np.array([0.3, -0.2, 0.0 if scene.planar else 0.1]) * (not point),)
     read = getattr(scene.mbs, f"Get{kind}Output" + ("Body" if place else ""))
     return {
