@@ -254,7 +254,11 @@ class Scene:
         section.stiffnessMatrix, section.dampingMatrix, section.inertia = stiffness, damping, inertia[:3, :3]
         section.massPerLength = rng.uniform(1, 2)
         ends = [
-            replace(self.motion(), position=start.point(stretch * np.array([length, 0.1, 0])), rotation=start.rotation @ turn)
+            replace(
+                self.motion(),
+                position=start.point(stretch * np.array([length, 0.1, 0])),
+                rotation=start.rotation @ turn,
+            )
             for start, stretch, turn in ((reference, 1.0, random_rotation(rng)), (motion, 1.1, random_rotation(rng)))
         ]
         nodes = [self.node(node, r, m) for r, m in zip([reference, ends[0]], [motion, ends[1]], strict=True)]

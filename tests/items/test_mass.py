@@ -13,9 +13,7 @@ from dalembert._core import testing
 BODY_TYPES = ("Body", "SuperElement", "FiniteElement")
 VARIANTS = [v for item in ITEMS.values() if item.ready and item.object_type in BODY_TYPES for v in variants_about(item)]
 each_body = pytest.mark.parametrize("variant", VARIANTS, ids=lambda variant: variant.id)
-RIGID = [
-    carrier for carrier in BODIES if carrier not in (CABLE, CABLE_3D) and carrier[0] not in (*SCALAR_BODIES, BEAM)
-]
+RIGID = [carrier for carrier in BODIES if carrier not in (CABLE, CABLE_3D) and carrier[0] not in (*SCALAR_BODIES, BEAM)]
 
 
 @each_body
@@ -60,7 +58,9 @@ def test_constant_mass_matrices_are_constant(variant: Variant) -> None:
 def test_which_mass_matrices_are_constant() -> None:
     constant = {v.pairs[0][1]: testing.constant_mass_matrix(v.build().mbs) for v in VARIANTS if not v.functions}
     turning = {carrier for carrier in constant if carrier[0] in ("ObjectRigidBody", "ObjectRigidBody2D")}
-    turning |= {(BEAM, node) for node in ("NodeRigidBodyEP", "NodeRigidBodyRxyz")}  # with spins on the group it is constant
+    turning |= {
+        (BEAM, node) for node in ("NodeRigidBodyEP", "NodeRigidBodyRxyz")
+    }  # with spins on the group it is constant
     assert all(constant[carrier] for carrier in (set(BODIES) | {GENERIC}) - turning)
     assert not any(constant[carrier] for carrier in turning)
 
