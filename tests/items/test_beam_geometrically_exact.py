@@ -298,3 +298,11 @@ def test_nodes_of_two_kinds_are_refused() -> None:
         ValueError, match="not available: ObjectBeamGeometricallyExact with NodeRigidBodyEP, NodeRigidBodyRxyz"
     ):
         mbs.Assemble()
+
+
+def test_length_is_asked_for() -> None:
+    mbs = exu.SystemContainer().AddSystem()
+    nodes = [mbs.AddNode(NodeRigidBodyRotVecLG(referenceCoordinates=[x, 0, 0, 0, 0, 0])) for x in (0, 1)]
+    mbs.AddObject(ObjectBeamGeometricallyExact(nodeNumbers=nodes))
+    with pytest.raises(ValueError, match=r"ObjectBeamGeometricallyExact.*physicsLength.*a positive length"):
+        mbs.Assemble()
