@@ -158,7 +158,9 @@ BEND = {
 
 def bend(kind: str, elements: int, force: float) -> np.ndarray:
     angles = np.linspace(0, np.pi / 4, elements + 1)
-    frames = [(100 * np.array([np.sin(a), 1 - np.cos(a), 0]), Rotation.from_rotvec([0, 0, a]).as_matrix()) for a in angles]
+    frames = [
+        (100 * np.array([np.sin(a), 1 - np.cos(a), 0]), Rotation.from_rotvec([0, 0, a]).as_matrix()) for a in angles
+    ]
     stiffness = [1e7, 41.6667e5, 41.6667e5, 8.333e5, 8.333e5, 8.333e5]
     beam = Beam(kind, frames, 100 * np.pi / 4 / elements, section(stiffness))
     beam.clamp()
@@ -292,5 +294,15 @@ def test_nodes_of_two_kinds_are_refused() -> None:
         for kind, x in (("EP", 0), ("Rxyz", 1))
     ]
     mbs.AddObject(ObjectBeamGeometricallyExact(physicsLength=1, nodeNumbers=nodes))
-    with pytest.raises(ValueError, match="not available: ObjectBeamGeometricallyExact with NodeRigidBodyEP, NodeRigidBodyRxyz"):
+    with pytest.raises(
+        ValueError, match="not available: ObjectBeamGeometricallyExact with NodeRigidBodyEP, NodeRigidBodyRxyz"
+    ):
+        mbs.Assemble()
+
+
+def test_length_is_asked_for() -> None:
+    mbs = exu.SystemContainer().AddSystem()
+    nodes = [mbs.AddNode(NodeRigidBodyRotVecLG(referenceCoordinates=[x, 0, 0, 0, 0, 0])) for x in (0, 1)]
+    mbs.AddObject(ObjectBeamGeometricallyExact(nodeNumbers=nodes))
+    with pytest.raises(ValueError, match=r"ObjectBeamGeometricallyExact.*physicsLength.*a positive length"):
         mbs.Assemble()

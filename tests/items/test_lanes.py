@@ -10,7 +10,7 @@ from registers import each_width, numbers_in_registers, run_with_instructions
 
 import dalembert as exu
 from dalembert._core import testing
-from dalembert.itemInterface import Cable2D, NodePoint2DSlope1
+from dalembert.itemInterface import Cable2D, NodePoint2DSlope1, NodePointSlope1, ObjectANCFCable
 from dalembert.rigidBodyUtilities import RigidBodyInertia
 
 LAW = {
@@ -25,12 +25,14 @@ WEIGHTS = {"cq": 0.7, "cv": 1.3, "ca": 0.4}
 ROUNDING = 1e-13  # of the largest entry: wide registers fuse products and sums
 
 
-def cables(laws: list[dict[str, Any]]) -> exu.MainSystem:
+def cables(laws: list[dict[str, Any]], dimension: int = 2) -> exu.MainSystem:
     """Cables that are not connected, on nodes of their own."""
     mbs = exu.SystemContainer().AddSystem()
+    node, cable = (NodePoint2DSlope1, Cable2D) if dimension == 2 else (NodePointSlope1, ObjectANCFCable)
+    rest = [0.0] * (dimension - 1)
     for law in laws:
-        nodes = [mbs.AddNode(NodePoint2DSlope1(referenceCoordinates=[x, 0, 1, 0])) for x in (0, law["physicsLength"])]
-        mbs.AddObject(Cable2D(nodeNumbers=nodes, **law))
+        nodes = [mbs.AddNode(node(referenceCoordinates=[x, *rest, 1, *rest])) for x in (0, law["physicsLength"])]
+        mbs.AddObject(cable(nodeNumbers=nodes, **law))
     mbs.Assemble()
     return mbs
 
@@ -48,15 +50,18 @@ def difference(values: np.ndarray, others: np.ndarray) -> float:
 @pytest.mark.parametrize("count", [2, 4, 7, 8, 11, 21], ids="{} elements".format)
 @pytest.mark.parametrize("rule", [0, 1, 2], ids="rule {}".format)
 @pytest.mark.parametrize("different", [None, 1], ids=["one law", "one of another law"])
-def test_elements_side_by_side(count: int, rule: int, different: int | None) -> None:
+@pytest.mark.parametrize("dimension", [2, 3], ids=["in the plane", "in space"])
+def test_elements_side_by_side(count: int, rule: int, different: int | None, dimension: int) -> None:
+    """Numbers move in fours; those of a spatial node are no multiple."""
+    n = 4 * dimension
     laws = [LAW | {"useReducedOrderIntegration": rule} for _ in range(count)]
     if different is not None:
         laws[different] |= {"physicsAxialStiffness": 2e4}
-    q, v, a = np.random.default_rng(count).normal(scale=0.1, size=(3, count, 8))
-    residual, tangent = equations(cables(laws), q, v, a)
+    q, v, a = np.random.default_rng(count).normal(scale=0.1, size=(3, count, n))
+    residual, tangent = equations(cables(laws, dimension), q, v, a)
     for i, law in enumerate(laws):
-        own = slice(8 * i, 8 * i + 8)
-        alone = equations(cables([law]), q[i], v[i], a[i])
+        own = slice(n * i, n * i + n)
+        alone = equations(cables([law], dimension), q[i], v[i], a[i])
         assert difference(residual[own], alone[0]) < ROUNDING
         assert difference(tangent[own, own], alone[1]) < ROUNDING
         assert np.abs(alone[0]).max() > 1
@@ -122,7 +127,8 @@ EQUATIONS = """
 import numpy as np
 from test_lanes import LAW, cables, equations, equations_of_chain
 q, v, a = np.random.default_rng(1).normal(scale=0.1, size=(3, 15, 8))
-for parts in (equations(cables([LAW] * 15), q, v, a), *(equations_of_chain(count) for count in (1, 2, 6, 9, 13))):
+w, u, b = np.random.default_rng(2).normal(scale=0.1, size=(3, 11, 12))
+for parts in (equations(cables([LAW] * 15), q, v, a), equations(cables([LAW] * 11, 3), w, u, b), *(equations_of_chain(count) for count in (1, 2, 6, 9, 13))):
     for values in parts:
         print(*(value.hex() for value in values.ravel()))
 """
@@ -134,7 +140,7 @@ def test_registers_do_not_change_results(wide: str) -> None:
     expected, values = (numbers_in_registers(EQUATIONS, name) for name in ("portable", wide))
     for some, others in zip(values, expected, strict=True):
         assert difference(some, others) < ROUNDING
-    sizes = [120, *(13 * count for count in (1, 2, 6, 9, 13))]
+    sizes = [120, 132, *(13 * count for count in (1, 2, 6, 9, 13))]
     assert [some.size for some in values] == [n for size in sizes for n in (size, size**2)]
 
 

@@ -206,6 +206,8 @@ def test_a_torsional_spring_has_an_axis(mbs: exu.MainSystem) -> None:
         ),
         (exu.NodePoint2DSlope1(referenceCoordinates=[1, 2, 0, 0]), "referenceCoordinates", "has no length"),
         (exu.NodePoint2DSlope1(initialCoordinates=[1, 2, -1, 0]), "initialCoordinates", "has no length"),
+        (exu.NodePointSlope1(referenceCoordinates=[1, 2, 3, 0, 0, 0]), "referenceCoordinates", "has no length"),
+        (exu.NodePointSlope1(initialCoordinates=[1, 2, 3, -1, 0, 0]), "initialCoordinates", "has no length"),
         (exu.Node1D(referenceCoordinates=[1, 2]), "referenceCoordinates", "received 2 values, but expected 1"),
         (exu.Node1D(initialVelocities=[1, 2, 3]), "initialVelocities", "received 3 values, but expected 1"),
     ],

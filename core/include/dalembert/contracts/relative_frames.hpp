@@ -43,9 +43,24 @@ struct RelativeFrames {
   template <class S>
   using Local = Vectors<S, 3, vectors>;
 
+  // Euler parameters may have drifted from unit length: their direction alone is the rotation.
+  static constexpr int unit_from = [] {
+    if constexpr (requires { Node::unit_from; }) return Node::unit_from;
+    return node_size;
+  }();
+  template <class S>
+  static S unit_scale(const State<S>& x, int n) {
+    if constexpr (unit_from < node_size) return 1.0 / norm(segment<node_size - unit_from>(x.q, n * node_size + unit_from));
+    return S(1);
+  }
   template <class S>
   static Coordinates<S, node_size> of_node(const State<S>& x, int n) {
-    const auto part = [n](const Vec<S, size>& all) { return segment<node_size>(all, n * node_size); };
+    const S scale = unit_scale(x, n);
+    const auto part = [&](const Vec<S, size>& all) {
+      auto own = segment<node_size>(all, n * node_size);
+      for (int i = unit_from; i < node_size; ++i) own[i] = scale * own[i];
+      return own;
+    };
     return {part(x.q), part(x.v), part(x.a)};
   }
   template <class S>
@@ -104,7 +119,8 @@ struct RelativeFrames {
     Vec<S, size> r;
     for (int n = 0; n < Nodes; ++n) {
       const auto of = pull_back_spin_wrench<Node, S>(of_node(x, n), w[n].force, w[n].moment);
-      for (int i = 0; i < node_size; ++i) r[n * node_size + i] = of[i];
+      const S scale = unit_scale(x, n);
+      for (int i = 0; i < node_size; ++i) r[n * node_size + i] = i < unit_from ? of[i] : S(scale * of[i]);
     }
     return r;
   }

@@ -19,8 +19,14 @@
 #include "dalembert/contracts/element.hpp"
 #include "dalembert/math/fixed.hpp"
 #include "dalembert/math/quadrature.hpp"
+#include "dalembert/model/errors.hpp"
 
 namespace dalembert {
+
+// Elements of which users have not told the length.
+inline void check_element_length(double length, const ItemLabel& item) {
+  if (!(length > 0)) refuse(ErrorKind::value, {item, "physicsLength", "", std::to_string(length), "a positive length", ""});
+}
 
 template <class S, int D, int N>
 using Vectors = std::array<Vec<S, D>, N>;

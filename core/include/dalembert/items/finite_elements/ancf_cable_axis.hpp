@@ -5,7 +5,6 @@
 
 #include "dalembert/contracts/strain_points.hpp"
 #include "dalembert/math/hermite.hpp"
-#include "dalembert/model/errors.hpp"
 
 namespace dalembert {
 
@@ -48,8 +47,7 @@ struct AncfCableAxis {
 
   template <class P>
   static void check(const P& p, const ItemLabel& item) {
-    if (!(p.physicsLength > 0))
-      refuse(ErrorKind::value, {item, "physicsLength", "", std::to_string(p.physicsLength), "a positive length", ""});
+    check_element_length(p.physicsLength, item);
     if (p.useReducedOrderIntegration < 0 || p.useReducedOrderIntegration > 2)
       refuse(ErrorKind::value,
              {item, "useReducedOrderIntegration", "", std::to_string(p.useReducedOrderIntegration), "0, 1 or 2", ""});

@@ -10,6 +10,8 @@ struct ObjectBeamGeometricallyExact {
   using Parameters = ObjectBeamGeometricallyExactParameters;
   static constexpr int nodes = 2;
 
+  static void check(const Parameters& p, const ItemLabel& item) { check_element_length(p.physicsLength, item); }
+
   struct Constants {
     double length = 1, node_mass = 0;
     Mat3<double> node_inertia;
