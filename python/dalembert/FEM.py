@@ -1,4 +1,4 @@
-"""Finite element data from other programs: matrices, nodes, materials; flexible bodies made of them are planned.
+"""Finite element data from other programs: matrices, nodes, materials, and flexible bodies with modes made of them.
 
 What needs flexible-body items (ObjectFFRF and relatives) raises NotImplementedError.
 """
@@ -25,6 +25,7 @@ from dalembert._io.fem_files import (
 from dalembert._names import eii, exu, np
 from dalembert._planned import refuse
 from dalembert._planned_table import FUNCTIONS
+from dalembert._tools.modal_body import CMSObjectComputeNorm, ObjectFFRFreducedOrderInterface
 from dalembert.advancedUtilities import IsListOrArray, IsValidURealInt, PlotLineCode, RoundMatrix
 from dalembert.graphicsDataUtilities import ComputeTriangleArea
 from dalembert.rigidBodyUtilities import (
@@ -324,31 +325,11 @@ class HCBstaticModeSelection(Enum):
 # ---- flexible bodies: planned
 
 
-def CMSObjectComputeNorm(
-    mbs: Any, objectNumber: Any, outputVariableType: Any, norm: str = "max", nodeNumberList: Sequence[int] = ()
-) -> NoReturn:
-    """Norm of an output variable over the nodes of a flexible body; planned."""
-    refuse("FEM.CMSObjectComputeNorm")
-
-
 class ObjectFFRFinterface:
     """Flexible body with all coordinates of its mesh; planned."""
 
     def __init__(self, femInterface: Any) -> None:
         refuse("FEM.ObjectFFRFinterface")
-
-
-class ObjectFFRFreducedOrderInterface:
-    """Flexible body with modes; planned."""
-
-    def __init__(
-        self,
-        femInterface: Any = None,
-        rigidBodyNodeType: Any = None,
-        roundMassMatrix: float = 1e-13,
-        roundStiffnessMatrix: float = 1e-13,
-    ) -> None:
-        refuse("FEM.ObjectFFRFreducedOrderInterface")
 
 
 class FEMinterface:

@@ -393,7 +393,7 @@ WRONG: dict[str, tuple[dict[str, Any], str]] = {
     "deformed reference": ({"nodeNumbers": [0, 3]}, "without deformation"),
     "stiffness": ({"stiffnessMatrixReduced": np.eye(2)}, "for the 3 modal coordinates"),
     "modes": ({"modeBasis": np.ones((24, 2))}, "a matrix of 24 x 3"),
-    "integrals": ({"mPhitTPsi": []}, "a matrix of 3 x 3, for 3 modes"),
+    "integrals": ({"mPhitTPsi": []}, "a matrix of 3 x 3"),
     "contradiction": ({"mPhitTPsiTilde": np.ones((3, 9))}, "does not belong to mPhitTPsi"),
     "stress": ({"outputVariableTypeModeBasis": Variable.Position}, "StressLocal, StrainLocal or _None"),
     "stress modes": ({"outputVariableTypeModeBasis": Variable.StressLocal}, "a matrix of 8 x 18"),

@@ -43,8 +43,9 @@ def in_touch(scene: Scene, s: testing.State, value: float = -0.2) -> testing.Sta
 def check_balance(variant: Variant, moments: bool) -> None:
     """Joints with their gaps closed: where the joint is open, its forces have different points of attack."""
     joint = ITEMS[variant.item].object_type in ("Constraint", "Joint")
+    odd = ("Cable", "Beam")  # their random states do not close a joint, nor do small deformations
     closed = joint and not any(
-        "Cable" in body or "Beam" in body or "GenericODE2" in body for _, (body, _) in variant.pairs
+        "SuperElement" in marker or any(word in body for word in odd) for marker, (body, _) in variant.pairs
     )
     scene = variant.build(seed=21, closed=closed)
     s = in_touch(scene, scene.state())

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 import scipy.sparse
 
+import dalembert as exu
 from dalembert import FEM
 
 TRIPLETS = np.array([[0, 0, 1.0], [1, 2, 3], [2, 1, 4]])
@@ -79,11 +80,83 @@ def test_eigenmodes_of_two_masses(fem):
     np.testing.assert_allclose(fem.GetEigenFrequenciesHz(), [10 / (2 * np.pi)])
 
 
+@pytest.fixture
+def truss(fem):
+    """Four points of 2 kg on springs between all of them."""
+    points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1.0]])
+    fem.nodes, fem.massMatrix = {"Position": points}, scipy.sparse.csr_matrix(2 * np.eye(12))
+    stiffness = np.zeros((4, 3, 4, 3))
+    for i in range(4):
+        for j in range(i):
+            axis = (points[i] - points[j]) / np.linalg.norm(points[i] - points[j])
+            for a, b, sign in ((i, i, 1), (j, j, 1), (i, j, -1), (j, i, -1)):
+                stiffness[a, :, b] += sign * 500 * np.outer(axis, axis)
+    fem.stiffnessMatrix = scipy.sparse.csr_matrix(stiffness.reshape(12, 12))
+    fem.ComputeEigenmodes(3, excludeRigidBodyModes=6, useSparseSolver=False)
+    return fem
+
+
+FRAMES = ["NodeType.RotationEulerParameters", "NodeType.RotationRxyz", "NodeType.RotationRotationVector"]
+
+
+@pytest.mark.parametrize("frame", FRAMES)
+def test_flexible_body_and_its_user_functions(truss, frame):
+    """The body of the core, the same equations by user functions, and free fall of the centre of mass."""
+    modal = FEM.ObjectFFRFreducedOrderInterface(truss, rigidBodyNodeType=frame)
+    assert modal.totalMass == pytest.approx(8)
+    np.testing.assert_allclose(modal.chiU, [0.25] * 3)
+    positions = []
+    for with_functions in (False, True):
+        mbs = exu.SystemContainer().AddSystem()
+        where = {"positionRef": [1, 2, 3], "initialAngularVelocity": [1, 2, 4], "initialVelocity": [1, 0, 0]}
+        functions = {
+            "UFforce": lambda mbs, t, item, q, q_t: modal.UFforceFFRFreducedOrder(exu, mbs, t, q, q_t),
+            "UFmassMatrix": lambda mbs, t, item, q, q_t: modal.UFmassFFRFreducedOrder(exu, mbs, t, q, q_t),
+        }
+        gravity = {"gravity": [0, 0, -9.81], "stiffnessProportionalDamping": 1e-3}
+        if with_functions:
+            made = modal.AddObjectFFRFreducedOrderWithUserFunctions(exu, mbs, **where, **gravity, **functions)
+        else:
+            made = modal.AddObjectFFRFreducedOrder(mbs, **where, **gravity, name="truss")
+            assert mbs.GetObjectNumber("truss") == made["oFFRFreducedOrder"]
+        mbs.Assemble()
+        settings = exu.SimulationSettings()
+        settings.timeIntegration.numberOfSteps = 100
+        settings.timeIntegration.endTime = 0.1
+        mbs.SolveDynamic(settings)
+        variable = exu.OutputVariableType.Position
+        positions.append([mbs.GetObjectOutputSuperElement(made["oFFRFreducedOrder"], variable, i) for i in range(4)])
+    np.testing.assert_allclose(positions[1], positions[0], rtol=0, atol=1e-7)
+    centre = np.array([1.25, 2.25, 3.25]) + 0.1 * (np.array([1, 0, 0]) + np.cross([1, 2, 4], [0.25] * 3))
+    np.testing.assert_allclose(np.mean(positions[0], axis=0), centre - [0, 0, 0.5 * 9.81 * 0.01], rtol=0, atol=1e-5)
+
+
+@pytest.mark.parametrize("ending", ["", ".npz", ".pkl"])
+def test_flexible_body_is_kept_in_files(truss, ending, tmp_path):
+    truss.postProcessingModes = {"matrix": np.ones((4, 18)), "outputVariableType": "OutputVariableType.StressLocal"}
+    modal, loaded = FEM.ObjectFFRFreducedOrderInterface(truss), FEM.ObjectFFRFreducedOrderInterface()
+    modal.SaveToFile(str(tmp_path / f"truss{ending}"))
+    assert loaded.LoadFromFile(str(tmp_path / f"truss{ending}")) == 1
+    mbs = exu.SystemContainer().AddSystem()
+    body = loaded.AddObjectFFRFreducedOrder(mbs)["oFFRFreducedOrder"]
+    mbs.Assemble()
+    mbs.systemData.SetODE2Coordinates([0] * 7 + [1, 2, 3])
+    norm = lambda name, *rest: FEM.CMSObjectComputeNorm(mbs, body, getattr(exu.OutputVariableType, name), *rest)  # noqa: E731
+    np.testing.assert_allclose(norm("StressLocal"), [6] * 6)
+    assert norm("StressLocal", "Mises") == pytest.approx(6 * np.sqrt(9))
+    u = modal.modeBasis @ [1, 2, 3]
+    assert norm("DisplacementLocal", "maxNorm", [1, 2]) == pytest.approx(
+        np.linalg.norm(u.reshape(4, 3)[1:3], axis=1).max()
+    )
+    with pytest.raises(ValueError, match="norm must be max, min, maxNorm"):
+        norm("DisplacementLocal", "Mises")
+
+
 def test_what_is_planned_says_so(fem):
     with pytest.raises(NotImplementedError, match=r"FEMinterface\.ComputeHurtyCraigBamptonModes is planned"):
         fem.ComputeHurtyCraigBamptonModes([[1]], 3)
-    with pytest.raises(NotImplementedError, match="ObjectFFRFreducedOrderInterface is planned"):
-        FEM.ObjectFFRFreducedOrderInterface(fem)
+    with pytest.raises(NotImplementedError, match="ObjectFFRFinterface is planned"):
+        FEM.ObjectFFRFinterface(fem)
     with pytest.raises(AttributeError, match="has no attribute 'ComputeEigenmode'"):
         fem.ComputeEigenmode()
 

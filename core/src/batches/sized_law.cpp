@@ -136,15 +136,25 @@ void LawOfBody::add_sparse(const Weights& w, SlotCursor& slot) const {
   for (const Term& term : terms_) term.matrix.add(weight_of(w, term.times), slot);
 }
 
+namespace {
+
+std::string matrix_of(int rows, int columns) { return "a matrix of " + std::to_string(rows) + " x " + std::to_string(columns); }
+
+}  // namespace
+
 void check_sizes(const SizedLaw& law, int coordinates, std::string_view called, const ItemLabel& item) {
   const std::string n = std::to_string(coordinates), nodes = ", for the " + n + " " + std::string(called) + ", or none";
   for (const ConstantMatrix& m : law.matrices)
     if (!m.empty() && (m.rows != coordinates || m.columns != coordinates))
-      refuse(ErrorKind::value, {item, m.parameter, "", "a matrix of " + std::to_string(m.rows) + " x " + std::to_string(m.columns),
-                                "a matrix of " + n + " x " + n + nodes, ""});
+      refuse(ErrorKind::value, {item, m.parameter, "", matrix_of(m.rows, m.columns), matrix_of(coordinates, coordinates) + nodes, ""});
   if (law.force_vector != nullptr && !law.force_vector->empty() && law.force_vector->size() != static_cast<std::size_t>(coordinates))
     refuse(ErrorKind::value, {item, law.force_parameter, "", "a vector of length " + std::to_string(law.force_vector->size()),
                               "a vector of length " + n + nodes, ""});
+}
+
+void check_size(const char* parameter, const DynamicMatrix<double>& m, int rows, int columns, const ItemLabel& item, const char* advice) {
+  if (m.rows != rows || m.columns != columns)
+    refuse(ErrorKind::value, {item, parameter, "", matrix_of(m.rows, m.columns), matrix_of(rows, columns), advice});
 }
 
 }  // namespace dalembert

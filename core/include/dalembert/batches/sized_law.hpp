@@ -58,5 +58,7 @@ class LawOfBody {
 
 // Refuses matrices and vectors of other sizes than so many coordinates, or none.
 void check_sizes(const SizedLaw& law, int coordinates, std::string_view called, const ItemLabel& item);
+// Refuses a matrix of another size.
+void check_size(const char* parameter, const DynamicMatrix<double>& m, int rows, int columns, const ItemLabel& item, const char* advice);
 
 }  // namespace dalembert

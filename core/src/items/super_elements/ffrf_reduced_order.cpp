@@ -4,73 +4,54 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dalembert/batches/sized_law.hpp"
 #include "dalembert/model/value_checks.hpp"
 
 namespace dalembert {
 namespace {
 
-using Parameters = ObjectFFRFreducedOrderParameters;
 using Matrix = DynamicMatrix<double>;
 
 bool is_empty(const Matrix& m) { return m.rows * m.columns == 0; }
 
-// Three components of a x b, from entries of -a~ b~ = (a . b) I - b a^T, with the sign that integrals of the kind -a x b have.
-Vec3<double> crossed(const Matrix& m, int row, int column) {
-  const auto skew_part = [&](int i, int j) { return m(row + i, column + j) - m(row + j, column + i); };
-  return {skew_part(2, 1), skew_part(0, 2), skew_part(1, 0)};
-}
+Matrix zeros(int rows, int columns) { return {rows, columns, std::vector<double>(static_cast<std::size_t>(rows * columns))}; }
 
-// mXRefTildePsi of mXRefTildePsiTilde, mPsiTildePsi of mPsiTildePsiTilde: the blocks of three rows and columns, mode by mode.
+// -int a x b of the blocks -int a~ b~ = int (a . b) I - b a^T: mXRefTildePsi of mXRefTildePsiTilde, mPsiTildePsi of mPsiTildePsiTilde.
 Matrix crossed(const Matrix& of) {
-  Matrix made{of.rows, of.columns / 3, std::vector<double>(of.values.size() / 3)};
-  for (int i = 0; i < made.rows; i += 3)
+  Matrix made = zeros(of.rows, of.columns / 3);
+  for (int row = 0; row < made.rows; ++row)
     for (int j = 0; j < made.columns; ++j) {
-      const Vec3<double> c = crossed(of, i, 3 * j);
-      for (int axis = 0; axis < 3; ++axis) made(i + axis, j) = c[axis];
+      const int block = row - row % 3, next = (row + 1) % 3, last = (row + 2) % 3;
+      made(row, j) = of(block + last, 3 * j + next) - of(block + next, 3 * j + last);
     }
   return made;
 }
 // mPhitTPsiTilde of mPhitTPsi.
 Matrix tilde(const Matrix& of) {
-  Matrix made{3, 3 * of.columns, std::vector<double>(static_cast<std::size_t>(9 * of.columns))};
-  for (int mode = 0; mode < of.columns; ++mode) {
-    const Mat3<double> s = skew(Vec3<double>{of(0, mode), of(1, mode), of(2, mode)});
-    for (int i = 0; i < 9; ++i) made(i / 3, 3 * mode + i % 3) = s.x[static_cast<std::size_t>(i)];
+  Matrix made = zeros(3, 3 * of.columns);
+  for (int j = 0; j < of.columns; ++j) {
+    const Mat3<double> s = skew(Vec3<double>{of(0, j), of(1, j), of(2, j)});
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column < 3; ++column) made(row, 3 * j + column) = s(row, column);
   }
   return made;
 }
 
-class Checked {
- public:
-  Checked(const ItemLabel& item, int modes) : item_(item), modes_(modes) {}
+constexpr const char* interface_class = "The class ObjectFFRFreducedOrderInterface of dalembert.FEM computes it from mesh and modes";
 
-  void size(const char* name, const Matrix& m, int rows, int columns) const {
-    if (m.rows == rows && m.columns == columns) return;
-    const auto of = [](int r, int c) { return "a matrix of " + std::to_string(r) + " x " + std::to_string(c); };
-    refuse(ErrorKind::value, {item_, name, "", of(m.rows, m.columns), of(rows, columns) + ", for " + std::to_string(modes_) + " modes",
-                              "The class ObjectFFRFreducedOrderInterface of dalembert.FEM computes it from mesh and modes"});
+// What is given, though it follows from other parameters, must agree with them.
+void check_agreement(const char* name, const Matrix& given, const Matrix& made, const std::string& from, const ItemLabel& item) {
+  if (is_empty(given)) return;
+  check_size(name, given, made.rows, made.columns, item, interface_class);
+  double largest = 0, error = 0;
+  for (std::size_t i = 0; i < made.values.size(); ++i) {
+    largest = std::max(largest, std::abs(made.values[i]));
+    error = std::max(error, std::abs(given.values[i] - made.values[i]));
   }
-  // What is given twice must agree.
-  void follows(const char* name, const Matrix& given, const Matrix& made, const char* from) const {
-    if (is_empty(given)) return;
-    size(name, given, made.rows, made.columns);
-    double largest = 0, error = 0;
-    for (std::size_t i = 0; i < made.values.size(); ++i) {
-      largest = std::max(largest, std::abs(made.values[i]));
-      error = std::max(error, std::abs(given.values[i] - made.values[i]));
-    }
-    if (error > 1e-6 * largest + 1e-12)
-      refuse(ErrorKind::value, {item_, name, std::string("it does not belong to ") + from + ": they differ by " + std::to_string(error), "",
-                                "integrals of the same mesh and modes, with a mass matrix that is the same in all directions",
-                                "Leave it empty: it follows from " + std::string(from)});
-  }
-
- private:
-  const ItemLabel& item_;
-  int modes_;
-};
-
-int modes_of(const Parameters& p) { return p.mPhitTPsi.columns; }
+  if (error > 1e-6 * largest + 1e-12)
+    refuse(ErrorKind::value, {item, name, "it does not belong to " + from, "entries that differ by " + std::to_string(error),
+                              "integrals of the same mesh and modes, with masses that are the same in all directions", "Leave it empty"});
+}
 
 }  // namespace
 
@@ -93,24 +74,22 @@ void ObjectFFRFreducedOrder::check(const Parameters& p, const Placement& on, con
     if (on.reference[static_cast<std::size_t>(i)] != 0)
       refuse(ErrorKind::value, {item, "nodeNumbers", "the node of the modal coordinates has reference coordinates that are not zero", "",
                                 "a reference configuration without deformation", "Use initialCoordinates of the node"});
-  const Checked checked(item, modes);
   if (mesh % 3 != 0)
     refuse(ErrorKind::value, {item, "referencePositions", "", std::to_string(mesh) + " numbers", "three for each mesh node", ""});
-  if (mesh > 0 || !is_empty(p.modeBasis)) checked.size("modeBasis", p.modeBasis, mesh, modes);
-  const bool has_output = p.outputVariableTypeModeBasis != OutputVariableType::_None;
-  if (has_output && p.outputVariableTypeModeBasis != OutputVariableType::StressLocal &&
-      p.outputVariableTypeModeBasis != OutputVariableType::StrainLocal)
-    refuse(ErrorKind::value, {item, "outputVariableTypeModeBasis", "another variable", "", "StressLocal, StrainLocal or _None", ""});
-  if (has_output || !is_empty(p.outputVariableModeBasis))
-    checked.size("outputVariableModeBasis", p.outputVariableModeBasis, has_output ? mesh / 3 : 0, has_output ? 6 * modes : 0);
+  if (mesh > 0 || !is_empty(p.modeBasis)) check_size("modeBasis", p.modeBasis, mesh, modes, item, "One column per mode");
+  const OutputVariableType variable = p.outputVariableTypeModeBasis;
+  if (variable != OutputVariableType::_None && variable != OutputVariableType::StressLocal && variable != OutputVariableType::StrainLocal)
+    refuse(ErrorKind::value, {item, "outputVariableTypeModeBasis", "it is another variable", "", "StressLocal, StrainLocal or _None", ""});
+  if (variable != OutputVariableType::_None)
+    check_size("outputVariableModeBasis", p.outputVariableModeBasis, mesh / 3, 6 * modes, item, "Six columns per mode");
   if (!p.computeFFRFterms) return;
   check_inertia(p.physicsMass, p.physicsInertia, p.physicsCenterOfMass, item);
-  checked.size("mPhitTPsi", p.mPhitTPsi, 3, modes);
-  checked.size("mXRefTildePsiTilde", p.mXRefTildePsiTilde, 3, 3 * modes);
-  checked.size("mPsiTildePsiTilde", p.mPsiTildePsiTilde, 3 * modes, 3 * modes);
-  checked.follows("mPhitTPsiTilde", p.mPhitTPsiTilde, tilde(p.mPhitTPsi), "mPhitTPsi");
-  checked.follows("mXRefTildePsi", p.mXRefTildePsi, crossed(p.mXRefTildePsiTilde), "mXRefTildePsiTilde");
-  checked.follows("mPsiTildePsi", p.mPsiTildePsi, crossed(p.mPsiTildePsiTilde), "mPsiTildePsiTilde");
+  check_size("mPhitTPsi", p.mPhitTPsi, 3, modes, item, interface_class);
+  check_size("mXRefTildePsiTilde", p.mXRefTildePsiTilde, 3, 3 * modes, item, interface_class);
+  check_size("mPsiTildePsiTilde", p.mPsiTildePsiTilde, 3 * modes, 3 * modes, item, interface_class);
+  check_agreement("mPhitTPsiTilde", p.mPhitTPsiTilde, tilde(p.mPhitTPsi), "mPhitTPsi", item);
+  check_agreement("mXRefTildePsi", p.mXRefTildePsi, crossed(p.mXRefTildePsiTilde), "mXRefTildePsiTilde", item);
+  check_agreement("mPsiTildePsi", p.mPsiTildePsi, crossed(p.mPsiTildePsiTilde), "mPsiTildePsiTilde", item);
 }
 
 void ObjectFFRFreducedOrder::complete(Parameters& p) {
@@ -126,12 +105,12 @@ ModalInertia ObjectFFRFreducedOrder::prepare(const Parameters& p) {
   ModalInertia k;
   k.acts = p.computeFFRFterms;
   if (!k.acts) return k;
-  const int modes = k.modes = modes_of(p);
+  const int modes = k.modes = p.mPhitTPsi.columns;
   k.mass = p.physicsMass;
   k.moment = p.physicsMass * p.physicsCenterOfMass;
   k.inertia = p.physicsInertia;
-  k.moments = p.mPhitTPsi.values;
   for (int j = 0; j < modes; ++j) {
+    k.moments.push_back(vector_of<3>([&](int i) { return p.mPhitTPsi(i, j); }));
     k.arms.push_back(vector_of<3>([&](int i) { return p.mXRefTildePsi(i, j); }));
     k.inertias.push_back(matrix_of<3, 3>([&](int row, int column) { return p.mXRefTildePsiTilde(row, 3 * j + column); }));
     for (int i = 0; i < 3; ++i)

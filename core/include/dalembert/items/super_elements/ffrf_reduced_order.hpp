@@ -25,21 +25,12 @@ struct ModalInertia {
   double mass = 0;
   Vec3<double> moment{};   // mass times centre of mass
   Mat3<double> inertia{};  // of the undeformed body, about the origin of the frame
-  std::vector<double> moments;            // 3 rows of modes
-  std::vector<Vec3<double>> arms;         // by mode, mXRefTildePsi
-  std::vector<Mat3<double>> inertias;     // by mode, mXRefTildePsiTilde
-  std::vector<double> crossed, products;  // by mode, 3 and 9 rows of modes: mPsiTildePsi, mPsiTildePsiTilde
+  std::vector<Vec3<double>> moments, arms;  // by mode, mPhitTPsi and mXRefTildePsi
+  std::vector<Mat3<double>> inertias;       // by mode, mXRefTildePsiTilde
+  std::vector<double> crossed, products;    // by mode, 3 and 9 rows of modes: mPsiTildePsi, mPsiTildePsiTilde
 
-  std::span<const double> crossed_rows(int mode) const { return rows(crossed, 3, mode); }
-  // Entry (i, j) of the products of a mode with all others.
-  std::span<const double> product_row(int mode, int entry) const {
-    return rows(products, 9, mode).subspan(static_cast<std::size_t>(entry * modes), static_cast<std::size_t>(modes));
-  }
-
- private:
-  std::span<const double> rows(const std::vector<double>& of, int count, int mode) const {
-    const auto size = static_cast<std::size_t>(count * modes);
-    return {of.data() + static_cast<std::size_t>(mode) * size, size};
+  std::span<const double> rows(const std::vector<double>& of, int first, int count) const {
+    return {of.data() + static_cast<std::size_t>(first * modes), static_cast<std::size_t>(count * modes)};
   }
 };
 
@@ -93,39 +84,36 @@ struct ObjectFFRFreducedOrder::On : ObjectFFRFreducedOrder {
     const auto at_node = x.template of_first<Node>();
     const SpinMotion<S> frame = spin_motion<Node, S>(at_node);
     const Vec3<S>&w = frame.spin, &w_t = frame.spin_rate, a = transposed_times(frame.rotation, frame.acceleration);
-    const auto moments = [&](const SizedVector<S>& of) { return x.combined(of, k.moments, Node::size); };
-    const Vec3<S> s = k.moment + moments(x.u), s_t = moments(x.v), s_tt = moments(x.a);
-
-    Vec3<S> moment = cross(s, a);
+    Vec3<S> s = Vec3<S>{} + k.moment, s_t{}, s_tt{}, moment{};
     Mat3<S> inertia = Mat3<S>{} + k.inertia, changing{};  // and half of its rate, as far as it makes moments
     for (int j = 0; j < k.modes; ++j) {
       const S zeta = x.u[Node::size + j], zeta_t = x.v[Node::size + j], zeta_tt = x.a[Node::size + j];
       const Mat3<S> n = inertia_by(k, j, x.u);
-      const Vec3<S> arm = k.arms[j] + x.combined(x.u, k.crossed_rows(j), Node::size);
-      const Vec3<S> arm_t = x.combined(x.v, k.crossed_rows(j), Node::size);
+      const auto crossed = k.rows(k.crossed, 3 * j, 3);
+      const Vec3<S> arm = k.arms[j] + x.combined(x.u, crossed, Node::size), arm_t = x.combined(x.v, crossed, Node::size);
+      s += zeta * k.moments[j];
+      s_t += zeta_t * k.moments[j];
+      s_tt += zeta_tt * k.moments[j];
       for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 3; ++column) {
           inertia(row, column) += zeta * (n(row, column) + k.inertias[j](column, row));
           changing(row, column) += zeta_t * n(row, column);
         }
       moment -= zeta_tt * arm;
-      r[Node::size + j] = dot(mode_moment(k, j), a) - dot(arm, w_t) - dot(w, n * w) - 2.0 * dot(arm_t, w);
+      r[Node::size + j] = dot(k.moments[j], a) - dot(arm, w_t) - dot(w, n * w) - 2.0 * dot(arm_t, w);
     }
-    moment += inertia * w_t + cross(w, inertia * w) + 2.0 * (changing * w);
+    moment += cross(s, a) + inertia * w_t + cross(w, inertia * w) + 2.0 * (changing * w);
     const Vec3<S> force = k.mass * a + cross(w_t, s) + cross(w, cross(w, s)) + 2.0 * cross(w, s_t) + s_tt;
     const auto whole = pull_back_spin_wrench<Node, S>(at_node, frame.rotation * force, moment);
     for (int i = 0; i < Node::size; ++i) r[i] = whole[i];
   }
 
  private:
-  static Vec3<double> mode_moment(const ModalInertia& k, int j) {
-    return vector_of<3>([&](int axis) { return k.moments[static_cast<std::size_t>(axis * k.modes + j)]; });
-  }
   // -int (x + Psi zeta)~ Psi_j~, whose symmetric part is half of what mode j does to the inertia.
   template <class S>
   static Mat3<S> inertia_by(const ModalInertia& k, int j, const SizedVector<S>& zeta) {
     Mat3<S> n = Mat3<S>{} + k.inertias[j];
-    for (int entry = 0; entry < 9; ++entry) n.x[entry] += zeta.combined(k.product_row(j, entry), Node::size);
+    for (int entry = 0; entry < 9; ++entry) n.x[entry] += zeta.combined(k.rows(k.products, 9 * j + entry, 1), Node::size);
     return n;
   }
 };
