@@ -27,7 +27,9 @@ def solvable(variant: Variant) -> bool:
     item = ITEMS[variant.item]
     frames = "Coordinate" not in item.requested_markers
     redundant = joins(variant) and frames and variant.planar and not item.scene.planar  # equations out of the plane
-    odd = frames and variant.uses & set(ODD_IN_JOINTS) and variant.item not in WITH_COORDINATES  # those go along with them
+    odd = (
+        frames and variant.uses & set(ODD_IN_JOINTS) and variant.item not in WITH_COORDINATES
+    )  # those go along with them
     fits = not joins(variant) or not (odd or variant.functions)
     return fits and not redundant and dict(variant.options).get("addConstraintEquation", True)
 

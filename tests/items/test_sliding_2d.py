@@ -244,6 +244,28 @@ def test_with_a_cable_that_floats(classical: bool, rotation: bool) -> None:
 
 
 @FORMULATIONS
+@ROTATIONS
+def test_rest_on_a_curved_cable(classical: bool, rotation: bool) -> None:
+    """A spring along x, without force at the start, and the weight: their components along y = x^2 / 2 are in balance."""
+    bead, stiffness = Bead(valley(), 2.6, classicalFormulation=classical, constrainRotation=rotation), 30.0
+    mbs, start = bead.mbs, bead.wire.at(2.6)[0][0]
+    ground = mbs.AddMarker(exu.MarkerNodeCoordinate(nodeNumber=mbs.AddNode(exu.NodePointGround()), coordinate=0))
+    x, turn = (mbs.AddMarker(exu.MarkerNodeCoordinate(nodeNumber=bead.node, coordinate=k)) for k in (0, 2))
+    mbs.AddObject(exu.ObjectConnectorCoordinateSpringDamper(markerNumbers=[ground, x], stiffness=stiffness))
+    if not rotation:
+        mbs.AddObject(exu.ObjectConnectorCoordinate(markerNumbers=[ground, turn]))
+    mbs.Assemble()
+    settings = exu.SimulationSettings()
+    settings.staticSolver.numberOfLoadSteps, settings.staticSolver.verboseMode = 10, 0
+    settings.staticSolver.newton.relativeTolerance = 1e-10
+    mbs.SolveStatic(settings)
+    rest = mbs.GetNodeOutput(bead.node, exu.OutputVariableType.CoordinatesTotal)
+    wanted = stiffness * start / (stiffness + bead.mass * 9)
+    np.testing.assert_allclose(rest[:2], [wanted, wanted**2 / 2], rtol=0, atol=1e-7)
+    assert bead.wire.element(bead.place()) != bead.wire.element(2.6)
+
+
+@FORMULATIONS
 def test_beyond_the_ends(classical: bool) -> None:
     """The last element goes on; its index and the place that is kept stay within the cable."""
     bead = Bead(straight(0.0, (1.0, 1.0)), 1.8, speed=1.0, gravity=0, classicalFormulation=classical)

@@ -226,7 +226,11 @@ class Session:
             words = str(error).split()
             if error is None or words[0] not in KINDS:
                 return
-            self.call(f"mbs.Delete{words[0].title()}(", getattr(self.mbs, f"Delete{words[0].title()}"), int(words[1].rstrip(",")))
+            self.call(
+                f"mbs.Delete{words[0].title()}(",
+                getattr(self.mbs, f"Delete{words[0].title()}"),
+                int(words[1].rstrip(",")),
+            )
 
     @rule
     def assemble_in_parts(self, draw: int) -> None:

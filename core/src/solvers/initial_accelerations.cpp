@@ -116,8 +116,8 @@ InitialAccelerations initial_accelerations(System& system, const State& state, c
   leave_out_ode1(s, pattern, matrix);
   system.forces(still, position, std::span(x).first(static_cast<std::size_t>(s.ode2)));
   const std::vector<double> gap = gap_acceleration(system, still, position);
-  std::vector<double> now(gap.size());
-  system.gaps(still, position, now);
+  std::vector<double> now(gap.size());  // asked for only if it is needed: user functions are called once more
+  if (!std::ranges::all_of(system.static_signs(), [](double sign) { return sign < 0; })) system.gaps(still, position, now);
   for (int i = 0; i < s.ae; ++i) x[s.first_ae() + i] = !system.constrains_motion(i) ? -now[i] : jumping[i] ? 0.0 : -gap[i];
 
   InitialAccelerations result;
