@@ -387,6 +387,26 @@ def test_assemble_finds_what_follows_from_other_parameters(mbs: Any) -> None:
     again.Assemble()
 
 
+def test_weight_of_a_body_without_mesh(mbs: Any) -> None:
+    """Functions alone give its inertia; weight acts on the frame, and there is no mesh node to ask."""
+    nodes = [add_frame(mbs, NodeRigidBodyRxyz), add_modes(mbs, 2)]
+    body = mbs.AddObject(
+        ObjectFFRFreducedOrder(
+            nodeNumbers=nodes,
+            computeFFRFterms=False,
+            physicsMass=3,
+            massMatrixUserFunction=lambda mbs, t, item, q, q_t: 3 * np.eye(8),
+        )
+    )
+    weight = mbs.AddMarker(MarkerBodyMass(bodyNumber=body))
+    mbs.AddLoad(LoadMassProportional(markerNumber=weight, loadVector=[0, 0, -2]))
+    mbs.Assemble()
+    mbs.SolveDynamic(settings_for(100, 1))
+    assert mbs.GetObjectOutput(body, Variable.Coordinates) == pytest.approx([0, 0, -1, 0, 0, 0, 0, 0], abs=1e-9)
+    with pytest.raises(ValueError, match="this one has none"):
+        mbs.GetObjectOutputSuperElement(body, Variable.Position, 0)
+
+
 WRONG: dict[str, tuple[dict[str, Any], str]] = {
     "one node": ({"nodeNumbers": [0]}, "1 nodes, but expected two"),
     "other nodes": ({"nodeNumbers": [0, 2]}, "not available: ObjectFFRFreducedOrder with NodeRigidBodyEP, NodePoint"),

@@ -209,10 +209,10 @@ void System::super_element_output(int object, Variable variable, int mesh_node, 
   SystemParts& parts = *parts_;
   const ObjectPlace& place = parts.objects.at(static_cast<std::size_t>(object));
   const auto& [batch, entry] = place.member;
-  const int own = batch->mesh_nodes(entry), count = own > 0 ? own : static_cast<int>(place.nodes.count);
+  const int own = batch->mesh_nodes(entry), count = own != 0 ? std::max(own, 0) : static_cast<int>(place.nodes.count);
   if (mesh_node < 0 || mesh_node >= count)
     refuse(ErrorKind::value, {parts.describe(ItemKind::object, object), "meshNodeNumber", "", std::to_string(mesh_node),
-                              "a mesh node from 0 to " + std::to_string(count - 1), ""});
+                              count == 0 ? "an object with mesh nodes: this one has none" : "a mesh node from 0 to " + std::to_string(count - 1), ""});
   if (own == 0) return node_output(place.nodes.of(parts.references)[static_cast<std::size_t>(mesh_node)], variable, configuration, values);
   NumberList list(parts.free_numbers);
   parts.list_coordinates(place, Coordinates::ode2, list.numbers);

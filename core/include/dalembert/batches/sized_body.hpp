@@ -96,7 +96,10 @@ class SizedBodyBatch final : public Term {
     return true;
   }
   int mesh_nodes(int entry) const override {
-    if constexpr (B::mesh == Mesh::own) return B::mesh_nodes(*entries_[entry].parameters);
+    if constexpr (B::mesh == Mesh::own) {
+      const int count = B::mesh_nodes(*entries_[entry].parameters);
+      return count > 0 ? count : -1;  // none, and not those of the system
+    }
     return 0;
   }
   bool mesh_output(int entry, int node, OutputVariableType variable, const Evaluation& evaluation, std::vector<double>& values) const override {

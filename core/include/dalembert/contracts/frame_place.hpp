@@ -36,7 +36,7 @@ Mat3<S> rotation_vector_tangent(const Vec3<S>& rotation) {
 struct FramePlace {
   double scale = 1;                           // of the force on the frame as a whole
   Vec3<double> rest{};                        // in the frame
-  std::vector<double> translation = {}, rotation = {};  // three rows each, of as many coordinates as there are; empty: none
+  std::vector<double> translation = {}, rotation = {};  // three rows each, of the first coordinates; empty: none
   bool exponential_map = true;                // else rotations are linear
   bool exact_rate = true;                     // the angular velocity is that of the exponential map
   bool turns_moments = true;                  // moments act through the tangent of the exponential map
@@ -94,7 +94,7 @@ struct FramePlace {
   template <class S>
   static void add(const std::vector<double>& rows, const Vec3<S>& f, std::span<S> q) {
     if (rows.empty()) return;
-    const std::size_t n = q.size();
+    const std::size_t n = rows.size() / 3;
     for (std::size_t i = 0; i < n; ++i) q[i] += rows[i] * f[0] + rows[n + i] * f[1] + rows[2 * n + i] * f[2];
   }
 };

@@ -82,9 +82,9 @@ void ObjectFFRFreducedOrder::check(const Parameters& p, const Placement& on, con
     refuse(ErrorKind::value, {item, "outputVariableTypeModeBasis", "it is another variable", "", "StressLocal, StrainLocal or _None", ""});
   if (variable != OutputVariableType::_None)
     check_size("outputVariableModeBasis", p.outputVariableModeBasis, mesh / 3, 6 * modes, item, "Six columns per mode");
+  if (p.computeFFRFterms || !is_empty(p.mPhitTPsi)) check_size("mPhitTPsi", p.mPhitTPsi, 3, modes, item, interface_class);
   if (!p.computeFFRFterms) return;
   check_inertia(p.physicsMass, p.physicsInertia, p.physicsCenterOfMass, item);
-  check_size("mPhitTPsi", p.mPhitTPsi, 3, modes, item, interface_class);
   check_size("mXRefTildePsiTilde", p.mXRefTildePsiTilde, 3, 3 * modes, item, interface_class);
   check_size("mPsiTildePsiTilde", p.mPsiTildePsiTilde, 3 * modes, 3 * modes, item, interface_class);
   check_agreement("mPhitTPsiTilde", p.mPhitTPsiTilde, tilde(p.mPhitTPsi), "mPhitTPsi", item);
