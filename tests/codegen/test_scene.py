@@ -24,11 +24,11 @@ from codegen.scene import EXEMPT, FRAMES, SceneTable
     ],
 )
 def test_places_exist(copy: Path, place: str, message: str) -> None:
-    spec = copy / "specs/nodes/point_slope1.toml"
+    spec = copy / "specs/nodes/point_slope12.toml"
     spec.write_text(spec.read_text().replace("[docs]", f'[scene]\npairs = [["{place}"]]\n\n[docs]', 1))
     with pytest.raises(SpecError) as error:
         load(copy)
-    assert str(error.value).startswith(f"specs/nodes/point_slope1.toml: scene: pairs: {message}")
+    assert str(error.value).startswith(f"specs/nodes/point_slope12.toml: scene: pairs: {message}")
 
 
 @pytest.mark.parametrize(
