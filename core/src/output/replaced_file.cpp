@@ -93,12 +93,15 @@ void ReplacedFile::keep_as(const std::string& backup) {
   const bool linked = create_free(target_, second_name, [this](const std::string& free) {
     return ::link(target_.c_str(), free.c_str()) == 0;
   });
+  if (const auto now = status_of(target_); linked && now && before && now->st_ino == before->st_ino && now->st_dev == before->st_dev) {
+    ::unlink(second_name.c_str());  // the backup is this file already: to rename it would do nothing
+    return;
+  }
   if (std::rename((linked ? second_name : target_).c_str(), backup.c_str()) != 0) {
     const int code = errno;
     if (linked) ::unlink(second_name.c_str());
     fail(code, "cannot be kept", backup);
   }
-  if (linked) ::unlink(second_name.c_str());  // still there if both names were those of one file
 }
 
 void ReplacedFile::sync_folder() {
