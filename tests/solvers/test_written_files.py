@@ -8,6 +8,7 @@ import resource
 import stat
 import threading
 from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -185,6 +186,16 @@ def test_the_restart_file_before_is_kept() -> None:
     assert sorted(path.name for path in Path().iterdir()) == [FULL, "restart.txt", "restart.txt.bck"]
     assert time_of("restart.txt") == pytest.approx(0.4)
     assert time_of("restart.txt.bck") == pytest.approx(0.3)
+
+
+def test_two_solutions_may_write_one_restart_file() -> None:
+    """At the same time: the last one wins, none is disturbed, and nothing else is left."""
+    models = [model() for _ in range(3)]
+    with ThreadPoolExecutor(3) as pool:
+        solved = list(pool.map(lambda made: made.mbs.SolveDynamic(restart_settings(steps=100, period=0)), models))
+    assert solved == [True] * 3
+    assert sorted(path.name for path in Path().iterdir()) == [FULL, "restart.txt", "restart.txt.bck"]
+    assert time_of("restart.txt") == pytest.approx(10.0)
 
 
 def test_the_last_good_restart_file_survives_a_full_disk() -> None:

@@ -4,7 +4,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -32,13 +34,19 @@ std::string end_of_links(const std::string& name) {
   return "";
 }
 
+// None is given twice: what removes its own file afterwards must not meet that of another thread or process.
+std::string unused_ending() {
+  static std::atomic<std::uint64_t> given = 0;
+  return ".part" + std::to_string(::getpid()) + "-" + std::to_string(given++);
+}
+
 // Calls `create` with names that begin as `target` does until one is free; false: see errno.
 template <class Create>
 bool create_free(const std::string& target, std::string& name, Create&& create) {
   for (int i = 0; i < most_leftovers; ++i) {
-    name = target + ".part" + std::to_string(i);
+    name = target + unused_ending();
     if (create(name)) return true;
-    if (errno != EEXIST) break;
+    if (errno != EEXIST && !(errno == ENOENT && status_of(target))) break;  // no file, as another thread was replacing it just then
   }
   name.clear();  // which leaves errno as it is
   return false;
@@ -93,15 +101,12 @@ void ReplacedFile::keep_as(const std::string& backup) {
   const bool linked = create_free(target_, second_name, [this](const std::string& free) {
     return ::link(target_.c_str(), free.c_str()) == 0;
   });
-  if (const auto now = status_of(target_); linked && now && before && now->st_ino == before->st_ino && now->st_dev == before->st_dev) {
-    ::unlink(second_name.c_str());  // the backup is this file already: to rename it would do nothing
-    return;
-  }
   if (std::rename((linked ? second_name : target_).c_str(), backup.c_str()) != 0) {
     const int code = errno;
     if (linked) ::unlink(second_name.c_str());
     fail(code, "cannot be kept", backup);
   }
+  if (linked) ::unlink(second_name.c_str());  // still there if both names were those of one file
 }
 
 void ReplacedFile::sync_folder() {
