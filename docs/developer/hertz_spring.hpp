@@ -2,13 +2,13 @@
 #pragma once
 
 #include "dalembert/connectors/hertz_spring_parameters.hpp"
-#include "dalembert/contracts/context.hpp"
+#include "dalembert/contracts/pair.hpp"
 #include "dalembert/enums.hpp"
 #include "dalembert/frames.hpp"
 
 namespace dalembert {
 
-struct ObjectConnectorHertzSpring {
+struct ObjectConnectorHertzSpring : NoPairHistory {
   using Parameters = ObjectConnectorHertzSpringParameters;
   using Port = PointPort;
 

@@ -10,7 +10,7 @@
 #include "dalembert/batches/many_ports.hpp"
 #include "dalembert/batches/port_sweep.hpp"
 #include "dalembert/batches/span_tangent.hpp"
-#include "dalembert/contracts/context.hpp"
+#include "dalembert/contracts/pair.hpp"
 #include "dalembert/model/errors.hpp"
 #include "dalembert/system/physics.hpp"
 
@@ -126,9 +126,8 @@ class PortBatch final : public Term {
               std::vector<double>& values) const override {
     const Entry& e = entries_[entry];
     const auto frames = read(ports, e);
-    if constexpr (requires { K::output(e.parameters, Context{}, frames[0], frames[M - 1], variable, values); })
-      return K::output(e.parameters, context(evaluation, e), frames[0], frames[M - 1], variable, values);
-    return false;
+    if constexpr (M == 2) return K::output(e.parameters, context(evaluation, e), frames[0], frames[1], variable, values);
+    else return false;
   }
 
  private:
@@ -146,16 +145,21 @@ class PortBatch final : public Term {
     }
   }
 
-  static constexpr bool has_update = requires { &K::update; };
-  static constexpr bool has_data = has_update || requires { K::data_coordinates; };
-
-  // A load that does not read its marker has no tangent of its own.
-  static constexpr bool is_constant = requires { requires K::is_constant; };
-
+  static constexpr bool is_load = M == 1;
+  static constexpr bool has_update = [] {
+    if constexpr (is_load) return false;
+    else return K::has_history;
+  }();
+  static constexpr bool is_constant = [] {
+    if constexpr (is_load) return K::is_constant;
+    else return false;
+  }();
+  static constexpr bool has_data = [] {
+    if constexpr (is_load) return false;
+    else return K::data_coordinates != 0;
+  }();
   // Whether its arithmetic may be noted, where `has_closed_form` says so as well.
-  static constexpr bool is_traced = !has_update && (LinearSpanConnector<K> || is_constant || requires(const typename K::Parameters& p) {
-    K::reads_marker(p);
-  });
+  static constexpr bool is_traced = is_load || (!has_update && LinearSpanConnector<K>);
 
   struct Entry {
     typename K::Parameters parameters;
@@ -192,9 +196,9 @@ class PortBatch final : public Term {
 
   // A load that does not read its marker adds nothing.
   static bool has_closed_form(const typename K::Parameters& p) {
-    if constexpr (requires { K::reads_marker(p); }) return !K::reads_marker(p);
-    if constexpr (SpanConnector<K>) return K::has_tangent(p);
-    return is_constant;
+    if constexpr (is_load) return !K::reads_marker(p);
+    else if constexpr (SpanConnector<K>) return K::has_tangent(p);
+    else return false;
   }
   template <class S>
   static bool add_in_closed_form(const Entry& e, const PortsOf<S>& ports, const int* slots, S* values) {
@@ -217,21 +221,19 @@ class PortBatch final : public Term {
   [[no_unique_address]] typename SpansOf<K>::Type spans_;
 };
 
-// A kernel with history says how many `data_coordinates` its node has to have, and may say by needs_data(p) when it does
-// without the node.
 template <class K, class Record>
 struct PairPhysics final : ObjectPhysics {
+  static_assert(PairConnectorKernel<K>);
+
   std::unique_ptr<Term> make_batch(std::span<const ItemType* const>) const override {
     return std::make_unique<PortBatch<K, Record, 2>>();
   }
   bool works_without_data(const void* record) const override {
-    if constexpr (requires(const typename K::Parameters& p) { K::needs_data(p); })
-      return !K::needs_data(static_cast<const Record*>(record)->parameters);
-    return false;
+    return !K::needs_data(static_cast<const Record*>(record)->parameters);
   }
   void check(const void*, const Placement& placement, const Ports& ports, const ItemLabel& item) const override {
     check_markers<typename K::Port>(placement, ports, item);
-    if constexpr (requires { K::data_coordinates; })
+    if constexpr (K::data_coordinates > 0)
       if (!placement.nodes.empty() && placement.data_count != K::data_coordinates)
         refuse(ErrorKind::value, {item, "nodeNumber", "", "a node with " + std::to_string(placement.data_count) + " data coordinates",
                                   "a NodeGenericData with numberOfDataCoordinates = " + std::to_string(K::data_coordinates), ""});

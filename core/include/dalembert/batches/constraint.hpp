@@ -1,8 +1,7 @@
 // Constraints and joints: gap equations between two markers, and the reaction that Lagrange multipliers make of them.
 //
-// A kernel says `equations` and `gap`. Its rate is the gap's derivative along the motion of the frames, its reaction the
-// gap's derivative by virtual motions of the frames; a kernel may state either in closed form where that is cheaper.
-// A nonholonomic kernel has no gap: it says `nonholonomic`, `gap_rate` and `reaction`.
+// The rate is the gap's derivative along the motion of the frames, the reaction its derivative by virtual motions of the frames,
+// unless a kernel states them in closed form. A nonholonomic kernel has no gap, but `gap_rate` and `reaction`.
 #pragma once
 
 #include <concepts>
@@ -13,8 +12,8 @@
 #include "dalembert/batches/joint_tangent.hpp"
 #include "dalembert/batches/many_ports.hpp"
 #include "dalembert/batches/port_sweep.hpp"
-#include "dalembert/contracts/context.hpp"
 #include "dalembert/contracts/linear_equations.hpp"
+#include "dalembert/contracts/pair.hpp"
 #include "dalembert/contracts/variation.hpp"
 #include "dalembert/math/wide_registers.hpp"
 #include "dalembert/system/physics.hpp"
@@ -116,7 +115,7 @@ class ConstraintBatch final : public Term {
         const auto g = equations<SweepDual>(e.parameters, c, frames, evaluation.rate_level);
         const int count = std::min(sweep_width, columns.total - first);
         for (int k = 0; k < m; ++k)
-          if (constrains(e.parameters, k))
+          if (K::constrains(e.parameters, k))
             for (int j = 0; j < count; ++j) values[gap_slots[k * columns.total + first + j]] += scale * g[k].d[j];
         const auto forces = reaction<SweepDual>(e.parameters, c, frames, lambda);
         scatter_forces<Port, 2>(ports, e.markers, columns, first, 1.0, forces, force_slots, values);
@@ -135,9 +134,7 @@ class ConstraintBatch final : public Term {
       return true;
     }
     const auto lambda = load<double, m>(evaluation.lambda + e.first_ae);
-    if constexpr (requires { K::output(e.parameters, c, frames[0], frames[1], lambda, variable, values); })
-      return K::output(e.parameters, c, frames[0], frames[1], lambda, variable, values);
-    return false;
+    return K::output(e.parameters, c, frames[0], frames[1], lambda, variable, values);
   }
 
  private:
@@ -191,10 +188,6 @@ class ConstraintBatch final : public Term {
     if constexpr (requires { p.activeConnector; }) return p.activeConnector;
     return true;
   }
-  static bool constrains(const Parameters& p, int k) {
-    if constexpr (requires { K::constrains(p, k); }) return K::constrains(p, k);
-    return true;
-  }
   static bool at_rate_level(const Parameters& p, bool rate_level) {
     if constexpr (requires { p.velocityLevel; }) return rate_level || p.velocityLevel;
     return rate_level;
@@ -216,7 +209,7 @@ class ConstraintBatch final : public Term {
     const auto frames = read(ports, e);
     const Context c = Context::of(evaluation, e.item);
     const auto g = equations<S>(e.parameters, c, frames, evaluation.rate_level);
-    for (int k = 0; k < m; ++k) gap[k] += constrains(e.parameters, k) ? g[k] : lambda[k];
+    for (int k = 0; k < m; ++k) gap[k] += K::constrains(e.parameters, k) ? g[k] : lambda[k];
     add_forces<Port, 2>(ports, e.markers, -1.0, reaction<S>(e.parameters, c, frames, load<S, m>(lambda)));
   }
 
@@ -232,13 +225,13 @@ class ConstraintBatch final : public Term {
   template <class S>
   static bool add_diagonal(const Entry& e, const BlockSlots& slots, S* values) {
     for (int k = 0; k < m; ++k)
-      if (!constrains(e.parameters, k) || !active(e.parameters)) values[slots.diagonal[k]] += 1;
+      if (!K::constrains(e.parameters, k) || !active(e.parameters)) values[slots.diagonal[k]] += 1;
     return active(e.parameters);
   }
 
   template <class S>
   static Vec<S, m> equations(const Parameters& p, const Context& c, const Frames<S>& f, bool rate_level) {
-    if constexpr (requires { K::nonholonomic; }) {
+    if constexpr (K::nonholonomic) {
       return K::template gap_rate<S>(p, c, f[0], f[1]);
     } else {
       return at_rate_level(p, rate_level) ? gap_rate<K, S>(p, c, f[0], f[1]) : gap<K, S>(p, c, f[0], f[1]);
@@ -249,7 +242,7 @@ class ConstraintBatch final : public Term {
                                                                   const Vec<L, m>& multipliers) {
     Vec<L, m> lambda = multipliers;
     for (int k = 0; k < m; ++k)
-      if (!constrains(p, k)) lambda[k] = 0;
+      if (!K::constrains(p, k)) lambda[k] = 0;
     if constexpr (requires { K::template reaction<S>(p, c, f[0], f[1], lambda); }) {
       return K::template reaction<S>(p, c, f[0], f[1], lambda);
     } else {
@@ -265,7 +258,7 @@ class ConstraintBatch final : public Term {
     std::vector<bool> turns;
     for (const int marker : e.markers) {
       const PortLayout& port = ports.ports[marker];
-      const int still = LinearConstraint<K> ? port.n : requires { K::fixed_directions; } ? port.translations : 0;
+      const int still = LinearConstraint<K> ? port.n : K::fixed_directions ? port.translations : 0;
       for (int i = 0; i < port.n; ++i) turns.push_back(i >= still);
     }
     return turns;
@@ -286,7 +279,7 @@ class ConstraintBatch final : public Term {
     const int total = tangent.total();
     const double* lambda = evaluation.lambda + e.first_ae;
     for (int k = 0; k < m; ++k)
-      if (constrains(e.parameters, k))
+      if (K::constrains(e.parameters, k))
         tangent.add(e.table[static_cast<std::size_t>(k)], lambda[k], 1 / weights.q, slots + k * total, slots + (m + k) * total, values);
     tangent.add_forces(slots + 2 * m * total, values);
   }
@@ -319,7 +312,7 @@ class ConstraintBatch final : public Term {
                                  const int* slots, double* values) {
     const auto frames = read(ports, e);
     for (int k = 0; k < m; ++k) {
-      if (!constrains(e.parameters, k)) continue;
+      if (!K::constrains(e.parameters, k)) continue;
       Vec<double, m> unit;
       unit[k] = 1;
       const auto forces = reaction<double>(e.parameters, c, frames, unit);
@@ -341,6 +334,8 @@ class ConstraintBatch final : public Term {
 
 template <class K, class Record>
 struct PairConstraintPhysics final : ObjectPhysics {
+  static_assert(PairConstraintKernel<K>);
+
   std::unique_ptr<Term> make_batch(std::span<const ItemType* const>) const override {
     return std::make_unique<ConstraintBatch<K, Record>>();
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dalembert/connectors/coordinate_spring_damper_parameters.hpp"
+#include "dalembert/contracts/pair.hpp"
 #include "dalembert/contracts/span_forces.hpp"
 #include "dalembert/contracts/user_function.hpp"
 #include "dalembert/enums.hpp"
@@ -9,7 +10,7 @@
 
 namespace dalembert {
 
-struct ObjectConnectorCoordinateSpringDamper {
+struct ObjectConnectorCoordinateSpringDamper : NoPairHistory {
   using Parameters = ObjectConnectorCoordinateSpringDamperParameters;
   using Port = ScalarPort;
 

@@ -2,15 +2,15 @@
 #pragma once
 
 #include "dalembert/connectors/coordinate_spring_damper_ext_parameters.hpp"
+#include "dalembert/contracts/pair.hpp"
 #include "dalembert/contracts/stribeck.hpp"
 #include "dalembert/contracts/user_function.hpp"
 #include "dalembert/enums.hpp"
 #include "dalembert/frames.hpp"
-#include "dalembert/system/term.hpp"
 
 namespace dalembert {
 
-struct ObjectConnectorCoordinateSpringDamperExt {
+struct ObjectConnectorCoordinateSpringDamperExt : HasPairHistory {
   using Parameters = ObjectConnectorCoordinateSpringDamperExtParameters;
   using Port = ScalarPort;
   static constexpr int data_coordinates = 3;

@@ -3,11 +3,12 @@
 
 #include "dalembert/connectors/gravity_parameters.hpp"
 #include "dalembert/contracts/line_of_action.hpp"
+#include "dalembert/contracts/pair.hpp"
 #include "dalembert/enums.hpp"
 
 namespace dalembert {
 
-struct ObjectConnectorGravity {
+struct ObjectConnectorGravity : NoPairHistory {
   using Parameters = ObjectConnectorGravityParameters;
   using Port = PointPort;
 

@@ -2,13 +2,14 @@
 #pragma once
 
 #include "dalembert/connectors/linear_spring_damper_parameters.hpp"
+#include "dalembert/contracts/pair.hpp"
 #include "dalembert/contracts/user_function.hpp"
 #include "dalembert/enums.hpp"
 #include "dalembert/frames.hpp"
 
 namespace dalembert {
 
-struct ObjectConnectorLinearSpringDamper {
+struct ObjectConnectorLinearSpringDamper : NoPairHistory {
   using Parameters = ObjectConnectorLinearSpringDamperParameters;
   using Port = RigidPort;
 

@@ -3,14 +3,15 @@
 
 #include "dalembert/connectors/rigid_body_spring_damper_parameters.hpp"
 #include "dalembert/contracts/joint_frames.hpp"
+#include "dalembert/contracts/pair.hpp"
 #include "dalembert/contracts/user_function.hpp"
-#include "dalembert/system/term.hpp"
 
 namespace dalembert {
 
-struct ObjectConnectorRigidBodySpringDamper {
+struct ObjectConnectorRigidBodySpringDamper : HasPairHistory, AlwaysNeedsData {
   using Parameters = ObjectConnectorRigidBodySpringDamperParameters;
   using Port = RigidPort;
+  static constexpr int data_coordinates = any_data_coordinates;  // those that its user function wants
 
   // Force and moment in the joint frame; the intrinsic formulation measures them in the middle between the markers.
   template <class S>

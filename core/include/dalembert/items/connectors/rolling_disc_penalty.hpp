@@ -4,13 +4,12 @@
 #include <cmath>
 
 #include "dalembert/connectors/rolling_disc_penalty_parameters.hpp"
-#include "dalembert/contracts/context.hpp"
+#include "dalembert/contracts/pair.hpp"
 #include "dalembert/contracts/rolling_disc.hpp"
-#include "dalembert/system/term.hpp"
 
 namespace dalembert {
 
-struct ObjectConnectorRollingDiscPenalty {
+struct ObjectConnectorRollingDiscPenalty : HasPairHistory, AlwaysNeedsData {
   using Parameters = ObjectConnectorRollingDiscPenaltyParameters;
   using Port = RigidPort;
   static constexpr int data_coordinates = 3;

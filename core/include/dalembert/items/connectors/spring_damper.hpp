@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dalembert/connectors/spring_damper_parameters.hpp"
+#include "dalembert/contracts/pair.hpp"
 #include "dalembert/contracts/span_forces.hpp"
 #include "dalembert/contracts/user_function.hpp"
 #include "dalembert/enums.hpp"
@@ -10,7 +11,7 @@
 
 namespace dalembert {
 
-struct ObjectConnectorSpringDamper {
+struct ObjectConnectorSpringDamper : NoPairHistory {
   using Parameters = ObjectConnectorSpringDamperParameters;
   using Port = PointPort;
 

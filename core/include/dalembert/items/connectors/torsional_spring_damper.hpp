@@ -5,12 +5,12 @@
 
 #include "dalembert/connectors/torsional_spring_damper_parameters.hpp"
 #include "dalembert/contracts/joint_frames.hpp"
+#include "dalembert/contracts/pair.hpp"
 #include "dalembert/contracts/user_function.hpp"
-#include "dalembert/system/term.hpp"
 
 namespace dalembert {
 
-struct ObjectConnectorTorsionalSpringDamper {
+struct ObjectConnectorTorsionalSpringDamper : HasPairHistory, AlwaysNeedsData {
   using Parameters = ObjectConnectorTorsionalSpringDamperParameters;
   using Port = RigidPort;
   static constexpr int data_coordinates = 1;

@@ -3,13 +3,14 @@
 
 #include "dalembert/constraints/coordinate_parameters.hpp"
 #include "dalembert/contracts/linear_equations.hpp"
+#include "dalembert/contracts/pair.hpp"
 #include "dalembert/contracts/user_function.hpp"
 #include "dalembert/enums.hpp"
 #include "dalembert/frames.hpp"
 
 namespace dalembert {
 
-struct ObjectConnectorCoordinate {
+struct ObjectConnectorCoordinate : ConstrainsAll, Holonomic, TurningDirections {
   using Parameters = ObjectConnectorCoordinateParameters;
   using Port = ScalarPort;
   static constexpr int equations = 1;

@@ -2,14 +2,14 @@
 #pragma once
 
 #include "dalembert/constraints/distance_parameters.hpp"
-#include "dalembert/contracts/context.hpp"
 #include "dalembert/contracts/line_of_action.hpp"
+#include "dalembert/contracts/pair.hpp"
 #include "dalembert/enums.hpp"
 #include "dalembert/frames.hpp"
 
 namespace dalembert {
 
-struct ObjectConnectorDistance {
+struct ObjectConnectorDistance : ConstrainsAll, Holonomic, TurningDirections {
   using Parameters = ObjectConnectorDistanceParameters;
   using Port = PointPort;
   static constexpr int equations = 1;

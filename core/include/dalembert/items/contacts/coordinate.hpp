@@ -4,13 +4,12 @@
 #include <cmath>
 
 #include "dalembert/contacts/coordinate_parameters.hpp"
-#include "dalembert/contracts/context.hpp"
+#include "dalembert/contracts/pair.hpp"
 #include "dalembert/frames.hpp"
-#include "dalembert/system/term.hpp"
 
 namespace dalembert {
 
-struct ObjectContactCoordinate {
+struct ObjectContactCoordinate : HasPairHistory, AlwaysNeedsData, NoPairOutputs {
   using Parameters = ObjectContactCoordinateParameters;
   using Port = ScalarPort;
   static constexpr int data_coordinates = 1;

@@ -5,16 +5,15 @@
 #include <string>
 
 #include "dalembert/contacts/sphere_torus_parameters.hpp"
-#include "dalembert/contracts/context.hpp"
 #include "dalembert/contracts/impact.hpp"
+#include "dalembert/contracts/pair.hpp"
 #include "dalembert/enums.hpp"
 #include "dalembert/frames.hpp"
 #include "dalembert/model/errors.hpp"
-#include "dalembert/system/term.hpp"
 
 namespace dalembert {
 
-struct ObjectContactSphereTorus {
+struct ObjectContactSphereTorus : HasPairHistory, AlwaysNeedsData {
   using Parameters = ObjectContactSphereTorusParameters;
   using Port = RigidPort;
   static constexpr int data_coordinates = 4;

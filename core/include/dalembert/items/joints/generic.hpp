@@ -3,13 +3,14 @@
 
 #include "dalembert/contracts/joint_equations.hpp"
 #include "dalembert/contracts/joint_frames.hpp"
+#include "dalembert/contracts/pair.hpp"
 #include "dalembert/contracts/user_function.hpp"
 #include "dalembert/contracts/variation.hpp"
 #include "dalembert/joints/generic_parameters.hpp"
 
 namespace dalembert {
 
-struct ObjectJointGeneric {
+struct ObjectJointGeneric : Holonomic, TurningDirections {
   using Parameters = ObjectJointGenericParameters;
   using Port = RigidPort;
   static constexpr int equations = 6;

@@ -1,13 +1,13 @@
 // ObjectJointPrismatic2D, specs/joints/prismatic_2d.toml
 #pragma once
 
-#include "dalembert/contracts/context.hpp"
 #include "dalembert/contracts/joint_frames.hpp"
+#include "dalembert/contracts/pair.hpp"
 #include "dalembert/joints/prismatic_2d_parameters.hpp"
 
 namespace dalembert {
 
-struct ObjectJointPrismatic2D {
+struct ObjectJointPrismatic2D : Holonomic, TurningDirections, NoConstraintOutputs {
   using Parameters = ObjectJointPrismatic2DParameters;
   using Port = RigidPort;
   static constexpr int equations = 2;

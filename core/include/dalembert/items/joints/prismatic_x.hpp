@@ -1,14 +1,14 @@
 // ObjectJointPrismaticX, specs/joints/prismatic_x.toml
 #pragma once
 
-#include "dalembert/contracts/context.hpp"
 #include "dalembert/contracts/joint_equations.hpp"
 #include "dalembert/contracts/joint_frames.hpp"
+#include "dalembert/contracts/pair.hpp"
 #include "dalembert/joints/prismatic_x_parameters.hpp"
 
 namespace dalembert {
 
-struct ObjectJointPrismaticX : JointOfTable<ObjectJointPrismaticX> {
+struct ObjectJointPrismaticX : JointOfTable<ObjectJointPrismaticX>, ConstrainsAll, Holonomic, TurningDirections {
   using Parameters = ObjectJointPrismaticXParameters;
   using Port = RigidPort;
   static constexpr int equations = 5;

@@ -1,15 +1,15 @@
 // ObjectJointRevolute2D, specs/joints/revolute_2d.toml
 #pragma once
 
-#include "dalembert/contracts/context.hpp"
 #include "dalembert/contracts/linear_equations.hpp"
+#include "dalembert/contracts/pair.hpp"
 #include "dalembert/enums.hpp"
 #include "dalembert/frames.hpp"
 #include "dalembert/joints/revolute_2d_parameters.hpp"
 
 namespace dalembert {
 
-struct ObjectJointRevolute2D {
+struct ObjectJointRevolute2D : ConstrainsAll, Holonomic, TurningDirections, NoConstraintOutputs {
   using Parameters = ObjectJointRevolute2DParameters;
   using Port = PointPort;
   static constexpr int equations = 2;

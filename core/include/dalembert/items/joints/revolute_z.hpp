@@ -1,14 +1,14 @@
 // ObjectJointRevoluteZ, specs/joints/revolute_z.toml
 #pragma once
 
-#include "dalembert/contracts/context.hpp"
 #include "dalembert/contracts/joint_equations.hpp"
 #include "dalembert/contracts/joint_frames.hpp"
+#include "dalembert/contracts/pair.hpp"
 #include "dalembert/joints/revolute_z_parameters.hpp"
 
 namespace dalembert {
 
-struct ObjectJointRevoluteZ : JointOfTable<ObjectJointRevoluteZ> {
+struct ObjectJointRevoluteZ : JointOfTable<ObjectJointRevoluteZ>, ConstrainsAll, Holonomic {
   using Parameters = ObjectJointRevoluteZParameters;
   using Port = RigidPort;
   static constexpr int equations = 5;

@@ -1,13 +1,13 @@
 // ObjectJointRollingDisc, specs/joints/rolling_disc.toml
 #pragma once
 
-#include "dalembert/contracts/context.hpp"
+#include "dalembert/contracts/pair.hpp"
 #include "dalembert/contracts/rolling_disc.hpp"
 #include "dalembert/joints/rolling_disc_parameters.hpp"
 
 namespace dalembert {
 
-struct ObjectJointRollingDisc {
+struct ObjectJointRollingDisc : TurningDirections {
   using Parameters = ObjectJointRollingDiscParameters;
   using Port = RigidPort;
   static constexpr int equations = 3;

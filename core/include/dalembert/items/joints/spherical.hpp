@@ -1,15 +1,15 @@
 // ObjectJointSpherical, specs/joints/spherical.toml
 #pragma once
 
-#include "dalembert/contracts/context.hpp"
 #include "dalembert/contracts/joint_equations.hpp"
+#include "dalembert/contracts/pair.hpp"
 #include "dalembert/enums.hpp"
 #include "dalembert/frames.hpp"
 #include "dalembert/joints/spherical_parameters.hpp"
 
 namespace dalembert {
 
-struct ObjectJointSpherical {
+struct ObjectJointSpherical : Holonomic {
   using Parameters = ObjectJointSphericalParameters;
   using Port = PointPort;
   static constexpr int equations = 3;

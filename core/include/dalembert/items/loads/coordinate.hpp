@@ -2,15 +2,15 @@
 #pragma once
 
 #include "dalembert/contracts/load_value.hpp"
+#include "dalembert/contracts/pair.hpp"
 #include "dalembert/frames.hpp"
 #include "dalembert/loads/coordinate_parameters.hpp"
 
 namespace dalembert {
 
-struct LoadCoordinate {
+struct LoadCoordinate : ReadsNoMarker, NoFollower {
   using Parameters = LoadCoordinateParameters;
   using Port = ScalarPort;
-  static constexpr bool is_constant = true;
 
   template <class S>
   static ScalarForce<S> force(const Parameters& p, const Context& c, const ScalarFrame<S>&) {

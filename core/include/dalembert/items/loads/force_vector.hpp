@@ -2,15 +2,15 @@
 #pragma once
 
 #include "dalembert/contracts/load_value.hpp"
+#include "dalembert/contracts/pair.hpp"
 #include "dalembert/frames.hpp"
 #include "dalembert/loads/force_vector_parameters.hpp"
 
 namespace dalembert {
 
-struct LoadForceVector {
+struct LoadForceVector : ReadsNoMarker {
   using Parameters = LoadForceVectorParameters;
   using Port = PointPort;
-  static constexpr bool is_constant = true;
 
   template <class S>
   static Force<S> force(const Parameters& p, const Context& c, const PointFrame<S>&) {
@@ -22,7 +22,7 @@ struct LoadForceVector {
   }
 
   // A follower force turns with the marker.
-  struct BodyFixed {
+  struct BodyFixed : ReadsMarker {
     using Parameters = LoadForceVectorParameters;
     using Port = RigidPort;
     static bool applies(const Parameters& p) { return p.bodyFixed; }

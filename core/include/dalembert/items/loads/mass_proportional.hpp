@@ -2,15 +2,15 @@
 #pragma once
 
 #include "dalembert/contracts/load_value.hpp"
+#include "dalembert/contracts/pair.hpp"
 #include "dalembert/frames.hpp"
 #include "dalembert/loads/mass_proportional_parameters.hpp"
 
 namespace dalembert {
 
-struct LoadMassProportional {
+struct LoadMassProportional : ReadsNoMarker, NoFollower {
   using Parameters = LoadMassProportionalParameters;
   using Port = MassPort;
-  static constexpr bool is_constant = true;
 
   template <class S>
   static Force<S> force(const Parameters& p, const Context& c, const MassFrame<S>&) {

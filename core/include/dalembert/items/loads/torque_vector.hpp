@@ -2,14 +2,16 @@
 #pragma once
 
 #include "dalembert/contracts/load_value.hpp"
+#include "dalembert/contracts/pair.hpp"
 #include "dalembert/frames.hpp"
 #include "dalembert/loads/torque_vector_parameters.hpp"
 
 namespace dalembert {
 
-struct LoadTorqueVector {
+struct LoadTorqueVector : NoFollower {
   using Parameters = LoadTorqueVectorParameters;
   using Port = RigidPort;
+  static constexpr bool is_constant = false;
   static bool reads_marker(const Parameters& p) { return p.bodyFixed; }
 
   template <class S>

@@ -1,0 +1,110 @@
+// Items between two markers of one shape, and loads on one: their frames come in, forces on them go out.
+//
+//   marker 0 ──frame──▶ ┌────────┐ ──force──▶ marker 0
+//   marker 1 ──frame──▶ │ kernel │ ──force──▶ marker 1
+//                       └────────┘
+//
+// A connector states `forces`, a constraint its `equations` and `gap` (or `gap_rate`, if it is nonholonomic), a load `force`.
+// What a kernel does without, it says by deriving from one of the structs below: a member that is missing, misspelt or has
+// another signature does not compile. Closed forms alone are optional; without them, sweeps of dual numbers find the same numbers:
+// `tangent` and `Law` of connectors (contracts/span_forces.hpp), `gap_rate` and `reaction` (contracts/variation.hpp), `table`
+// (contracts/joint_equations.hpp) and `linear` (contracts/linear_equations.hpp) of constraints.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <vector>
+
+#include "dalembert/contracts/context.hpp"
+#include "dalembert/enums.hpp"
+#include "dalembert/frames.hpp"
+#include "dalembert/system/term.hpp"
+
+namespace dalembert {
+
+// ---- connectors ---------------------------------------------------------------------------------------------------------
+constexpr int any_data_coordinates = -1;  // as many as the node of the item has
+
+struct NoPairHistory {
+  static constexpr bool has_history = false;
+  static constexpr int data_coordinates = 0;
+  static bool needs_data(const auto&) { return false; }
+  static PostNewton update(const auto&, const Context&, const auto&, const auto&, const double*, double*) { return {}; }
+};
+struct HasPairHistory {
+  static constexpr bool has_history = true;
+};
+struct AlwaysNeedsData {
+  static bool needs_data(const auto&) { return true; }
+};
+struct NoPairOutputs {
+  static bool output(const auto&, const Context&, const auto&, const auto&, OutputVariableType, std::vector<double>&) { return false; }
+};
+
+template <class K>
+concept PairConnectorKernel = requires(const typename K::Parameters& p, const Context& c, const typename K::Port::template Frame<double>& m,
+                                       const double* start, double* data, OutputVariableType variable, std::vector<double>& values) {
+  { K::template forces<double>(p, c, m, m) } -> std::same_as<std::array<typename K::Port::template Force<double>, 2>>;
+  requires std::same_as<decltype(K::has_history), const bool>;
+  requires std::same_as<decltype(K::data_coordinates), const int>;
+  { K::needs_data(p) } -> std::same_as<bool>;  // or it does without its node
+  { K::update(p, c, m, m, start, data) } -> std::same_as<PostNewton>;  // data after Newton's method, from those at the start of the step
+  { K::output(p, c, m, m, variable, values) } -> std::same_as<bool>;
+};
+
+// ---- constraints --------------------------------------------------------------------------------------------------------
+struct ConstrainsAll {
+  static bool constrains(const auto&, int) { return true; }
+};
+struct Holonomic {
+  static constexpr bool nonholonomic = false;
+};
+struct TurningDirections {
+  static constexpr bool fixed_directions = false;
+};
+struct NoConstraintOutputs {
+  static bool output(const auto&, const Context&, const auto&, const auto&, const auto&, OutputVariableType, std::vector<double>&) {
+    return false;
+  }
+};
+
+template <class K>
+concept PairConstraintKernel = requires(const typename K::Parameters& p, const Context& c, const typename K::Port::template Frame<double>& m,
+                                        const Vec<double, K::equations>& lambda, OutputVariableType variable, std::vector<double>& values) {
+  { K::constrains(p, 0) } -> std::same_as<bool>;  // equation k
+  requires std::same_as<decltype(K::nonholonomic), const bool>;
+  requires std::same_as<decltype(K::fixed_directions), const bool>;  // translations do not vary the reaction
+  { K::output(p, c, m, m, lambda, variable, values) } -> std::same_as<bool>;
+};
+
+// ---- loads --------------------------------------------------------------------------------------------------------------
+// The force is the same wherever the marker is: it has no tangent.
+struct ReadsNoMarker {
+  static constexpr bool is_constant = true;
+  static bool reads_marker(const auto&) { return false; }
+};
+struct ReadsMarker {
+  static constexpr bool is_constant = false;
+  static bool reads_marker(const auto&) { return true; }
+};
+// No variant of the kernel for a vector that turns with the marker, which asks more of it.
+struct NoFollower {
+  using BodyFixed = void;
+};
+
+template <class K>
+concept ForceOnMarker = requires(const typename K::Parameters& p, const Context& c, const typename K::Port::template Frame<double>& m) {
+  { K::template force<double>(p, c, m) } -> std::same_as<typename K::Port::template Force<double>>;
+  requires std::same_as<decltype(K::is_constant), const bool>;
+  { K::reads_marker(p) } -> std::same_as<bool>;
+};
+template <class B>
+concept FollowerKernel = std::is_void_v<B> || (ForceOnMarker<B> && requires(const typename B::Parameters& p) {
+  { B::applies(p) } -> std::same_as<bool>;
+});
+template <class K>
+concept LoadKernel = ForceOnMarker<K> && FollowerKernel<typename K::BodyFixed> && requires(const typename K::Parameters& p, const Context& c) {
+  K::value(p, c).x;  // the numbers of the load at a time
+};
+
+}  // namespace dalembert

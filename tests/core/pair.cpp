@@ -1,0 +1,87 @@
+// Kernels between two markers, and loads, are refused when a member is missing, misspelt or has another signature.
+#include "dalembert/contracts/pair.hpp"
+
+using namespace dalembert;
+
+namespace {
+
+struct Parameters {};
+
+// ---- connectors ---------------------------------------------------------------------------------------------------------
+struct Spring {
+  using Parameters = ::Parameters;
+  using Port = PointPort;
+  template <class S>
+  static std::array<Force<S>, 2> forces(const Parameters&, const Context&, const PointFrame<S>&, const PointFrame<S>&) {
+    return {};
+  }
+};
+struct CompleteSpring : Spring, NoPairHistory, NoPairOutputs {};
+static_assert(PairConnectorKernel<CompleteSpring>);
+static_assert(!PairConnectorKernel<Spring>);
+
+struct WithHistory : Spring, HasPairHistory, AlwaysNeedsData, NoPairOutputs {
+  static constexpr int data_coordinates = 1;
+};
+struct MisspeltHistory : WithHistory {
+  static PostNewton updates(const Parameters&, const Context&, const PointFrame<double>&, const PointFrame<double>&, const double*, double*) {
+    return {};
+  }
+};
+struct CompleteHistory : WithHistory {
+  static PostNewton update(const Parameters&, const Context&, const PointFrame<double>&, const PointFrame<double>&, const double*, double*) {
+    return {};
+  }
+};
+static_assert(PairConnectorKernel<CompleteHistory>);
+static_assert(!PairConnectorKernel<MisspeltHistory>);
+
+struct OneForceOnly : NoPairHistory, NoPairOutputs {
+  using Parameters = ::Parameters;
+  using Port = PointPort;
+  template <class S>
+  static Force<S> forces(const Parameters&, const Context&, const PointFrame<S>&, const PointFrame<S>&) {
+    return {};
+  }
+};
+static_assert(!PairConnectorKernel<OneForceOnly>);
+
+// ---- constraints --------------------------------------------------------------------------------------------------------
+struct Joint : Holonomic, TurningDirections, NoConstraintOutputs {
+  using Parameters = ::Parameters;
+  using Port = PointPort;
+  static constexpr int equations = 1;
+};
+struct CompleteJoint : Joint {
+  static bool constrains(const Parameters&, int) { return true; }
+};
+struct MisspeltAxes : Joint {
+  static bool constrians(const Parameters&, int) { return true; }
+};
+struct AxesOfAnotherType : Joint {
+  static void constrains(const Parameters&, int) {}
+};
+static_assert(PairConstraintKernel<CompleteJoint>);
+static_assert(!PairConstraintKernel<MisspeltAxes>);
+static_assert(!PairConstraintKernel<AxesOfAnotherType>);
+
+// ---- loads --------------------------------------------------------------------------------------------------------------
+struct Weight {
+  using Parameters = ::Parameters;
+  using Port = PointPort;
+  template <class S>
+  static Force<S> force(const Parameters&, const Context&, const PointFrame<S>&) {
+    return {};
+  }
+  static Vec3<double> value(const Parameters&, const Context&) { return {}; }
+};
+struct CompleteWeight : Weight, ReadsNoMarker, NoFollower {};
+struct WithoutFollower : Weight, ReadsNoMarker {};
+struct WithoutReading : Weight, NoFollower {};
+static_assert(LoadKernel<CompleteWeight>);
+static_assert(!LoadKernel<WithoutFollower>);
+static_assert(!LoadKernel<WithoutReading>);
+
+}  // namespace
+
+int main() { return 0; }
