@@ -256,6 +256,14 @@ def test_markers_have_no_orientation() -> None:
             beam.mbs.Assemble()
 
 
+@pytest.mark.parametrize("variable", ["RotationMatrix", "AngularVelocity", "VelocityLocal"])
+def test_outputs_need_no_orientation(variable: str) -> None:
+    beam = Beam(1, 1.0, physicsMassPerLength=1)
+    beam.mbs.Assemble()
+    with pytest.raises(ValueError, match=rf"{variable}"):
+        beam.mbs.GetObjectOutputBody(beam.cables[0], getattr(exu.OutputVariableType, variable), [0.5, 0, 0])
+
+
 def test_position_marker_on_the_node() -> None:
     """A force on the node's position does what the same force at the end of the element does."""
     tips = []

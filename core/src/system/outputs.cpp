@@ -51,6 +51,18 @@ bool frame_output(Variable variable, const Motion<double>& m, Reference&& refere
   }
 }
 
+// What follows from an orientation: a finite element has one if it tells of its rotation.
+bool asks_orientation(Variable variable) {
+  static constexpr Variable oriented[] = {Variable::RotationMatrix,       Variable::Rotation,          Variable::AngularVelocity,
+                                          Variable::AngularVelocityLocal, Variable::AngularAcceleration, Variable::AngularAccelerationLocal,
+                                          Variable::DisplacementLocal,    Variable::VelocityLocal,     Variable::AccelerationLocal};
+  return std::ranges::find(oriented, variable) != std::end(oriented);
+}
+bool lacks(const ItemType& type, Variable variable) {
+  return type.category == "FiniteElement" && asks_orientation(variable) &&
+         std::ranges::find(type.outputs, Variable::Rotation) == type.outputs.end();
+}
+
 // Coordinates count from the reference; those of the reference itself are its own.
 bool coordinate_output(Variable variable, const Evaluation& e, std::span<const int> ode2, std::span<const int> ode1, bool of_reference,
                        const State& reference, Values& values) {
@@ -196,7 +208,7 @@ void System::body_output(int object, Variable variable, std::array<double, 3> lo
     batch->motion(entry, parts.output_evaluation(rest, dofs), at, r);
     return r;
   };
-  if (batch->motion(entry, e, at, m) && frame_output(variable, m, reference, values)) return;
+  if (!lacks(*place.type, variable) && batch->motion(entry, e, at, m) && frame_output(variable, m, reference, values)) return;
   no_output(parts.describe(ItemKind::object, object), variable, place.type->outputs);
 }
 
@@ -264,7 +276,7 @@ bool may_have(const ItemType& type, Variable variable) {
   const Motion<double> rest{};
   const bool moves = type.kind != ItemKind::object || type.category == "Body" || type.category == "FiniteElement" ||
                      type.category == "SuperElement";
-  return moves && frame_output(variable, rest, [&] { return rest; }, values);
+  return moves && !lacks(type, variable) && frame_output(variable, rest, [&] { return rest; }, values);
 }
 
 System::Recording::Recording(System& system) : system_(system) {
