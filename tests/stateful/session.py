@@ -23,6 +23,7 @@ from variants import ALL_VARIANTS, Variant
 from watchers import ITEM_FUNCTIONS, POST_NEWTON_FUNCTIONS, STEP_FUNCTIONS, read, write
 
 import dalembert as exu
+from codegen.model import Parameter
 
 VARIANTS = [variant for variant in ALL_VARIANTS if solvable(variant)]
 VARIABLES = list(exu.OutputVariableType.__members__.values())
@@ -145,6 +146,9 @@ class Session:
                 raise Finding(f"{text} was refused and has changed the system: {error}") from error
             return None, error
 
+    def call_method(self, name: str, *arguments: Any) -> tuple[Any, Any]:
+        return self.call(f"mbs.{name}(", getattr(self.mbs, name), *arguments)
+
     def counts(self) -> dict[str, int]:
         data = self.mbs.systemData
         return {kind: getattr(data, f"NumberOf{kind.title()}s")() for kind in KINDS}
@@ -156,6 +160,10 @@ class Session:
             return None
         kind = random.choice(kinds)
         return kind, random.randrange(counts[kind])
+
+    def rows_at(self, kind: str, number: int) -> list[Parameter]:
+        """Parameters of an item of the system."""
+        return rows_of(item_of_dictionary(kind, getattr(self.mbs, f"Get{kind.title()}")(number)))
 
     # ---- building ----------------------------------------------------------------------------------------------------
     def start(self, n: int, seed: int) -> None:
@@ -192,10 +200,9 @@ class Session:
         if existing is None:
             return
         kind, number = existing
-        row = random.choice(rows_of(item_of_dictionary(kind, getattr(self.mbs, f"Get{kind.title()}")(number))))
+        row = random.choice(self.rows_at(kind, number))
         value = value_of(random, row, self.counts(), 0.6)
-        method = f"Set{kind.title()}Parameter"
-        self.call(f"mbs.{method}(", getattr(self.mbs, method), number, row.name, value)
+        self.call_method(f"Set{kind.title()}Parameter", number, row.name, value)
 
     @rule
     def modify(self, draw: int) -> None:
@@ -204,9 +211,9 @@ class Session:
         if existing is None:
             return
         kind, number = existing
-        rows = rows_of(item_of_dictionary(kind, getattr(self.mbs, f"Get{kind.title()}")(number)))
+        rows = self.rows_at(kind, number)
         chosen = {row.name: value_of(random, row, self.counts()) for row in random.sample(rows, min(2, len(rows)))}
-        self.call(f"mbs.Modify{kind.title()}(", getattr(self.mbs, f"Modify{kind.title()}"), number, chosen)
+        self.call_method(f"Modify{kind.title()}", number, chosen)
 
     @rule
     def delete(self, draw: int) -> None:
@@ -216,7 +223,7 @@ class Session:
             return
         kind, number = existing
         options = (random.random() < 0.5, True) if kind in ("object", "load") else (True,)
-        self.call(f"mbs.Delete{kind.title()}(", getattr(self.mbs, f"Delete{kind.title()}"), number, *options)
+        self.call_method(f"Delete{kind.title()}", number, *options)
 
     @rule
     def assemble(self, draw: int) -> None:
@@ -226,11 +233,7 @@ class Session:
             words = str(error).split()
             if error is None or words[0] not in KINDS:
                 return
-            self.call(
-                f"mbs.Delete{words[0].title()}(",
-                getattr(self.mbs, f"Delete{words[0].title()}"),
-                int(words[1].rstrip(",")),
-            )
+            self.call_method(f"Delete{words[0].title()}", int(words[1].rstrip(",")))
 
     @rule
     def assemble_in_parts(self, draw: int) -> None:
@@ -250,7 +253,7 @@ class Session:
         for name in ("PreStep", "PostStep", "PostNewton"):
             function = random.choice(POST_NEWTON_FUNCTIONS if name == "PostNewton" else STEP_FUNCTIONS)
             function = function if random.random() < 0.5 else 0
-            self.call(f"mbs.Set{name}UserFunction(", getattr(self.mbs, f"Set{name}UserFunction"), function)
+            self.call_method(f"Set{name}UserFunction", function)
 
     @rule
     def set_item_function(self, draw: int) -> None:
@@ -259,16 +262,10 @@ class Session:
         if existing is None:
             return
         kind, number = existing
-        rows = rows_of(item_of_dictionary(kind, getattr(self.mbs, f"Get{kind.title()}")(number)))
-        names = [row.name for row in rows if row.type.storage == "user_function"]
+        names = [row.name for row in self.rows_at(kind, number) if row.type.storage == "user_function"]
         if names:
-            method = f"Set{kind.title()}Parameter"
-            self.call(
-                f"mbs.{method}(",
-                getattr(self.mbs, method),
-                number,
-                random.choice(names),
-                random.choice((0, *ITEM_FUNCTIONS)),
+            self.call_method(
+                f"Set{kind.title()}Parameter", number, random.choice(names), random.choice((0, *ITEM_FUNCTIONS))
             )
 
     # ---- other systems -----------------------------------------------------------------------------------------------
@@ -434,7 +431,7 @@ class Session:
             "sensor": random.choice((("GetSensorValues", (configuration,)), ("GetSensorStoredData", ()))),
         }
         method, rest = reading[kind]
-        values, _ = self.call(f"mbs.{method}(", getattr(self.mbs, method), number, *rest)
+        values, _ = self.call_method(method, number, *rest)
         if isinstance(values, np.ndarray):
             self.kept.append(values)
 
