@@ -40,7 +40,6 @@ MODULES = {
     "robotics.future": Planned('inverse kinematics of standard robots', '', ()),
     "robotics.mobile": Planned('vehicles with mecanum wheels', '', ()),
     "robotics.models": Planned('data of standard robots', '', ()),
-    "robotics.motion": Planned('trajectories with limited velocities and accelerations', '', ()),
     "robotics.special": Planned('measures of manipulability', '', ()),
     "robotics.utilities": Planned('lidar sensors, robots from URDF files', '', ()),
     "resultsMonitor": Planned('a window that shows sensor files while a solver writes them', 'call PlotSensor with the name of the file', ()),
