@@ -301,8 +301,6 @@ def test_what_is_no_robot_is_refused():
         robot.GetLink("hand")
     with pytest.raises(ValueError, match="Robot: q: expected 1 numbers, one per link"):
         robot.JointHT([1, 2])
-    with pytest.raises(NotImplementedError, match="useRenderer: there is no window"):
-        InverseKinematicsNumerical(robot, useRenderer=True)
     robot.AddLink(RobotLink(**body | {"mass": 0}))
     mbs = exu.SystemContainer().AddSystem()
     base = mbs.AddMarker(MarkerBodyRigid(bodyNumber=mbs.CreateGround()))

@@ -33,8 +33,8 @@ class InverseKinematicsNumerical:
     """Finds coordinates of the joints of a robot for a pose of its tool, starting from those found before.
 
     jointStiffness, a number or one per joint, says how unwilling joints are to move. Limits are those of the links
-    (jointLimits); limits=False leaves them aside. link may name another link, or a frame, than the tool. There is no
-    window: useRenderer=True is refused; flagDebug=True prints what happens; useAlternativeConstraints changes nothing.
+    (jointLimits); limits=False leaves them aside. link may name another link, or a frame, than the tool. flagDebug=True
+    prints what happens; useRenderer and useAlternativeConstraints change nothing: there is no window, and no system.
     """
 
     def __init__(
@@ -48,8 +48,6 @@ class InverseKinematicsNumerical:
         link: str = "tool",
         maxIterations: int = 100,
     ) -> None:
-        if useRenderer:
-            raise NotImplementedError("InverseKinematicsNumerical: useRenderer: there is no window; set it to False")
         n = robot.NumberOfLinks()
         stiffness = np.broadcast_to(np.asarray(jointStiffness, dtype=float), (n,))
         if not (stiffness > 0).all():
