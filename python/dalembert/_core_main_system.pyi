@@ -21,7 +21,7 @@ from dalembert._solving import consistent as consistent
 from dalembert._solving import linearized as linearized
 from dalembert._studies import variations as variations
 from dalembert.create import _distance_sensor as distance_sensor
-from dalembert.create import bodies, connectors, joints, loads
+from dalembert.create import bodies, connectors, flexible, joints, loads
 
 # Functions that solvers call. Step functions return whether to go on, PostNewton [error, recommended step size].
 _StepFunction = Callable[[MainSystem, float], bool]
@@ -241,6 +241,7 @@ class MainSystem(_Bound):
         *,
         returnDict: Literal[True],
     ) -> dict[str, Any]: ...
+    CreateFFRFReducedOrderObject = flexible.CreateFFRFReducedOrderObject
     CreateSpringDamper = connectors.CreateSpringDamper
     CreateCartesianSpringDamper = connectors.CreateCartesianSpringDamper
     CreateRigidBodySpringDamper = connectors.CreateRigidBodySpringDamper
@@ -259,7 +260,7 @@ class MainSystem(_Bound):
     def CreateSphereQuadContact(mbs, *args: Any, **kwargs: Any) -> NoReturn: ...
     def CreateSphereTriangleContact(mbs, *args: Any, **kwargs: Any) -> NoReturn: ...
     def CreateKinematicTree(mbs, *args: Any, **kwargs: Any) -> NoReturn: ...
-    def CreateFFRFReducedOrderObject(mbs, *args: Any, **kwargs: Any) -> NoReturn: ...
+
     CreateDistanceSensor = distance_sensor.CreateDistanceSensor
     CreateDistanceSensorGeometry = distance_sensor.CreateDistanceSensorGeometry
     DrawSystemGraph = system_graph.DrawSystemGraph
