@@ -186,7 +186,12 @@ class Scene:
     def _fixed(self, item: Item) -> dict[str, Any]:
         """Values of the spec and of the variant."""
         alike = {name: np.kron(matrix, np.eye(3)) for name, matrix in item.scene.isotropic.items()}
-        return {**item.scene.values, **alike, **self.options.get(item.name, {})}
+        joints = {row.name for row in item.parameters if row.type.storage == "joint_types"}
+        values = {
+            name: [exu.JointType[joint] for joint in value] if name in joints else value
+            for name, value in item.scene.values.items()
+        }
+        return {**values, **alike, **self.options.get(item.name, {})}
 
     def _inertia(self, item: Item) -> dict[str, Any]:
         """Mass, centre of mass and moments of inertia about the node, as far as the body has them."""
