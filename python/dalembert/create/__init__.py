@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from dalembert.create import bodies, connectors, joints, loads
+from dalembert.create import bodies, connectors, joints, loads, trees
 from dalembert.create._arguments import COMMON, Check, checked
 from dalembert.create._mirrors import checks_of, documentation
 
@@ -21,7 +21,7 @@ def _made(function: Callable[..., Any], own: dict[str, Check]) -> Callable[..., 
 # What MainSystem gets, by the name of the method.
 functions: dict[str, Callable[..., Any]] = {
     name: _made(function, getattr(module, "CHECKS", {}).get(name, {}))
-    for module in (bodies, connectors, joints, loads)
+    for module in (bodies, connectors, joints, loads, trees)
     for name, function in vars(module).items()
     if name.startswith("Create")
 }
