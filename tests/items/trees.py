@@ -11,6 +11,7 @@ from motions import random_rotation
 import dalembert as exu
 from dalembert import itemInterface as items
 from dalembert.kinematicTree import KinematicTree33
+from dalembert.rigidBodyUtilities import RotationMatrixX, RotationMatrixY, RotationMatrixZ
 
 JOINTS = {"Rx": 1, "Ry": 2, "Rz": 3, "Px": 4, "Py": 5, "Pz": 6}
 
@@ -98,6 +99,19 @@ def in_python(links: list[Link], gravity: Any) -> KinematicTree33:
         [link.parent for link in links],
         gravity,
     )
+
+
+def link_frame(tree: Any, q: Any, link: int) -> tuple[np.ndarray, np.ndarray]:
+    """Rotation matrix and origin of a link, of the parameters of the object."""
+    parent = tree["linkParents"][link]
+    rotation, origin = (np.eye(3), np.array(tree["baseOffset"])) if parent < 0 else link_frame(tree, q, parent)
+    origin = origin + rotation @ tree["jointOffsets"][link]
+    rotation = rotation @ tree["jointTransformations"][link]
+    kind = int(tree["jointTypes"][link]) - 1
+    axis = np.eye(3)[kind % 3]
+    if kind >= 3:
+        return rotation, origin + q[link] * rotation @ axis
+    return rotation @ (RotationMatrixX, RotationMatrixY, RotationMatrixZ)[kind](q[link]), origin
 
 
 def random_links(seed: int, n: int = 9) -> list[Link]:
