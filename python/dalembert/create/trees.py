@@ -11,6 +11,7 @@ from dalembert import graphics
 from dalembert import itemInterface as items
 from dalembert._core import MainSystem, Matrix3DList, ObjectIndex, Vector3DList
 from dalembert._geometry.inertia import TreeLink
+from dalembert.create import bodies
 from dalembert.create._arguments import (
     DEFAULT_COLOR,
     FLAG,
@@ -24,7 +25,6 @@ from dalembert.create._arguments import (
     vector,
 )
 from dalembert.create._link_shapes import Look, link_shapes
-from dalembert.create.bodies import CreateGround
 from dalembert.rigidBodyUtilities import HT2rotationMatrix, HT2translation
 
 
@@ -139,7 +139,7 @@ def CreateKinematicTree(
     )
     base = base if baseGraphicsDataList is None else baseGraphicsDataList
     if base:
-        CreateGround(mbs, referencePosition=baseOffset, graphicsDataList=base, show=show)
+        bodies.CreateGround(mbs, referencePosition=baseOffset, graphicsDataList=base, show=show)
     node_name = f"Node:{name}" if name else ""
     tree.nodeNumber = mbs.AddNode(items.NodeGenericODE2(name=node_name, numberOfODE2Coordinates=n, **start))
     return mbs.AddObject(tree)
