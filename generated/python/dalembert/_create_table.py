@@ -9,6 +9,7 @@ MIRRORS: dict[str, tuple[str, ...]] = {
     "CreateForce": ("LoadForceVector",),
     "CreateGenericJoint": ("ObjectJointGeneric",),
     "CreateGround": ("ObjectGround",),
+    "CreateKinematicTree": ("ObjectKinematicTree",),
     "CreateMassPoint": ("ObjectMassPoint", "ObjectMassPoint2D", "NodePoint", "NodePoint2D",),
     "CreatePrismaticJoint": ("ObjectJointPrismaticX",),
     "CreateRevoluteJoint": ("ObjectJointRevoluteZ",),

@@ -146,4 +146,14 @@ ground = mbs.CreateGround()
 fixed = mbs.AddMarker(MarkerBodyRigid(bodyNumber=ground, localPosition=[0, 0.05, 0.05]))
 mbs.AddObject(GenericJoint(markerNumbers=[fixed, beam["beam:root"]]))
 """,
+    "CreateKinematicTree": """
+bar = InertiaCuboid(density=1000, sideLengths=[0.5, 0.05, 0.05]).Translated([0.25, 0, 0])
+shoulder = TreeLink(linkInertia=bar, jointType=exu.JointType.RevoluteZ, PDcontrol=(200, 20))
+elbow = TreeLink(linkInertia=bar, jointType=exu.JointType.RevoluteY, jointHT=HTtranslate([0.5, 0, 0]), PDcontrol=(50, 5))
+arm = mbs.CreateKinematicTree(
+    listOfTreeLinks=[shoulder, elbow], gravity=[0, 0, -9.81], jointPositionOffsetVector=[0.5, -0.3]
+)
+tip = mbs.AddMarker(MarkerKinematicTreeRigid(objectNumber=arm, linkNumber=1, localPosition=[0.5, 0, 0]))
+mbs.AddLoad(Force(markerNumber=tip, loadVector=[0, 0, 5]))
+""",
 }

@@ -55,7 +55,7 @@ TEXTS = {
     "initialAngularVelocity": "angular velocity at the start, in the global frame (rad/s)",
     "initialRotationMatrix": "rotation at the start, from the right of the reference rotation; in 2D the total one",
     "inertia": "mass, centre of mass and inertia, such as InertiaCuboid(...)",
-    "gravity": "acceleration of gravity (m/s^2); adds the weight of the body as a load",
+    "gravity": "acceleration of gravity (m/s^2); bodies on nodes get a load with their weight",
     "nodeType": "how rotations are described by coordinates",
     "create2D": "True: a body in the xy plane",
     "returnDict": "True: returns a dictionary with the numbers of all items that were added",
@@ -81,6 +81,13 @@ TEXTS = {
     "coordinates": "index of the coordinate of each body, counted over its nodes; None for ground",
     "axisPosition": "centre of the disc in the frame of its body (m)",
     "planePosition": "point of the plane in the frame of its body (m)",
+    "listOfTreeLinks": "links of a kinematic tree, parents before their children",
+    "jointRadius": "radius of joints and links that are drawn (m)",
+    "jointWidth": "width of joints and links that are drawn (m)",
+    "colors": "RGBA color of all links, or a list with one for each",
+    "colorsJoints": "RGBA color of all joints, or a list with one for each",
+    "baseGraphicsDataList": "graphics of the base; None: bars to the first joints",
+    "linkRoundness": "0: links are drawn as bricks, 1: as cylinders, rounded in between",
 }
 _VECTOR, _MATRIX = re.compile(r"(\d+) numbers"), re.compile(r"(\d+) x \1 numbers")
 _NUMBERS = {"": NUMBER, "non_negative": NOT_NEGATIVE, "positive": POSITIVE}
