@@ -1,4 +1,5 @@
-"""Pages that are made of the repository at build time, below docs/_generated: item reference, examples, Python modules.
+"""Pages that are made of the repository at build time, below docs/_generated: item reference, Create
+functions, examples, Python modules.
 
 The reference is copied from generated/docs; a page for each module is written from its name and docstring.
 """
@@ -11,6 +12,7 @@ from inspect import isroutine
 from pathlib import Path
 from types import FunctionType, ModuleType
 
+from create_pages import create_pages, heading
 from example_pages import example_pages
 from sphinx.application import Sphinx
 
@@ -43,10 +45,6 @@ CORE = {
 # Modules with pages of another kind; Create... and the like are methods of MainSystem.
 ELSEWHERE = ("cli", "create", "itemInterface", "mainSystemExtensions", "robotics.roboticsCore")
 CORE_TITLES = {"system": "Systems", "data": "Matrices and lists", "solvers": "Solver objects"}
-
-
-def heading(title: str, mark: str = "=") -> str:
-    return f"{title}\n{mark * len(title)}\n"
 
 
 def toctree(names: list[str], depth: int = 1) -> str:
@@ -115,7 +113,8 @@ def module_pages() -> dict[str, str]:
 
 def write(app: Sphinx) -> None:
     """Touch only what differs, so that Sphinx reads only what changed; remove what is no longer made."""
-    wanted = {TARGET / path: text for path, text in (reference_pages() | example_pages() | module_pages()).items()}
+    pages = reference_pages() | create_pages() | example_pages() | module_pages()
+    wanted = {TARGET / path: text for path, text in pages.items()}
     for path in TARGET.rglob("*.rst"):
         if path not in wanted:
             path.unlink()

@@ -21,7 +21,7 @@ from dalembert._solving import consistent as consistent
 from dalembert._solving import linearized as linearized
 from dalembert._studies import variations as variations
 from dalembert.create import _distance_sensor as distance_sensor
-from dalembert.create import bodies, connectors, joints, loads
+from dalembert.create import bodies, connectors, joints, loads, trees
 
 # Functions that solvers call. Step functions return whether to go on, PostNewton [error, recommended step size].
 _StepFunction = Callable[[MainSystem, float], bool]
@@ -258,7 +258,7 @@ class MainSystem(_Bound):
     def CreateSphereSphereContact(mbs, *args: Any, **kwargs: Any) -> NoReturn: ...
     def CreateSphereQuadContact(mbs, *args: Any, **kwargs: Any) -> NoReturn: ...
     def CreateSphereTriangleContact(mbs, *args: Any, **kwargs: Any) -> NoReturn: ...
-    def CreateKinematicTree(mbs, *args: Any, **kwargs: Any) -> NoReturn: ...
+    CreateKinematicTree = trees.CreateKinematicTree
     def CreateFFRFReducedOrderObject(mbs, *args: Any, **kwargs: Any) -> NoReturn: ...
     CreateDistanceSensor = distance_sensor.CreateDistanceSensor
     CreateDistanceSensorGeometry = distance_sensor.CreateDistanceSensorGeometry

@@ -18,7 +18,6 @@ ITEMS = (
     "NodePointSlope12",
     "NodePointSlope23",
     "ObjectFFRF",
-    "ObjectKinematicTree",
     "ObjectALEANCFCable2D",
     "ObjectANCFBeam",
     "ObjectANCFThinPlate",
@@ -31,8 +30,6 @@ ITEMS = (
     "ObjectJointALEMoving2D",
     "ObjectJointSliding",
     "MarkerBodyBeamShape",
-    "MarkerKinematicTreeRigid",
-    "SensorKinematicTree",
 )
 MODULES = {
     "GUI": Planned('dialogs for settings', 'set the attributes of SimulationSettings() and SC.visualizationSettings', ()),
@@ -52,7 +49,6 @@ FUNCTIONS = {
     "MainSystem.CreateDistanceSensor": Planned('distances from meshes, by GeneralContact', '', ()),
     "MainSystem.CreateDistanceSensorGeometry": Planned('meshes for distance sensors, by GeneralContact', '', ()),
     "MainSystem.CreateFFRFReducedOrderObject": Planned('flexible bodies in a floating frame', 'FEM.ObjectFFRFreducedOrderInterface has AddObjectFFRFreducedOrder', ()),
-    "MainSystem.CreateKinematicTree": Planned('kinematic trees', 'make links by mbs.CreateRigidBody and joints by mbs.CreateRevoluteJoint and mbs.CreatePrismaticJoint', ()),
     "MainSystem.CreateSphereQuadContact": Planned('contact of a sphere with a quadrangle', 'use mbs.CreateCartesianSpringDamper with a user function that pushes only', ()),
     "MainSystem.CreateSphereSphereContact": Planned('contact between spheres', 'use mbs.CreateSpringDamper with a user function that pushes only', ()),
     "MainSystem.CreateSphereTriangleContact": Planned('contact of a sphere with a triangle', 'use mbs.CreateCartesianSpringDamper with a user function that pushes only', ()),
