@@ -16,6 +16,7 @@ from dalembert._core_settings import *
 from dalembert._core_system_data import SystemData
 from dalembert._core_types import Array, Matrix, MatrixLike, Vector
 from dalembert._geometry.inertia import RigidBodyInertia
+from dalembert._pictures import draw as draw
 from dalembert._plots import system_graph as system_graph
 from dalembert._solving import consistent as consistent
 from dalembert._solving import linearized as linearized
@@ -264,6 +265,8 @@ class MainSystem(_Bound):
     CreateDistanceSensor = distance_sensor.CreateDistanceSensor
     CreateDistanceSensorGeometry = distance_sensor.CreateDistanceSensorGeometry
     DrawSystemGraph = system_graph.DrawSystemGraph
+    Draw = draw.Draw
+    DrawSolution = draw.DrawSolution
     PlotSensor = plot.PlotSensor
     SolutionViewer = interactive.SolutionViewer
     ComputeLinearizedSystem = linearized.ComputeLinearizedSystem
