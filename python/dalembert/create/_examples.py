@@ -149,7 +149,7 @@ mbs.AddObject(GenericJoint(markerNumbers=[fixed, beam["beam:root"]]))
     "CreateKinematicTree": """
 bar = InertiaCuboid(density=1000, sideLengths=[0.5, 0.05, 0.05]).Translated([0.25, 0, 0])
 shoulder = TreeLink(linkInertia=bar, jointType=exu.JointType.RevoluteZ, PDcontrol=(200, 20))
-elbow = TreeLink(linkInertia=bar, jointType=exu.JointType.RevoluteY, jointHT=HTtranslate([0.5, 0, 0]), PDcontrol=(50, 5))
+elbow = TreeLink(linkInertia=bar, jointType=exu.JointType.RevoluteY, jointHT=HTtranslateX(0.5), PDcontrol=(50, 5))
 arm = mbs.CreateKinematicTree(
     listOfTreeLinks=[shoulder, elbow], gravity=[0, 0, -9.81], jointPositionOffsetVector=[0.5, -0.3]
 )
