@@ -36,7 +36,7 @@ LENGTH = 40  # rules of a session
 
 # Refusals, with a text of ours; what functions of the user raise comes out as it is.
 REFUSALS = (MemoryError, TypeError, ValueError, IndexError, AttributeError, NotImplementedError)
-FROM_FUNCTIONS = (KeyError, ZeroDivisionError)
+FROM_FUNCTIONS = (KeyError, ZeroDivisionError, RecursionError)
 # Words of pybind11, the standard library and Eigen, which tell a user nothing.
 INTERNAL = (
     "vector::",
@@ -73,7 +73,7 @@ class Finding(AssertionError):
 
 def is_own(error: BaseException) -> bool:
     text = str(error)
-    if isinstance(error, RuntimeError) and not isinstance(error, NotImplementedError):
+    if isinstance(error, RuntimeError) and not isinstance(error, (NotImplementedError, RecursionError)):
         return text.startswith(NAMED) and not any(word in text for word in INTERNAL)
     return isinstance(error, (*REFUSALS, *FROM_FUNCTIONS)) and bool(text) and not any(w in text for w in INTERNAL)
 

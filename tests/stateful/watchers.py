@@ -4,12 +4,24 @@ from __future__ import annotations
 
 import contextlib
 import copy
+from collections.abc import Iterator
 from typing import Any
 
 import dalembert as exu
 
 Configuration = exu.ConfigurationType
 REFUSALS = (TypeError, ValueError, IndexError, AttributeError, RuntimeError, NotImplementedError)
+
+
+@contextlib.contextmanager
+def refusals() -> Iterator[None]:
+    """Pass over refusals; but a function that is read by itself, which ends at Python's limit of recursion, ends at once."""
+    try:
+        yield
+    except RecursionError:
+        raise
+    except REFUSALS:
+        pass
 
 
 def read(mbs: Any) -> None:
@@ -20,15 +32,15 @@ def read(mbs: Any) -> None:
     data.GetODE2Coordinates(copy=False).sum()
     data.GetSystemStateDict(Configuration.StartOfStep)
     for i in range(data.NumberOfSensors()):
-        with contextlib.suppress(*REFUSALS):
+        with refusals():
             mbs.GetSensorValues(i)
             mbs.GetSensorStoredData(i)
     for i in range(data.NumberOfNodes()):
-        with contextlib.suppress(*REFUSALS):
+        with refusals():
             mbs.GetNodeOutput(i, exu.OutputVariableType.Position, Configuration.Reference)
             mbs.GetNodeOutput(i, exu.OutputVariableType.Coordinates)
     for i in range(data.NumberOfObjects()):
-        with contextlib.suppress(*REFUSALS):
+        with refusals():
             mbs.GetObjectOutput(i, exu.OutputVariableType.Force)
 
 
