@@ -1,4 +1,7 @@
-"""Chains of beam and cable elements along lines, arcs and reeving curves, and sliding joints on them."""
+"""Chains of beam and cable elements along lines, arcs and reeving curves, and sliding joints on them.
+
+Stiffness and mass of cross sections, for beams with 6x6 sections: ComputeSectionConstants.
+"""
 
 from __future__ import annotations
 
@@ -10,9 +13,20 @@ import numpy.typing as npt
 
 from dalembert import itemInterface as eii
 from dalembert._checks import FloatArray, shape_error
+from dalembert._fem.section_constants import ComputeSectionConstants, SectionConstants
+from dalembert._fem.section_outlines import (
+    SectionCircle,
+    SectionI,
+    SectionL,
+    SectionOutline,
+    SectionPolygon,
+    SectionRectangle,
+    SectionTube,
+)
 from dalembert._geometry.reeving import CreateReevingCurve
 
 __all__ = [
+    "ComputeSectionConstants",
     "CreateReevingCurve",
     "GenerateAleSlidingJoint",
     "GenerateBeamElementsAlongLine",
@@ -22,6 +36,14 @@ __all__ = [
     "GenerateStraightLineANCFCable",
     "GenerateStraightLineANCFCable2D",
     "PointsAndSlopes2ANCFCable2D",
+    "SectionCircle",
+    "SectionConstants",
+    "SectionI",
+    "SectionL",
+    "SectionOutline",
+    "SectionPolygon",
+    "SectionRectangle",
+    "SectionTube",
 ]
 
 Chain = list[list[Any]]  # [nodes, elements, loads, node positions, constraints]
