@@ -123,4 +123,4 @@ def SectionL(height: float, width: float, webThickness: float, flangeThickness: 
     if webThickness >= width or thickness >= height:
         raise shape_error("SectionL: webThickness, flangeThickness", "less than the legs", (webThickness, thickness))
     t, s = webThickness, thickness
-    return SectionPolygon([[0, 0], [width, 0], [width, s], [t, s], [t, height], [0, height]])
+    return SectionPolygon(np.array([[0, 0], [width, 0], [width, s], [t, s], [t, height], [0, height]]))
