@@ -38,8 +38,8 @@ def bent(direction, force):
 
 @pytest.mark.parametrize("direction", [[0, 0, 1], [0, -1, 0], [-1, 0, 0], [0.6, 0, -0.8], [2 / 3, -1 / 3, 2 / 3]])
 def test_a_cantilever_bends_in_all_directions_alike(direction):
-    force = np.array([1.0, 0.5, -0.7])
+    force = np.array([0.1, 0.5, -0.7])
     along_x = bent([1, 0, 0], force)
     np.testing.assert_allclose(bent(direction, force), along_x, rtol=0, atol=1e-9)
-    assert along_x[1] == pytest.approx(0.5 * LENGTH**3 / (3 * 60.0), rel=0.02)
-    assert along_x[2] == pytest.approx(-0.7 * LENGTH**3 / (3 * 40.0), rel=0.02)
+    assert along_x[1] == pytest.approx(0.5 * LENGTH**3 / (3 * 60.0), rel=0.01)
+    assert along_x[2] == pytest.approx(-0.7 * LENGTH**3 / (3 * 40.0), rel=0.01)
