@@ -117,8 +117,9 @@ def GenerateStraightBeam(
     """Add equal elements along a straight line between two positions (m).
 
     The template is an ANCF cable (2D, 3D, ALE), a geometrically exact beam, or one in 2D with two or three nodes; its
-    length and node numbers are overwritten. Spatial beams turn from x to the line by the shortest way. Flags that are not 0 fix coordinates of the end nodes; existing nodes may be given
-    for the ends. Returns [nodes, elements, loads, node positions, constraints].
+    length and node numbers are overwritten. Spatial beams turn from x to the line by the shortest way. Flags that
+    are not 0 fix coordinates of the end nodes; existing nodes may be given for the ends. Returns
+    [nodes, elements, loads, node positions, constraints].
     """
     function = "GenerateStraightBeam"
     kind = type(beamTemplate).__name__

@@ -1,4 +1,4 @@
-"""Rectangular meshes of plates and shells with ObjectANCFThinPlate, plane or mapped to any surface."""
+"""Rectangular meshes of thin plates, plane or mapped to any surface."""
 
 from __future__ import annotations
 
