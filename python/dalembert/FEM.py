@@ -172,8 +172,12 @@ class FEMinterface(NodeSelection, WithNGsolve):
     def _mode_matrices(self, where: str) -> tuple[Any, Any, FloatArray]:
         """Mass and stiffness matrix and positions of nodes, checked."""
         mass, stiffness = self.GetMassMatrix(), self.GetStiffnessMatrix()
-        check_matrices(mass, stiffness, self.NumberOfCoordinates(), Names(self.metaData), f"FEMinterface.{where}")
-        return mass, stiffness, self.GetNodePositionsAsArray()
+        size = self.NumberOfCoordinates() or mass.shape[0]
+        check_matrices(mass, stiffness, size, Names(self.metaData), f"FEMinterface.{where}")
+        if "Position" in self.nodes:
+            return mass, stiffness, self.GetNodePositionsAsArray()
+        in_a_row = np.arange(size // 3, dtype=float)  # matrices alone: next to each other are nodes of similar numbers
+        return mass, stiffness, np.stack([in_a_row, 0 * in_a_row, 0 * in_a_row], axis=1)
 
     def CheckConsistency(self) -> None:
         """Refuse matrices that do not fit the nodes, are not symmetric, or have nodes without mass or stiffness."""
@@ -195,12 +199,16 @@ class FEMinterface(NodeSelection, WithNGsolve):
         """Lowest eigenvalues and modes, with unit modal masses, into eigenValues and modeBasis.
 
         The mesh is free unless it has elastic supports; excludeRigidBodyModes=6 leaves out the modes of rigid motions.
+        Without the sparse solver, eigenValues are those of all modes, also of those that are not kept.
         """
         where = "FEMinterface.ComputeEigenmodes"
         mass, stiffness, points = self._mode_matrices("ComputeEigenmodes")
         count, progress = nModes + excludeRigidBodyModes, reporter(len(points), False)
-        values, modes = lowest_modes(where, mass, stiffness, points, count, progress, dense=not useSparseSolver)
-        self._set_modes(modes[:, excludeRigidBodyModes:], "NormalModes", values[excludeRigidBodyModes:])
+        dense = not useSparseSolver
+        found = mass.shape[0] if dense else count
+        values, modes = lowest_modes(where, mass, stiffness, points, found, progress, dense)
+        kept = values if dense else values[excludeRigidBodyModes:]
+        self._set_modes(modes[:, excludeRigidBodyModes:count], "NormalModes", kept)
 
     def ComputeEigenModesWithBoundaryNodes(
         self, boundaryNodes: Sequence[int], nEigenModes: int, useSparseSolver: bool = True

@@ -1,4 +1,7 @@
-"""Chains of beam and cable elements along lines, arcs and reeving curves, and sliding joints on them."""
+"""Chains of beam and cable elements along lines, arcs and reeving curves, and sliding joints on them.
+
+Stiffness and mass of cross sections, for beams with 6x6 sections: ComputeSectionConstants.
+"""
 
 from __future__ import annotations
 
@@ -10,9 +13,20 @@ import numpy.typing as npt
 
 from dalembert import itemInterface as eii
 from dalembert._checks import FloatArray, shape_error
+from dalembert._fem.section_constants import ComputeSectionConstants, SectionConstants
+from dalembert._fem.section_outlines import (
+    SectionCircle,
+    SectionI,
+    SectionL,
+    SectionOutline,
+    SectionPolygon,
+    SectionRectangle,
+    SectionTube,
+)
 from dalembert._geometry.reeving import CreateReevingCurve
 
 __all__ = [
+    "ComputeSectionConstants",
     "CreateReevingCurve",
     "GenerateAleSlidingJoint",
     "GenerateBeamElementsAlongLine",
@@ -22,6 +36,14 @@ __all__ = [
     "GenerateStraightLineANCFCable",
     "GenerateStraightLineANCFCable2D",
     "PointsAndSlopes2ANCFCable2D",
+    "SectionCircle",
+    "SectionConstants",
+    "SectionI",
+    "SectionL",
+    "SectionOutline",
+    "SectionPolygon",
+    "SectionRectangle",
+    "SectionTube",
 ]
 
 Chain = list[list[Any]]  # [nodes, elements, loads, node positions, constraints]
@@ -32,6 +54,7 @@ _NODES = {
     "ObjectALEANCFCable2D": ("NodePoint2DSlope1", 4),
     "ObjectANCFCable": ("NodePointSlope1", 6),
     "ObjectBeamGeometricallyExact2D": ("NodeRigidBody2D", 3),
+    "ObjectBeamGeometricallyExact": ("NodeRigidBodyRotVecLG", 6),
 }
 
 
@@ -70,6 +93,15 @@ def _check_number(function: str, numberOfElements: Any) -> None:
         raise shape_error(f"{function}: numberOfElements", "a positive integer", numberOfElements)
 
 
+def _turn_from_x(direction: FloatArray) -> list[float]:
+    """Rotation vector of the smallest rotation from the x axis to a unit vector."""
+    axis = np.array([0.0, -direction[2], direction[1]])
+    sine = float(np.linalg.norm(axis))
+    if sine == 0.0:
+        return [0.0, 0.0, 0.0 if direction[0] > 0 else np.pi]
+    return (np.arctan2(sine, direction[0]) / sine * axis).tolist()
+
+
 def GenerateStraightBeam(
     mbs: Any,
     positionOfNode0: Sequence[float],
@@ -84,9 +116,10 @@ def GenerateStraightBeam(
 ) -> Chain:
     """Add equal elements along a straight line between two positions (m).
 
-    The template is an ANCF cable (2D, 3D, ALE) or a 2D geometrically exact beam with two or three nodes; its length
-    and node numbers are overwritten. Flags that are not 0 fix coordinates of the end nodes; existing nodes may be given
-    for the ends. Returns [nodes, elements, loads, node positions, constraints].
+    The template is an ANCF cable (2D, 3D, ALE), a geometrically exact beam, or one in 2D with two or three nodes; its
+    length and node numbers are overwritten. Spatial beams turn from x to the line by the shortest way. Flags that
+    are not 0 fix coordinates of the end nodes; existing nodes may be given for the ends. Returns
+    [nodes, elements, loads, node positions, constraints].
     """
     function = "GenerateStraightBeam"
     kind = type(beamTemplate).__name__
@@ -107,7 +140,10 @@ def GenerateStraightBeam(
         raise shape_error(f"{function}: positionOfNode0, positionOfNode1", f"z=0 for {kind}", positionOfNode0)
 
     dimension = 2 if is_planar else 3
-    direction = [float(np.arctan2(slope[1], slope[0]))] if is_exact else list(slope[:dimension])
+    if is_exact:
+        direction = [float(np.arctan2(slope[1], slope[0]))] if is_planar else _turn_from_x(slope)
+    else:
+        direction = list(slope[:dimension])
 
     def add_node(position: Sequence[float]) -> Any:
         return mbs.AddNode(node_type(referenceCoordinates=[*position[:dimension], *direction]))

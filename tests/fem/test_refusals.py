@@ -89,7 +89,7 @@ def smaller(fem):
 
 def unsymmetric(fem):
     matrix = fem.GetStiffnessMatrix().tolil()
-    matrix[7, 1] *= 1.5
+    matrix[7, 6] += 1e9
     fem.stiffnessMatrix = matrix.tocsr()
 
 

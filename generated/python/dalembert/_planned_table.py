@@ -52,5 +52,4 @@ FUNCTIONS = {
     "SolverFileData": Planned('files of a solver', '', ()),
     "SolverLocalData": Planned('vectors and matrices of a solver', 'the state of the system is in mbs.systemData, and solvers have GetSystemJacobian and GetSystemMassMatrix', ()),
     "VisuGeneralContact": Planned('how GeneralContact is drawn', '', ()),
-    "shells.ShellMesh": Planned('meshes of shells', '', ()),
 }

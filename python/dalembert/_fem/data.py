@@ -13,6 +13,7 @@ import scipy.sparse
 from dalembert._checks import FloatArray, shape_error
 from dalembert._fem.elements import blocks
 from dalembert._fem.sparse import CheckForSciPyMatrix, ScipySparseCSRtoCSR, SparseTripletsToScipySparseCSR
+from dalembert._io import foreign_pickles
 from dalembert._io.hdf5 import LoadDictFromHDF5, SaveDictToHDF5
 
 KEPT = (
@@ -108,7 +109,7 @@ class MeshData:
             data = LoadDictFromHDF5(stem + ending)
         elif mode == "PKL":
             with open(stem + ending, "rb") as file:
-                data = pickle.load(file)
+                data = foreign_pickles.load(file)
         else:
             with np.load(stem + ending, allow_pickle=True) as arrays:
                 data = dict(arrays)

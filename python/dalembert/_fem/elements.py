@@ -178,6 +178,21 @@ KINDS = {
 }
 
 
+_MIRRORED = {"Tet4": [1, 0, 2, 3], "Tet10": [1, 0, 2, 3, 4, 6, 5, 8, 7, 9]}
+
+
+def turned(kind: str, nodes: IntArray, positions: FloatArray) -> IntArray:
+    """Nodes of elements; of tetrahedra, those are reordered whose first face, seen from within, turns clockwise.
+
+    Programs differ in which of the two orders they write.
+    """
+    if kind not in _MIRRORED or nodes.size == 0 or nodes.min() < 0 or nodes.max() >= len(positions):
+        return nodes
+    a, b, c, d = (positions[nodes[:, i]] for i in range(4))
+    inverted = np.einsum("ei,ei->e", np.cross(b - a, c - a), d - a) < 0
+    return np.where(inverted[:, None], nodes[:, _MIRRORED[kind]], nodes)
+
+
 @dataclass(frozen=True)
 class Block:
     """Elements of one kind: nodes, one row per element, and the number of the first of them in the whole mesh."""

@@ -11,7 +11,7 @@ import numpy as np
 from dalembert._checks import FloatArray, IntArray, shape_error
 from dalembert._fem.assembly import assemble
 from dalembert._fem.checks import Names, check_connected, check_elements
-from dalembert._fem.elements import KINDS, blocks
+from dalembert._fem.elements import KINDS, blocks, turned
 from dalembert._fem.materials import as_material
 from dalembert._fem.progress import reporter
 from dalembert._fem.sparse import MapSparseMatrixIndices
@@ -142,7 +142,8 @@ class Imports(Surfaces):
         """Read a mesh in any format that meshio knows, from a file or from a meshio.Mesh; return the positions.
 
         `scale` turns the unit of the file into m, 1e-3 for instance. Solid elements, point and cell sets are taken;
-        elements of surfaces and lines are left out, and so are nodes that belong to them alone.
+        elements of surfaces and lines are left out, and so are nodes that belong to them alone. Tetrahedra may be
+        listed in either orientation.
         """
         try:
             import meshio
@@ -158,9 +159,9 @@ class Imports(Surfaces):
         self._new_mesh("meshio", name, scale * np.asarray(read.points, dtype=float)[:, :3])
         kinds = sorted({_MESHIO[cells.type] for _, cells in solid}, key=list(KINDS).index)
         grouped = {kind: [(i, cells.data) for i, cells in solid if _MESHIO[cells.type] == kind] for kind in kinds}
-        self.elements = [
-            {"Name": "elements"} | {kind: np.vstack([data for _, data in part]) for kind, part in grouped.items()}
-        ]
+        points = self.GetNodePositionsAsArray()
+        joined = {kind: np.vstack([data for _, data in part]) for kind, part in grouped.items()}
+        self.elements = [{"Name": "elements"} | {kind: turned(kind, nodes, points) for kind, nodes in joined.items()}]
         starts, start = {}, 0
         for i, data in (entry for part in grouped.values() for entry in part):
             starts[i], start = start, start + len(data)

@@ -12,7 +12,7 @@ import numpy as np
 import scipy.sparse
 
 from dalembert._checks import IntArray, shape_error
-from dalembert._fem.elements import KINDS
+from dalembert._fem.elements import KINDS, turned
 from dalembert._fem.imports import Imports
 from dalembert._fem.materials import as_material, coefficient_functions
 from dalembert._fem.sparse import ResortIndicesExudyn2NGvector, ResortIndicesOfNGvector
@@ -47,9 +47,7 @@ def _tetrahedra(ngmesh: Any, positions: Any, order: int) -> tuple[IntArray, IntA
         rows.append([point.nr - 1 for point in element.points])
         regions.append(element.index - 1)
     nodes = np.array(rows, dtype=np.int64)
-    a, b, c, d = (positions[nodes[:, i]] for i in range(4))
-    inverted = np.einsum("ei,ei->e", np.cross(b - a, c - a), d - a) < 0
-    nodes[inverted, :4] = nodes[inverted][:, [1, 0, 2, 3]]
+    nodes[:, :4] = turned("Tet4", nodes[:, :4], positions)
     if order == 2:  # nodes on edges in our order, found by where they are
         middles = positions[nodes[:, 4:]]
         for place, (i, j) in enumerate(kind.edges):
