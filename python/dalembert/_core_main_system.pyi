@@ -21,6 +21,7 @@ from dalembert._solving import consistent as consistent
 from dalembert._solving import linearized as linearized
 from dalembert._studies import variations as variations
 from dalembert.create import _distance_sensor as distance_sensor
+from dalembert.create import _robot as robot
 from dalembert.create import bodies, connectors, joints, loads, trees
 
 # Functions that solvers call. Step functions return whether to go on, PostNewton [error, recommended step size].
@@ -262,6 +263,7 @@ class MainSystem(_Bound):
     def CreateFFRFReducedOrderObject(mbs, *args: Any, **kwargs: Any) -> NoReturn: ...
     CreateDistanceSensor = distance_sensor.CreateDistanceSensor
     CreateDistanceSensorGeometry = distance_sensor.CreateDistanceSensorGeometry
+    CreateRobot = robot.CreateRobot
     DrawSystemGraph = system_graph.DrawSystemGraph
     PlotSensor = plot.PlotSensor
     SolutionViewer = interactive.SolutionViewer

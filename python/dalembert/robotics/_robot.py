@@ -97,6 +97,13 @@ class Robot:
             raise ValueError(f"Robot: expected a link from 0 to {len(self.links) - 1}, or its name, received {link}")
         return int(link)
 
+    def LinkNumbers(self) -> dict[str, int]:
+        """Return the indices of links by their names and those of their joints."""
+        names = {link.jointName: i for i, link in enumerate(self.links)} | {
+            link.name: i for i, link in enumerate(self.links)
+        }
+        return {name: i for name, i in names.items() if name}
+
     def GetLink(self, i: int | str) -> RobotLink:
         """Return a link."""
         return self.links[self.GetLinkIndex(i)]
@@ -290,7 +297,8 @@ class Robot:
         against its marker; without it the base is as base.HT says. Bodies and joints have the names of links and their
         joints, after a name, which tells several robots apart. Returns a dict with lists of one entry per link:
         nodeList, bodyList, jointList, markerList0, markerList1, springDamperList, jointTorque0List, jointTorque1List,
-        unitTorque0List, unitTorque1List; and baseObject, the ground that draws the base, or -1.
+        unitTorque0List, unitTorque1List; baseObject, the ground that draws the base, or -1; and links, the indices of
+        links and joints by name.
         """
         return _redundant.create(
             self,

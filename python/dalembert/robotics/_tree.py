@@ -139,7 +139,7 @@ def create(robot: Robot, mbs: Any, name: str, forceUserFunction: Any, stops: tup
         "nodeGeneric": node,
         "objectKinematicTree": tree,
         "baseObject": base,
-        "links": {name: i for i, link in enumerate(robot.links) for name in (link.name, link.jointName) if name},
+        "links": robot.LinkNumbers(),
         "resistances": _add_resistances(robot, mbs, node, stops),
         "rotors": _add_rotors(robot, mbs, node),
     }
