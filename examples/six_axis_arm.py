@@ -24,7 +24,7 @@ arm = ReadRobot(file)
 names = [link.jointName for link in arm.links]
 
 # trajectory
-inverse = InverseKinematicsNumerical(arm, link="gripper")
+inverse = InverseKinematicsNumerical(arm, link="gripper", limits=True)
 low = HTtranslate([0.45, -0.35, 0.25]) @ HTrotateY(np.pi)  # the gripper points down
 high = HTtranslate([0.3, 0.4, 0.75]) @ HTrotateY(np.pi / 2)
 start, found = inverse.SolveSafe(low, q0=[-0.6, 0.5, 1.2, 0, 1.2, 0])

@@ -261,9 +261,9 @@ def test_inverse_kinematics_keeps_limits():
     for link, value in zip(robot.links, inside, strict=True):
         link.jointLimits = np.array([value - 0.02, value + 0.02])
     assert np.abs(free - inside).max() > 0.02
-    q, success = InverseKinematicsNumerical(robot).Solve(goal)
+    q, success = InverseKinematicsNumerical(robot, limits=True).Solve(goal)
     assert success and np.abs(q - inside).max() <= 0.02
-    assert InverseKinematicsNumerical(robot).Solve(goal @ HTtranslate([3, 0, 0])) == [None, False]
+    assert InverseKinematicsNumerical(robot, limits=True).Solve(goal @ HTtranslate([3, 0, 0])) == [None, False]
 
 
 def test_poses_between_poses():
