@@ -37,17 +37,10 @@ MODULES = {
     "resultsMonitor": Planned('a window that shows sensor files while a solver writes them', 'call PlotSensor with the name of the file', ()),
 }
 FUNCTIONS = {
-    "FEM.FEMinterface": Planned('meshes and modes for flexible bodies', 'read matrices by the Read... functions of dalembert.FEM, and add them as ObjectGenericODE2', ('CheckConsistency', 'ComputeCampbellDiagram', 'ComputeEigenModesWithBoundaryNodes', 'ComputeEigenmodesNGsolve', 'ComputeHurtyCraigBamptonModes', 'ComputeHurtyCraigBamptonModesNGsolve', 'ComputePostProcessingModes', 'ComputePostProcessingModesNGsolve', 'ConvertElementsLists2Numpy', 'ConvertSurfaceLists2Numpy', 'CreateLinearFEMObjectGenericODE2', 'CreateNGsolveBoundaryNodeSets', 'CreateNonlinearFEMObjectGenericODE2NGsolve', 'GetBoundaryNodeSetsAsLists', 'GetGyroscopicMatrix', 'GetNodeWeightsFromSurfaceAreas', 'GetNodesOfNGsolveBoundary', 'GetRigidBodyInertia', 'GetSurfaceTriangles', 'ImportFromAbaqusInputFile', 'ImportMeshFromNGsolve', 'InternalComputePostprocessingMode', 'LoadFromFile', 'NumpyArray2ListOfLists', 'ReadElementsFromAnsys', 'ReadMassMatrixFromAbaqus', 'ReadMassMatrixFromAnsys', 'ReadNodalCoordinatesFromAnsys', 'ReadStiffnessMatrixFromAbaqus', 'ReadStiffnessMatrixFromAnsys', 'SaveToFile', 'VolumeToSurfaceElements')),
-    "FEM.KirchhoffMaterial": Planned('materials of NGsolve, arguments materials and fes', 'give the elastic constants as numbers', ()),
-    "FEM.ObjectFFRFinterface": Planned('a flexible body with all coordinates of its mesh', 'FEM.ObjectFFRFreducedOrderInterface makes one with modes', ()),
-    "FEM.ReadElementsFromAnsysTxt": Planned('elements of an exported list', '', ()),
-    "FEM.ReadNodesFromAbaqusInp": Planned('nodes of an ABAQUS input file', '', ()),
-    "FEM.Tet4": Planned('matrices of a tetrahedron', '', ('ComputeMatrices',)),
     "GeneralContact": Planned('contact of many spheres, triangles and cables with each other', 'a few contacts may be springs with user functions that push only, such as ObjectConnectorSpringDamper', ()),
     "MainSystem.AddGeneralContact": Planned('contact of many bodies with each other', '', ()),
     "MainSystem.CreateDistanceSensor": Planned('distances from meshes, by GeneralContact', '', ()),
     "MainSystem.CreateDistanceSensorGeometry": Planned('meshes for distance sensors, by GeneralContact', '', ()),
-    "MainSystem.CreateFFRFReducedOrderObject": Planned('flexible bodies in a floating frame', 'FEM.ObjectFFRFreducedOrderInterface has AddObjectFFRFreducedOrder', ()),
     "MainSystem.CreateSphereQuadContact": Planned('contact of a sphere with a quadrangle', 'use mbs.CreateCartesianSpringDamper with a user function that pushes only', ()),
     "MainSystem.CreateSphereSphereContact": Planned('contact between spheres', 'use mbs.CreateSpringDamper with a user function that pushes only', ()),
     "MainSystem.CreateSphereTriangleContact": Planned('contact of a sphere with a triangle', 'use mbs.CreateCartesianSpringDamper with a user function that pushes only', ()),
