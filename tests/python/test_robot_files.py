@@ -309,7 +309,10 @@ WRONG_URDF = {
         '<limit lower="0" upper="0.3" effort="200" velocity="1"/>',
         "",
     ),
-    "line 20: <joint>: joint 'yaw': <mimic> is no joint of a tree": ('<axis xyz="0 0 1"/>', '<mimic joint="slide"/>'),
+    "line 20: <joint>: joint 'yaw': mimic: expected another joint that moves, of yaw, slide, wheel": (
+        '<axis xyz="0 0 1"/>',
+        '<axis xyz="0 0 1"/><mimic joint="weld"/>',
+    ),
     "line 23: <child>: there is one in line 23 already": (
         '<child link="column"/>',
         '<child link="column"/><child link="base"/>',

@@ -93,6 +93,36 @@ def test_limits_are_stops():
     assert free > 0.15
 
 
+GRIPPER = """<robot name="gripper"><link name="palm"/>
+<link name="left"><inertial><mass value="0.2"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>
+<link name="right"><inertial><mass value="0.3"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>
+<joint name="first" type="prismatic"><parent link="palm"/><child link="left"/><axis xyz="1 0 0"/><limit lower="0" upper="1"/></joint>
+<joint name="second" type="prismatic"><parent link="palm"/><child link="right"/><axis xyz="-1 0 0"/><limit lower="0" upper="9"/>
+<mimic joint="first" multiplier="2" offset="0.1"/></joint></robot>"""
+
+
+def test_joints_that_follow_others(tmp_path):
+    """x2 = 2 x1 + 0.1, so a force on the first moves the mass m1 + 4 m2."""
+    (tmp_path / "gripper.urdf").write_text(GRIPPER)
+    mbs = exu.SystemContainer().AddSystem()
+    made = mbs.CreateRobot(
+        tmp_path / "gripper.urdf",
+        gravity=[0, 0, 0],
+        referenceConfiguration=[0.05, 0],
+        forceUserFunction=lambda *_: [3.0, 0.0],
+    )
+    np.testing.assert_allclose(made["robot"].referenceConfiguration, [0.05, 0.2])
+    assert made["couplings"][0] is None
+    mbs.Assemble()
+    mbs.SolveDynamic(settings(0.2, 100))
+    first, second = mbs.GetObjectOutput(made["objectKinematicTree"], exu.OutputVariableType.Coordinates)
+    assert second == pytest.approx(2 * first + 0.1, abs=1e-12)
+    assert first == pytest.approx(0.05 + 0.5 * 3 / (0.2 + 4 * 0.3) * 0.2**2, rel=1e-6)
+    ground = mbs.AddMarker(MarkerBodyRigid(bodyNumber=mbs.CreateGround()))
+    with pytest.raises(ValueError, match="link 1 'right' has a joint to follow, .* use CreateKinematicTree"):
+        mbs.CreateRobot(tmp_path / "gripper.urdf", name="again ", baseMarker=ground)
+
+
 def test_static_torques_hold_a_tree():
     robot = arbitrary(ALL_JOINTS, seed=6, branches=True)
     robot.referenceConfiguration = START

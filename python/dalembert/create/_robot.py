@@ -31,14 +31,15 @@ def CreateRobot(
     Robot.CreateKinematicTree or Robot.CreateRedundantCoordinateMBS returns; its entry links has the indices of links
     and joints by name. Damping and dry friction act, and with limitStiffness or limitDamping limits are stops. baseHT,
     gravity, packages and graphics are those of robotics.utilities.ReadRobot; referenceConfiguration has the coordinates
-    of the joints.
+    of the joints; those that follow others (<mimic>) go with these.
     """
     from dalembert.robotics.utilities import ReadRobot  # a system without robots does without
 
     robot = ReadRobot(fileName, baseHT, gravity, packages, graphics)
     if referenceConfiguration is not None:
         where = "CreateRobot: referenceConfiguration"
-        robot.referenceConfiguration = as_vector(where, referenceConfiguration, robot.NumberOfLinks()).copy()
+        given = as_vector(where, referenceConfiguration, robot.NumberOfLinks())
+        robot.referenceConfiguration = robot.FollowedCoordinates(given)
     if baseMarker is None:
         made = robot.CreateKinematicTree(mbs, name, forceUserFunction, limitStiffness, limitDamping)
     else:

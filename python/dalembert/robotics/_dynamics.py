@@ -16,7 +16,6 @@ import numpy as np
 from dalembert._checks import FloatArray
 from dalembert.robotics._parts import JOINT_AXES, RobotLink, is_revolute
 
-
 _UNMOVED = np.eye(4)
 
 

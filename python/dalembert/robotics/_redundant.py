@@ -63,8 +63,12 @@ def _graphics(robot: Robot, i: int) -> GraphicsList:
 
 def _add_body(robot: Robot, mbs: Any, i: int, T: FloatArray, options: Options) -> dict[str, Any]:
     link = robot.links[i]
-    if link.mass == 0 or link.rotorInertia:
-        what = "no mass" if link.mass == 0 else "the inertia of a rotor"
+    reasons = {
+        "no mass": link.mass == 0,
+        "the inertia of a rotor": link.rotorInertia,
+        "a joint to follow": link.follows,
+    }
+    for what in (reason for reason, holds in reasons.items() if holds):
         raise ValueError(
             f"Robot.CreateRedundantCoordinateMBS: link {i} '{link.name}' has {what}, which needs the coordinates of "
             "the joints; use CreateKinematicTree"

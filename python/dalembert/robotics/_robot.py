@@ -139,6 +139,15 @@ class Robot:
             raise shape_error(f"Robot: {name}", f"{len(self.links)} numbers, one per link", values)
         return array
 
+    def FollowedCoordinates(self, q: npt.ArrayLike) -> FloatArray:
+        """Return coordinates in which joints that follow others are where those take them."""
+        result = self._coordinates("q", q).copy()
+        for i, link in enumerate(self.links):
+            if link.follows is not None:
+                leader, factor, offset = link.follows
+                result[..., i] = factor * result[..., self.GetLinkIndex(leader)] + offset
+        return result
+
     def JointHT(self, q: npt.ArrayLike) -> list[FloatArray]:
         """Return the transformations from the global frame to all joints, after their motion."""
         coordinates = self._coordinates("q", q)
@@ -273,7 +282,8 @@ class Robot:
         the object to where the drives are to be. With limitStiffness or limitDamping, limits of joints are stops.
         Returns a dict with nodeGeneric, objectKinematicTree, baseObject (the ground that draws the base, or None),
         links (the indices of links and joints by name), resistances (a connector per joint with damping, friction or
-        stops, else None) and rotors (an object with the inertia of rotors, or None).
+        stops, else None), couplings (a constraint per joint that follows another, else None), and rotors (an object
+        with the inertia of rotors, or None).
         """
         return _tree.create(self, mbs, name, forceUserFunction, (limitStiffness, limitDamping))
 
