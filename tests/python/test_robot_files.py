@@ -72,6 +72,13 @@ def test_links_of_a_urdf_file_are_where_the_format_says(package):
         np.testing.assert_allclose(robot.FrameHT(name, q), T, atol=1e-14, err_msg=name)
 
 
+def test_names_of_links_go_before_those_of_joints():
+    """In the example, the joint 'shoulder' carries the link 'upper_arm', and the link 'shoulder' turns in the waist."""
+    robot = ReadRobot(Path(__file__).parents[2] / "examples/six_axis_arm.urdf", graphics=False)
+    assert (robot.GetLinkIndex("shoulder"), robot.GetJointIndex("shoulder")) == (0, 1)
+    assert robot.GetLink("elbow").name == "forearm" and robot.LinkNumbers()["shoulder"] == 0
+
+
 def test_inertias_of_a_urdf_file(package):
     """Against links that are added by hand, with fixed ones as masses of their own."""
     robot = ReadRobot(package / "arm/arm.urdf", graphics=False)

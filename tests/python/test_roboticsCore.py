@@ -297,8 +297,10 @@ def test_what_is_no_robot_is_refused():
         robot.AddLink(RobotLink(**body, name="arm"))
     with pytest.raises(ValueError, match="link 1: expected a parent from -1 .base. to 0, .* received 4"):
         robot.AddLink(RobotLink(**body, parent=4))
-    with pytest.raises(ValueError, match="there is no link or joint 'hand'; there are: arm, shoulder"):
+    with pytest.raises(ValueError, match="there is no link or joint 'hand'; there are: shoulder, arm"):
         robot.GetLink("hand")
+    with pytest.raises(ValueError, match="there is no joint 'arm'; there are: shoulder"):
+        robot.GetJointIndex("arm")
     with pytest.raises(ValueError, match="Robot: q: expected 1 numbers, one per link"):
         robot.JointHT([1, 2])
     robot.AddLink(RobotLink(**body | {"mass": 0}))

@@ -95,7 +95,7 @@ class RobotLink:
         damping: float = 0.0,
         friction: float = 0.0,
         rotorInertia: float = 0.0,
-        follows: tuple[int | str, float, float] | None = None,
+        follows: tuple[str, float, float] | None = None,
     ) -> None:
         amounts = {"mass": mass, "damping": damping, "friction": friction, "rotorInertia": rotorInertia}
         for what, value in amounts.items():

@@ -86,23 +86,29 @@ class Robot:
         return self.isSerialRobot
 
     def GetLinkIndex(self, link: int | str) -> int:
-        """Return the index of a link, given by index, by its name, or by the name of its joint."""
+        """Return the index of a link, given by index, by its name, or, if no link is called so, by that of its joint."""
         if isinstance(link, str):
-            names = [own.name for own in self.links] + [own.jointName for own in self.links]
-            if link and link in names:
-                return names.index(link) % len(self.links)
-            known = ", ".join(name for own in self.links for name in (own.name, own.jointName) if name) or "none"
-            raise ValueError(f"Robot: there is no link or joint '{link}'; there are: {known}")
+            names = self.LinkNumbers()
+            if link not in names:
+                raise ValueError(f"Robot: there is no link or joint '{link}'; there are: {', '.join(names) or 'none'}")
+            return names[link]
         if not 0 <= link < len(self.links):
             raise ValueError(f"Robot: expected a link from 0 to {len(self.links) - 1}, or its name, received {link}")
         return int(link)
 
+    def GetJointIndex(self, joint: str) -> int:
+        """Return the index of the link that a joint carries, by the name of the joint, even if a link is called so."""
+        names = [link.jointName for link in self.links]
+        if joint not in names or not joint:
+            raise ValueError(
+                f"Robot: there is no joint '{joint}'; there are: {', '.join(filter(None, names)) or 'none'}"
+            )
+        return names.index(joint)
+
     def LinkNumbers(self) -> dict[str, int]:
         """Return the indices of links by their names and those of their joints."""
-        names = {link.jointName: i for i, link in enumerate(self.links)} | {
-            link.name: i for i, link in enumerate(self.links)
-        }
-        return {name: i for name, i in names.items() if name}
+        of_joints = {link.jointName: i for i, link in enumerate(self.links) if link.jointName}
+        return of_joints | {link.name: i for i, link in enumerate(self.links) if link.name}
 
     def GetLink(self, i: int | str) -> RobotLink:
         """Return a link."""
@@ -145,7 +151,7 @@ class Robot:
         for i, link in enumerate(self.links):
             if link.follows is not None:
                 leader, factor, offset = link.follows
-                result[..., i] = factor * result[..., self.GetLinkIndex(leader)] + offset
+                result[..., i] = factor * result[..., self.GetJointIndex(leader)] + offset
         return result
 
     def JointHT(self, q: npt.ArrayLike) -> list[FloatArray]:

@@ -96,7 +96,7 @@ def _add_coupling(robot: Robot, mbs: Any, node: Any, i: int) -> Any:
     follows = robot.links[i].follows
     if follows is None:
         return None
-    leader, factor, offset = robot.GetLinkIndex(follows[0]), *follows[1:]
+    leader, factor, offset = robot.GetJointIndex(follows[0]), *follows[1:]
     reference = robot.referenceConfiguration  # from which markers measure
     markers = [mbs.AddMarker(items.MarkerNodeCoordinate(nodeNumber=node, coordinate=j)) for j in (i, leader)]
     apart = reference[i] - factor * reference[leader] - offset
