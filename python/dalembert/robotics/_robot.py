@@ -86,7 +86,7 @@ class Robot:
         return self.isSerialRobot
 
     def GetLinkIndex(self, link: int | str) -> int:
-        """Return the index of a link, given by index, by its name, or, if no link is called so, by that of its joint."""
+        """Return the index of a link from itself, its name, or, if no link is called so, the name of its joint."""
         if isinstance(link, str):
             names = self.LinkNumbers()
             if link not in names:
