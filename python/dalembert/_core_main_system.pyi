@@ -22,6 +22,7 @@ from dalembert._solving import consistent as consistent
 from dalembert._solving import linearized as linearized
 from dalembert._studies import variations as variations
 from dalembert.create import _distance_sensor as distance_sensor
+from dalembert.create import _robot as robot
 from dalembert.create import bodies, connectors, flexible, joints, loads, trees
 
 # Functions that solvers call. Step functions return whether to go on, PostNewton [error, recommended step size].
@@ -264,6 +265,7 @@ class MainSystem(_Bound):
     CreateKinematicTree = trees.CreateKinematicTree
     CreateDistanceSensor = distance_sensor.CreateDistanceSensor
     CreateDistanceSensorGeometry = distance_sensor.CreateDistanceSensorGeometry
+    CreateRobot = robot.CreateRobot
     DrawSystemGraph = system_graph.DrawSystemGraph
     Draw = draw.Draw
     DrawSolution = draw.DrawSolution

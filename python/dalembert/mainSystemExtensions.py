@@ -21,6 +21,7 @@ from dalembert.create._interface import (  # noqa: F401
     JointTypeToAxis,
     ProcessBodyNodeMarkerLists,
 )
+from dalembert.create._robot import CreateRobot
 from dalembert.interactive import SolutionViewer
 from dalembert.plot import PlotSensor
 
@@ -33,6 +34,7 @@ methods: dict[str, Callable[..., Any]] = (
             ComputeConsistentInitialConditions,
             CreateDistanceSensor,
             CreateDistanceSensorGeometry,
+            CreateRobot,
             Draw,
             DrawSolution,
             DrawSystemGraph,

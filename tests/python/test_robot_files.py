@@ -72,6 +72,13 @@ def test_links_of_a_urdf_file_are_where_the_format_says(package):
         np.testing.assert_allclose(robot.FrameHT(name, q), T, atol=1e-14, err_msg=name)
 
 
+def test_names_of_links_go_before_those_of_joints():
+    """In the example, the joint 'shoulder' carries the link 'upper_arm', and the link 'shoulder' turns in the waist."""
+    robot = ReadRobot(Path(__file__).parents[2] / "examples/six_axis_arm.urdf", graphics=False)
+    assert (robot.GetLinkIndex("shoulder"), robot.GetJointIndex("shoulder")) == (0, 1)
+    assert robot.GetLink("elbow").name == "forearm" and robot.LinkNumbers()["shoulder"] == 0
+
+
 def test_inertias_of_a_urdf_file(package):
     """Against links that are added by hand, with fixed ones as masses of their own."""
     robot = ReadRobot(package / "arm/arm.urdf", graphics=False)
@@ -309,7 +316,10 @@ WRONG_URDF = {
         '<limit lower="0" upper="0.3" effort="200" velocity="1"/>',
         "",
     ),
-    "line 20: <joint>: joint 'yaw': <mimic> is no joint of a tree": ('<axis xyz="0 0 1"/>', '<mimic joint="slide"/>'),
+    "line 20: <joint>: joint 'yaw': mimic: expected another joint that moves, of yaw, slide, wheel": (
+        '<axis xyz="0 0 1"/>',
+        '<axis xyz="0 0 1"/><mimic joint="weld"/>',
+    ),
     "line 23: <child>: there is one in line 23 already": (
         '<child link="column"/>',
         '<child link="column"/><child link="base"/>',

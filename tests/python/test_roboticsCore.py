@@ -261,9 +261,9 @@ def test_inverse_kinematics_keeps_limits():
     for link, value in zip(robot.links, inside, strict=True):
         link.jointLimits = np.array([value - 0.02, value + 0.02])
     assert np.abs(free - inside).max() > 0.02
-    q, success = InverseKinematicsNumerical(robot).Solve(goal)
+    q, success = InverseKinematicsNumerical(robot, limits=True).Solve(goal)
     assert success and np.abs(q - inside).max() <= 0.02
-    assert InverseKinematicsNumerical(robot).Solve(goal @ HTtranslate([3, 0, 0])) == [None, False]
+    assert InverseKinematicsNumerical(robot, limits=True).Solve(goal @ HTtranslate([3, 0, 0])) == [None, False]
 
 
 def test_poses_between_poses():
@@ -297,8 +297,10 @@ def test_what_is_no_robot_is_refused():
         robot.AddLink(RobotLink(**body, name="arm"))
     with pytest.raises(ValueError, match="link 1: expected a parent from -1 .base. to 0, .* received 4"):
         robot.AddLink(RobotLink(**body, parent=4))
-    with pytest.raises(ValueError, match="there is no link or joint 'hand'; there are: arm, shoulder"):
+    with pytest.raises(ValueError, match="there is no link or joint 'hand'; there are: shoulder, arm"):
         robot.GetLink("hand")
+    with pytest.raises(ValueError, match="there is no joint 'arm'; there are: shoulder"):
+        robot.GetJointIndex("arm")
     with pytest.raises(ValueError, match="Robot: q: expected 1 numbers, one per link"):
         robot.JointHT([1, 2])
     robot.AddLink(RobotLink(**body | {"mass": 0}))

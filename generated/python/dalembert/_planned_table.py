@@ -35,7 +35,6 @@ MODULES = {
     "GUI": Planned('dialogs for settings', 'set the attributes of SimulationSettings() and SC.visualizationSettings', ()),
     "artificialIntelligence": Planned('environments for reinforcement learning', 'call mbs.SolveDynamic for each action, with updateInitialValues=True and the next startTime and endTime; states are in mbs.systemData', ()),
     "resultsMonitor": Planned('a window that shows sensor files while a solver writes them', 'call PlotSensor with the name of the file', ()),
-    "rosInterface": Planned('publishers and subscribers of ROS', 'talk to ROS in a PreStep user function, or by CreateTCPIPconnection', ()),
 }
 FUNCTIONS = {
     "GeneralContact": Planned('contact of many spheres, triangles and cables with each other', 'a few contacts may be springs with user functions that push only, such as ObjectConnectorSpringDamper', ()),

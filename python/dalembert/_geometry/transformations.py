@@ -72,8 +72,8 @@ def HTrotateZ(angle: float) -> FloatArray:
 
 
 def HT2translation(T: npt.ArrayLike) -> FloatArray:
-    """Return the translation vector of a 4x4 homogeneous transformation (a view if T is a float array)."""
-    return as_transformation("T", T)[:3, 3]
+    """Return the translation of a 4x4 homogeneous transformation, or of its logarithm (a view of a float array)."""
+    return as_matrix("T", T, (4, 4))[:3, 3]
 
 
 def HT2rotationMatrix(T: npt.ArrayLike) -> FloatArray:

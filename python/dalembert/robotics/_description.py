@@ -192,6 +192,7 @@ class _Builder:
                     **link.values,
                 )
             )
+        robot.referenceConfiguration = robot.FollowedCoordinates(robot.referenceConfiguration)
         return robot
 
 

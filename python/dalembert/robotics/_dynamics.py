@@ -16,19 +16,21 @@ import numpy as np
 from dalembert._checks import FloatArray
 from dalembert.robotics._parts import JOINT_AXES, RobotLink, is_revolute
 
+_UNMOVED = np.eye(4)
+
 
 def joint_transformation(jointType: str, q: FloatArray) -> FloatArray:
     """Return the 4x4 transformations of a joint with coordinates q, stacked as these are."""
-    T = np.zeros((*np.shape(q), 4, 4))
-    T[..., range(4), range(4)] = 1.0
+    T = np.empty((*np.shape(q), 4, 4))
+    T[...] = _UNMOVED
     axis = "xyz".index(jointType[1])
     if not is_revolute(jointType):
         T[..., axis, 3] = q
         return T
     first, second = (axis + 1) % 3, (axis + 2) % 3
-    T[..., first, first] = T[..., second, second] = np.cos(q)
-    T[..., second, first] = np.sin(q)
-    T[..., first, second] = -T[..., second, first]
+    cosine, sine = np.cos(q), np.sin(q)
+    T[..., first, first] = T[..., second, second] = cosine
+    T[..., second, first], T[..., first, second] = sine, -sine
     return T
 
 

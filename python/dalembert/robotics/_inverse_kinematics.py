@@ -32,9 +32,9 @@ LONGEST = 0.2  # step in the null space, m and rad
 class InverseKinematicsNumerical:
     """Finds coordinates of the joints of a robot for a pose of its tool, starting from those found before.
 
-    jointStiffness, a number or one per joint, says how unwilling joints are to move. Limits are those of the links
-    (jointLimits); limits=False leaves them aside. link may name another link, or a frame, than the tool. flagDebug=True
-    prints what happens; useRenderer and useAlternativeConstraints change nothing: there is no window, and no system.
+    jointStiffness, a number or one per joint, says how unwilling joints are to move. limits=True keeps them within the
+    jointLimits of the links. link may name another link, or a frame, than the tool. flagDebug=True prints what happens;
+    useRenderer and useAlternativeConstraints change nothing: there is no window, and no system.
     """
 
     def __init__(
@@ -44,7 +44,7 @@ class InverseKinematicsNumerical:
         useRenderer: bool = False,
         flagDebug: bool = False,
         useAlternativeConstraints: bool = False,
-        limits: bool = True,
+        limits: bool = False,
         link: str = "tool",
         maxIterations: int = 100,
     ) -> None:

@@ -71,8 +71,9 @@ class RobotLink:
     the link before. PDcontrol are the factors of position and velocity of a drive.
 
     Besides, a joint may have limits of its coordinate, of its velocity and of the force or torque of its drive; viscous
-    damping (Nms/rad or Ns/m), dry friction (Nm or N), and the inertia of a rotor as it acts at the joint. Names of link
-    and joint may be given wherever a robot takes the index of a link.
+    damping (Nms/rad or Ns/m), dry friction (Nm or N), and the inertia of a rotor as it acts at the joint. It may follow
+    another joint: follows=(joint, factor, offset), as the second finger of a gripper does. Names of link and joint may
+    be given wherever a robot takes the index of a link.
     """
 
     def __init__(
@@ -94,6 +95,7 @@ class RobotLink:
         damping: float = 0.0,
         friction: float = 0.0,
         rotorInertia: float = 0.0,
+        follows: tuple[str, float, float] | None = None,
     ) -> None:
         amounts = {"mass": mass, "damping": damping, "friction": friction, "rotorInertia": rotorInertia}
         for what, value in amounts.items():
@@ -118,6 +120,7 @@ class RobotLink:
             raise shape_error("RobotLink: jointLimits", "[lower, upper] with lower <= upper", jointLimits)
         self.maxVelocity, self.maxForce = maxVelocity, maxForce
         self.damping, self.friction, self.rotorInertia = damping, friction, rotorInertia
+        self.follows = follows
 
     def SetPDcontrol(self, Pvalue: float | None, Dvalue: float | None) -> None:
         """Set the factors of position and velocity of the drive of the joint."""

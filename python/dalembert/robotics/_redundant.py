@@ -63,8 +63,12 @@ def _graphics(robot: Robot, i: int) -> GraphicsList:
 
 def _add_body(robot: Robot, mbs: Any, i: int, T: FloatArray, options: Options) -> dict[str, Any]:
     link = robot.links[i]
-    if link.mass == 0 or link.rotorInertia:
-        what = "no mass" if link.mass == 0 else "the inertia of a rotor"
+    reasons = {
+        "no mass": link.mass == 0,
+        "the inertia of a rotor": link.rotorInertia,
+        "a joint to follow": link.follows,
+    }
+    for what in (reason for reason, holds in reasons.items() if holds):
         raise ValueError(
             f"Robot.CreateRedundantCoordinateMBS: link {i} '{link.name}' has {what}, which needs the coordinates of "
             "the joints; use CreateKinematicTree"
@@ -103,7 +107,9 @@ def _base_marker(mbs: Any, marker: Any, offset: FloatArray) -> Any:
     return mbs.AddMarker(items.MarkerBodyRigid(bodyNumber=given["bodyNumber"], localPosition=place))
 
 
-def _add_joint(mbs: Any, link: RobotLink, ends: Ends, options: Options) -> Any:
+def _add_joint(robot: Robot, mbs: Any, link: RobotLink, ends: Ends, options: Options) -> Any:
+    """Add the joint, with its name; a link of the same name, which files may have, leaves it Joint:name."""
+    taken = any(link.jointName == other.name for other in robot.links)
     constrained = [1] * 6
     constrained["xyz".index(link.jointType[1]) + 3 * is_revolute(link.jointType)] = 0
     view = items.VObjectJointGeneric(
@@ -114,7 +120,7 @@ def _add_joint(mbs: Any, link: RobotLink, ends: Ends, options: Options) -> Any:
     )
     return mbs.AddObject(
         items.GenericJoint(
-            name=options.named(link.jointName),
+            name=options.named(f"Joint:{link.jointName}" if taken and link.jointName else link.jointName),
             markerNumbers=ends.markers,
             constrainedAxes=constrained,
             rotationMarker0=ends.rotations[0],
@@ -209,11 +215,11 @@ def create(robot: Robot, mbs: Any, baseMarker: Any, options: Options) -> dict[st
             carrier, turned = result["bodyList"][parent], link.preHT[:3, :3]
             marker0 = mbs.AddMarker(items.MarkerBodyRigid(bodyNumber=carrier, localPosition=link.preHT[:3, 3]))
         ends = Ends([marker0, marker1], (turned, back[:3, :3]))
-        joint = _add_joint(mbs, link, ends, options)
+        joint = _add_joint(robot, mbs, link, ends, options)
         units = [-turned @ JOINT_AXES[link.jointType], back[:3, :3] @ JOINT_AXES[link.jointType]]
         loads = _add_loads(mbs, link, i, ends, units, options)
         drive = _add_spring_damper(mbs, link, q[i], ends, i, options)
         row = [body["nodeNumber"], body["bodyNumber"], joint, marker0, marker1, drive, *loads, *units]
         for entries, entry in zip(result.values(), row, strict=True):
             entries.append(entry)
-    return result | {"baseObject": -1 if base is None else base}
+    return result | {"baseObject": -1 if base is None else base, "links": robot.LinkNumbers()}

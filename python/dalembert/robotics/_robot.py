@@ -86,16 +86,29 @@ class Robot:
         return self.isSerialRobot
 
     def GetLinkIndex(self, link: int | str) -> int:
-        """Return the index of a link, given by index, by its name, or by the name of its joint."""
+        """Return the index of a link from itself, its name, or, if no link is called so, the name of its joint."""
         if isinstance(link, str):
-            names = [own.name for own in self.links] + [own.jointName for own in self.links]
-            if link and link in names:
-                return names.index(link) % len(self.links)
-            known = ", ".join(name for own in self.links for name in (own.name, own.jointName) if name) or "none"
-            raise ValueError(f"Robot: there is no link or joint '{link}'; there are: {known}")
+            names = self.LinkNumbers()
+            if link not in names:
+                raise ValueError(f"Robot: there is no link or joint '{link}'; there are: {', '.join(names) or 'none'}")
+            return names[link]
         if not 0 <= link < len(self.links):
             raise ValueError(f"Robot: expected a link from 0 to {len(self.links) - 1}, or its name, received {link}")
         return int(link)
+
+    def GetJointIndex(self, joint: str) -> int:
+        """Return the index of the link that a joint carries, by the name of the joint, even if a link is called so."""
+        names = [link.jointName for link in self.links]
+        if joint not in names or not joint:
+            raise ValueError(
+                f"Robot: there is no joint '{joint}'; there are: {', '.join(filter(None, names)) or 'none'}"
+            )
+        return names.index(joint)
+
+    def LinkNumbers(self) -> dict[str, int]:
+        """Return the indices of links by their names and those of their joints."""
+        of_joints = {link.jointName: i for i, link in enumerate(self.links) if link.jointName}
+        return of_joints | {link.name: i for i, link in enumerate(self.links) if link.name}
 
     def GetLink(self, i: int | str) -> RobotLink:
         """Return a link."""
@@ -131,6 +144,15 @@ class Robot:
         if array.ndim == 0 or array.shape[-1] != len(self.links):
             raise shape_error(f"Robot: {name}", f"{len(self.links)} numbers, one per link", values)
         return array
+
+    def FollowedCoordinates(self, q: npt.ArrayLike) -> FloatArray:
+        """Return coordinates in which joints that follow others are where those take them."""
+        result = self._coordinates("q", q).copy()
+        for i, link in enumerate(self.links):
+            if link.follows is not None:
+                leader, factor, offset = link.follows
+                result[..., i] = factor * result[..., self.GetJointIndex(leader)] + offset
+        return result
 
     def JointHT(self, q: npt.ArrayLike) -> list[FloatArray]:
         """Return the transformations from the global frame to all joints, after their motion."""
@@ -266,7 +288,8 @@ class Robot:
         the object to where the drives are to be. With limitStiffness or limitDamping, limits of joints are stops.
         Returns a dict with nodeGeneric, objectKinematicTree, baseObject (the ground that draws the base, or None),
         links (the indices of links and joints by name), resistances (a connector per joint with damping, friction or
-        stops, else None) and rotors (an object with the inertia of rotors, or None).
+        stops, else None), couplings (a constraint per joint that follows another, else None), and rotors (an object
+        with the inertia of rotors, or None).
         """
         return _tree.create(self, mbs, name, forceUserFunction, (limitStiffness, limitDamping))
 
@@ -290,7 +313,8 @@ class Robot:
         against its marker; without it the base is as base.HT says. Bodies and joints have the names of links and their
         joints, after a name, which tells several robots apart. Returns a dict with lists of one entry per link:
         nodeList, bodyList, jointList, markerList0, markerList1, springDamperList, jointTorque0List, jointTorque1List,
-        unitTorque0List, unitTorque1List; and baseObject, the ground that draws the base, or -1.
+        unitTorque0List, unitTorque1List; baseObject, the ground that draws the base, or -1; and links, the indices of
+        links and joints by name.
         """
         return _redundant.create(
             self,

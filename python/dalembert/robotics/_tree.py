@@ -91,6 +91,21 @@ def _add_resistances(robot: Robot, mbs: Any, node: Any, stops: tuple[float, floa
     return added
 
 
+def _add_coupling(robot: Robot, mbs: Any, node: Any, i: int) -> Any:
+    """Add the constraint of a joint that follows another; None if it does not."""
+    follows = robot.links[i].follows
+    if follows is None:
+        return None
+    leader, factor, offset = robot.GetJointIndex(follows[0]), *follows[1:]
+    reference = robot.referenceConfiguration  # from which markers measure
+    markers = [mbs.AddMarker(items.MarkerNodeCoordinate(nodeNumber=node, coordinate=j)) for j in (i, leader)]
+    apart = reference[i] - factor * reference[leader] - offset
+    view = items.VObjectConnectorCoordinate(show=False)
+    return mbs.AddObject(
+        items.CoordinateConstraint(markerNumbers=markers, factorValue1=factor, offset=apart, visualization=view)
+    )
+
+
 def _add_rotors(robot: Robot, mbs: Any, node: Any) -> Any:
     """Add the inertia of rotors to the coordinates of the joints; None if there are none."""
     inertias = [link.rotorInertia for link in robot.links]
@@ -139,7 +154,8 @@ def create(robot: Robot, mbs: Any, name: str, forceUserFunction: Any, stops: tup
         "nodeGeneric": node,
         "objectKinematicTree": tree,
         "baseObject": base,
-        "links": {name: i for i, link in enumerate(robot.links) for name in (link.name, link.jointName) if name},
+        "links": robot.LinkNumbers(),
         "resistances": _add_resistances(robot, mbs, node, stops),
+        "couplings": [_add_coupling(robot, mbs, node, i) for i in range(n)],
         "rotors": _add_rotors(robot, mbs, node),
     }

@@ -146,15 +146,14 @@ def _joint(element: Element) -> Joint:
     name, kind = element.text("name"), element.text("type")
     if kind not in _KINDS:
         element.fail(f"joint '{name}': type: expected one of {', '.join(_KINDS)}, received '{kind}'")
-    if element.only("mimic") is not None:
-        element.fail(
-            f"joint '{name}': <mimic> is no joint of a tree: take it out, and add a CoordinateConstraint between the "
-            "coordinates of both joints"
-        )
     parent, child = (element.needed(end).text("link") for end in ("parent", "child"))
     joint = Joint(name, _KINDS[kind], parent, child, _origin(element), element)
     if kind in ("revolute", "continuous", "prismatic"):
         joint.values = _joint_values(element, kind)
+        mimic = element.only("mimic")
+        if mimic is not None:
+            factors = mimic.number("multiplier", "1"), mimic.number("offset", "0")
+            joint.values["follows"] = (mimic.text("joint"), *factors)
     axis = element.only("axis")
     if axis is not None and kind not in ("fixed", "floating"):
         direction = axis.numbers("xyz", 3)
@@ -184,6 +183,11 @@ def read_urdf(fileName: str | Path, packages: Packages | None = None, shapes: bo
     joints = [_joint(element) for element in root.every("joint")]
     _unique(bodies, "link")
     _unique(joints, "joint")
+    leaders = [joint.name for joint in joints if joint.kind in ("revolute", "prismatic")]
+    for joint in joints:
+        if "follows" in joint.values and joint.values["follows"][0] not in set(leaders) - {joint.name}:
+            known = ", ".join(leaders)
+            joint.where.fail(f"joint '{joint.name}': mimic: expected another joint that moves, of {known}")
     if not bodies:
         root.fail("expected an element <link> in it")
     named = {body.name: body for body in bodies}

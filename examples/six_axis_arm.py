@@ -1,0 +1,98 @@
+"""An arm with six axes carries a load from one pose to another, under computed torque.
+
+The arm is read from a URDF file. Inverse kinematics finds its joints for two poses of the gripper, a trajectory leads
+from one to the other within limits of velocity and acceleration. Every 2 ms, inverse dynamics says which torques this
+motion needs, with a correction of what is missing to it; for comparison, drives that only hold against the weight
+follow the same trajectory with the same factors. At the end the arm rests, so the work of its drives is what its
+weights gain in height and its bearings have taken.
+"""
+
+from pathlib import Path
+
+import numpy as np
+
+import dalembert as exu
+from dalembert.robotics import InverseKinematicsNumerical
+from dalembert.robotics.motion import ProfilePTP, Trajectory
+from dalembert.robotics.utilities import ReadRobot
+from dalembert.utilities import *
+
+file = Path(__file__).parent / "six_axis_arm.urdf"
+sample, duration = 0.002, 1.6  # s
+stiffness, damping = 400, 40  # of the correction: two poles at 20 rad/s
+arm = ReadRobot(file)
+names = [link.jointName for link in arm.links]
+
+# trajectory
+inverse = InverseKinematicsNumerical(arm, link="gripper", limits=True)
+low = HTtranslate([0.45, -0.35, 0.25]) @ HTrotateY(np.pi)  # the gripper points down
+high = HTtranslate([0.3, 0.4, 0.75]) @ HTrotateY(np.pi / 2)
+start, found = inverse.SolveSafe(low, q0=[-0.6, 0.5, 1.2, 0, 1.2, 0])
+end, found_too = inverse.SolveSafe(high, q0=start)
+assert found and found_too
+trajectory = Trajectory(start, maxVelocities=[link.maxVelocity for link in arm.links], maxAccelerations=[8] * 6)
+trajectory.Add(ProfilePTP(end))
+
+
+def computed_torque(q, q_t, wanted):
+    """What the motion needs, where errors fall as those of a damped oscillator do."""
+    s, v, a = wanted
+    return arm.InverseDynamics(q, q_t, a + damping * (v - q_t) + stiffness * (s - q))
+
+
+inertias = np.diag(arm.MassMatrix(start))
+
+
+def drives_alone(q, q_t, wanted):
+    """The same correction for each drive by itself, with the weight that it carries."""
+    s, v, _ = wanted
+    return inertias * (damping * (v - q_t) + stiffness * (s - q)) - arm.StaticTorques(arm.JointHT(q))
+
+
+# model
+def follow(law):
+    """Run the motion; return errors (mrad) and torques over time, the work that is not lost, and where the arm ends."""
+    mbs = exu.SystemContainer().AddSystem()
+    made = mbs.CreateRobot(file, referenceConfiguration=start)
+    tree, rows = made["objectKinematicTree"], []
+
+    def control(mbs, t):
+        q = np.array(mbs.systemData.GetODE2Coordinates()) + start
+        q_t = np.array(mbs.systemData.GetODE2Coordinates_t())
+        wanted = trajectory.Evaluate(t)
+        torques = law(q, q_t, wanted)
+        mbs.SetObjectParameter(tree, "jointForceVector", torques)
+        rows.append([t, *(wanted[0] - q), *q, *q_t, *torques])
+        return True
+
+    mbs.SetPreStepUserFunction(control)
+    mbs.Assemble()
+    settings = exu.SimulationSettings()
+    settings.timeIntegration.endTime = duration
+    settings.timeIntegration.numberOfSteps = round(duration / sample)
+    settings.solutionSettings.writeSolutionToFile = False
+    mbs.SolveDynamic(settings, solverType=exu.DynamicSolverType.RK44)
+    last = np.array(mbs.systemData.GetODE2Coordinates()) + start
+    t, errors, q, q_t, torques = np.split(np.array(rows), [1, 7, 13, 19], axis=1)
+    work = (torques * np.diff([*q, last], axis=0)).sum()
+    taken = np.trapezoid((q_t * arm.JointResistance(q_t)).sum(axis=1), t[:, 0])
+    return np.hstack([t, 1e3 * errors]), np.hstack([t, torques]), work - taken, last
+
+
+errors, torques, gained, last = follow(computed_torque)
+others, *_ = follow(drives_alone)
+mbs = exu.SystemContainer().AddSystem()
+common = {"components": list(range(6)), "labels": names, "newFigure": True}
+mbs.PlotSensor([torques] * 6, **common, yLabel="torque (Nm)", fileName="arm_torques.png", closeAll=True)
+mbs.PlotSensor(
+    [errors] * 6, **common, yLabel="error (mrad)", title="computed torque", fileName="arm_computed_torque.png"
+)
+mbs.PlotSensor([others] * 6, **common, yLabel="error (mrad)", title="drives alone", fileName="arm_drives_alone.png")
+
+largest, larger = (np.abs(rows[:, 1:]).max() for rows in (errors, others))
+print(f"Largest error under computed torque {largest:.2f} mrad, of drives alone {larger:.1f} mrad.")
+reached = arm.FrameHT("gripper", last)
+for name, is_at, should in zip("xyz", reached[:3, 3], high[:3, 3], strict=True):
+    print(f"gripper at the end, {name}: {is_at:.6f} m, wanted pose {should:.6f} m")
+height = arm.PotentialEnergy(end) - arm.PotentialEnergy(start)
+print(f"work of the drives, less that of bearings: {gained:.3f} J, gain of height {height:.3f} J")
