@@ -201,6 +201,7 @@ def prismatic(pen: Pen, item: Item) -> None:
     if len(ends := _ends(pen, item)) == 2:
         radius, length = _axes_size(pen, item, "axis")
         color, frame = pen.looks.color(item, "connectors.defaultColor"), _joint_frame(pen, item)
+        pen.cylinder(ends[0], ends[1], 0.3 * radius, color)
         pen.box(ends[0], frame, [length, 1.2 * radius, 1.2 * radius], color)
         pen.box(ends[1], frame, [0.35 * length, 2.2 * radius, 2.2 * radius], GREY)
 

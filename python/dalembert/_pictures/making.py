@@ -24,6 +24,7 @@ WITHOUT_PLACE = {
     "NodeGenericData": "data coordinates have no place",
     "NodeGenericODE1": "coordinates of first order have no place",
     "NodeGenericODE2": "coordinates without meaning have no place; the objects that use them are drawn",
+    "MarkerNodeODE1Coordinate": "coordinates of first order have no place",
     "SensorUserFunction": "it measures what other sensors measure",
 }
 
@@ -41,7 +42,7 @@ class SceneMaker:
 
     def scene(self, configuration: ConfigurationType | None = None) -> Scene:
         """Return the scene in a configuration: what is visualized, or the reference if nothing is assembled."""
-        assembled = self.mbs.systemData.ODE2Size() >= 0 and _is_assembled(self.mbs)
+        assembled = _is_assembled(self.mbs)
         if configuration is None:
             configuration = ConfigurationType.Visualization
         if not assembled:

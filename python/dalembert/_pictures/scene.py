@@ -66,9 +66,9 @@ class Scene:
     def box(self) -> FloatArray | None:
         """Return the smallest and largest coordinates of what is drawn; None if there is nothing.
 
-        Symbols of nodes, markers, loads and sensors count only where there are no objects, ground unless it is wide.
+        Symbols of nodes, markers and sensors count only where there is nothing else, ground unless it is wide.
         """
-        kinds = [(item.kind == "Object") + (item.type_name == "Ground") for item in self.items]
+        kinds = [(item.kind in ("Object", "Load")) + (item.type_name == "Ground") for item in self.items]
         moving = self._corners(lambda item: item < 0 or kinds[item] == 1)
         objects = self._corners(lambda item: item < 0 or kinds[item] > 0)
         if moving is None or objects is None:
