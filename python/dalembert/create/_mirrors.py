@@ -1,7 +1,7 @@
 """What Create functions take from the items whose parameters they pass on: checks, types, units and texts.
 
-A Create function mirrors the parameters of one item, and of its visualization, by their names; these are described in
-specs/ alone. What an item does not have is described here.
+A Create function mirrors the parameters of items, and of their visualization, by their names; which items, and what
+their parameters are, is said in specs/ alone. What an item does not have is described here.
 """
 
 from __future__ import annotations
@@ -10,10 +10,14 @@ import inspect
 import re
 from collections.abc import Callable
 from enum import Enum
+from textwrap import indent
 from typing import Any, NamedTuple
+
+import numpy as np
 
 from dalembert import itemInterface as items
 from dalembert._core import _parameters_of
+from dalembert._create_table import MIRRORS
 from dalembert.create._arguments import (
     ANYTHING,
     FLAG,
@@ -27,6 +31,7 @@ from dalembert.create._arguments import (
     unit_vector,
     vector,
 )
+from dalembert.create._examples import EXAMPLES
 
 
 class Row(NamedTuple):
@@ -39,26 +44,6 @@ class Row(NamedTuple):
     text: str
 
 
-# The items that a Create function mirrors; the first that has a parameter describes it.
-MIRRORS: dict[str, tuple[str, ...]] = {
-    "CreateGround": ("ObjectGround",),
-    "CreateMassPoint": ("ObjectMassPoint", "NodePoint"),
-    "CreateRigidBody": ("ObjectRigidBody", "NodeRigidBodyEP"),
-    "CreateSpringDamper": ("ObjectConnectorSpringDamper",),
-    "CreateCartesianSpringDamper": ("ObjectConnectorCartesianSpringDamper",),
-    "CreateRigidBodySpringDamper": ("ObjectConnectorRigidBodySpringDamper",),
-    "CreateTorsionalSpringDamper": ("ObjectConnectorTorsionalSpringDamper",),
-    "CreateDistanceConstraint": ("ObjectConnectorDistance",),
-    "CreateCoordinateConstraint": ("ObjectConnectorCoordinate",),
-    "CreateRevoluteJoint": ("ObjectJointRevoluteZ",),
-    "CreatePrismaticJoint": ("ObjectJointPrismaticX",),
-    "CreateSphericalJoint": ("ObjectJointSpherical",),
-    "CreateGenericJoint": ("ObjectJointGeneric",),
-    "CreateRollingDisc": ("ObjectJointRollingDisc",),
-    "CreateRollingDiscPenalty": ("ObjectConnectorRollingDiscPenalty",),
-    "CreateForce": ("LoadForceVector",),
-    "CreateTorque": ("LoadTorqueVector",),
-}
 # Arguments that have another name than the parameter.
 RENAMED = {"axisVector": "discAxis", "graphicsDataList": "graphicsData"}
 # What no item has as a parameter.
@@ -128,7 +113,11 @@ def checks_of(function: Callable[..., Any]) -> dict[str, Check]:
 
 
 def _literal(value: Any) -> str:
-    return str(value) if isinstance(value, Enum) else repr(value.tolist() if hasattr(value, "tolist") else value)
+    """Return how a default is written in a model."""
+    if isinstance(value, np.ndarray):
+        rows, columns = value.shape
+        return f"np.eye({rows})" if value.any() else f"np.zeros(({rows}, {columns}))"
+    return str(value) if isinstance(value, Enum) else repr(value)
 
 
 def _type_of(parameter: inspect.Parameter, check: Check | None) -> str:
@@ -140,14 +129,29 @@ def _type_of(parameter: inspect.Parameter, check: Check | None) -> str:
     return type(parameter.default).__name__
 
 
-def documentation(function: Callable[..., Any], checks: dict[str, Check]) -> str:
-    """Return the docstring of a Create function with a list of its arguments: type, default, check, unit, meaning."""
-    rows, lines = mirrored(function), []
+class Argument(NamedTuple):
+    """An argument of a Create function in words; `facts` are check and unit."""
+
+    name: str
+    type: str
+    default: str
+    facts: str
+    text: str
+
+
+def arguments(function: Callable[..., Any], checks: dict[str, Check]) -> list[Argument]:
+    """Return what is to be said of the arguments of a Create function, after mbs."""
+    rows, found = mirrored(function), []
     for name, parameter in list(inspect.signature(function).parameters.items())[1:]:
         row = rows.get(name)
         kind = row.type if row else _type_of(parameter, checks.get(name))
-        text = row.text if row else TEXTS[name]
-        default, facts = _literal(parameter.default), row.facts if row else ""
-        lines.append(f"    {name}: {kind} = {default}{facts}\n        {text}")
-    own = inspect.getdoc(function) or ""
-    return f"{own}\n\nArguments:\n" + "\n".join(lines) + "\n"
+        text, facts = (row.text, row.facts) if row else (TEXTS[name], "")
+        found.append(Argument(name, kind, _literal(parameter.default), facts, text))
+    return found
+
+
+def documentation(function: Callable[..., Any], checks: dict[str, Check]) -> str:
+    """Return the docstring of a Create function with a list of its arguments and an example."""
+    lines = [f"    {a.name}: {a.type} = {a.default}{a.facts}\n        {a.text}" for a in arguments(function, checks)]
+    example = indent(EXAMPLES[function.__name__].strip(), "    ")
+    return "\n".join((f"{inspect.getdoc(function)}\n\nArguments:", *lines, f"\nExample:\n{example}\n"))
