@@ -89,6 +89,16 @@ def rod(pen: Pen, item: Item) -> None:
         pen.box(ends[0], np.eye(3), 3 * [0.3 * size], color)
 
 
+def coordinate(pen: Pen, item: Item) -> None:
+    """A thin line between the places of two coordinates, and a small block at the second."""
+    size, color = _look(pen, item)
+    ends = _ends(pen, item)
+    if len(ends) == 2:
+        pen.line(ends, color)
+    if ends:
+        pen.box(ends[-1], np.eye(3), 3 * [0.35 * size], color)
+
+
 def actuator(pen: Pen, item: Item) -> None:
     """A cylinder at marker 0, and the rod with its piston from marker 1."""
     ends = _ends(pen, item)
@@ -342,8 +352,8 @@ DRAWINGS: dict[str, Drawing] = {
     "ConnectorReevingSystemSprings": rope,
     "ConnectorRollingDiscPenalty": disc,
     "ConnectorDistance": rod,
-    "ConnectorCoordinate": rod,
-    "ConnectorCoordinateVector": rod,
+    "ConnectorCoordinate": coordinate,
+    "ConnectorCoordinateVector": coordinate,
     "JointGeneric": generic_joint,
     "JointRevoluteZ": revolute,
     "JointPrismaticX": prismatic,
@@ -354,7 +364,7 @@ DRAWINGS: dict[str, Drawing] = {
     "JointSliding2D": sliding,
     "JointALEMoving2D": sliding,
     "JointRollingDisc": disc,
-    "ContactCoordinate": rod,
+    "ContactCoordinate": coordinate,
     "ContactCircleCable2D": circle_contact,
     "ContactFrictionCircleCable2D": circle_contact,
     "ContactSphereSphere": sphere_contact,

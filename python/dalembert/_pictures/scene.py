@@ -68,7 +68,7 @@ class Scene:
 
         Symbols of nodes, markers and sensors count only where there is nothing else, ground unless it is wide.
         """
-        kinds = [(item.kind in ("Object", "Load")) + (item.type_name == "Ground") for item in self.items]
+        kinds = [(item.kind in ("Object", "Load", "Trace")) + (item.type_name == "Ground") for item in self.items]
         moving = self._corners(lambda item: item < 0 or kinds[item] == 1)
         objects = self._corners(lambda item: item < 0 or kinds[item] > 0)
         if moving is None or objects is None:
