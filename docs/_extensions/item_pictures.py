@@ -65,7 +65,9 @@ def with_pictures(pages: dict[str, str]) -> dict[str, str]:
     for item in items:
         path = f"reference/items/{item.stem}.rst"
         if item.name in drawn and path in pages:
-            figure = f".. figure:: /_generated/reference/items/pictures/{item.name}.png\n   :width: 50%\n   :align: right\n"
+            figure = (
+                f".. figure:: /_generated/reference/items/pictures/{item.name}.png\n   :width: 50%\n   :align: right\n"
+            )
             words = f"   :alt: {item.name}\n\n   The model of the example below.\n\n"
             pages[path] = pages[path].replace(":Kind: ", f"{figure}{words}:Kind: ", 1)
     return pages

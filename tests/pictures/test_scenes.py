@@ -213,3 +213,33 @@ def test_several_systems_are_in_one_picture(SC: Any, mbs: Any) -> None:
     SC.renderer.SetModelView(zoom=2)
     image = SC.renderer.RedrawAndGetImage()
     assert (image[384, [512 - 192, 512 + 192]] < 250).any(axis=1).all()
+
+
+def test_sharp_edges_of_a_brick() -> None:
+    from dalembert._pictures.graphics_data import shapes
+    from dalembert._pictures.meshes import sharp_edges
+
+    ((_, brick, _),) = shapes([graphics.Brick(size=[1, 2, 3])], (1.0, 0.0, 0.0, 1.0), "a test")
+    ends = brick.points[sharp_edges(brick)]
+    lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+    assert sorted(lengths) == pytest.approx([1] * 4 + [2] * 4 + [3] * 4)
+    ((_, ball, _),) = shapes([graphics.Sphere(nTiles=32)], (1.0, 0.0, 0.0, 1.0), "a test")
+    assert len(sharp_edges(ball)) == 0
+
+
+def test_one_item_is_highlighted(SC: Any, mbs: Any) -> None:
+    nodes = [mbs.AddNode(NodePoint(referenceCoordinates=[x, 0, 0])) for x in (0, 1, 2)]
+    interactive = SC.visualizationSettings.interactive
+    interactive.highlightItemIndex, interactive.highlightItemType = int(nodes[1]), exu.ItemType.Node
+    scene = Studio(SC).scene()
+    assert [tuple(center) for center, *_ in scene.spheres] == [(1, 0, 0)]
+    assert scene.spheres[0][2][:3] == pytest.approx(interactive.advanced.highlightColor[:3])
+    assert len(scene.instances) == 2  # the others are seen through
+
+
+def test_the_frame_of_the_world(SC: Any, mbs: Any) -> None:
+    mbs.AddNode(NodePoint())
+    SC.visualizationSettings.view0.scene.drawWorldBasis = True
+    SC.visualizationSettings.view0.scene.worldBasisSize = 3
+    box = np.concatenate([i.mesh.points @ i.matrix.T + i.place for i in Studio(SC).scene().instances])
+    assert box.max(axis=0) == pytest.approx([3, 3, 3])

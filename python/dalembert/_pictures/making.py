@@ -10,10 +10,10 @@ from dalembert._core import ConfigurationType
 from dalembert._pictures import connectors, flexible, symbols, traces, trees
 from dalembert._pictures.bodies import Bodies
 from dalembert._pictures.contour import Contour
-from dalembert._pictures.looks import Looks
+from dalembert._pictures.looks import Looks, rgba
 from dalembert._pictures.pen import Pen
 from dalembert._pictures.places import Places
-from dalembert._pictures.scene import DrawnItem, Scene
+from dalembert._pictures.scene import DrawnItem, Instance, Scene
 
 KINDS = ("Node", "Object", "Marker", "Load", "Sensor")
 RIGID = ("Ground", "RigidBody", "RigidBody2D", "MassPoint", "MassPoint2D", "Mass1D", "RotationalMass1D")
@@ -58,6 +58,9 @@ class SceneMaker:
             self._draw_kind(pen, colors, kind)
         pen.take(DrawnItem("Trace", 0, "", ""))
         traces.draw(pen, scene.time)
+        if self.looks.setting("view0.scene.drawWorldBasis"):
+            pen.frame(np.zeros(3), np.eye(3), self.looks.length("view0.scene.worldBasisSize", 0.2))
+        highlight(scene, self.looks)
         scene.value_name = colors.name
         scene.value_range = colors.range(scene.values())
         return scene
@@ -135,6 +138,23 @@ class SceneMaker:
             self.meshes.draw(pen, colors, number, item)
         elif name == "KinematicTree":
             trees.draw(pen, number, item)
+
+
+def highlight(scene: Scene, looks: Looks) -> None:
+    """Give the item that interactive.highlightItemIndex names its color, and all others that of the others."""
+    number = int(looks.setting("interactive.highlightItemIndex"))
+    kind = looks.setting("interactive.highlightItemType").name
+    chosen = [i for i, item in enumerate(scene.items) if item.kind == kind and item.number == number]
+    if number < 0 or not chosen:
+        return
+    bright, others = (rgba(looks.setting(f"interactive.advanced.highlight{name}Color")) for name in ("", "Other"))
+    pick = dict.fromkeys(chosen, (*bright[:3], 1.0))
+    scene.instances = [Instance(i.mesh, i.matrix, i.place, pick.get(i.item, others), i.item) for i in scene.instances]
+    faint = Pen(scene, Places(None, ConfigurationType.Reference), looks)
+    spheres, scene.spheres = scene.spheres, []
+    for center, radius, _, item in spheres:
+        faint.go_on(item)
+        faint.sphere(center, radius, pick.get(item, others))
 
 
 def _is_assembled(mbs: Any) -> bool:
