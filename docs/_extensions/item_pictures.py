@@ -1,6 +1,6 @@
 """Pictures for the pages of items: the model of the mini example, as it is after it has run.
 
-They are made when pages are built, all in one process, and not again before the example or the compiled package has changed.
+They are made when pages are built, all in one process, and not again before examples or compiled package have changed.
 """
 
 from __future__ import annotations

@@ -9,6 +9,7 @@ import sys
 import textwrap
 from collections.abc import Iterable, Sequence
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 from dalembert._io.files import replacing
@@ -107,13 +108,14 @@ def _wrapped(line: str) -> str:
     return textwrap.fill(line, 110, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
 
 
-def _slider_crank(endTime: float) -> tuple[Any, list[Any]]:
-    """Return a container with a driven slider-crank, solved, and sensors of the crank tip and the slider."""
+def _slider_crank(endTime: float) -> tuple[Any, list[Any], Any]:
+    """Return a container with a driven slider-crank, sensors of the crank tip and the slider, and the solution."""
     import numpy as np
 
     import dalembert as exu
     from dalembert import graphics
     from dalembert import itemInterface as eii
+    from dalembert._io.solution_states import LoadSolutionFile
     from dalembert.rigidBodyUtilities import InertiaCuboid
 
     crank, rod, width = 0.1, 0.3, 0.02  # lengths in m
@@ -182,20 +184,22 @@ def _slider_crank(endTime: float) -> tuple[Any, list[Any]]:
     settings = exu.SimulationSettings()
     settings.timeIntegration.endTime = endTime
     settings.timeIntegration.numberOfSteps = 1000
-    settings.solutionSettings.writeSolutionToFile = False
+    settings.solutionSettings.solutionWritePeriod = 0.02
     settings.solutionSettings.sensorsWritePeriod = endTime / 500
-    mbs.SolveDynamic(settings)
-    return SC, sensors
+    with TemporaryDirectory() as folder:
+        settings.solutionSettings.coordinatesSolutionFileName = f"{folder}/solution.txt"
+        mbs.SolveDynamic(settings)
+        return SC, sensors, LoadSolutionFile(f"{folder}/solution.txt", verbose=False)
 
 
 def _demo(arguments: argparse.Namespace) -> int:
-    """Simulate a slider-crank and write a picture of it, beside plots of its motion."""
+    """Simulate a slider-crank; write a picture of it, beside plots of its motion, and a page in which it moves."""
     import matplotlib
 
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
 
-    SC, (tip, slider, velocity) = _slider_crank(endTime=1.1)
+    SC, (tip, slider, velocity), recorded = _slider_crank(endTime=1.1)
     mbs, settings = SC.GetSystem(0), SC.visualizationSettings
     figure, (picture, paths, motion) = plt.subplots(
         1, 3, figsize=(14, 4), layout="constrained", width_ratios=[1.3, 1, 1]
@@ -217,7 +221,10 @@ def _demo(arguments: argparse.Namespace) -> int:
     with replacing(target) as written:
         figure.savefig(written, dpi=120)
     plt.close(figure)
+    moving = target.with_suffix(".html")
+    mbs.SaveHTML(moving, solution=recorded, framesPerSecond=50, view="axonometric", title="slider-crank")
     print(f"slider-crank simulated, picture and plots written to {target}")
+    print(f"it moves in {moving}: open it in a browser")
     return 0
 
 
@@ -236,7 +243,9 @@ def _parser() -> argparse.ArgumentParser:
     items.add_argument("name", nargs="?", help="an item, e.g. NodePoint")
     items.set_defaults(function=_items)
 
-    demo = commands.add_parser("demo", help="simulate a slider-crank and write a picture with plots")
+    demo = commands.add_parser(
+        "demo", help="simulate a slider-crank; write a picture with plots, and a page that moves"
+    )
     demo.add_argument("-o", "--output", default="slider_crank.png", help="the PNG file to write")
     demo.set_defaults(function=_demo)
     return parser

@@ -221,15 +221,22 @@ def SolutionViewer(
 ) -> None:
     """Look through a solution (of LoadSolutionFile), or through that of the last simulation if solution is None.
 
-    Without a window, the first row becomes the visualized state. ValueError if there is no solution.
+    Notebooks show it as a page that plays; elsewhere, where there is a display, the browser does. Without one, the
+    first row becomes the visualized state. `rowIncrement` leaves rows out, `timeout` is the time (s) between those that
+    are shown, `runOnStart` starts to play, `runMode` 0 plays once, 1 and 2 again and again. ValueError if there is no
+    solution.
     """
     data = solution_of_last_simulation(mainSystem, "SolutionViewer") if solution is None else solution
     if runMode not in (0, 1, 2):
         raise ValueError(f"SolutionViewer: runMode: expected 0, 1 or 2, received {runMode}")
     if not 1 <= rowIncrement <= data["nRows"]:
         raise ValueError(f"SolutionViewer: rowIncrement: expected 1 to {data['nRows']} (rows), received {rowIncrement}")
-    _notice_once(title or "SolutionViewer")
     SetSolutionState(mainSystem, data, 0, ConfigurationType.Visualization)
+    from dalembert._pictures.showing import show_solution
+
+    rows = {**data, "data": np.asarray(data["data"], float)[::rowIncrement]}
+    if not show_solution(mainSystem, rows, timeout, title, runOnStart, runMode):
+        _notice_once(title or "SolutionViewer")
 
 
 def ConvertImages2Video(
