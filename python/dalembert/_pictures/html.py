@@ -34,17 +34,17 @@ def SaveHTML(
     path = Path(fileName)
     path.parent.mkdir(parents=True, exist_ok=True)
     with replacing(path) as written:
-        Path(written).write_text(page(motion, title or path.stem), "utf-8")
+        Path(written).write_text(page(motion, {"title": title or path.stem, "plays": True, "again": True}), "utf-8")
 
 
-def page(motion: Motion, title: str, plays: bool = True, again: bool = True) -> str:
-    """Return the page of a motion: whether it plays when it is opened, and begins again at its end.
+def page(motion: Motion, words: dict[str, Any]) -> str:
+    """Return the page of a motion; words: its title, whether it plays when it is opened, and begins again at its end.
 
     Texts of the model are in its data, packed; none becomes a part of the page.
     """
     from dalembert._pictures.replay import pack
 
-    data = pack(motion, {"title": title, "plays": plays, "again": again})
+    data = pack(motion, words)
     folder = files("dalembert._pictures") / "page"
     bundle = (folder / "bundle.js").read_text("utf-8").replace("</script", "<\\/script")
     text = (folder / "page.html").read_text("utf-8")

@@ -7,13 +7,14 @@ from typing import Any
 import numpy as np
 
 from dalembert._core import ConfigurationType
-from dalembert._pictures import connectors, flexible, symbols, traces, trees
+from dalembert._pictures import connectors, flexible, symbols, traces
 from dalembert._pictures.bodies import Bodies
 from dalembert._pictures.contour import Contour
 from dalembert._pictures.looks import Looks, rgba
 from dalembert._pictures.pen import Pen
 from dalembert._pictures.places import Places
 from dalembert._pictures.scene import DrawnItem, Instance, Scene
+from dalembert._pictures.trees import Trees
 
 KINDS = ("Node", "Object", "Marker", "Load", "Sensor")
 RIGID = ("Ground", "RigidBody", "RigidBody2D", "MassPoint", "MassPoint2D", "Mass1D", "RotationalMass1D")
@@ -38,6 +39,7 @@ class SceneMaker:
     def __init__(self, mbs: Any, settings: Any) -> None:
         self.mbs, self.looks = mbs, Looks(settings)
         self.bodies, self.meshes = Bodies(mbs), flexible.MeshBodies(mbs)
+        self.trees = Trees(mbs)
         self._sized = False
 
     def scene(self, configuration: ConfigurationType | None = None) -> Scene:
@@ -137,7 +139,7 @@ class SceneMaker:
         elif name in flexible.MESH_BODIES:
             self.meshes.draw(pen, colors, number, item)
         elif name == "KinematicTree":
-            trees.draw(pen, number, item)
+            self.trees.draw(pen, number, item)
 
 
 def highlight(scene: Scene, looks: Looks) -> None:
@@ -147,7 +149,8 @@ def highlight(scene: Scene, looks: Looks) -> None:
     chosen = [i for i, item in enumerate(scene.items) if item.kind == kind and item.number == number]
     if number < 0 or not chosen:
         return
-    bright, others = (rgba(looks.setting(f"interactive.advanced.highlight{name}Color")) for name in ("", "Other"))
+    bright = rgba(looks.setting("interactive.advanced.highlightColor"))
+    others = rgba(looks.setting("interactive.advanced.highlightOtherColor"))
     pick = dict.fromkeys(chosen, (*bright[:3], 1.0))
     scene.instances = [Instance(i.mesh, i.matrix, i.place, pick.get(i.item, others), i.item) for i in scene.instances]
     faint = Pen(scene, Places(None, ConfigurationType.Reference), looks)

@@ -11,16 +11,28 @@ from pathlib import Path
 from typing import Any
 
 
-def show_solution(mbs: Any, rows: dict[str, Any], pause: float, title: str, plays: bool, mode: int) -> bool:
-    """Show the rows of a solution one after the other, `pause` seconds apart; False if there is nowhere to show it."""
+def show_solution(
+    mbs: Any,
+    solution: dict[str, Any],
+    pause: float,
+    title: str,
+    plays: bool,
+    mode: int,
+    captions: list[str] | None = None,
+) -> bool:
+    """Show the rows of a solution one after the other, `pause` seconds apart; False if there is nowhere to show it.
+
+    Captions stand instead of the times of the rows.
+    """
     notebook = in_notebook()
     if not notebook and not has_display():
         return False
     from dalembert._pictures.html import page
     from dalembert._pictures.motion import Motion
 
-    motion = Motion(mbs, "SolutionViewer", rows, 1 / max(pause, 1e-3), 1.0, None, (1024, 768), every_row=True)
-    text = page(motion, title or "solution", plays=plays, again=mode > 0)
+    motion = Motion(mbs, "SolutionViewer", solution, 1 / max(pause, 1e-3), 1.0, None, (1024, 768), every_row=True)
+    words = {"title": title, "plays": plays, "again": mode > 0} | ({"captions": captions} if captions else {})
+    text = page(motion, words)
     if notebook:
         _show_in_notebook(text)
     else:

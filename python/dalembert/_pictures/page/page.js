@@ -103,8 +103,13 @@ class Page {
     this.frame = number;
     for (const object of this.objects) object.userData.go?.(number);
     this.slider.value = number;
-    this.time.textContent = this.head.times.length > 1 ? `t = ${this.head.times[number].toPrecision(4)} s` : "";
+    const caption = this.head.captions?.[number];
+    this.time.textContent = caption ?? this.when(number);
     this.wish();
+  }
+
+  when(number) {
+    return this.head.times.length > 1 ? `t = ${this.head.times[number].toPrecision(4)} s` : "";
   }
 
   edges() {
