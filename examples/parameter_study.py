@@ -14,7 +14,17 @@ dampingRatios, frequencies = np.linspace(0.05, 0.8, 50), np.linspace(1, 3, 20)  
 # one model: a mass that is guided vertically, spring and damper below it
 mbs = exu.SystemContainer().AddSystem()
 node = mbs.AddNode(Node1D(referenceCoordinates=[0]))
-mbs.AddObject(Mass1D(nodeNumber=node, physicsMass=mass))
+shape = graphics.Brick([0.25, 0, 0], [0.3, 0.6, 0.6], color=graphics.color.dodgerblue)
+mbs.AddObject(
+    Mass1D(
+        nodeNumber=node,
+        physicsMass=mass,
+        referencePosition=[0, 0, 0.6],  # where it is drawn, its coordinate upwards
+        referenceRotation=RotationMatrixY(-np.pi / 2),
+        visualization=VMass1D(graphicsData=[shape]),
+    )
+)
+mbs.CreateGround(graphicsDataList=[graphics.CheckerBoard(size=2)])
 road = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=mbs.AddNode(NodePointGround()), coordinate=0))
 body = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=node, coordinate=0))
 suspension = mbs.AddObject(CoordinateSpringDamper(markerNumbers=[road, body], stiffness=1, damping=1, offset=step))
@@ -22,6 +32,7 @@ height = mbs.AddSensor(
     SensorNode(nodeNumber=node, outputVariableType=exu.OutputVariableType.Coordinates, storeInternal=True)
 )
 mbs.Assemble()
+mbs.Draw(fileName="parameter_study_picture.png", view="axonometric")
 
 settings = exu.SimulationSettings()
 settings.timeIntegration.endTime = 2  # s

@@ -14,6 +14,7 @@ from types import FunctionType, ModuleType
 
 from create_pages import create_pages, heading
 from example_pages import example_pages
+from item_pictures import with_pictures
 from sphinx.application import Sphinx
 
 ROOT = Path(__file__).parents[2]
@@ -53,7 +54,8 @@ def toctree(names: list[str], depth: int = 1) -> str:
 
 def reference_pages() -> dict[str, str]:
     source = ROOT / "generated/docs"
-    return {f"reference/{p.relative_to(source).as_posix()}": p.read_text("utf-8") for p in source.rglob("*.rst")}
+    pages = {f"reference/{p.relative_to(source).as_posix()}": p.read_text("utf-8") for p in source.rglob("*.rst")}
+    return with_pictures(pages)
 
 
 def documented(module: ModuleType, seen: set[int]) -> list[str]:

@@ -17,6 +17,7 @@ from dalembert._core_system_data import SystemData
 from dalembert._core_types import Array, Matrix, MatrixLike, Vector
 from dalembert._geometry.inertia import RigidBodyInertia
 from dalembert._pictures import draw as draw
+from dalembert._pictures import html as html
 from dalembert._plots import system_graph as system_graph
 from dalembert._solving import consistent as consistent
 from dalembert._solving import linearized as linearized
@@ -270,6 +271,7 @@ class MainSystem(_Bound):
     Draw = draw.Draw
     DrawSolution = draw.DrawSolution
     PlotSensor = plot.PlotSensor
+    SaveHTML = html.SaveHTML
     SolutionViewer = interactive.SolutionViewer
     ComputeLinearizedSystem = linearized.ComputeLinearizedSystem
     ComputeODE2Eigenvalues = linearized.ComputeODE2Eigenvalues

@@ -9,6 +9,7 @@ import sys
 import textwrap
 from collections.abc import Iterable, Sequence
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 from dalembert._io.files import replacing
@@ -107,32 +108,52 @@ def _wrapped(line: str) -> str:
     return textwrap.fill(line, 110, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
 
 
-def _slider_crank(endTime: float) -> tuple[Any, list[Any]]:
-    """Return a slider-crank with a driven crank, solved, and its sensors: crank tip position and slider velocity."""
+def _slider_crank(endTime: float) -> tuple[Any, list[Any], Any]:
+    """Return a container with a driven slider-crank, sensors of the crank tip and the slider, and the solution."""
     import numpy as np
 
     import dalembert as exu
+    from dalembert import graphics
     from dalembert import itemInterface as eii
+    from dalembert._io.solution_states import LoadSolutionFile
     from dalembert.rigidBodyUtilities import InertiaCuboid
 
     crank, rod, width = 0.1, 0.3, 0.02  # lengths in m
     speed = 4 * np.pi  # rad/s
-    mbs = exu.SystemContainer().AddSystem()
-    ground = mbs.CreateGround()
+    SC = exu.SystemContainer()
+    mbs = SC.AddSystem()
+    rail = graphics.Brick(
+        [crank + rod - 0.03, -1.2 * width, 0], [0.26, 0.3 * width, 2 * width], color=[0.4, 0.4, 0.4, 1]
+    )
+    bearing = graphics.Cylinder([0, 0, -2 * width], [0, 0, 1.5 * width], width, color=[0.4, 0.4, 0.4, 1], nTiles=48)
+    ground = mbs.CreateGround(graphicsDataList=[rail, bearing])
     planar: dict[str, Any] = {"create2D": True, "gravity": [0, -9.81, 0]}
 
-    def bar(length: float, center: float, velocity: list[float], omega: float) -> Any:
+    def bar(length: float, center: float, velocity: list[float], omega: float, layer: int, color: Any) -> Any:
+        """Add a bar along x; bars are drawn in layers, one in front of the other."""
+        begin, end = ([side * length / 2, 0, 0.9 * width * layer] for side in (-1, 1))
+        axis = [0, 0, 1]
+        shape = graphics.RigidLink(
+            begin, end, axis, axis, [0.8 * width] * 2, 0.8 * width, [1.1 * width] * 2, color=color, nTiles=32
+        )
         return mbs.CreateRigidBody(
             referencePosition=[center, 0, 0],
             initialVelocity=velocity,
             initialAngularVelocity=[0, 0, omega],
             inertia=InertiaCuboid(density=7800, sideLengths=[length, width, width]),
+            graphicsDataList=[shape],
             **planar,
         )
 
-    crank_body = bar(crank, crank / 2, [0, speed * crank / 2, 0], speed)
-    rod_body = bar(rod, crank + rod / 2, [0, speed * crank / 2, 0], -speed * crank / rod)
-    slider = mbs.CreateMassPoint(referencePosition=[crank + rod, 0, 0], physicsMass=0.5, create2D=True)
+    color = graphics.color
+    crank_body = bar(crank, crank / 2, [0, speed * crank / 2, 0], speed, 0, color.orange)
+    rod_body = bar(rod, crank + rod / 2, [0, speed * crank / 2, 0], -speed * crank / rod, 1, color.dodgerblue)
+    slider = mbs.CreateMassPoint(
+        referencePosition=[crank + rod, 0, 0],
+        physicsMass=0.5,
+        create2D=True,
+        graphicsDataList=[graphics.Brick(size=[3 * width, 2 * width, 1.2 * width], color=color.lightgrey)],
+    )
 
     def marker(body: Any, x: float) -> Any:
         return mbs.AddMarker(eii.MarkerBodyPosition(bodyNumber=body, localPosition=[x, 0, 0]))
@@ -163,35 +184,47 @@ def _slider_crank(endTime: float) -> tuple[Any, list[Any]]:
     settings = exu.SimulationSettings()
     settings.timeIntegration.endTime = endTime
     settings.timeIntegration.numberOfSteps = 1000
-    settings.solutionSettings.writeSolutionToFile = False
+    settings.solutionSettings.solutionWritePeriod = 0.02
     settings.solutionSettings.sensorsWritePeriod = endTime / 500
-    mbs.SolveDynamic(settings)
-    return mbs, sensors
+    with TemporaryDirectory() as folder:
+        settings.solutionSettings.coordinatesSolutionFileName = f"{folder}/solution.txt"
+        mbs.SolveDynamic(settings)
+        return SC, sensors, LoadSolutionFile(f"{folder}/solution.txt", verbose=False)
 
 
 def _demo(arguments: argparse.Namespace) -> int:
-    """Simulate a slider-crank and write a plot of its motion."""
+    """Simulate a slider-crank; write a picture of it, beside plots of its motion, and a page in which it moves."""
     import matplotlib
 
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
 
-    mbs, (tip, slider, velocity) = _slider_crank(endTime=1.0)
-    figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4), layout="constrained")
+    SC, (tip, slider, velocity), recorded = _slider_crank(endTime=1.1)
+    mbs, settings = SC.GetSystem(0), SC.visualizationSettings
+    figure, (picture, paths, motion) = plt.subplots(
+        1, 3, figsize=(14, 4), layout="constrained", width_ratios=[1.3, 1, 1]
+    )
+    settings.loads.show = settings.markers.show = settings.connectors.show = False
+    settings.sensors.traces.showPositionTrace = True
+    picture.imshow(mbs.Draw(view="axonometric", windowSize=[900, 620], zoom=1.1))
+    picture.set_axis_off()
     path, position, speed = (mbs.GetSensorStoredData(sensor) for sensor in (tip, slider, velocity))
-    left.plot(path[:, 1], path[:, 2], label="crank tip")
-    left.plot(position[:, 1], position[:, 2], label="slider")
-    left.set(xlabel="x in m", ylabel="y in m", aspect="equal", title="paths")
-    left.legend()
-    right.plot(position[:, 0], position[:, 1], label="position in m")
-    right.plot(speed[:, 0], speed[:, 1], label="velocity in m/s")
-    right.set(xlabel="t in s", title="slider")
-    right.legend()
+    paths.plot(path[:, 1], path[:, 2], label="crank tip")
+    paths.plot(position[:, 1], position[:, 2], label="slider")
+    paths.set(xlabel="x in m", ylabel="y in m", aspect="equal", title="paths")
+    paths.legend()
+    motion.plot(position[:, 0], position[:, 1], label="position in m")
+    motion.plot(speed[:, 0], speed[:, 1], label="velocity in m/s")
+    motion.set(xlabel="t in s", title="slider")
+    motion.legend()
     target = Path(arguments.output).resolve()
     with replacing(target) as written:
         figure.savefig(written, dpi=120)
     plt.close(figure)
-    print(f"slider-crank simulated, plot written to {target}")
+    moving = target.with_suffix(".html")
+    mbs.SaveHTML(moving, solution=recorded, framesPerSecond=50, view="axonometric", title="slider-crank")
+    print(f"slider-crank simulated, picture and plots written to {target}")
+    print(f"it moves in {moving}: open it in a browser")
     return 0
 
 
@@ -210,7 +243,9 @@ def _parser() -> argparse.ArgumentParser:
     items.add_argument("name", nargs="?", help="an item, e.g. NodePoint")
     items.set_defaults(function=_items)
 
-    demo = commands.add_parser("demo", help="simulate a slider-crank and write a plot")
+    demo = commands.add_parser(
+        "demo", help="simulate a slider-crank; write a picture with plots, and a page that moves"
+    )
     demo.add_argument("-o", "--output", default="slider_crank.png", help="the PNG file to write")
     demo.set_defaults(function=_demo)
     return parser

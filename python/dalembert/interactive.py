@@ -168,31 +168,48 @@ def AnimateModes(
 ) -> None:
     """Show the modes of a node with modal coordinates, or eigenvectors (columns) of the system if nodeNumber is None.
 
-    Without a window, the first mode, with a small amplitude, becomes the visualized state. ValueError without modes.
+    Notebooks, and browsers where there is a display, show all modes one after the other, each for one oscillation of
+    stepsPerPeriod images, `period` seconds apart. Elsewhere the first mode, with a small amplitude, becomes the
+    visualized state. ValueError without modes.
     """
     data = mainSystem.systemData
-    size = data.ODE2Size()
     if not 0 <= runMode <= 3:
         raise ValueError(f"AnimateModes: runMode: expected 0 to 3, received {runMode}")
-    _notice_once(title or "AnimateModes")
+    if stepsPerPeriod < 1:
+        raise ValueError(f"AnimateModes: stepsPerPeriod: expected 1 or more, received {stepsPerPeriod}")
+    base, modes = _modes(mainSystem, nodeNumber, systemEigenVectors)
     amplitude = 0.05 * scaleAmplitude
+    data.SetODE2Coordinates(base + amplitude * modes[0], ConfigurationType.Visualization)
+
+    from dalembert._pictures.showing import show_solution
+
+    phases = np.sin(2 * np.pi * np.arange(stepsPerPeriod) / stepsPerPeriod)
+    states = [base + amplitude * phase * mode for mode in modes for phase in phases]
+    rows = np.column_stack([period * np.arange(len(states)), np.array(states)])
+    solution = {"data": rows, "nRows": len(rows), "columnsExported": [len(base), 0, 0, 0, 0, 0, 0]}
+    captions = [f"mode {number}" for number in range(len(modes)) for _ in phases]
+    if not show_solution(mainSystem, solution, period, title or "modes", runOnStart, 1, captions):
+        _notice_once(title or "AnimateModes")
+
+
+def _modes(mbs: Any, nodeNumber: Any, eigenvectors: Any) -> tuple[Any, Any]:
+    """Return the coordinates around which modes are shown, and a mode per row."""
+    data = mbs.systemData
+    size = data.ODE2Size()
     if nodeNumber is not None:
-        coordinates = np.array(data.GetODE2Coordinates(), dtype=float)
         reference = (OutputVariableType.Coordinates, ConfigurationType.Reference)
-        if len(np.atleast_1d(mainSystem.GetNodeOutput(nodeNumber, *reference))) == 0:
+        number = len(np.atleast_1d(mbs.GetNodeOutput(nodeNumber, *reference)))
+        if number == 0:
             raise ValueError(f"AnimateModes: nodeNumber: node {nodeNumber} has no modal coordinates")
-        coordinates[mainSystem.GetNodeODE2Index(nodeNumber)] = amplitude
-    else:
-        is_matrix = isinstance(systemEigenVectors, np.ndarray)
-        modes = systemEigenVectors.T if is_matrix else systemEigenVectors
-        if modes is None or len(modes) == 0 or any(len(mode) < size for mode in modes):
-            raise ValueError(
-                f"AnimateModes: systemEigenVectors: expected an array with modes in columns, or a list of modes, with "
-                f"at least {size} components each, because nodeNumber is None"
-            )
-        coordinates = amplitude * np.real(np.asarray(modes[0]))[:size]
-    data.SetODE2Coordinates(coordinates, ConfigurationType.Visualization)
-    systemContainer.renderer.SendRedrawSignal()
+        first = mbs.GetNodeODE2Index(nodeNumber)
+        return np.array(data.GetODE2Coordinates(), dtype=float), np.eye(size)[first : first + number]
+    modes = eigenvectors.T if isinstance(eigenvectors, np.ndarray) else eigenvectors
+    if modes is None or len(modes) == 0 or any(len(mode) < size for mode in modes):
+        raise ValueError(
+            f"AnimateModes: systemEigenVectors: expected an array with modes in columns, or a list of modes, with "
+            f"at least {size} components each, because nodeNumber is None"
+        )
+    return np.zeros(size), np.array([np.real(np.asarray(mode))[:size] for mode in modes])
 
 
 def solution_of_last_simulation(mbs: Any, caller: str) -> dict[str, Any]:
@@ -221,15 +238,22 @@ def SolutionViewer(
 ) -> None:
     """Look through a solution (of LoadSolutionFile), or through that of the last simulation if solution is None.
 
-    Without a window, the first row becomes the visualized state. ValueError if there is no solution.
+    Notebooks show it as a page that plays; elsewhere, where there is a display, the browser does. Without one, the
+    first row becomes the visualized state. `rowIncrement` leaves rows out, `timeout` is the time (s) between those that
+    are shown, `runOnStart` starts to play, `runMode` 0 plays once, 1 and 2 again and again. ValueError if there is no
+    solution.
     """
     data = solution_of_last_simulation(mainSystem, "SolutionViewer") if solution is None else solution
     if runMode not in (0, 1, 2):
         raise ValueError(f"SolutionViewer: runMode: expected 0, 1 or 2, received {runMode}")
     if not 1 <= rowIncrement <= data["nRows"]:
         raise ValueError(f"SolutionViewer: rowIncrement: expected 1 to {data['nRows']} (rows), received {rowIncrement}")
-    _notice_once(title or "SolutionViewer")
     SetSolutionState(mainSystem, data, 0, ConfigurationType.Visualization)
+    from dalembert._pictures.showing import show_solution
+
+    rows = {**data, "data": np.asarray(data["data"], float)[::rowIncrement]}
+    if not show_solution(mainSystem, rows, timeout, title, runOnStart, runMode):
+        _notice_once(title or "SolutionViewer")
 
 
 def ConvertImages2Video(

@@ -10,6 +10,7 @@ from dalembert._core import MainSystem, Renderer, SystemContainer
 from dalembert._io import pickling
 from dalembert._pictures import renderer, shortcuts
 from dalembert._pictures.draw import Draw, DrawSolution
+from dalembert._pictures.html import SaveHTML
 from dalembert._plots.repr_html import _repr_html_
 from dalembert._plots.system_graph import DrawSystemGraph
 from dalembert._solving.consistent import ComputeConsistentInitialConditions
@@ -39,6 +40,7 @@ methods: dict[str, Callable[..., Any]] = (
             DrawSolution,
             DrawSystemGraph,
             PlotSensor,
+            SaveHTML,
             SolutionViewer,
             pickling.GetDictionary,
             pickling.__copy__,

@@ -286,16 +286,6 @@ def test_available_types(mbs: exu.MainSystem) -> None:
     assert types["Load"] == ["LoadCoordinate", "LoadForceVector", "LoadMassProportional", "LoadTorqueVector"]
 
 
-def test_no_renderer_but_scripts_run() -> None:
-    container = exu.SystemContainer()
-    assert container.renderer.Start() is False
-    assert container.renderer.IsActive() is False
-    container.renderer.SetState({"zoom": 3.0})
-    assert container.renderer.GetState()["zoom"] == 3
-    container.renderer.DoIdleTasks()
-    container.renderer.Stop()
-
-
 @pytest.mark.parametrize("load", ["LoadForceVector", "LoadTorqueVector"])
 def test_a_load_turns_with_its_body_from_the_next_assembly_on(mbs: exu.MainSystem, load: str) -> None:
     """A quarter turn about z takes the first axis of the body into the second one."""

@@ -89,6 +89,16 @@ def rod(pen: Pen, item: Item) -> None:
         pen.box(ends[0], np.eye(3), 3 * [0.3 * size], color)
 
 
+def coordinate(pen: Pen, item: Item) -> None:
+    """A thin line between the places of two coordinates, and a small block at the second."""
+    size, color = _look(pen, item)
+    ends = _ends(pen, item)
+    if len(ends) == 2:
+        pen.line(ends, color)
+    if ends:
+        pen.box(ends[-1], np.eye(3), 3 * [0.35 * size], color)
+
+
 def actuator(pen: Pen, item: Item) -> None:
     """A cylinder at marker 0, and the rod with its piston from marker 1."""
     ends = _ends(pen, item)
@@ -201,6 +211,7 @@ def prismatic(pen: Pen, item: Item) -> None:
     if len(ends := _ends(pen, item)) == 2:
         radius, length = _axes_size(pen, item, "axis")
         color, frame = pen.looks.color(item, "connectors.defaultColor"), _joint_frame(pen, item)
+        pen.cylinder(ends[0], ends[1], 0.3 * radius, color)
         pen.box(ends[0], frame, [length, 1.2 * radius, 1.2 * radius], color)
         pen.box(ends[1], frame, [0.35 * length, 2.2 * radius, 2.2 * radius], GREY)
 
@@ -341,8 +352,8 @@ DRAWINGS: dict[str, Drawing] = {
     "ConnectorReevingSystemSprings": rope,
     "ConnectorRollingDiscPenalty": disc,
     "ConnectorDistance": rod,
-    "ConnectorCoordinate": rod,
-    "ConnectorCoordinateVector": rod,
+    "ConnectorCoordinate": coordinate,
+    "ConnectorCoordinateVector": coordinate,
     "JointGeneric": generic_joint,
     "JointRevoluteZ": revolute,
     "JointPrismaticX": prismatic,
@@ -353,7 +364,7 @@ DRAWINGS: dict[str, Drawing] = {
     "JointSliding2D": sliding,
     "JointALEMoving2D": sliding,
     "JointRollingDisc": disc,
-    "ContactCoordinate": rod,
+    "ContactCoordinate": coordinate,
     "ContactCircleCable2D": circle_contact,
     "ContactFrictionCircleCable2D": circle_contact,
     "ContactSphereSphere": sphere_contact,

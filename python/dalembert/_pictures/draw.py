@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dalembert._checks import as_array, shape_error
-from dalembert._core import ConfigurationType
 
 if TYPE_CHECKING:
     from PIL.Image import Image as PillowImage
@@ -41,10 +40,10 @@ def Draw(
     from dalembert._pictures.films import save_image
     from dalembert._pictures.studio import Studio
 
-    studio = Studio(_container(mbs), [mbs])
+    studio = Studio(mbs.GetSystemContainer(), [mbs])
     scene = studio.scene(configuration)
-    size = _size(studio, windowSize)
-    image = studio.image(scene, _camera(studio, scene, view, size, zoom, around), size=size)
+    size = studio.size(0) if windowSize is None else _size(windowSize)
+    image = studio.image(scene, camera_for(studio, scene, view, size, zoom, around), size=size)
     if fileName:
         save_image(image, fileName)
     return Pillow.fromarray(image)
@@ -68,44 +67,23 @@ def DrawSolution(
     """
     from pathlib import Path
 
-    from dalembert._io.solution_states import SetSolutionState
-    from dalembert._pictures.films import require_ffmpeg, save_film, save_image, times_of
-    from dalembert._pictures.studio import Studio
-    from dalembert.interactive import solution_of_last_simulation
+    from dalembert._pictures.films import require_ffmpeg, save_film, save_image
+    from dalembert._pictures.motion import Motion
 
-    if framesPerSecond <= 0 or speed <= 0:
-        raise ValueError(
-            f"DrawSolution: framesPerSecond and speed: expected positive, received {framesPerSecond}, {speed}"
-        )
-    if "%" not in fileName:
+    numbered = "%" in fileName
+    if not numbered:
         require_ffmpeg(Path(fileName))
-    data = solution_of_last_simulation(mbs, "DrawSolution") if solution is None else solution
-    recorded = np.asarray(data["data"], float)[:, 0]
-    chosen = np.abs(recorded[None] - times_of(recorded[0], recorded[-1], framesPerSecond, speed)[:, None]).argmin(
-        axis=1
-    )
-    studio = Studio(_container(mbs), [mbs])
-    size = _size(studio, windowSize)
-
-    def scene_of(row: int) -> Scene:
-        SetSolutionState(mbs, data, row, ConfigurationType.Visualization)
-        return studio.scene()
-
-    scenes = [scene_of(int(row)) for row in chosen]
-    camera = _camera(studio, _around(scenes), view, size, zoom)
-    images = (studio.image(scene, camera, size=size) for scene in scenes)
-    if "%" in fileName:
+    size = None if windowSize is None else _size(windowSize)
+    motion = Motion(mbs, "DrawSolution", solution, framesPerSecond, speed, view, size, zoom)
+    images = (motion.studio.image(scene, motion.camera, size=motion.size) for scene in motion.scenes)
+    if numbered:
         for number, image in enumerate(images):
             save_image(image, fileName % number)
     else:
         save_film(images, fileName, framesPerSecond)
 
 
-def _container(mbs: Any) -> Any:
-    return mbs.GetSystemContainer()
-
-
-def _around(scenes: list[Scene]) -> Scene:
+def around(scenes: list[Scene]) -> Scene:
     """Return a scene with the corners of all that is drawn in others."""
     from dalembert._pictures.scene import Scene
 
@@ -114,16 +92,16 @@ def _around(scenes: list[Scene]) -> Scene:
     return Scene(lines=[(corners, (0.0, 0.0, 0.0, 1.0), 0.0, -1)] if len(corners) else [])
 
 
-def _size(studio: Studio, windowSize: Any) -> tuple[int, int]:
-    if windowSize is None:
-        return studio.size(0)
+def _size(windowSize: Any) -> tuple[int, int]:
     size = as_array("windowSize", windowSize, "width and height in pixels")
     if size.shape != (2,) or not (size >= 1).all() or not (size <= 16000).all():
         raise shape_error("windowSize", "width and height in pixels, each from 1 to 16000", windowSize)
     return int(size[0]), int(size[1])
 
 
-def _camera(studio: Studio, scene: Scene, view: Any, size: tuple[int, int], zoom: float, around: Any = None) -> Camera:
+def camera_for(
+    studio: Studio, scene: Scene, view: Any, size: tuple[int, int], zoom: float, around: Any = None
+) -> Camera:
     """Return the camera for a view; that of the renderer if it was set and no other is wanted."""
     from dalembert._pictures import camera as cameras
     from dalembert._pictures.renderer import state_of

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from PIL import Image as Pillow
 
-from dalembert._io.files import naming
+from dalembert._io.files import replacing
 from dalembert._pictures.painting import Image
 
 
@@ -19,8 +19,8 @@ def save_image(image: Image, name: str | Path) -> None:
     """Save an image in the format that the ending of the name says; its folder is made if needed."""
     path = Path(name)
     path.parent.mkdir(parents=True, exist_ok=True)
-    with naming(path):
-        Pillow.fromarray(image).save(path)
+    with replacing(path) as written:
+        Pillow.fromarray(image).save(written)
 
 
 def save_film(images: Iterable[Image], name: str | Path, rate: float) -> None:
@@ -32,8 +32,8 @@ def save_film(images: Iterable[Image], name: str | Path, rate: float) -> None:
         if path.suffix.lower() == ".gif":
             palette = frames[len(frames) // 2].quantize(255, method=Pillow.Quantize.MEDIANCUT)
             frames = [frame.quantize(palette=palette, dither=Pillow.Dither.NONE) for frame in frames]
-        with naming(path):
-            frames[0].save(path, save_all=True, append_images=frames[1:], duration=round(1000 / rate), loop=0)
+        with replacing(path) as written:
+            frames[0].save(written, save_all=True, append_images=frames[1:], duration=round(1000 / rate), loop=0)
         return
     from dalembert.interactive import ConvertImages2Video
 

@@ -193,7 +193,7 @@ class MeshBodies:
                 values=self._values(pen, colors, number, len(points)),
             )
         if item.get("VshowNodes") or not len(triangles):
-            radius = 0.5 * pen.looks.length("nodes.defaultSize", 0.01)
+            radius = 0.5 * pen.looks.length("nodes.defaultSize", 0.015)
             for point in points:
                 pen.sphere(point, radius, color)
 

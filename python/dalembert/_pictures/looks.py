@@ -18,7 +18,7 @@ def _defaults() -> Any:
 
 @dataclass
 class Looks:
-    """Settings, and the size of the scene: a size that nobody has chosen is a part of it at most."""
+    """Settings, and the size of the scene: lengths that nobody has chosen are in proportion to it."""
 
     settings: Any
     size: float = 1.0
@@ -39,15 +39,13 @@ class Looks:
         return bool(value == self.setting(path))
 
     def length(self, path: str, part: float) -> float:
-        """Return a length of the settings; as long as nobody has set it, it is at most a part of the scene."""
+        """Return a length of the settings; as long as nobody has set it, a part of the scene."""
         value = float(self.setting(path))
-        if value < 0:
-            return part * self.size
-        return min(value, part * self.size) if self.is_default(path) else value
+        return part * self.size if value < 0 or self.is_default(path) else value
 
     def item_length(self, value: float, default: float, part: float) -> float:
-        """Return a length of an item; its default is at most a part of the scene."""
-        return min(value, part * self.size) if abs(value - default) < 1e-6 or value <= 0 else value
+        """Return a length of an item; a part of the scene if it is the default."""
+        return part * self.size if abs(value - default) < 1e-6 else value
 
     def windings(self, number: int, slenderness: float) -> int:
         """Return how many windings a spring has in all pictures of a film; unless it is set, more if it is long."""

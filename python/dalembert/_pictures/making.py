@@ -7,13 +7,14 @@ from typing import Any
 import numpy as np
 
 from dalembert._core import ConfigurationType
-from dalembert._pictures import connectors, flexible, symbols, traces, trees
+from dalembert._pictures import connectors, flexible, symbols, traces
 from dalembert._pictures.bodies import Bodies
 from dalembert._pictures.contour import Contour
-from dalembert._pictures.looks import Looks
+from dalembert._pictures.looks import Looks, rgba
 from dalembert._pictures.pen import Pen
 from dalembert._pictures.places import Places
-from dalembert._pictures.scene import DrawnItem, Scene
+from dalembert._pictures.scene import DrawnItem, Instance, Scene
+from dalembert._pictures.trees import Trees
 
 KINDS = ("Node", "Object", "Marker", "Load", "Sensor")
 RIGID = ("Ground", "RigidBody", "RigidBody2D", "MassPoint", "MassPoint2D", "Mass1D", "RotationalMass1D")
@@ -24,6 +25,7 @@ WITHOUT_PLACE = {
     "NodeGenericData": "data coordinates have no place",
     "NodeGenericODE1": "coordinates of first order have no place",
     "NodeGenericODE2": "coordinates without meaning have no place; the objects that use them are drawn",
+    "MarkerNodeODE1Coordinate": "coordinates of first order have no place",
     "SensorUserFunction": "it measures what other sensors measure",
 }
 
@@ -37,11 +39,12 @@ class SceneMaker:
     def __init__(self, mbs: Any, settings: Any) -> None:
         self.mbs, self.looks = mbs, Looks(settings)
         self.bodies, self.meshes = Bodies(mbs), flexible.MeshBodies(mbs)
+        self.trees = Trees(mbs)
         self._sized = False
 
     def scene(self, configuration: ConfigurationType | None = None) -> Scene:
         """Return the scene in a configuration: what is visualized, or the reference if nothing is assembled."""
-        assembled = self.mbs.systemData.ODE2Size() >= 0 and _is_assembled(self.mbs)
+        assembled = _is_assembled(self.mbs)
         if configuration is None:
             configuration = ConfigurationType.Visualization
         if not assembled:
@@ -57,6 +60,9 @@ class SceneMaker:
             self._draw_kind(pen, colors, kind)
         pen.take(DrawnItem("Trace", 0, "", ""))
         traces.draw(pen, scene.time)
+        if self.looks.setting("view0.scene.drawWorldBasis"):
+            pen.frame(np.zeros(3), np.eye(3), self.looks.length("view0.scene.worldBasisSize", 0.2))
+        highlight(scene, self.looks)
         scene.value_name = colors.name
         scene.value_range = colors.range(scene.values())
         return scene
@@ -133,7 +139,25 @@ class SceneMaker:
         elif name in flexible.MESH_BODIES:
             self.meshes.draw(pen, colors, number, item)
         elif name == "KinematicTree":
-            trees.draw(pen, number, item)
+            self.trees.draw(pen, number, item)
+
+
+def highlight(scene: Scene, looks: Looks) -> None:
+    """Give the item that interactive.highlightItemIndex names its color, and all others that of the others."""
+    number = int(looks.setting("interactive.highlightItemIndex"))
+    kind = looks.setting("interactive.highlightItemType").name
+    chosen = [i for i, item in enumerate(scene.items) if item.kind == kind and item.number == number]
+    if number < 0 or not chosen:
+        return
+    bright = rgba(looks.setting("interactive.advanced.highlightColor"))
+    others = rgba(looks.setting("interactive.advanced.highlightOtherColor"))
+    pick = dict.fromkeys(chosen, (*bright[:3], 1.0))
+    scene.instances = [Instance(i.mesh, i.matrix, i.place, pick.get(i.item, others), i.item) for i in scene.instances]
+    faint = Pen(scene, Places(None, ConfigurationType.Reference), looks)
+    spheres, scene.spheres = scene.spheres, []
+    for center, radius, _, item in spheres:
+        faint.go_on(item)
+        faint.sphere(center, radius, pick.get(item, others))
 
 
 def _is_assembled(mbs: Any) -> bool:

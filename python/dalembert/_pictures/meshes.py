@@ -24,6 +24,28 @@ class Mesh:
     colors: FloatArray | None = None  # n x 4; None: the instance says it
     edges: IntArray = field(default_factory=lambda: np.empty((0, 2), int))  # pairs of points
     edge_color: Rgba = (0.2, 0.2, 0.2, 1.0)
+    sharp: IntArray | None = None  # see sharp_edges
+
+
+def sharp_edges(mesh: Mesh) -> IntArray:
+    """Return the edges where faces meet at more than 30 degrees or end, as pairs of points; computed once per mesh."""
+    if mesh.sharp is None:
+        _, same = np.unique(np.round(mesh.points, 9), axis=0, return_inverse=True)
+        a, b, c = (same.ravel()[mesh.triangles[:, k]] for k in range(3))
+        triangles = mesh.triangles[(a != b) & (b != c) & (c != a)]
+        a, b, c = (mesh.points[triangles[:, k]] for k in range(3))
+        normals = np.cross(b - a, c - a)
+        normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
+        sides = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
+        face = np.tile(np.arange(len(triangles)), 3)
+        welded = np.sort(same.ravel()[sides], axis=1)
+        _, first, which, count = np.unique(welded, axis=0, return_index=True, return_inverse=True, return_counts=True)
+        total = np.zeros((len(first), 3))
+        np.add.at(total, which.ravel(), normals[face])
+        # of two unit normals at an angle x, the sum has the length 2 cos(x / 2)
+        blunt = (count == 2) & (np.linalg.norm(total, axis=1) > 2 * np.cos(np.radians(15)))
+        mesh.sharp = sides[first[~blunt]]
+    return mesh.sharp
 
 
 def rows(values: npt.ArrayLike, columns: int, kind: Any = float) -> npt.NDArray[Any]:

@@ -11,7 +11,8 @@ from dalembert import _core
 from dalembert._checks import FloatArray
 from dalembert._pictures import contour, overlay
 from dalembert._pictures.camera import Camera
-from dalembert._pictures.looks import Looks
+from dalembert._pictures.looks import Looks, rgba
+from dalembert._pictures.meshes import Rgba
 from dalembert._pictures.scene import Faces, Scene, faces, mesh_edges
 
 Image = npt.NDArray[np.uint8]
@@ -52,7 +53,8 @@ def _drawn(
                 _draw_faces(picture, found, looks, view)
         _draw_spheres(picture, scene)
     if view.scene.showLines:
-        _draw_lines(picture, scene, camera, looks)
+        edges = rgba(looks.setting("openGL.faceEdgesColor")) if view.scene.showFaceEdges else None
+        _draw_lines(picture, scene, camera, looks, edges)
     return picture
 
 
@@ -117,7 +119,7 @@ def _draw_spheres(picture: Any, scene: Scene) -> None:
         picture.spheres(np.array(centers), np.array(radii), np.array(colors), np.array(numbers))
 
 
-def _draw_lines(picture: Any, scene: Scene, camera: Camera, looks: Looks) -> None:
+def _draw_lines(picture: Any, scene: Scene, camera: Camera, looks: Looks, sharp: Rgba | None) -> None:
     """Draw lines, all of one width at a time, and edges of meshes."""
     usual, lift = float(looks.setting("openGL.lineWidth")), LIFT * camera.zoom
     groups: dict[float, list[tuple[FloatArray, Any, int]]] = {}
@@ -125,7 +127,7 @@ def _draw_lines(picture: Any, scene: Scene, camera: Camera, looks: Looks) -> Non
         if len(points) > 1:
             segments = np.concatenate([points[:-1], points[1:]], axis=1)
             groups.setdefault(width or usual, []).append((segments, color, item))
-    groups.setdefault(usual, []).extend(mesh_edges(scene))
+    groups.setdefault(usual, []).extend(mesh_edges(scene, sharp))
     for width, group in groups.items():
         if group:
             counts = [len(segments) for segments, *_ in group]

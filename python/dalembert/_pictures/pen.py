@@ -29,6 +29,10 @@ class Pen:
         self.scene.items.append(item)
         self._item = len(self.scene.items) - 1
 
+    def go_on(self, item: int) -> None:
+        """Draw from now on in the name of an item that the scene has already."""
+        self._item = item
+
     def mesh(
         self,
         mesh: Mesh,

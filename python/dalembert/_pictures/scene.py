@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from dalembert._checks import FloatArray, IntArray
-from dalembert._pictures.meshes import Mesh, Rgba
+from dalembert._pictures.meshes import Mesh, Rgba, sharp_edges
 
 WIDE = 3.0  # ground that is larger than all the rest by this factor is a floor to stand on
 
@@ -66,9 +66,9 @@ class Scene:
     def box(self) -> FloatArray | None:
         """Return the smallest and largest coordinates of what is drawn; None if there is nothing.
 
-        Symbols of nodes, markers, loads and sensors count only where there are no objects, ground unless it is wide.
+        Symbols of nodes, markers and sensors count only where there is nothing else, ground unless it is wide.
         """
-        kinds = [(item.kind == "Object") + (item.type_name == "Ground") for item in self.items]
+        kinds = [(item.kind in ("Object", "Load", "Trace")) + (item.type_name == "Ground") for item in self.items]
         moving = self._corners(lambda item: item < 0 or kinds[item] == 1)
         objects = self._corners(lambda item: item < 0 or kinds[item] > 0)
         if moving is None or objects is None:
@@ -153,11 +153,19 @@ def _colors(instance: Instance) -> FloatArray:
     return np.tile(np.array(instance.color or (0.5, 0.5, 0.5, 1.0)), (len(instance.mesh.points), 1))
 
 
-def mesh_edges(scene: Scene) -> list[tuple[FloatArray, Rgba, int]]:
-    """Return the edges of meshes in global coordinates: end points (n x 6), color and item."""
+def mesh_edges(scene: Scene, sharp: Rgba | None = None) -> list[tuple[FloatArray, Rgba, int]]:
+    """Return the edges of meshes in global coordinates: end points (n x 6), color and item.
+
+    With a color for them, edges where faces meet at an angle are among them.
+    """
     result = []
     for instance in scene.instances:
-        if len(instance.mesh.edges):
-            points = instance.mesh.points @ instance.matrix.T + instance.place
-            result.append((points[instance.mesh.edges].reshape(-1, 6), instance.mesh.edge_color, instance.item))
+        mesh = instance.mesh
+        wanted = [(mesh.edges, mesh.edge_color)]
+        if sharp is not None and len(mesh.triangles) and not len(mesh.edges):
+            wanted.append((sharp_edges(mesh), sharp))
+        for edges, color in wanted:
+            if len(edges):
+                points = mesh.points @ instance.matrix.T + instance.place
+                result.append((points[edges].reshape(-1, 6), color, instance.item))
     return result

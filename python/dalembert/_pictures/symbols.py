@@ -8,6 +8,7 @@ import numpy as np
 
 from dalembert._checks import FloatArray
 from dalembert._core import OutputVariableType
+from dalembert._pictures import trees
 from dalembert._pictures.contour import Contour
 from dalembert._pictures.pen import Pen
 from dalembert._pictures.places import frame_along
@@ -92,6 +93,10 @@ def sensor(pen: Pen, number: int, item: Item) -> None:
 def _sensor_place(pen: Pen, item: Item) -> FloatArray | None:
     if "meshNodeNumber" in item:
         return pen.places.mesh_output(item["bodyNumber"], OutputVariableType.Position, item["meshNodeNumber"])
+    if "linkNumber" in item:
+        tree = pen.places.item("Object", item["objectNumber"])
+        place, rotation = trees.link_frames(pen, tree)[int(item["linkNumber"])]
+        return place + rotation @ np.asarray(item["localPosition"], float)
     if "bodyNumber" in item:
         return pen.places.body(item["bodyNumber"], item.get("localPosition", (0, 0, 0)))
     if "nodeNumber" in item:

@@ -15,18 +15,38 @@ from dalembert._pictures.pen import Pen
 Item = dict[str, Any]
 
 
-def draw(pen: Pen, number: int, item: Item) -> None:
-    """Draw links, as their graphics data or as rods between the joints; joints where there are no graphics data."""
+class Trees:
+    """Draws kinematic trees; graphics data are read once."""
+
+    def __init__(self, mbs: Any) -> None:
+        self.mbs = mbs
+        self._shapes: dict[int, list[list[graphics_data.Shape]]] = {}
+
+    def shapes(self, pen: Pen, number: int, name: str) -> list[list[graphics_data.Shape]]:
+        """Return the shapes of each link; none at all if there are no graphics data."""
+        if number not in self._shapes:
+            default = rgba(pen.looks.setting("bodies.defaultColor"))
+            data = self.mbs.GetObject(number, True).get("VgraphicsDataList") or []
+            self._shapes[number] = [
+                graphics_data.shapes(link or [], default, f"object {number} '{name}', link {k}")
+                for k, link in enumerate(data)
+            ]
+        return self._shapes[number]
+
+    def draw(self, pen: Pen, number: int, item: Item) -> None:
+        """Draw links, as their graphics data or as rods between the joints; joints where there are no graphics data."""
+        draw(pen, item, self.shapes(pen, number, item["name"]))
+
+
+def draw(pen: Pen, item: Item, data: list[list[graphics_data.Shape]]) -> None:
+    """Draw the links and joints of a tree."""
     frames = link_frames(pen, item)
-    data = list(item.get("VgraphicsDataList") or [])
     color, joint = pen.looks.color(item, "bodies.defaultColor"), rgba(pen.looks.setting("connectors.defaultColor"))
     thick, size = 0.008 * pen.looks.size, pen.looks.length("connectors.jointAxesLength", 0.04)
     base = np.asarray(item["baseOffset"], float)
     for link, (place, rotation) in enumerate(frames):
         if data and item["VshowLinks"] and link < len(data):
-            owner = f"object {number} '{item['name']}', link {link}"
-            shapes = graphics_data.shapes(data[link] or [], rgba(pen.looks.setting("bodies.defaultColor")), owner)
-            graphics_data.draw(pen, shapes, place, rotation)
+            graphics_data.draw(pen, data[link], place, rotation)
         elif item["VshowLinks"]:
             parent = int(item["linkParents"][link])
             pen.cylinder(frames[parent][0] if parent >= 0 else base, place, thick, color)

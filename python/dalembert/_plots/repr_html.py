@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from base64 import b64encode
 from collections import Counter
 from collections.abc import Sequence
 from html import escape
+from io import BytesIO
 from typing import Any
 
+_LARGE = 2000  # items, of which a picture takes longer than a table
 _KINDS = ("node", "object", "marker", "load", "sensor")
 
 
@@ -20,7 +23,20 @@ def _repr_html_(mbs: Any) -> str:
             names = [entry["name"] for entry in entries if entry[f"{kind}Type"] == name]
             rows.append((kind, name, str(count), _shortened(names)))
     title = escape(repr(mbs).strip("<>"))
-    return f"<div><p>{title}</p>{_table(('kind', 'type', 'number', 'names'), rows)}</div>"
+    return f"<div><p>{title}</p>{_picture(mbs, items)}{_table(('kind', 'type', 'number', 'names'), rows)}</div>"
+
+
+def _picture(mbs: Any, items: dict[str, Any]) -> str:
+    """Return a small picture of the system; nothing for large systems, or if it cannot be drawn."""
+    number = sum(len(items[f"{kind}List"]) for kind in _KINDS)
+    if not 0 < number <= _LARGE:
+        return ""
+    file = BytesIO()
+    try:
+        mbs.Draw(windowSize=[480, 320]).save(file, "png")
+    except Exception:  # a table is better than an error: Draw() tells it
+        return ""
+    return f'<img alt="the system" src="data:image/png;base64,{b64encode(file.getvalue()).decode()}" />'
 
 
 def _shortened(names: list[str], most: int = 4) -> str:

@@ -1,0 +1,51 @@
+"""mbs.SaveHTML(): a motion as one file that every browser opens, without a server and without a network."""
+
+from __future__ import annotations
+
+import base64
+from importlib.resources import files
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from dalembert._io.files import replacing
+
+if TYPE_CHECKING:
+    from dalembert._pictures.motion import Motion
+
+
+def SaveHTML(
+    mbs: Any,
+    fileName: str,
+    solution: dict[str, Any] | None = None,
+    framesPerSecond: float = 25,
+    speed: float = 1.0,
+    view: Any = None,
+    title: str = "",
+) -> None:
+    """Save the motion of a solution (of LoadSolutionFile), or of that of the last simulation, as a page in one file.
+
+    The page needs neither a network nor this package: it plays, scrubs, turns, zooms, and names items under the mouse.
+    Without any solution, it shows the system as it is visualized. `speed` is the time of the solution that passes in a
+    second, `view` that of Draw(); settings are those of SC.visualizationSettings.
+    """
+    from dalembert._pictures.motion import Motion
+
+    motion = Motion(mbs, "SaveHTML", solution, framesPerSecond, speed, view, (1024, 768), optional=True)
+    path = Path(fileName)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with replacing(path) as written:
+        Path(written).write_text(page(motion, {"title": title or path.stem, "plays": True, "again": True}), "utf-8")
+
+
+def page(motion: Motion, words: dict[str, Any]) -> str:
+    """Return the page of a motion; words: its title, whether it plays when it is opened, and begins again at its end.
+
+    Texts of the model are in its data, packed; none becomes a part of the page.
+    """
+    from dalembert._pictures.replay import pack
+
+    data = pack(motion, words)
+    folder = files("dalembert._pictures") / "page"
+    bundle = (folder / "bundle.js").read_text("utf-8").replace("</script", "<\\/script")
+    text = (folder / "page.html").read_text("utf-8")
+    return text.replace("@DATA@", base64.b64encode(data).decode()).replace("@BUNDLE@", bundle)

@@ -1,0 +1,78 @@
+"""The scenes of a solution, one for each image of a film, and the camera that sees them all."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from dalembert._checks import FloatArray, IntArray
+from dalembert._core import ConfigurationType
+from dalembert._io.solution_states import SetSolutionState
+from dalembert._pictures import draw
+from dalembert._pictures.films import times_of
+from dalembert._pictures.looks import Looks
+from dalembert._pictures.scene import Scene
+from dalembert._pictures.studio import Studio
+from dalembert.interactive import solution_of_last_simulation
+
+
+class Motion:
+    """Scenes and their camera; the visualized state is afterwards what it was before."""
+
+    def __init__(
+        self,
+        mbs: Any,
+        caller: str,
+        solution: dict[str, Any] | None,
+        framesPerSecond: float,
+        speed: float,
+        view: Any,
+        size: tuple[int, int] | None,
+        zoom: float = 1.0,
+        optional: bool = False,
+        every_row: bool = False,
+    ) -> None:
+        """Make the scenes; with every_row, one for each row of the solution, and otherwise at equal distances in time.
+
+        `optional`: without a solution, the system as it is visualized is the only scene.
+        """
+        if not (framesPerSecond > 0 and speed > 0):
+            received = f"{framesPerSecond}, {speed}"
+            raise ValueError(f"{caller}: framesPerSecond and speed: expected positive, received {received}")
+        self.studio = Studio(mbs.GetSystemContainer(), [mbs])
+        self.rate, self.size = float(framesPerSecond), size or self.studio.size(0)
+        try:
+            data = solution_of_last_simulation(mbs, caller) if solution is None else solution
+        except (ValueError, OSError):
+            if not optional:
+                raise
+            self.scenes = [self.studio.scene()]
+        else:
+            times = np.asarray(data["data"], float)[:, 0]
+            rows = np.arange(len(times)) if every_row else self._rows(times, speed)
+            self.scenes = self._scenes(mbs, data, rows)
+        self.camera = draw.camera_for(self.studio, draw.around(self.scenes), view, self.size, zoom)
+
+    @property
+    def looks(self) -> Looks:
+        """Return the sizes and colors with which the scenes were made."""
+        return self.studio.makers[0].looks
+
+    def _rows(self, recorded: FloatArray, speed: float) -> IntArray:
+        """Return the rows that are nearest to the times of the frames."""
+        times = times_of(recorded[0], recorded[-1], self.rate, speed)
+        return np.abs(recorded[None] - times[:, None]).argmin(axis=1)
+
+    def _scenes(self, mbs: Any, data: dict[str, Any], rows: IntArray) -> list[Scene]:
+        before = mbs.systemData.GetSystemState(ConfigurationType.Visualization)
+        time = mbs.systemData.GetTime(ConfigurationType.Visualization)
+        scenes = []
+        try:
+            for row in rows:
+                SetSolutionState(mbs, data, int(row), ConfigurationType.Visualization)
+                scenes.append(self.studio.scene())
+        finally:
+            mbs.systemData.SetSystemState(before, ConfigurationType.Visualization)
+            mbs.systemData.SetTime(time, ConfigurationType.Visualization)
+        return scenes

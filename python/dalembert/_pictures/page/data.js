@@ -1,0 +1,36 @@
+// The data of a motion, as replay.py packs them: a JSON head, and arrays whose bytes are sorted by significance.
+
+async function unpacked(base64) {
+  const packed = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+// Numbers of four bytes each: all lowest bytes come first.
+function gathered(bytes, count, Type) {
+  const result = new Uint8Array(4 * count);
+  for (let k = 0; k < 4; ++k) for (let i = 0; i < count; ++i) result[4 * i + k] = bytes[k * count + i];
+  return new Type(result.buffer);
+}
+
+export async function read(base64) {
+  const bytes = await unpacked(base64);
+  const length = new DataView(bytes.buffer).getUint32(0, true);
+  const head = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length)));
+  let offset = 4 + length;
+  const arrays = head.arrays.map(({ kind, count, bytes: size }) => {
+    const part = bytes.subarray(offset, offset + size);
+    offset += size;
+    if (kind === "u1") return part.slice();
+    return gathered(part, count, kind === "f4" ? Float32Array : Uint32Array);
+  });
+  return { head, arrays };
+}
+
+// Numbers of one frame out of those of all frames, number by number; `size` numbers per frame.
+export function frame(values, size, number, target) {
+  const frames = values.length / size;
+  const at = Math.min(number, frames - 1);
+  for (let i = 0; i < size; ++i) target[i] = values[i * frames + at];
+  return target;
+}

@@ -1,0 +1,239 @@
+"""A motion as data for the page: what each scene draws, once, and how it moves, frame by frame.
+
+The data are a JSON head and arrays behind it. What does not change is stored once; what moves as a whole has 12 numbers
+per frame (the rows of x = matrix @ point + place), what is deformed its points. Floats lose the last bits that nobody
+sees, and their bytes are sorted by significance, so that they pack well.
+"""
+
+from __future__ import annotations
+
+import gzip
+import json
+from collections import defaultdict
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from dalembert._checks import FloatArray
+from dalembert._pictures import contour
+from dalembert._pictures.looks import Looks
+from dalembert._pictures.meshes import Mesh, sharp_edges
+from dalembert._pictures.scene import Instance, Scene
+
+if TYPE_CHECKING:
+    from dalembert._pictures.motion import Motion
+
+SPARE_BITS = 7  # of 23 of a mantissa: places are right to 1e-5 of their size
+Key = tuple[int, int]  # item, and how manieth of its parts
+
+
+class Packer:
+    """Collects arrays; the head refers to them by number."""
+
+    def __init__(self) -> None:
+        self.parts: list[bytes] = []
+        self.table: list[dict[str, Any]] = []
+
+    def add(self, kind: str, values: bytes, count: int) -> int:
+        """Keep an array of so many numbers; return its number."""
+        self.table.append({"kind": kind, "count": count, "bytes": len(values)})
+        self.parts.append(values)
+        return len(self.table) - 1
+
+    def floats(self, values: npt.ArrayLike, exact: bool = False) -> int:
+        """Keep real numbers."""
+        array = np.ascontiguousarray(values, dtype="<f4")
+        bits = array.view("<u4").copy()
+        if not exact:
+            bits &= np.uint32(~((1 << SPARE_BITS) - 1) & 0xFFFFFFFF)
+        return self.add("f4", bits.ravel().view(np.uint8).reshape(-1, 4).T.tobytes(), array.size)
+
+    def moving(self, frames: npt.ArrayLike) -> int:
+        """Keep numbers per frame (frames x numbers), one number after the other; a single frame if nothing changes."""
+        array = np.asarray(frames, dtype=float)
+        if len(array) > 1 and np.ptp(array, axis=0).max(initial=0) <= 1e-7 * max(
+            float(np.abs(array).max(initial=0)), 1e-30
+        ):
+            array = array[:1]
+        return self.floats(array.T)
+
+    def integers(self, values: npt.ArrayLike) -> int:
+        """Keep numbers of points."""
+        array = np.ascontiguousarray(values, dtype="<u4")
+        return self.add("u4", array.ravel().view(np.uint8).reshape(-1, 4).T.tobytes(), array.size)
+
+    def shades(self, values: npt.ArrayLike) -> int:
+        """Keep colors: numbers from 0 to 1, as bytes."""
+        array = np.round(255 * np.clip(np.asarray(values, float), 0, 1)).astype(np.uint8)
+        return self.add("u1", array.tobytes(), array.size)
+
+    def data(self, head: dict[str, Any]) -> bytes:
+        """Return all, compressed."""
+        text = json.dumps(head | {"arrays": self.table}, separators=(",", ":")).encode()
+        text += b" " * (-len(text) % 4)
+        whole = np.array([len(text)], "<u4").tobytes() + text + b"".join(self.parts)
+        return gzip.compress(whole, 9, mtime=0)
+
+
+def pack(motion: Motion, words: dict[str, Any]) -> bytes:
+    """Return the data of a motion, and what else the page is to know."""
+    packer, scenes, camera, looks = Packer(), motion.scenes, motion.camera, motion.looks
+    limits = _limits(scenes)
+    items: dict[tuple[str, int], int] = {}
+    names: list[list[Any]] = []
+    for scene in scenes:
+        for item in scene.items:
+            if items.setdefault((item.kind, item.number), len(names)) == len(names):
+                names.append([item.kind, item.number, item.type_name, item.name])
+    numbered = [[items[item.kind, item.number] for item in scene.items] for scene in scenes]
+    head = {
+        "version": 1,
+        **words,
+        "rate": motion.rate,
+        "times": [scene.time for scene in scenes],
+        "items": names,
+        "camera": {
+            "rotation": camera.rotation.ravel().tolist(),
+            "center": camera.center.tolist(),
+            "zoom": camera.zoom,
+        },
+        "background": list(looks.setting("general.backgroundColor"))[:3],
+        "meshes": _meshes(packer, scenes, numbered, looks, limits),
+        "spheres": _spheres(packer, scenes, numbered),
+        "lines": _lines(packer, scenes, numbered),
+        "contour": _contour(scenes, looks, limits),
+    }
+    return packer.data(head)
+
+
+def _limits(scenes: list[Scene]) -> tuple[float, float]:
+    """Return one range of colors for all frames."""
+    shown = [scene.value_range for scene in scenes if len(scene.values())]
+    return (min(low for low, _ in shown), max(high for _, high in shown)) if shown else (0.0, 1.0)
+
+
+def _contour(scenes: list[Scene], looks: Looks, limits: tuple[float, float]) -> dict[str, Any] | None:
+    name = next((scene.value_name for scene in scenes if len(scene.values())), "")
+    if not name:
+        return None
+    shades = contour.colors(looks, np.linspace(*limits, 13), limits)[:, :3]
+    return {"name": name, "range": limits, "colors": np.round(255 * shades).astype(int).tolist()}
+
+
+def _keyed(parts: list[tuple[int, Any]]) -> dict[Key, Any]:
+    """Give the parts of each item numbers."""
+    counts: dict[int, int] = defaultdict(int)
+    result = {}
+    for item, part in parts:
+        result[item, counts[item]] = part
+        counts[item] += 1
+    return result
+
+
+def _meshes(
+    packer: Packer, scenes: list[Scene], numbered: list[list[int]], looks: Looks, limits: tuple[float, float]
+) -> list[dict[str, Any]]:
+    """Return meshes: rigid ones with all their places, and deformed ones with their points."""
+    frames = [
+        _keyed([(numbers[i.item], i) for i in scene.instances]) for scene, numbers in zip(scenes, numbered, strict=True)
+    ]
+    keys = list(dict.fromkeys(key for frame in frames for key in frame))
+    rigid: dict[tuple[int, Any], list[tuple[Key, list[Instance | None]]]] = defaultdict(list)
+    result = []
+    for key in keys:
+        history: list[Instance | None] = [frame.get(key) for frame in frames]
+        known = [part for part in history if part is not None]
+        if all(part.mesh is known[0].mesh and part.values is None for part in known):
+            rigid[id(known[0].mesh), known[0].color].append((key, history))
+        elif all(part.mesh.points.shape == known[0].mesh.points.shape for part in known):
+            result.append(_deformed(packer, key, history, looks, limits))
+    for group in rigid.values():
+        first = next(part for part in group[0][1] if part is not None)
+        entry = _shape(packer, first.mesh, first)
+        places = [[_rows(part) for part in history] for _, history in group]
+        entry["places"] = [packer.moving(place) for place in places]
+        entry["items"] = [key[0] for key, _ in group]
+        result.append(entry)
+    return result
+
+
+def _shape(packer: Packer, mesh: Mesh, first: Instance, points: FloatArray | None = None) -> dict[str, Any]:
+    edges = mesh.edges if len(mesh.edges) else sharp_edges(mesh)
+    colors = mesh.colors if first.color is None and mesh.colors is not None else None
+    entry: dict[str, Any] = {
+        "points": packer.floats(mesh.points if points is None else points),
+        "triangles": packer.integers(mesh.triangles),
+        "edges": packer.integers(edges),
+        "marked": bool(len(mesh.edges)),
+    }
+    if mesh.normals is not None:
+        entry["normals"] = packer.floats(mesh.normals)
+    if colors is None:
+        entry["color"] = list(first.color or (0.5, 0.5, 0.5, 1.0))
+    elif (colors == colors[0]).all():
+        entry["color"] = colors[0].tolist()
+    else:
+        entry["colors"] = packer.shades(colors)
+        entry["color"] = [1.0, 1.0, 1.0, float(colors[:, 3].min())]
+    return entry
+
+
+def _rows(part: Instance | None) -> FloatArray:
+    """Return matrix and place, row by row; zeros where there is nothing to be seen."""
+    return np.zeros(12) if part is None else np.column_stack([part.matrix, part.place]).ravel()
+
+
+def _deformed(
+    packer: Packer, key: Key, history: list[Instance | None], looks: Looks, limits: tuple[float, float]
+) -> dict[str, Any]:
+    first = next(part for part in history if part is not None)
+    still = np.zeros_like(first.mesh.points)
+    points = [still if p is None else p.mesh.points @ p.matrix.T + p.place for p in history]
+    entry = _shape(packer, first.mesh, first, points[0])
+    entry["normals"] = None  # the page finds them for each frame
+    entry["smooth"] = first.mesh.normals is not None
+    entry["frames"] = packer.moving(np.array([frame.ravel() for frame in points]))
+    entry["items"] = [key[0]]
+    if first.values is not None:
+        shades = [contour.colors(looks, p.values, limits) for p in history if p is not None and p.values is not None]
+        entry["color"] = [1.0, 1.0, 1.0, 1.0]
+        entry["frameColors"] = packer.shades(np.array(shades)[..., :3]) if len(shades) == len(history) else None
+    return entry
+
+
+def _spheres(packer: Packer, scenes: list[Scene], numbered: list[list[int]]) -> dict[str, Any]:
+    frames = [
+        _keyed([(numbers[item], (center, radius, color)) for center, radius, color, item in scene.spheres])
+        for scene, numbers in zip(scenes, numbered, strict=True)
+    ]
+    keys = list(dict.fromkeys(key for frame in frames for key in frame))
+    nothing = (np.zeros(3), 0.0, (0.0, 0.0, 0.0, 1.0))
+    places = [[[*frame.get(key, nothing)[0], frame.get(key, nothing)[1]] for frame in frames] for key in keys]
+    colors = [next(frame[key][2] for frame in frames if key in frame)[:3] for key in keys]
+    return {
+        "places": [packer.moving(place) for place in places],
+        "colors": packer.shades(np.array(colors).reshape(-1, 3)),
+        "items": [key[0] for key in keys],
+    }
+
+
+def _lines(packer: Packer, scenes: list[Scene], numbered: list[list[int]]) -> list[dict[str, Any]]:
+    """Return lines; one that gains points on the way, such as a trace, waits at its end with the points to come."""
+    frames = [
+        _keyed([(numbers[item], (points, color)) for points, color, _, item in scene.lines if len(points) > 1])
+        for scene, numbers in zip(scenes, numbered, strict=True)
+    ]
+    keys = list(dict.fromkeys(key for frame in frames for key in frame))
+    result = []
+    for key in keys:
+        most = max(len(frame[key][0]) for frame in frames if key in frame)
+        color = next(frame[key][1] for frame in frames if key in frame)
+        last = np.zeros((1, 3))
+        history = []
+        for frame in frames:
+            points = frame[key][0] if key in frame else last
+            history.append(np.concatenate([points, np.repeat(points[-1:], most - len(points), axis=0)]).ravel())
+        frames_of_line = packer.moving(np.array(history))
+        result.append({"frames": frames_of_line, "count": most, "color": list(color), "item": key[0]})
+    return result

@@ -1,0 +1,75 @@
+"""Where a page can be seen: in the notebook that is running, in a browser, or nowhere."""
+
+from __future__ import annotations
+
+import os
+import sys
+import tempfile
+import webbrowser
+from html import escape
+from pathlib import Path
+from typing import Any
+
+
+def show_solution(
+    mbs: Any,
+    solution: dict[str, Any],
+    pause: float,
+    title: str,
+    plays: bool,
+    mode: int,
+    captions: list[str] | None = None,
+) -> bool:
+    """Show the rows of a solution one after the other, `pause` seconds apart; False if there is nowhere to show it.
+
+    Captions stand instead of the times of the rows.
+    """
+    notebook = in_notebook()
+    if not notebook and not has_display():
+        return False
+    from dalembert._pictures.html import page
+    from dalembert._pictures.motion import Motion
+
+    motion = Motion(mbs, "SolutionViewer", solution, 1 / max(pause, 1e-3), 1.0, None, (1024, 768), every_row=True)
+    words = {"title": title, "plays": plays, "again": mode > 0} | ({"captions": captions} if captions else {})
+    text = page(motion, words)
+    if notebook:
+        _show_in_notebook(text)
+    else:
+        _open_in_browser(text)
+    return True
+
+
+def in_notebook() -> bool:
+    """Return whether cells of a notebook show what is displayed."""
+    ipython = sys.modules.get("IPython")
+    shell = ipython.get_ipython() if ipython is not None else None
+    return shell is not None and type(shell).__name__ == "ZMQInteractiveShell"
+
+
+def has_display() -> bool:
+    """Return whether a browser has a place for its window; never in tests, where CI is set, or DALEMBERT_VIEWER=off."""
+    environment = os.environ
+    if environment.get("DALEMBERT_VIEWER") == "off" or environment.get("CI") or "PYTEST_CURRENT_TEST" in environment:
+        return False
+    if sys.platform in ("win32", "darwin"):
+        return True
+    return bool(environment.get("DISPLAY") or environment.get("WAYLAND_DISPLAY"))
+
+
+def _show_in_notebook(text: str) -> None:
+    """Display a page in a frame of its own, which can reach neither the notebook nor the network."""
+    from importlib import import_module
+
+    shown = import_module("IPython.display")
+    frame = (
+        f'<iframe sandbox="allow-scripts allow-downloads" srcdoc="{escape(text)}" width="100%" height="520"></iframe>'
+    )
+    shown.display(shown.HTML(frame))
+
+
+def _open_in_browser(text: str) -> None:
+    """Write a page to a folder that only this user can read, and open it."""
+    path = Path(tempfile.mkdtemp(prefix="dalembert-"), "solution.html")
+    path.write_text(text, "utf-8")
+    webbrowser.open(path.as_uri())

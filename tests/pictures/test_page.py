@@ -1,0 +1,255 @@
+"""The page of a motion: what is packed is what is read, in Python and in JavaScript, and a browser shows it without a network."""
+
+from __future__ import annotations
+
+import base64
+import gzip
+import hashlib
+import json
+import os
+import re
+import shutil
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import dalembert as exu
+from dalembert import graphics
+from dalembert._pictures import showing
+from dalembert._pictures.motion import Motion
+from dalembert._pictures.replay import Packer
+from dalembert.itemInterface import NodePoint2DSlope1, ObjectANCFCable2D, VObjectANCFCable2D
+from dalembert.utilities import InertiaCuboid
+
+FOLDER = Path(exu.__file__).resolve().parent / "_pictures/page"
+CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")
+WITHOUT_DISPLAY = ["--headless", "--no-sandbox", "--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist"]
+
+
+def unpacked(data: bytes) -> tuple[dict[str, Any], list[Any]]:
+    """Read what replay.py packs."""
+    whole = gzip.decompress(data)
+    length = int(np.frombuffer(whole[:4], "<u4")[0])
+    head, offset, arrays = json.loads(whole[4 : 4 + length]), 4 + length, []
+    for entry in head["arrays"]:
+        part = np.frombuffer(whole[offset : offset + entry["bytes"]], np.uint8)
+        offset += entry["bytes"]
+        if entry["kind"] != "u1":
+            part = part.reshape(4, -1).T.copy().view("<" + entry["kind"]).ravel()
+        arrays.append(part)
+    assert offset == len(whole)
+    return head, arrays
+
+
+def data_of(text: str) -> bytes:
+    """Return the data of a page."""
+    return base64.b64decode(re.search(r'id="data">([^<]*)<', text)[1])
+
+
+@pytest.fixture
+def falling(mbs: Any) -> Any:
+    """A brick with a hostile name that falls, beside a cable at rest; solved."""
+    mbs.CreateRigidBody(
+        name="</script><img src=x onerror=alert(1)>",
+        referencePosition=[1, 0, 0],
+        inertia=InertiaCuboid(1000, [0.4, 0.2, 0.1]),
+        gravity=[0, -2, 0],
+        graphicsDataList=[graphics.Brick(size=[0.4, 0.2, 0.1], color=graphics.color.orange)],
+    )
+    nodes = [mbs.AddNode(NodePoint2DSlope1(referenceCoordinates=[x, 0, 1, 0])) for x in (2, 3)]
+    mbs.AddObject(
+        ObjectANCFCable2D(
+            nodeNumbers=nodes, physicsLength=1, physicsMassPerLength=1, physicsBendingStiffness=1,
+            physicsAxialStiffness=1, visualization=VObjectANCFCable2D(drawHeight=0.1),
+        )
+    )  # fmt: skip
+    mbs.Assemble()
+    settings = exu.SimulationSettings()
+    settings.timeIntegration.numberOfSteps = 100
+    settings.solutionSettings.solutionWritePeriod = 0.01
+    mbs.SolveDynamic(settings)
+    return mbs
+
+
+def test_numbers_are_kept_to_the_fifth_digit() -> None:
+    packer = Packer()
+    values = np.random.default_rng(1).normal(size=200) * 10.0 ** np.random.default_rng(2).integers(-6, 6, 200)
+    packer.floats(values)
+    packer.integers(range(300))
+    packer.shades([0, 0.5, 1.0])
+    packer.moving([[1, 2], [1, 2], [1, 2]])
+    packer.moving([[1, 2], [1, 3], [1, 4]])
+    _, (floats, integers, shades, still, moving) = unpacked(packer.data({}))
+    np.testing.assert_allclose(floats, values, rtol=2e-5)
+    np.testing.assert_array_equal(integers, range(300))
+    np.testing.assert_array_equal(shades, [0, 128, 255])
+    np.testing.assert_array_equal(still, [1, 2])
+    np.testing.assert_array_equal(moving, [1, 1, 1, 2, 3, 4])  # number by number
+
+
+def test_a_body_falls_in_the_data(falling: Any) -> None:
+    falling.SaveHTML("falling.html", framesPerSecond=10)
+    head, arrays = unpacked(data_of(Path("falling.html").read_text("utf-8")))
+    assert head["times"] == pytest.approx(np.linspace(0, 1, 11))
+    brick = next(mesh for mesh in head["meshes"] if head["items"][mesh["items"][0]][0] == "Object" and "places" in mesh)
+    frames = arrays[brick["places"][0]].reshape(12, 11)
+    np.testing.assert_allclose(frames[7], -(np.linspace(0, 1, 11) ** 2), atol=1e-4)  # -g t^2 / 2 with g = 2
+    np.testing.assert_allclose(frames[3], 1, atol=1e-4)
+    np.testing.assert_allclose(frames[[0, 5, 10]], 1, atol=1e-4)
+    cable = next(mesh for mesh in head["meshes"] if "frames" in mesh)
+    assert arrays[cable["frames"]].size == arrays[cable["points"]].size  # at rest: one frame
+
+
+def test_the_visualized_state_is_afterwards_as_before(falling: Any) -> None:
+    before = falling.systemData.GetODE2Coordinates(exu.ConfigurationType.Visualization)
+    Motion(falling, "test", None, 10, 1.0, None, None)
+    data = falling.systemData
+    np.testing.assert_array_equal(data.GetODE2Coordinates(exu.ConfigurationType.Visualization), before)
+    assert data.GetTime(exu.ConfigurationType.Visualization) == pytest.approx(1.0)
+
+
+def test_no_text_of_the_model_is_part_of_the_page(falling: Any) -> None:
+    falling.SaveHTML("falling.html", title="<b>")
+    text = Path("falling.html").read_text("utf-8")
+    assert "alert(1)" not in text and "<title><b>" not in text
+    assert text.count("</script>") == 2
+    assert str(Path.home()) not in text and os.getcwd() not in text
+    assert "default-src 'none'" in text
+    assert not re.search(r"https?://(?!www\.w3\.org)[\w.]+/[\w./]*\.(js|css|png)", text)  # nothing to be loaded
+    names = [item[3] for item in unpacked(data_of(text))[0]["items"]]
+    assert "</script><img src=x onerror=alert(1)>" in names
+
+
+def test_size_of_a_file() -> None:
+    """Twenty bodies that fly and turn, a thousand frames: below 1 MB, of which the code is 0.6 MB."""
+    mbs = exu.SystemContainer().AddSystem()
+    rng = np.random.default_rng(3)
+    for k in range(20):
+        mbs.CreateRigidBody(
+            referencePosition=[k % 5, k // 5, 0], initialVelocity=rng.normal(size=3),
+            initialAngularVelocity=3 * rng.normal(size=3), inertia=InertiaCuboid(1000, [0.4, 0.2, 0.1]),
+        )  # fmt: skip
+    mbs.Assemble()
+    settings = exu.SimulationSettings()
+    settings.timeIntegration.numberOfSteps = 1000
+    settings.solutionSettings.solutionWritePeriod = 1e-3
+    mbs.SolveDynamic(settings)
+    mbs.SaveHTML("bodies.html", framesPerSecond=1000)
+    assert len(unpacked(data_of(Path("bodies.html").read_text("utf-8")))[0]["times"]) == 1001
+    assert 0.6e6 < Path("bodies.html").stat().st_size < 1.6e6
+
+
+def test_without_a_solution_there_is_one_frame(mbs: Any) -> None:
+    mbs.CreateMassPoint(referencePosition=[1, 2, 3], physicsMass=1)
+    mbs.SaveHTML("still.html")
+    head, _ = unpacked(data_of(Path("still.html").read_text("utf-8")))
+    assert head["times"] == [0.0]
+
+
+def test_the_bundle_is_made_of_its_sources() -> None:
+    """`npm ci && npm run build` in the folder of the page makes it anew, with the versions of package-lock.json."""
+    names = ["axes.js", "data.js", "page.js", "shapes.js", "package.json", "package-lock.json"]
+
+    def total(files: list[str]) -> str:
+        return hashlib.sha256(b"".join((FOLDER / name).read_bytes() for name in files)).hexdigest()
+
+    noted = dict(line.split() for line in (FOLDER / "bundle.sums").read_text().splitlines())
+    assert noted == {"sources": total(names), "bundle": total(["bundle.js"])}
+    assert (FOLDER / "bundle.js").stat().st_size < 800_000
+    assert "SPDX-License-Identifier: MIT" in (FOLDER / "bundle.js").read_text("utf-8")  # of three.js
+
+
+def needed(program: str | None, name: str) -> str:
+    """Skip where a program is missing; where CI is set, that is an error."""
+    if program is None:
+        if os.environ.get("CI"):
+            pytest.fail(f"{name} is not installed")
+        pytest.skip(f"{name} is not installed")
+    return program
+
+
+def test_javascript_reads_the_same(falling: Any) -> None:
+    node = needed(shutil.which("node"), "node")
+    falling.SaveHTML("falling.html", framesPerSecond=10)
+    data = data_of(Path("falling.html").read_text("utf-8"))
+    Path("read.mjs").write_text(
+        f"import {{ read, frame }} from {json.dumps((FOLDER / 'data.js').as_uri())};\n"
+        f'const {{ head, arrays }} = await read("{base64.b64encode(data).decode()}");\n'
+        "const brick = head.meshes.find((mesh) => mesh.places);\n"
+        "const third = Array.from(frame(arrays[brick.places[0]], 12, 3, new Float32Array(12)));\n"
+        "console.log(JSON.stringify({ head, third, sums: arrays.map((a) => a.reduce((s, x) => s + x, 0)) }));\n"
+    )
+    done = subprocess.run([node, "--no-warnings", "read.mjs"], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    read = json.loads(done.stdout)
+    head, arrays = unpacked(data)
+    assert read["head"] == head
+    assert read["sums"] == pytest.approx([float(a.sum(dtype=float)) for a in arrays])
+    brick = next(mesh for mesh in head["meshes"] if "places" in mesh)
+    assert read["third"] == pytest.approx(
+        arrays[brick["places"][0]].reshape(12, -1)[:, -1 if arrays[brick["places"][0]].size == 12 else 3]
+    )
+
+
+def test_a_browser_shows_it_offline(falling: Any) -> None:
+    """It runs, has drawn, tells the time, knows the item in the middle, and has made no request; its policy would refuse one."""
+    browser = needed(CHROMIUM, "chromium")
+    falling.SaveHTML("falling.html", framesPerSecond=10, title="a brick falls")
+    text = Path("falling.html").read_text("utf-8")
+    probe = """<script>
+      window.onerror = (words) => document.body.setAttribute("failed", words);
+      setTimeout(() => {
+        const { page } = window;
+        page.play(false);
+        page.show(0);
+        const middle = page.projected([1, 0, 0]);
+        document.body.setAttribute("drawn", page.drawn > 0);
+        document.body.setAttribute("item", JSON.stringify(page.itemAt(...middle)));
+        document.body.setAttribute("requests", performance.getEntriesByType("resource").length);
+        page.show(5);
+        document.body.setAttribute("time", page.time.textContent);
+      }, 3000);
+    </script></html>"""
+    Path("probe.html").write_text(text.replace("</html>", probe), "utf-8")
+    command = [browser, *WITHOUT_DISPLAY, "--window-size=400,300", "--virtual-time-budget=6000", "--dump-dom"]
+    done = subprocess.run(
+        [*command, Path("probe.html").resolve().as_uri()], capture_output=True, text=True, timeout=120
+    )
+    assert "failed=" not in done.stdout, done.stdout[-500:]
+    body = re.search(r"<body[^>]*>", done.stdout)[0].replace("&quot;", '"').replace("&lt;", "<").replace("&gt;", ">")
+    assert 'drawn="true"' in body and 'requests="0"' in body
+    assert 'time="t = 0.5000 s"' in body
+    assert '["Object",0,"RigidBody"' in body
+    assert "<title>a brick falls</title>" in done.stdout
+
+
+def test_the_solution_viewer_shows_a_page_where_there_is_a_display(
+    falling: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    opened: list[str] = []
+    monkeypatch.setattr(showing, "has_display", lambda: True)
+    monkeypatch.setattr(showing.webbrowser, "open", opened.append)
+    falling.SolutionViewer(rowIncrement=10, timeout=0.1, runMode=0)
+    (address,) = opened
+    path = Path(address.removeprefix("file://"))
+    assert path.parent.stat().st_mode & 0o077 == 0  # nobody else may read it
+    head, _ = unpacked(data_of(path.read_text("utf-8")))
+    assert (len(head["times"]), head["rate"], head["again"]) == (11, pytest.approx(10), False)
+    shutil.rmtree(path.parent)
+
+
+def test_where_windows_are_opened(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("PYTEST_CURRENT_TEST", raising=False)
+    monkeypatch.delenv("CI", raising=False)
+    monkeypatch.setattr(showing.sys, "platform", "linux")
+    for name in ("DISPLAY", "WAYLAND_DISPLAY"):
+        monkeypatch.delenv(name, raising=False)
+    assert not showing.has_display()
+    monkeypatch.setenv("DISPLAY", ":0")
+    assert showing.has_display()
+    monkeypatch.setenv("DALEMBERT_VIEWER", "off")
+    assert not showing.has_display()
+    assert not showing.in_notebook()

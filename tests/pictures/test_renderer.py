@@ -1,0 +1,208 @@
+"""SC.renderer, mbs.Draw() and films: sizes, files, views, and what is refused."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from PIL import Image
+
+import dalembert as exu
+from dalembert.itemInterface import NodePoint
+
+
+@pytest.fixture
+def pendulum(mbs: Any) -> Any:
+    ground = mbs.CreateGround()
+    mass = mbs.CreateMassPoint(referencePosition=[1, 0, 0], physicsMass=1, gravity=[0, -9.81, 0], drawSize=0.2)
+    mbs.CreateDistanceConstraint(bodyNumbers=[ground, mass])
+    mbs.Assemble()
+    return mbs
+
+
+def solve(mbs: Any, **solution: Any) -> None:
+    settings = exu.SimulationSettings()
+    settings.timeIntegration.endTime = 0.5
+    settings.timeIntegration.numberOfSteps = 50
+    settings.solutionSettings.solutionWritePeriod = 0.01
+    for name, value in solution.items():
+        setattr(settings.solutionSettings, name, value)
+    mbs.SolveDynamic(settings)
+
+
+def test_image(SC: Any, pendulum: Any) -> None:
+    image = SC.renderer.RedrawAndGetImage()
+    assert image.shape == (768, 1024, 3) and image.dtype == np.uint8
+    assert SC.renderer.GetRenderCount() == 1
+    assert (image != SC.visualizationSettings.general.backgroundColor[0] * 255).any()
+    SC.visualizationSettings.view0.window.renderWindowSize = [320, 200]
+    assert SC.renderer.RedrawAndGetImage().shape == (200, 320, 3)
+    SC.visualizationSettings.view1.window.renderWindowSize = [64, 48]
+    assert SC.renderer.RedrawAndGetImage(viewID=1).shape == (48, 64, 3)
+    np.testing.assert_array_equal(SC.renderer.RedrawAndGetImage(), SC.renderer.RedrawAndGetImage())
+
+
+def test_a_container_without_systems_gives_an_empty_image(SC: Any) -> None:
+    assert (SC.renderer.RedrawAndGetImage() == 255).all()
+
+
+def test_saved_images_are_numbered(SC: Any, pendulum: Any) -> None:
+    export = SC.visualizationSettings.exportImages
+    SC.visualizationSettings.view0.window.renderWindowSize = [322, 201]
+    SC.renderer.RedrawAndSaveImage()
+    SC.RedrawAndSaveImage()
+    assert export.saveImageFileCounter == 2
+    assert sorted(p.name for p in Path("images").iterdir()) == ["frame00000.png", "frame00001.png"]
+    assert Image.open("images/frame00000.png").size == (320, 200)  # multiples of 4 and 2
+    export.saveImageSingleFile, export.saveImageFileName = True, "only"
+    SC.renderer.RedrawAndSaveImage()
+    assert Path("only.png").exists()
+    export.saveImageFormat = "TGA"
+    with pytest.raises(ValueError, match="saveImageFormat: expected 'PNG', received 'TGA'"):
+        SC.renderer.RedrawAndSaveImage()
+
+
+def test_a_solver_records_images(SC: Any, pendulum: Any) -> None:
+    SC.visualizationSettings.view0.window.renderWindowSize = [160, 120]
+    SC.visualizationSettings.general.showSolverTime = False
+    solve(pendulum, recordImagesInterval=0.1)
+    images = sorted(Path("images").glob("*.png"))
+    assert len(images) in (5, 6)
+    first, last = (np.asarray(Image.open(images[i])) for i in (0, -1))
+    assert (first != last).any()
+
+
+def test_an_error_while_recording_ends_the_solution(SC: Any, pendulum: Any) -> None:
+    Path("images").write_text("not a folder")
+    with pytest.raises(OSError):
+        solve(pendulum, recordImagesInterval=0.1)
+
+
+def test_results_are_the_same_with_and_without_images(SC: Any, pendulum: Any) -> None:
+    SC.visualizationSettings.view0.window.renderWindowSize = [160, 120]
+    solve(pendulum)
+    alone = pendulum.systemData.GetODE2Coordinates()
+    solve(pendulum, recordImagesInterval=0.02)
+    np.testing.assert_array_equal(pendulum.systemData.GetODE2Coordinates(), alone)
+
+
+def test_draw_returns_and_saves_an_image(pendulum: Any) -> None:
+    image = pendulum.Draw("pictures/system.png", windowSize=[400, 300])
+    assert image.size == (400, 300)
+    assert image._repr_png_()  # what notebooks show
+    np.testing.assert_array_equal(np.asarray(Image.open("pictures/system.png")), np.asarray(image))
+
+
+@pytest.mark.parametrize("view", ["front", "back", "left", "right", "top", "bottom", "axonometric", np.eye(3)])
+def test_views(pendulum: Any, view: Any) -> None:
+    image = np.asarray(pendulum.Draw(view=view, windowSize=[200, 150]))
+    assert len(np.unique(image.reshape(-1, 3), axis=0)) > 10
+
+
+def test_named_views_are_rotations() -> None:
+    from dalembert._pictures.camera import axonometric, named
+
+    for name in ("front", "back", "left", "right", "top", "bottom"):
+        matrix = named(name)
+        assert np.allclose(matrix @ matrix.T, np.eye(3)) and np.linalg.det(matrix) == pytest.approx(1)
+    for up in (1, 2):
+        matrix = axonometric(up)
+        assert np.allclose(matrix @ matrix.T, np.eye(3)) and np.linalg.det(matrix) == pytest.approx(1)
+        assert matrix[1, up] > 0.8 and (np.abs(matrix[:2]).max(axis=0) > 0.2).all()
+
+
+def test_wrong_arguments_of_draw(pendulum: Any) -> None:
+    for arguments, text in (
+        ({"view": "above"}, "view: expected front, .* or a rotation matrix, received 'above'"),
+        ({"view": np.ones((3, 3))}, "view: expected a 3x3 rotation matrix"),
+        ({"windowSize": [0, 100]}, "windowSize: expected width and height in pixels"),
+        ({"zoom": 0}, "zoom: expected a positive number"),
+    ):
+        with pytest.raises(ValueError, match=text):
+            pendulum.Draw(**arguments)
+
+
+def test_around_an_object(mbs: Any) -> None:
+    near = mbs.CreateMassPoint(referencePosition=[0, 0, 0], physicsMass=1)
+    far = mbs.CreateMassPoint(referencePosition=[100, 0, 0], physicsMass=1)
+    for body in (near, far):
+        mbs.SetObjectParameter(body, "Vshow", True)
+    SC = mbs.GetSystemContainer()
+    SC.visualizationSettings.nodes.show = False
+    wide, close = (np.asarray(mbs.Draw(around=a)) for a in (None, near))
+    assert (close != 255).any(axis=2).sum() > 20 * (wide != 255).any(axis=2).sum() > 0
+
+
+def test_films(pendulum: Any) -> None:
+    solve(pendulum)
+    for name in ("film.gif", "film.webp"):
+        pendulum.DrawSolution(name, framesPerSecond=10, windowSize=[80, 60])
+        film = Image.open(name)
+        assert film.n_frames == 6 and film.size == (80, 60)
+    pendulum.DrawSolution("frames/f%03d.png", framesPerSecond=10, speed=0.5, windowSize=[80, 60])
+    assert len(list(Path("frames").glob("f*.png"))) == 11
+    frames = [np.asarray(Image.open(f"frames/f{n:03d}.png")) for n in (0, 5, 10)]
+    assert all((a != b).any() for a, b in zip(frames[:-1], frames[1:], strict=True))
+
+
+def test_videos_need_ffmpeg(pendulum: Any) -> None:
+    solve(pendulum)
+    if shutil.which("ffmpeg") is None:
+        with pytest.raises(FileNotFoundError, match=r"film 'film.mp4': the program ffmpeg is not installed.*\.gif"):
+            pendulum.DrawSolution("film.mp4")
+    else:
+        pendulum.DrawSolution("film.mp4", windowSize=[80, 60], framesPerSecond=10)
+        assert Path("film.mp4").stat().st_size > 500
+
+
+def test_a_film_needs_a_solution(pendulum: Any) -> None:
+    with pytest.raises(ValueError, match="DrawSolution: no simulation has been run yet"):
+        pendulum.DrawSolution("film.gif")
+    with pytest.raises(ValueError, match="framesPerSecond and speed: expected positive"):
+        pendulum.DrawSolution("film.gif", framesPerSecond=0)
+
+
+def test_states_of_views(SC: Any, pendulum: Any) -> None:
+    free = SC.renderer.GetState()
+    assert free["zoom"] > 0.3 and free["maxSceneSize"] > 0.9
+    SC.renderer.SetState({"zoom": 3.0, "modelRotation": np.eye(3), "centerPoint": [1, 2, 3]})
+    assert SC.renderer.GetState()["zoom"] == 3
+    assert list(SC.renderer.GetState()["centerPoint"]) == [1, 2, 3]
+    assert SC.renderer.GetState(viewID=1)["zoom"] == free["zoom"]
+    SC.renderer.ZoomAll()
+    assert SC.renderer.GetState()["zoom"] == free["zoom"]
+    SC.renderer.ResetState()
+    assert SC.renderer.GetState()["zoom"] == free["zoom"]
+    for call, text in (
+        (lambda: SC.renderer.SetModelView(zoom=-1), "zoom: expected a length, or 0"),
+        (lambda: SC.renderer.SetModelView(rotationVector=[1, 2]), "rotationVector: expected a vector with 3"),
+        (lambda: SC.renderer.SetState({"modelRotation": [1, 2]}), "modelRotation: expected a 3x3 matrix"),
+        (lambda: SC.renderer.GetState(viewID=4), "viewID: expected 0, 1, 2 or 3, received 4"),
+    ):
+        with pytest.raises(ValueError, match=text):
+            call()
+
+
+def test_containers_with_views_can_be_copied(SC: Any, pendulum: Any) -> None:
+    SC.renderer.SetModelView(zoom=2, centerPoint=[1, 0, 0])
+    again = exu.SystemContainer()
+    again.SetDictionary(SC.GetDictionary())
+    assert again.renderer.GetState()["zoom"] == 2
+
+
+def test_a_renderer_without_its_container(mbs: Any) -> None:
+    mbs.AddNode(NodePoint())
+    renderer = exu.SystemContainer().renderer
+    with pytest.raises(RuntimeError, match="the SystemContainer does not exist any more"):
+        renderer.RedrawAndGetImage()
+
+
+def test_there_is_no_window(SC: Any) -> None:
+    assert SC.renderer.Start() is False
+    assert SC.renderer.IsActive() is False
+    assert SC.renderer.DoIdleTasks() is False
+    assert SC.renderer.GetItemSelection() == (-1, -1, -1, 0.0)
+    SC.renderer.Stop()

@@ -1,0 +1,245 @@
+"""Where things are in pictures: as states, frames and settings say, by numbers that are computed otherwise."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+import dalembert as exu
+from dalembert import graphics
+from dalembert._pictures import painting
+from dalembert._pictures.studio import Studio, item_at
+from dalembert.itemInterface import Cable2D, NodePoint, NodePoint2DSlope1, SensorBody, VCable2D, VNodePoint
+from dalembert.utilities import InertiaCuboid, RotationMatrixZ
+
+Configuration, Variable = exu.ConfigurationType, exu.OutputVariableType
+
+
+def pixels(SC: Any, kind: str, number: int) -> Any:
+    """Return where an item is seen in the picture of the renderer."""
+    studio = Studio(SC)
+    scene = studio.scene()
+    seen = painting.items(scene, studio.camera(scene), studio.makers[0].looks, studio.view(0), studio.size(0))
+    wanted = [i for i, item in enumerate(scene.items) if (item.kind, item.number) == (kind, number)]
+    return np.isin(seen, wanted)
+
+
+def middle(mask: Any) -> Any:
+    rows, columns = np.nonzero(mask)
+    return np.array([columns.mean() + 0.5, rows.mean() + 0.5])
+
+
+def test_a_body_is_where_its_state_says(SC: Any, mbs: Any) -> None:
+    brick = graphics.Brick(size=[0.4, 0.2, 0.1], color=graphics.color.orange)
+    body = mbs.CreateRigidBody(
+        referencePosition=[1, 2, 0], inertia=InertiaCuboid(1000, [0.4, 0.2, 0.1]), graphicsDataList=[brick]
+    )
+    mbs.Assemble()
+    SC.renderer.SetModelView(zoom=4, centerPoint=[1, 1, 0])
+    scale = 768 / 2 / 4
+    q = mbs.systemData.GetODE2Coordinates()
+    q[:2] = [-1.5, 0.5]
+    mbs.systemData.SetODE2Coordinates(q, Configuration.Visualization)
+    seen = pixels(SC, "Object", int(body))
+    assert middle(seen) == pytest.approx([512 + scale * (1 - 1.5 - 1), 384 - scale * (2 + 0.5 - 1)], abs=0.6)
+    assert seen.sum() == pytest.approx(0.4 * 0.2 * scale**2, rel=0.06)
+
+
+def test_the_view_turns_the_scene(SC: Any, mbs: Any) -> None:
+    """SetModelView turns by a rotation vector; a point is seen at modelRotation.T (p - centerPoint)."""
+    node = mbs.AddNode(NodePoint(referenceCoordinates=[1, 0.5, 0.25], visualization=VNodePoint(drawSize=0.2)))
+    SC.renderer.SetModelView(zoom=2, rotationVector=[0, 0, np.pi / 2], centerPoint=[0.5, 0, 0])
+    state = SC.renderer.GetState()
+    x, y, _ = state["modelRotation"].T @ (np.array([1, 0.5, 0.25]) - state["centerPoint"])
+    assert (x, y) == (pytest.approx(-0.5), pytest.approx(0.5))
+    seen = pixels(SC, "Node", int(node))
+    assert middle(seen) == pytest.approx([512 + 192 * x, 384 - 192 * y], abs=0.6)
+    assert seen.sum() == pytest.approx(np.pi * (0.1 * 192) ** 2, rel=0.03)
+
+
+def test_the_automatic_view_shows_everything(SC: Any, mbs: Any) -> None:
+    for x, y in ((-3, 0), (5, 1), (0, 7)):
+        mbs.AddNode(NodePoint(referenceCoordinates=[x, y, 0]))
+    for number in range(3):
+        assert pixels(SC, "Node", number).any()
+    edges = np.concatenate([pixels(SC, "Node", n)[[0, -1]].ravel() for n in range(3)])
+    assert not edges.any()
+
+
+def test_a_spring_goes_from_marker_to_marker(SC: Any, mbs: Any) -> None:
+    ground = mbs.CreateGround()
+    mass = mbs.CreateMassPoint(referencePosition=[2, 0, 0], physicsMass=1, show=False)
+    spring = mbs.CreateSpringDamper(bodyNumbers=[ground, mass], stiffness=1, drawSize=0.4)
+    SC.visualizationSettings.markers.show = False
+    SC.renderer.SetModelView(zoom=1.5, centerPoint=[1, 0, 0])
+    rows, columns = np.nonzero(pixels(SC, "Object", int(spring)))
+    scale = 768 / 2 / 1.5
+    wire = 0.13 * 0.2 * scale
+    assert (columns.min(), columns.max()) == (
+        pytest.approx(512 - scale, abs=wire),
+        pytest.approx(512 + scale, abs=wire),
+    )
+    assert (rows.max() - rows.min()) == pytest.approx(0.4 * scale + 2 * wire, abs=wire)
+
+
+def test_a_beam_is_as_high_as_it_is_drawn(SC: Any, mbs: Any) -> None:
+    nodes = [mbs.AddNode(NodePoint2DSlope1(referenceCoordinates=[x, 0, 1, 0])) for x in (0, 2)]
+    beam = mbs.AddObject(
+        Cable2D(
+            nodeNumbers=nodes, physicsLength=2, physicsMassPerLength=1, physicsBendingStiffness=1,
+            physicsAxialStiffness=1, visualization=VCable2D(drawHeight=0.3),
+        )
+    )  # fmt: skip
+    SC.visualizationSettings.nodes.show = False
+    SC.renderer.SetModelView(zoom=1.5, centerPoint=[1, 0, 0])
+    seen = pixels(SC, "Object", int(beam))
+    assert seen.sum() == pytest.approx(2 * 0.3 * (768 / 3) ** 2, rel=0.02)
+
+
+def test_the_pixel_tells_the_item(SC: Any, mbs: Any) -> None:
+    node = mbs.AddNode(NodePoint(name="here", referenceCoordinates=[1, 0, 0], visualization=VNodePoint(drawSize=0.2)))
+    SC.renderer.SetModelView(zoom=2)
+    found = item_at(Studio(SC), 512 + 192, 384)
+    assert found is not None
+    assert (found.kind, found.number, found.type_name, found.name) == ("Node", int(node), "Point", "here")
+    assert item_at(Studio(SC), 5, 5) is None
+
+
+def test_numbers_become_colors(SC: Any, mbs: Any) -> None:
+    """The displacement grows along the cable: from the first to the last color of the bar."""
+    n = 9
+    nodes = [mbs.AddNode(NodePoint2DSlope1(referenceCoordinates=[x, 0, 1, 0])) for x in range(n)]
+    for a, b in zip(nodes[:-1], nodes[1:], strict=True):
+        mbs.AddObject(
+            Cable2D(
+                nodeNumbers=[a, b], physicsLength=1, physicsMassPerLength=1, physicsBendingStiffness=1,
+                physicsAxialStiffness=1, visualization=VCable2D(drawHeight=1),
+            )
+        )  # fmt: skip
+    mbs.Assemble()
+    q = np.zeros((n, 4))
+    q[:, 1] = np.linspace(0, 1, n)
+    q[:, 3] = 1 / 8
+    mbs.systemData.SetODE2Coordinates(q.ravel(), Configuration.Visualization)
+    contour = SC.visualizationSettings.contour
+    contour.outputVariable, contour.outputVariableComponent = Variable.Displacement, 1
+    SC.visualizationSettings.nodes.show = False
+    studio = Studio(SC)
+    scene = studio.scene()
+    assert scene.value_range == (pytest.approx(0, abs=1e-9), pytest.approx(1))
+    from dalembert._pictures.contour import colors
+
+    low, quarter, high, over = colors(studio.makers[0].looks, np.array([0, 0.25, 1, 1.1]), (0, 1))
+    assert np.allclose(low, contour.advanced.contourColor0)
+    assert np.allclose(quarter, contour.advanced.contourColor1)
+    assert np.allclose(high, contour.advanced.contourColor4)
+    assert np.allclose(over, [*contour.advanced.contourColorMax[:3], 1])
+    image = studio.picture().astype(int)
+    row, left, right = 384, 512 - 300, 512 + 300
+    assert image[row + 20, left, 2] > image[row + 20, left, 0]  # blue
+    assert image[row - 20, right, 0] > image[row - 20, right, 2]  # red
+
+
+def test_deformation_is_scaled(SC: Any, mbs: Any) -> None:
+    nodes = [mbs.AddNode(NodePoint2DSlope1(referenceCoordinates=[x, 0, 1, 0])) for x in (0, 1)]
+    mbs.AddObject(
+        Cable2D(
+            nodeNumbers=nodes,
+            physicsLength=1,
+            physicsMassPerLength=1,
+            physicsBendingStiffness=1,
+            physicsAxialStiffness=1,
+        )
+    )
+    mbs.Assemble()
+    mbs.systemData.SetODE2Coordinates([0, 0, 0, 0, 0, 0.01, 0, 0], Configuration.Visualization)
+    SC.visualizationSettings.bodies.deformationScaleFactor = 20
+    lines = Studio(SC).scene().lines
+    assert lines[0][0][-1] == pytest.approx([1, 0.2, 0])
+
+
+def test_user_functions_give_shapes(SC: Any, mbs: Any) -> None:
+    asked = []
+
+    def shapes(mbs: Any, number: int) -> list[Any]:
+        asked.append(number)
+        return [graphics.Sphere([0, 0.5, 0], radius=0.1, nTiles=16)]
+
+    ground = mbs.CreateGround(referencePosition=[1, 0, 0], graphicsDataUserFunction=shapes)
+    SC.renderer.SetModelView(zoom=1)
+    assert middle(pixels(SC, "Object", int(ground))) == pytest.approx([512 + 384, 384 - 192], abs=1)
+    assert asked == [0] * len(asked)
+
+
+def test_graphics_data_that_cannot_be_drawn_name_the_body(SC: Any, mbs: Any) -> None:
+    mbs.CreateGround(name="floor", graphicsDataUserFunction=lambda mbs, n: [{"type": "Cube"}])
+    with pytest.raises(ValueError, match=r"object 0 'floor': .*\[0\]: 'type': expected TriangleList.*received 'Cube'"):
+        Studio(SC).scene()
+
+
+def test_frames_of_nodes(SC: Any, mbs: Any) -> None:
+    """The axes of a node that has turned by 90 degrees about z: x points up."""
+    mbs.CreateRigidBody(inertia=InertiaCuboid(1000, [1, 1, 1]), referenceRotationMatrix=RotationMatrixZ(np.pi / 2))
+    SC.visualizationSettings.nodes.showBasis = True
+    SC.visualizationSettings.nodes.basisSize = 0.7
+    scene = Studio(SC).scene()
+    red = [part for part in scene.instances if part.color == (0.85, 0.15, 0.15, 1.0)]
+    tips = [part.mesh.points @ part.matrix.T + part.place for part in red]
+    assert np.concatenate(tips)[:, 1].max() == pytest.approx(0.7)
+    assert np.abs(np.concatenate(tips)[:, 0]).max() < 0.1
+
+
+def test_groups_are_shown_or_not(SC: Any, mbs: Any) -> None:
+    ground = mbs.CreateGround()
+    mass = mbs.CreateMassPoint(physicsMass=1, referencePosition=[1, 0, 0], gravity=[0, -1, 0])
+    mbs.CreateSpringDamper(bodyNumbers=[ground, mass], stiffness=1)
+    mbs.AddSensor(SensorBody(bodyNumber=mass, outputVariableType=Variable.Position))
+    everything = len(Studio(SC).scene().instances) + len(Studio(SC).scene().spheres)
+    for group in ("nodes", "connectors", "markers", "loads", "sensors"):
+        getattr(SC.visualizationSettings, group).show = False
+        fewer = Studio(SC).scene()
+        assert len(fewer.instances) + len(fewer.spheres) < everything
+        getattr(SC.visualizationSettings, group).show = True
+    SC.visualizationSettings.nodes.showNumbers = True
+    assert [label.text for label in Studio(SC).scene().labels] == ["N0"]
+
+
+def test_several_systems_are_in_one_picture(SC: Any, mbs: Any) -> None:
+    other = SC.AddSystem()
+    for system, x in ((mbs, -1.0), (other, 1.0)):
+        system.AddNode(NodePoint(referenceCoordinates=[x, 0, 0], visualization=VNodePoint(drawSize=0.2)))
+    SC.renderer.SetModelView(zoom=2)
+    image = SC.renderer.RedrawAndGetImage()
+    assert (image[384, [512 - 192, 512 + 192]] < 250).any(axis=1).all()
+
+
+def test_sharp_edges_of_a_brick() -> None:
+    from dalembert._pictures.graphics_data import shapes
+    from dalembert._pictures.meshes import sharp_edges
+
+    ((_, brick, _),) = shapes([graphics.Brick(size=[1, 2, 3])], (1.0, 0.0, 0.0, 1.0), "a test")
+    ends = brick.points[sharp_edges(brick)]
+    lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+    assert sorted(lengths) == pytest.approx([1] * 4 + [2] * 4 + [3] * 4)
+    ((_, ball, _),) = shapes([graphics.Sphere(nTiles=32)], (1.0, 0.0, 0.0, 1.0), "a test")
+    assert len(sharp_edges(ball)) == 0
+
+
+def test_one_item_is_highlighted(SC: Any, mbs: Any) -> None:
+    nodes = [mbs.AddNode(NodePoint(referenceCoordinates=[x, 0, 0])) for x in (0, 1, 2)]
+    interactive = SC.visualizationSettings.interactive
+    interactive.highlightItemIndex, interactive.highlightItemType = int(nodes[1]), exu.ItemType.Node
+    scene = Studio(SC).scene()
+    assert [tuple(center) for center, *_ in scene.spheres] == [(1, 0, 0)]
+    assert scene.spheres[0][2][:3] == pytest.approx(interactive.advanced.highlightColor[:3])
+    assert len(scene.instances) == 2  # the others are seen through
+
+
+def test_the_frame_of_the_world(SC: Any, mbs: Any) -> None:
+    mbs.AddNode(NodePoint())
+    SC.visualizationSettings.view0.scene.drawWorldBasis = True
+    SC.visualizationSettings.view0.scene.worldBasisSize = 3
+    box = np.concatenate([i.mesh.points @ i.matrix.T + i.place for i in Studio(SC).scene().instances])
+    assert box.max(axis=0) == pytest.approx([3, 3, 3])
