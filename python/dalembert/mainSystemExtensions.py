@@ -7,7 +7,7 @@ from typing import Any
 
 from dalembert import _planned, create, solver
 from dalembert._core import MainSystem
-from dalembert._io import pickling
+from dalembert._io import model_files, pickling
 from dalembert._plots.repr_html import _repr_html_
 from dalembert._plots.system_graph import DrawSystemGraph
 from dalembert._solving.consistent import ComputeConsistentInitialConditions
@@ -32,6 +32,8 @@ methods: dict[str, Callable[..., Any]] = (
             CreateDistanceSensor,
             CreateDistanceSensorGeometry,
             DrawSystemGraph,
+            model_files.Load,
+            model_files.Save,
             PlotSensor,
             SolutionViewer,
             pickling.GetDictionary,
