@@ -43,7 +43,7 @@ CORE = {
     "MainSolverExplicit": "solvers",
 }
 # Modules with pages of another kind; Create... and the like are methods of MainSystem.
-ELSEWHERE = ("cli", "create", "itemInterface", "mainSystemExtensions")
+ELSEWHERE = ("cli", "create", "itemInterface", "mainSystemExtensions", "robotics.roboticsCore")
 CORE_TITLES = {"system": "Systems", "data": "Matrices and lists", "solvers": "Solver objects"}
 
 
@@ -99,14 +99,14 @@ def module_pages() -> dict[str, str]:
         return {"api/index.rst": head + NOT_BUILT}
     pages = core_pages(importlib.import_module("dalembert._core"))
     modules, seen = [], set[int]()
-    for info in pkgutil.iter_modules(package.__path__):
-        if info.name.startswith("_") or info.name in ELSEWHERE:
+    for info in pkgutil.walk_packages(package.__path__, "dalembert."):
+        name = info.name.removeprefix("dalembert.")
+        if any(part.startswith("_") for part in name.split(".")) or name in ELSEWHERE:
             continue
-        full = f"dalembert.{info.name}"
-        module = importlib.import_module(full)
-        members = (member(full, name, getattr(module, name)) for name in documented(module, seen))
-        pages[f"api/{info.name}.rst"] = f"{heading(full)}\n.. automodule:: {full}\n\n" + "\n".join(members)
-        modules.append(info.name)
+        module = importlib.import_module(info.name)
+        members = (member(info.name, thing, getattr(module, thing)) for thing in documented(module, seen))
+        pages[f"api/{name}.rst"] = f"{heading(info.name)}\n.. automodule:: {info.name}\n\n" + "\n".join(members)
+        modules.append(name)
     pages["api/index.rst"] = f"{head}{toctree([*CORE_TITLES, 'functions'])}\n{toctree(modules)}"
     return pages
 

@@ -21,7 +21,7 @@ constexpr std::array<std::string_view, 8> NewtonNumericalDifferentiationSettings
 constexpr std::array<std::string_view, 13> NewtonSettings_rows{
     "the iteration ends if the error is below this value, in the units of the residual",
     "true: if the residual grows in the first iteration, the larger value is the one that has to be reduced by the relative tolerance; for steps that start with a residual near zero",
-    "the solver stops with an error if the squared norm of coordinates or velocities reaches this value: explicit solvers after every step, Newton's method while it has not converged",
+    "the solver stops with an error if the squared norm of coordinates or velocities reaches this value: explicit solvers after every step (coordinates only with values below the default), Newton's method while it has not converged",
     "number of iterations of all kinds after which a step has failed",
     "number of iterations with an old Jacobian after which it is computed anew",
     "number of iterations with a renewed Jacobian after which the step goes on with full Newton",

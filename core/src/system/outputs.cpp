@@ -259,7 +259,8 @@ void System::marker_output(int marker, Variable variable, ConfigurationType conf
     return r;
   };
   const Evaluation e = parts.output_evaluation(parts.state(configuration));
-  if (place.member.batch->motion(place.member.entry, e, m) && frame_output(variable, m, reference, values)) return;
+  const bool unoriented = place.object >= 0 && lacks(*parts.objects[static_cast<std::size_t>(place.object)].type, variable);
+  if (!unoriented && place.member.batch->motion(place.member.entry, e, m) && frame_output(variable, m, reference, values)) return;
   no_output(parts.describe(ItemKind::marker, marker), variable, {});
 }
 

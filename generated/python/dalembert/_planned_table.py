@@ -37,12 +37,8 @@ ITEMS = (
 MODULES = {
     "GUI": Planned('dialogs for settings', 'set the attributes of SimulationSettings() and SC.visualizationSettings', ()),
     "artificialIntelligence": Planned('environments for reinforcement learning', 'call mbs.SolveDynamic for each action, with updateInitialValues=True and the next startTime and endTime; states are in mbs.systemData', ()),
-    "robotics": Planned('serial robots, mobile robots, inverse kinematics and trajectories', 'make links by mbs.CreateRigidBody and mbs.CreateRevoluteJoint; dalembert.kinematicTree has the equations of trees of links', ()),
     "robotics.future": Planned('inverse kinematics of standard robots', '', ()),
     "robotics.mobile": Planned('vehicles with mecanum wheels', '', ()),
-    "robotics.models": Planned('data of standard robots', '', ()),
-    "robotics.motion": Planned('trajectories with limited velocities and accelerations', '', ()),
-    "robotics.roboticsCore": Planned('Robot, RobotLink and inverse kinematics', '', ()),
     "robotics.special": Planned('measures of manipulability', '', ()),
     "robotics.utilities": Planned('lidar sensors, robots from URDF files', '', ()),
     "resultsMonitor": Planned('a window that shows sensor files while a solver writes them', 'call PlotSensor with the name of the file', ()),
