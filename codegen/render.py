@@ -6,6 +6,7 @@ import inspect
 import re
 from collections.abc import Mapping
 from functools import cache
+from itertools import chain
 from types import ModuleType
 from typing import Any
 
@@ -14,7 +15,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined, meta
 from codegen.model import Item
 from codegen.model_settings import Specs
 from codegen.names import FOLDERS
-from codegen.views import cpp, python, rst, settings
+from codegen.views import cpp, python, rst, schema, settings
 
 _TRAILING_SPACE = re.compile(r"[ \t]+$", re.MULTILINE)
 _BLANK_LINES = re.compile(r"\n{3,}")
@@ -34,7 +35,7 @@ def environment() -> Environment:
         keep_trailing_newline=True,
         autoescape=False,
     )
-    for module in (cpp, python, rst, settings):
+    for module in (cpp, python, rst, schema, settings):
         env.filters |= filters_of(module)
     return env
 
@@ -76,6 +77,9 @@ def _cpp_files(specs: Specs) -> dict[str, str]:
     files = {
         "src/registry.cpp": fill("registry.cpp.j2", items=specs.items),
         "src/item_texts.cpp": fill("item_texts.cpp.j2", items=specs.items),
+        "src/settings_texts.cpp": fill(
+            "settings_texts.cpp.j2", structs=list(chain(*map(settings.structs, specs.settings))), enums=specs.enums
+        ),
         "include/dalembert/enums.hpp": fill("enums.hpp.j2", enums=specs.enums),
         "src/enums.cpp": fill("enums.cpp.j2", enums=specs.enums),
     }
@@ -100,6 +104,7 @@ def _python_files(specs: Specs) -> dict[str, str]:
             "function_sizes.py.j2",
             functions=[(item, f) for item in specs.items for f in item.user_functions if python.has_arrays(f)],
         ),
+        "python/dalembert/model.schema.json": fill("model_schema.json.j2", specs=specs),
         "python/dalembert/_planned_table.py": fill(
             "planned_table.py.j2", items=[item for item in specs.items if not item.ready], planned=specs.planned
         ),

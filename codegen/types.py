@@ -100,19 +100,19 @@ def _arrays() -> list[ParameterType]:
 
 def _indices() -> list[ParameterType]:
     kinds = ("Node", "Object", "Marker", "Load", "Sensor")
-    single = [ParameterType(f"{kind}Index", f"{kind}Index", kind.lower(), f"{kind}Index | int") for kind in kinds]
+    single = [ParameterType(f"{kind}Index", f"{kind}Index", kind.lower(), f"{kind}Index | int | str") for kind in kinds]
     several = [
         ParameterType(
             f"Array{kind}Index",
             f"std::vector<{kind}Index>",
             f"{kind.lower()}s",
-            f"Sequence[{kind}Index | int]",
+            f"Sequence[{kind}Index | int | str]",
             (None,),
         )
         for kind in kinds
     ]
     nodes = [
-        ParameterType(f"NodeIndex{n}", "std::vector<NodeIndex>", "nodes", "Sequence[NodeIndex | int]", (n,))
+        ParameterType(f"NodeIndex{n}", "std::vector<NodeIndex>", "nodes", "Sequence[NodeIndex | int | str]", (n,))
         for n in (2, 3, 4)
     ]
     return single + several + nodes

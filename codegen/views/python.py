@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from textwrap import indent
 from typing import Any
 
 from codegen.model import BODY_FOLDERS, Argument, Item, Parameter, UserFunction
@@ -145,3 +146,21 @@ def create_functions(items: Iterable[Item]) -> dict[str, list[Item]]:
         for function in item.create_functions:
             found.setdefault(function, []).append(item)
     return dict(sorted(found.items()))
+
+
+def signature(function: UserFunction) -> str:
+    return f"{function.name}({', '.join(function.argument_names)})"
+
+
+def further_help(item: Item) -> str:
+    """What a docstring says of an item below its parameters and outputs."""
+    parts = []
+    if item.user_functions:
+        functions = (f"    {signature(f)}\n        {' '.join(f.doc.split())}" for f in item.user_functions)
+        parts.append("\n".join(("User functions:", *functions)))
+    if item.create_functions:
+        parts.append("Created by: " + ", ".join(f"mbs.{name}(...)" for name in item.create_functions))
+    if item.example:
+        parts.append("Example:\n" + indent(item.example.code, "    "))
+    parts.append(f"Page: reference/items/{item.stem}.html")
+    return "".join(f"\n{part}\n" for part in parts)

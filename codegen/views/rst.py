@@ -113,10 +113,6 @@ def sentence(text: str) -> str:
     return text if not text or text.endswith((".", "!", "?", ":")) else text + "."
 
 
-def signature(function: UserFunction) -> str:
-    return f"{function.name}({', '.join(function.argument_names)})"
-
-
 _C_TYPES = {"scalar": "double", "integer": "int64_t", "boolean": "int64_t"}
 
 

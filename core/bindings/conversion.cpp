@@ -6,6 +6,7 @@
 #include <span>
 
 #include "dalembert/model/member.hpp"
+#include "dalembert/model/references.hpp"
 #include "dalembert/model/value_checks.hpp"
 #include "index_types.hpp"
 #include "python_callback.hpp"
@@ -238,7 +239,7 @@ void read(PyObject* value, const Row& row, std::vector<Entry>& out) {
 int read_item_number(PyObject* value, ItemKind wanted) {
   ItemKind kind{};
   int number = -1;
-  const auto what = [&] { return with_article(index_name(wanted)) + " or an integer"; };
+  const auto what = [&] { return with_article(index_name(wanted)) + ", an integer or a name"; };
   const auto advice = [&] { return "Pass what Add" + std::string(kind_title(wanted)) + "(...) returned."; };
   if (read_index(value, kind, number)) {
     if (kind == wanted) return number;
@@ -247,6 +248,7 @@ int read_item_number(PyObject* value, ItemKind wanted) {
                       std::string(kind_name(wanted)) + "s. " + advice()};
   }
   if (PyBool_Check(value)) throw Refusal{ErrorKind::type, what(), advice()};
+  if (PyUnicode_Check(value) && PyUnicode_GET_LENGTH(value) > 0) return named_reference(to_string(value));
   try {
     number = read_integer(value);
   } catch (Refusal& refusal) {
@@ -294,7 +296,7 @@ void read(PyObject* value, const Row& row, std::vector<ItemIndex<K>>& out) {
     }
   }
   const std::string what = (row.size > 0 ? "a list of " + std::to_string(row.size) : std::string("a list of")) + " " +
-                           std::string(index_name(K)) + " or integers";
+                           std::string(index_name(K)) + ", integers or names";
   const Items items(value, what);
   if (row.size > 0) require_length(items.size(), row.size, what);
   std::vector<ItemIndex<K>> numbers;
@@ -397,13 +399,18 @@ py::object write(const std::vector<Entry>& value, Form, PyObject*) {
   return core_module().attr(name.c_str())(list);
 }
 template <ItemKind K>
+py::object write_index(ItemIndex<K> index) {
+  if (is_named_reference(index.value)) return py::str(referred_name(index.value));
+  return py::reinterpret_steal<py::object>(make_index(K, index.value));
+}
+template <ItemKind K>
 py::object write(const ItemIndex<K>& value, Form, PyObject*) {
-  return py::reinterpret_steal<py::object>(make_index(K, value.value));
+  return write_index(value);
 }
 template <ItemKind K>
 py::object write(const std::vector<ItemIndex<K>>& value, Form, PyObject*) {
   py::list list;
-  for (const ItemIndex<K> index : value) list.append(py::reinterpret_steal<py::object>(make_index(K, index.value)));
+  for (const ItemIndex<K> index : value) list.append(write_index(index));
   return list;
 }
 py::object write(OutputVariableType value, Form, PyObject*) {

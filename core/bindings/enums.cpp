@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "dalembert/enums.hpp"
+#include "dalembert/reflection/settings_texts.hpp"
 #include "module.hpp"
 
 namespace dalembert {
@@ -31,17 +32,30 @@ py::object named_base(const py::module_& enum_module, const char* base) {
   return py::module_::import("types").attr("new_class")(base, py::make_tuple(enum_module.attr(base)), py::dict(), body);
 }
 
+// The class tells what its values mean, and so does each value.
+void document(const py::object& made, const EnumTable& table, const EnumText& text) {
+  std::string doc = std::string(text.summary) + "\n\nValues:\n";
+  for (std::size_t i = 0; i < table.entries.size(); ++i) {
+    const std::string name(table.entries[i].name), value(text.values[i]);
+    made.attr("__getitem__")(name).attr("__doc__") = value;
+    doc += "    " + name + " = " + std::to_string(table.entries[i].value) + "\n        " + value + "\n";
+  }
+  made.attr("__doc__") = doc;
+}
+
 }  // namespace
 
 void register_enums(py::module_& module) {
   const py::module_ enum_module = py::module_::import("enum");
   const py::object numbers = named_base(enum_module, "IntEnum"), flags = named_base(enum_module, "IntFlag");
+  auto text = enum_texts().begin();
   for (const EnumTable& table : enum_tables()) {
     py::list members;
     for (const EnumEntry& entry : table.entries) members.append(py::make_tuple(py::str(entry.name), entry.value));
     const py::str name{std::string(table.name)};
     const py::object& base = is_flag(table) ? flags : numbers;
     module.attr(name) = base(name, members, py::arg("module") = module.attr("__name__"));
+    document(module.attr(name), table, *text++);
   }
 }
 

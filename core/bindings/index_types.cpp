@@ -74,7 +74,10 @@ void index_dealloc(PyObject* self) {
   Py_DECREF(type);
 }
 
-PyObject* index_repr(PyObject* self) { return PyUnicode_FromFormat("%d", number_of(self)); }
+PyObject* index_repr(PyObject* self) {
+  return PyUnicode_FromFormat("%s(%d)", std::string(index_name(kind_of_type(Py_TYPE(self)))).c_str(), number_of(self));
+}
+PyObject* index_str(PyObject* self) { return PyUnicode_FromFormat("%d", number_of(self)); }
 PyObject* index_int(PyObject* self) { return PyLong_FromLong(number_of(self)); }
 PyObject* index_float(PyObject* self) { return PyFloat_FromDouble(number_of(self)); }
 Py_hash_t index_hash(PyObject* self) { return number_of(self) == -1 ? -2 : number_of(self); }
@@ -160,6 +163,7 @@ PyTypeObject* make_type(ItemKind kind) {
       {Py_tp_new, reinterpret_cast<void*>(index_new)},
       {Py_tp_dealloc, reinterpret_cast<void*>(index_dealloc)},
       {Py_tp_repr, reinterpret_cast<void*>(index_repr)},
+      {Py_tp_str, reinterpret_cast<void*>(index_str)},
       {Py_tp_hash, reinterpret_cast<void*>(index_hash)},
       {Py_tp_richcompare, reinterpret_cast<void*>(index_compare)},
       {Py_tp_methods, methods},

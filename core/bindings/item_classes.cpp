@@ -413,6 +413,11 @@ void register_items(py::module_& module) {
     if (found == by_python_type.end()) throw py::type_error("_parameters_of: " + py::repr(cls).cast<std::string>() + " is no item class");
     return described_parameters(*found->second, found->first == found->second->visualization_type);
   }, py::arg("cls"), py::pos_only(), "(name, type, check, facts, text) of the parameters of an item class or a visualization class.");
+  module.def("_outputs_of", [](const py::type& cls) {
+    const auto found = by_python_type.find(reinterpret_cast<const PyTypeObject*>(cls.ptr()));
+    if (found == by_python_type.end()) throw py::type_error("_outputs_of: " + py::repr(cls).cast<std::string>() + " is no item class");
+    return described_outputs(*found->second);
+  }, py::arg("cls"), py::pos_only(), "(name, size, unit, text) of the output variables of an item class; size 0: it depends on the item.");
   add("Item", item_base);
   add("Visualization", visualization_base);
   for (const ItemType* type : item_types()) {

@@ -150,6 +150,13 @@ py::list described_parameters(const ItemClass& item_class, bool visualization) {
   return made;
 }
 
+py::list described_outputs(const ItemClass& item_class) {
+  py::list made;
+  for (const OutputText& output : text_of(*item_class.type).outputs)
+    made.append(py::make_tuple(output.name, output.size, output.unit, output.text));
+  return made;
+}
+
 std::string class_doc(const ItemClass& item_class, bool visualization) {
   const ItemType& type = *item_class.type;
   const std::string name = (visualization ? "V" : "") + std::string(type.name);
@@ -176,6 +183,7 @@ std::string class_doc(const ItemClass& item_class, bool visualization) {
   if (!of_spec.outputs.empty()) text += "\nOutput variables:\n";
   for (const OutputText& output : of_spec.outputs) text += output_line(output);
   if (!type.provides.empty()) text += "\nProvides: " + words(type.provides) + "\n";
+  text += of_spec.more;
   if (type.physics == nullptr && type.kind != ItemKind::sensor)
     text += "\nIts physics is planned: it can be described, but not yet added to a system.\n";
   return text;

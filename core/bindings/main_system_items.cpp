@@ -1,6 +1,7 @@
 // The methods of MainSystem that add, read and change items, for all five kinds.
 #include "conversion.hpp"
 #include "dalembert/model/member.hpp"
+#include "dalembert/model/references.hpp"
 #include "index_types.hpp"
 #include "item_arguments.hpp"
 #include "item_classes.hpp"
@@ -16,7 +17,7 @@ int item_number_argument(const MainSystem& main, ItemKind kind, PyObject* value,
   int number = -1;
   const auto complain = [&](const std::string& advice) {
     refuse(ErrorKind::type, {"mbs." + method.text() + "(...)", std::string(kind_name(kind)) + "Number", "", show(value),
-                             with_article(index_name(kind)) + " or an integer", advice});
+                             with_article(index_name(kind)) + ", an integer or a name", advice});
   };
   if (read_index(value, given, number)) {
     if (given != kind) {
@@ -24,7 +25,7 @@ int item_number_argument(const MainSystem& main, ItemKind kind, PyObject* value,
                std::string(kind_name(kind)) + "s.");
     }
   } else if (PyUnicode_Check(value)) {
-    complain("To find an item by its name, use mbs.Get" + std::string(kind_title(kind)) + "Number(name).");
+    return number_of(main.model, kind, to_string(value), "mbs." + method.text() + "(...)", std::string(kind_name(kind)) + "Number");
   } else {
     try {
       number = read_integer(value);

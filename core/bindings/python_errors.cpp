@@ -3,6 +3,7 @@
 #include <pybind11/numpy.h>
 
 #include "dalembert/output/file_error.hpp"
+#include "index_types.hpp"
 
 namespace dalembert {
 namespace {
@@ -70,7 +71,10 @@ std::string to_string(PyObject* text) {
 
 std::string show(PyObject* value) {
   std::string text;
-  if (PyObject* shown = PyObject_Repr(value); shown != nullptr) {
+  ItemKind kind{};
+  int number = 0;
+  const bool index = read_index(value, kind, number);  // their type follows behind the number
+  if (PyObject* shown = index ? PyObject_Str(value) : PyObject_Repr(value); shown != nullptr) {
     const char* data = PyUnicode_AsUTF8(shown);
     text = data != nullptr ? data : "?";
     Py_DECREF(shown);

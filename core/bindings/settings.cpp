@@ -72,6 +72,15 @@ SettingsView copy_of(const SettingsView& view) {
   return copy;
 }
 
+// The same structure with the defaults that it has at its place.
+SettingsView defaults_of(const SettingsView& view) {
+  SettingsView defaults = view;
+  defaults.root = view.tree->operations.create();
+  defaults.data =
+      static_cast<char*>(defaults.root.get()) + (static_cast<char*>(view.data) - static_cast<char*>(view.root.get()));
+  return defaults;
+}
+
 void set_child(const SettingsView& view, const SettingsChild& child, PyObject* value) {
   const SettingsView target = view.child(child);
   if (PyDict_Check(value)) {
@@ -158,6 +167,12 @@ void deallocate(PyObject* self) {
 }
 
 PyObject* represent(PyObject* self) {
+  return guarded([&] {
+    const SettingsView& view = view_of(self);
+    return py::str(settings_differences(view, defaults_of(view))).release().ptr();
+  });
+}
+PyObject* to_string_of_all(PyObject* self) {
   return guarded([&] { return py::str(settings_text(view_of(self))).release().ptr(); });
 }
 
@@ -211,19 +226,29 @@ void add_field(SettingsClass& settings_class, std::string_view name, std::string
 
 void make_class(SettingsClass& settings_class, const py::module_& module) {
   settings_class.name = std::string(settings_class.group->name);
-  for (const SettingsChild& child : settings_class.group->children)
-    add_field(settings_class, child.name, std::string(child.group->name), get_child, &child);
-  for (const Row& row : settings_class.group->rows)
-    add_field(settings_class, row.name, setting_doc(*settings_class.group, row), get_row, &row);
+  const SettingsView defaults = fresh(settings_class);
+  std::string parameters;
+  for (const SettingsChild& child : settings_class.group->children) {
+    add_field(settings_class, child.name, settings_summary(*child.group), get_child, &child);
+    parameters += "    " + std::string(child.name) + ": " + std::string(child.group->name) + "\n        " + settings_summary(*child.group) + "\n";
+  }
+  for (const Row& row : settings_class.group->rows) {
+    const std::string text = setting_text(*settings_class.group, row), facts = setting_doc(*settings_class.group, row);
+    add_field(settings_class, row.name, facts + "\n" + text, get_row, &row);
+    parameters += "    " + std::string(row.name) + ": " + facts + "; default " +
+                  std::string(py::repr(read_setting(defaults, row))) + "\n        " + text + "\n";
+  }
   settings_class.fields.push_back({});
   settings_class.texts.push_back(module.attr("__name__").cast<std::string>() + "." + settings_class.name);
   const char* full_name = settings_class.texts.back().c_str();
-  settings_class.texts.push_back(settings_class.name + "()\n--\n\nSettings" +
-                                 (settings_class.path.empty() ? "." : ", e.g. of " + settings_class.path + "."));
+  settings_class.texts.push_back(settings_class.name + "()\n--\n\n" + settings_summary(*settings_class.group) +
+                                 (settings_class.path.empty() ? "" : "; first found at " + settings_class.path) +
+                                 "\n\nParameters:\n" + parameters);
   PyType_Slot slots[] = {
       {Py_tp_new, reinterpret_cast<void*>(make_new)},
       {Py_tp_dealloc, reinterpret_cast<void*>(deallocate)},
       {Py_tp_repr, reinterpret_cast<void*>(represent)},
+      {Py_tp_str, reinterpret_cast<void*>(to_string_of_all)},
       {Py_tp_getattro, reinterpret_cast<void*>(get_attribute)},
       {Py_tp_setattro, reinterpret_cast<void*>(set_attribute)},
       {Py_tp_methods, methods},

@@ -71,6 +71,10 @@ py::dict settings_dictionary(const SettingsView& view);
 py::dict settings_dictionary_with_types(const SettingsView& view);
 void set_settings_dictionary(const SettingsView& view, const py::dict& values);
 std::string settings_text(const SettingsView& view);
+std::string settings_differences(const SettingsView& view, const SettingsView& defaults);
+// Words: of a structure; what a parameter means; its type, range and unit.
+std::string settings_summary(const SettingsGroup& group);
+std::string setting_text(const SettingsGroup& group, const Row& row);
 std::string setting_doc(const SettingsGroup& group, const Row& row);
 
 }  // namespace dalembert

@@ -5,6 +5,7 @@
 
 #include "conversion.hpp"
 #include "dalembert/model/member.hpp"
+#include "dalembert/reflection/settings_texts.hpp"
 #include "index_types.hpp"
 #include "python_errors.hpp"
 #include "settings.hpp"
@@ -163,14 +164,30 @@ py::list size_of(const py::object& value) {
   return size;
 }
 
-void append_text(const SettingsView& view, int depth, std::string& text) {
+// With `defaults`, only what differs from them.
+void append_text(const SettingsView& view, const SettingsView* defaults, int depth, std::string& text) {
   const std::string indent(static_cast<std::size_t>(2 * depth), ' ');
   for (const SettingsChild& child : view.group->children) {
-    text += indent + std::string(child.name) + ":\n";
-    append_text(view.child(child), depth + 1, text);
+    std::string inner;
+    if (defaults != nullptr) {
+      const SettingsView inner_defaults = defaults->child(child);
+      append_text(view.child(child), &inner_defaults, depth + 1, inner);
+    } else {
+      append_text(view.child(child), nullptr, depth + 1, inner);
+    }
+    if (defaults == nullptr || !inner.empty()) text += indent + std::string(child.name) + ":\n" + inner;
   }
-  for (const Row& row : view.group->rows)
-    text += indent + std::string(row.name) + " = " + std::string(py::str(read_setting(view, row))) + "\n";
+  for (const Row& row : view.group->rows) {
+    const std::string value(py::str(read_setting(view, row)));
+    if (defaults != nullptr && value == std::string(py::str(read_setting(*defaults, row)))) continue;
+    text += indent + std::string(row.name) + " = " + value + "\n";
+  }
+}
+
+const SettingsText* text_of(const SettingsGroup& group) {
+  for (const SettingsText& text : settings_texts())
+    if (text.name == group.name) return &text;
+  return nullptr;
 }
 
 }  // namespace
@@ -221,7 +238,7 @@ py::dict settings_dictionary_with_types(const SettingsView& view) {
     entry["value"] = value;
     entry["type"] = type_word(row);
     entry["size"] = size_of(value);
-    entry["description"] = setting_doc(*view.group, row);
+    entry["description"] = setting_text(*view.group, row) + " (" + setting_doc(*view.group, row) + ")";
     values[py::str(row.name)] = entry;
   }
   return values;
@@ -239,9 +256,27 @@ void set_settings_dictionary(const SettingsView& view, const py::dict& values) {
 
 std::string settings_text(const SettingsView& view) {
   std::string text = view.title() + ":\n";
-  append_text(view, 1, text);
+  append_text(view, nullptr, 1, text);
   text.pop_back();
   return text;
+}
+
+std::string settings_differences(const SettingsView& view, const SettingsView& defaults) {
+  std::string text;
+  append_text(view, &defaults, 1, text);
+  if (text.empty()) return view.title() + ": all at their defaults";
+  text.pop_back();
+  return view.title() + ", where it differs from the defaults:\n" + text;
+}
+
+std::string settings_summary(const SettingsGroup& group) {
+  const SettingsText* text = text_of(group);
+  return text != nullptr ? std::string(text->summary) : std::string("Settings");
+}
+
+std::string setting_text(const SettingsGroup& group, const Row& row) {
+  const SettingsText* text = text_of(group);
+  return text != nullptr ? std::string(text->rows[static_cast<std::size_t>(&row - group.rows.data())]) : std::string();
 }
 
 std::string setting_doc(const SettingsGroup& group, const Row& row) {

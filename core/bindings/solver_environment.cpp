@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 
 #include "compiled_callback.hpp"
 #include "console.hpp"
@@ -145,8 +146,45 @@ void add_user_functions(SolverHooks& hooks, const std::shared_ptr<MainSystem>& m
   }
 }
 
+// Where a line can be written over, progress is one line; elsewhere, in files for instance, a line after 10 s and then every
+// 30 s. A solver marks it by a leading '\r'.
+class Progress {
+ public:
+  void print(std::string_view text) {
+    const bool passing = text.starts_with('\r');
+    if (passing && overwrites()) {
+      const std::string line(text.substr(1));
+      write_console('\r' + line + std::string(shown_ > line.size() ? shown_ - line.size() : 0, ' '));
+      shown_ = line.size();
+    } else if (!passing) {
+      // The last line of progress takes the place of those before.
+      const bool takes_place = shown_ > 0 && text.starts_with("STEP");
+      const std::string before = shown_ == 0 ? "" : takes_place ? '\r' + std::string(shown_, ' ') + '\r' : std::string("\n");
+      shown_ = 0;
+      write_console(before + std::string(text));
+    } else if (const Clock::time_point now = Clock::now(); now >= next_) {
+      next_ = now + std::chrono::seconds(30);
+      write_console(std::string(text.substr(1)) + '\n');
+    }
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  // A terminal, or a notebook.
+  static bool overwrites() {
+    const py::gil_scoped_acquire gil;
+    const py::object out = py::module_::import("sys").attr("stdout");
+    if (py::hasattr(out, "isatty") && out.attr("isatty")().cast<bool>()) return true;
+    return py::str(py::type::of(out).attr("__module__")).cast<std::string>().starts_with("ipykernel");
+  }
+
+  std::size_t shown_ = 0;  // letters of the line that stands open
+  Clock::time_point next_ = Clock::now() + std::chrono::seconds(10);
+};
+
 void add_console(SolverHooks& hooks) {
-  hooks.print = [](std::string_view text) { write_console(std::string(text)); };
+  hooks.print = [progress = std::make_shared<Progress>()](std::string_view text) { progress->print(text); };
   hooks.warn = [](std::string_view text) { write_warning(std::string(text)); };
 }
 

@@ -8,6 +8,7 @@
 #include "console.hpp"
 #include "conversion.hpp"
 #include "dalembert/model/errors.hpp"
+#include "dalembert/model/references.hpp"
 #include "index_types.hpp"
 #include "item_arguments.hpp"
 #include "item_classes.hpp"
@@ -173,8 +174,10 @@ int item_number(const SystemData& self, ItemKind kind, const py::object& value, 
   int number = -1;
   const std::string noun(kind_name(kind));
   const std::string expected = "the number of " + std::string(kind == ItemKind::object ? "an " : "a ") + noun + ": " +
-                               std::string(index_name(kind)) + " or int";
-  if (!read_index(value.ptr(), given, number)) {
+                               std::string(index_name(kind)) + ", int or name";
+  if (PyUnicode_Check(value.ptr())) {
+    number = number_of(self.main->model, kind, to_string(value.ptr()), full_name(method), noun + "Number");
+  } else if (!read_index(value.ptr(), given, number)) {
     try {
       number = read_integer(value.ptr());
     } catch (const Refusal& refusal) {

@@ -13,25 +13,114 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from dalembert._io.files import replacing
+from dalembert._version import __version__
+
+
+def _existing(command: str, name: str) -> Path | None:
+    model = Path(name)
+    if model.is_file():
+        return model
+    print(f"dalembert {command}: there is no file '{model}'", file=sys.stderr)
+    return None
 
 
 def _run(arguments: argparse.Namespace) -> int:
-    """Run a model as __main__ with its own arguments; imports of exudyn give dalembert."""
-    from dalembert import alias
-
-    model = Path(arguments.model)
-    if not model.is_file():
-        print(f"dalembert run: there is no file '{model}'", file=sys.stderr)
+    """Run a model as __main__ with its own arguments, or solve a model file; return the exit code."""
+    model = _existing("run", arguments.model)
+    if model is None:
         return 2
-    alias.install("exudyn")
-    sys.argv = [str(model), *arguments.arguments]
-    sys.path.insert(0, str(model.resolve().parent))
-    runpy.run_path(str(model), run_name="__main__")
+    if model.suffix == ".json":
+        return _solve(model, arguments.arguments)
+    _run_python(model, arguments.arguments)
     return 0
 
 
+def _run_python(model: Path, arguments: Sequence[str] = ()) -> dict[str, Any]:
+    """Run a Python file as __main__ and return its global names; imports of exudyn give dalembert."""
+    from dalembert import alias
+
+    alias.install("exudyn")
+    sys.argv = [str(model), *arguments]
+    sys.path.insert(0, str(model.resolve().parent))
+    return runpy.run_path(str(model), run_name="__main__")
+
+
+def _loaded(model: Path, allowCode: bool = False) -> tuple[Any, Any]:
+    """Return the system and the settings of a model file; SystemExit tells what is wrong with it."""
+    import dalembert as exu
+
+    mbs: Any = exu.SystemContainer().AddSystem()
+    try:
+        return mbs, mbs.Load(model, allowCode=allowCode)
+    except ValueError as error:
+        raise SystemExit(str(error)) from None
+
+
+def _solve(model: Path, arguments: Sequence[str]) -> int:
+    """Solve a model file with the settings in it, or with the defaults; print values of sensors at the end."""
+    parser = argparse.ArgumentParser(prog=f"dalembert run {model.name}")
+    parser.add_argument("--allow-code", action="store_true", help="load user functions, which is to run their code")
+    parser.add_argument("--static", action="store_true", help="find the equilibrium instead of the motion")
+    options = parser.parse_args(arguments)
+    mbs, settings = _loaded(model, options.allow_code)
+    mbs.Assemble()
+    solve = mbs.SolveStatic if options.static else mbs.SolveDynamic
+    done = solve(*([settings] if settings is not None else []))
+    for sensor in range(mbs.systemData.NumberOfSensors()):
+        print(f"{mbs.GetSensorParameter(sensor, 'name')}: {mbs.GetSensorValues(sensor)}")
+    return 0 if done else 1
+
+
+class _SolverCalledError(Exception):
+    """A model that is only checked has come to its solver."""
+
+
+def _system_of(model: Path) -> Any:
+    """Return the system of a Python file as it is when its first solver is called, or else its variable mbs."""
+    import dalembert as exu
+
+    def stop(mbs: Any, *args: Any, **kwargs: Any) -> None:
+        raise _SolverCalledError(mbs)
+
+    for name in ("SolveDynamic", "SolveStatic", "SolveVariations"):
+        setattr(exu.MainSystem, name, stop)
+        setattr(exu, name, stop)
+    try:
+        mbs = _run_python(model).get("mbs")
+    except _SolverCalledError as called:
+        return called.args[0]
+    if isinstance(mbs, exu.MainSystem):
+        return mbs
+    raise SystemExit(f"dalembert check: {model} calls no solver and has no variable mbs")
+
+
+def _check(arguments: argparse.Namespace) -> int:
+    """Assemble a model and tell what looks wrong; return 1 if something does."""
+    from dalembert._tools.model_check import figures, findings
+
+    model = _existing("check", arguments.model)
+    if model is None:
+        return 2
+    mbs = _loaded(model)[0] if model.suffix == ".json" else _system_of(model)
+    found = findings(mbs)
+    if not any(text.startswith("Assemble()") for text in found):
+        _print_table(figures(mbs))
+    for text in found:
+        print(f"- {text}")
+    print(f"{len(found)} finding{'' if len(found) == 1 else 's'}" if found else "nothing looks wrong")
+    return 1 if found else 0
+
+
 def _info(arguments: argparse.Namespace) -> int:
-    """Print versions, the location of the package and the number of items."""
+    """Print what a model file holds; without one versions, the location of the package and the number of items."""
+    if arguments.model is not None:
+        from dalembert._tools.model_check import figures
+
+        model = _existing("info", arguments.model)
+        if model is None:
+            return 2
+        _print_table(figures(_loaded(model)[0] if model.suffix == ".json" else _system_of(model)))
+        return 0
     import platform
 
     import numpy as np
@@ -87,10 +176,17 @@ def _items(arguments: argparse.Namespace) -> int:
             for name in names:
                 print(f"  {name}" + ("  (planned)" if name in ITEMS else ""))
         return 0
+    from dalembert.create import functions
+
+    if arguments.name in functions:
+        print(f"mbs.{arguments.name}: {functions[arguments.name].__doc__}")
+        return 0
     known = [name for name, value in vars(itemInterface).items() if isinstance(value, type)]
+    lower = {name.lower(): name for name in known}
+    arguments.name = lower.get(arguments.name.lower(), arguments.name)
     if arguments.name not in known:
         running = [name for name in known if getattr(itemInterface, name).__name__.removeprefix("V") not in ITEMS]
-        near = difflib.get_close_matches(arguments.name, running, 3)
+        near = difflib.get_close_matches(arguments.name, [*running, *functions], 3)
         hint = f"; did you mean {', '.join(near)}?" if near else "; 'dalembert items' lists all"
         print(f"dalembert items: there is no item '{arguments.name}'{hint}", file=sys.stderr)
         return 2
@@ -230,17 +326,24 @@ def _demo(arguments: argparse.Namespace) -> int:
 
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="dalembert", description="Flexible multibody dynamics.")
+    parser.add_argument("--version", action="version", version=f"dalembert {__version__}")
     commands = parser.add_subparsers(required=True, metavar="command")
 
-    run = commands.add_parser("run", help="run a model; its imports of exudyn give dalembert")
-    run.add_argument("model", help="a Python file")
+    run = commands.add_parser("run", help="run a model, whose imports of exudyn give dalembert, or solve a model file")
+    run.add_argument("model", help="a Python file, or a JSON file of mbs.Save(...)")
     run.add_argument("arguments", nargs=argparse.REMAINDER, help="arguments of the model")
     run.set_defaults(function=_run)
 
-    commands.add_parser("info", help="versions and places").set_defaults(function=_info)
+    info = commands.add_parser("info", help="versions and places; of a model: items, degrees of freedom, mass")
+    info.add_argument("model", nargs="?", help="a JSON file of mbs.Save(...), or a Python file")
+    info.set_defaults(function=_info)
 
-    items = commands.add_parser("items", help="list all items, or the parameters of one")
-    items.add_argument("name", nargs="?", help="an item, e.g. NodePoint")
+    check = commands.add_parser("check", help="assemble a model and tell what looks wrong, without solving it")
+    check.add_argument("model", help="a Python file, or a JSON file of mbs.Save(...)")
+    check.set_defaults(function=_check)
+
+    items = commands.add_parser("items", help="list all items, or what one is: parameters, outputs, example")
+    items.add_argument("name", nargs="?", help="an item or Create function: NodePoint, Point, CreateRigidBody")
     items.set_defaults(function=_items)
 
     demo = commands.add_parser(

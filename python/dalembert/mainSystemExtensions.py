@@ -7,7 +7,7 @@ from typing import Any
 
 from dalembert import _planned, create, solver
 from dalembert._core import MainSystem, Renderer, SystemContainer
-from dalembert._io import pickling
+from dalembert._io import model_files, pickling
 from dalembert._pictures import renderer, shortcuts
 from dalembert._pictures.draw import Draw, DrawSolution
 from dalembert._pictures.html import SaveHTML
@@ -39,6 +39,8 @@ methods: dict[str, Callable[..., Any]] = (
             Draw,
             DrawSolution,
             DrawSystemGraph,
+            model_files.Load,
+            model_files.Save,
             PlotSensor,
             SaveHTML,
             SolutionViewer,

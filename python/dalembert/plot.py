@@ -13,7 +13,9 @@ import numpy.typing as npt
 from dalembert._checks import FloatArray
 from dalembert._io.result_files import FileStripSpaces, ParseOutputFileHeader
 from dalembert._plots.images import LoadImage, PlotImage, save_figure, show_figure
+from dalembert._plots.phase_and_spectrum import PlotPhase, PlotSensorFFT
 from dalembert._plots.sensor_curves import (
+    Of,
     componentNorm,
     coordinates,
     is_empty,
@@ -32,8 +34,10 @@ __all__ = [
     "ParseOutputFileHeader",
     "PlotFFT",
     "PlotImage",
+    "PlotPhase",
     "PlotSensor",
     "PlotSensorDefaults",
+    "PlotSensorFFT",
     "componentNorm",
     "listMarkerStyles",
     "listMarkerStylesFilled",
@@ -49,6 +53,7 @@ _ORIGINAL_DEFAULTS: dict[str, Any] = {
 }  # fmt: skip
 _EXTRA_ARGUMENTS = {
     "minorTicksXon", "minorTicksYon", "logScaleX", "logScaleY", "fileCommentChar", "fileDelimiterChar",
+    "continuousAngles",
 }  # fmt: skip
 
 
@@ -163,8 +168,8 @@ def PlotSensor(
     """Plot values of sensors over time or over each other; return [pyplot, figure, axes, lines].
 
     What is plotted:
-        sensorNumbers: sensors (numbers), names of sensor or solution files, or arrays with rows [time, values]; one
-            or a list. Sensors need storeInternal=True or a file.
+        sensorNumbers: sensors (indices or names), names of sensor or solution files, or arrays with rows [time,
+            values]; one or a list. Sensors need storeInternal=True or a file.
         components: number of the value per curve; -1: time, `componentNorm`: norm of all values. One component for
             several sensors, or several components of one sensor, are fine.
         componentsX: likewise for the x-axis; default: time.
@@ -180,7 +185,10 @@ def PlotSensor(
         newFigure, figureName, closeAll, subPlot=[columns, rows, position], sizeInches (per subplot): the figure.
         fileName: save the figure, e.g. as .pdf or .png.
         kwargs: minorTicksXon, minorTicksYon, logScaleX, logScaleY (bool), fileCommentChar, fileDelimiterChar (of
-            files; default '#' and ',').
+            files; default '#' and ','), continuousAngles (True: rotations go on beyond pi instead of jumping).
+
+    Several systems are compared if mbs is a list: PlotSensor([mbs, other], 'tip'). The y-axis shows the unit of what
+    sensors measure, unless factors change it.
     """
     import matplotlib.pyplot as plt
 
@@ -190,6 +198,9 @@ def PlotSensor(
             f"PlotSensor: unknown argument {unknown[0]!r}; further arguments are {sorted(_EXTRA_ARGUMENTS)}"
         )
     style = {name: _default(name, value) for name, value in locals().items() if name in _ORIGINAL_DEFAULTS}
+    if is_list(mbs):
+        single = sensorNumbers if is_list(sensorNumbers) else [sensorNumbers]
+        sensorNumbers = [Of(system, sensor, i) for i, system in enumerate(mbs) for sensor in single]
     matched = match_lengths(sensorNumbers, components, componentsX)
     n = len(matched)
     if closeAll:
@@ -199,7 +210,8 @@ def PlotSensor(
         return [plt, None, None, None]
 
     comments, delimiter = kwargs.get("fileCommentChar", "#"), kwargs.get("fileDelimiterChar", ",")
-    curves = make_curves(mbs, matched, useXYZcomponents, comments, delimiter)
+    angles = kwargs.get("continuousAngles", False)
+    curves = make_curves(mbs, matched, useXYZcomponents, comments, delimiter, angles)
     names = per_curve("labels", labels, n, None, (str,) if n == 1 else ())
     shifts, scales = shift_list("offsets", offsets, n, 0.0), shift_list("factors", factors, n, 1.0)
     points = [coordinates(*each) for each in zip(curves, shifts, scales, strict=True)]
@@ -225,7 +237,8 @@ def PlotSensor(
             **_marker_style(marker_styles[i], style["markerDensity"], len(x)),
         )
     ax.set_xlabel(style["xLabel"])
-    variables = [curve.variable for curve in curves]
+    scaled = any(np.ndim(factor) or factor != 1 for factor in scales)  # then the unit is another one
+    variables = [curve.variable if scaled else curve.title for curve in curves]
     ax.set_ylabel(style["yLabel"] or (variables[0] if len(set(variables)) == 1 else ", ".join(variables)))
     if title:
         ax.set_title(title)

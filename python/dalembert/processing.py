@@ -12,6 +12,7 @@ import numpy as np
 from dalembert._plots.images import show_figure
 from dalembert._studies.execution import (
     AddComputationIndexAndFunctionData,
+    FailedEvaluation,
     Function,
     GetVersionPlatformString,
     ParameterSet,
@@ -27,6 +28,7 @@ from dalembert._studies.sensitivity import ComputeSensitivities, PlotSensitivity
 __all__ = [
     "AddComputationIndexAndFunctionData",
     "ComputeSensitivities",
+    "FailedEvaluation",
     "GeneticOptimization",
     "GetVersionPlatformString",
     "Minimize",
@@ -86,7 +88,7 @@ def ParameterVariation(
     useLogSpace: bool = False,
     debugMode: bool = False,
     addComputationIndex: bool = False,
-    useMultiProcessing: bool = False,
+    useMultiProcessing: Any = False,
     showProgress: bool = True,
     parameterFunctionData: Mapping[str, Any] = {},
     clusterHostNames: Any = [],
@@ -102,13 +104,13 @@ def ParameterVariation(
         per name, as long as the list of values; the last name varies fastest.
     addComputationIndex: adds 'computationIndex', e.g. for names of files; parameterFunctionData: if not empty, the
         function gets it as 'functionData'.
-    useMultiProcessing, clusterHostNames, showProgress, numberOfThreads, resultsFile, useMPI: see
+    useMultiProcessing, clusterHostNames, showProgress, numberOfThreads, resultsFile, useMPI, restart, keepFailures: see
         ProcessParameterList.
 
     The function may do anything, so it is called for every combination. Where only numbers of one model vary,
     mbs.SolveVariations solves them all without Python in between.
     """
-    check_names("ParameterVariation", kwargs, {"useMPI", "useDispyWebMonitor"})
+    check_names("ParameterVariation", kwargs, {"useMPI", "useDispyWebMonitor", "restart", "keepFailures"})
     if not parameters:
         raise ValueError("ParameterVariation: parameters must not be empty")
     values, convert = {}, {}

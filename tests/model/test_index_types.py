@@ -18,7 +18,13 @@ each_type = pytest.mark.parametrize("index", TYPES, ids=lambda t: t.__name__)
 @each_type
 def test_behaves_like_an_integer(index: Any) -> None:
     three = index(3)
-    assert (int(three), operator.index(three), repr(three), str(three), f"{three:03d}") == (3, 3, "3", "3", "003")
+    assert (int(three), operator.index(three), repr(three), str(three), f"{three:03d}") == (
+        3,
+        3,
+        f"{index.__name__}(3)",
+        "3",
+        "003",
+    )
     assert [10, 11, 12, 13][three] == 13
     assert (three + 1, 1 + three, three - 1, 5 - three, three * 2, -three) == (4, 4, 2, 2, 6, -3)
     assert type(three + 1) is int

@@ -112,7 +112,7 @@ def test_truth_values(item: Item, row: Parameter) -> None:
         (
             lambda: exu.MassPoint(nodeNumber=exu.ObjectIndex(1)),
             TypeError,
-            "ObjectMassPoint, parameter 'nodeNumber': received 1 (ObjectIndex), but expected a NodeIndex or an integer."
+            "ObjectMassPoint, parameter 'nodeNumber': received 1 (ObjectIndex), but expected a NodeIndex, an integer or a name."
             " The value is an ObjectIndex: it counts objects, not nodes. Pass what AddNode(...) returned.",
         ),
         (

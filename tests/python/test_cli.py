@@ -1,4 +1,4 @@
-"""The command dalembert: run, info, items, demo."""
+"""The command dalembert: run, info, check, items, demo."""
 
 import subprocess
 import sys
@@ -106,3 +106,67 @@ def test_a_command_is_needed(capsys):
     with pytest.raises(SystemExit):
         cli.main([])
     assert "usage: dalembert" in capsys.readouterr().err
+
+
+SWING = """
+import exudyn as exu
+from exudyn.utilities import *
+
+mbs = exu.SystemContainer().AddSystem()
+ground = mbs.CreateGround()
+arm = mbs.CreateRigidBody("arm", [0.5, 0, 0], inertia=InertiaCuboid(1000, [1, 0.1, 0.1]), gravity=[0, -9.81, 0])
+mbs.CreateRevoluteJoint("hinge", [ground, arm], [0, 0, 0], [0, 0, 1])
+mbs.AddSensor(SensorBody("tip", arm, outputVariableType=exu.OutputVariableType.Position, storeInternal=True))
+mbs.Assemble()
+settings = exu.SimulationSettings()
+settings.timeIntegration.numberOfSteps = 100
+settings.solutionSettings.writeSolutionToFile = False
+mbs.Save("swing.json", settings)
+mbs.SolveDynamic(settings)
+print("solved")
+"""
+WRONG = """
+from exudyn.utilities import *
+import exudyn as exu
+
+mbs = exu.SystemContainer().AddSystem()
+ground = mbs.CreateGround()
+arm = mbs.CreateRigidBody("arm", [0.5, 0, 0], inertia=RigidBodyInertia(2, 1e7 * np.eye(3)), gravity=[0, -9810, 0])
+for z in (0, 0.1):
+    mbs.CreateRevoluteJoint("", [ground, arm], [0, 0, z], [0, 0, 1])
+mbs.SetNodeParameter(0, "initialCoordinates", [0.1] + [0] * 6)
+mbs.AddNode(NodePoint(name="forgotten"))
+mbs.AddMarker(MarkerNodePosition(name="lost", nodeNumber=0))
+mbs.AddSensor(SensorNode(
+    name="deaf", nodeNumber=0, writeToFile=False, outputVariableType=exu.OutputVariableType.Position
+))
+mbs.SolveDynamic()
+"""
+
+
+def test_model_files(tmp_path):
+    (tmp_path / "swing.py").write_text(SWING)
+    assert run("run", "swing.py", cwd=tmp_path).stdout.splitlines()[-1] == "solved"
+    done = run("run", "swing.json", cwd=tmp_path)
+    assert done.returncode == 0 and done.stdout.splitlines()[-1].startswith("tip: [")
+    for file in ("swing.json", "swing.py"):
+        told = run("info", file, cwd=tmp_path).stdout
+        assert "1 node, 3 objects, 3 markers, 1 load, 1 sensor" in told
+        assert "degrees of freedom  1\n" in told and "10 kg" in told
+        checked = run("check", file, cwd=tmp_path)
+        assert checked.returncode == 0 and checked.stdout.endswith("nothing looks wrong\n"), checked.stdout
+        assert "solved" not in checked.stdout
+    (tmp_path / "swing.json").write_text("{")
+    broken = run("run", "swing.json", cwd=tmp_path)
+    assert (
+        broken.returncode == 1 and broken.stderr.startswith("swing.json, line 1") and "Traceback" not in broken.stderr
+    )
+
+
+def test_what_looks_wrong_is_told(tmp_path):
+    (tmp_path / "wrong.py").write_text(WRONG)
+    checked = run("check", "wrong.py", cwd=tmp_path)
+    assert checked.returncode == 1
+    for text in ("contradict a constraint", "5 of", "redundant", "radius of gyration", "gravity in mm/s^2", "'forgotten'",
+                 "'lost'", "'deaf'"):  # fmt: skip
+        assert text in checked.stdout, checked.stdout + checked.stderr

@@ -36,6 +36,9 @@ class System:
             "outputVariableType": "OutputVariableType.Position",
         }
 
+    def GetSensorNumber(self, name: str) -> int:
+        return -1
+
     def GetLoad(self, number: int) -> dict[str, Any]:
         return {"loadType": "ForceVector"}
 
@@ -72,7 +75,7 @@ def test_sensor_over_time(mbs: Any) -> None:
 def test_load_sensor_is_named_by_its_load(mbs: Any) -> None:
     axes = plot.PlotSensor(mbs, [0, 2], components=0)[2]
     assert [label for *_, label in curves(axes)] == ["s0, PositionX", "s2, ForceX"]
-    assert axes.get_ylabel() == "Position, Force"
+    assert axes.get_ylabel() == "Position, Force (N)"
 
 
 def test_factors_offsets_and_other_x(mbs: Any) -> None:

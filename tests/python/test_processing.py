@@ -290,3 +290,55 @@ def test_plots() -> None:
     np.testing.assert_allclose(axes[0].get_lines()[0].get_xdata(), [-2, -1, 0, 1, 2])
     np.testing.assert_allclose(axes[0].get_lines()[2].get_xdata(), [0, 0.1])
     matplotlib.pyplot.close("all")
+
+
+calls: list[float] = []
+
+
+def noted(parameters: dict[str, Any]) -> float:
+    calls.append(parameters["a"])
+    if parameters["a"] == 0.4:
+        raise ValueError("too stiff")
+    return parameters["a"] ** 2
+
+
+def test_a_study_goes_on_where_it_has_ended(tmp_path: Path) -> None:
+    """The last line was cut off in the middle: that evaluation is done again, and no other."""
+    file, given = tmp_path / "study.txt", {"parameters": {"a": (0, 0.3, 4)}, "showProgress": False}
+    whole = processing.ParameterVariation(bumpy_a, **given, resultsFile=str(file))[1]
+    text = file.read_text()
+    lines = text.splitlines(keepends=True)
+    file.write_text("".join(lines[:-2]) + lines[-2][:5])
+    calls.clear()
+    again = processing.ParameterVariation(noted, **given, resultsFile=str(file), restart=True)[1]
+    assert calls == pytest.approx([0.2, 0.3]) and again[:2] == whole[:2]
+    assert len(file.read_text().splitlines()) == len(lines)
+    with pytest.raises(ValueError, match="row 1 is of parameters 0.0999.*, not of 0.3"):
+        processing.ParameterVariation(
+            noted, {"a": (0, 0.3, 2)}, showProgress=False, resultsFile=str(file), restart=True
+        )
+    with pytest.raises(ValueError, match="restart needs the resultsFile"):
+        processing.ParameterVariation(noted, **given, restart=True)
+
+
+def bumpy_a(parameters: dict[str, Any]) -> float:
+    return float(np.sin(parameters["a"]))
+
+
+@pytest.mark.parametrize("workers", [False, "threads", "processes"])
+def test_failures_are_kept_with_their_messages(workers: Any) -> None:
+    sets = [{"a": a} for a in (0.1, 0.4, 0.5)]
+    values = processing.ProcessParameterList(noted, sets, workers, keepFailures=True, numberOfThreads=2)
+    assert np.isnan(values[1]) and values[1].message == "ValueError: too stiff"
+    assert [values[0], values[2]] == pytest.approx([0.01, 0.25])
+    with pytest.raises(ValueError, match="too stiff"):
+        processing.ProcessParameterList(noted, sets, workers, numberOfThreads=2)
+
+
+def test_workers_are_one_argument() -> None:
+    with pytest.raises(
+        ValueError, match="received 'process', but expected a bool, 'processes', 'threads' or a Dask client"
+    ):
+        processing.ProcessParameterList(noted, [{"a": 1}], "process")
+    with LocalCluster(n_workers=1, processes=False, dashboard_address=None) as cluster, Client(cluster) as client:
+        assert processing.ProcessParameterList(bumpy_a, [{"a": 1}], client) == [np.sin(1)]

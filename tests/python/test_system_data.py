@@ -145,7 +145,11 @@ def test_index_tables(mbs: Any, capsys: pytest.CaptureFixture[str]) -> None:
     ("call", "error", "text"),
     [
         (lambda d: d.GetObjectLTGODE2(99), IndexError, "there is no object 99. The system has 3 objects"),
-        (lambda d: d.GetObjectLTGODE2(exu.NodeIndex(0)), TypeError, "the number of an object: ObjectIndex or int"),
+        (
+            lambda d: d.GetObjectLTGODE2(exu.NodeIndex(0)),
+            TypeError,
+            "the number of an object: ObjectIndex, int or name",
+        ),
         (lambda d: d.GetNodeLTGODE2(0.5), TypeError, "received 0.5"),
         (lambda d: d.GetODE2Coordinates(exu.ConfigurationType._None), ValueError, "ConfigurationType.Current, Initial"),
         (lambda d: d.GetODE2Coordinates(1), TypeError, "mbs.systemData.GetODE2Coordinates, parameter 'configuration'"),

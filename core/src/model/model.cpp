@@ -6,6 +6,7 @@
 
 #include "dalembert/model/errors.hpp"
 #include "dalembert/model/member.hpp"
+#include "dalembert/model/references.hpp"
 
 namespace dalembert {
 namespace {
@@ -113,6 +114,7 @@ int Model::add(Item item) {
   const ItemKind kind = item.type->kind;
   const int number = count(kind);
   if (item.type->physics == nullptr) refuse_planned(*item.type);
+  if (names_are_used()) item = with_numbers(*this, std::move(item), describe_item(kind, number, item.name(), *item.type));
   if (!item.name().empty()) {
     adopt_name(kind, number, item);
     register_name(kind, number, item.name());
@@ -136,6 +138,7 @@ void Model::replace(ItemKind kind, int number, Item item) {
     complaint.advice = "The type of an item cannot change; delete the item and add another one.";
     refuse(ErrorKind::value, complaint);
   }
+  if (names_are_used()) item = with_numbers(*this, std::move(item), describe(kind, number));
   adopt_name(kind, number, item);
   items(kind)[static_cast<std::size_t>(number)] = std::move(item);
   index_names(kind);
@@ -152,6 +155,7 @@ void Model::edit(ItemKind kind, int number, const Row& row, const std::function<
   const Item& old = item(kind, number);
   std::shared_ptr<void> record = old.type->record.copy(old.record.get());
   write(member(record.get(), row));
+  if (names_are_used()) resolve_names(*this, row, record.get(), describe(kind, number));
   if (row.role == Role::name) {
     rename(kind, number, *static_cast<const std::string*>(member(record.get(), row)));
     return;

@@ -167,11 +167,11 @@ void Solver::print_progress(bool to_console, bool to_file) {
   const int info = output.stepInformation, digits = settings_->outputPrecision;
   std::string text = "STEP" + std::to_string(it.currentStepIndex) +
                      (is_static() ? ", factor = " + number(load_factor()) : ", t = " + number(t) + "s");
+  const bool at_end = it.currentTime + 1e-10 >= it.endTime;
+  if (!is_static() && whole > 0) text += " (" + number(std::floor(1000 * std::min(done / whole, 1.0)) / 10) + " %)";
   if (info & step_size) text += ", dt = " + duration(it.currentStepSize, digits);
-  if (info & time_to_go) {
-    const bool known = elapsed > 0.2 && done > std::min(10 * it.initialStepSize, 1e-5 * whole) && it.currentStepIndex != 0;
-    text += ", timeToGo = " + duration(known ? (it.endTime - t) * elapsed / done : 0, digits);
-  }
+  const bool known = elapsed > 0.2 && done > std::min(10 * it.initialStepSize, 1e-5 * whole) && it.currentStepIndex != 0;
+  if ((info & time_to_go) && known && !at_end) text += ", timeToGo = " + duration((it.endTime - t) * elapsed / done, 3);
   if (info & cpu_time) text += ", tCPU=" + duration(elapsed, digits);
   const StepCount steps = it.currentStepIndex - output.lastVerboseStepIndex;
   const auto per_step = [&](int flag, const char* words, StepCount count, StepCount& last) {
@@ -183,9 +183,10 @@ void Solver::print_progress(bool to_console, bool to_file) {
   per_step(discontinuous_iterations, ", Dit/step = ", it.discontinuousIterationsCount,
            output.lastDiscontinuousIterationsCount);
   output.lastVerboseStepIndex = it.currentStepIndex;
-  text += '\n';
-  if (to_console && hooks().print) hooks().print(text);
-  if (to_file && information_file_.is_open()) information_file_.text() += text;
+  // What is printed now and then may be overwritten by what follows it.
+  const bool passing = output.verboseMode == 1 && !at_end;
+  if (to_console && hooks().print) hooks().print(passing ? "\r" + text : text + '\n');
+  if (to_file && information_file_.is_open()) information_file_.text() += text + '\n';
 }
 
 // verboseMode 3.

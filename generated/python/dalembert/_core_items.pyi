@@ -882,7 +882,7 @@ class ObjectGenericODE1(_Object):
     def nodeNumbers(self) -> list[NodeIndex]:
         """nodes with first order coordinates; their coordinates in this order form the vector of the object [n]"""
     @nodeNumbers.setter
-    def nodeNumbers(self, value: Sequence[NodeIndex | int]) -> None: ...
+    def nodeNumbers(self, value: Sequence[NodeIndex | int | str]) -> None: ...
     @property
     def systemMatrix(self) -> Array:
         """constant system matrix; n rows and n columns for n coordinates, or empty for zero; other sizes are refused [n x m; various]"""
@@ -912,7 +912,7 @@ class ObjectGenericODE1(_Object):
     def __init__(
         self,
         name: str = '',
-        nodeNumbers: Sequence[NodeIndex | int] = [],
+        nodeNumbers: Sequence[NodeIndex | int | str] = [],
         systemMatrix: ArrayLike = [],
         rhsVector: ArrayLike = [],
         rhsUserFunction: Callable[[MainSystem, float, int, Array], ArrayLike] | Literal[0] = 0,
@@ -993,7 +993,7 @@ class ObjectMass1D(_Object):
     def nodeNumber(self) -> NodeIndex:
         """node with one coordinate of second order, which is the way (m) along the local x-axis"""
     @nodeNumber.setter
-    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     @property
     def referencePosition(self) -> Array:
         """global position of the body at coordinate zero [3; m]"""
@@ -1013,7 +1013,7 @@ class ObjectMass1D(_Object):
         self,
         name: str = '',
         physicsMass: float = 0.0,
-        nodeNumber: NodeIndex | int = -1,
+        nodeNumber: NodeIndex | int | str = -1,
         referencePosition: ArrayLike = [0.0, 0.0, 0.0],
         referenceRotation: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         visualization: VObjectMass1D | dict[str, Any] = ...,
@@ -1049,7 +1049,7 @@ class ObjectMassPoint(_Object):
     def nodeNumber(self) -> NodeIndex:
         """node with a position in space and three displacement coordinates"""
     @nodeNumber.setter
-    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     @property
     def visualization(self) -> VObjectMassPoint:
         """how the item is drawn"""
@@ -1059,7 +1059,7 @@ class ObjectMassPoint(_Object):
         self,
         name: str = '',
         physicsMass: float = 0.0,
-        nodeNumber: NodeIndex | int = -1,
+        nodeNumber: NodeIndex | int | str = -1,
         visualization: VObjectMassPoint | dict[str, Any] = ...,
     ) -> None: ...
 
@@ -1093,7 +1093,7 @@ class ObjectMassPoint2D(_Object):
     def nodeNumber(self) -> NodeIndex:
         """node with a position in the plane and two displacement coordinates"""
     @nodeNumber.setter
-    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     @property
     def visualization(self) -> VObjectMassPoint2D:
         """how the item is drawn"""
@@ -1103,7 +1103,7 @@ class ObjectMassPoint2D(_Object):
         self,
         name: str = '',
         physicsMass: float = 0.0,
-        nodeNumber: NodeIndex | int = -1,
+        nodeNumber: NodeIndex | int | str = -1,
         visualization: VObjectMassPoint2D | dict[str, Any] = ...,
     ) -> None: ...
 
@@ -1150,7 +1150,7 @@ class ObjectRigidBody(_Object):
     def nodeNumber(self) -> NodeIndex:
         """node of a rigid body in space"""
     @nodeNumber.setter
-    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     @property
     def visualization(self) -> VObjectRigidBody:
         """how the item is drawn"""
@@ -1162,7 +1162,7 @@ class ObjectRigidBody(_Object):
         physicsMass: float = 0.0,
         physicsInertia: ArrayLike = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
         physicsCenterOfMass: ArrayLike = [0.0, 0.0, 0.0],
-        nodeNumber: NodeIndex | int = -1,
+        nodeNumber: NodeIndex | int | str = -1,
         visualization: VObjectRigidBody | dict[str, Any] = ...,
     ) -> None: ...
 
@@ -1206,7 +1206,7 @@ class ObjectRigidBody2D(_Object):
     def nodeNumber(self) -> NodeIndex:
         """node of a rigid body in the plane"""
     @nodeNumber.setter
-    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     @property
     def visualization(self) -> VObjectRigidBody2D:
         """how the item is drawn"""
@@ -1218,7 +1218,7 @@ class ObjectRigidBody2D(_Object):
         physicsMass: float = 0.0,
         physicsInertia: float = 0.0,
         physicsCenterOfMass: ArrayLike = [0.0, 0.0],
-        nodeNumber: NodeIndex | int = -1,
+        nodeNumber: NodeIndex | int | str = -1,
         visualization: VObjectRigidBody2D | dict[str, Any] = ...,
     ) -> None: ...
 
@@ -1252,7 +1252,7 @@ class ObjectRotationalMass1D(_Object):
     def nodeNumber(self) -> NodeIndex:
         """node with one coordinate of second order, which is the angle (rad) about the local z-axis"""
     @nodeNumber.setter
-    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     @property
     def referencePosition(self) -> Array:
         """global position of the body frame, a fixed point of the axis [3; m]"""
@@ -1272,7 +1272,7 @@ class ObjectRotationalMass1D(_Object):
         self,
         name: str = '',
         physicsInertia: float = 0.0,
-        nodeNumber: NodeIndex | int = -1,
+        nodeNumber: NodeIndex | int | str = -1,
         referencePosition: ArrayLike = [0.0, 0.0, 0.0],
         referenceRotation: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         visualization: VObjectRotationalMass1D | dict[str, Any] = ...,
@@ -1315,7 +1315,7 @@ class ObjectFFRF(_Object):
     def nodeNumbers(self) -> list[NodeIndex]:
         """first the node of the body frame (Euler parameters), then the points of the mesh; the displacements of the latter are components in the body frame [n]"""
     @nodeNumbers.setter
-    def nodeNumbers(self, value: Sequence[NodeIndex | int]) -> None: ...
+    def nodeNumbers(self, value: Sequence[NodeIndex | int | str]) -> None: ...
     @property
     def massMatrixFF(self) -> MatrixContainer:
         """mass matrix of the free mesh, without the coordinates of the body frame; three rows and columns per mesh node [n x m; various]"""
@@ -1385,7 +1385,7 @@ class ObjectFFRF(_Object):
     def __init__(
         self,
         name: str = '',
-        nodeNumbers: Sequence[NodeIndex | int] = [],
+        nodeNumbers: Sequence[NodeIndex | int | str] = [],
         massMatrixFF: MatrixLike | None = None,
         stiffnessMatrixFF: MatrixLike | None = None,
         dampingMatrixFF: MatrixLike | None = None,
@@ -1431,7 +1431,7 @@ class ObjectFFRFreducedOrder(_Object):
     def nodeNumbers(self) -> list[NodeIndex]:
         """two nodes: the rigid body node of the body frame, and a ``NodeGenericODE2`` with the modal coordinates, whose reference coordinates are zero [n]"""
     @nodeNumbers.setter
-    def nodeNumbers(self, value: Sequence[NodeIndex | int]) -> None: ...
+    def nodeNumbers(self, value: Sequence[NodeIndex | int | str]) -> None: ...
     @property
     def massMatrixReduced(self) -> MatrixContainer:
         """modal mass matrix, one row and column per mode, dense or sparse [n x m; various]"""
@@ -1530,7 +1530,7 @@ class ObjectFFRFreducedOrder(_Object):
     def __init__(
         self,
         name: str = '',
-        nodeNumbers: Sequence[NodeIndex | int] = [],
+        nodeNumbers: Sequence[NodeIndex | int | str] = [],
         massMatrixReduced: MatrixLike | None = None,
         stiffnessMatrixReduced: MatrixLike | None = None,
         dampingMatrixReduced: MatrixLike | None = None,
@@ -1595,7 +1595,7 @@ class ObjectGenericODE2(_Object):
     def nodeNumbers(self) -> list[NodeIndex]:
         """nodes with second order coordinates; their coordinates in this order form the vector of the object [n]"""
     @nodeNumbers.setter
-    def nodeNumbers(self, value: Sequence[NodeIndex | int]) -> None: ...
+    def nodeNumbers(self, value: Sequence[NodeIndex | int | str]) -> None: ...
     @property
     def massMatrix(self) -> MatrixContainer:
         """constant mass matrix; n rows and n columns for n coordinates, dense or sparse, or empty for zero; other sizes are refused [n x m; various]"""
@@ -1642,7 +1642,7 @@ class ObjectGenericODE2(_Object):
     def __init__(
         self,
         name: str = '',
-        nodeNumbers: Sequence[NodeIndex | int] = [],
+        nodeNumbers: Sequence[NodeIndex | int | str] = [],
         massMatrix: MatrixLike | None = None,
         stiffnessMatrix: MatrixLike | None = None,
         dampingMatrix: MatrixLike | None = None,
@@ -1690,7 +1690,7 @@ class ObjectKinematicTree(_Object):
     def nodeNumber(self) -> NodeIndex:
         """generic node of second order with one coordinate per joint: rad for revolute, m for prismatic joints"""
     @nodeNumber.setter
-    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     @property
     def gravity(self) -> Array:
         """gravity in global components; mass proportional loads do not act on this object [3; m/s^2]"""
@@ -1781,7 +1781,7 @@ class ObjectKinematicTree(_Object):
     def __init__(
         self,
         name: str = '',
-        nodeNumber: NodeIndex | int = -1,
+        nodeNumber: NodeIndex | int | str = -1,
         gravity: ArrayLike = [0.0, 0.0, 0.0],
         baseOffset: ArrayLike = [0.0, 0.0, 0.0],
         jointTypes: Sequence[JointType] = [],
@@ -1855,7 +1855,7 @@ class ObjectALEANCFCable2D(_Object):
     def nodeNumbers(self) -> list[NodeIndex]:
         """node at axial position 0, node at axial position L (both with position and slope in the plane), and a generic node of second order whose coordinate is the axial displacement of the material [3]"""
     @nodeNumbers.setter
-    def nodeNumbers(self, value: Sequence[NodeIndex | int]) -> None: ...
+    def nodeNumbers(self, value: Sequence[NodeIndex | int | str]) -> None: ...
     useReducedOrderIntegration: int
     """integration of the elastic forces along the axis: 0 with 5 Gauss points for stretching and 3 for bending, 1 with 4 and 2"""
     strainIsRelativeToReference: float
@@ -1879,7 +1879,7 @@ class ObjectALEANCFCable2D(_Object):
         physicsReferenceCurvature: float = 0.0,
         physicsUseCouplingTerms: bool = True,
         physicsAddALEvariation: bool = True,
-        nodeNumbers: Sequence[NodeIndex | int] = [-1, -1, -1],
+        nodeNumbers: Sequence[NodeIndex | int | str] = [-1, -1, -1],
         useReducedOrderIntegration: int = 0,
         strainIsRelativeToReference: float = 0.0,
         visualization: VObjectALEANCFCable2D | dict[str, Any] = ...,
@@ -1916,7 +1916,7 @@ class ObjectANCFBeam(_Object):
     def nodeNumbers(self) -> list[NodeIndex]:
         """node at the negative and node at the positive end of the axis, each with position and the slopes of the cross section [2]"""
     @nodeNumbers.setter
-    def nodeNumbers(self, value: Sequence[NodeIndex | int]) -> None: ...
+    def nodeNumbers(self, value: Sequence[NodeIndex | int | str]) -> None: ...
     physicsLength: float
     """length of the element in its undeformed state; must be positive [m]"""
     sectionData: BeamSection
@@ -1939,7 +1939,7 @@ class ObjectANCFBeam(_Object):
     def __init__(
         self,
         name: str = '',
-        nodeNumbers: Sequence[NodeIndex | int] = [-1, -1],
+        nodeNumbers: Sequence[NodeIndex | int | str] = [-1, -1],
         physicsLength: float = 0.0,
         sectionData: BeamSection = ...,
         crossSectionPenaltyFactor: ArrayLike = [1.0, 1.0, 1.0],
@@ -1994,7 +1994,7 @@ class ObjectANCFCable(_Object):
     def nodeNumbers(self) -> list[NodeIndex]:
         """node at axial position 0 and node at axial position L, both with position and one slope [2]"""
     @nodeNumbers.setter
-    def nodeNumbers(self, value: Sequence[NodeIndex | int]) -> None: ...
+    def nodeNumbers(self, value: Sequence[NodeIndex | int | str]) -> None: ...
     useReducedOrderIntegration: int
     """integration of the elastic forces along the axis: 0 with 5 Gauss points for stretching and 3 for bending; 1 with 4 and 2; 2 with 3 Lobatto points for stretching and 2 Gauss points for bending, with smoother axial forces but possibly modes without stiffness"""
     @property
@@ -2013,7 +2013,7 @@ class ObjectANCFCable(_Object):
         physicsAxialDamping: float = 0.0,
         physicsReferenceAxialStrain: float = 0.0,
         strainIsRelativeToReference: float = 0.0,
-        nodeNumbers: Sequence[NodeIndex | int] = [-1, -1],
+        nodeNumbers: Sequence[NodeIndex | int | str] = [-1, -1],
         useReducedOrderIntegration: int = 0,
         visualization: VObjectANCFCable | dict[str, Any] = ...,
     ) -> None: ...
@@ -2067,7 +2067,7 @@ class ObjectANCFCable2D(_Object):
     def nodeNumbers(self) -> list[NodeIndex]:
         """node at axial position 0 and node at axial position L, both with position and slope in the plane [2]"""
     @nodeNumbers.setter
-    def nodeNumbers(self, value: Sequence[NodeIndex | int]) -> None: ...
+    def nodeNumbers(self, value: Sequence[NodeIndex | int | str]) -> None: ...
     useReducedOrderIntegration: int
     """integration of the elastic forces along the axis: 0 with 5 Gauss points for stretching and 3 for bending; 1 with 4 and 2; 2 with 3 Lobatto points for stretching and 2 Gauss points for bending, with smoother axial forces but possibly modes without stiffness"""
     axialForceUserFunction: Callable[[MainSystem, float, int, float, float, float, float, float, float, float, float, float], float] | Literal[0]
@@ -2091,7 +2091,7 @@ class ObjectANCFCable2D(_Object):
         physicsReferenceAxialStrain: float = 0.0,
         physicsReferenceCurvature: float = 0.0,
         strainIsRelativeToReference: float = 0.0,
-        nodeNumbers: Sequence[NodeIndex | int] = [-1, -1],
+        nodeNumbers: Sequence[NodeIndex | int | str] = [-1, -1],
         useReducedOrderIntegration: int = 0,
         axialForceUserFunction: Callable[[MainSystem, float, int, float, float, float, float, float, float, float, float, float], float] | Literal[0] = 0,
         bendingMomentUserFunction: Callable[[MainSystem, float, int, float, float, float, float, float, float, float, float, float], float] | Literal[0] = 0,
@@ -2157,7 +2157,7 @@ class ObjectANCFThinPlate(_Object):
     def nodeNumbers(self) -> list[NodeIndex]:
         """four nodes with position and two slopes, at the local corners (-1, -1), (1, -1), (1, 1), (-1, 1) [4]"""
     @nodeNumbers.setter
-    def nodeNumbers(self, value: Sequence[NodeIndex | int]) -> None: ...
+    def nodeNumbers(self, value: Sequence[NodeIndex | int | str]) -> None: ...
     useReducedOrderIntegration: int
     """0: highest number of integration points; larger values use fewer"""
     @property
@@ -2176,7 +2176,7 @@ class ObjectANCFThinPlate(_Object):
         strainIsRelativeToReference: float = 1.0,
         slopesScalingX: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
         slopesScalingY: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
-        nodeNumbers: Sequence[NodeIndex | int] = [-1, -1, -1, -1],
+        nodeNumbers: Sequence[NodeIndex | int | str] = [-1, -1, -1, -1],
         useReducedOrderIntegration: int = 0,
         visualization: VObjectANCFThinPlate | dict[str, Any] = ...,
     ) -> None: ...
@@ -2209,7 +2209,7 @@ class ObjectBeamGeometricallyExact(_Object):
     def nodeNumbers(self) -> list[NodeIndex]:
         """node at the negative and node at the positive end of the axis, both with position and orientation [2]"""
     @nodeNumbers.setter
-    def nodeNumbers(self, value: Sequence[NodeIndex | int]) -> None: ...
+    def nodeNumbers(self, value: Sequence[NodeIndex | int | str]) -> None: ...
     physicsLength: float
     """length of the element in its undeformed state; must be positive [m]"""
     sectionData: BeamSection
@@ -2222,7 +2222,7 @@ class ObjectBeamGeometricallyExact(_Object):
     def __init__(
         self,
         name: str = '',
-        nodeNumbers: Sequence[NodeIndex | int] = [-1, -1],
+        nodeNumbers: Sequence[NodeIndex | int | str] = [-1, -1],
         physicsLength: float = 0.0,
         sectionData: BeamSection = ...,
         visualization: VObjectBeamGeometricallyExact | dict[str, Any] = ...,
@@ -2259,7 +2259,7 @@ class ObjectBeamGeometricallyExact2D(_Object):
     def nodeNumbers(self) -> list[NodeIndex]:
         """two or three nodes of rigid bodies in the plane, in the order in which they follow along the axis [n]"""
     @nodeNumbers.setter
-    def nodeNumbers(self, value: Sequence[NodeIndex | int]) -> None: ...
+    def nodeNumbers(self, value: Sequence[NodeIndex | int | str]) -> None: ...
     physicsLength: float
     """length of the element in its undeformed state; must be positive [m]"""
     physicsMassPerLength: float
@@ -2290,7 +2290,7 @@ class ObjectBeamGeometricallyExact2D(_Object):
     def __init__(
         self,
         name: str = '',
-        nodeNumbers: Sequence[NodeIndex | int] = [],
+        nodeNumbers: Sequence[NodeIndex | int | str] = [],
         physicsLength: float = 0.0,
         physicsMassPerLength: float = 0.0,
         physicsCrossSectionInertia: float = 0.0,
@@ -2336,7 +2336,7 @@ class ObjectConnectorCartesianSpringDamper(_Object):
     def markerNumbers(self) -> list[MarkerIndex]:
         """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     @markerNumbers.setter
-    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def stiffness(self) -> Array:
         """stiffness in global x, y and z direction [3; N/m]"""
@@ -2364,7 +2364,7 @@ class ObjectConnectorCartesianSpringDamper(_Object):
     def __init__(
         self,
         name: str = '',
-        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        markerNumbers: Sequence[MarkerIndex | int | str] = [-1, -1],
         stiffness: ArrayLike = [0.0, 0.0, 0.0],
         damping: ArrayLike = [0.0, 0.0, 0.0],
         offset: ArrayLike = [0.0, 0.0, 0.0],
@@ -2404,7 +2404,7 @@ class ObjectConnectorCoordinateSpringDamper(_Object):
     def markerNumbers(self) -> list[MarkerIndex]:
         """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     @markerNumbers.setter
-    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     stiffness: float
     """stiffness; N/m for coordinates that are lengths, Nm/rad for angles [various]"""
     damping: float
@@ -2423,7 +2423,7 @@ class ObjectConnectorCoordinateSpringDamper(_Object):
     def __init__(
         self,
         name: str = '',
-        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        markerNumbers: Sequence[MarkerIndex | int | str] = [-1, -1],
         stiffness: float = 0.0,
         damping: float = 0.0,
         offset: float = 0.0,
@@ -2463,12 +2463,12 @@ class ObjectConnectorCoordinateSpringDamperExt(_Object):
     def markerNumbers(self) -> list[MarkerIndex]:
         """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     @markerNumbers.setter
-    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def nodeNumber(self) -> NodeIndex:
         """NodeGenericData with three data coordinates: friction state, last sticking position, limit stop state; needed for friction with ``frictionProportionalZone`` = 0 and for limit stops, else it may stay unset"""
     @nodeNumber.setter
-    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     stiffness: float
     """stiffness; N/m if the weighted coordinates are lengths, Nm/rad if they are angles; other units of this item follow in the same way [various]"""
     damping: float
@@ -2517,8 +2517,8 @@ class ObjectConnectorCoordinateSpringDamperExt(_Object):
     def __init__(
         self,
         name: str = '',
-        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
-        nodeNumber: NodeIndex | int = -1,
+        markerNumbers: Sequence[MarkerIndex | int | str] = [-1, -1],
+        nodeNumber: NodeIndex | int | str = -1,
         stiffness: float = 0.0,
         damping: float = 0.0,
         offset: float = 0.0,
@@ -2573,7 +2573,7 @@ class ObjectConnectorGravity(_Object):
     def markerNumbers(self) -> list[MarkerIndex]:
         """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     @markerNumbers.setter
-    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     gravitationalConstant: float
     """constant of gravitation; a negative value means repulsion [m^3/(kg s^2)]"""
     mass0: float
@@ -2592,7 +2592,7 @@ class ObjectConnectorGravity(_Object):
     def __init__(
         self,
         name: str = '',
-        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        markerNumbers: Sequence[MarkerIndex | int | str] = [-1, -1],
         gravitationalConstant: float = 6.6743e-11,
         mass0: float = 0.0,
         mass1: float = 0.0,
@@ -2656,12 +2656,12 @@ class ObjectConnectorHydraulicActuatorSimple(_Object):
     def markerNumbers(self) -> list[MarkerIndex]:
         """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     @markerNumbers.setter
-    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def nodeNumbers(self) -> list[NodeIndex]:
         """list with one NodeGenericODE1 whose two coordinates are the chamber pressures (Pa); its reference coordinates must be zero [n]"""
     @nodeNumbers.setter
-    def nodeNumbers(self, value: Sequence[NodeIndex | int]) -> None: ...
+    def nodeNumbers(self, value: Sequence[NodeIndex | int | str]) -> None: ...
     offsetLength: float
     """distance of the markers at stroke zero, the shortest length of the actuator [m]"""
     strokeLength: float
@@ -2704,8 +2704,8 @@ class ObjectConnectorHydraulicActuatorSimple(_Object):
     def __init__(
         self,
         name: str = '',
-        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
-        nodeNumbers: Sequence[NodeIndex | int] = [],
+        markerNumbers: Sequence[MarkerIndex | int | str] = [-1, -1],
+        nodeNumbers: Sequence[NodeIndex | int | str] = [],
         offsetLength: float = 0.0,
         strokeLength: float = 0.0,
         chamberCrossSection0: float = 0.0,
@@ -2760,7 +2760,7 @@ class ObjectConnectorLinearSpringDamper(_Object):
     def markerNumbers(self) -> list[MarkerIndex]:
         """marker m0, to which the axis is fixed, and marker m1 [2]"""
     @markerNumbers.setter
-    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     stiffness: float
     """stiffness along the axis [N/m]"""
     damping: float
@@ -2788,7 +2788,7 @@ class ObjectConnectorLinearSpringDamper(_Object):
     def __init__(
         self,
         name: str = '',
-        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        markerNumbers: Sequence[MarkerIndex | int | str] = [-1, -1],
         stiffness: float = 0.0,
         damping: float = 0.0,
         axisMarker0: ArrayLike = [1.0, 0.0, 0.0],
@@ -2831,7 +2831,7 @@ class ObjectConnectorReevingSystemSprings(_Object):
     def markerNumbers(self) -> list[MarkerIndex]:
         """rigid body markers along the rope: the first and the last are its ends, those between carry sheaves or deflection points; with ``hasCoordinateMarkers``, two coordinate markers follow [n]"""
     @markerNumbers.setter
-    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     hasCoordinateMarkers: bool
     """True: the last two markers are coordinate markers that add rope at the start and at the end"""
     @property
@@ -2871,7 +2871,7 @@ class ObjectConnectorReevingSystemSprings(_Object):
     def __init__(
         self,
         name: str = '',
-        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        markerNumbers: Sequence[MarkerIndex | int | str] = [-1, -1],
         hasCoordinateMarkers: bool = False,
         coordinateFactors: ArrayLike = [1.0, 1.0],
         stiffnessPerLength: float = 0.0,
@@ -2917,12 +2917,12 @@ class ObjectConnectorRigidBodySpringDamper(_Object):
     def markerNumbers(self) -> list[MarkerIndex]:
         """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     @markerNumbers.setter
-    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def nodeNumber(self) -> NodeIndex:
         """NodeGenericData whose data coordinates the user functions may use, for instance for friction or contact states; not set: no data coordinates"""
     @nodeNumber.setter
-    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     @property
     def stiffness(self) -> Array:
         """stiffness matrix in frame J0 for three translations (N/m) and three rotations (Nm/rad), coupling terms included; need not be symmetric [6 x 6; various]"""
@@ -2964,8 +2964,8 @@ class ObjectConnectorRigidBodySpringDamper(_Object):
     def __init__(
         self,
         name: str = '',
-        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
-        nodeNumber: NodeIndex | int = -1,
+        markerNumbers: Sequence[MarkerIndex | int | str] = [-1, -1],
+        nodeNumber: NodeIndex | int | str = -1,
         stiffness: ArrayLike = [[0.0, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0, 0.0, 0.0]],
         damping: ArrayLike = [[0.0, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0, 0.0, 0.0]],
         rotationMarker0: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
@@ -3009,12 +3009,12 @@ class ObjectConnectorRollingDiscPenalty(_Object):
     def markerNumbers(self) -> list[MarkerIndex]:
         """marker m0 on the plane and marker m1 at the center of the disc [2]"""
     @markerNumbers.setter
-    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def nodeNumber(self) -> NodeIndex:
         """NodeGenericData with three data coordinates: slip velocity in lateral and in forward direction, and gap, of the last update"""
     @nodeNumber.setter
-    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     discRadius: float
     """radius of the disc [m]"""
     @property
@@ -3059,8 +3059,8 @@ class ObjectConnectorRollingDiscPenalty(_Object):
     def __init__(
         self,
         name: str = '',
-        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
-        nodeNumber: NodeIndex | int = -1,
+        markerNumbers: Sequence[MarkerIndex | int | str] = [-1, -1],
+        nodeNumber: NodeIndex | int | str = -1,
         discRadius: float = 0.0,
         discAxis: ArrayLike = [1.0, 0.0, 0.0],
         planeNormal: ArrayLike = [0.0, 0.0, 1.0],
@@ -3107,7 +3107,7 @@ class ObjectConnectorSpringDamper(_Object):
     def markerNumbers(self) -> list[MarkerIndex]:
         """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     @markerNumbers.setter
-    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     referenceLength: float
     """length at which the spring itself carries no force [m]"""
     stiffness: float
@@ -3130,7 +3130,7 @@ class ObjectConnectorSpringDamper(_Object):
     def __init__(
         self,
         name: str = '',
-        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        markerNumbers: Sequence[MarkerIndex | int | str] = [-1, -1],
         referenceLength: float = 0.0,
         stiffness: float = 0.0,
         damping: float = 0.0,
@@ -3172,12 +3172,12 @@ class ObjectConnectorTorsionalSpringDamper(_Object):
     def markerNumbers(self) -> list[MarkerIndex]:
         """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     @markerNumbers.setter
-    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def nodeNumber(self) -> NodeIndex:
         """NodeGenericData with one data coordinate that holds the angle of the last step and makes the measured angle continuous beyond half a turn; not set: the angle jumps"""
     @nodeNumber.setter
-    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     stiffness: float
     """torsional stiffness [Nm/rad]"""
     damping: float
@@ -3210,8 +3210,8 @@ class ObjectConnectorTorsionalSpringDamper(_Object):
     def __init__(
         self,
         name: str = '',
-        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
-        nodeNumber: NodeIndex | int = -1,
+        markerNumbers: Sequence[MarkerIndex | int | str] = [-1, -1],
+        nodeNumber: NodeIndex | int | str = -1,
         stiffness: float = 0.0,
         damping: float = 0.0,
         rotationMarker0: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
@@ -3255,7 +3255,7 @@ class ObjectConnectorCoordinate(_Object):
     def markerNumbers(self) -> list[MarkerIndex]:
         """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     @markerNumbers.setter
-    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     offset: float
     """prescribed value of ``factorValue1`` times the second coordinate minus the first one; with ``velocityLevel`` the same for the velocity coordinates [various]"""
     factorValue1: float
@@ -3276,7 +3276,7 @@ class ObjectConnectorCoordinate(_Object):
     def __init__(
         self,
         name: str = '',
-        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        markerNumbers: Sequence[MarkerIndex | int | str] = [-1, -1],
         offset: float = 0.0,
         factorValue1: float = 1.0,
         velocityLevel: bool = False,
@@ -3314,7 +3314,7 @@ class ObjectConnectorCoordinateVector(_Object):
     def markerNumbers(self) -> list[MarkerIndex]:
         """two markers on coordinate vectors; the equations are those of m1 minus those of m0 [2]"""
     @markerNumbers.setter
-    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def scalingMarker0(self) -> Array:
         """matrix of linear factors of the coordinates of marker m0, one row per equation and one column per coordinate; empty: no such term [n x m; various]"""
@@ -3356,7 +3356,7 @@ class ObjectConnectorCoordinateVector(_Object):
     def __init__(
         self,
         name: str = '',
-        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        markerNumbers: Sequence[MarkerIndex | int | str] = [-1, -1],
         scalingMarker0: ArrayLike = [],
         scalingMarker1: ArrayLike = [],
         quadraticTermMarker0: ArrayLike = [],
@@ -3400,7 +3400,7 @@ class ObjectConnectorDistance(_Object):
     def markerNumbers(self) -> list[MarkerIndex]:
         """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     @markerNumbers.setter
-    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     distance: float
     """prescribed distance of the two markers; must be positive, and should fit the initial positions [m]"""
     activeConnector: bool
@@ -3413,7 +3413,7 @@ class ObjectConnectorDistance(_Object):
     def __init__(
         self,
         name: str = '',
-        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        markerNumbers: Sequence[MarkerIndex | int | str] = [-1, -1],
         distance: float = 0.0,
         activeConnector: bool = True,
         visualization: VObjectConnectorDistance | dict[str, Any] = ...,
@@ -3453,12 +3453,12 @@ class ObjectContactCircleCable2D(_Object):
     def markerNumbers(self) -> list[MarkerIndex]:
         """marker m0 at the center of the circle and marker m1, the shape of the cable [2]"""
     @markerNumbers.setter
-    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def nodeNumber(self) -> NodeIndex:
         """NodeGenericData with one data coordinate per segment, the gap when contact opened or closed last; a segment is in contact while it is not positive"""
     @nodeNumber.setter
-    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     numberOfContactSegments: int
     """number of segments; must be that of the shape marker"""
     contactStiffness: float
@@ -3479,8 +3479,8 @@ class ObjectContactCircleCable2D(_Object):
     def __init__(
         self,
         name: str = '',
-        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
-        nodeNumber: NodeIndex | int = -1,
+        markerNumbers: Sequence[MarkerIndex | int | str] = [-1, -1],
+        nodeNumber: NodeIndex | int | str = -1,
         numberOfContactSegments: int = 3,
         contactStiffness: float = 0.0,
         contactDamping: float = 0.0,
@@ -3515,12 +3515,12 @@ class ObjectContactConvexRoll(_Object):
     def markerNumbers(self) -> list[MarkerIndex]:
         """marker m0 on the ground, which may translate but not rotate, and marker m1 at the center of the roll [2]"""
     @markerNumbers.setter
-    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def nodeNumber(self) -> NodeIndex:
         """NodeGenericData with three data coordinates: slip velocity in two directions, and gap, of the last update"""
     @nodeNumber.setter
-    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     contactStiffness: float
     """stiffness normal to the plane [N/m]"""
     contactDamping: float
@@ -3563,8 +3563,8 @@ class ObjectContactConvexRoll(_Object):
     def __init__(
         self,
         name: str = '',
-        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
-        nodeNumber: NodeIndex | int = -1,
+        markerNumbers: Sequence[MarkerIndex | int | str] = [-1, -1],
+        nodeNumber: NodeIndex | int | str = -1,
         contactStiffness: float = 0.0,
         contactDamping: float = 0.0,
         dynamicFriction: float = 0.0,
@@ -3607,12 +3607,12 @@ class ObjectContactCoordinate(_Object):
     def markerNumbers(self) -> list[MarkerIndex]:
         """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     @markerNumbers.setter
-    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def nodeNumber(self) -> NodeIndex:
         """NodeGenericData with one data coordinate, the gap of the last update; must not be positive if the simulation begins in contact"""
     @nodeNumber.setter
-    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     contactStiffness: float
     """contact stiffness; N/m for coordinates that are lengths [various]"""
     contactDamping: float
@@ -3629,8 +3629,8 @@ class ObjectContactCoordinate(_Object):
     def __init__(
         self,
         name: str = '',
-        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
-        nodeNumber: NodeIndex | int = -1,
+        markerNumbers: Sequence[MarkerIndex | int | str] = [-1, -1],
+        nodeNumber: NodeIndex | int | str = -1,
         contactStiffness: float = 0.0,
         contactDamping: float = 0.0,
         offset: float = 0.0,
@@ -3663,12 +3663,12 @@ class ObjectContactCurveCircles(_Object):
     def markerNumbers(self) -> list[MarkerIndex]:
         """rigid body marker that carries the curve, followed by one marker per circle [2]"""
     @markerNumbers.setter
-    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def nodeNumber(self) -> NodeIndex:
         """NodeGenericData with three data coordinates per segment: number of the circle in contact, gap, tangential velocity, of the last update"""
     @nodeNumber.setter
-    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     @property
     def circlesRadii(self) -> Array:
         """radius of every circle, as many as circle markers [n; m]"""
@@ -3721,8 +3721,8 @@ class ObjectContactCurveCircles(_Object):
     def __init__(
         self,
         name: str = '',
-        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
-        nodeNumber: NodeIndex | int = -1,
+        markerNumbers: Sequence[MarkerIndex | int | str] = [-1, -1],
+        nodeNumber: NodeIndex | int | str = -1,
         circlesRadii: ArrayLike = [],
         segmentsData: MatrixLike | None = None,
         polynomialData: MatrixLike | None = None,
@@ -3770,12 +3770,12 @@ class ObjectContactFrictionCircleCable2D(_Object):
     def markerNumbers(self) -> list[MarkerIndex]:
         """marker m0 at the center of the circle and marker m1, the shape of the cable [2]"""
     @markerNumbers.setter
-    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def nodeNumber(self) -> NodeIndex:
         """NodeGenericData with three data coordinates per segment: all gaps, then all friction states (-1 and 1 slip, 0 stick, -2 undefined), then all last sticking positions; begin for instance with 0.1, -2, 0 for no contact"""
     @nodeNumber.setter
-    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     numberOfContactSegments: int
     """number of segments; must be that of the shape marker"""
     contactStiffness: float
@@ -3802,8 +3802,8 @@ class ObjectContactFrictionCircleCable2D(_Object):
     def __init__(
         self,
         name: str = '',
-        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
-        nodeNumber: NodeIndex | int = -1,
+        markerNumbers: Sequence[MarkerIndex | int | str] = [-1, -1],
+        nodeNumber: NodeIndex | int | str = -1,
         numberOfContactSegments: int = 3,
         contactStiffness: float = 0.0,
         contactDamping: float = 0.0,
@@ -3841,12 +3841,12 @@ class ObjectContactSphereSphere(_Object):
     def markerNumbers(self) -> list[MarkerIndex]:
         """markers at the centers of the two spheres [2]"""
     @markerNumbers.setter
-    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def nodeNumber(self) -> NodeIndex:
         """NodeGenericData with four data coordinates of the last update: gap, tangential speed, impact velocity, plastic overlap; initial gap positive: no contact"""
     @nodeNumber.setter
-    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     @property
     def spheresRadii(self) -> Array:
         """radii of the spheres at marker m0 and marker m1; must be positive [2; m]"""
@@ -3888,8 +3888,8 @@ class ObjectContactSphereSphere(_Object):
     def __init__(
         self,
         name: str = '',
-        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
-        nodeNumber: NodeIndex | int = -1,
+        markerNumbers: Sequence[MarkerIndex | int | str] = [-1, -1],
+        nodeNumber: NodeIndex | int | str = -1,
         spheresRadii: ArrayLike = [-1.0, -1.0],
         isHollowSphere1: bool = False,
         dynamicFriction: float = 0.0,
@@ -3933,12 +3933,12 @@ class ObjectContactSphereTorus(_Object):
     def markerNumbers(self) -> list[MarkerIndex]:
         """marker m0 at the center of the sphere and marker m1 at the center of the torus [2]"""
     @markerNumbers.setter
-    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def nodeNumber(self) -> NodeIndex:
         """NodeGenericData with four data coordinates of the last update: gap, tangential speed, impact velocity, and one that is not used"""
     @nodeNumber.setter
-    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     radiusSphere: float
     """radius of the sphere at marker m0 [m]"""
     torusMajorRadius: float
@@ -3976,8 +3976,8 @@ class ObjectContactSphereTorus(_Object):
     def __init__(
         self,
         name: str = '',
-        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
-        nodeNumber: NodeIndex | int = -1,
+        markerNumbers: Sequence[MarkerIndex | int | str] = [-1, -1],
+        nodeNumber: NodeIndex | int | str = -1,
         radiusSphere: float = 0.0,
         torusMajorRadius: float = 0.0,
         torusMinorRadius: float = 0.0,
@@ -4019,12 +4019,12 @@ class ObjectContactSphereTriangle(_Object):
     def markerNumbers(self) -> list[MarkerIndex]:
         """marker m0 at the center of the sphere and marker m1 on the body that carries the triangle [2]"""
     @markerNumbers.setter
-    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def nodeNumber(self) -> NodeIndex:
         """NodeGenericData with four data coordinates of the last update: gap, tangential speed, impact velocity, and one that is not used"""
     @nodeNumber.setter
-    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     radiusSphere: float
     """radius of the sphere at marker m0 [m]"""
     @property
@@ -4060,8 +4060,8 @@ class ObjectContactSphereTriangle(_Object):
     def __init__(
         self,
         name: str = '',
-        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
-        nodeNumber: NodeIndex | int = -1,
+        markerNumbers: Sequence[MarkerIndex | int | str] = [-1, -1],
+        nodeNumber: NodeIndex | int | str = -1,
         radiusSphere: float = 0.0,
         trianglePoints: Sequence[ArrayLike] | Vector3DList = [],
         includeEdges: int = 7,
@@ -4105,12 +4105,12 @@ class ObjectJointALEMoving2D(_Object):
     def markerNumbers(self) -> list[MarkerIndex]:
         """marker m0 of the sliding body, and marker m1 of the cable element on which it begins; m1 is updated when the body passes to a neighbouring element [2]"""
     @markerNumbers.setter
-    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def slidingMarkerNumbers(self) -> list[MarkerIndex]:
         """shape or coordinate markers of all cable elements in the order in which they follow each other: the end of one element is the begin of the next [n]"""
     @slidingMarkerNumbers.setter
-    def slidingMarkerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    def slidingMarkerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def slidingMarkerOffsets(self) -> Array:
         """for each of these elements, the sum of the reference lengths of all elements before it; 0 for the first [n; m]"""
@@ -4122,7 +4122,7 @@ class ObjectJointALEMoving2D(_Object):
     def nodeNumbers(self) -> list[NodeIndex]:
         """NodeGenericData with one data coordinate (index of the current element), and the NodeGenericODE2 with the sliding coordinate of the cable [2]"""
     @nodeNumbers.setter
-    def nodeNumbers(self, value: Sequence[NodeIndex | int]) -> None: ...
+    def nodeNumbers(self, value: Sequence[NodeIndex | int | str]) -> None: ...
     usePenaltyFormulation: bool
     """True: the constraint is softened by ``penaltyStiffness``, still with multipliers as unknowns"""
     penaltyStiffness: float
@@ -4137,11 +4137,11 @@ class ObjectJointALEMoving2D(_Object):
     def __init__(
         self,
         name: str = '',
-        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
-        slidingMarkerNumbers: Sequence[MarkerIndex | int] = [],
+        markerNumbers: Sequence[MarkerIndex | int | str] = [-1, -1],
+        slidingMarkerNumbers: Sequence[MarkerIndex | int | str] = [],
         slidingMarkerOffsets: ArrayLike = [],
         slidingOffset: float = 0.0,
-        nodeNumbers: Sequence[NodeIndex | int] = [-1, -1],
+        nodeNumbers: Sequence[NodeIndex | int | str] = [-1, -1],
         usePenaltyFormulation: bool = False,
         penaltyStiffness: float = 0.0,
         activeConnector: bool = True,
@@ -4182,7 +4182,7 @@ class ObjectJointGeneric(_Object):
     def markerNumbers(self) -> list[MarkerIndex]:
         """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     @markerNumbers.setter
-    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def constrainedAxes(self) -> list[int]:
         """six flags, 1 constrained and 0 free: translation along the x, y, z axis of frame J0, rotation about them; other values are refused [6]"""
@@ -4219,7 +4219,7 @@ class ObjectJointGeneric(_Object):
     def __init__(
         self,
         name: str = '',
-        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        markerNumbers: Sequence[MarkerIndex | int | str] = [-1, -1],
         constrainedAxes: Sequence[int] = [1, 1, 1, 1, 1, 1],
         rotationMarker0: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         rotationMarker1: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
@@ -4262,7 +4262,7 @@ class ObjectJointPrismatic2D(_Object):
     def markerNumbers(self) -> list[MarkerIndex]:
         """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     @markerNumbers.setter
-    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def axisMarker0(self) -> Array:
         """direction of the axis in the frame of marker m0, a unit vector in the x-y plane [3; 1]"""
@@ -4285,7 +4285,7 @@ class ObjectJointPrismatic2D(_Object):
     def __init__(
         self,
         name: str = '',
-        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        markerNumbers: Sequence[MarkerIndex | int | str] = [-1, -1],
         axisMarker0: ArrayLike = [1.0, 0.0, 0.0],
         normalMarker1: ArrayLike = [0.0, 1.0, 0.0],
         constrainRotation: bool = True,
@@ -4327,7 +4327,7 @@ class ObjectJointPrismaticX(_Object):
     def markerNumbers(self) -> list[MarkerIndex]:
         """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     @markerNumbers.setter
-    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def rotationMarker0(self) -> Array:
         """rotation matrix from joint frame J0 to the frame of marker m0; turns the axes of the joint [3 x 3; 1]"""
@@ -4348,7 +4348,7 @@ class ObjectJointPrismaticX(_Object):
     def __init__(
         self,
         name: str = '',
-        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        markerNumbers: Sequence[MarkerIndex | int | str] = [-1, -1],
         rotationMarker0: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         rotationMarker1: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         activeConnector: bool = True,
@@ -4386,7 +4386,7 @@ class ObjectJointRevolute2D(_Object):
     def markerNumbers(self) -> list[MarkerIndex]:
         """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     @markerNumbers.setter
-    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     @property
@@ -4397,7 +4397,7 @@ class ObjectJointRevolute2D(_Object):
     def __init__(
         self,
         name: str = '',
-        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        markerNumbers: Sequence[MarkerIndex | int | str] = [-1, -1],
         activeConnector: bool = True,
         visualization: VObjectJointRevolute2D | dict[str, Any] = ...,
     ) -> None: ...
@@ -4436,7 +4436,7 @@ class ObjectJointRevoluteZ(_Object):
     def markerNumbers(self) -> list[MarkerIndex]:
         """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     @markerNumbers.setter
-    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def rotationMarker0(self) -> Array:
         """rotation matrix from joint frame J0 to the frame of marker m0; turns the axes of the joint [3 x 3; 1]"""
@@ -4457,7 +4457,7 @@ class ObjectJointRevoluteZ(_Object):
     def __init__(
         self,
         name: str = '',
-        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        markerNumbers: Sequence[MarkerIndex | int | str] = [-1, -1],
         rotationMarker0: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         rotationMarker1: ArrayLike = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         activeConnector: bool = True,
@@ -4495,7 +4495,7 @@ class ObjectJointRollingDisc(_Object):
     def markerNumbers(self) -> list[MarkerIndex]:
         """marker m0 on the plane and marker m1 at the center of the disc [2]"""
     @markerNumbers.setter
-    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def constrainedAxes(self) -> list[int]:
         """three flags, 1 constrained and 0 free: lateral, forward and normal velocity of the contact point; other values are refused [3]"""
@@ -4523,7 +4523,7 @@ class ObjectJointRollingDisc(_Object):
     def __init__(
         self,
         name: str = '',
-        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        markerNumbers: Sequence[MarkerIndex | int | str] = [-1, -1],
         constrainedAxes: Sequence[int] = [1, 1, 1],
         activeConnector: bool = True,
         discRadius: float = 0.0,
@@ -4563,12 +4563,12 @@ class ObjectJointSliding(_Object):
     def markerNumbers(self) -> list[MarkerIndex]:
         """marker m0 of the sliding body, and marker m1 of the cable element on which it begins; m1 is updated when the body passes to a neighbouring element [2]"""
     @markerNumbers.setter
-    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def slidingMarkerNumbers(self) -> list[MarkerIndex]:
         """shape or coordinate markers of all cable elements in the order in which they follow each other: the end of one element is the begin of the next [n]"""
     @slidingMarkerNumbers.setter
-    def slidingMarkerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    def slidingMarkerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def slidingMarkerOffsets(self) -> Array:
         """for each of these elements, the sum of the reference lengths of all elements before it; 0 for the first [n; m]"""
@@ -4578,7 +4578,7 @@ class ObjectJointSliding(_Object):
     def nodeNumber(self) -> NodeIndex:
         """NodeGenericData with two data coordinates: index of the current element in ``slidingMarkerNumbers``, and sliding coordinate at the begin of the step"""
     @nodeNumber.setter
-    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     @property
     def constrainRotations(self) -> list[int]:
         """three flags, 1 constrained and 0 free: rotation of marker m0 relative to the cable about its x, y and z axis; rotation about x is not available for cables [3]"""
@@ -4601,10 +4601,10 @@ class ObjectJointSliding(_Object):
     def __init__(
         self,
         name: str = '',
-        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
-        slidingMarkerNumbers: Sequence[MarkerIndex | int] = [],
+        markerNumbers: Sequence[MarkerIndex | int | str] = [-1, -1],
+        slidingMarkerNumbers: Sequence[MarkerIndex | int | str] = [],
         slidingMarkerOffsets: ArrayLike = [],
-        nodeNumber: NodeIndex | int = -1,
+        nodeNumber: NodeIndex | int | str = -1,
         constrainRotations: Sequence[int] = [1, 1, 1],
         constrainTranslations: Sequence[int] = [1, 1, 1],
         axialForce: float = 0.0,
@@ -4643,12 +4643,12 @@ class ObjectJointSliding2D(_Object):
     def markerNumbers(self) -> list[MarkerIndex]:
         """marker m0 of the sliding body, and marker m1 of the cable element on which it begins, one of ``slidingMarkerNumbers``; which element the body is on follows from the data node [2]"""
     @markerNumbers.setter
-    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def slidingMarkerNumbers(self) -> list[MarkerIndex]:
         """coordinate markers of all cable elements in the order in which they follow each other: the end of one element is the begin of the next [n]"""
     @slidingMarkerNumbers.setter
-    def slidingMarkerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    def slidingMarkerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def slidingMarkerOffsets(self) -> Array:
         """for each of these elements, the sum of the reference lengths of all elements before it; 0 for the first; one for each of ``slidingMarkerNumbers`` [n; m]"""
@@ -4658,7 +4658,7 @@ class ObjectJointSliding2D(_Object):
     def nodeNumber(self) -> NodeIndex:
         """NodeGenericData with two data coordinates: index of the current element in ``slidingMarkerNumbers``, and sliding coordinate at the begin of the step"""
     @nodeNumber.setter
-    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     classicalFormulation: bool
     """True: the force along the cable is prescribed, and both components of position are constrained; False: only the normal direction is constrained, by one multiplier"""
     constrainRotation: bool
@@ -4675,10 +4675,10 @@ class ObjectJointSliding2D(_Object):
     def __init__(
         self,
         name: str = '',
-        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
-        slidingMarkerNumbers: Sequence[MarkerIndex | int] = [],
+        markerNumbers: Sequence[MarkerIndex | int | str] = [-1, -1],
+        slidingMarkerNumbers: Sequence[MarkerIndex | int | str] = [],
         slidingMarkerOffsets: ArrayLike = [],
-        nodeNumber: NodeIndex | int = -1,
+        nodeNumber: NodeIndex | int | str = -1,
         classicalFormulation: bool = True,
         constrainRotation: bool = False,
         axialForce: float = 0.0,
@@ -4717,7 +4717,7 @@ class ObjectJointSpherical(_Object):
     def markerNumbers(self) -> list[MarkerIndex]:
         """the two markers m0 and m1 that are connected; relative quantities are those of m1 minus those of m0 [2]"""
     @markerNumbers.setter
-    def markerNumbers(self, value: Sequence[MarkerIndex | int]) -> None: ...
+    def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def constrainedAxes(self) -> list[int]:
         """three flags, 1 constrained and 0 free: relative translation along the global x, y and z axis; other values are refused [3]"""
@@ -4733,7 +4733,7 @@ class ObjectJointSpherical(_Object):
     def __init__(
         self,
         name: str = '',
-        markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
+        markerNumbers: Sequence[MarkerIndex | int | str] = [-1, -1],
         constrainedAxes: Sequence[int] = [1, 1, 1],
         activeConnector: bool = True,
         visualization: VObjectJointSpherical | dict[str, Any] = ...,
@@ -4761,12 +4761,12 @@ class MarkerBodiesRelativeRotationCoordinate(_Marker):
     def bodyNumbers(self) -> list[ObjectIndex]:
         """the two bodies whose relative motion is the coordinate [2]"""
     @bodyNumbers.setter
-    def bodyNumbers(self, value: Sequence[ObjectIndex | int]) -> None: ...
+    def bodyNumbers(self, value: Sequence[ObjectIndex | int | str]) -> None: ...
     @property
     def nodeNumber(self) -> NodeIndex:
         """NodeGenericData with one data coordinate that holds the last angle and makes the coordinate continuous beyond half a turn; not set: the angle jumps"""
     @nodeNumber.setter
-    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     @property
     def localPosition0(self) -> Array:
         """point in the frame of the first body [3; m]"""
@@ -4792,8 +4792,8 @@ class MarkerBodiesRelativeRotationCoordinate(_Marker):
     def __init__(
         self,
         name: str = '',
-        bodyNumbers: Sequence[ObjectIndex | int] = [-1, -1],
-        nodeNumber: NodeIndex | int = -1,
+        bodyNumbers: Sequence[ObjectIndex | int | str] = [-1, -1],
+        nodeNumber: NodeIndex | int | str = -1,
         localPosition0: ArrayLike = [0.0, 0.0, 0.0],
         localPosition1: ArrayLike = [0.0, 0.0, 0.0],
         axis0: ArrayLike = [1.0, 0.0, 0.0],
@@ -4820,7 +4820,7 @@ class MarkerBodiesRelativeTranslationCoordinate(_Marker):
     def bodyNumbers(self) -> list[ObjectIndex]:
         """the two bodies whose relative motion is the coordinate [2]"""
     @bodyNumbers.setter
-    def bodyNumbers(self, value: Sequence[ObjectIndex | int]) -> None: ...
+    def bodyNumbers(self, value: Sequence[ObjectIndex | int | str]) -> None: ...
     @property
     def localPosition0(self) -> Array:
         """point in the frame of the first body [3; m]"""
@@ -4846,7 +4846,7 @@ class MarkerBodiesRelativeTranslationCoordinate(_Marker):
     def __init__(
         self,
         name: str = '',
-        bodyNumbers: Sequence[ObjectIndex | int] = [-1, -1],
+        bodyNumbers: Sequence[ObjectIndex | int | str] = [-1, -1],
         localPosition0: ArrayLike = [0.0, 0.0, 0.0],
         localPosition1: ArrayLike = [0.0, 0.0, 0.0],
         axis0: ArrayLike = [1.0, 0.0, 0.0],
@@ -4873,7 +4873,7 @@ class MarkerBodyBeamShape(_Marker):
     def bodyNumber(self) -> ObjectIndex:
         """beam element to which the marker is attached"""
     @bodyNumber.setter
-    def bodyNumber(self, value: ObjectIndex | int) -> None: ...
+    def bodyNumber(self, value: ObjectIndex | int | str) -> None: ...
     @property
     def visualization(self) -> VMarkerBodyBeamShape:
         """how the item is drawn"""
@@ -4882,7 +4882,7 @@ class MarkerBodyBeamShape(_Marker):
     def __init__(
         self,
         name: str = '',
-        bodyNumber: ObjectIndex | int = -1,
+        bodyNumber: ObjectIndex | int | str = -1,
         visualization: VMarkerBodyBeamShape | dict[str, Any] = ...,
     ) -> None: ...
 
@@ -4905,7 +4905,7 @@ class MarkerBodyCable2DCoordinates(_Marker):
     def bodyNumber(self) -> ObjectIndex:
         """planar cable element to which the marker is attached"""
     @bodyNumber.setter
-    def bodyNumber(self, value: ObjectIndex | int) -> None: ...
+    def bodyNumber(self, value: ObjectIndex | int | str) -> None: ...
     @property
     def visualization(self) -> VMarkerBodyCable2DCoordinates:
         """how the item is drawn"""
@@ -4914,7 +4914,7 @@ class MarkerBodyCable2DCoordinates(_Marker):
     def __init__(
         self,
         name: str = '',
-        bodyNumber: ObjectIndex | int = -1,
+        bodyNumber: ObjectIndex | int | str = -1,
         visualization: VMarkerBodyCable2DCoordinates | dict[str, Any] = ...,
     ) -> None: ...
 
@@ -4937,7 +4937,7 @@ class MarkerBodyCable2DShape(_Marker):
     def bodyNumber(self) -> ObjectIndex:
         """planar cable element to which the marker is attached"""
     @bodyNumber.setter
-    def bodyNumber(self, value: ObjectIndex | int) -> None: ...
+    def bodyNumber(self, value: ObjectIndex | int | str) -> None: ...
     numberOfSegments: int
     """number of segments; must be that of the contact that uses the marker"""
     verticalOffset: float
@@ -4950,7 +4950,7 @@ class MarkerBodyCable2DShape(_Marker):
     def __init__(
         self,
         name: str = '',
-        bodyNumber: ObjectIndex | int = -1,
+        bodyNumber: ObjectIndex | int | str = -1,
         numberOfSegments: int = 3,
         verticalOffset: float = 0.0,
         visualization: VMarkerBodyCable2DShape | dict[str, Any] = ...,
@@ -4975,7 +4975,7 @@ class MarkerBodyMass(_Marker):
     def bodyNumber(self) -> ObjectIndex:
         """body with a mass to which the marker is attached"""
     @bodyNumber.setter
-    def bodyNumber(self, value: ObjectIndex | int) -> None: ...
+    def bodyNumber(self, value: ObjectIndex | int | str) -> None: ...
     @property
     def visualization(self) -> VMarkerBodyMass:
         """how the item is drawn"""
@@ -4984,7 +4984,7 @@ class MarkerBodyMass(_Marker):
     def __init__(
         self,
         name: str = '',
-        bodyNumber: ObjectIndex | int = -1,
+        bodyNumber: ObjectIndex | int | str = -1,
         visualization: VMarkerBodyMass | dict[str, Any] = ...,
     ) -> None: ...
 
@@ -5007,7 +5007,7 @@ class MarkerBodyPosition(_Marker):
     def bodyNumber(self) -> ObjectIndex:
         """body to which the marker is attached"""
     @bodyNumber.setter
-    def bodyNumber(self, value: ObjectIndex | int) -> None: ...
+    def bodyNumber(self, value: ObjectIndex | int | str) -> None: ...
     @property
     def localPosition(self) -> Array:
         """position of the marker in the body frame, relative to the reference point of the body [3; m]"""
@@ -5021,7 +5021,7 @@ class MarkerBodyPosition(_Marker):
     def __init__(
         self,
         name: str = '',
-        bodyNumber: ObjectIndex | int = -1,
+        bodyNumber: ObjectIndex | int | str = -1,
         localPosition: ArrayLike = [0.0, 0.0, 0.0],
         visualization: VMarkerBodyPosition | dict[str, Any] = ...,
     ) -> None: ...
@@ -5045,7 +5045,7 @@ class MarkerBodyRigid(_Marker):
     def bodyNumber(self) -> ObjectIndex:
         """body to which the marker is attached"""
     @bodyNumber.setter
-    def bodyNumber(self, value: ObjectIndex | int) -> None: ...
+    def bodyNumber(self, value: ObjectIndex | int | str) -> None: ...
     @property
     def localPosition(self) -> Array:
         """position of the marker in the body frame, relative to the reference point of the body [3; m]"""
@@ -5059,7 +5059,7 @@ class MarkerBodyRigid(_Marker):
     def __init__(
         self,
         name: str = '',
-        bodyNumber: ObjectIndex | int = -1,
+        bodyNumber: ObjectIndex | int | str = -1,
         localPosition: ArrayLike = [0.0, 0.0, 0.0],
         visualization: VMarkerBodyRigid | dict[str, Any] = ...,
     ) -> None: ...
@@ -5083,7 +5083,7 @@ class MarkerKinematicTreeRigid(_Marker):
     def objectNumber(self) -> ObjectIndex:
         """kinematic tree to which the marker is attached"""
     @objectNumber.setter
-    def objectNumber(self, value: ObjectIndex | int) -> None: ...
+    def objectNumber(self, value: ObjectIndex | int | str) -> None: ...
     linkNumber: int
     """number of the link within the tree, from 0; -1 means not set and is refused"""
     @property
@@ -5099,7 +5099,7 @@ class MarkerKinematicTreeRigid(_Marker):
     def __init__(
         self,
         name: str = '',
-        objectNumber: ObjectIndex | int = -1,
+        objectNumber: ObjectIndex | int | str = -1,
         linkNumber: int = -1,
         localPosition: ArrayLike = [0.0, 0.0, 0.0],
         visualization: VMarkerKinematicTreeRigid | dict[str, Any] = ...,
@@ -5124,7 +5124,7 @@ class MarkerNodeCoordinate(_Marker):
     def nodeNumber(self) -> NodeIndex:
         """node to which the marker is attached"""
     @nodeNumber.setter
-    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     coordinate: int
     """number of the coordinate within the node, from 0; -1 means not set and is refused; any number reads zero at a ground node"""
     @property
@@ -5135,7 +5135,7 @@ class MarkerNodeCoordinate(_Marker):
     def __init__(
         self,
         name: str = '',
-        nodeNumber: NodeIndex | int = -1,
+        nodeNumber: NodeIndex | int | str = -1,
         coordinate: int = -1,
         visualization: VMarkerNodeCoordinate | dict[str, Any] = ...,
     ) -> None: ...
@@ -5159,7 +5159,7 @@ class MarkerNodeCoordinates(_Marker):
     def nodeNumber(self) -> NodeIndex:
         """node to which the marker is attached"""
     @nodeNumber.setter
-    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     @property
     def visualization(self) -> VMarkerNodeCoordinates:
         """how the item is drawn"""
@@ -5168,7 +5168,7 @@ class MarkerNodeCoordinates(_Marker):
     def __init__(
         self,
         name: str = '',
-        nodeNumber: NodeIndex | int = -1,
+        nodeNumber: NodeIndex | int | str = -1,
         visualization: VMarkerNodeCoordinates | dict[str, Any] = ...,
     ) -> None: ...
 
@@ -5191,7 +5191,7 @@ class MarkerNodeODE1Coordinate(_Marker):
     def nodeNumber(self) -> NodeIndex:
         """NodeGenericODE1 to which the marker is attached"""
     @nodeNumber.setter
-    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     coordinate: int
     """number of the coordinate within the node, from 0; -1 means not set and is refused"""
     @property
@@ -5202,7 +5202,7 @@ class MarkerNodeODE1Coordinate(_Marker):
     def __init__(
         self,
         name: str = '',
-        nodeNumber: NodeIndex | int = -1,
+        nodeNumber: NodeIndex | int | str = -1,
         coordinate: int = -1,
         visualization: VMarkerNodeODE1Coordinate | dict[str, Any] = ...,
     ) -> None: ...
@@ -5226,7 +5226,7 @@ class MarkerNodePosition(_Marker):
     def nodeNumber(self) -> NodeIndex:
         """node with a position to which the marker is attached"""
     @nodeNumber.setter
-    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     @property
     def visualization(self) -> VMarkerNodePosition:
         """how the item is drawn"""
@@ -5235,7 +5235,7 @@ class MarkerNodePosition(_Marker):
     def __init__(
         self,
         name: str = '',
-        nodeNumber: NodeIndex | int = -1,
+        nodeNumber: NodeIndex | int | str = -1,
         visualization: VMarkerNodePosition | dict[str, Any] = ...,
     ) -> None: ...
 
@@ -5258,7 +5258,7 @@ class MarkerNodeRigid(_Marker):
     def nodeNumber(self) -> NodeIndex:
         """node with position and orientation, such as a rigid body node, to which the marker is attached"""
     @nodeNumber.setter
-    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     @property
     def visualization(self) -> VMarkerNodeRigid:
         """how the item is drawn"""
@@ -5267,7 +5267,7 @@ class MarkerNodeRigid(_Marker):
     def __init__(
         self,
         name: str = '',
-        nodeNumber: NodeIndex | int = -1,
+        nodeNumber: NodeIndex | int | str = -1,
         visualization: VMarkerNodeRigid | dict[str, Any] = ...,
     ) -> None: ...
 
@@ -5290,7 +5290,7 @@ class MarkerNodeRotationCoordinate(_Marker):
     def nodeNumber(self) -> NodeIndex:
         """node with an orientation in space to which the marker is attached; planar nodes are refused, use MarkerNodeCoordinate for them"""
     @nodeNumber.setter
-    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     rotationCoordinate: int
     """axis of rotation: 0 for x, 1 for y, 2 for z; -1 means not set and is refused"""
     @property
@@ -5301,7 +5301,7 @@ class MarkerNodeRotationCoordinate(_Marker):
     def __init__(
         self,
         name: str = '',
-        nodeNumber: NodeIndex | int = -1,
+        nodeNumber: NodeIndex | int | str = -1,
         rotationCoordinate: int = -1,
         visualization: VMarkerNodeRotationCoordinate | dict[str, Any] = ...,
     ) -> None: ...
@@ -5325,7 +5325,7 @@ class MarkerObjectODE2Coordinates(_Marker):
     def objectNumber(self) -> ObjectIndex:
         """body to which the marker is attached"""
     @objectNumber.setter
-    def objectNumber(self, value: ObjectIndex | int) -> None: ...
+    def objectNumber(self, value: ObjectIndex | int | str) -> None: ...
     @property
     def visualization(self) -> VMarkerObjectODE2Coordinates:
         """how the item is drawn"""
@@ -5334,7 +5334,7 @@ class MarkerObjectODE2Coordinates(_Marker):
     def __init__(
         self,
         name: str = '',
-        objectNumber: ObjectIndex | int = -1,
+        objectNumber: ObjectIndex | int | str = -1,
         visualization: VMarkerObjectODE2Coordinates | dict[str, Any] = ...,
     ) -> None: ...
 
@@ -5360,7 +5360,7 @@ class MarkerSuperElementPosition(_Marker):
     def bodyNumber(self) -> ObjectIndex:
         """super element to which the marker is attached"""
     @bodyNumber.setter
-    def bodyNumber(self, value: ObjectIndex | int) -> None: ...
+    def bodyNumber(self, value: ObjectIndex | int | str) -> None: ...
     @property
     def meshNodeNumbers(self) -> list[int]:
         """mesh nodes of the super element, numbered within it from 0; each must have a position [n]"""
@@ -5379,7 +5379,7 @@ class MarkerSuperElementPosition(_Marker):
     def __init__(
         self,
         name: str = '',
-        bodyNumber: ObjectIndex | int = -1,
+        bodyNumber: ObjectIndex | int | str = -1,
         meshNodeNumbers: Sequence[int] = [],
         weightingFactors: ArrayLike = [],
         visualization: VMarkerSuperElementPosition | dict[str, Any] = ...,
@@ -5407,7 +5407,7 @@ class MarkerSuperElementRigid(_Marker):
     def bodyNumber(self) -> ObjectIndex:
         """super element to which the marker is attached"""
     @bodyNumber.setter
-    def bodyNumber(self, value: ObjectIndex | int) -> None: ...
+    def bodyNumber(self, value: ObjectIndex | int | str) -> None: ...
     @property
     def offset(self) -> Array:
         """correction of the marker position in the reference frame of the super element, if the mean of the mesh nodes is not the wanted point; should be small [3; m]"""
@@ -5435,7 +5435,7 @@ class MarkerSuperElementRigid(_Marker):
     def __init__(
         self,
         name: str = '',
-        bodyNumber: ObjectIndex | int = -1,
+        bodyNumber: ObjectIndex | int | str = -1,
         offset: ArrayLike = [0.0, 0.0, 0.0],
         meshNodeNumbers: Sequence[int] = [],
         weightingFactors: ArrayLike = [],
@@ -5463,7 +5463,7 @@ class LoadCoordinate(_Load):
     def markerNumber(self) -> MarkerIndex:
         """coordinate marker to which the load is applied"""
     @markerNumber.setter
-    def markerNumber(self, value: MarkerIndex | int) -> None: ...
+    def markerNumber(self, value: MarkerIndex | int | str) -> None: ...
     load: float
     """generalized force: N on a coordinate that is a length, Nm on an angle; without effect if there is a user function, which gets it as an argument [various]"""
     loadUserFunction: Callable[[MainSystem, float, float], float] | Literal[0]
@@ -5476,7 +5476,7 @@ class LoadCoordinate(_Load):
     def __init__(
         self,
         name: str = '',
-        markerNumber: MarkerIndex | int = -1,
+        markerNumber: MarkerIndex | int | str = -1,
         load: float = 0.0,
         loadUserFunction: Callable[[MainSystem, float, float], float] | Literal[0] = 0,
         visualization: VLoadCoordinate | dict[str, Any] = ...,
@@ -5501,7 +5501,7 @@ class LoadForceVector(_Load):
     def markerNumber(self) -> MarkerIndex:
         """marker with a position to which the force is applied; with ``bodyFixed`` it must have an orientation as well"""
     @markerNumber.setter
-    def markerNumber(self, value: MarkerIndex | int) -> None: ...
+    def markerNumber(self, value: MarkerIndex | int | str) -> None: ...
     @property
     def loadVector(self) -> Array:
         """force vector in global coordinates, or in the marker frame with ``bodyFixed``; without effect if there is a user function, which gets it as an argument [3; N]"""
@@ -5519,7 +5519,7 @@ class LoadForceVector(_Load):
     def __init__(
         self,
         name: str = '',
-        markerNumber: MarkerIndex | int = -1,
+        markerNumber: MarkerIndex | int | str = -1,
         loadVector: ArrayLike = [0.0, 0.0, 0.0],
         bodyFixed: bool = False,
         loadVectorUserFunction: Callable[[MainSystem, float, Array], ArrayLike] | Literal[0] = 0,
@@ -5548,7 +5548,7 @@ class LoadMassProportional(_Load):
     def markerNumber(self) -> MarkerIndex:
         """marker of type BodyMass on the body to which the load is applied"""
     @markerNumber.setter
-    def markerNumber(self, value: MarkerIndex | int) -> None: ...
+    def markerNumber(self, value: MarkerIndex | int | str) -> None: ...
     @property
     def loadVector(self) -> Array:
         """force per mass in global coordinates, such as the gravitational acceleration ``[0, 0, -9.81]``; without effect if there is a user function, which gets it as an argument [3; m/s^2]"""
@@ -5564,7 +5564,7 @@ class LoadMassProportional(_Load):
     def __init__(
         self,
         name: str = '',
-        markerNumber: MarkerIndex | int = -1,
+        markerNumber: MarkerIndex | int | str = -1,
         loadVector: ArrayLike = [0.0, 0.0, 0.0],
         loadVectorUserFunction: Callable[[MainSystem, float, Array], ArrayLike] | Literal[0] = 0,
         visualization: VLoadMassProportional | dict[str, Any] = ...,
@@ -5592,7 +5592,7 @@ class LoadTorqueVector(_Load):
     def markerNumber(self) -> MarkerIndex:
         """marker with an orientation to which the torque is applied"""
     @markerNumber.setter
-    def markerNumber(self, value: MarkerIndex | int) -> None: ...
+    def markerNumber(self, value: MarkerIndex | int | str) -> None: ...
     @property
     def loadVector(self) -> Array:
         """torque vector in global coordinates, or in the marker frame with ``bodyFixed``; without effect if there is a user function, which gets it as an argument [3; Nm]"""
@@ -5610,7 +5610,7 @@ class LoadTorqueVector(_Load):
     def __init__(
         self,
         name: str = '',
-        markerNumber: MarkerIndex | int = -1,
+        markerNumber: MarkerIndex | int | str = -1,
         loadVector: ArrayLike = [0.0, 0.0, 0.0],
         bodyFixed: bool = False,
         loadVectorUserFunction: Callable[[MainSystem, float, Array], ArrayLike] | Literal[0] = 0,
@@ -5639,7 +5639,7 @@ class SensorBody(_Sensor):
     def bodyNumber(self) -> ObjectIndex:
         """body that is measured"""
     @bodyNumber.setter
-    def bodyNumber(self, value: ObjectIndex | int) -> None: ...
+    def bodyNumber(self, value: ObjectIndex | int | str) -> None: ...
     @property
     def localPosition(self) -> Array:
         """point in the body frame, relative to the reference point; for beams and cables the x component is the position along the axis [3; m]"""
@@ -5661,7 +5661,7 @@ class SensorBody(_Sensor):
     def __init__(
         self,
         name: str = '',
-        bodyNumber: ObjectIndex | int = -1,
+        bodyNumber: ObjectIndex | int | str = -1,
         localPosition: ArrayLike = [0.0, 0.0, 0.0],
         writeToFile: bool = True,
         fileName: str = '',
@@ -5689,7 +5689,7 @@ class SensorKinematicTree(_Sensor):
     def objectNumber(self) -> ObjectIndex:
         """kinematic tree that is measured"""
     @objectNumber.setter
-    def objectNumber(self, value: ObjectIndex | int) -> None: ...
+    def objectNumber(self, value: ObjectIndex | int | str) -> None: ...
     linkNumber: int
     """link, numbered within the tree from 0; -1 means not set and is refused"""
     @property
@@ -5713,7 +5713,7 @@ class SensorKinematicTree(_Sensor):
     def __init__(
         self,
         name: str = '',
-        objectNumber: ObjectIndex | int = -1,
+        objectNumber: ObjectIndex | int | str = -1,
         linkNumber: int = -1,
         localPosition: ArrayLike = [0.0, 0.0, 0.0],
         writeToFile: bool = True,
@@ -5742,7 +5742,7 @@ class SensorLoad(_Sensor):
     def loadNumber(self) -> LoadIndex:
         """load that is measured"""
     @loadNumber.setter
-    def loadNumber(self, value: LoadIndex | int) -> None: ...
+    def loadNumber(self, value: LoadIndex | int | str) -> None: ...
     writeToFile: bool
     """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
     fileName: str
@@ -5757,7 +5757,7 @@ class SensorLoad(_Sensor):
     def __init__(
         self,
         name: str = '',
-        loadNumber: LoadIndex | int = -1,
+        loadNumber: LoadIndex | int | str = -1,
         writeToFile: bool = True,
         fileName: str = '',
         storeInternal: bool = False,
@@ -5783,7 +5783,7 @@ class SensorMarker(_Sensor):
     def markerNumber(self) -> MarkerIndex:
         """marker that is measured"""
     @markerNumber.setter
-    def markerNumber(self, value: MarkerIndex | int) -> None: ...
+    def markerNumber(self, value: MarkerIndex | int | str) -> None: ...
     writeToFile: bool
     """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
     fileName: str
@@ -5800,7 +5800,7 @@ class SensorMarker(_Sensor):
     def __init__(
         self,
         name: str = '',
-        markerNumber: MarkerIndex | int = -1,
+        markerNumber: MarkerIndex | int | str = -1,
         writeToFile: bool = True,
         fileName: str = '',
         outputVariableType: OutputVariableType = OutputVariableType._None,
@@ -5827,7 +5827,7 @@ class SensorNode(_Sensor):
     def nodeNumber(self) -> NodeIndex:
         """node that is measured"""
     @nodeNumber.setter
-    def nodeNumber(self, value: NodeIndex | int) -> None: ...
+    def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     writeToFile: bool
     """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
     fileName: str
@@ -5844,7 +5844,7 @@ class SensorNode(_Sensor):
     def __init__(
         self,
         name: str = '',
-        nodeNumber: NodeIndex | int = -1,
+        nodeNumber: NodeIndex | int | str = -1,
         writeToFile: bool = True,
         fileName: str = '',
         outputVariableType: OutputVariableType = OutputVariableType._None,
@@ -5871,7 +5871,7 @@ class SensorObject(_Sensor):
     def objectNumber(self) -> ObjectIndex:
         """object that is measured; a body is refused for variables that need a local position, use SensorBody for it"""
     @objectNumber.setter
-    def objectNumber(self, value: ObjectIndex | int) -> None: ...
+    def objectNumber(self, value: ObjectIndex | int | str) -> None: ...
     writeToFile: bool
     """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
     fileName: str
@@ -5888,7 +5888,7 @@ class SensorObject(_Sensor):
     def __init__(
         self,
         name: str = '',
-        objectNumber: ObjectIndex | int = -1,
+        objectNumber: ObjectIndex | int | str = -1,
         writeToFile: bool = True,
         fileName: str = '',
         outputVariableType: OutputVariableType = OutputVariableType._None,
@@ -5915,7 +5915,7 @@ class SensorSuperElement(_Sensor):
     def bodyNumber(self) -> ObjectIndex:
         """super element that is measured"""
     @bodyNumber.setter
-    def bodyNumber(self, value: ObjectIndex | int) -> None: ...
+    def bodyNumber(self, value: ObjectIndex | int | str) -> None: ...
     meshNodeNumber: int
     """mesh node, numbered within the super element from 0; -1 means not set and is refused"""
     writeToFile: bool
@@ -5934,7 +5934,7 @@ class SensorSuperElement(_Sensor):
     def __init__(
         self,
         name: str = '',
-        bodyNumber: ObjectIndex | int = -1,
+        bodyNumber: ObjectIndex | int | str = -1,
         meshNodeNumber: int = -1,
         writeToFile: bool = True,
         fileName: str = '',
@@ -5962,7 +5962,7 @@ class SensorUserFunction(_Sensor):
     def sensorNumbers(self) -> list[SensorIndex]:
         """sensors that the user function may evaluate; may be empty [n]"""
     @sensorNumbers.setter
-    def sensorNumbers(self, value: Sequence[SensorIndex | int]) -> None: ...
+    def sensorNumbers(self, value: Sequence[SensorIndex | int | str]) -> None: ...
     @property
     def factors(self) -> Array:
         """values that are passed to the user function, of free meaning, such as weights or conversions of units [n; various]"""
@@ -5984,7 +5984,7 @@ class SensorUserFunction(_Sensor):
     def __init__(
         self,
         name: str = '',
-        sensorNumbers: Sequence[SensorIndex | int] = [],
+        sensorNumbers: Sequence[SensorIndex | int | str] = [],
         factors: ArrayLike = [],
         writeToFile: bool = True,
         fileName: str = '',

@@ -7,22 +7,17 @@ import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import islice
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from dalembert._checks import FloatArray
 from dalembert._io.files import read_table, require_last_line
 from dalembert._io.result_files import ParseOutputFileHeader
+from dalembert._tools.sensor_facts import component_name, continuous, unit_of, variable_of
 
 # Instead of a component number: the norm of all values of a sensor.
 componentNorm = -2
-
-_XYZ_VARIABLES = {
-    "Position", "Displacement", "Velocity", "Acceleration", "Rotation", "AngularVelocity", "AngularAcceleration",
-    "Force", "Torque",
-}  # fmt: skip
-_TENSOR_VARIABLES = {"Strain", "Stress"}
 
 
 @dataclass
@@ -35,6 +30,20 @@ class Curve:
     data: FloatArray  # rows of [time, values]
     component: int
     component_x: int
+    unit: str = ""
+
+    @property
+    def title(self) -> str:
+        """The variable with its unit, for an axis."""
+        return f"{self.variable} ({self.unit})" if self.unit else self.variable
+
+
+class Of(NamedTuple):
+    """A sensor of one of several systems that are compared."""
+
+    mbs: Any
+    sensor: Any
+    system: int
 
 
 def is_empty(value: Any) -> bool:
@@ -103,18 +112,8 @@ def _file_data(fileName: str, header: Mapping[str, Any], comments: str, delimite
     )
 
 
-def _variable_of(mbs: Any, sensor: Mapping[str, Any]) -> str:
-    """Return the name of what a sensor measures."""
-    if "outputVariableType" in sensor:
-        return str(sensor["outputVariableType"]).removeprefix("OutputVariableType.")
-    if sensor.get("sensorType") != "Load":
-        return str(sensor.get("sensorType", ""))
-    load_type = mbs.GetLoad(sensor["loadNumber"])["loadType"]
-    return load_type.removesuffix("Vector") if load_type in ("ForceVector", "TorqueVector") else "Load"
-
-
-def _sensor_information(mbs: Any, sensor: Any, comments: str, delimiter: str) -> tuple[str, str, FloatArray]:
-    """Return name, output variable and data of a sensor of a system."""
+def _sensor_information(mbs: Any, sensor: Any, comments: str, delimiter: str) -> tuple[str, str, FloatArray, str]:
+    """Return name, output variable, data and unit of a sensor of a system."""
     try:
         number = int(sensor) if hasattr(sensor, "GetTypeString") else operator.index(sensor)
     except TypeError:
@@ -132,23 +131,24 @@ def _sensor_information(mbs: Any, sensor: Any, comments: str, delimiter: str) ->
             f"PlotSensor: sensor {number} {information['name']!r} keeps no data: "
             "create it with storeInternal=True, or with writeToFile=True and a fileName"
         )
-    return information["name"], _variable_of(mbs, information), data
-
-
-def _component_name(variable: str, component: int, useXYZcomponents: bool) -> str:
-    base = variable.replace("Local", "")
-    if useXYZcomponents and base in _XYZ_VARIABLES and 0 <= component < 3:
-        return "XYZ"[component]
-    if useXYZcomponents and base in _TENSOR_VARIABLES and 0 <= component < 6:
-        return ("XX", "YY", "ZZ", "YZ", "XZ", "XY")[component]
-    return "norm" if component == componentNorm else str(component)
+    return information["name"], variable_of(mbs, information), data, unit_of(mbs, information)
 
 
 def make_curves(
-    mbs: Any, matched: list[tuple[Any, int, int]], useXYZcomponents: bool, comments: str, delimiter: str
+    mbs: Any,
+    matched: list[tuple[Any, int, int]],
+    useXYZcomponents: bool,
+    comments: str,
+    delimiter: str,
+    continuousAngles: bool = False,
 ) -> list[Curve]:
     curves = []
     for i, (sensor, component, component_x) in enumerate(matched):
+        system, unit, number = mbs, "", None
+        if isinstance(sensor, Of):
+            system, sensor, number = sensor
+        if isinstance(sensor, str) and system is not None and int(system.GetSensorNumber(sensor)) >= 0:
+            sensor = system.GetSensorNumber(sensor)
         if isinstance(sensor, str):
             title = f"file {sensor!r}"
             name, variable, data = _file_information(sensor, comments, delimiter)
@@ -156,14 +156,19 @@ def make_curves(
             title, name, variable, data = f"array {i}", "", "", np.atleast_2d(sensor)
         else:
             title = f"sensor {sensor}"
-            name, variable, data = _sensor_information(mbs, sensor, comments, delimiter)
-        label = f"{name}, {variable}{_component_name(variable, component, useXYZcomponents)}"
-        for number in {component, component_x} - {componentNorm}:
-            if not 0 <= number + 1 < data.shape[1]:
+            name, variable, data, unit = _sensor_information(system, sensor, comments, delimiter)
+        if number is not None:
+            name += f" of system {number}"
+        for column in {component, component_x} - {componentNorm}:
+            if not 0 <= column + 1 < data.shape[1]:
                 raise ValueError(
-                    f"PlotSensor: {title} has components 0 to {data.shape[1] - 2} (-1: time), but not {number}"
+                    f"PlotSensor: {title} has components 0 to {data.shape[1] - 2} (-1: time), but not {column}"
                 )
-        curves.append(Curve(title, label, variable, data, component, component_x))
+        if continuousAngles:
+            data = np.hstack((data[:, :1], continuous(variable, data[:, 1:])))
+        written = component_name(variable, component, data.shape[1] - 1) if useXYZcomponents else str(component)
+        label = f"{name}, {variable}{'norm' if component == componentNorm else written}"
+        curves.append(Curve(title, label, variable, data, component, component_x, unit))
     return curves
 
 

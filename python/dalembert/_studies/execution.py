@@ -120,6 +120,56 @@ def WriteToFile(
     return globalCnt + len(values)
 
 
+class FailedEvaluation(float):
+    """Stands for the value of an evaluation that has failed: not a number, with the text of the error as message."""
+
+    message: str
+
+    def __new__(cls, message: str) -> FailedEvaluation:
+        made = super().__new__(cls, "nan")
+        made.message = message
+        return made
+
+    def __reduce__(self) -> Any:
+        return FailedEvaluation, (self.message,)
+
+
+class _KeepingFailures:
+    """A function whose exceptions become values; processes can receive it."""
+
+    def __init__(self, function: Function) -> None:
+        self.function = function
+
+    def __call__(self, parameters: ParameterSet) -> Any:
+        try:
+            return self.function(parameters)
+        except Exception as error:
+            return FailedEvaluation(f"{type(error).__name__}: {error}")
+
+
+def _rows_of_results(resultsFile: str, sets: Sequence[ParameterSet]) -> list[float]:
+    """Return values that a results file has for the first sets; a last line that is not complete does not count."""
+    if not os.path.exists(resultsFile):
+        return []
+    with open(resultsFile, encoding="utf-8") as file:
+        lines = [line for line in file if line.endswith("\n") and not line.startswith("#")]
+    values: list[float] = []
+    for number, (line, parameters) in enumerate(zip(lines, sets, strict=False)):
+        row, expected = line.rstrip("\n").split(", "), [str(v) for v in without_function_data(parameters).values()]
+        if row[0] != str(number) or row[2:] != expected:
+            raise ValueError(
+                f"{resultsFile}: row {number} is of parameters {', '.join(row[2:])}, not of {', '.join(expected)}; "
+                "to restart, parameters must be those of the file"
+            )
+        try:
+            values.append(float(row[1]))
+        except ValueError:
+            raise ValueError(
+                f"{resultsFile}: row {number} has the value {row[1]!r}; only studies whose values are numbers restart"
+            ) from None
+    return values
+
+
 class _Raised(NamedTuple):
     """Stands in place of a value if the function has raised an exception."""
 
@@ -152,6 +202,14 @@ def _in_processes(function: Function, sets: Sequence[ParameterSet], threads: int
                 if isinstance(outcome, _Raised):
                     raise outcome.error
                 yield outcome
+
+
+def _in_threads(function: Function, sets: Sequence[ParameterSet], threads: int) -> Iterator[Any]:
+    """Yield results in order, from threads of this process: solvers leave the interpreter to others."""
+    from concurrent.futures import ThreadPoolExecutor
+
+    with ThreadPoolExecutor(threads) as executor:
+        yield from executor.map(function, sets)
 
 
 def _with_mpi(function: Function, sets: Sequence[ParameterSet]) -> Iterator[Any]:
@@ -188,9 +246,18 @@ def _installed(module: str, purpose: str) -> bool:
 
 
 def _choose(
-    function: Function, sets: Sequence[ParameterSet], parallel: bool, cluster: Any, use_mpi: bool, threads: int | None
+    function: Function, sets: Sequence[ParameterSet], parallel: Any, cluster: Any, use_mpi: bool, threads: int | None
 ) -> tuple[Iterator[Any], str]:
     """Return the results, evaluated on the way, and a word on how they are made."""
+    if _is_client(parallel):
+        parallel, cluster = True, parallel
+    if isinstance(parallel, str):
+        if parallel not in ("threads", "processes"):
+            expected = "a bool, 'processes', 'threads' or a Dask client"
+            raise ValueError(f"useMultiProcessing: received {parallel!r}, but expected {expected}")
+        if parallel == "threads":
+            n = number_of_threads(threads)
+            return _in_threads(function, sets, n), f"threads, numberOfThreads={n}"
     client = _is_client(cluster)
     if client or (parallel and len(cluster) > 0 and _installed("dask.distributed", "clusterHostNames")):
         return _on_cluster(function, sets, cluster), "dask"
@@ -218,7 +285,7 @@ def _with_progress(results: Iterator[Any], sets: Sequence[ParameterSet], serial:
     n = len(sets)
     if not serial:
         try:
-            from tqdm import tqdm  # type: ignore[import-not-found,import-untyped,unused-ignore]
+            from tqdm.auto import tqdm  # type: ignore[import-not-found,import-untyped,unused-ignore]
         except ImportError:
             pass
         else:
@@ -235,33 +302,58 @@ def _with_progress(results: Iterator[Any], sets: Sequence[ParameterSet], serial:
 def ProcessParameterList(
     parameterFunction: Function,
     parameterList: Sequence[ParameterSet],
-    useMultiProcessing: bool,
+    useMultiProcessing: Any,
     clusterHostNames: Any = [],
     **kwargs: Any,
 ) -> list[Any]:
     """Evaluate a function for each parameter set of a list; return the results in the same order.
 
-    With `useMultiProcessing`, processes of this machine work in parallel; the function must be importable by them
-    and must not write files of the same name. `clusterHostNames` makes it a Dask cluster: the address of a
-    scheduler, several hosts that ssh reaches, or a dask.distributed.Client. Further arguments: showProgress,
-    numberOfThreads (default: all), resultsFile (written row by row), parameters (ranges, for the header of that
-    file), useMPI (mpi4py). useDispyWebMonitor is accepted and has no effect.
+    With `useMultiProcessing`, True or 'processes', processes of this machine work in parallel; the function must be
+    importable by them and must not write files of the same name. `clusterHostNames` makes it a Dask cluster: the
+    address of a scheduler, several hosts that ssh reaches, or a dask.distributed.Client. Further arguments:
+    showProgress, numberOfThreads (default: all), resultsFile (written row by row), parameters (ranges, for the header
+    of that file), useMPI (mpi4py). useDispyWebMonitor is accepted and has no effect.
+
+    useMultiProcessing may also be 'threads', for functions that spend their time in solvers, or a Dask client.
+    restart: values that the resultsFile already has are not evaluated again; they have to be numbers. keepFailures: an
+    exception becomes a FailedEvaluation in its place: a float that is not a number, with the text as its message.
     """
-    known = {"showProgress", "numberOfThreads", "resultsFile", "parameters", "useMPI", "useDispyWebMonitor"}
+    known = {"showProgress", "numberOfThreads", "resultsFile", "parameters", "useMPI", "useDispyWebMonitor", *_GUARDS}
     check_names("ProcessParameterList", kwargs, known)
     file, parameters = kwargs.get("resultsFile", ""), kwargs.get("parameters", {})
+    values: list[Any] = []
+    if kwargs.get("restart", False):
+        if not file:
+            raise ValueError("ProcessParameterList: restart needs the resultsFile of the study to go on with")
+        values += _rows_of_results(file, parameterList)
+    function = _KeepingFailures(parameterFunction) if kwargs.get("keepFailures", False) else parameterFunction
+    remaining = parameterList[len(values) :]
     results, mode = _choose(
-        parameterFunction, parameterList, useMultiProcessing, clusterHostNames, kwargs.get("useMPI", False),
+        function, remaining, useMultiProcessing, clusterHostNames, kwargs.get("useMPI", False),
         kwargs.get("numberOfThreads"),
     )  # fmt: skip
-    results = _named(results, parameterList)
+    results = _named(results, remaining)
     if kwargs.get("showProgress", False):
-        results = _with_progress(results, parameterList, mode == "serial")
-    values: list[Any] = []
-    for i, value in enumerate(results):
+        results = _with_progress(results, remaining, mode == "serial")
+    if values:
+        _cut_to_rows(file, len(values))
+    for i, value in enumerate(results, len(values)):
         values.append(value)
         WriteToFile(file, parameters, [parameterList[i]], [value], i, i == 0, "parameter variation", mode)
     return values
+
+
+# How a study meets failures, and its own end.
+_GUARDS = ("restart", "keepFailures")
+
+
+def _cut_to_rows(resultsFile: str, rows: int) -> None:
+    """Drop a last line that was not written to its end."""
+    with open(resultsFile, encoding="utf-8") as file:
+        lines = file.readlines()
+    header = sum(line.startswith("#") for line in lines)
+    with naming(resultsFile), open(resultsFile, "w", encoding="utf-8") as file:
+        file.writelines(lines[: header + rows])
 
 
 def scalar_objective(value: Any) -> float:

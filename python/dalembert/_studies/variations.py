@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
@@ -15,11 +15,12 @@ from dalembert._core import DynamicSolverType, SimulationSettings
 from dalembert._solving.integrators import is_implicit, trapezoidal_rule
 from dalembert._solving.quiet import assemble_if_needed
 from dalembert._studies.execution import number_of_threads
+from dalembert._tools.found_items import find_item
 
 _Parameters = Mapping[tuple[Any, str], ArrayLike]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class VariationResults:
     """What SolveVariations found: arrays with a row per variation, NaN where a variation has no value.
 
@@ -43,16 +44,37 @@ class VariationResults:
     sensorHistories: NDArray[np.float64]
     historyRows: NDArray[np.int32]
     coordinates: dict[str, NDArray[np.float64]]
-    _columns: dict[int, slice] = field(repr=False)
+    _columns: dict[int, slice]
+    _names: dict[str, int]
+
+    def __repr__(self) -> str:
+        """How many variations, how many were solved, what is stored; with the first message if one failed."""
+        solved, count = int(self.success.sum()), len(self.success)
+        parts = [
+            f"{solved} of {count} solved",
+            f"{int(self.sideBySide.sum())} side by side",
+            f"{len(self._columns)} sensors",
+        ]
+        if self.sensorHistories.size:
+            parts.append(f"histories of up to {int(self.historyRows.max())} rows")
+        if self.coordinates:
+            parts.append("coordinates")
+        failed = next((f"; variation {k}: {text}" for k, text in enumerate(self.messages) if text), "")
+        return f"<VariationResults: {', '.join(parts)}{failed}>"
 
     def _of(self, sensor: Any) -> slice:
+        if isinstance(sensor, str):
+            known = ", ".join(self._names) or "none"
+            if sensor not in self._names:
+                raise ValueError(f"sensor '{sensor}' was not among those that SolveVariations was given: {known}")
+            return self._columns[self._names[sensor]]
         if int(sensor) not in self._columns:
             known = ", ".join(map(str, self._columns)) or "none"
             raise ValueError(f"sensor {int(sensor)} was not among those that SolveVariations was given: {known}")
         return self._columns[int(sensor)]
 
     def SensorValues(self, sensor: Any) -> NDArray[np.float64]:
-        """Return the values of one sensor at the end, K x number of its values."""
+        """Return the values of one sensor, by index or name, at the end: K x number of its values."""
         return self.sensorValues[:, self._of(sensor)]
 
     def SensorHistory(self, variation: int, sensor: Any) -> NDArray[np.float64]:
@@ -79,13 +101,23 @@ def _number_of_variations(arrays: Mapping[str, NDArray[Any]]) -> int:
     return next(iter(rows.values()))
 
 
-def _parameter_arrays(parameters: _Parameters) -> list[tuple[Any, str, NDArray[Any]]]:
+def _sensor(mbs: Any, sensor: Any) -> int:
+    where = "SolveVariations: sensors"
+    return int(find_item(mbs, sensor, ("Sensor",), where) if isinstance(sensor, str) else sensor)
+
+
+def _parameter_arrays(mbs: Any, parameters: _Parameters) -> list[tuple[Any, str, NDArray[Any]]]:
     for key in parameters:
         if not (isinstance(key, tuple) and len(key) == 2 and isinstance(key[1], str)):
             raise TypeError(
                 f"SolveVariations: parameters: expected keys (item index, parameter name); received {key!r}"
             )
-    return [(index, name, np.asarray(values)) for (index, name), values in parameters.items()]
+
+    def index_of(item: Any) -> Any:
+        kinds = ("Object", "Node", "Load", "Marker")
+        return find_item(mbs, item, kinds, "SolveVariations: parameters") if isinstance(item, str) else item
+
+    return [(index_of(item), name, np.asarray(values)) for (item, name), values in parameters.items()]
 
 
 def _kind(solverType: Any) -> Literal["static", "implicit", "explicit"]:
@@ -109,14 +141,14 @@ def SolveVariations(
 ) -> VariationResults:
     """Solve K variations of this system on all processors, without Python in between; the system stays as it is.
 
-    parameters: an array per (item index, parameter name), whose row k is what SetObjectParameter or its siblings would
-        get in variation k: K numbers, or K x shape for vectors and matrices.
+    parameters: an array per (index or name of an item, parameter name), whose row k is what SetObjectParameter or its
+        siblings would get in variation k: K numbers, or K x shape for vectors and matrices.
     initialCoordinates: arrays K x size for 'ODE2' (displacements from the reference), 'ODE2_t', 'ODE2_tt', 'ODE1',
         'ODE1_t', 'AE' or 'Data'. Otherwise a variation starts from the initial state of the system or, if parameters of
         nodes vary, from the initial values of the nodes, as after Assemble().
     settings: K numbers for a path in simulationSettings, e.g. 'timeIntegration.endTime'.
     solverType: as of SolveDynamic, or 'static' for SolveStatic.
-    sensors: indices of the sensors whose values are wanted; None: all. storeHistories: values over time (see
+    sensors: indices or names of the sensors whose values are wanted; None: all. storeHistories: values over time (see
         solutionSettings.sensorsWritePeriod); storeCoordinates: the state at the end.
     numberOfThreads: None: all processors. Results do not depend on it, bit for bit.
 
@@ -125,7 +157,7 @@ def SolveVariations(
     arrays of different lengths, and models with Python functions (RuntimeError), which would need the interpreter.
     """
     base = _core.SimulationSettings() if simulationSettings is None else simulationSettings
-    given = _parameter_arrays(parameters)
+    given = _parameter_arrays(mbs, parameters)
     coordinates = [(name, np.asarray(values)) for name, values in initialCoordinates.items()]
     varied = [(path, np.asarray(values)) for path, values in settings.items()]
     kind = _kind(solverType)
@@ -135,7 +167,7 @@ def SolveVariations(
         | {f"settings[{path!r}]": values for path, values in varied}
     )
     assemble_if_needed("SolveVariations", mbs, autoAssemble)
-    wanted = list(range(mbs.systemData.NumberOfSensors())) if sensors is None else [int(sensor) for sensor in sensors]
+    wanted = list(range(mbs.systemData.NumberOfSensors())) if sensors is None else [_sensor(mbs, s) for s in sensors]
     ends = np.cumsum([0, *(np.size(mbs.GetSensorValues(sensor)) for sensor in wanted)]).tolist()
     if kind == "explicit" and not isinstance(solverType, str):
         base.timeIntegration.explicitIntegration.dynamicSolverType = solverType
@@ -145,4 +177,5 @@ def SolveVariations(
             number_of_threads(numberOfThreads),
         )  # fmt: skip
     columns = {sensor: slice(*ends[i : i + 2]) for i, sensor in enumerate(wanted)}
-    return VariationResults(**found, _columns=columns)
+    names = {mbs.GetSensorParameter(sensor, "name"): sensor for sensor in wanted}
+    return VariationResults(**found, _columns=columns, _names=names)

@@ -14,6 +14,8 @@ import numpy.typing as npt
 
 from dalembert._checks import ROTATION, rotation_problem, shape_error
 from dalembert._core import MarkerIndex, NodeIndex, ObjectIndex, _is_plain_vector, _problem_of
+from dalembert._tools.found_items import find_item
+from dalembert.create._created import created
 
 # Defaults that several functions share. They are passed on and never changed.
 ZERO3 = [0.0, 0.0, 0.0]
@@ -23,7 +25,7 @@ DEFAULT_COLOR = [-1.0, -1.0, -1.0, -1.0]
 # What callers may give; the checks below say the rest.
 Vector = Sequence[float] | npt.NDArray[Any]
 Matrix = Sequence[Vector] | npt.NDArray[Any]
-Connected = ObjectIndex | NodeIndex | MarkerIndex | int  # bodies, nodes or markers by number
+Connected = ObjectIndex | NodeIndex | MarkerIndex | int | str  # bodies, nodes or markers by number or name
 UserFunction = Callable[..., Any] | Literal[0]
 
 
@@ -96,7 +98,8 @@ def require_axis(function: str, axis: Vector) -> None:
 def require_two_bodies(function: str, bodyNumbers: Sequence[Any]) -> None:
     """Raise a ValueError if a joint is to be set between a body, or a marker, and itself."""
     first, second = bodyNumbers
-    if first is not None and type(first) is type(second) and int(first) == int(second):
+    same_kind = is_body(first) == is_body(second) and isinstance(first, MarkerIndex) == isinstance(second, MarkerIndex)
+    if first is not None and second is not None and same_kind and int(first) == int(second):
         raise argument_error(function, "bodyNumbers", "two different bodies or markers", bodyNumbers)
 
 
@@ -135,6 +138,10 @@ COMMON = {
 }
 
 
+# Arguments that refer to items.
+REFERENCES = {"bodyNumber", "bodyNumbers", "bodyOrNodeList", "bodyList"}
+
+
 def argument_error(function: str, argument: str, expected: str, received: Any) -> ValueError:
     """Return the error that names function, argument, expectation and what was received."""
     return shape_error(f"MainSystem.{function}(...): argument '{argument}'", expected, received)
@@ -147,6 +154,7 @@ def checked(function: Callable[..., Any], checks: dict[str, Check]) -> Callable[
     item has been added.
     """
     names = list(inspect.signature(function).parameters)
+    numbered = REFERENCES.intersection(names)
     table = {name: checks.get(name, ANYTHING) for name in names}
     tests = {name: check.test for name, check in table.items()}
     anything = ANYTHING.test
@@ -168,9 +176,27 @@ def checked(function: Callable[..., Any], checks: dict[str, Check]) -> Callable[
             test = tests.get(name)
             if test is not anything and (test is None or not test(value)):
                 refuse(name, value)
-        return function(*args, **kwargs)
+        for name in numbered:
+            if name in given and _has_names(given[name]):
+                given = {**given, name: _with_indices(args[0], function.__name__, name, given[name])}
+                args, kwargs = args[:1], {key: value for key, value in given.items() if key != names[0]}
+        return created(args[0], function(*args, **kwargs))
 
     return call
+
+
+def _has_names(value: Any) -> bool:
+    return isinstance(value, str) or (isinstance(value, (list, tuple)) and any(isinstance(v, str) for v in value))
+
+
+def _with_indices(mbs: Any, function: str, argument: str, value: Any) -> Any:
+    """Return the argument with indices in place of names: of a body, or else of a marker or node."""
+    if not isinstance(value, str):
+        named = enumerate(value)
+        return [_with_indices(mbs, function, f"{argument}[{i}]", v) if isinstance(v, str) else v for i, v in named]
+    if int(body := mbs.GetObjectNumber(value)) >= 0:
+        return body
+    return find_item(mbs, value, ("Object", "Marker", "Node"), f"MainSystem.{function}(...): argument '{argument}'")
 
 
 def is_body(value: Any) -> bool:

@@ -289,7 +289,7 @@ def _is_grounded(mbs: Any, body: Any) -> bool:
 def CreateCoordinateConstraint(
     mbs: MainSystem,
     name: str = "",
-    bodyNumbers: Sequence[ObjectIndex | int | None] = NO_PAIR,
+    bodyNumbers: Sequence[ObjectIndex | int | str | None] = NO_PAIR,
     coordinates: Sequence[int | None] = NO_PAIR,
     offset: float = 0.0,
     factorValue1: float = 1.0,

@@ -27,7 +27,7 @@ def _load_marker(mbs: Any, function: str, bodyNumber: Any, localPosition: Vector
 def CreateForce(
     mbs: MainSystem,
     name: str = "",
-    bodyNumber: ObjectIndex | MarkerIndex | int | None = None,
+    bodyNumber: ObjectIndex | MarkerIndex | int | str | None = None,
     loadVector: Vector = ZERO3,
     localPosition: Vector = ZERO3,
     bodyFixed: bool = False,
@@ -53,7 +53,7 @@ def CreateForce(
 def CreateTorque(
     mbs: MainSystem,
     name: str = "",
-    bodyNumber: ObjectIndex | MarkerIndex | int | None = None,
+    bodyNumber: ObjectIndex | MarkerIndex | int | str | None = None,
     loadVector: Vector = ZERO3,
     localPosition: Vector = ZERO3,
     bodyFixed: bool = False,

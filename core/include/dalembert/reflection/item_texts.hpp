@@ -18,6 +18,7 @@ struct ItemText {
   std::string_view summary;
   std::span<const std::string_view> rows;  // in the order of ItemType::rows
   std::span<const OutputText> outputs;     // in the order of ItemType::outputs
+  std::string_view more;                   // user functions, Create functions, example, page
 };
 
 // In the order of item_types().

@@ -1,0 +1,142 @@
+"""JSON Schema of model files: what mbs.Save(...) writes and mbs.Load(...) reads, for editors and other programs."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from codegen.model import Item, Parameter
+from codegen.model_settings import Setting, SettingsGroup, Specs
+from codegen.names import FOLDERS
+from codegen.types import ParameterType
+
+KINDS = tuple(dict.fromkeys(kind for kind, _ in FOLDERS.values()))
+_NPZ = {"type": "object", "required": ["npz"], "properties": {"npz": {"type": "string"}}, "additionalProperties": False}
+_SCALARS = {"boolean": "boolean", "text": "string", "integer": "integer", "integers": "integer"}
+_SHAPE = {"type": "array", "items": {"type": "integer"}}
+_FUNCTION = {
+    "type": "object",
+    "oneOf": [{"required": ["function"]}, {"required": ["source", "name"]}],
+    "description": "a user function by 'module:name', or its code; read only with permission",
+}
+_DEFINITIONS: dict[str, Any] = {
+    "npz": _NPZ | {"description": "an array in the file beside, with the ending .npz"},
+    "sparse": {
+        "type": "object",
+        "required": ["sparse", "shape"],
+        "properties": {"sparse": {}, "shape": _SHAPE},
+        "description": "a sparse matrix: entries [row, column, value], and its shape",
+    },
+    "function": _FUNCTION,
+    "index": {"type": ["integer", "string"], "minimum": -1, "description": "number of an item, or its name; -1: none"},
+}
+
+
+def schema_text(specs: Specs) -> str:
+    return json.dumps(_schema(specs), indent=1, ensure_ascii=False)
+
+
+def _schema(specs: Specs) -> dict[str, Any]:
+    enums = {enum.name: [value.name for value in enum.values] for enum in specs.enums}
+    simulation = next(each for each in specs.settings if each.name == "SimulationSettings")
+    lists = {f"{kind}s": {"type": "array", "items": {"oneOf": _references(specs, kind)}} for kind in KINDS}
+    return {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "$comment": "Generated from specs/ by codegen/views/schema.py. Do not edit; run `python -m codegen`.",
+        "title": "dalembert model",
+        "type": "object",
+        "required": ["format", "formatVersion"],
+        "additionalProperties": False,
+        "properties": {
+            "$schema": {"type": "string"},
+            "format": {"const": "dalembert model"},
+            "formatVersion": {"const": 1},
+            "package": {"type": "string", "description": "version of the package that has written the file"},
+            **lists,
+            "functions": {"type": "object", "description": "user functions of the system"},
+            "variables": {"type": "object", "description": "mbs.variables"},
+            "settings": _group(simulation.root, enums),
+        },
+        "$defs": _DEFINITIONS | {item.name: _item(item, enums) for item in specs.items if item.ready},
+    }
+
+
+def _references(specs: Specs, kind: str) -> list[dict[str, str]]:
+    return [{"$ref": f"#/$defs/{item.name}"} for item in specs.items if item.kind == kind and item.ready]
+
+
+def _item(item: Item, enums: dict[str, list[str]]) -> dict[str, Any]:
+    visualization = {row.name: _row(row, enums) for row in item.visualization}
+    return {
+        "type": "object",
+        "description": item.summary,
+        "required": ["type"],
+        "additionalProperties": False,
+        "properties": {
+            "type": {"const": item.name},
+            **{row.name: _row(row, enums) for row in item.parameters if not row.internal},
+            "visualization": {"type": "object", "additionalProperties": False, "properties": visualization},
+        },
+    }
+
+
+def _group(group: SettingsGroup, enums: dict[str, list[str]]) -> dict[str, Any]:
+    rows = {row.name: _row(row, enums) for row in group.rows}
+    return {
+        "type": "object",
+        "description": group.summary,
+        "additionalProperties": False,
+        "properties": rows | {child.name: _group(child, enums) for child in group.children},
+    }
+
+
+def _row(row: Parameter, enums: dict[str, list[str]]) -> dict[str, Any]:
+    described = {"description": " ".join(row.doc.split()) + (f" ({row.unit})" if row.unit not in ("", "1") else "")}
+    default = {} if row.default in (None, "invalid") else {"default": row.default}
+    return described | default | _type(row, row.type, enums)
+
+
+def _type(row: Parameter, type_: ParameterType, enums: dict[str, list[str]]) -> dict[str, Any]:
+    storage = type_.storage
+    if type_.function or type_.name.endswith("UserFunction") or type_.name == "PyFunctionGraphicsData":
+        return {"oneOf": [{"const": 0}, {"$ref": "#/$defs/function"}]}
+    if type_.index:
+        index = {"$ref": "#/$defs/index"}
+        return {"type": "array", "items": index} if type_.shape else index
+    if storage == "joint_types":
+        return {"type": "array", "items": {"enum": enums["JointType"]}}
+    if type_.name in enums:
+        return {"enum": enums[type_.name]}
+    if storage in ("matrix_container", "matrix", "integer_matrix"):
+        rows = {"type": "array", "items": {"type": "array", "items": {"type": "number"}}}
+        sparse = [{"$ref": "#/$defs/sparse"}] if storage == "matrix_container" else []
+        empty = {"type": "object", "required": ["array", "shape"]}
+        return {"oneOf": [{"type": "null"}, rows, {"$ref": "#/$defs/npz"}, empty, *sparse]}
+    if type_.opaque or storage == "beam_section":
+        return {}
+    scalar = _SCALARS.get(storage, "number")
+    if not type_.shape:
+        bounds = _bounds(row) if scalar in ("number", "integer") else {}
+        return {"type": scalar} | bounds
+    array = _array(row.shape, scalar)
+    return {"oneOf": [array, {"$ref": "#/$defs/npz"}]} if None in row.shape else array
+
+
+def _array(shape: tuple[int | None, ...], scalar: str) -> dict[str, Any]:
+    if not shape:
+        return {"type": scalar}
+    sizes = {} if shape[0] is None else {"minItems": shape[0], "maxItems": shape[0]}
+    return {"type": "array", "items": _array(shape[1:], scalar)} | sizes
+
+
+def _bounds(row: Parameter) -> dict[str, Any]:
+    if isinstance(row, Setting) and row.range:
+        sides = {"lower": ("minimum", "exclusiveMinimum"), "upper": ("maximum", "exclusiveMaximum")}
+        found = {}
+        for side, words in sides.items():
+            if abs(bound := getattr(row.range, side)) != float("inf"):
+                found[words[getattr(row.range, f"{side}_open")]] = bound
+        return found
+    below = row.default is not None and row.default != "invalid" and row.default <= 0  # a default may say 'not set'
+    checks = {"positive": {} if below else {"exclusiveMinimum": 0}, "non_negative": {"minimum": 0}}
+    return checks.get(row.effective_check, {})

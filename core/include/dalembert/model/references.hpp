@@ -1,0 +1,26 @@
+// Names in place of item numbers. An item is described before its system is known: until it is added, a name stands in its record as a
+// number below -1, and Model puts the number of the item there that has the name.
+#pragma once
+
+#include <string>
+
+#include "dalembert/model/item.hpp"
+
+namespace dalembert {
+
+class Model;
+
+constexpr bool is_named_reference(int number) { return number < -1; }
+int named_reference(const std::string& name);      // the same name gives the same number
+const std::string& referred_name(int number);
+
+// False as long as nobody has used a name: then there is nothing to look for.
+bool names_are_used();
+
+// Refused: a name that no item of the kind has, with the nearest one.
+int number_of(const Model& model, ItemKind kind, const std::string& name, const std::string& where, const std::string& parameter);
+// Put numbers in place of names in a record, or in one row of it. `where` is the item, for errors.
+void resolve_names(const Model& model, const Row& row, void* record, const std::string& where);
+Item with_numbers(const Model& model, Item item, const std::string& where);
+
+}  // namespace dalembert

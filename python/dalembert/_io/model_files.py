@@ -1,0 +1,352 @@
+"""Models as JSON files: mbs.Save('model.json') and mbs.Load('model.json').
+
+A file has the items, by kind and in their order, with those parameters that differ from the defaults, and perhaps
+settings. Its schema, model.schema.json beside the modules of this package, is made of the specs. Loading reads data;
+code, that is user functions, only if asked.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from enum import Enum
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from dalembert import _core, _version
+from dalembert._core import MainSystem, SimulationSettings, _parameters_of
+from dalembert._io.encoded_values import Decoder, Encoder, Refused
+from dalembert._io.files import naming
+
+FORMAT = "dalembert model"
+FORMAT_VERSION = 1
+KINDS = ("Node", "Object", "Marker", "Load", "Sensor")
+SCHEMA = Path(__file__).parents[1] / "model.schema.json"
+_KEYS = ("$schema", "format", "formatVersion", "package", "settings", "functions", "variables")
+_KEYS_OF_ITEMS = tuple(f"{kind.lower()}s" for kind in KINDS)
+
+
+class _Place:
+    """Where an error is: file and path inside."""
+
+    def __init__(self, file: str) -> None:
+        self.file = file
+
+    @contextmanager
+    def at(self, path: str) -> Iterator[None]:
+        try:
+            yield
+        except _FileError:
+            raise
+        except Exception as error:  # of a constructor, of an import, of the code of a function
+            raise _FileError(f"{self.file}: {path}: {error}") from error
+
+
+class _FileError(ValueError):
+    """What is wrong with a file, and where in it."""
+
+
+@cache
+def _types(name: str) -> tuple[dict[str, str], dict[str, str]]:
+    """Return parameters of an item type, and of its visualization, with their types in words."""
+    item, view = getattr(_core, name), getattr(_core, f"V{name}")
+    return (
+        {row[0]: row[1].split(" of length")[0] for row in _parameters_of(item)},
+        {row[0]: row[1].split(" of length")[0] for row in _parameters_of(view)},
+    )
+
+
+def _classes(kind: str) -> dict[str, Any]:
+    """Return the item classes of a kind by their full names."""
+    base = _core.Item
+    found = {name: cls for name, cls in vars(_core).items() if isinstance(cls, type) and issubclass(cls, base)}
+    return {name: cls for name, cls in found.items() if name == cls.__name__ and name.startswith(kind)}
+
+
+# ---- writing ---------------------------------------------------------------------------------------------------------
+
+
+def Save(
+    mbs: MainSystem,
+    fileName: str | os.PathLike[str],
+    simulationSettings: SimulationSettings | None = None,
+    sourceOfFunctions: bool = False,
+) -> None:
+    """Write the model, and settings if given, into a JSON file that Load and `dalembert run` read.
+
+    All items are written with what differs from their defaults, exactly. Arrays with more than 1000 entries go into a
+    file beside, with the ending .npz. User functions are written by module and name; functions of the main program are
+    refused unless sourceOfFunctions, which writes their code. mbs.variables are written as far as they are numbers,
+    texts, lists and arrays; the state of a solver, and mbs.sys, are not.
+    """
+    path = Path(fileName)
+    encoder = Encoder(sourceOfFunctions)
+    place = _Place("mbs.Save(...)")
+    system = mbs.GetDictionary()
+    content: dict[str, Any] = {"format": FORMAT, "formatVersion": FORMAT_VERSION, "package": _version.__version__}
+    for kind, key in zip(KINDS, _KEYS_OF_ITEMS, strict=True):
+        items = enumerate(system[f"{kind.lower()}List"])
+        content[key] = [_encoded_item(encoder, place, kind, item, f"{key}[{i}]") for i, item in items]
+    functions = {name: function for name, function in system["userFunctions"].items() if callable(function)}
+    for name, function in functions.items():
+        with place.at(f"functions.{name}"):
+            content.setdefault("functions", {})[name] = encoder.value(function, "function", name)
+    if variables := dict(_encoded_variables(encoder, system["variables"])):
+        content["variables"] = variables
+    if simulationSettings is not None:
+        content["settings"] = _differences(simulationSettings.GetDictionary(), SimulationSettings().GetDictionary())
+    with naming(path):
+        path.write_text(_json_text(content), "utf-8")
+        beside = path.with_suffix(".npz")
+        if encoder.arrays:
+            np.savez_compressed(beside, **encoder.arrays)
+        elif beside.exists() and beside != path:
+            beside.unlink()  # of an earlier model of that name
+
+
+def _encoded_item(encoder: Encoder, place: _Place, kind: str, item: Mapping[str, Any], path: str) -> dict[str, Any]:
+    name = kind + str(item[f"{kind.lower()}Type"])
+    cls = next(cls for full, cls in _classes(kind).items() if name in (full, kind + _type_name(cls)))
+    defaults = dict(cls())
+    parameters, visualization = _types(cls.__name__)
+    result: dict[str, Any] = {"type": cls.__name__, "name": item["name"]}
+    for prefix, types in (("", parameters), ("V", visualization)):
+        rows: dict[str, Any] = {}
+        for row, words in types.items():
+            if row == "name":
+                continue
+            with place.at(f"{path}.{'visualization.' if prefix else ''}{row}"):
+                encoded = encoder.value(item[prefix + row], words, f"{path}.{prefix}{row}")
+                if encoded != Encoder(True).value(defaults[prefix + row], words, "") or words.startswith("BeamSection"):
+                    rows[row] = encoded
+        if prefix and rows:
+            result["visualization"] = rows
+        elif not prefix:
+            result |= rows
+    return result
+
+
+@cache
+def _type_name(cls: type) -> str:
+    item = dict(cls())
+    return str(next(iter(item.values())))
+
+
+def _encoded_variables(encoder: Encoder, variables: Mapping[Any, Any]) -> Iterator[tuple[str, Any]]:
+    for name, value in variables.items():
+        try:
+            if isinstance(name, str) and not callable(value):
+                yield name, encoder.value(value, "object", f"variables.{name}")
+        except Refused:
+            continue
+
+
+def _differences(values: Mapping[str, Any], defaults: Mapping[str, Any]) -> dict[str, Any]:
+    result: dict[str, Any] = {}
+    for key, value in values.items():
+        if isinstance(value, Mapping):
+            if inner := _differences(value, defaults[key]):
+                result[key] = inner
+        elif value != defaults[key]:
+            result[key] = value.name if isinstance(value, Enum) else value
+    return result
+
+
+def _json_text(content: Mapping[str, Any]) -> str:
+    """Return JSON with a line per parameter: lists of numbers are not broken."""
+    return _lines(content, "") + "\n"
+
+
+def _lines(value: Any, indent: str) -> str:
+    inner = indent + "  "
+    nested = isinstance(value, dict) and any(isinstance(entry, (dict, list)) for entry in value.values())
+    if nested and len(indent) < 8:
+        rows = (f"{inner}{json.dumps(key)}: {_lines(entry, inner)}" for key, entry in value.items())
+        return "{\n" + ",\n".join(rows) + f"\n{indent}}}"
+    if isinstance(value, list) and value and all(isinstance(entry, dict) for entry in value) and len(indent) < 4:
+        return "[\n" + ",\n".join(inner + _lines(entry, inner) for entry in value) + f"\n{indent}]"
+    return json.dumps(value, allow_nan=False)
+
+
+# ---- reading ---------------------------------------------------------------------------------------------------------
+
+
+def Load(mbs: MainSystem, fileName: str | os.PathLike[str], allowCode: bool = False) -> SimulationSettings | None:
+    """Replace the model by that of a JSON file; return the settings in it, or None if it has none.
+
+    Nothing in the file is run: a user function, which the file has by module and name or as code, is refused unless
+    allowCode. A wrong file is refused with the place inside, e.g. objects[3].physicsMass, and the model stays as it is.
+    """
+    path = Path(fileName)
+    place = _Place(os.fspath(fileName))
+    content = _content(path, place)
+    decoder = Decoder(_arrays(path.with_suffix(".npz"), place), allowCode)
+    names = _names(content, place)
+    system: dict[str, Any] = {"__version__": _version.__version__}
+    for kind, key in zip(KINDS, _KEYS_OF_ITEMS, strict=True):
+        classes = _classes(kind)
+        system[f"{kind.lower()}List"] = [
+            _decoded_item(decoder, place, classes, names, item, f"{key}[{i}]") for i, item in enumerate(content[key])
+        ]
+    for key, kind in (("functions", "function"), ("variables", "object")):
+        found = {}
+        for name, value in content.get(key, {}).items():
+            with place.at(f"{key}.{name}"):
+                found[name] = decoder.value(value, kind)
+        system["userFunctions" if key == "functions" else key] = found
+    settings = _decoded_settings(place, content["settings"]) if "settings" in content else None
+    with place.at("items"):
+        mbs.SetDictionary(system)
+    return settings
+
+
+def _content(path: Path, place: _Place) -> dict[str, Any]:
+    with naming(path):
+        text = path.read_text("utf-8", errors="replace")
+
+    def unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+        found = dict(pairs)
+        if len(found) < len(pairs):
+            keys = [key for key, _ in pairs]
+            twice = next(key for key in keys if keys.count(key) > 1)
+            raise _FileError(f"{place.file}: key '{twice}' stands twice in one object")
+        return found
+
+    def refuse_constant(name: str) -> None:
+        raise _FileError(f"{place.file}: {name} is no number")
+
+    try:
+        content = json.loads(text, object_pairs_hook=unique, parse_constant=refuse_constant)
+    except json.JSONDecodeError as error:
+        where = f"{place.file}, line {error.lineno}, column {error.colno}"
+        raise _FileError(f"{where}: not valid JSON: {error.msg}") from None
+    except RecursionError:
+        raise _FileError(f"{place.file}: too many brackets inside each other") from None
+    if not isinstance(content, dict) or content.get("format") != FORMAT:
+        raise _FileError(f"{place.file}: format: expected '{FORMAT}': this is no model that mbs.Save(...) has written")
+    version = content.get("formatVersion")
+    if not isinstance(version, int) or not 1 <= version <= FORMAT_VERSION:
+        raise _FileError(
+            f"{place.file}: formatVersion: received {version!r}, but this package reads 1 to {FORMAT_VERSION}; "
+            f"the file was written by version {content.get('package', '?')} of the package"
+        )
+    known = (*_KEYS, *_KEYS_OF_ITEMS)
+    for key, value in content.items():
+        if key not in known:
+            raise _FileError(f"{place.file}: unknown key '{key}'; known are {', '.join(known)}")
+        expected = list if key in _KEYS_OF_ITEMS else dict if key in ("settings", "functions", "variables") else None
+        if expected is not None and not isinstance(value, expected):
+            raise _FileError(f"{place.file}: {key}: expected a {'list' if expected is list else 'JSON object'}")
+    return {key: [] for key in _KEYS_OF_ITEMS} | content
+
+
+def _arrays(path: Path, place: _Place) -> dict[str, Any]:
+    if not path.exists():
+        return {}
+    with place.at(path.name), np.load(path, allow_pickle=False) as file:
+        return dict(file)
+
+
+def _names(content: Mapping[str, Any], place: _Place) -> dict[str, dict[str, int]]:
+    """Return the numbers of named items by kind; a name that stands twice is refused."""
+    names: dict[str, dict[str, int]] = {}
+    for kind, key in zip(KINDS, _KEYS_OF_ITEMS, strict=True):
+        known = names.setdefault(kind, {})
+        for i, item in enumerate(content[key]):
+            if not isinstance(item, dict):
+                raise _FileError(f"{place.file}: {key}[{i}]: expected a JSON object with 'type' and parameters")
+            name = item.get("name", "")
+            if not isinstance(name, str):
+                raise _FileError(f"{place.file}: {key}[{i}].name: received {name!r}, but expected a text")
+            if name in known:
+                raise _FileError(f"{place.file}: {key}[{i}].name: '{name}' is already the name of {key}[{known[name]}]")
+            if name:
+                known[name] = i
+    for kind, key in zip(KINDS, _KEYS_OF_ITEMS, strict=True):
+        for i in range(len(content[key])):
+            names[kind].setdefault(f"{kind.lower()}{i}", i)
+    return names
+
+
+def _decoded_item(
+    decoder: Decoder, place: _Place, classes: Mapping[str, Any], names: Any, item: Mapping[str, Any], path: str
+) -> dict[str, Any]:
+    name = item.get("type")
+    with place.at(f"{path}.type"):
+        if name not in classes:
+            import difflib
+
+            near = difflib.get_close_matches(str(name), classes, 1)
+            hint = f"did you mean '{near[0]}'?" if near else "there is no such item"
+            raise ValueError(f"received {name!r}; {hint}")
+    types, view_types = _types(str(name))
+    view = item.get("visualization", {})
+    with place.at(f"{path}.visualization"):
+        if not isinstance(view, dict):
+            raise ValueError(f"received {view!r}, but expected a JSON object")
+    cls, view_cls = classes[str(name)], getattr(_core, f"V{name}")
+    rows = {key: value for key, value in item.items() if key not in ("type", "visualization")}
+    made = _made(decoder, place, cls, types, names, rows, path)
+    made_view = _made(decoder, place, view_cls, view_types, names, view, f"{path}.visualization")
+    with place.at(path):
+        return dict(cls(**made, visualization=made_view))
+
+
+def _made(
+    decoder: Decoder, place: _Place, cls: Any, types: Mapping[str, str], names: Any, rows: Mapping[str, Any], path: str
+) -> dict[str, Any]:
+    """Return values of parameters, each of which the class accepts."""
+    made = {}
+    for row, value in rows.items():
+        with place.at(f"{path}.{row}"):
+            words = types.get(row, "object")
+            value = _with_numbers(names, words, value) if words.endswith("Index") else decoder.value(value, words)
+            cls(**{row: value})
+            made[row] = value
+    return made
+
+
+def _with_numbers(names: Any, words: str, value: Any) -> Any:
+    """Return numbers in place of names; numbers of items that the file does not have are refused."""
+    if isinstance(value, list):
+        return [_with_numbers(names, words, entry) for entry in value]
+    kind = words.removeprefix("list of ").removesuffix("Index")
+    if isinstance(value, str):
+        if value not in names[kind]:
+            raise Refused(f"there is no {kind.lower()} named '{value}' in the file")
+        return names[kind][value]
+    count = len(set(names[kind].values()))
+    if isinstance(value, int) and not isinstance(value, bool) and not -1 <= value < count:
+        raise Refused(f"received {value}, but the file has {count} {kind.lower()}s")
+    return value
+
+
+def _decoded_settings(place: _Place, values: Mapping[str, Any]) -> SimulationSettings:
+    settings = SimulationSettings()
+
+    def members(known: Mapping[str, Any], given: Any, path: str) -> Any:
+        if not isinstance(given, dict):
+            raise _FileError(f"{place.file}: {path}: expected a JSON object")
+        result = {}
+        for key, value in given.items():
+            default = known.get(key)
+            if isinstance(default, Mapping):
+                result[key] = members(default, value, f"{path}.{key}")
+            elif isinstance(default, Enum):
+                with place.at(f"{path}.{key}"):
+                    if value not in type(default).__members__:
+                        raise ValueError(f"received {value!r}; known are {', '.join(type(default).__members__)}")
+                    result[key] = type(default)[value]
+            else:
+                result[key] = value
+        return result
+
+    decoded = members(settings.GetDictionary(), values, "settings")
+    with place.at("settings"):
+        settings.SetDictionary(decoded)
+    return settings

@@ -1,0 +1,34 @@
+"""Items by their names, where it is open which kind of item is meant."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable
+from typing import Any
+
+_COUNTS = {kind: f"NumberOf{kind}s" for kind in ("Object", "Marker", "Node", "Load", "Sensor")}
+
+
+def names_of(mbs: Any, kinds: Iterable[str]) -> list[str]:
+    """Return the names of all items of these kinds."""
+    return [
+        getattr(mbs, f"Get{kind}Parameter")(number, "name")
+        for kind in kinds
+        for number in range(getattr(mbs.systemData, _COUNTS[kind])())
+    ]
+
+
+def find_item(mbs: Any, name: str, kinds: Iterable[str], where: str) -> Any:
+    """Return the index of the only item with this name; ValueError, which begins with `where`, otherwise."""
+    kinds = tuple(kinds)
+    found = [getattr(mbs, f"Get{kind}Number")(name) for kind in kinds]
+    found = [index for index in found if int(index) >= 0]
+    if len(found) == 1:
+        return found[0]
+    noun = " or ".join(kind.lower() for kind in kinds)
+    if found:
+        several = " and ".join(f"{index.GetTypeString().removesuffix('Index').lower()} {index}" for index in found)
+        raise ValueError(f"{where}: received '{name}', the name of {several}. Pass the index of the one you mean.")
+    near = difflib.get_close_matches(name, names_of(mbs, kinds), 1)
+    advice = f"Did you mean '{near[0]}'?" if near else "Names are given by name='...' when an item is added."
+    raise ValueError(f"{where}: received '{name}', but no {noun} of the system has this name. {advice}")

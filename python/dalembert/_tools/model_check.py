@@ -1,0 +1,116 @@
+"""What looks wrong with a model before it is solved, and a few figures about it."""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+_KINDS = ("Node", "Object", "Marker", "Load", "Sensor")
+_TARGETS = {f"{kind.lower()}Number": kind for kind in _KINDS} | {"bodyNumber": "Object"}
+_FREE_NODES = ("GenericData", "GenericAE", "PointGround")  # need no object
+
+
+def figures(mbs: Any) -> list[tuple[str, str]]:
+    """Return names and values: numbers of items, coordinates, degrees of freedom, mass."""
+    counts = {kind: getattr(mbs.systemData, f"NumberOf{kind}s")() for kind in _KINDS}
+    rows = [("items", ", ".join(f"{n} {kind.lower()}{'' if n == 1 else 's'}" for kind, n in counts.items()))]
+    mbs.Assemble()
+    counted = mbs.ComputeSystemDegreeOfFreedom()
+    rows.append(("coordinates", f"{counted['nODE2']} of second order, {counted['nODE1']} of first order"))
+    rows.append(("constraints", f"{counted['nAE']}, of which {counted['redundantConstraints']} are redundant"))
+    rows.append(("degrees of freedom", str(counted["degreeOfFreedom"])))
+    rows.append(("mass", f"{sum(mass for _, mass in _masses(mbs)):.6g} kg"))
+    return rows
+
+
+def findings(mbs: Any) -> list[str]:
+    """Return a sentence on each thing that looks wrong. An error of Assemble() is one, and then the only one."""
+    try:
+        mbs.Assemble()
+    except Exception as error:  # whatever a kernel or a user function says
+        return [f"Assemble(): {error}"]
+    return [*_gaps(mbs), *_redundancy(mbs), *_magnitudes(mbs), *_unused(mbs)]
+
+
+def _gaps(mbs: Any) -> Iterator[str]:
+    trial = copy.copy(mbs)
+    try:
+        found = trial.ComputeConsistentInitialConditions()
+    except ValueError as error:
+        yield str(error)
+        return
+    for text in found.contradictions:
+        yield f"initial values contradict a constraint: {text}"
+    if found.contradictions:
+        yield "mbs.ComputeConsistentInitialConditions() would mend these."
+
+
+def _redundancy(mbs: Any) -> Iterator[str]:
+    counted = mbs.ComputeSystemDegreeOfFreedom()
+    if number := counted["redundantConstraints"]:
+        yield (
+            f"{number} of {counted['nAE']} constraints are redundant: the matrix of the system is singular. Let joints "
+            "constrain only what is still free, see 'Modelling advice'."
+        )
+    if counted["degreeOfFreedom"] == 0 and counted["nODE2"]:
+        yield "no degree of freedom is left: nothing can move."
+
+
+def _masses(mbs: Any) -> Iterator[tuple[str, float]]:
+    for number in range(mbs.systemData.NumberOfObjects()):
+        item = mbs.GetObject(number)
+        title = f"object {number} '{item['name']}' ({item['objectType']})"
+        if "physicsMass" in item:
+            yield title, float(item["physicsMass"])
+        elif "physicsMassPerLength" in item:
+            yield title, float(item["physicsMassPerLength"] * item["physicsLength"])
+
+
+def _magnitudes(mbs: Any) -> Iterator[str]:
+    masses = list(_masses(mbs))
+    for title, mass in masses:
+        if mass == 0:
+            yield f"{title} has no mass."
+    known = [(mass, title) for title, mass in masses if mass > 0]
+    if known and (most := max(known))[0] > 1e9 * (least := min(known))[0]:
+        extremes = f"{least[0]:g} kg of {least[1]}, {most[0]:g} kg of {most[1]}"
+        yield f"masses differ by more than 1e9: {extremes}; mixed units?"
+    for number in range(mbs.systemData.NumberOfObjects()):
+        item = mbs.GetObject(number)
+        if item["objectType"] == "RigidBody" and item["physicsMass"] > 0:
+            inertia = np.asarray(item["physicsInertia"])[:3].max()
+            radius = float(np.sqrt(max(inertia, 0) / item["physicsMass"]))
+            if not 1e-6 < radius < 1e3:
+                yield (
+                    f"object {number} '{item['name']}' has a radius of gyration of {radius:.3g} m; "
+                    "is its inertia zero, or in kg mm^2? Units are kg m^2."
+                )
+    for number in range(mbs.systemData.NumberOfLoads()):
+        load = mbs.GetLoad(number)
+        if load["loadType"] == "MassProportional" and (g := float(np.linalg.norm(load["loadVector"]))) > 100:
+            yield f"load {number} '{load['name']}' is an acceleration of {g:g} m/s^2; gravity in mm/s^2?"
+
+
+def _unused(mbs: Any) -> Iterator[str]:
+    used: dict[str, set[int]] = {kind: set() for kind in _KINDS}
+    for kind in _KINDS:
+        for number in range(getattr(mbs.systemData, f"NumberOf{kind}s")()):
+            for key, value in getattr(mbs, f"Get{kind}")(number).items():
+                target = _TARGETS.get(key.removesuffix("s"))
+                if target is not None:
+                    used[target].update(map(int, value if isinstance(value, list) else [value]))
+    for number in range(mbs.systemData.NumberOfNodes()):
+        node = mbs.GetNode(number)
+        if number not in used["Node"] and node["nodeType"] not in _FREE_NODES:
+            title = f"node {number} '{node['name']}' ({node['nodeType']})"
+            yield f"{title} is used by nothing: its coordinates have no equations."
+    for number in range(mbs.systemData.NumberOfMarkers()):
+        if number not in used["Marker"]:
+            yield f"marker {number} '{mbs.GetMarkerParameter(number, 'name')}' is used by nothing."
+    for number in range(mbs.systemData.NumberOfSensors()):
+        sensor = mbs.GetSensor(number)
+        if not sensor["storeInternal"] and not (sensor["writeToFile"] and sensor["fileName"]):
+            yield f"sensor {number} '{sensor['name']}' keeps nothing: it has neither storeInternal=True nor a fileName."

@@ -1,0 +1,67 @@
+"""What Create functions return: an index that also tells what belongs to its item."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from dalembert._core import LoadIndex, MarkerIndex, NodeIndex, ObjectIndex
+
+
+class CreatedObject(ObjectIndex):
+    """An ObjectIndex that a Create function has returned. It counts as the plain one everywhere.
+
+    nodes: those that have the coordinates of the body.
+    markers: those that a connector or joint acts on, or that are attached to a body or to its nodes.
+    loads: those on these markers of a body, its weight among them.
+    """
+
+    _mbs: Any
+
+    @property
+    def nodes(self) -> list[NodeIndex]:
+        return _numbers(self._mbs.GetObject(self), "nodeNumber")
+
+    @property
+    def markers(self) -> list[MarkerIndex]:
+        own: list[MarkerIndex] = _numbers(self._mbs.GetObject(self), "markerNumber")
+        if own:
+            return own
+        nodes = [int(node) for node in self.nodes]
+        return [
+            MarkerIndex(number)
+            for number, marker in _items(self._mbs, "Marker")
+            if any(int(body) == int(self) for key in ("bodyNumber", "objectNumber") for body in _numbers(marker, key))
+            or any(int(node) in nodes for node in _numbers(marker, "nodeNumber"))
+        ]
+
+    @property
+    def loads(self) -> list[LoadIndex]:
+        if _numbers(self._mbs.GetObject(self), "markerNumber"):
+            return []
+        markers = [int(marker) for marker in self.markers]
+        loads = _items(self._mbs, "Load")
+        return [LoadIndex(number) for number, load in loads if int(load["markerNumber"]) in markers]
+
+    def __reduce__(self) -> Any:
+        return ObjectIndex, (int(self),)
+
+
+def _items(mbs: Any, kind: str) -> Iterator[tuple[int, dict[str, Any]]]:
+    count = getattr(mbs.systemData, f"NumberOf{kind}s")()
+    return ((number, getattr(mbs, f"Get{kind}")(number)) for number in range(count))
+
+
+def _numbers(item: dict[str, Any], key: str) -> list[Any]:
+    """Return what an item refers to by `key` or its plural, without invalid indices."""
+    single = [item[key]] if key in item else []
+    return [index for index in [*single, *item.get(f"{key}s", [])] if int(index) >= 0]
+
+
+def created(mbs: Any, index: Any) -> Any:
+    """Return the index of an object as a CreatedObject, all else as it is."""
+    if type(index) is not ObjectIndex:
+        return index
+    made = CreatedObject(index)
+    made._mbs = mbs
+    return made

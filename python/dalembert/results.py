@@ -1,0 +1,178 @@
+"""Results for other tools, with units: tables of pandas, data sets of xarray, HDF5 files.
+
+pandas, xarray and h5py are extras: pip install 'dalembert[results]'.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterator, Sequence
+from types import ModuleType
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from dalembert import _version
+from dalembert._checks import FloatArray
+from dalembert._core import SimulationSettings
+from dalembert._io.files import naming
+from dalembert._io.solution_rows import COLUMNS
+from dalembert._io.solution_states import LoadSolutionFile
+from dalembert._tools.found_items import find_item
+from dalembert._tools.sensor_facts import component_name, continuous, unit_of, variable_of
+
+__all__ = ["LoadHDF5", "SaveHDF5", "SensorsToPandas", "SensorsToXarray", "SolutionToXarray"]
+
+_SOLUTION_UNITS = ("various", "various/s", "various/s^2", "various", "various/s", "various", "various")
+
+
+class _Measured(NamedTuple):
+    """The stored values of one sensor."""
+
+    name: str
+    variable: str
+    unit: str
+    components: list[str]
+    time: FloatArray
+    values: FloatArray  # a row per time
+
+
+def _extra(name: str, where: str) -> ModuleType:
+    from importlib import import_module
+
+    try:
+        return import_module(name)
+    except ImportError:
+        raise ImportError(f"{where}: the package {name} is needed; install it with 'pip install {name}'") from None
+
+
+def _measured(mbs: Any, sensors: Sequence[Any] | None, continuousAngles: bool, where: str) -> Iterator[_Measured]:
+    """Return what sensors have stored; None: all that have stored something."""
+    wanted = range(mbs.systemData.NumberOfSensors()) if sensors is None else sensors
+    for sensor in wanted:
+        number = int(find_item(mbs, sensor, ("Sensor",), where) if isinstance(sensor, str) else sensor)
+        information = mbs.GetSensor(number)
+        if not information["storeInternal"]:
+            if sensors is None:
+                continue
+            raise ValueError(
+                f"{where}: sensor {number} '{information['name']}' keeps no data: give it storeInternal=True"
+            )
+        data = np.atleast_2d(mbs.GetSensorStoredData(number))
+        variable = variable_of(mbs, information)
+        values = continuous(variable, data[:, 1:]) if continuousAngles else data[:, 1:]
+        components = [component_name(variable, i, values.shape[1]) for i in range(values.shape[1])]
+        yield _Measured(information["name"], variable, unit_of(mbs, information), components, data[:, 0], values)
+
+
+def SensorsToPandas(mbs: Any, sensors: Sequence[Any] | None = None, continuousAngles: bool = False) -> Any:
+    """Return the stored values of sensors as a pandas.DataFrame over time, with a column per component: 'tip.X'.
+
+    sensors: indices or names; None: all with storeInternal=True. Units are in frame.attrs['units'], by column.
+    continuousAngles: angles go on beyond pi instead of jumping.
+    """
+    pandas = _extra("pandas", "SensorsToPandas")
+    series: list[Any] = []
+    units: dict[str, str] = {}
+    for each in _measured(mbs, sensors, continuousAngles, "SensorsToPandas"):
+        single = len(each.components) == 1
+        columns = [each.name if single else f"{each.name}.{component}" for component in each.components]
+        index = pandas.Index(each.time, name="time")
+        series.append(pandas.DataFrame(each.values, index=index, columns=columns))
+        units |= dict.fromkeys(columns, each.unit)
+    frame = pandas.concat(series, axis=1) if series else pandas.DataFrame()
+    frame.attrs = {"units": units, "time": "s", "dalembert": _version.__version__}
+    return frame
+
+
+def SensorsToXarray(mbs: Any, sensors: Sequence[Any] | None = None, continuousAngles: bool = False) -> Any:
+    """Return the stored values of sensors as an xarray.Dataset with a variable per sensor, over time and component.
+
+    Variables carry 'units' and 'long_name', as plots of xarray and packages for units read them. sensors and
+    continuousAngles: as of SensorsToPandas.
+    """
+    xarray = _extra("xarray", "SensorsToXarray")
+    parts = []
+    for each in _measured(mbs, sensors, continuousAngles, "SensorsToXarray"):
+        facts = {"units": each.unit, "long_name": each.variable}
+        axis = f"{each.name}_component"
+        single = len(each.components) == 1
+        values = (("time",), each.values[:, 0]) if single else (("time", axis), each.values)
+        coordinates = {"time": each.time} | ({} if single else {axis: each.components})
+        parts.append(xarray.Dataset({each.name: (*values, facts)}, coords=coordinates))
+    data = xarray.merge(parts, join="outer") if parts else xarray.Dataset()
+    if "time" in data.coords:
+        data["time"].attrs = {"units": "s"}
+    data.attrs = {"dalembert": _version.__version__}
+    return data
+
+
+def SolutionToXarray(fileName: str | os.PathLike[str]) -> Any:
+    """Return a solution file as an xarray.Dataset: ODE2Coordinates and what else it has, over time and coordinate."""
+    xarray = _extra("xarray", "SolutionToXarray")
+    solution = LoadSolutionFile(os.fspath(fileName), verbose=False)
+    data, start = np.atleast_2d(solution["data"]), 1
+    variables = {}
+    for name, count, unit in zip(COLUMNS, solution["columnsExported"], _SOLUTION_UNITS, strict=False):
+        if count:
+            axis = name.partition("Coord")[0] + "_coordinate"
+            variables[name] = (("time", axis), data[:, start : start + count], {"units": unit})
+        start += count
+    made = xarray.Dataset(variables, coords={"time": ("time", data[:, 0], {"units": "s"})})
+    made.attrs = {"dalembert": _version.__version__, "file": os.fspath(fileName)}
+    return made
+
+
+def SaveHDF5(
+    mbs: Any,
+    fileName: str | os.PathLike[str],
+    simulationSettings: SimulationSettings | None = None,
+    sensors: Sequence[Any] | None = None,
+    solutionFile: str | os.PathLike[str] | None = None,
+    continuousAngles: bool = False,
+) -> None:
+    """Write what sensors have stored, and perhaps a solution file, into an HDF5 file, with units, settings and version.
+
+    /sensors/NAME has the datasets time and values; attributes are variable, unit and components. /solution has a
+    dataset per kind of coordinates. The settings stand as JSON in the attribute settings of the file.
+    """
+    h5py = _extra("h5py", "SaveHDF5")
+    found = list(_measured(mbs, sensors, continuousAngles, "SaveHDF5"))
+    solution = None if solutionFile is None else SolutionToXarray(solutionFile)
+    with naming(fileName), h5py.File(fileName, "w") as file:
+        file.attrs["dalembert"] = _version.__version__
+        if simulationSettings is not None:
+            file.attrs["settings"] = json.dumps(simulationSettings.GetDictionary(), default=str)
+        for each in found:
+            group = file.create_group(f"sensors/{each.name.replace('/', '|')}")
+            group.attrs.update(variable=each.variable, unit=each.unit, components=each.components)
+            group["time"], group["values"] = each.time, each.values
+            group["time"].attrs["unit"], group["values"].attrs["unit"] = "s", each.unit
+        if solution is not None:
+            group = file.create_group("solution")
+            for name, array in [("time", solution["time"]), *solution.data_vars.items()]:
+                group[name] = np.asarray(array)
+                group[name].attrs["unit"] = array.attrs["units"]
+
+
+def LoadHDF5(fileName: str | os.PathLike[str]) -> dict[str, Any]:
+    """Return what SaveHDF5 has written: version, settings (a dictionary), sensors and solution, with units.
+
+    result['sensors']['tip'] has time, values, variable, unit and components.
+    """
+    h5py = _extra("h5py", "LoadHDF5")
+    with naming(fileName), h5py.File(fileName, "r") as file:
+        if "dalembert" not in file.attrs:
+            raise ValueError(
+                f"{os.fspath(fileName)}: SaveHDF5 has not written this file: it has no attribute 'dalembert'"
+            )
+        result: dict[str, Any] = {"version": str(file.attrs["dalembert"]), "sensors": {}, "solution": {}}
+        result["settings"] = json.loads(file.attrs["settings"]) if "settings" in file.attrs else None
+        for name, group in file.get("sensors", {}).items():
+            facts: dict[str, Any] = {"variable": str(group.attrs["variable"]), "unit": str(group.attrs["unit"])}
+            facts["components"] = [str(component) for component in group.attrs["components"]]
+            result["sensors"][name] = facts | {"time": group["time"][:], "values": group["values"][:]}
+        for name, dataset in file.get("solution", {}).items():
+            result["solution"][name] = {"values": dataset[:], "unit": str(dataset.attrs["unit"])}
+    return result

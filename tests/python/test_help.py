@@ -1,0 +1,101 @@
+"""Help where users type: docstrings of settings and enumerations, short texts of objects, completion, the command line."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parents[2]))
+
+import dalembert as exu
+from codegen.load import load
+from codegen.model import Item
+from codegen.views.settings import structs
+from dalembert import itemInterface as items
+
+SPECS = load(Path(__file__).parents[2])
+
+
+@pytest.mark.parametrize("item", SPECS.items, ids=lambda item: item.name)
+def test_items_show_functions_example_and_page(item: Item) -> None:
+    text = getattr(items, item.name).__doc__
+    for function in item.user_functions:
+        assert f"    {function.name}({', '.join(function.argument_names)})" in text
+    for name in item.create_functions:
+        assert f"mbs.{name}(...)" in text
+    if item.example:
+        assert all(line.strip() in text for line in item.example.code.splitlines())
+    assert f"Page: reference/items/{item.stem}.html" in text
+
+
+def test_settings_tell_what_parameters_mean() -> None:
+    for file in SPECS.settings:
+        for struct in structs(file):
+            cls = getattr(exu, struct.name)
+            for row in struct.rows:
+                text = " ".join(row.doc.split())
+                assert text in cls.__doc__ and text in getattr(cls, row.name).__doc__, (struct.name, row.name)
+            for member in struct.members:
+                assert f"    {member.name}: {member.struct}\n" in cls.__doc__
+    text = type(exu.SimulationSettings().timeIntegration).__doc__
+    assert "endTime: float" in text and "in s; default 1.0" in text
+
+
+def test_enumerations_tell_what_values_mean() -> None:
+    for enum in SPECS.enums:
+        cls = getattr(exu, enum.name)
+        assert cls.__doc__.startswith(" ".join(enum.summary.split()))
+        for value in enum.values:
+            assert cls[value.name].__doc__ == " ".join(value.doc.split())
+
+
+def test_repr_of_settings_is_what_differs() -> None:
+    settings = exu.SimulationSettings()
+    assert repr(settings) == "SimulationSettings: all at their defaults"
+    settings.timeIntegration.newton.maxIterations = 7
+    assert repr(settings).splitlines()[1:] == ["  timeIntegration:", "    newton:", "      maxIterations = 7"]
+    assert repr(settings.timeIntegration.newton).splitlines()[1:] == ["  maxIterations = 7"]
+    assert len(str(settings).splitlines()) > 100 and "endTime = 1.0" in str(settings)
+
+
+@pytest.mark.parametrize("kind", ["Node", "Object", "Marker", "Load", "Sensor"])
+def test_repr_of_indices_shows_the_kind(kind: str) -> None:
+    index = getattr(exu, f"{kind}Index")(3)
+    assert (repr(index), str(index), eval(repr(index), vars(exu))) == (f"{kind}Index(3)", "3", index)
+
+
+def test_repr_of_variations_is_a_summary() -> None:
+    mbs = exu.SystemContainer().AddSystem()
+    mass = mbs.CreateMassPoint(physicsMass=1, gravity=[0, 0, -9.81])
+    spring = mbs.CreateSpringDamper(bodyNumbers=[mbs.CreateGround(referencePosition=[1, 0, 0]), mass], stiffness=100)
+    found = mbs.SolveVariations({(spring, "stiffness"): np.linspace(1, 2, 1000)})
+    assert repr(found).startswith("<VariationResults: 1000 of 1000 solved, ") and len(repr(found)) < 200
+
+
+def test_completion() -> None:
+    assert "numberOfSteps" in dir(exu.SimulationSettings().timeIntegration)
+    assert "Position" in dir(exu.OutputVariableType)
+    IPython = pytest.importorskip("IPython")
+    shell = IPython.core.interactiveshell.InteractiveShell.instance()
+    shell.user_ns.update(settings=exu.SimulationSettings(), exu=exu)
+    assert "settings.timeIntegration.newton" in shell.complete("settings.timeIntegration.new")[1][0]
+    assert shell.complete("exu.OutputVariableType.Rotat")[1]
+
+
+def command(*arguments: str) -> Any:
+    call = [sys.executable, "-m", "dalembert", *arguments]
+    return subprocess.run(call, capture_output=True, text=True, check=False)
+
+
+def test_command_line() -> None:
+    assert command("--version").stdout == f"dalembert {exu.__version__}\n"
+    by_short, by_long = command("items", "SpringDamper").stdout, command("items", "objectconnectorspringdamper").stdout
+    assert by_short == by_long and "springForceUserFunction(mbs, t, itemNumber" in by_short
+    assert "Example:" in command("items", "CreateRevoluteJoint").stdout
+    wrong = command("items", "CreateRevolute")
+    assert wrong.returncode == 2 and "CreateRevoluteJoint" in wrong.stderr
