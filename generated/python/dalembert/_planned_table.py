@@ -15,22 +15,13 @@ class Planned(NamedTuple):
 
 ITEMS = (
     "NodeGenericAE",
-    "NodePointSlope12",
-    "NodePointSlope23",
     "ObjectFFRF",
     "ObjectKinematicTree",
-    "ObjectALEANCFCable2D",
-    "ObjectANCFBeam",
-    "ObjectANCFThinPlate",
-    "ObjectBeamGeometricallyExact2D",
     "ObjectContactConvexRoll",
     "ObjectContactCurveCircles",
     "ObjectContactFrictionCircleCable2D",
     "ObjectContactSphereSphere",
     "ObjectContactSphereTriangle",
-    "ObjectJointALEMoving2D",
-    "ObjectJointSliding",
-    "MarkerBodyBeamShape",
     "MarkerKinematicTreeRigid",
     "SensorKinematicTree",
 )
