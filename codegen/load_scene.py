@@ -107,7 +107,8 @@ def _node(key: str, entry: Any) -> NodePlace:
     known = [f.name for f in fields(NodePlace)]
     for name in _table(key, entry):
         _known("key", name, known, key)
-    return NodePlace(entry.get("type", ""), tuple(entry.get("at", NodePlace.at)), entry.get("values", {}))
+    lists = {name: tuple(entry[name]) for name in ("at", "mesh") if name in entry}
+    return NodePlace(**{**entry, **lists})
 
 
 def _table(key: str, entry: Any) -> Any:

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 # What the coordinates of a node are for a motion of its frame; tests/items/motions.py knows each.
-FRAMES = ("point", "ep", "rxyz", "rotation_vector", "angle", "slope")
+FRAMES = ("point", "ep", "rxyz", "rotation_vector", "angle", "slope", "slopes12", "slopes23")
 # Checks that an item may be left out of, and what they ask.
 EXEMPT = {
     "moments": "what acts between two bodies leaves their angular momentum alone",
@@ -52,11 +52,17 @@ class End:
 
 @dataclass(frozen=True)
 class NodePlace:
-    """A node of a body or connector: its type (none: that of the model), its place in the axes of the body, rows."""
+    """A node of a body or connector: its type (none: that of the model), its place in the axes of the body, rows.
+
+    `below`: not a new one, but the last node of the body in this place of the pair.
+    `mesh`: its reference position in the frame of the body, in which it is displaced a little.
+    """
 
     type: str = ""
     at: tuple[float, ...] = (0.0, 0.0, 0.0)
     values: Mapping[str, Any] = field(default_factory=dict)
+    below: int = -1
+    mesh: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -90,6 +90,14 @@ def tait_bryan_axes(rotation: Array) -> Array:
     return np.column_stack([[1.0, 0, 0], first[:, 1], second[:, 2]])
 
 
+# Slope vectors of nodes that have some, in the axes of the node: neither of unit length nor normal to each other.
+SLOPES = {
+    "slope": np.array([[1.25, 0, 0]]),
+    "slopes12": np.array([[1.2, 0, 0], [0.2, 0.9, 0]]),
+    "slopes23": np.array([[0, 1.1, 0.2], [0, 0, 0.9]]),
+}
+
+
 class NodeKind:
     """`twists`: rates of the coordinates for the six unit twists (velocity, angular velocity) of the node's frame; its
     transpose turns residuals into global forces and moments. `others`: directions that do not turn with a model."""
@@ -99,16 +107,22 @@ class NodeKind:
 
     def total(self, m: Motion) -> Array:
         position = m.position[:2] if self.planar else m.position
-        angle = np.arctan2(m.rotation[1, 0], m.rotation[0, 0])
+        angle = np.arctan2(m.rotation[1, 0], m.rotation[0, 0]) % (
+            2 * np.pi
+        )  # turns about z are positive: none passes 0
         rotation = {
             "ep": lambda: quaternion(m.rotation),
             "rxyz": lambda: tait_bryan(m.rotation),
             "rotation_vector": lambda: Rotation.from_matrix(m.rotation).as_rotvec(),
             "angle": lambda: [angle],
-            "slope": lambda: 1.25 * m.rotation[: 2 if self.planar else 3, 0],
             "point": list,
         }
-        return np.concatenate([position, rotation[self.frame]()])
+        slopes = [m.rotation @ slope for slope in SLOPES.get(self.frame, ())]
+        return np.concatenate([position, self._flat(slopes) if slopes else rotation[self.frame]()])
+
+    def _flat(self, vectors: list[Array]) -> Array:
+        """One after the other, without what is zero in the plane."""
+        return np.concatenate([v[:2] if self.planar else v for v in vectors])
 
     def twists(self, m: Motion) -> Array:
         columns = [np.concatenate([e[:2] if self.planar else e, self._turning(m, np.zeros(3))]) for e in np.eye(3)]
@@ -122,10 +136,10 @@ class NodeKind:
             "rxyz": lambda: np.linalg.solve(tait_bryan_axes(m.rotation), omega),
             "rotation_vector": lambda: m.rotation.T @ omega,
             "angle": lambda: omega[2:],
-            "slope": lambda: 1.25 * np.cross(omega, m.rotation[:, 0])[: 2 if self.planar else 3],
             "point": list,
         }
-        return np.asarray(rates[self.frame]())
+        slopes = [np.cross(omega, m.rotation @ slope) for slope in SLOPES.get(self.frame, ())]
+        return self._flat(slopes) if slopes else np.asarray(rates[self.frame]())
 
     def velocities(self, m: Motion) -> Array:
         return self.twists(m) @ np.concatenate([m.velocity, m.angular_velocity])
@@ -140,17 +154,20 @@ class NodeKind:
             for axis, rate in zip(axes.T, self._turning(m, m.angular_velocity), strict=True):
                 a[3:] -= np.linalg.solve(axes, rate * np.cross(omega, axis))
                 omega = omega + rate * axis
-        elif self.frame == "slope":
-            swing = np.cross(m.angular_velocity, np.cross(m.angular_velocity, m.rotation[:, 0]))
-            a[len(a) // 2 :] += 1.25 * swing[: len(a) // 2]
+        elif self.frame in SLOPES:
+            turning = [np.cross(m.angular_velocity, m.rotation @ slope) for slope in SLOPES[self.frame]]
+            swing = self._flat([np.cross(m.angular_velocity, rate) for rate in turning])
+            a[-len(swing) :] += swing
         return a
 
     def others(self, m: Motion) -> Array:
-        """Lengthening of the slope vector."""
-        n = 2 if self.planar else 3
-        return (
-            np.array([[0] * n + [*m.rotation[:n, 0]]]).T if self.frame == "slope" else np.zeros((len(self.total(m)), 0))
-        )
+        """Slope vectors that lengthen or lean towards each other."""
+        slopes = [m.rotation @ slope for slope in SLOPES.get(self.frame, ())]
+        still = [np.zeros(3)] * (len(slopes) + 1)
+        columns = [
+            self._flat([*still[: i + 1], slopes[j], *still[i + 2 :]]) for i in range(len(slopes)) for j in range(i + 1)
+        ]
+        return np.array(columns).T if columns else np.zeros((len(self.total(m)), 0))
 
     def item(self, reference: Motion, m: Motion) -> Any:
         start = self.total(reference)

@@ -47,6 +47,11 @@ def rests(carrier: tuple[str, str]) -> bool:
     return carrier[1] in ITEMS and "Ground" in ITEMS[carrier[1]].provides
 
 
+def in_plane(carrier: tuple[str, str]) -> bool:
+    types = [node.type for node in ITEMS[carrier[0]].scene.nodes] if carrier[0] else []
+    return any(node in KINDS and KINDS[node].planar for node in [carrier[1], *types])
+
+
 def is_ground(carrier: tuple[str, str]) -> bool:
     return carrier[0] in ITEMS and {"Ground", "Body"} <= set(ITEMS[carrier[0]].provides)
 
@@ -249,6 +254,10 @@ class Scene:
         nodes, coordinates = [], 0
         for entry in item.scene.nodes:
             name = entry.type or node
+            if entry.mesh:
+                nodes.append(self._mesh_node(name, entry))
+                coordinates += len(entry.mesh)
+                continue
             if name not in KINDS:
                 nodes.append(self._generalized_node(name, entry))
                 coordinates += next(value for key, value in entry.values.items() if key.startswith("numberOf"))
@@ -260,7 +269,7 @@ class Scene:
             nodes.append(self.node(name, start, here))
             coordinates += len(KINDS[name].total(here))
         drawn = ("real", "beam_section")
-        rows = {row.name: draw(self.rng, row) for row in item.parameters if row.type.storage in drawn}
+        rows = {r.name: draw(self.rng, r) for r in item.parameters if r.type.storage in drawn and not r.internal}
         key = "nodeNumbers" if has_row(item, "nodeNumbers") else "nodeNumber"
         numbers = nodes if key == "nodeNumbers" else nodes[0]
         made = self.mbs.AddObject(getattr(exu, item.name)(**{key: numbers}, **rows | self._fixed(item)))
@@ -291,6 +300,12 @@ class Scene:
         position = motion.point(1.1 * np.array(entry.at))
         m = self.motion()
         return replace(m, position=position, rotation=motion.rotation @ random_rotation(self.rng, kind.planar))
+
+    def _mesh_node(self, name: str, entry: NodePlace) -> Any:
+        """A node that is displaced a little in the frame of its body."""
+        displacement, velocity = 0.1 * self.rng.normal(size=(2, len(entry.mesh)))
+        start = {"initialCoordinates": displacement, "initialVelocities": (not self.resting) * velocity}
+        return self.mbs.AddNode(getattr(exu, name)(referenceCoordinates=entry.mesh, **start))
 
     def _generalized_node(self, name: str, entry: NodePlace) -> Any:
         """A node whose coordinates belong to no frame; what the spec leaves open is drawn."""
@@ -399,7 +414,10 @@ class Scene:
         if has_row(item, "scalingMarker0"):
             rows |= self._coordinate_vector(carriers, variant.functions)
         if item.scene.nodes:
-            rows["nodeNumbers"] = [self._generalized_node(entry.type, entry) for entry in item.scene.nodes]
+            rows["nodeNumbers"] = [
+                self._generalized_node(entry.type, entry) if entry.below < 0 else carriers[entry.below].nodes[-1]
+                for entry in item.scene.nodes
+            ]
         if closed and "rotationMarker1" in rows:
             first, second = (c.motion.rotation for c in carriers if c.motion is not None)
             rows["rotationMarker1"] = second.T @ first @ rows["rotationMarker0"]

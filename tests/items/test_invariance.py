@@ -53,11 +53,11 @@ def accelerations(scene: Scene, s: testing.State) -> np.ndarray:
     ode1 = len(s.y)
     system[:n, n:] = tangent[:n, n + ode1 :]
     system[n:, :n] = tangent[n + ode1 :, :n]
-    free = tangent[n + ode1 :, n + ode1 :]
-    system[n:, n:] = free
+    system[n:, n:] = tangent[n + ode1 :, n + ode1 :]
+    of_motion = system[n:, :n].any(axis=1) | ~system[n:, n:].any(axis=1)  # others tell multipliers
     by_q = testing.tangent(scene.mbs, s, cq=1, cv=0, ca=0)[n + ode1 :, :n]
     residual = testing.residual(scene.mbs, s)[:n]
-    right = np.concatenate([-residual, np.where(free.any(axis=1), 0, -by_q @ s.v - slope)])
+    right = np.concatenate([-residual, np.where(of_motion, -by_q @ s.v - slope, 0)])
     return np.linalg.lstsq(system, right, rcond=None)[0]
 
 

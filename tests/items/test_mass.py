@@ -27,7 +27,7 @@ def test_mass_matrix_is_symmetric_and_positive(variant: Variant) -> None:
     norms = sum(kind.frame == "ep" for _, kind, _ in scene.nodes)
     values = np.linalg.eigvalsh(mass)
     np.testing.assert_allclose(values[:norms], 0, atol=1e-13 * scale)
-    assert values[norms] > 1e-3 * scale
+    assert values[norms] > 1e-4 * scale
 
 
 @each_body
@@ -51,13 +51,15 @@ def test_constant_mass_matrices_are_constant(variant: Variant) -> None:
     first, second = (testing.mass_matrix(scene.mbs, random_state(scene, seed)) for seed in (36, 37))
     if testing.constant_mass_matrix(scene.mbs):
         np.testing.assert_array_equal(first, second)
-    elif not variant.functions:  # which may give a constant one
+    elif not variant.functions and dict(variant.options).get(
+        "physicsUseCouplingTerms", True
+    ):  # may be constant without
         assert np.abs(first - second).max() > 1e-3 * np.abs(first).max()
 
 
 def test_which_mass_matrices_are_constant() -> None:
     constant = {v.pairs[0][1]: testing.constant_mass_matrix(v.build().mbs) for v in VARIANTS if not v.functions}
-    names = ("ObjectRigidBody", "ObjectRigidBody2D", "ObjectFFRFreducedOrder")
+    names = ("ObjectRigidBody", "ObjectRigidBody2D", "ObjectFFRFreducedOrder", "ObjectALEANCFCable2D")
     turning = {carrier for carrier in constant if carrier[0] in names}
     beam = "ObjectBeamGeometricallyExact"  # of which that with spins on the group is constant
     turning |= {(beam, node) for node in ("NodeRigidBodyEP", "NodeRigidBodyRxyz")}

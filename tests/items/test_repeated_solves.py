@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from exemptions import ODD_IN_JOINTS, WITH_COORDINATES
+from exemptions import ODD_IN_JOINTS
 from motions import KINDS
 from scenes import ITEMS, READY, Scene, is_ground
 from variants import ALL_VARIANTS, Variant, variants_with
@@ -27,9 +27,8 @@ def solvable(variant: Variant) -> bool:
     item = ITEMS[variant.item]
     frames = "Coordinate" not in item.requested_markers
     redundant = joins(variant) and frames and variant.planar and not item.scene.planar  # equations out of the plane
-    odd = (
-        frames and variant.uses & set(ODD_IN_JOINTS) and variant.item not in WITH_COORDINATES
-    )  # those go along with them
+    # joints along cables name no kind of marker: they go along with them
+    odd = frames and item.requested_markers and variant.uses & set(ODD_IN_JOINTS)
     fits = not joins(variant) or not (odd or variant.functions)
     return fits and not redundant and dict(variant.options).get("addConstraintEquation", True)
 

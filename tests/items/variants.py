@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from exemptions import NO_FORCES, WITHOUT_DATA
-from motions import KINDS, Place
+from motions import Place
 from scenes import (
     BODIES,
     ITEMS,
@@ -16,6 +16,7 @@ from scenes import (
     RIGID,
     Scene,
     carriers_of,
+    in_plane,
     is_ground,
     on_markers,
     placed,
@@ -58,7 +59,7 @@ class Variant:
 
     @property
     def planar(self) -> bool:
-        return any(node in KINDS and KINDS[node].planar for _, (_, node) in self.pairs)
+        return any(in_plane(carrier) for _, carrier in self.pairs)
 
     def build(self, seed: int = 0, place: Place | None = None, closed: bool = False, resting: bool = False) -> Scene:
         scene = Scene(seed, place or Place(), self.planar, resting)
@@ -105,8 +106,7 @@ ALL_PAIRS = all_pairs()
 
 def is_planar(pair: Pair) -> bool:
     """All that moves does so in the plane."""
-    moving = [node for _, (body, node) in pair if not is_ground((body, node))]
-    return all(node in KINDS and KINDS[node].planar for node in moving)
+    return all(in_plane(carrier) for _, carrier in pair if not is_ground(carrier))
 
 
 def fitting(item: Item) -> list[Pair]:

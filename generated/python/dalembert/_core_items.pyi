@@ -1848,7 +1848,7 @@ class ObjectALEANCFCable2D(_Object):
     physicsReferenceCurvature: float
     """curvature at which the bending moment is zero; positive for a left turn along the axis [1/m]"""
     physicsUseCouplingTerms: bool
-    """true: all inertia terms of the axial motion act; false: the axial coordinate has its own mass only, and the element behaves like ObjectANCFCable2D"""
+    """true: all inertia terms of the axial motion act; false: the axial coordinate has its own mass only, and the rest of the element has the inertia of ObjectANCFCable2D"""
     physicsAddALEvariation: bool
     """true: the axial coordinate feels the change of strain and curvature energy that its motion brings about; false: this term is left out"""
     @property
@@ -1857,7 +1857,7 @@ class ObjectALEANCFCable2D(_Object):
     @nodeNumbers.setter
     def nodeNumbers(self, value: Sequence[NodeIndex | int | str]) -> None: ...
     useReducedOrderIntegration: int
-    """integration of the elastic forces along the axis: 0 with 5 Gauss points for stretching and 3 for bending, 1 with 4 and 2"""
+    """integration of the elastic forces along the axis: 0 with 5 Gauss points for stretching and 3 for bending; 1 with 4 and 2; 2 with 3 Lobatto points for stretching and 2 Gauss points for bending"""
     strainIsRelativeToReference: float
     """share of the strains of the reference configuration that are free of stress: 0 for an element that is straight and of length L without stress, 1 for a reference configuration without stress; values between serve for a transition [1]"""
     @property
@@ -2124,7 +2124,7 @@ class ObjectANCFThinPlate(_Object):
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     @property
     def physicsThickness(self) -> Array:
-        """thickness of the plate: one value, or one value per node that is interpolated; as many as there are strain and curvature matrices [n; m]"""
+        """thickness of the plate: one value, or one value per node that is interpolated [n; m]"""
     @physicsThickness.setter
     def physicsThickness(self, value: ArrayLike) -> None: ...
     physicsDensity: float
@@ -2145,12 +2145,12 @@ class ObjectANCFThinPlate(_Object):
     """share of the strains of the reference configuration that are free of stress: 0 for a plate that is flat without stress, 1 for a reference configuration without stress [1]"""
     @property
     def slopesScalingX(self) -> Array:
-        """for each node the length that belongs to a unit slope in x, half the side length for a flat rectangle; negative: from the distances of the nodes [4; m]"""
+        """for each node the length of the side in x that belongs to a unit slope, the distance of the nodes for a flat rectangle; not positive: that distance [4; m]"""
     @slopesScalingX.setter
     def slopesScalingX(self, value: ArrayLike) -> None: ...
     @property
     def slopesScalingY(self) -> Array:
-        """for each node the length that belongs to a unit slope in y; negative: from the distances of the nodes [4; m]"""
+        """for each node the length of the side in y that belongs to a unit slope; not positive: the distance of the nodes [4; m]"""
     @slopesScalingY.setter
     def slopesScalingY(self, value: ArrayLike) -> None: ...
     @property
@@ -2159,7 +2159,7 @@ class ObjectANCFThinPlate(_Object):
     @nodeNumbers.setter
     def nodeNumbers(self, value: Sequence[NodeIndex | int | str]) -> None: ...
     useReducedOrderIntegration: int
-    """0: highest number of integration points; larger values use fewer"""
+    """integration of the elastic forces: 0 with 4 by 4 Gauss points, 1 with 3 by 3"""
     @property
     def visualization(self) -> VObjectANCFThinPlate:
         """how the item is drawn"""
@@ -2281,7 +2281,7 @@ class ObjectBeamGeometricallyExact2D(_Object):
     physicsReferenceCurvature: float
     """curvature at which the bending moment is zero [1/m]"""
     includeReferenceRotations: bool
-    """true: the reference angles of the nodes are the angles of the cross sections, so that a curved reference configuration is free of stress; false: only rotations relative to the reference configuration count, and the cross sections are normal to the reference axis"""
+    """true: the reference angles of the nodes are the angles of the cross sections; false: only rotations relative to the reference configuration count, and the cross sections are normal to the reference axis"""
     @property
     def visualization(self) -> VObjectBeamGeometricallyExact2D:
         """how the item is drawn"""
@@ -4103,24 +4103,24 @@ class ObjectJointALEMoving2D(_Object):
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     @property
     def markerNumbers(self) -> list[MarkerIndex]:
-        """marker m0 of the sliding body, and marker m1 of the cable element on which it begins; m1 is updated when the body passes to a neighbouring element [2]"""
+        """marker m0 of the sliding body, and marker m1 of the cable element on which it begins, one of ``slidingMarkerNumbers``; which element the body is on follows from the data node [2]"""
     @markerNumbers.setter
     def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def slidingMarkerNumbers(self) -> list[MarkerIndex]:
-        """shape or coordinate markers of all cable elements in the order in which they follow each other: the end of one element is the begin of the next [n]"""
+        """coordinate markers of all cable elements in the order in which they follow each other: the end of one element is the begin of the next [n]"""
     @slidingMarkerNumbers.setter
     def slidingMarkerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def slidingMarkerOffsets(self) -> Array:
-        """for each of these elements, the sum of the reference lengths of all elements before it; 0 for the first [n; m]"""
+        """for each of these elements, the sum of the reference lengths of all elements before it; 0 for the first; one for each of ``slidingMarkerNumbers`` [n; m]"""
     @slidingMarkerOffsets.setter
     def slidingMarkerOffsets(self, value: ArrayLike) -> None: ...
     slidingOffset: float
     """reference arc length that is added to the sliding coordinate [m]"""
     @property
     def nodeNumbers(self) -> list[NodeIndex]:
-        """NodeGenericData with one data coordinate (index of the current element), and the NodeGenericODE2 with the sliding coordinate of the cable [2]"""
+        """NodeGenericData with one data coordinate (index of the current element), and the NodeGenericODE2 with the sliding coordinate of the cable, the third node of its elements [2]"""
     @nodeNumbers.setter
     def nodeNumbers(self, value: Sequence[NodeIndex | int | str]) -> None: ...
     usePenaltyFormulation: bool
@@ -4561,17 +4561,17 @@ class ObjectJointSliding(_Object):
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     @property
     def markerNumbers(self) -> list[MarkerIndex]:
-        """marker m0 of the sliding body, and marker m1 of the cable element on which it begins; m1 is updated when the body passes to a neighbouring element [2]"""
+        """marker m0 of the sliding body, and marker m1 of the cable element on which it begins, one of ``slidingMarkerNumbers``; which element the body is on follows from the data node [2]"""
     @markerNumbers.setter
     def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def slidingMarkerNumbers(self) -> list[MarkerIndex]:
-        """shape or coordinate markers of all cable elements in the order in which they follow each other: the end of one element is the begin of the next [n]"""
+        """shape markers of all cable elements in the order in which they follow each other: the end of one element is the begin of the next [n]"""
     @slidingMarkerNumbers.setter
     def slidingMarkerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def slidingMarkerOffsets(self) -> Array:
-        """for each of these elements, the sum of the reference lengths of all elements before it; 0 for the first [n; m]"""
+        """for each of these elements, the sum of the reference lengths of all elements before it; 0 for the first; one for each of ``slidingMarkerNumbers`` [n; m]"""
     @slidingMarkerOffsets.setter
     def slidingMarkerOffsets(self, value: ArrayLike) -> None: ...
     @property
@@ -4581,16 +4581,16 @@ class ObjectJointSliding(_Object):
     def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     @property
     def constrainRotations(self) -> list[int]:
-        """three flags, 1 constrained and 0 free: rotation of marker m0 relative to the cable about its x, y and z axis; rotation about x is not available for cables [3]"""
+        """three flags, 1 constrained and 0 free: rotation of marker m0, then a rigid body marker, about its x, y and z axis; cables do not tell how they are twisted, so that the first flag has to be 0 [3]"""
     @constrainRotations.setter
     def constrainRotations(self, value: Sequence[int]) -> None: ...
     @property
     def constrainTranslations(self) -> list[int]:
-        """three flags, 1 constrained and 0 free: translation of marker m0 relative to the cable along its axes [3]"""
+        """three flags, 1 constrained and 0 free: translation of marker m0 relative to the cable along the global axes [3]"""
     @constrainTranslations.setter
     def constrainTranslations(self, value: Sequence[int]) -> None: ...
     axialForce: float
-    """force along the cable that drives the body; changed during a simulation to move it [N]"""
+    """force along the cable that drives the body; changed during a simulation to move the body [N]"""
     activeConnector: bool
     """False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero"""
     @property
@@ -4871,7 +4871,7 @@ class MarkerBodyBeamShape(_Marker):
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     @property
     def bodyNumber(self) -> ObjectIndex:
-        """beam element to which the marker is attached"""
+        """spatial cable element to which the marker is attached"""
     @bodyNumber.setter
     def bodyNumber(self, value: ObjectIndex | int | str) -> None: ...
     @property

@@ -15,21 +15,12 @@ class Planned(NamedTuple):
 
 ITEMS = (
     "NodeGenericAE",
-    "NodePointSlope12",
-    "NodePointSlope23",
     "ObjectFFRF",
-    "ObjectALEANCFCable2D",
-    "ObjectANCFBeam",
-    "ObjectANCFThinPlate",
-    "ObjectBeamGeometricallyExact2D",
     "ObjectContactConvexRoll",
     "ObjectContactCurveCircles",
     "ObjectContactFrictionCircleCable2D",
     "ObjectContactSphereSphere",
     "ObjectContactSphereTriangle",
-    "ObjectJointALEMoving2D",
-    "ObjectJointSliding",
-    "MarkerBodyBeamShape",
 )
 MODULES = {
     "GUI": Planned('dialogs for settings', 'set the attributes of SimulationSettings() and SC.visualizationSettings', ()),

@@ -5,6 +5,9 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/body.hpp"
+#include "dalembert/items/finite_elements/ale_ancf_cable_2d.hpp"
+#include "dalembert/items/nodes/point_2d_slope1.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -50,6 +53,8 @@ constexpr std::array<OutputVariableType, 10> outputs{
     OutputVariableType::TorqueLocal,
 };
 
+const auto& physics = BodyPhysics<ObjectALEANCFCable2D, ObjectALEANCFCable2DRecord, NodePoint2DSlope1>{};
+
 }  // namespace object_ale_ancf_cable_2d
 
 extern const ItemType object_ale_ancf_cable_2d_type;
@@ -65,7 +70,7 @@ const ItemType object_ale_ancf_cable_2d_type{
     .record = record_operations<object_ale_ancf_cable_2d::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = nullptr,
+    .physics = &object_ale_ancf_cable_2d::physics,
     .spec = "specs/finite_elements/ale_ancf_cable_2d.toml",
 };
 

@@ -5,6 +5,9 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/body.hpp"
+#include "dalembert/items/finite_elements/ancf_beam.hpp"
+#include "dalembert/items/nodes/point_slope23.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -40,6 +43,8 @@ constexpr std::array<OutputVariableType, 9> outputs{
     OutputVariableType::RotationMatrix,
 };
 
+const auto& physics = BodyPhysics<ObjectANCFBeam, ObjectANCFBeamRecord, NodePointSlope23>{};
+
 }  // namespace object_ancf_beam
 
 extern const ItemType object_ancf_beam_type;
@@ -55,7 +60,7 @@ const ItemType object_ancf_beam_type{
     .record = record_operations<object_ancf_beam::Record>(),
     .requested_node = Capability::position | Capability::orientation,
     .requested_marker = Capability::none,
-    .physics = nullptr,
+    .physics = &object_ancf_beam::physics,
     .spec = "specs/finite_elements/ancf_beam.toml",
 };
 

@@ -5,6 +5,9 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/body.hpp"
+#include "dalembert/items/finite_elements/ancf_thin_plate.hpp"
+#include "dalembert/items/nodes/point_slope12.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -46,6 +49,8 @@ constexpr std::array<OutputVariableType, 11> outputs{
     OutputVariableType::Acceleration,
 };
 
+const auto& physics = BodyPhysics<ObjectANCFThinPlate, ObjectANCFThinPlateRecord, NodePointSlope12>{};
+
 }  // namespace object_ancf_thin_plate
 
 extern const ItemType object_ancf_thin_plate_type;
@@ -61,7 +66,7 @@ const ItemType object_ancf_thin_plate_type{
     .record = record_operations<object_ancf_thin_plate::Record>(),
     .requested_node = Capability::position,
     .requested_marker = Capability::none,
-    .physics = nullptr,
+    .physics = &object_ancf_thin_plate::physics,
     .spec = "specs/finite_elements/ancf_thin_plate.toml",
 };
 

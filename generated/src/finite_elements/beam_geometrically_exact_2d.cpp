@@ -5,6 +5,9 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/body.hpp"
+#include "dalembert/items/finite_elements/beam_geometrically_exact_2d.hpp"
+#include "dalembert/items/nodes/rigid_body_2d.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -46,6 +49,8 @@ constexpr std::array<OutputVariableType, 8> outputs{
     OutputVariableType::TorqueLocal,
 };
 
+const auto& physics = BodyPhysics<ObjectBeamGeometricallyExact2D, ObjectBeamGeometricallyExact2DRecord, NodeRigidBody2D>{};
+
 }  // namespace object_beam_geometrically_exact_2d
 
 extern const ItemType object_beam_geometrically_exact_2d_type;
@@ -61,7 +66,7 @@ const ItemType object_beam_geometrically_exact_2d_type{
     .record = record_operations<object_beam_geometrically_exact_2d::Record>(),
     .requested_node = Capability::position_2d | Capability::orientation_2d | Capability::position | Capability::orientation,
     .requested_marker = Capability::none,
-    .physics = nullptr,
+    .physics = &object_beam_geometrically_exact_2d::physics,
     .spec = "specs/finite_elements/beam_geometrically_exact_2d.toml",
 };
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/constraint.hpp"
+#include "dalembert/items/joints/ale_moving_2d.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -40,6 +42,8 @@ constexpr std::array<OutputVariableType, 6> outputs{
     OutputVariableType::Force,
 };
 
+const auto& physics = ConstraintPhysics<ObjectJointALEMoving2D, ObjectJointALEMoving2DRecord>{};
+
 }  // namespace object_joint_ale_moving_2d
 
 extern const ItemType object_joint_ale_moving_2d_type;
@@ -55,7 +59,7 @@ const ItemType object_joint_ale_moving_2d_type{
     .record = record_operations<object_joint_ale_moving_2d::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = nullptr,
+    .physics = &object_joint_ale_moving_2d::physics,
     .spec = "specs/joints/ale_moving_2d.toml",
 };
 

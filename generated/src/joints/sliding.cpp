@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/constraint.hpp"
+#include "dalembert/items/joints/sliding.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -20,7 +22,7 @@ constexpr std::array<Row, 12> rows{{
     {.name = "slidingMarkerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.slidingMarkerNumbers), .role = Role::parameter, .needs_assemble = true},
     {.name = "slidingMarkerOffsets", .storage = Storage::vector, .offset = offsetof(Record, parameters.slidingMarkerOffsets), .role = Role::parameter, .unit = "m"},
     {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
-    {.name = "constrainRotations", .storage = Storage::integers, .offset = offsetof(Record, parameters.constrainRotations), .role = Role::parameter, .size = 3},
+    {.name = "constrainRotations", .storage = Storage::integers, .offset = offsetof(Record, parameters.constrainRotations), .role = Role::parameter, .size = 3, .needs_assemble = true},
     {.name = "constrainTranslations", .storage = Storage::integers, .offset = offsetof(Record, parameters.constrainTranslations), .role = Role::parameter, .size = 3},
     {.name = "axialForce", .storage = Storage::real, .offset = offsetof(Record, parameters.axialForce), .role = Role::parameter, .unit = "N"},
     {.name = "activeConnector", .storage = Storage::boolean, .offset = offsetof(Record, parameters.activeConnector), .role = Role::parameter},
@@ -38,6 +40,8 @@ constexpr std::array<OutputVariableType, 4> outputs{
     OutputVariableType::Force,
 };
 
+const auto& physics = ConstraintPhysics<ObjectJointSliding, ObjectJointSlidingRecord>{};
+
 }  // namespace object_joint_sliding
 
 extern const ItemType object_joint_sliding_type;
@@ -53,7 +57,7 @@ const ItemType object_joint_sliding_type{
     .record = record_operations<object_joint_sliding::Record>(),
     .requested_node = Capability::generic_data,
     .requested_marker = Capability::none,
-    .physics = nullptr,
+    .physics = &object_joint_sliding::physics,
     .spec = "specs/joints/sliding.toml",
 };
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/marker.hpp"
+#include "dalembert/items/markers/body_beam_shape.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -25,6 +27,8 @@ constexpr std::array<std::string_view, 2> provides{"Object", "Body"};
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
+const auto& physics = MarkerPhysicsOf<MarkerBodyBeamShape, MarkerBodyBeamShapeRecord>{};
+
 }  // namespace marker_body_beam_shape
 
 extern const ItemType marker_body_beam_shape_type;
@@ -40,7 +44,7 @@ const ItemType marker_body_beam_shape_type{
     .record = record_operations<marker_body_beam_shape::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = nullptr,
+    .physics = &marker_body_beam_shape::physics,
     .spec = "specs/markers/body_beam_shape.toml",
 };
 

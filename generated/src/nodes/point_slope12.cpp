@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/node.hpp"
+#include "dalembert/items/nodes/point_slope12.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -41,6 +43,8 @@ constexpr std::array<OutputVariableType, 12> outputs{
     OutputVariableType::AngularVelocityLocal,
 };
 
+const auto& physics = NodePhysicsOf<NodePointSlope12, NodePointSlope12Record>{};
+
 }  // namespace node_point_slope12
 
 extern const ItemType node_point_slope12_type;
@@ -56,7 +60,7 @@ const ItemType node_point_slope12_type{
     .record = record_operations<node_point_slope12::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = nullptr,
+    .physics = &node_point_slope12::physics,
     .spec = "specs/nodes/point_slope12.toml",
 };
 

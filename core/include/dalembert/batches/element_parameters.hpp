@@ -11,6 +11,8 @@ void renew_parameters(typename E::Parameters& to, const void* record) {
   const auto& from = static_cast<const Record*>(record)->parameters;
   if constexpr (requires { typename E::RestingNode; }) {
     to.body = from;
+  } else if constexpr (ReadsReference<typename E::Parameters>) {
+    static_cast<std::remove_cvref_t<decltype(from)>&>(to) = from;
   } else {
     to = from;
   }
@@ -21,6 +23,8 @@ void take_parameters(typename E::Parameters& to, const void* record, const Place
   renew_parameters<E, Record>(to, record);
   if constexpr (requires { typename E::RestingNode; })
     to.node = static_cast<const typename E::RestingNode::Record*>(placement.node_records[0])->parameters;
+  if constexpr (ReadsReference<typename E::Parameters>)
+    to.reference = load<double, E::size>(placement.reference.data());
 }
 
 }  // namespace dalembert

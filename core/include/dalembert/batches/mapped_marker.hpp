@@ -12,22 +12,21 @@ namespace dalembert {
 template <MappedMarkerKernel K, class Record>
 class MappedMarkerBatch final : public MarkerBatch {
  public:
-  int value_count(const void* record, const Placement&) const override { return K::values(parameters(record)); }
-  int force_count(const void* record, const Placement&) const override { return K::forces(parameters(record)); }
+  int value_count(const void* record, const Placement& on) const override { return K::values(parameters(record), prepared(record, on)); }
+  int force_count(const void* record, const Placement& on) const override { return K::forces(parameters(record), prepared(record, on)); }
 
   void add(const void* record, const Placement& placement, const Ports&) override {
-    const auto& p = parameters(record);
-    entries_.push_back({p, K::prepare(p, *placement.owner_type, placement.owner), placement.owner_type, placement.owner, placement.item, placement.dofs});
+    entries_.push_back({parameters(record), prepared(record, placement), placement.owner_type, placement.owner, placement.reference, placement.item, placement.dofs});
   }
   void refresh(int entry, const void* record) override {
     Entry& e = entries_[static_cast<std::size_t>(entry)];
     e.parameters = parameters(record);
-    e.constants = K::prepare(e.parameters, *e.body, e.body_record);
+    e.constants = K::prepare(e.parameters, *e.body, e.body_record, e.reference);
   }
   void refresh_owner(int entry, const void* record) override {
     Entry& e = entries_[static_cast<std::size_t>(entry)];
     e.body_record = record;
-    e.constants = K::prepare(e.parameters, *e.body, record);
+    e.constants = K::prepare(e.parameters, *e.body, record, e.reference);
   }
   void visit(BlockVisitor& visitor, const Ports&) const override {
     for (const Entry& e : entries_)
@@ -45,7 +44,7 @@ class MappedMarkerBatch final : public MarkerBatch {
       gather(e, evaluation);
       differentiate(e, weights, ports);
       const std::size_t n = e.dofs.size();
-      const int forces = K::forces(e.parameters);
+      const int forces = K::forces(e.parameters, e.constants);
       force_.assign(static_cast<std::size_t>(forces), 0.0);
       double* jacobian = ports.jacobian(e.marker);
       std::fill_n(jacobian, static_cast<std::size_t>(forces) * n, 0.0);
@@ -71,7 +70,7 @@ class MappedMarkerBatch final : public MarkerBatch {
       if (K::constant_pull_back(e.parameters)) continue;
       gather(e, evaluation);
       const double* force = ports.force(e.marker);
-      moving_force_.assign(force, force + K::forces(e.parameters));
+      moving_force_.assign(force, force + K::forces(e.parameters, e.constants));
       const int n = static_cast<int>(e.dofs.size());
       for (int first = 0; first < n; first += sweep_width) {
         seed(e, weights, first);
@@ -99,10 +98,14 @@ class MappedMarkerBatch final : public MarkerBatch {
     typename K::Constants constants;
     const ItemType* body = nullptr;
     const void* body_record = nullptr;
+    std::vector<double> reference;  // coordinates
     int marker = -1;
     std::vector<int> dofs;
   };
   static const typename K::Parameters& parameters(const void* record) { return static_cast<const Record*>(record)->parameters; }
+  static typename K::Constants prepared(const void* record, const Placement& on) {
+    return K::prepare(parameters(record), *on.owner_type, on.owner, on.reference);
+  }
 
   void gather(const Entry& e, const Evaluation& evaluation) const {
     q_.clear();
@@ -122,7 +125,7 @@ class MappedMarkerBatch final : public MarkerBatch {
     }
   }
   void differentiate(const Entry& e, const Weights& weights, Ports& ports) const {
-    const int n = static_cast<int>(e.dofs.size()), values = K::values(e.parameters);
+    const int n = static_cast<int>(e.dofs.size()), values = K::values(e.parameters, e.constants);
     double* derivative = ports.derivative(e.marker);
     for (int first = 0; first < n; first += sweep_width) {
       seed(e, weights, first);

@@ -230,7 +230,7 @@ struct SizedBodyPhysics final : ObjectPhysics {
     if constexpr (Plain::computes_parameters) {
       check(record, on, {}, item);
       auto made = std::make_shared<Record>(*static_cast<const Record*>(record));
-      Plain::complete(made->parameters);
+      Plain::complete(made->parameters, on);
       return made;
     } else {
       return nullptr;

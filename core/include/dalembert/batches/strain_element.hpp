@@ -66,7 +66,9 @@ struct StrainElement {
   struct FreeStrainsOf;
   template <class... F>
   struct FreeStrainsOf<std::tuple<F...>> {
-    using Type = std::tuple<std::array<Vec<double, F::strains>, QuadratureRule::most>...>;
+    template <class One>
+    static constexpr std::size_t most = std::tuple_size_v<std::remove_cvref_t<decltype(One::points(std::declval<const Constants&>()).at)>>;
+    using Type = std::tuple<std::array<Vec<double, F::strains>, most<F>>...>;
   };
   struct Prepared {
     Constants constants;
@@ -86,9 +88,10 @@ struct StrainElement {
     return k;
   }
 
-  // User functions are called for one element at a time.
+  // User functions are called for one element at a time. So are functions of angles, and tangents of more than twelve directions,
+  // which take registers longer than there are, and minutes to compile.
   static bool same_law(const Parameters& p, const Prepared& k, const Parameters& other_p, const Prepared& other)
-    requires Map::linear  // functions of angles are for single numbers
+    requires(Map::linear && numbers <= 12)
   {
     return !E::calls(p) && !E::calls(other_p) && k == other;
   }
@@ -161,7 +164,7 @@ struct StrainElement {
     template <int family>
     auto fields() const {
       using F = std::tuple_element_t<family, typename E::Families>;
-      return interpolated<F>(F::shape(E::along(k, request.local)), Map::local(k, x));
+      return interpolated<F>(shape_at<F>(k, E::along(k, request.local)), Map::local(k, x));
     }
     template <int family>
     auto strain() const {
@@ -182,15 +185,15 @@ struct StrainElement {
    private:
     template <class F>
     auto stress_in() const {
-      const double xi = E::along(k, request.local);
-      const auto shape = F::shape(xi);
+      const auto place = E::along(k, request.local);
+      const auto shape = shape_at<F>(k, place);
       const auto at = interpolated<F>(shape, Map::local(k, x)), rates = interpolated<F>(shape, Map::local_rate(k, x));
-      return stress_at<F, true>(p, k, c, xi, free_strain<F>(), at, rates);
+      return stress_at<F, true>(p, k, c, place, free_strain<F>(), at, rates);
     }
     template <class F>
     auto free_strain() const {
       const Coordinates<double, size> reference{.q = load<double, size>(request.reference.data()), .v = {}, .a = {}};
-      return stress_free<F>(p, k, F::shape(E::along(k, request.local)), Map::local(k, reference));
+      return stress_free<F>(p, k, shape_at<F>(k, E::along(k, request.local)), Map::local(k, reference));
     }
   };
   static bool output(const Parameters& p, const Context& c, const Coordinates<double, size>& x, const OutputRequest& request,
@@ -224,13 +227,13 @@ struct StrainElement {
 
   // ---- points ----
   template <class F, bool damped, class Fields, class Free>
-  static auto stress_at(const Parameters& p, const Constants& k, const Context& c, double position, const Free& free, const Fields& at,
-                        const Fields& rates) {
+  static auto stress_at(const Parameters& p, const Constants& k, const Context& c, const PlaceOf<F, Constants>& place, const Free& free,
+                        const Fields& at, const Fields& rates) {
     const auto strain = F::strain(k, at);
     if constexpr (LawFamily<F, E>) {
-      return F::stress(p, k, c, position, strain, strain_rate<F>(k, at, rates), free);
+      return F::stress(p, k, c, place, strain, strain_rate<F>(k, at, rates), free);
     } else {
-      auto stress = F::stiffness(k) * (strain - free);
+      auto stress = stiffness_at<F>(k, place) * (strain - free);
       if constexpr (damped) stress += F::damping(k) * strain_rate<F>(k, at, rates);
       return stress;
     }

@@ -49,6 +49,14 @@ concept FrameBody = requires(const typename B::Parameters& p, const Context& c, 
 template <class B>
 concept BodyKernel = (FrameBody<B> || RotatingBody<B>) && requires { { B::constant_mass } -> std::convertible_to<bool>; };
 
+// Parameters of an element that also reads its reference coordinates, wherever it has parameters.
+template <class Given, int N>
+struct WithReference : Given {
+  Vec<double, N> reference{};
+};
+template <class P>
+concept ReadsReference = requires(const P& p) { [] <class Given, int N>(const WithReference<Given, N>&) {}(p); };
+
 // An element may make constants of its parameters and reference coordinates, once: its residual gets them in addition.
 template <class E>
 concept PreparedKernel = requires(const typename E::Parameters& p, const Vec<double, E::size>& reference) {

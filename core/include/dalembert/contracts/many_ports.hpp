@@ -111,9 +111,11 @@ class Connections {
       refuse(parameter, "marker " + std::to_string(on_.markers[static_cast<std::size_t>(position)]) + " (" + std::string(type(position).name) + ")",
              expected);
   }
-  void require_data(int count) const {
+  // The last coordinate that moves a marker, of the system.
+  int last_coordinate(int position) const { return ports_.marker_dofs(on_.markers[static_cast<std::size_t>(position)]).back(); }
+  void require_data(int count, const char* parameter = "nodeNumber") const {
     if (on_.data_count != count)
-      refuse("nodeNumber", "a node with " + std::to_string(on_.data_count) + " data coordinates",
+      refuse(parameter, "a node with " + std::to_string(on_.data_count) + " data coordinates",
              "a NodeGenericData with numberOfDataCoordinates = " + std::to_string(count));
   }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <concepts>
+#include <span>
 #include <vector>
 
 #include "dalembert/frames.hpp"
@@ -16,12 +17,12 @@ namespace dalembert {
 
 template <class K>
 concept MappedMarkerKernel =
-    requires(const typename K::Parameters& p, const typename K::Constants& k, const ItemType& body, const void* record, const double* numbers,
+    requires(const typename K::Parameters& p, const typename K::Constants& k, const ItemType& body, const void* record, std::span<const double> reference, const double* numbers,
              double* results, const Placement& on, const ItemLabel& item) {
       { K::check_body(p, on, item) } -> std::same_as<void>;
-      { K::prepare(p, body, record) } -> std::same_as<typename K::Constants>;  // of the body that the marker sits on
-      { K::values(p) } -> std::same_as<int>;                                   // how many numbers there are
-      { K::forces(p) } -> std::same_as<int>;                                   // how many of them are selected: they have forces
+      { K::prepare(p, body, record, reference) } -> std::same_as<typename K::Constants>;  // of the body that the marker sits on
+      { K::values(p, k) } -> std::same_as<int>;                                // how many numbers there are
+      { K::forces(p, k) } -> std::same_as<int>;                                // how many of them are selected: they have forces
       { K::constant_pull_back(p) } -> std::same_as<bool>;                      // whatever the coordinates are
       { K::template map<double>(p, k, numbers, numbers, results) } -> std::same_as<void>;       // of coordinates and their rates
       { K::template pull_back<double>(p, k, numbers, numbers, results) } -> std::same_as<void>;  // of coordinates and forces; is added

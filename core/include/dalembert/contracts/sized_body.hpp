@@ -106,8 +106,8 @@ concept StatesMesh =
     };
 // Parameters that Assemble finds.
 template <class B>
-concept CompletesParameters = !B::computes_parameters || requires(typename B::Parameters& p) {
-  { B::complete(p) } -> std::same_as<void>;
+concept CompletesParameters = !B::computes_parameters || requires(typename B::Parameters& p, const Placement& on) {
+  { B::complete(p, on) } -> std::same_as<void>;
 };
 
 template <class B>

@@ -35,16 +35,19 @@ using Vectors = std::array<Vec<S, D>, N>;
 template <int Fields, int LocalVectors>
 using ShapeNumbers = std::array<std::array<double, LocalVectors>, Fields>;
 
-// Position and weight run from 0 to 1 along the element.
-template <class Shape>
+// Position and weight run from 0 to 1 along the element. On a surface, a place has two coordinates, and weights are areas.
+template <class Shape, class Place = double>
 struct StrainPoint {
-  double position = 0, weight = 0;
+  Place position{};
+  double weight = 0;
   Shape shape{};
+  bool operator==(const StrainPoint&) const = default;
 };
-template <class Shape>
+template <class Shape, class Place = double, std::size_t most = QuadratureRule::most>
 struct StrainPoints {
   int count = 0;
-  std::array<StrainPoint<Shape>, QuadratureRule::most> at{};
+  std::array<StrainPoint<Shape, Place>, most> at{};
+  bool operator==(const StrainPoints&) const = default;
 };
 template <class Shape>
 constexpr StrainPoints<Shape> tabulated(const QuadratureRule& rule, Shape (*shape)(double)) {
@@ -53,27 +56,46 @@ constexpr StrainPoints<Shape> tabulated(const QuadratureRule& rule, Shape (*shap
   return points;
 }
 
+template <class F, class K>
+using PlaceOf = std::remove_cvref_t<decltype(F::points(std::declval<const K&>()).at[0].position)>;
+// Where shapes or the law differ from element to element, or from place to place, families say how.
+template <class F, class K>
+auto shape_at(const K& k, const PlaceOf<F, K>& place) {
+  if constexpr (requires { F::shape(k, place); }) return F::shape(k, place);
+  else return F::shape(place);
+}
+template <class F, class K>
+  requires requires(const K& k) { F::stiffness(k); }
+decltype(auto) stiffness_at(const K& k, const PlaceOf<F, K>&) {
+  return F::stiffness(k);
+}
+template <class F, class K>
+  requires requires(const K& k, const PlaceOf<F, K>& place) { F::stiffness(k, place); }
+auto stiffness_at(const K& k, const PlaceOf<F, K>& place) {
+  return F::stiffness(k, place);
+}
+
 // What a point with a linear law states; S is a number, dual numbers, or several of them side by side.
 template <class F, class E>
-concept LinearFamily = requires(const typename E::Constants& k) {
+concept LinearFamily = requires(const typename E::Constants& k, const PlaceOf<F, typename E::Constants>& place) {
   k.length* Vec<double, F::strains>{};
-  { F::stiffness(k) * Vec<double, F::strains>{} } -> std::same_as<Vec<double, F::strains>>;  // stress by strain
+  { stiffness_at<F>(k, place) * Vec<double, F::strains>{} } -> std::same_as<Vec<double, F::strains>>;  // stress by strain
   { F::damping(k) * Vec<double, F::strains>{} } -> std::same_as<Vec<double, F::strains>>;    // by the rate of strain
 };
 // A law of its own, such as a function of the user; `free` are the strains without stress.
 template <class F, class E>
 concept LawFamily = requires(const typename E::Parameters& p, const typename E::Constants& k, const Context& c,
-                             const Vec<double, F::strains>& strain) {
-  F::stress(p, k, c, 0.5, strain, strain, strain);  // position, strain, its rate, free
+                             const PlaceOf<F, typename E::Constants>& place, const Vec<double, F::strains>& strain) {
+  F::stress(p, k, c, place, strain, strain, strain);  // position, strain, its rate, free
 };
 template <class F, class E>
 concept StrainFamily =
     (LinearFamily<F, E> || LawFamily<F, E>) &&
-    requires(const typename E::Parameters& p, const typename E::Constants& k, const Vec<double, F::strains>& strain,
-             const Vectors<double, E::Map::dimension, F::fields>& fields) {
+    requires(const typename E::Parameters& p, const typename E::Constants& k, const PlaceOf<F, typename E::Constants>& place,
+             const Vec<double, F::strains>& strain, const Vectors<double, E::Map::dimension, F::fields>& fields) {
       { F::uses(0, 0) } -> std::same_as<bool>;  // field, local vector: false where this share is always zero
       { F::points(k).count } -> std::convertible_to<int>;
-      { F::shape(0.5) } -> std::same_as<std::remove_cvref_t<decltype(F::points(k).at[0].shape)>>;  // at any position
+      { shape_at<F>(k, place) } -> std::same_as<std::remove_cvref_t<decltype(F::points(k).at[0].shape)>>;  // at any place
       { F::strain(k, fields) } -> std::same_as<Vec<double, F::strains>>;
       // The strains without stress, from those of the reference configuration.
       { F::stress_free(p, strain) } -> std::same_as<Vec<double, F::strains>>;
@@ -117,7 +139,7 @@ concept StrainKernel =
       { k.length } -> std::convertible_to<double>;  // what the weights are shares of
       { E::calls(p) } -> std::same_as<bool>;
       { E::damped(k) } -> std::same_as<bool>;
-      { E::along(k, v) } -> std::same_as<double>;  // from 0 to 1, of a local position
+      E::along(k, v);  // the place of a local position, from 0 to 1 along a line
       { E::inertia(k, x) } -> std::same_as<Vec<double, E::Map::size>>;
       requires !E::Map::derives || requires { E::add_inertia_tangent(k, x, w, m); };
       { E::node_size } -> std::convertible_to<int>;

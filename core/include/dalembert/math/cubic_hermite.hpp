@@ -23,12 +23,12 @@ struct CubicHermite {
   }
 };
 
-// A planar curve: weights times [r0, r0', r1, r1'].
-template <class W, class S>
-Vec<S, 2> planar_curve(const std::array<W, 4>& weights, const S* coordinates) {
-  Vec<S, 2> r;
+// A curve in D dimensions: weights times [r0, r0', r1, r1'].
+template <int D, class W, class S>
+Vec<S, D> curve(const std::array<W, 4>& weights, const S* coordinates) {
+  Vec<S, D> r;
   for (int i = 0; i < 4; ++i)
-    for (int d = 0; d < 2; ++d) r[d] += weights[i] * coordinates[2 * i + d];
+    for (int d = 0; d < D; ++d) r[d] += weights[i] * coordinates[D * i + d];
   return r;
 }
 

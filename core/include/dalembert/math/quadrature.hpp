@@ -35,6 +35,7 @@ inline constexpr QuadratureRule gauss_4 =
 inline constexpr QuadratureRule gauss_5 = detail::symmetric_rule(
     5, {0, 0.53846931010568309, 0.90617984593866399}, {128. / 225, 0.47862867049936647, 0.23692688505618909});
 // With both ends: exact to degree 2 n - 3.
+inline constexpr QuadratureRule lobatto_2 = detail::symmetric_rule(2, {1}, {1});
 inline constexpr QuadratureRule lobatto_3 = detail::symmetric_rule(3, {0, 1}, {4. / 3, 1. / 3});
 
 }  // namespace dalembert

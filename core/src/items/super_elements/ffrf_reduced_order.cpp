@@ -92,7 +92,7 @@ void ObjectFFRFreducedOrder::check(const Parameters& p, const Placement& on, con
   check_agreement("mPsiTildePsi", p.mPsiTildePsi, crossed(p.mPsiTildePsiTilde), "mPsiTildePsiTilde", item);
 }
 
-void ObjectFFRFreducedOrder::complete(Parameters& p) {
+void ObjectFFRFreducedOrder::complete(Parameters& p, const Placement&) {
   p.physicsCenterOfMassTilde = skew(p.physicsCenterOfMass);
   p.objectIsInitialized = true;
   if (!p.computeFFRFterms) return;

@@ -32,7 +32,8 @@ struct ObjectANCFCable2D : AncfCableAxis<2> {
     static const auto& points(const Constants& k) { return k.rule->bending; }
     static double stiffness(const Constants& k) { return k.bending_stiffness; }
     static double damping(const Constants& k) { return k.bending_damping; }
-    static Vec<double, 1> stress_free(const Parameters& p, const Vec<double, 1>& of_reference) {
+    template <class P>
+    static Vec<double, 1> stress_free(const P& p, const Vec<double, 1>& of_reference) {
       return {p.physicsReferenceCurvature + p.strainIsRelativeToReference * of_reference[0]};
     }
     template <class S>
@@ -60,7 +61,16 @@ struct ObjectANCFCable2D : AncfCableAxis<2> {
   // The cross section at local[0], about the point local[1] away from the axis.
   template <class S>
   static Motion<S> motion(const Parameters& p, const Coordinates<S, size>& x, const Vec3<double>& local) {
-    const double length = p.physicsLength, xi = local[0] / length;
+    return section(p.physicsLength, x, local);
+  }
+  template <class S>
+  static Vec<S, size> pull_back(const Parameters& p, const Coordinates<S, size>& x, const Vec3<double>& local,
+                                const Vec3<S>& force, const Vec3<S>& moment) {
+    return on_section(p.physicsLength, x, local, force, moment);
+  }
+  template <class S>
+  static Motion<S> section(double length, const Coordinates<S, size>& x, const Vec3<double>& local) {
+    const double xi = local[0] / length;
     const auto shape = hermite::values(xi, length), slope = hermite::slopes(xi, length);
     const Vec<S, 2> r = combined(shape, x.q), v = combined(shape, x.v), a = combined(shape, x.a);
     const Vec<S, 2> t = combined(slope, x.q), t_rate = combined(slope, x.v), t_rate2 = combined(slope, x.a);
@@ -77,9 +87,9 @@ struct ObjectANCFCable2D : AncfCableAxis<2> {
     return moved(axis, Vec3<S>{-local[1] * sine, local[1] * cosine, o});
   }
   template <class S>
-  static Vec<S, size> pull_back(const Parameters& p, const Coordinates<S, size>& x, const Vec3<double>& local,
-                                const Vec3<S>& force, const Vec3<S>& moment) {
-    const double length = p.physicsLength, xi = local[0] / length;
+  static Vec<S, size> on_section(double length, const Coordinates<S, size>& x, const Vec3<double>& local,
+                                 const Vec3<S>& force, const Vec3<S>& moment) {
+    const double xi = local[0] / length;
     const auto shape = hermite::values(xi, length), slope = hermite::slopes(xi, length);
     const Vec<S, 2> t = combined(slope, x.q);
     S m = moment[2];

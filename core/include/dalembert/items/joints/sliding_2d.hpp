@@ -1,28 +1,13 @@
 // ObjectJointSliding2D, specs/joints/sliding_2d.toml
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <utility>
-
-#include "dalembert/contracts/many_ports.hpp"
-#include "dalembert/items/markers/body_cable_2d_coordinates.hpp"
+#include "dalembert/items/joints/along_cable.hpp"
 #include "dalembert/joints/sliding_2d_parameters.hpp"
-#include "dalembert/math/cubic_hermite.hpp"
 
 namespace dalembert {
 
-struct ObjectJointSliding2D {
+struct ObjectJointSliding2D : AlongCable<ObjectJointSliding2DParameters> {
   using Parameters = ObjectJointSliding2DParameters;
-
-  // ---- markers: the body, the cable that it was put on (the data coordinate says where it is now), and all cables -------------
-  static ActingMarkers acting(const Parameters&, int markers) {
-    ActingMarkers acting{{0}, {}};
-    for (int i = 2; i < markers; ++i) acting.alternatives.push_back(i);
-    return acting;
-  }
-  static int alternative(const Parameters& p, const Context& c) { return element_of(p, c.data); }
 
   // ---- unknowns: two multipliers, the way within the step, and a multiplier for the rotation -----------------------------------
   static int algebraic_equations(const Parameters& p, std::span<const int>) { return p.constrainRotation ? 4 : 3; }
@@ -50,20 +35,9 @@ struct ObjectJointSliding2D {
       for (int d = 0; d < 2; ++d) on_cable[2 * i + d] += here.weights.value[i] * force[d] + here.weights.slope[i] * couple[d];
   }
 
-  // The way is taken over; a body that has left its element goes on in the next one.
   static constexpr bool has_history = true;
   static PostNewton update(const Parameters& p, const Context&, const Exchange<double>& x, const History& h) {
-    const int element = element_of(p, h.data), last = elements(p) - 1;
-    const double offset = p.slidingMarkerOffsets[static_cast<std::size_t>(element)], length = x.values(cable)[length_of_cable];
-    double& place = h.data[start_of_step];
-    place += std::exchange(h.algebraic[way], 0.0);
-    PostNewton verdict;
-    const double before = offset - place, behind = place - offset - length;
-    verdict.error = std::max({before, behind, 0.0});
-    const int next = element + (behind > 0) - (before > 0);
-    if (next < 0 || next > last) place = std::clamp(place, offset, offset + length);
-    h.data[current_element] = std::clamp(next, 0, last);
-    return verdict;
+    return take_over(p, x, h, h.algebraic[way]);
   }
 
   static bool output(const Parameters&, const Context& c, const Exchange<double>& x, OutputVariableType variable, std::vector<double>& values) {
@@ -80,26 +54,13 @@ struct ObjectJointSliding2D {
   static void check(const Parameters& p, const Connections& on) {
     on.require(p.constrainRotation ? on.gives<RigidPort>(0) : on.gives<PointPort>(0), 0, "markerNumbers",
                p.constrainRotation ? "a rigid body marker for the body" : "a marker with a position for the body");
-    if (elements(p) == 0) on.refuse("slidingMarkerNumbers", "an empty list", "the markers of the cable elements, in their order");
-    for (int i = 1; i < on.markers(); ++i)
-      on.require(on.type(i).name == "MarkerBodyCable2DCoordinates", i, i == 1 ? "markerNumbers" : "slidingMarkerNumbers",
-                 "a MarkerBodyCable2DCoordinates");
-    if (static_cast<int>(p.slidingMarkerOffsets.size()) != elements(p))
-      on.refuse("slidingMarkerOffsets", std::to_string(p.slidingMarkerOffsets.size()) + " offsets",
-                std::to_string(elements(p)) + ", one for each of slidingMarkerNumbers");
+    check_cables(p, on, "MarkerBodyCable2DCoordinates");
     on.require_data(2);
   }
 
  private:
-  enum Marker { body = 0, cable = 1 };  // of those that act
   enum Unknown { way = 2, rotation = 3 };
-  enum Data { current_element = 0, start_of_step = 1 };
-  static constexpr int n = MarkerBodyCable2DCoordinates::n, length_of_cable = MarkerBodyCable2DCoordinates::length;
 
-  static int elements(const Parameters& p) { return static_cast<int>(p.slidingMarkerNumbers.size()); }
-  static int element_of(const Parameters& p, const double* data) {
-    return std::clamp(static_cast<int>(std::lround(data[current_element])), 0, elements(p) - 1);
-  }
   template <class S>
   static Vec<S, 2> across(const Vec<S, 2>& v) {
     return {-v[1], v[0]};
@@ -116,11 +77,10 @@ struct ObjectJointSliding2D {
     Vec<S, 2> slope, bend, gap;
 
     Cable(const Parameters& p, const Context& c, const Exchange<S>& x, const S& way)
-        : weights(way + (c.data[start_of_step] - p.slidingMarkerOffsets[static_cast<std::size_t>(element_of(p, c.data))]),
-                  value_of(x.values(cable)[length_of_cable])),
-          slope(planar_curve(weights.slope, x.values(cable).data())),
-          bend(planar_curve(weights.bend, x.values(cable).data())),
-          gap(planar_curve(weights.value, x.values(cable).data()) - planar(x.template frame<PointPort>(body).position)) {}
+        : weights(way + start(p, c), length(x)),
+          slope(curve<2>(weights.slope, x.values(cable).data())),
+          bend(curve<2>(weights.bend, x.values(cable).data())),
+          gap(curve<2>(weights.value, x.values(cable).data()) - planar(x.template frame<PointPort>(body).position)) {}
 
     // Velocity of the cable against the body, and rate of its slope, both at a fixed place; how fast the body slides.
     struct Rates {
@@ -128,8 +88,8 @@ struct ObjectJointSliding2D {
       S slide;
     };
     Rates rates(const Exchange<S>& x) const {
-      const S* v = x.values(cable).data() + n;
-      Rates r{planar_curve(weights.value, v) - planar(x.template frame<PointPort>(body).velocity), planar_curve(weights.slope, v), S(0)};
+      const S* v = x.values(cable).data() + x.selected(cable);
+      Rates r{curve<2>(weights.value, v) - planar(x.template frame<PointPort>(body).velocity), curve<2>(weights.slope, v), S(0)};
       r.slide = -dot(r.gap, slope) / dot(slope, slope);
       return r;
     }

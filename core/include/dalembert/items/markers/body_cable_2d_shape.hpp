@@ -2,7 +2,7 @@
 #pragma once
 
 #include "dalembert/contracts/mapped_marker.hpp"
-#include "dalembert/items/markers/planar_cable.hpp"
+#include "dalembert/items/markers/cable_body.hpp"
 #include "dalembert/markers/body_cable_2d_shape_parameters.hpp"
 #include "dalembert/math/cubic_hermite.hpp"
 
@@ -10,26 +10,26 @@ namespace dalembert {
 
 struct MarkerBodyCable2DShape {
   using Parameters = MarkerBodyCable2DShapeParameters;
-  using Constants = PlanarCable;
+  using Constants = CableBody<2>;
 
-  static void check_body(const Parameters&, const Placement& on, const ItemLabel& item) { PlanarCable::check(*on.owner_type, item); }
-  static Constants prepare(const Parameters&, const ItemType& body, const void* record) { return PlanarCable::of(body, record); }
+  static void check_body(const Parameters&, const Placement& on, const ItemLabel& item) { CableBody<2>::check(*on.owner_type, item); }
+  static Constants prepare(const Parameters&, const ItemType& body, const void* record, std::span<const double> reference) { return CableBody<2>::of(body, record, reference); }
 
   // Positions of all points, then their velocities.
   static int points(const Parameters& p) { return p.numberOfSegments + 1; }
-  static int values(const Parameters& p) { return 4 * points(p); }
-  static int forces(const Parameters& p) { return 2 * points(p); }
+  static int values(const Parameters& p, const Constants&) { return 4 * points(p); }
+  static int forces(const Parameters& p, const Constants&) { return 2 * points(p); }
   static bool constant_pull_back(const Parameters& p) { return p.verticalOffset == 0; }
 
   // Points of the axis, moved along its normal, which turns with the slope.
   template <class S>
   static void map(const Parameters& p, const Constants& cable, const S* q, const S* v, S* values) {
-    S *position = values, *velocity = values + forces(p);
+    S *position = values, *velocity = values + 2 * points(p);
     for (int i = 0; i < points(p); ++i, position += 2, velocity += 2) {
       const CubicHermite<double> at = place(p, cable, i);
-      Vec<S, 2> r = planar_curve(at.value, q), r_rate = planar_curve(at.value, v);
+      Vec<S, 2> r = curve<2>(at.value, q), r_rate = curve<2>(at.value, v);
       if (p.verticalOffset != 0) {
-        const Vec<S, 2> slope = planar_curve(at.slope, q), slope_rate = planar_curve(at.slope, v);
+        const Vec<S, 2> slope = curve<2>(at.slope, q), slope_rate = curve<2>(at.slope, v);
         const S offset = p.verticalOffset / norm(slope);
         const S turn = (slope[0] * slope_rate[1] - slope[1] * slope_rate[0]) / dot(slope, slope);
         r += offset * Vec<S, 2>{-slope[1], slope[0]};
@@ -44,7 +44,7 @@ struct MarkerBodyCable2DShape {
       const CubicHermite<double> at = place(p, cable, i);
       Vec<S, 2> couple{};  // on the slope, by the lever arm of the offset
       if (p.verticalOffset != 0) {
-        const Vec<S, 2> slope = planar_curve(at.slope, q);
+        const Vec<S, 2> slope = curve<2>(at.slope, q);
         const S square = dot(slope, slope), moment = -p.verticalOffset / norm(slope) * (slope[0] * force[0] + slope[1] * force[1]);
         couple = (moment / square) * Vec<S, 2>{-slope[1], slope[0]};
       }
@@ -52,7 +52,7 @@ struct MarkerBodyCable2DShape {
         for (int d = 0; d < 2; ++d) generalised[2 * j + d] += at.value[j] * force[d] + at.slope[j] * couple[d];
     }
   }
-  static Motion<double> origin(const Constants&, const double* q, const double* v, const double* a) { return PlanarCable::begin(q, v, a); }
+  static Motion<double> origin(const Constants&, const double* q, const double* v, const double* a) { return CableBody<2>::begin(q, v, a); }
 
  private:
   static CubicHermite<double> place(const Parameters& p, const Constants& cable, int point) {

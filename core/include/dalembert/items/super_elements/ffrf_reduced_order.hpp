@@ -47,7 +47,7 @@ struct ObjectFFRFreducedOrder {
   static SizedLaw law(const Parameters& p);
   static void check(const Parameters& p, const Placement& on, const ItemLabel& item);
   // The integrals that follow from others, where they are not given.
-  static void complete(Parameters& p);
+  static void complete(Parameters& p, const Placement& on);
   static ModalInertia prepare(const Parameters& p);
 
   static int mesh_nodes(const Parameters& p) { return static_cast<int>(p.referencePositions.size() / 3); }

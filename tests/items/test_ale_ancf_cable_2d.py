@@ -1,0 +1,211 @@
+"""ObjectALEANCFCable2D and ObjectJointALEMoving2D against axially moving beams, and against ObjectANCFCable2D."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+import scipy.linalg
+
+import dalembert as exu
+from dalembert._core import testing
+
+Variable = exu.OutputVariableType
+
+
+class Belt:
+    """A straight belt of unit length, mass and bending stiffness between two supports, whose material moves with a speed."""
+
+    def __init__(
+        self, elements: int, speed: float = 0.0, pull: float = 0.0, ale: bool = True, **parameters: Any
+    ) -> None:
+        self.mbs = mbs = exu.SystemContainer().AddSystem()
+        self.elements = elements
+        stiff = 1e8
+        slope = 1 + pull / stiff  # the reference configuration is taut
+        self.nodes = [
+            mbs.AddNode(exu.NodePoint2DSlope1(referenceCoordinates=[x, 0, slope, 0]))
+            for x in np.linspace(0, slope, elements + 1)
+        ]
+        common = {
+            "physicsLength": 1 / elements,
+            "physicsMassPerLength": 1.0,
+            "physicsBendingStiffness": 1.0,
+            "physicsAxialStiffness": stiff,
+            **parameters,
+        }
+        self.way = mbs.AddNode(
+            exu.NodeGenericODE2(
+                numberOfODE2Coordinates=1,
+                referenceCoordinates=[0.3],
+                initialCoordinates=[0],
+                initialCoordinates_t=[speed],
+            )
+        )
+        pairs = zip(self.nodes[:-1], self.nodes[1:], strict=True)
+        self.cables = [
+            mbs.AddObject(
+                exu.ObjectALEANCFCable2D(nodeNumbers=[*pair, self.way], **common)
+                if ale
+                else exu.ObjectANCFCable2D(nodeNumbers=list(pair), **common)
+            )
+            for pair in pairs
+        ]
+        self.ground = mbs.AddMarker(
+            exu.MarkerNodeCoordinate(nodeNumber=mbs.AddNode(exu.NodePointGround()), coordinate=0)
+        )
+
+    def fix(self, node: Any, *coordinates: int) -> None:
+        for coordinate in coordinates:
+            marker = self.mbs.AddMarker(exu.MarkerNodeCoordinate(nodeNumber=node, coordinate=coordinate))
+            self.mbs.AddObject(exu.ObjectConnectorCoordinate(markerNumbers=[self.ground, marker]))
+
+    def frequencies(self, count: int) -> np.ndarray:
+        """Of transverse motion between simple supports, at the speed of the start."""
+        self.mbs.Assemble()
+        s = testing.State(self.mbs)
+        k, d = (testing.tangent(self.mbs, s, cq=q, cv=v, ca=0) for q, v in ((1, 0), (0, 1)))
+        m = testing.mass_matrix(self.mbs, s)
+        n = 4 * (self.elements + 1)
+        free = [i for i in range(1, n, 2) if i not in (1, n - 3)]  # y and slope in y, without the supports
+        k, d, m = (a[np.ix_(free, free)] for a in (k, d, m))
+        zero, one = np.zeros_like(k), np.eye(len(k))
+        first = np.block([[zero, one], [-k, -d]])
+        values = scipy.linalg.eigvals(first, scipy.linalg.block_diag(one, m))
+        return np.sort(values.imag[values.imag > 1e-6])[:count]
+
+
+# Exact roots of the axially moving beam, EI = rho A = L = 1, by tension and speed (J. A. Wickert, C. D. Mote, 1990).
+MOVING = {
+    (0, 1): (9.263787277, 39.068093972),
+    (0, 2): (7.305539272, 37.815241235),
+    (0, 3): (2.656632067, 35.647463151),
+    (25, 2): (16.992085335, 48.925661754),
+    (25, 4): (12.136965868, 44.199750018),
+}
+
+
+@pytest.mark.parametrize(("tension", "speed"), list(MOVING))
+def test_frequencies_of_a_moving_beam(tension: float, speed: float) -> None:
+    """The pull of the supports is tension and centripetal force."""
+    found = Belt(24, speed, tension).frequencies(2)
+    assert found == pytest.approx(MOVING[tension, speed], rel=2e-4)
+
+
+def test_resting_material_is_a_cable() -> None:
+    state, residuals = None, []
+    for ale in (True, False):
+        belt = Belt(2, 0.0, ale=ale, physicsAxialDamping=3, physicsBendingDamping=2)
+        belt.mbs.Assemble()
+        s = testing.State(belt.mbs)
+        n = 12
+        if state is None:
+            state = np.random.default_rng(3).normal(size=(3, n)) * [[1e-3], [1], [1]]
+        for name, values in zip("qva", state, strict=True):
+            all_values = np.zeros(len(s.q))
+            all_values[:n] = values
+            setattr(s, name, all_values)
+        residuals.append(testing.residual(belt.mbs, s)[:n])
+    assert residuals[0] == pytest.approx(residuals[1], rel=1e-12)
+
+
+def test_material_velocity_and_forces() -> None:
+    belt = Belt(2, speed=2.5, pull=7.0)
+    belt.mbs.Assemble()
+    velocity = belt.mbs.GetObjectOutputBody(belt.cables[0], Variable.Velocity, [0.2, 0.1, 0])
+    assert np.asarray(velocity) == pytest.approx([2.5, 0, 0], abs=1e-6)
+    force = belt.mbs.GetObjectOutputBody(belt.cables[0], Variable.ForceLocal, [0.2, 0, 0])
+    assert force == pytest.approx(7.0, rel=1e-6)
+
+
+@pytest.mark.parametrize("moving", [1.0, 0.4])
+def test_momentum_of_the_moving_share(moving: float) -> None:
+    """The axial coordinate is accelerated by weight along a fixed belt as a body of any mass is."""
+    belt = Belt(3, physicsMovingMassFactor=moving)
+    for node in belt.nodes:
+        belt.fix(node, 0, 1, 2, 3)
+    for cable in belt.cables:
+        weight = belt.mbs.AddMarker(exu.MarkerBodyMass(bodyNumber=cable))
+        belt.mbs.AddLoad(exu.LoadMassProportional(markerNumber=weight, loadVector=[4.0, -1, 0]))
+    belt.mbs.Assemble()
+    settings = exu.SimulationSettings()
+    settings.timeIntegration.endTime, settings.timeIntegration.numberOfSteps = 0.5, 20
+    belt.mbs.SolveDynamic(settings)
+    assert belt.mbs.GetNodeOutput(belt.way, Variable.Coordinates) == pytest.approx(0.5, abs=1e-8)
+
+
+def carried(penalty: float, index2: bool = False, damping: bool = False) -> tuple[np.ndarray, np.ndarray, float]:
+    """A mass that a fixed, moving belt takes along with 3 m/s over two elements, under its weight."""
+    belt = Belt(3, 3.0)
+    mbs = belt.mbs
+    for node in belt.nodes:
+        belt.fix(node, 0, 1, 2, 3)
+    belt.fix(belt.way)
+    node = mbs.AddNode(exu.NodePoint2D(referenceCoordinates=[0.1, 0], initialVelocities=[3, 0]))
+    mass = mbs.AddObject(exu.ObjectMassPoint2D(physicsMass=0.5, nodeNumber=node))
+    marker = mbs.AddMarker(exu.MarkerBodyPosition(bodyNumber=mass))
+    mbs.AddLoad(exu.LoadForceVector(markerNumber=marker, loadVector=[0, -2, 0]))
+    markers = [mbs.AddMarker(exu.MarkerBodyCable2DCoordinates(bodyNumber=cable)) for cable in belt.cables]
+    data = mbs.AddNode(exu.NodeGenericData(numberOfDataCoordinates=1, initialCoordinates=[0]))
+    joint = mbs.AddObject(
+        exu.ObjectJointALEMoving2D(
+            markerNumbers=[marker, markers[0]],
+            slidingMarkerNumbers=markers,
+            slidingMarkerOffsets=[0, 1 / 3, 2 / 3],
+            slidingOffset=0.1,
+            nodeNumbers=[data, belt.way],
+            usePenaltyFormulation=penalty > 0,
+            penaltyStiffness=penalty,
+        )
+    )
+    mbs.Assemble()
+    settings = exu.SimulationSettings()
+    settings.timeIntegration.endTime, settings.timeIntegration.numberOfSteps = 0.15, 60
+    settings.timeIntegration.generalizedAlpha.spectralRadius = 0.5
+    solver = exu.DynamicSolverType.TrapezoidalIndex2 if index2 else exu.DynamicSolverType.GeneralizedAlpha
+    mbs.SolveDynamic(settings, solverType=solver)
+    force = np.asarray(mbs.GetObjectOutput(joint, Variable.Force))
+    place = np.asarray(mbs.GetNodeOutput(node, Variable.Position))
+    return place, force, float(np.asarray(mbs.GetObjectOutput(joint, Variable.Coordinates))[0])
+
+
+@pytest.mark.parametrize("index2", [False, True], ids=["index3", "index2"])
+def test_belt_takes_a_mass_along(index2: bool) -> None:
+    place, force, element = carried(0.0, index2)
+    assert place == pytest.approx([0.55, 0, 0], abs=1e-8)
+    assert np.abs(force) == pytest.approx([0, 2, 0], abs=1e-6)
+    assert element == 1
+
+
+def test_soft_joint_gives_way() -> None:
+    place, _, _ = carried(1e4)
+    assert place[:2] == pytest.approx([0.55, -2e-4], abs=2.5e-4)
+
+
+def test_joint_needs_the_coordinate_of_its_cables() -> None:
+    belt = Belt(1)
+    other = belt.mbs.AddNode(
+        exu.NodeGenericODE2(
+            numberOfODE2Coordinates=1, referenceCoordinates=[0], initialCoordinates=[0], initialCoordinates_t=[0]
+        )
+    )
+    ground = belt.mbs.AddMarker(exu.MarkerBodyPosition(bodyNumber=belt.mbs.AddObject(exu.ObjectGround())))
+    marker = belt.mbs.AddMarker(exu.MarkerBodyCable2DCoordinates(bodyNumber=belt.cables[0]))
+    data = belt.mbs.AddNode(exu.NodeGenericData(numberOfDataCoordinates=1, initialCoordinates=[0]))
+    belt.mbs.AddObject(
+        exu.ObjectJointALEMoving2D(
+            markerNumbers=[ground, marker],
+            slidingMarkerNumbers=[marker],
+            slidingMarkerOffsets=[0],
+            nodeNumbers=[data, other],
+        )
+    )
+    with pytest.raises(ValueError, match=r"markerNumbers.*third node is the second one of nodeNumbers"):
+        belt.mbs.Assemble()
+
+
+def test_share_above_one_is_refused() -> None:
+    belt = Belt(1, physicsMovingMassFactor=1.5)
+    with pytest.raises(ValueError, match=r"physicsMovingMassFactor.*a share of the mass"):
+        belt.mbs.Assemble()
