@@ -8,6 +8,8 @@
 #include "dalembert/linear/linear_solver.hpp"
 #include "dalembert/math/processor.hpp"
 #include "elimination_list.hpp"
+#include "listed_lu.hpp"
+#include "packs.hpp"
 
 #define INLINE [[gnu::always_inline]] inline
 // Registers instead of arrays.

@@ -138,7 +138,7 @@ void Lockstep::find_residuals(const Lanes& lanes) {
   each(lanes, [&](int i, Lane& lane) {
     each_input(lane.solver->current(), [&](int first, const std::vector<double>& part) {
       LaneBlock* to = &program_.input(first);
-      for (const double x : part) (*to++)[i] = x;
+      for (const double x : part) (to++)->at(i) = x;
     });
   });
   program_.run(0);
@@ -205,7 +205,7 @@ void Lockstep::correct_motion(const Lanes& lanes) {
 void Lockstep::find_increments(const Lanes& lanes) {
   each(lanes, [&](int i, Lane& lane) {
     const std::span<const double> r = lane.solver->residual();
-    for (std::size_t k = 0; k < r.size(); ++k) right_hand_sides_[k][i] = r[k];
+    for (std::size_t k = 0; k < r.size(); ++k) right_hand_sides_[k].at(i) = r[k];
   });
   for (const auto& factors : factors_) {
     const Lanes mine = those(lanes, [&](Lane& lane) { return lane.factors == factors.get(); });

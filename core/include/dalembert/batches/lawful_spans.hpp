@@ -67,13 +67,13 @@ class LawfulSpans {
   void place(int entry, const Law& law) {
     const auto* numbers = reinterpret_cast<const double*>(&law);
     auto& block = laws_.own(blocks_[static_cast<std::size_t>(entry) / block_lanes].law);
-    for (int i = 0; i < law_size; ++i) block[i][entry % block_lanes] = numbers[i];
+    for (int i = 0; i < law_size; ++i) block[i].at(entry % block_lanes) = numbers[i];
   }
 
   template <int L>
   static void add_some(const LawBlocks& laws, const Block& block, int first, const double* values, double* forces) {
     typename K::template Law<Pack<L>> law;
-    for (int i = 0; i < law_size; ++i) reinterpret_cast<Pack<L>*>(&law)[i] = Pack<L>::load(laws[i].x + first);
+    for (int i = 0; i < law_size; ++i) reinterpret_cast<Pack<L>*>(&law)[i] = Pack<L>::load(reinterpret_cast<const double*>(&laws[i]) + first);
     const auto differences = [&](int number) {  // of four numbers of the frames
       return columns_of<L>([&](int lane) DALEMBERT_INLINE {
         const auto frame = [&](int m) DALEMBERT_INLINE { return Pack<4>::load(values + block.values[m][first + lane] + number); };
