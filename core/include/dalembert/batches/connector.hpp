@@ -75,19 +75,16 @@ class PortBatch final : public Term {
   }
   void tangent(const Evaluation& evaluation, const Weights&, Ports& ports, double* values) const override {
     if constexpr (is_constant) return;
-    const int* slot = slots.data();
-    for (const Entry& e : entries_) {
-      const Columns<M> columns(ports, e.markers);
-      if (active(e.parameters) && !add_in_closed_form(e, ports, slot, values))
-        for (int first = 0; first < columns.total; first += sweep_width) {
-          std::array<typename Port::template Frame<SweepDual>, M> frames;
-          for (int m = 0; m < M; ++m)
-            frames[m] = read_moving_frame<Port>(ports, e.markers[m], columns.offset[m], first);
-          const auto forces = kernel_forces<K, M, SweepDual>(e.parameters, context(evaluation, e), frames);
-          scatter_forces<Port, M>(ports, e.markers, columns, first, -1.0, forces, slot, values);
-        }
-      slot += columns.total * columns.total;
-    }
+    each_block(ports, [&](const Entry& e, const Columns<M>& columns, const int* slot) {
+      if (add_in_closed_form(e, ports, slot, values)) return;
+      for (int first = 0; first < columns.total; first += sweep_width) {
+        std::array<typename Port::template Frame<SweepDual>, M> frames;
+        for (int m = 0; m < M; ++m)
+          frames[m] = read_moving_frame<Port>(ports, e.markers[m], columns.offset[m], first);
+        const auto forces = kernel_forces<K, M, SweepDual>(e.parameters, context(evaluation, e), frames);
+        scatter_forces<Port, M>(ports, e.markers, columns, first, -1.0, forces, slot, values);
+      }
+    });
   }
 
   bool has_tangent() const override { return !is_constant; }
@@ -95,17 +92,12 @@ class PortBatch final : public Term {
   bool traceable() const override {
     return is_traced && std::ranges::all_of(entries_, [](const Entry& e) { return has_closed_form(e.parameters); });
   }
-  void trace_residual(const TracedEvaluation& evaluation, TracedPorts& ports, Traced*) const override {
-    if constexpr (is_traced) add_forces_of(entries_, evaluation, ports, std::make_index_sequence<M>());
-  }
-  void trace_tangent(const TracedEvaluation&, const Weights&, TracedPorts& ports, Traced* values) const override {
-    if constexpr (is_traced && !is_constant) {
-      const int* slot = slots.data();
-      for (const Entry& e : entries_) {
-        if (active(e.parameters)) add_in_closed_form(e, ports, slot, values);
-        const int total = Columns<M>(ports, e.markers).total;
-        slot += total * total;
-      }
+  void trace(const TracedCall& call) const override {
+    if constexpr (is_traced) {
+      if (call.function == TracedCall::Function::residual)
+        return add_forces_of(entries_, call.evaluation, call.ports, std::make_index_sequence<M>());
+      if constexpr (!is_constant)
+        each_block(call.ports, [&](const Entry& e, const Columns<M>&, const int* slot) { add_in_closed_form(e, call.ports, slot, call.sums); });
     }
   }
 
@@ -145,19 +137,22 @@ class PortBatch final : public Term {
     }
   }
 
+  // Calls f(entry, columns, slots) for those that act, with the block of the tangent that is theirs.
+  template <class S, class F>
+  void each_block(const PortsOf<S>& ports, const F& f) const {
+    const int* slot = slots.data();
+    for (const Entry& e : entries_) {
+      const Columns<M> columns(ports, e.markers);
+      if (active(e.parameters)) f(e, columns, slot);
+      slot += columns.total * columns.total;
+    }
+  }
+
   static constexpr bool is_load = M == 1;
-  static constexpr bool has_update = [] {
-    if constexpr (is_load) return false;
-    else return K::has_history;
-  }();
-  static constexpr bool is_constant = [] {
-    if constexpr (is_load) return K::is_constant;
-    else return false;
-  }();
-  static constexpr bool has_data = [] {
-    if constexpr (is_load) return false;
-    else return K::data_coordinates != 0;
-  }();
+  // Loads have no history, and connectors are never constant.
+  using History = std::conditional_t<is_load, NoPairHistory, K>;
+  using Change = std::conditional_t<is_load, K, ReadsMarker>;
+  static constexpr bool has_update = History::has_history, has_data = History::data_coordinates != 0, is_constant = Change::is_constant;
   // Whether its arithmetic may be noted, where `has_closed_form` says so as well.
   static constexpr bool is_traced = is_load || (!has_update && LinearSpanConnector<K>);
 

@@ -29,9 +29,7 @@ class CoordinateMarkerBatch : public MarkerBatch {
   bool constant_pull_back() const override { return true; }
   void geometric(const Evaluation&, const Weights&, const Ports&, double*) const override {}
   bool traceable() const override { return true; }
-  void trace_evaluate(const TracedEvaluation& evaluation, TracedPorts& ports) const override;
-  void trace_evaluate_tangent(const TracedEvaluation& evaluation, const Weights& weights, TracedPorts& ports) const override;
-  void trace_pull_back(const TracedEvaluation& evaluation, TracedPorts& ports, Traced* r) const override;
+  void trace(const TracedCall& call) const override;
 
  private:
   template <class S>
