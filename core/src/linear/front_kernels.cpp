@@ -11,7 +11,6 @@
 #include "listed_lu.hpp"
 #include "packs.hpp"
 
-#define INLINE [[gnu::always_inline]] inline
 // Registers instead of arrays.
 #define UNROLL _Pragma("GCC unroll 8")
 #define FRONT_KERNELS \

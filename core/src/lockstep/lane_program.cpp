@@ -241,7 +241,7 @@ void LaneProgram::set_constants(int lane, std::span<const double> constants) {
   for (const Constant& c : constants_) memory_[c.place].at(lane) = constants[static_cast<std::size_t>(c.first)];
 }
 
-[[gnu::always_inline]] inline void LaneProgram::execute(const Run* run, const Run* end, const Instruction* first, const Instruction* next,
+DALEMBERT_INLINE inline void LaneProgram::execute(const Run* run, const Run* end, const Instruction* first, const Instruction* next,
                                                            LaneBlock* memory) {
   const auto each = [&](std::uint32_t last, auto&& f) {
     for (const Instruction* stop = first + last; next != stop; ++next) f(*next);

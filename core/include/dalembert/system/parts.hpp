@@ -17,6 +17,7 @@
 
 #include "dalembert/math/few_numbers.hpp"
 #include "dalembert/math/rotations.hpp"
+#include "dalembert/math/stretch.hpp"
 #include "dalembert/model/member.hpp"
 #include "dalembert/model/model.hpp"
 #include "dalembert/system/load_dependencies.hpp"
@@ -51,12 +52,6 @@ struct Membership {
 inline void append_range(std::vector<int>& list, int first, int count) {
   for (int i = 0; i < count; ++i) list.push_back(first + i);
 }
-
-// A part of a list of numbers that all items share.
-struct Stretch {
-  std::uint32_t first = 0, count = 0;
-  std::span<const int> of(const std::vector<int>& numbers) const { return {numbers.data() + first, count}; }
-};
 
 struct ObjectPlace {
   const ItemType* type = nullptr;
@@ -231,7 +226,7 @@ struct SystemParts {
   // Calls f(region) for all regions, small ones first, those of one size side by side. What `f` captures is best captured by
   // value: it stays in registers where there is one region.
   template <class F>
-  [[gnu::always_inline]] void each_region(F f) const {
+  DALEMBERT_INLINE void each_region(F f) const {
     plan.regions.size() == 1 ? f(plan.regions.front()) : each_of_several_regions(f);
   }
   Pattern make_sparse_pattern() const;
