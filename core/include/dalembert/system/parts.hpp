@@ -69,6 +69,11 @@ struct MarkerPlace {
   Stretch objects;  // of SystemParts::references
 };
 
+// A marker, and which of the bodies that it sits on is meant.
+struct MarkerSeat {
+  int marker = -1, which = 0;
+};
+
 struct LoadPlace {
   const ItemType* type = nullptr;
   std::shared_ptr<const void> record;
@@ -171,6 +176,8 @@ struct SystemParts {
   std::vector<SensorPlace> sensors;
   std::vector<int> completed;    // objects with parameters that Assemble finds
   std::vector<int> references;  // what items refer to
+  std::vector<MarkerSeat> seats;         // by objects, then nodes; listed when they are first asked for
+  std::vector<std::uint32_t> seats_end;  // of each of them
   std::array<std::unordered_map<int, std::string>, item_kinds> given_names;  // of those that have one
   Model::Titles titles;
 
@@ -212,6 +219,8 @@ struct SystemParts {
   std::string describe(ItemKind kind, int number) const;  // for diagnoses
   const ItemType& type_of(ItemKind kind, int number) const;
   SensorPlace place_sensor(const Item& item) const;
+  // The markers that depend on the parameters of an object, or of a node that rests.
+  std::span<const MarkerSeat> markers_on(ItemKind kind, int number);
   void check_sensors() const;  // refuses output variables that an item cannot have
   State& state(ConfigurationType c) { return state_of(states.data(), c); }
   // The global coordinates of an object's nodes, and those that its markers move.
