@@ -361,7 +361,7 @@ bool ExplicitSolver::accelerations(Vector& a, std::span<double> y_t) {
 }
 
 [[gnu::noinline]] void ExplicitSolver::announce_mass_matrix() {
-  const Pattern& pattern = system().mass_pattern();
+  const Pattern& pattern = system().pattern(false);
   std::vector<double> values(static_cast<std::size_t>(pattern.values()));
   system().mass_matrix(current(), pattern, values);
   say(4, "  mass matrix =\n    " + matrix_text(dense_rows(pattern, values, sizes_.ode2), sizes_.ode2, settings().outputPrecision) + "\n");
