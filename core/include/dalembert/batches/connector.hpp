@@ -6,7 +6,7 @@
 #include <ranges>
 #include <utility>
 
-#include "dalembert/batches/lawful_spans.hpp"
+#include "dalembert/batches/span_laws.hpp"
 #include "dalembert/batches/many_ports.hpp"
 #include "dalembert/batches/port_sweep.hpp"
 #include "dalembert/batches/span_tangent.hpp"
@@ -34,7 +34,7 @@ class PortBatch final : public Term {
 
   void reserve(int entries) override {
     entries_.reserve(static_cast<std::size_t>(entries));
-    if constexpr (LawfulConnector<K>) spans_.reserve(static_cast<std::size_t>(entries));
+    if constexpr (SpanLawConnector<K>) spans_.reserve(static_cast<std::size_t>(entries));
   }
   void add(const void* record, const Placement& placement, const Ports& ports) override {
     Entry e;
@@ -47,14 +47,14 @@ class PortBatch final : public Term {
     e.first_data = placement.first_data;
     e.data_count = placement.data_count;
     entries_.push_back(std::move(e));
-    if constexpr (LawfulConnector<K>) {
+    if constexpr (SpanLawConnector<K>) {
       spans_.add(entries_.back().offsets);
       take_law(static_cast<int>(entries_.size()) - 1);
     }
   }
   void refresh(int entry, const void* record) override {
     entries_[entry].parameters = parameters_between_markers<typename K::Parameters, Record>(record);
-    if constexpr (LawfulConnector<K>) take_law(entry);
+    if constexpr (SpanLawConnector<K>) take_law(entry);
   }
   void visit(BlockVisitor& visitor, const Ports& ports) const override {
     if constexpr (is_constant) return;
@@ -65,10 +65,10 @@ class PortBatch final : public Term {
   }
 
   void residual(const Evaluation& evaluation, Ports& ports, double*) const override {
-    if constexpr (LawfulConnector<K>) {
+    if constexpr (SpanLawConnector<K>) {
       spans_.add_forces(ports.values.data(), ports.forces.data());
-      const auto lawless = spans_.lawless() | std::views::transform([this](int entry) -> const Entry& { return entries_[entry]; });
-      add_forces_of(lawless, evaluation, ports, std::make_index_sequence<M>());
+      const auto by_kernel = spans_.without_law() | std::views::transform([this](int entry) -> const Entry& { return entries_[entry]; });
+      add_forces_of(by_kernel, evaluation, ports, std::make_index_sequence<M>());
     } else {
       add_forces_of(entries_, evaluation, ports, std::make_index_sequence<M>());
     }
@@ -206,10 +206,10 @@ class PortBatch final : public Term {
   }
 
   // Connectors with user functions have no law; what is switched off obeys one that gives no force.
-  void take_law(int entry) requires LawfulConnector<K> {
+  void take_law(int entry) requires SpanLawConnector<K> {
     const typename K::Parameters& p = entries_[entry].parameters;
-    if (!has_closed_form(p)) spans_.leave(entry);
-    else spans_.obey(entry, active(p) ? K::law(p) : spans_.no_force);
+    if (!has_closed_form(p)) spans_.drop_law(entry);
+    else spans_.set_law(entry, active(p) ? K::law(p) : spans_.no_force);
   }
 
   std::vector<Entry> entries_;

@@ -16,8 +16,8 @@
 
 namespace dalembert {
 
-template <LawfulConnector K>
-class LawfulSpans {
+template <SpanLawConnector K>
+class SpanLaws {
  public:
   using Law = typename K::template Law<double>;
 
@@ -35,16 +35,16 @@ class LawfulSpans {
       std::fill(blocks_.back().forces[m].begin() + lane, blocks_.back().forces[m].end(), ports[m].force);
     }
   }
-  void obey(int entry, const Law& law) {
-    lawless_.erase(entry);
+  void set_law(int entry, const Law& law) {
+    without_law_.erase(entry);
     place(entry, law);
   }
-  void leave(int entry) {
-    lawless_.insert(entry);
+  void drop_law(int entry) {
+    without_law_.insert(entry);
     place(entry, no_force);
   }
   // Entries that are not computed here.
-  const std::set<int>& lawless() const { return lawless_; }
+  const std::set<int>& without_law() const { return without_law_; }
 
   // To the forces on the markers, one connector after the other. Frames and forces are taken in fours.
   void add_forces(const double* values, double* forces) const {
@@ -92,7 +92,7 @@ class LawfulSpans {
   std::vector<Block> blocks_;
   SharedBlocks<law_size> laws_;
   std::size_t count_ = 0;
-  std::set<int> lawless_;
+  std::set<int> without_law_;
 };
 
 // What a batch of connectors keeps besides: nothing, if its kernel has no laws.
@@ -100,9 +100,9 @@ template <class K>
 struct SpansOf {
   struct Type {};
 };
-template <LawfulConnector K>
+template <SpanLawConnector K>
 struct SpansOf<K> {
-  using Type = LawfulSpans<K>;
+  using Type = SpanLaws<K>;
 };
 
 }  // namespace dalembert
