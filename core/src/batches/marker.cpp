@@ -54,14 +54,13 @@ void CoordinateMarkerBatch::evaluate_tangent(const Evaluation&, const Weights& w
   differentiate(weights, ports);
 }
 void CoordinateMarkerBatch::pull_back(const Evaluation&, Ports& ports, double* r) const { subtract_forces(ports, r); }
-void CoordinateMarkerBatch::trace_evaluate(const TracedEvaluation& evaluation, TracedPorts& ports) const {
-  find_values(evaluation, ports);
-}
-void CoordinateMarkerBatch::trace_evaluate_tangent(const TracedEvaluation&, const Weights& weights, TracedPorts& ports) const {
-  differentiate(weights, ports);
-}
-void CoordinateMarkerBatch::trace_pull_back(const TracedEvaluation&, TracedPorts& ports, Traced* r) const {
-  subtract_forces(ports, r);
+void CoordinateMarkerBatch::trace(const TracedCall& call) const {
+  switch (call.function) {
+    case TracedCall::Function::evaluate: return find_values(call.evaluation, call.ports);
+    case TracedCall::Function::evaluate_tangent: return differentiate(call.weights, call.ports);
+    case TracedCall::Function::pull_back: return subtract_forces(call.ports, call.sums);
+    default: return;
+  }
 }
 
 }  // namespace dalembert

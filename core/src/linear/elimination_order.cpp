@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "dalembert/math/stretch.hpp"
+
 namespace dalembert {
 
 namespace {
@@ -22,13 +24,6 @@ class QuotientGraph {
 
  private:
   enum class State : char { vertex, element, gone };
-  // Part of a list of numbers that all nodes share.
-  struct Stretch {
-    int first = 0, count = 0;
-    std::span<const int> of(const std::vector<int>& numbers) const {
-      return {numbers.data() + first, static_cast<std::size_t>(count)};
-    }
-  };
   struct Node {
     State state = State::vertex;
     int weight = 0;   // unknowns; of an element: of its vertices
@@ -57,7 +52,7 @@ class QuotientGraph {
   template <class F>
   static void erase_if(std::vector<int>& numbers, Stretch& list, F&& f) {
     const auto begin = numbers.begin() + list.first;
-    list.count = static_cast<int>(std::remove_if(begin, begin + list.count, f) - begin);
+    list.count = static_cast<std::uint32_t>(std::remove_if(begin, begin + list.count, f) - begin);
   }
   void forget_gone_elements(Node& node) {
     erase_if(elements_, node.elements, [&](int e) { return is_gone(e); });
@@ -140,7 +135,7 @@ void QuotientGraph::connect(const Pattern& pattern) {
     ++stamp_;
     mark_[i] = stamp_;
     Node& node = nodes_[i];
-    node.vertices.first = node.elements.first = static_cast<int>(vertices_.size());
+    node.vertices.first = node.elements.first = static_cast<std::uint32_t>(vertices_.size());
     const int j = node.first_member;
     for (int k = starts[j]; k < starts[j + 1]; ++k) {
       const int other = group_[rows[k]];
@@ -149,7 +144,7 @@ void QuotientGraph::connect(const Pattern& pattern) {
       vertices_.push_back(other);
       node.degree += nodes_[other].weight;
     }
-    node.vertices.count = static_cast<int>(vertices_.size()) - node.vertices.first;
+    node.vertices.count = static_cast<std::uint32_t>(vertices_.size()) - node.vertices.first;
   }
   elements_.resize(vertices_.size());
 }
@@ -195,7 +190,7 @@ EliminationOrder QuotientGraph::order() {
     eliminate_inner(pivot);
     merge_equal();
     Node& element = nodes_[pivot];
-    element.vertices = {static_cast<int>(vertices_.size()), static_cast<int>(reach_.size())};
+    element.vertices = {static_cast<std::uint32_t>(vertices_.size()), static_cast<std::uint32_t>(reach_.size())};
     vertices_.insert(vertices_.end(), reach_.begin(), reach_.end());
     for (const int i : reach_) {
       Node& node = nodes_[i];

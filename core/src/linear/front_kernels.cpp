@@ -8,8 +8,9 @@
 #include "dalembert/linear/linear_solver.hpp"
 #include "dalembert/math/processor.hpp"
 #include "elimination_list.hpp"
+#include "listed_lu.hpp"
+#include "packs.hpp"
 
-#define INLINE [[gnu::always_inline]] inline
 // Registers instead of arrays.
 #define UNROLL _Pragma("GCC unroll 8")
 #define FRONT_KERNELS \

@@ -238,18 +238,16 @@ class LaneProgram::Compiler {
 LaneProgram::LaneProgram(const Trace& trace, const ConstantClasses& classes) { Compiler(trace, classes, *this).compile(); }
 
 void LaneProgram::set_constants(int lane, std::span<const double> constants) {
-  for (const Constant& c : constants_) memory_[c.place][lane] = constants[static_cast<std::size_t>(c.first)];
+  for (const Constant& c : constants_) memory_[c.place].at(lane) = constants[static_cast<std::size_t>(c.first)];
 }
 
-[[gnu::always_inline]] inline void LaneProgram::execute(const Run* run, const Run* end, const Instruction* first, const Instruction* next,
-                                                           LaneVector* memory) {
+DALEMBERT_INLINE inline void LaneProgram::execute(const Run* run, const Run* end, const Instruction* first, const Instruction* next,
+                                                           LaneBlock* memory) {
   const auto each = [&](std::uint32_t last, auto&& f) {
     for (const Instruction* stop = first + last; next != stop; ++next) f(*next);
   };
-  const auto lane_by_lane = [](LaneVector& to, const LaneVector& from, auto&& f) {
-    LaneVector result;
-    for (int i = 0; i < block_lanes; ++i) result[i] = f(from[i]);
-    to = result;
+  const auto lane_by_lane = [](LaneBlock& to, const LaneBlock& from, auto&& f) {
+    to = LaneBlock::of_each([&](int lane) { return f(from[lane]); });
   };
   for (; run != end; ++run) {
     switch (run->kind) {
@@ -269,14 +267,13 @@ void LaneProgram::set_constants(int lane, std::span<const double> constants) {
         break;
       case Kind::turn:
         each(run->end, [&](const Instruction& i) {
-          const double* angle = reinterpret_cast<const double*>(memory + i.a);
           LaneBlock sine, cosine;
           for (int k = 0; k < block_lanes; ++k) {
-            cosine[k] = std::cos(angle[k]);
-            sine[k] = std::sin(angle[k]);
+            cosine.at(k) = std::cos(memory[i.a][k]);
+            sine.at(k) = std::sin(memory[i.a][k]);
           }
-          memory[i.b] = reinterpret_cast<const LaneVector&>(sine);
-          memory[i.result] = reinterpret_cast<const LaneVector&>(cosine);
+          memory[i.b] = sine;
+          memory[i.result] = cosine;
         });
         break;
     }
@@ -288,7 +285,7 @@ void LaneProgram::run(int part) {
   const Part& end = parts_[static_cast<std::size_t>(part) + 1];
   in_block_registers([&] {
     execute(runs_.data() + begin.run, runs_.data() + end.run, instructions_.data(), instructions_.data() + begin.instruction,
-            vectors(memory_));
+            memory_.data());
   });
 }
 

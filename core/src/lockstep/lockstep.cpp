@@ -30,7 +30,7 @@ void Lockstep::each(const Lanes& wanted, F&& f) {
 }
 
 template <class F>
-Lockstep::Lanes Lockstep::those(const Lanes& among, F&& f) {
+Lockstep::Lanes Lockstep::which(const Lanes& among, F&& f) {
   Lanes result{};
   each(among, [&](int i, Lane& lane) { result[static_cast<std::size_t>(i)] = f(lane); });
   return result;
@@ -76,7 +76,7 @@ std::vector<bool> Lockstep::solve_steps(std::span<SecondOrderSolver* const> solv
   }
   compile();
   for (;;) {
-    const Lanes going = those(all_here(), [](Lane& lane) { return lane.solver->next_step(); });
+    const Lanes going = which(all_here(), [](Lane& lane) { return lane.solver->next_step(); });
     if (std::ranges::none_of(going, [](bool x) { return x; })) break;
     take_step(going);
   }
@@ -104,11 +104,11 @@ void Lockstep::take_step(const Lanes& lanes) {
   find_residuals(lanes);
   each(lanes, [](int, Lane& lane) { lane.solver->judge_start(lane.norm); });
   for (;;) {
-    const Lanes iterating = those(lanes, [](Lane& lane) { return lane.solver->goes_on(); });
+    const Lanes iterating = which(lanes, [](Lane& lane) { return lane.solver->goes_on(); });
     if (std::ranges::none_of(iterating, [](bool x) { return x; })) break;
     iterate(iterating);
   }
-  correct_motion(those(lanes, [](Lane& lane) { return lane.solver->succeeded() && lane.solver->leaves_correction(); }));
+  correct_motion(which(lanes, [](Lane& lane) { return lane.solver->succeeded() && lane.solver->leaves_correction(); }));
   each(lanes, [](int, Lane& lane) {
     lane.here = lane.solver->succeeded();
     if (!lane.here) return;
@@ -125,7 +125,7 @@ bool Lockstep::is_usual(const SecondOrderSolver& solver) {
 }
 
 void Lockstep::iterate(const Lanes& lanes) {
-  renew_factors(those(lanes, [](Lane& lane) { return lane.solver->begin_iteration(); }));
+  renew_factors(which(lanes, [](Lane& lane) { return lane.solver->begin_iteration(); }));
   correct_motion(lanes);
   find_residuals(lanes);
   each(lanes, [](int, Lane& lane) {
@@ -138,7 +138,7 @@ void Lockstep::find_residuals(const Lanes& lanes) {
   each(lanes, [&](int i, Lane& lane) {
     each_input(lane.solver->current(), [&](int first, const std::vector<double>& part) {
       LaneBlock* to = &program_.input(first);
-      for (const double x : part) (*to++)[i] = x;
+      for (const double x : part) (to++)->at(i) = x;
     });
   });
   program_.run(0);
@@ -156,7 +156,7 @@ int Lockstep::matrix_output(int k) const { return static_cast<int>(right_hand_si
 void Lockstep::renew_factors(const Lanes& lanes) {
   if (std::ranges::none_of(lanes, [](bool x) { return x; })) return;
   program_.run(1);
-  const Lanes known = those(lanes, [](Lane& lane) { return lane.factors != nullptr; });
+  const Lanes known = which(lanes, [](Lane& lane) { return lane.factors != nullptr; });
   factorize(known);
   Lanes searched{};
   each(lanes, [&](int i, Lane& lane) {
@@ -190,8 +190,8 @@ LaneFactors& Lockstep::factors_for(std::span<const int> row_of_step) {
 
 void Lockstep::factorize(const Lanes& lanes) {
   for (const auto& factors : factors_) {
-    const Lanes mine = those(all_here(), [&](Lane& lane) { return lane.factors == factors.get(); });
-    const Lanes wanted = those(lanes, [&](Lane& lane) { return lane.factors == factors.get(); });
+    const Lanes mine = which(all_here(), [&](Lane& lane) { return lane.factors == factors.get(); });
+    const Lanes wanted = which(lanes, [&](Lane& lane) { return lane.factors == factors.get(); });
     if (std::ranges::none_of(wanted, [](bool x) { return x; })) continue;
     factors->factorize(wanted, wanted != mine, [this](int k) -> const LaneBlock& { return program_.output(matrix_output(k)); });
   }
@@ -205,10 +205,10 @@ void Lockstep::correct_motion(const Lanes& lanes) {
 void Lockstep::find_increments(const Lanes& lanes) {
   each(lanes, [&](int i, Lane& lane) {
     const std::span<const double> r = lane.solver->residual();
-    for (std::size_t k = 0; k < r.size(); ++k) right_hand_sides_[k][i] = r[k];
+    for (std::size_t k = 0; k < r.size(); ++k) right_hand_sides_[k].at(i) = r[k];
   });
   for (const auto& factors : factors_) {
-    const Lanes mine = those(lanes, [&](Lane& lane) { return lane.factors == factors.get(); });
+    const Lanes mine = which(lanes, [&](Lane& lane) { return lane.factors == factors.get(); });
     if (std::ranges::none_of(mine, [](bool x) { return x; })) continue;
     const std::vector<LaneBlock>& x = factors->solve(right_hand_sides_);
     each(mine, [&](int i, Lane& lane) {

@@ -41,7 +41,7 @@ class Lockstep {
   template <class F>
   void each(const Lanes& wanted, F&& f);
   template <class F>
-  Lanes those(const Lanes& among, F&& f);
+  Lanes which(const Lanes& among, F&& f);
   Lanes all_here() const;
   bool note(Lane& lane);
   static bool is_usual(const SecondOrderSolver& solver);  // after an iteration

@@ -190,7 +190,7 @@ bool ExplicitSolver::newton() {
 void ExplicitSolver::compute_step() { verlet_ ? verlet_step() : runge_kutta_step(); }
 
 // What grows shows in the velocities, as forces change them and they carry the coordinates. The end of the solution is looked at whole.
-[[gnu::always_inline]] inline bool ExplicitSolver::stays_bounded() const {
+DALEMBERT_INLINE inline bool ExplicitSolver::stays_bounded() const {
   const State& now = system().state(ConfigurationType::Current);
   double motion = 0;
   if (now.v.size() <= few_numbers) {

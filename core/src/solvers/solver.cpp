@@ -21,7 +21,7 @@ void take(const System& system, const std::vector<double>& from, std::vector<dou
   copy_numbers(system, from.data(), from.size(), to.data());
 }
 
-[[gnu::always_inline]] inline void take_all_but_motion(const System& system, const State& from, State& to) {
+DALEMBERT_INLINE inline void take_all_but_motion(const System& system, const State& from, State& to) {
   take(system, from.y, to.y);
   take(system, from.y_t, to.y_t);
   take(system, from.lambda, to.lambda);

@@ -17,7 +17,7 @@ void each(const Batches& batches, F&& f) {
 
 // Parts of an evaluation are inlined: a call takes as long as what small systems compute.
 // The pointers and conditions of an evaluation. The totals at q are left to the caller.
-[[gnu::always_inline]] inline Evaluation view_of(const SystemParts& parts, const State& state, const Conditions& conditions) {
+DALEMBERT_INLINE inline Evaluation view_of(const SystemParts& parts, const State& state, const Conditions& conditions) {
   const bool rests = &state == &parts.states[static_cast<std::size_t>(ConfigurationType::Reference)];
   const double* zeros = parts.work.data() + parts.sizes.total();
   return {.q = parts.total.data(),
@@ -37,7 +37,7 @@ void each(const Batches& batches, F&& f) {
 }
 
 // In each region: what a thread writes it meets again in its cache.
-[[gnu::always_inline]] inline void find_totals(SystemParts& parts, const RegionPlan& region, const Evaluation& e) {
+DALEMBERT_INLINE inline void find_totals(SystemParts& parts, const RegionPlan& region, const Evaluation& e) {
   const double* reference = parts.state(ConfigurationType::Reference).q.data();
   region.numbers.coordinates.each([reference, u = e.u, q = parts.total.data()](std::size_t first, std::size_t count) {
     each_number(count, [q = q + first, from = reference + first, u = u + first](std::size_t i) { q[i] = from[i] + u[i]; });
@@ -124,7 +124,7 @@ class Flagged {
 };
 
 // Constant loads are there from the start.
-[[gnu::always_inline]] inline void begin_residual(SystemParts& parts, const RegionPlan& region, double load_factor, bool loads, double* r) {
+DALEMBERT_INLINE inline void begin_residual(SystemParts& parts, const RegionPlan& region, double load_factor, bool loads, double* r) {
   const double* constant = loads && !parts.plan.constant.residual.empty() ? parts.plan.constant.residual.data() : nullptr;
   region.numbers.rows.each([=](std::size_t first, std::size_t count) {
     if (constant == nullptr) return clear_numbers(r + first, count);
@@ -137,7 +137,7 @@ class Flagged {
   });
 }
 
-[[gnu::always_inline]] inline void find_residual(SystemParts& parts, const Evaluation& e, double* r, bool loads = true) {
+DALEMBERT_INLINE inline void find_residual(SystemParts& parts, const Evaluation& e, double* r, bool loads = true) {
   const Flagged evaluating(parts.evaluating);
   parts.evaluate_resting(e);
   parts.each_region([&parts, &e, r, loads](const RegionPlan& region) DALEMBERT_INLINE {

@@ -1,5 +1,6 @@
 #include "dalembert/system/system.hpp"
 
+#include <numeric>
 #include <utility>
 
 #include "dalembert/model/errors.hpp"
@@ -72,6 +73,27 @@ std::vector<ItemReference> all_items(const Model& model) {
 
 }  // namespace
 
+std::span<const MarkerSeat> SystemParts::markers_on(ItemKind kind, int number) {
+  const auto each_seat = [this](auto&& f) {
+    for (std::size_t m = 0; m < markers.size(); ++m) {
+      const MarkerPlace& marker = markers[m];
+      const auto on = marker.objects.of(references);
+      for (std::size_t k = 0; k < on.size(); ++k) f(static_cast<std::size_t>(on[k]), MarkerSeat{static_cast<int>(m), static_cast<int>(k)});
+      if (marker.object < 0 && marker.node >= 0) f(objects.size() + static_cast<std::size_t>(marker.node), MarkerSeat{static_cast<int>(m), 0});
+    }
+  };
+  if (seats_end.empty()) {
+    seats_end.assign(objects.size() + nodes.size() + 1, 0);
+    each_seat([&](std::size_t owner, const MarkerSeat&) { ++seats_end[owner + 1]; });
+    std::partial_sum(seats_end.begin(), seats_end.end(), seats_end.begin());
+    seats.resize(seats_end.back());
+    each_seat([&](std::size_t owner, const MarkerSeat& seat) { seats[seats_end[owner]++] = seat; });
+  }
+  const std::size_t owner = static_cast<std::size_t>(number) + (kind == ItemKind::node ? objects.size() : 0);
+  const std::uint32_t first = owner == 0 ? 0 : seats_end[owner - 1];
+  return std::span(seats).subspan(first, seats_end[owner] - first);
+}
+
 void System::refresh(const Model& model) {
   SystemParts& parts = *parts_;
   if (std::exchange(late_, nullptr) != nullptr && parts.structure == model.structure_changes())
@@ -88,25 +110,26 @@ void System::refresh(const Model& model) {
     const auto& physics = static_cast<const ObjectPhysics&>(*place.type->physics);
     if (physics.completes()) place.record = physics.completed(place.record.get(), placing.of_object(number), {model, ItemKind::object, number});
   };
+  const auto tell_markers = [&](ItemKind kind, int number, const void* record) {
+    for (const auto& [marker, which] : parts.markers_on(kind, number)) {
+      const auto& [batch, entry] = parts.markers[static_cast<std::size_t>(marker)].member;
+      batch->refresh_owners(entry, which, record);
+    }
+  };
   const auto renew = [&](ItemKind kind, int number) {
     const auto& record = model.item(kind, number).record;
     const auto i = static_cast<std::size_t>(number);
     switch (kind) {
       case ItemKind::node:  // its reference and initial values need another assembling, unless it rests
         parts.nodes[i].record = record;
-        for (MarkerPlace& marker : parts.markers)
-          if (marker.object < 0 && marker.node == number && parts.nodes[i].sizes.ode2 == 0)
-            marker.member.batch->refresh_owners(marker.member.entry, 0, record.get());
+        if (parts.nodes[i].sizes.ode2 == 0) tell_markers(kind, number, record.get());
         break;
       case ItemKind::object:
         parts.objects[i].record = record;
         complete(parts.objects[i], number);
         parts.objects[i].member.batch->refresh(parts.objects[i].member.entry, parts.objects[i].record.get());
         parts.look_for_functions(parts.objects[i]);
-        for (MarkerPlace& marker : parts.markers)
-          for (std::size_t k = 0; k < marker.objects.count; ++k)
-            if (marker.objects.of(parts.references)[k] == number)
-              marker.member.batch->refresh_owners(marker.member.entry, static_cast<int>(k), parts.objects[i].record.get());
+        tell_markers(kind, number, parts.objects[i].record.get());
         break;
       case ItemKind::marker: {
         MarkerPlace& marker = parts.markers[i];

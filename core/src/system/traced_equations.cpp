@@ -48,11 +48,13 @@ void TracedEquations::residual(const TracedState& state, const Conditions& condi
   const std::vector<double>& constant = parts_.plan.constant.residual;
   for (std::size_t i = 0; i < r.size(); ++i) r[i] = conditions.loads && !constant.empty() ? conditions.load_factor * constant[i] : 0.0;
   std::ranges::fill(ports_.forces, Traced());
-  for (const MarkerBatch* batch : plan.moving) batch->trace_evaluate(e, ports_);
-  for (const Term* term : plan.terms) term->trace_residual(e, ports_, r.data());
-  if (conditions.loads)
-    for (const Term* load : plan.changing_loads) load->trace_residual(e, ports_, r.data());
-  for (const MarkerBatch* batch : plan.pulled) batch->trace_pull_back(e, ports_, r.data());
+  const auto note = [&](const auto& batches, TracedCall::Function function) {
+    for (const auto* batch : batches) batch->trace({function, e, Weights{}, ports_, r.data()});
+  };
+  note(plan.moving, TracedCall::Function::evaluate);
+  note(plan.terms, TracedCall::Function::residual);
+  if (conditions.loads) note(plan.changing_loads, TracedCall::Function::residual);
+  note(plan.pulled, TracedCall::Function::pull_back);
 }
 
 void TracedEquations::tangent(const TracedState& state, const Conditions& conditions, const Weights& weights, const Pattern& pattern,
@@ -67,11 +69,13 @@ void TracedEquations::tangent(const TracedState& state, const Conditions& condit
   const RegionPlan& plan = parts_.plan.regions.front();
   std::ranges::fill(values, Traced());
   ports_.differentiate();
-  for (const MarkerBatch* batch : plan.differentiated) batch->trace_evaluate_tangent(e, weights, ports_);
-  for (const Term* term : plan.terms) term->trace_tangent(e, weights, ports_, values.data());
-  if (conditions.loads)
-    for (const Term* load : plan.loads) load->trace_tangent(e, weights, ports_, values.data());
-  for (const MarkerBatch* batch : plan.moving) batch->trace_geometric(e, weights, ports_, values.data());
+  const auto note = [&](const auto& batches, TracedCall::Function function) {
+    for (const auto* batch : batches) batch->trace({function, e, weights, ports_, values.data()});
+  };
+  note(plan.differentiated, TracedCall::Function::evaluate_tangent);
+  note(plan.terms, TracedCall::Function::tangent);
+  if (conditions.loads) note(plan.loads, TracedCall::Function::tangent);
+  note(plan.moving, TracedCall::Function::geometric);
 }
 
 }  // namespace dalembert

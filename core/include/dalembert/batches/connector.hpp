@@ -6,7 +6,7 @@
 #include <ranges>
 #include <utility>
 
-#include "dalembert/batches/lawful_spans.hpp"
+#include "dalembert/batches/span_laws.hpp"
 #include "dalembert/batches/many_ports.hpp"
 #include "dalembert/batches/port_sweep.hpp"
 #include "dalembert/batches/span_tangent.hpp"
@@ -34,7 +34,7 @@ class PortBatch final : public Term {
 
   void reserve(int entries) override {
     entries_.reserve(static_cast<std::size_t>(entries));
-    if constexpr (LawfulConnector<K>) spans_.reserve(static_cast<std::size_t>(entries));
+    if constexpr (SpanLawConnector<K>) spans_.reserve(static_cast<std::size_t>(entries));
   }
   void add(const void* record, const Placement& placement, const Ports& ports) override {
     Entry e;
@@ -47,14 +47,14 @@ class PortBatch final : public Term {
     e.first_data = placement.first_data;
     e.data_count = placement.data_count;
     entries_.push_back(std::move(e));
-    if constexpr (LawfulConnector<K>) {
+    if constexpr (SpanLawConnector<K>) {
       spans_.add(entries_.back().offsets);
       take_law(static_cast<int>(entries_.size()) - 1);
     }
   }
   void refresh(int entry, const void* record) override {
     entries_[entry].parameters = parameters_between_markers<typename K::Parameters, Record>(record);
-    if constexpr (LawfulConnector<K>) take_law(entry);
+    if constexpr (SpanLawConnector<K>) take_law(entry);
   }
   void visit(BlockVisitor& visitor, const Ports& ports) const override {
     if constexpr (is_constant) return;
@@ -65,29 +65,26 @@ class PortBatch final : public Term {
   }
 
   void residual(const Evaluation& evaluation, Ports& ports, double*) const override {
-    if constexpr (LawfulConnector<K>) {
+    if constexpr (SpanLawConnector<K>) {
       spans_.add_forces(ports.values.data(), ports.forces.data());
-      const auto lawless = spans_.lawless() | std::views::transform([this](int entry) -> const Entry& { return entries_[entry]; });
-      add_forces_of(lawless, evaluation, ports, std::make_index_sequence<M>());
+      const auto by_kernel = spans_.without_law() | std::views::transform([this](int entry) -> const Entry& { return entries_[entry]; });
+      add_forces_of(by_kernel, evaluation, ports, std::make_index_sequence<M>());
     } else {
       add_forces_of(entries_, evaluation, ports, std::make_index_sequence<M>());
     }
   }
   void tangent(const Evaluation& evaluation, const Weights&, Ports& ports, double* values) const override {
     if constexpr (is_constant) return;
-    const int* slot = slots.data();
-    for (const Entry& e : entries_) {
-      const Columns<M> columns(ports, e.markers);
-      if (active(e.parameters) && !add_in_closed_form(e, ports, slot, values))
-        for (int first = 0; first < columns.total; first += sweep_width) {
-          std::array<typename Port::template Frame<SweepDual>, M> frames;
-          for (int m = 0; m < M; ++m)
-            frames[m] = read_moving_frame<Port>(ports, e.markers[m], columns.offset[m], first);
-          const auto forces = kernel_forces<K, M, SweepDual>(e.parameters, context(evaluation, e), frames);
-          scatter_forces<Port, M>(ports, e.markers, columns, first, -1.0, forces, slot, values);
-        }
-      slot += columns.total * columns.total;
-    }
+    each_block(ports, [&](const Entry& e, const Columns<M>& columns, const int* slot) {
+      if (add_in_closed_form(e, ports, slot, values)) return;
+      for (int first = 0; first < columns.total; first += sweep_width) {
+        std::array<typename Port::template Frame<SweepDual>, M> frames;
+        for (int m = 0; m < M; ++m)
+          frames[m] = read_moving_frame<Port>(ports, e.markers[m], columns.offset[m], first);
+        const auto forces = kernel_forces<K, M, SweepDual>(e.parameters, context(evaluation, e), frames);
+        scatter_forces<Port, M>(ports, e.markers, columns, first, -1.0, forces, slot, values);
+      }
+    });
   }
 
   bool has_tangent() const override { return !is_constant; }
@@ -95,17 +92,12 @@ class PortBatch final : public Term {
   bool traceable() const override {
     return is_traced && std::ranges::all_of(entries_, [](const Entry& e) { return has_closed_form(e.parameters); });
   }
-  void trace_residual(const TracedEvaluation& evaluation, TracedPorts& ports, Traced*) const override {
-    if constexpr (is_traced) add_forces_of(entries_, evaluation, ports, std::make_index_sequence<M>());
-  }
-  void trace_tangent(const TracedEvaluation&, const Weights&, TracedPorts& ports, Traced* values) const override {
-    if constexpr (is_traced && !is_constant) {
-      const int* slot = slots.data();
-      for (const Entry& e : entries_) {
-        if (active(e.parameters)) add_in_closed_form(e, ports, slot, values);
-        const int total = Columns<M>(ports, e.markers).total;
-        slot += total * total;
-      }
+  void trace(const TracedCall& call) const override {
+    if constexpr (is_traced) {
+      if (call.function == TracedCall::Function::residual)
+        return add_forces_of(entries_, call.evaluation, call.ports, std::make_index_sequence<M>());
+      if constexpr (!is_constant)
+        each_block(call.ports, [&](const Entry& e, const Columns<M>&, const int* slot) { add_in_closed_form(e, call.ports, slot, call.sums); });
     }
   }
 
@@ -145,19 +137,22 @@ class PortBatch final : public Term {
     }
   }
 
+  // Calls f(entry, columns, slots) for those that act, with the block of the tangent that is theirs.
+  template <class S, class F>
+  void each_block(const PortsOf<S>& ports, const F& f) const {
+    const int* slot = slots.data();
+    for (const Entry& e : entries_) {
+      const Columns<M> columns(ports, e.markers);
+      if (active(e.parameters)) f(e, columns, slot);
+      slot += columns.total * columns.total;
+    }
+  }
+
   static constexpr bool is_load = M == 1;
-  static constexpr bool has_update = [] {
-    if constexpr (is_load) return false;
-    else return K::has_history;
-  }();
-  static constexpr bool is_constant = [] {
-    if constexpr (is_load) return K::is_constant;
-    else return false;
-  }();
-  static constexpr bool has_data = [] {
-    if constexpr (is_load) return false;
-    else return K::data_coordinates != 0;
-  }();
+  // Loads have no history, and connectors are never constant.
+  using History = std::conditional_t<is_load, NoPairHistory, K>;
+  using Change = std::conditional_t<is_load, K, ReadsMarker>;
+  static constexpr bool has_update = History::has_history, has_data = History::data_coordinates != 0, is_constant = Change::is_constant;
   // Whether its arithmetic may be noted, where `has_closed_form` says so as well.
   static constexpr bool is_traced = is_load || (!has_update && LinearSpanConnector<K>);
 
@@ -211,10 +206,10 @@ class PortBatch final : public Term {
   }
 
   // Connectors with user functions have no law; what is switched off obeys one that gives no force.
-  void take_law(int entry) requires LawfulConnector<K> {
+  void take_law(int entry) requires SpanLawConnector<K> {
     const typename K::Parameters& p = entries_[entry].parameters;
-    if (!has_closed_form(p)) spans_.leave(entry);
-    else spans_.obey(entry, active(p) ? K::law(p) : spans_.no_force);
+    if (!has_closed_form(p)) spans_.drop_law(entry);
+    else spans_.set_law(entry, active(p) ? K::law(p) : spans_.no_force);
   }
 
   std::vector<Entry> entries_;

@@ -72,39 +72,22 @@ class ConstraintBatch final : public Term {
     }
   }
   bool traceable() const override { return LinearConstraint<K>; }
-  void trace_residual(const TracedEvaluation& evaluation, TracedPorts& ports, Traced* r) const override {
-    if constexpr (LinearConstraint<K>)
-      for (const Entry& e : entries_) add_residual<Traced>(e, evaluation, ports, r);
-  }
-  void trace_tangent(const TracedEvaluation& evaluation, const Weights& weights, TracedPorts& ports, Traced* values) const override {
+  void trace(const TracedCall& call) const override {
     if constexpr (LinearConstraint<K>) {
-      const int* slot = slots.data();
-      for (const Entry& e : entries_) {
-        const BlockSlots blocks(slot, Columns<2>(ports, e.markers).total);
-        slot = blocks.end();
-        if (add_diagonal(e, blocks, values))
-          add_linear(e, ports, at_rate_level(e.parameters, evaluation.rate_level), row_scale(weights), blocks.gaps, values);
-      }
+      if (call.function == TracedCall::Function::tangent) return add_linear_blocks(call.evaluation, call.weights, call.ports, call.sums);
+      for (const Entry& e : entries_) add_residual<Traced>(e, call.evaluation, call.ports, call.sums);
     }
   }
 
   void tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports, double* values) const override {
-    const int* slot = slots.data();
+    if constexpr (LinearConstraint<K>) return add_linear_blocks(evaluation, weights, ports, values);
     const double scale = row_scale(weights);
-    for (const Entry& e : entries_) {
-      const Columns<2> columns(ports, e.markers);
-      const BlockSlots blocks(slot, columns.total);
+    each_block(ports, values, [&](const Entry& e, const Columns<2>& columns, const BlockSlots& blocks) {
       const auto [gap_slots, multiplier_slots, force_slots, diagonal] = blocks;
-      slot = blocks.end();
-      if (!add_diagonal(e, blocks, values)) continue;
-      if constexpr (LinearConstraint<K>) {
-        add_linear(e, ports, at_rate_level(e.parameters, evaluation.rate_level), scale, gap_slots, values);
-        continue;
-      }
       if constexpr (TabulatedJoint<K>)
         if (!evaluation.rate_level && weights.q != 0 && in_closed_form(e, ports)) {
           in_wide_registers([&] { closed_form(e, evaluation, weights, ports, gap_slots, values); });
-          continue;
+          return;
         }
       const Context c = Context::of(evaluation, e.item);
       multiplier_columns(e, c, ports, columns, multiplier_slots, values);
@@ -120,7 +103,7 @@ class ConstraintBatch final : public Term {
         const auto forces = reaction<SweepDual>(e.parameters, c, frames, lambda);
         scatter_forces<Port, 2>(ports, e.markers, columns, first, 1.0, forces, force_slots, values);
       }
-    }
+    });
   }
 
   bool output(int entry, OutputVariableType variable, const Vec3<double>&, const Evaluation& evaluation, const Ports& ports,
@@ -221,6 +204,17 @@ class ConstraintBatch final : public Term {
           diagonal(forces + coordinates * coordinates) {}
     const int* end() const { return diagonal + m; }
   };
+  // Calls f(entry, columns, slots) for those that constrain something.
+  template <class S, class F>
+  void each_block(const PortsOf<S>& ports, S* values, const F& f) const {
+    const int* slot = slots.data();
+    for (const Entry& e : entries_) {
+      const Columns<2> columns(ports, e.markers);
+      const BlockSlots blocks(slot, columns.total);
+      slot = blocks.end();
+      if (add_diagonal(e, blocks, values)) f(e, columns, blocks);
+    }
+  }
   // For multipliers that constrain nothing. False: none does.
   template <class S>
   static bool add_diagonal(const Entry& e, const BlockSlots& slots, S* values) {
@@ -284,6 +278,12 @@ class ConstraintBatch final : public Term {
     tangent.add_forces(slots + 2 * m * total, values);
   }
 
+  template <class S>
+  void add_linear_blocks(const EvaluationOf<S>& evaluation, const Weights& weights, const PortsOf<S>& ports, S* values) const {
+    each_block(ports, values, [&](const Entry& e, const Columns<2>&, const BlockSlots& blocks) {
+      add_linear(e, ports, at_rate_level(e.parameters, evaluation.rate_level), row_scale(weights), blocks.gaps, values);
+    });
+  }
   // Slots: gaps by coordinates, multipliers transposed. Forces do not change with the coordinates.
   template <class S>
   static void add_linear(const Entry& e, const PortsOf<S>& ports, bool rate, double row_scale, const int* slots, S* values) {

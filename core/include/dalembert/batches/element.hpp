@@ -62,13 +62,11 @@ class ElementBatch : public Term {
     sweep(evaluation, {.q = 0, .v = 0, .a = 1, .y = 0, .y_t = 0}, values);
   }
   bool traceable() const override { return TracedElement<E>; }
-  void trace_residual(const TracedEvaluation& evaluation, TracedPorts&, Traced* r) const override {
+  void trace(const TracedCall& call) const override {
     if constexpr (TracedElement<E>)
-      for (const Entry& e : entries_) add_residual(e, evaluation, r);
-  }
-  void trace_tangent(const TracedEvaluation& evaluation, const Weights& weights, TracedPorts&, Traced* values) const override {
-    if constexpr (TracedElement<E>)
-      for (std::size_t i = 0; i < entries_.size(); ++i) add_tangent(entries_[i], evaluation, weights, slots.data() + i * slots_per_entry, values);
+      for (std::size_t i = 0; i < entries_.size(); ++i)
+        call.function == TracedCall::Function::residual ? add_residual(entries_[i], call.evaluation, call.sums)
+                                                        : add_tangent(entries_[i], call.evaluation, call.weights, slots_of(i), call.sums);
   }
   bool has_mass() const override { return n > 0; }
   bool constant_mass() const override { return E::constant_mass; }
@@ -143,13 +141,12 @@ class ElementBatch : public Term {
     }
   }
 
+  const int* slots_of(std::size_t entry) const { return slots.data() + entry * slots_per_entry; }
   void sweep(const Evaluation& evaluation, const Weights& weights, double* values) const {
-    if constexpr (n > 0) {
-      const auto slot = [this](std::size_t i) { return slots.data() + i * slots_per_entry; };
+    if constexpr (n > 0)
       each_element(
-          [&]<int L>(std::size_t first, int count) { tangents_in_lanes<L>(first, count, evaluation, weights, slot(first), values); },
-          [&](std::size_t i) { add_tangent(entries_[i], evaluation, weights, slot(i), values); });
-    }
+          [&]<int L>(std::size_t first, int count) { tangents_in_lanes<L>(first, count, evaluation, weights, slots_of(first), values); },
+          [&](std::size_t i) { add_tangent(entries_[i], evaluation, weights, slots_of(i), values); });
   }
 
   template <class S>

@@ -8,6 +8,7 @@
 
 #include "dalembert/batches/mapped_marker.hpp"
 #include "dalembert/batches/relative_marker.hpp"
+#include "dalembert/contracts/marker.hpp"
 #include "dalembert/system/physics.hpp"
 
 namespace dalembert {
@@ -29,9 +30,7 @@ class CoordinateMarkerBatch : public MarkerBatch {
   bool constant_pull_back() const override { return true; }
   void geometric(const Evaluation&, const Weights&, const Ports&, double*) const override {}
   bool traceable() const override { return true; }
-  void trace_evaluate(const TracedEvaluation& evaluation, TracedPorts& ports) const override;
-  void trace_evaluate_tangent(const TracedEvaluation& evaluation, const Weights& weights, TracedPorts& ports) const override;
-  void trace_pull_back(const TracedEvaluation& evaluation, TracedPorts& ports, Traced* r) const override;
+  void trace(const TracedCall& call) const override;
 
  private:
   template <class S>
@@ -52,25 +51,10 @@ class CoordinateMarkerBatch : public MarkerBatch {
   bool totals_;
 };
 
-// A marker kernel says either
-//   shape, local(p): the frame of its body or node at a local position, or
-//   coordinates(p, n): which of the n coordinates of its node it selects, and `totals` = true if with reference values, or
-//   measure(p, m0, m1), forces(p, m0, m1, f): a coordinate between two bodies (batches/relative_marker.hpp), or
-//   map, pull_back: numbers made of all coordinates of its body (contracts/mapped_marker.hpp).
-template <class K>
-concept FrameMarkerKernel = requires(const typename K::Parameters& p) {
-  { K::shape } -> std::convertible_to<FrameShape>;
-  { K::local(p) } -> std::same_as<Vec3<double>>;
-};
-template <class K>
-concept CoordinateMarkerKernel = requires(const typename K::Parameters& p) {
-  { K::coordinates(p, 0) } -> std::same_as<std::vector<int>>;
-};
-
 template <class K, class Record>
 struct MarkerPhysicsOf final : MarkerPhysics {
   static_assert(FrameMarkerKernel<K> || CoordinateMarkerKernel<K> || RelativeMarkerKernel<K> || MappedMarkerKernel<K>,
-                "see core/include/dalembert/batches/marker.hpp");
+                "see core/include/dalembert/contracts/marker.hpp");
 
   void check(const void* record, const Placement& on, const Ports&, const ItemLabel& item) const override {
     if constexpr (RelativeMarkerKernel<K>) check_relative_marker(static_cast<const Record*>(record)->parameters, on, item);
@@ -96,10 +80,8 @@ struct MarkerPhysicsOf final : MarkerPhysics {
       return std::make_unique<RelativeMarkerBatch<K, Record>>();
     } else if constexpr (MappedMarkerKernel<K>) {
       return std::make_unique<MappedMarkerBatch<K, Record>>();
-    } else if constexpr (requires { K::totals; }) {
-      return std::make_unique<CoordinateMarkerBatch>(K::totals);
     } else if constexpr (CoordinateMarkerKernel<K>) {
-      return std::make_unique<CoordinateMarkerBatch>(false);
+      return std::make_unique<CoordinateMarkerBatch>(K::totals);
     }
     return nullptr;
   }

@@ -29,16 +29,14 @@ class PlanarMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeOf>
     add_geometric(evaluation, weights, ports, values);
   }
   bool traceable() const override { return true; }
-  void trace_evaluate(const TracedEvaluation& evaluation, TracedPorts& ports) const override { find_frames(evaluation, ports); }
-  void trace_evaluate_tangent(const TracedEvaluation& evaluation, const Weights& weights, TracedPorts& ports) const override {
-    differentiate(evaluation, weights, ports);
-  }
-  void trace_pull_back(const TracedEvaluation& evaluation, TracedPorts& ports, Traced* r) const override {
-    subtract_forces(evaluation, ports, r);
-  }
-  void trace_geometric(const TracedEvaluation& evaluation, const Weights& weights, const TracedPorts& ports,
-                       Traced* values) const override {
-    add_geometric(evaluation, weights, ports, values);
+  void trace(const TracedCall& call) const override {
+    const auto& [function, evaluation, weights, ports, sums] = call;
+    switch (function) {
+      case TracedCall::Function::evaluate: return find_frames(evaluation, ports);
+      case TracedCall::Function::evaluate_tangent: return differentiate(evaluation, weights, ports);
+      case TracedCall::Function::pull_back: return subtract_forces(evaluation, ports, sums);
+      default: return add_geometric(evaluation, weights, ports, sums);
+    }
   }
 
  private:

@@ -30,7 +30,7 @@ concept LinearSpanConnector = SpanConnector<K> && requires(const typename K::Par
 // Besides span and rate, the force depends on a few numbers alone, its law: several connectors are computed side by side.
 // Law<S> consists of scalars; `force(law, span, rate)` acts on the first marker. A connector has it where `has_tangent`.
 template <class K>
-concept LawfulConnector = SpanConnector<K> &&
+concept SpanLawConnector = SpanConnector<K> &&
     requires(const typename K::Parameters& p, const typename K::template Law<double>& law, const Vec3<double>& v) {
       { K::law(p) } -> std::same_as<typename K::template Law<double>>;
       { K::force(law, v, v) } -> std::same_as<Vec3<double>>;

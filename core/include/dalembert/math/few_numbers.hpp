@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "dalembert/math/inline.hpp"
 #include "dalembert/math/wide_registers.hpp"
 
 namespace dalembert {
@@ -13,11 +14,11 @@ namespace dalembert {
 constexpr std::size_t few_numbers = 8;
 
 // Keeps the compiler from turning the loop around it into another one.
-[[gnu::always_inline]] inline void keep_loop() { asm volatile(""); }
+DALEMBERT_INLINE inline void keep_loop() { asm volatile(""); }
 
 // Calls f(i) for all i below `count`, which is few, in any order. They are spelt out, as a jump takes as long as several numbers do.
 template <class F>
-[[gnu::always_inline]] inline void each_of_few(std::size_t count, F&& f) {
+DALEMBERT_INLINE inline void each_of_few(std::size_t count, F&& f) {
   static_assert(few_numbers == 8);
   switch (count) {
     case 8: f(7); [[fallthrough]];
@@ -34,7 +35,7 @@ template <class F>
 
 // Calls f(i) for all i below `count`, in any order: no result of one call is read by another, and what f holds is copied.
 template <class F>
-[[gnu::always_inline]] inline void each_number(std::size_t count, F&& f) {
+DALEMBERT_INLINE inline void each_number(std::size_t count, F&& f) {
   if (count <= few_numbers) return each_of_few(count, f);
   in_registers_of_four([f, count] {
 #pragma GCC ivdep

@@ -40,7 +40,8 @@ struct RegisterOf<8> {
   using Mask [[gnu::vector_size(8 * sizeof(double))]] = long long;
 };
 
-// To be passed between inlined functions only: how a vector is passed to others depends on the processor.
+// To be passed between inlined functions only: how a vector is passed to others, and where it may lie in memory, depends on the
+// processor (math/lane_block.hpp has packs that stay).
 template <int N>
 struct Pack {
   static constexpr int count = N;

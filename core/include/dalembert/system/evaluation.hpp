@@ -27,7 +27,18 @@ struct EvaluationOf {
 };
 using Evaluation = EvaluationOf<double>;
 
-// Directions of a tangent: dq = q, dv = v, da = a per unit of the increment of an ODE2 coordinate.
+// Weights are seeds. An implicit step needs one combination of three matrices, q dr/dq + v dr/dv + a dr/da, and none of them
+// by itself: coordinates enter the residual as dual numbers (math/dual.hpp) whose derivatives are the weights.
+//
+//     coordinate j      value    derivative j    the others
+//     q[j]              q_j      weights.q       0
+//     v[j]              v_j      weights.v       0
+//     a[j]              a_j      weights.a       0
+//
+//     r(q, v, a)        r_i      q dr_i/dq_j + v dr_i/dv_j + a dr_i/da_j        row i, column j, in one sweep
+//
+// Weights {1, 0, 0} give the stiffness matrix, {0, 1, 0} that of damping, {0, 0, 1} the mass matrix.
+//
 // Rows of constraints are divided by `q` (by `v` if q is 0), so that scaling all three scales the ODE2 rows only.
 struct Weights {
   double q = 1, v = 0, a = 0;

@@ -25,7 +25,7 @@ template <class F>
 
 // As each_number(count, f).
 template <class F>
-[[gnu::always_inline]] inline void each_number(const System& system, std::size_t count, F&& f) {
+DALEMBERT_INLINE inline void each_number(const System& system, std::size_t count, F&& f) {
   if (count <= few_numbers) return each_of_few(count, f);
   if (count < numbers_to_share) return each_number(count, f);
   each_stretch(system, count, [f](std::size_t begin, std::size_t end) {

@@ -17,6 +17,7 @@
 
 #include "dalembert/math/few_numbers.hpp"
 #include "dalembert/math/rotations.hpp"
+#include "dalembert/math/stretch.hpp"
 #include "dalembert/model/member.hpp"
 #include "dalembert/model/model.hpp"
 #include "dalembert/system/load_dependencies.hpp"
@@ -53,12 +54,6 @@ inline void append_range(std::vector<int>& list, int first, int count) {
   for (int i = 0; i < count; ++i) list.push_back(first + i);
 }
 
-// A part of a list of numbers that all items share.
-struct Stretch {
-  std::uint32_t first = 0, count = 0;
-  std::span<const int> of(const std::vector<int>& numbers) const { return {numbers.data() + first, count}; }
-};
-
 struct ObjectPlace {
   const ItemType* type = nullptr;
   std::shared_ptr<const void> record;
@@ -73,6 +68,11 @@ struct MarkerPlace {
   Membership<MarkerBatch> member;
   int node = -1, object = -1;  // what it sits on, the first one if there are several
   Stretch objects;  // of SystemParts::references
+};
+
+// A marker, and which of the bodies that it sits on is meant.
+struct MarkerSeat {
+  int marker = -1, which = 0;
 };
 
 struct LoadPlace {
@@ -177,6 +177,8 @@ struct SystemParts {
   std::vector<SensorPlace> sensors;
   std::vector<int> completed;    // objects with parameters that Assemble finds
   std::vector<int> references;  // what items refer to
+  std::vector<MarkerSeat> seats;         // by objects, then nodes; listed when they are first asked for
+  std::vector<std::uint32_t> seats_end;  // of each of them
   std::array<std::unordered_map<int, std::string>, item_kinds> given_names;  // of those that have one
   Model::Titles titles;
 
@@ -221,6 +223,8 @@ struct SystemParts {
   std::string describe(ItemKind kind, int number) const;  // for diagnoses
   const ItemType& type_of(ItemKind kind, int number) const;
   SensorPlace place_sensor(const Item& item) const;
+  // The markers that depend on the parameters of an object, or of a node that rests.
+  std::span<const MarkerSeat> markers_on(ItemKind kind, int number);
   void check_sensors() const;  // refuses output variables that an item cannot have
   State& state(ConfigurationType c) { return state_of(states.data(), c); }
   // The global coordinates of an object's nodes, and those that its markers move.
@@ -235,7 +239,7 @@ struct SystemParts {
   // Calls f(region) for all regions, small ones first, those of one size side by side. What `f` captures is best captured by
   // value: it stays in registers where there is one region.
   template <class F>
-  [[gnu::always_inline]] void each_region(F f) const {
+  DALEMBERT_INLINE void each_region(F f) const {
     plan.regions.size() == 1 ? f(plan.regions.front()) : each_of_several_regions(f);
   }
   Pattern make_sparse_pattern() const;

@@ -1,4 +1,11 @@
 // Where an entry of the system matrix lives: fixed at Assemble, for dense and for compressed-column storage alike.
+//
+// Slots: a batch tells which entries it writes, always in one order, by `visit`. Once to make the pattern, once more to learn where
+// each of them is stored; from then on its tangent adds to known places, in that order.
+//
+//     visit:      entry(4, 7)  entry(7, 4)  entry(7, 7) ...     rows and columns of the system
+//     slots:      31           52           55          ...     places in the values, looked up once
+//     tangent:    values[31] += k_0,  values[52] += k_1,  values[55] += k_2, ...
 #pragma once
 
 #include <cstddef>

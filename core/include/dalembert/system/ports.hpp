@@ -1,4 +1,13 @@
-// Where markers leave their frames and connectors their forces: flat arrays, one stretch per marker.
+// Ports: where markers leave their frames and connectors their forces. No body knows what acts on it, no connector what it acts
+// on; between them lie flat arrays with one stretch per marker, which is evaluated once however many connectors use it.
+//
+//                   marker 0              marker 1
+//     values        | x  v  R  omega |    | x  v |       the frame, written by MarkerBatch::evaluate, read by connectors
+//     forces        | f  m           |    | f    |       its conjugate, summed by connectors; MarkerBatch::pull_back: r -= J^T f
+//     derivatives   | 18 x n         |    | 6 x n |      the frame by the n coordinates under the marker, along the weights
+//     jacobians     | 6 x n          |    | 3 x n |      J
+//
+// The tangent of a connector between them is J^T (df/dframe) (dframe): its kernel is differentiated by frames, never by coordinates.
 #pragma once
 
 #include <span>

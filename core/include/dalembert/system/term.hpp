@@ -54,6 +54,15 @@ using SlotCursor = SlotCursorOf<double>;
 using TracedEvaluation = EvaluationOf<Traced>;
 using TracedPorts = PortsOf<Traced>;
 
+// One of the functions of a batch, to be noted instead of computed (math/traced.hpp): by the same template, with another scalar.
+struct TracedCall {
+  enum class Function { residual, tangent, evaluate, evaluate_tangent, pull_back, geometric } function;
+  const TracedEvaluation& evaluation;
+  const Weights& weights;  // of tangents
+  TracedPorts& ports;
+  Traced* sums;  // what is added to: rows of the residual, values of the tangent
+};
+
 struct PostNewton {
   double error = 0;
   double recommended_step_size = -1;
@@ -119,8 +128,8 @@ class Batch {
   virtual void refresh(int entry, const void* record) = 0;
   // Entries of the tangent, in the order in which `tangent` writes.
   virtual void visit(BlockVisitor& visitor, const Ports& ports) const = 0;
-  // Whether its functions named trace_... note what the others compute (math/traced.hpp).
   virtual bool traceable() const { return false; }
+  virtual void trace(const TracedCall&) const {}
 
   std::vector<int> slots;  // bound to the pattern in use by the system
 };
@@ -132,8 +141,6 @@ class Term : public Batch {
   virtual void residual(const Evaluation& evaluation, Ports& ports, double* r) const = 0;
   // The derivative of what `residual` adds, with the ports' forces turned into generalised forces.
   virtual void tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports, double* values) const = 0;
-  virtual void trace_residual(const TracedEvaluation&, TracedPorts&, Traced* /*r*/) const {}
-  virtual void trace_tangent(const TracedEvaluation&, const Weights&, TracedPorts&, Traced* /*values*/) const {}
   // False: what `residual` adds is constant, and no derivatives of markers are asked for.
   virtual bool has_tangent() const { return true; }
   // Adds the mass matrix alone; writes the same blocks as `tangent`.
@@ -191,10 +198,6 @@ class MarkerBatch : public Batch {
   virtual bool constant_pull_back() const { return false; }
   // values -= d(J^T force) with the force held fixed.
   virtual void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const = 0;
-  virtual void trace_evaluate(const TracedEvaluation&, TracedPorts&) const {}
-  virtual void trace_evaluate_tangent(const TracedEvaluation&, const Weights&, TracedPorts&) const {}
-  virtual void trace_pull_back(const TracedEvaluation&, TracedPorts&, Traced* /*r*/) const {}
-  virtual void trace_geometric(const TracedEvaluation&, const Weights&, const TracedPorts&, Traced* /*values*/) const {}
   // Whether `geometric` builds on what `evaluate_tangent` has left.
   virtual bool geometric_follows_tangent() const { return true; }
   // History: new data coordinates after Newton, from the ports.

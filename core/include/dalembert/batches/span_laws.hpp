@@ -16,8 +16,8 @@
 
 namespace dalembert {
 
-template <LawfulConnector K>
-class LawfulSpans {
+template <SpanLawConnector K>
+class SpanLaws {
  public:
   using Law = typename K::template Law<double>;
 
@@ -35,16 +35,16 @@ class LawfulSpans {
       std::fill(blocks_.back().forces[m].begin() + lane, blocks_.back().forces[m].end(), ports[m].force);
     }
   }
-  void obey(int entry, const Law& law) {
-    lawless_.erase(entry);
+  void set_law(int entry, const Law& law) {
+    without_law_.erase(entry);
     place(entry, law);
   }
-  void leave(int entry) {
-    lawless_.insert(entry);
+  void drop_law(int entry) {
+    without_law_.insert(entry);
     place(entry, no_force);
   }
   // Entries that are not computed here.
-  const std::set<int>& lawless() const { return lawless_; }
+  const std::set<int>& without_law() const { return without_law_; }
 
   // To the forces on the markers, one connector after the other. Frames and forces are taken in fours.
   void add_forces(const double* values, double* forces) const {
@@ -67,13 +67,13 @@ class LawfulSpans {
   void place(int entry, const Law& law) {
     const auto* numbers = reinterpret_cast<const double*>(&law);
     auto& block = laws_.own(blocks_[static_cast<std::size_t>(entry) / block_lanes].law);
-    for (int i = 0; i < law_size; ++i) block[i][entry % block_lanes] = numbers[i];
+    for (int i = 0; i < law_size; ++i) block[i].at(entry % block_lanes) = numbers[i];
   }
 
   template <int L>
   static void add_some(const LawBlocks& laws, const Block& block, int first, const double* values, double* forces) {
     typename K::template Law<Pack<L>> law;
-    for (int i = 0; i < law_size; ++i) reinterpret_cast<Pack<L>*>(&law)[i] = Pack<L>::load(laws[i].x + first);
+    for (int i = 0; i < law_size; ++i) reinterpret_cast<Pack<L>*>(&law)[i] = Pack<L>::load(reinterpret_cast<const double*>(&laws[i]) + first);
     const auto differences = [&](int number) {  // of four numbers of the frames
       return columns_of<L>([&](int lane) DALEMBERT_INLINE {
         const auto frame = [&](int m) DALEMBERT_INLINE { return Pack<4>::load(values + block.values[m][first + lane] + number); };
@@ -92,7 +92,7 @@ class LawfulSpans {
   std::vector<Block> blocks_;
   SharedBlocks<law_size> laws_;
   std::size_t count_ = 0;
-  std::set<int> lawless_;
+  std::set<int> without_law_;
 };
 
 // What a batch of connectors keeps besides: nothing, if its kernel has no laws.
@@ -100,9 +100,9 @@ template <class K>
 struct SpansOf {
   struct Type {};
 };
-template <LawfulConnector K>
+template <SpanLawConnector K>
 struct SpansOf<K> {
-  using Type = LawfulSpans<K>;
+  using Type = SpanLaws<K>;
 };
 
 }  // namespace dalembert
