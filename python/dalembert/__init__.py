@@ -70,6 +70,7 @@ _submodules = frozenset(
         "shells",
         "signalProcessing",
         "solver",
+        "treeDynamics",
         "utilities",
     )
 )
@@ -103,6 +104,7 @@ if TYPE_CHECKING:
         shells as shells,
         signalProcessing as signalProcessing,
         solver as solver,
+        treeDynamics as treeDynamics,
         utilities as utilities,
     )
 else:
