@@ -134,8 +134,8 @@ mbs.CreateTorque(bodyNumber=wheel, loadVector=[0, 0, 2])
 """,
     "CreateKinematicTree": """
 bar = InertiaCuboid(density=1000, sideLengths=[0.5, 0.05, 0.05]).Translated([0.25, 0, 0])
-shoulder = TreeLink(linkInertia=bar, jointType=exu.JointType.RevoluteZ, PDcontrol=(200, 20))
-elbow = TreeLink(linkInertia=bar, jointType=exu.JointType.RevoluteY, jointHT=HTtranslate([0.5, 0, 0]), PDcontrol=(50, 5))
+shoulder = TreeLink(bar, exu.JointType.RevoluteZ, PDcontrol=(200, 20))
+elbow = TreeLink(bar, exu.JointType.RevoluteY, jointHT=HTtranslate([0.5, 0, 0]), PDcontrol=(50, 5))
 arm = mbs.CreateKinematicTree(
     listOfTreeLinks=[shoulder, elbow], gravity=[0, 0, -9.81], jointPositionOffsetVector=[0.5, -0.3]
 )
