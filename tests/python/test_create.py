@@ -65,7 +65,7 @@ def test_items_are_those_of_the_interface(mbs, name):
 
 def test_every_implemented_function_has_a_case():
     functions = {function for function, _ in create_cases.CASES.values()}
-    assert functions == set(create.functions)
+    assert functions == set(create.functions) - {"CreateFFRFReducedOrderObject"}  # see tests/fem/test_bodies.py
 
 
 @pytest.mark.parametrize("name", create.functions)

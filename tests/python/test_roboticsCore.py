@@ -293,7 +293,7 @@ def test_what_is_no_robot_is_refused():
         RobotLink(**body, name="arm").GetPDcontrol()
     robot = Robot()
     robot.AddLink(RobotLink(**body, name="arm", jointName="shoulder"))
-    with pytest.raises(ValueError, match="there is a link or joint 'arm' already"):
+    with pytest.raises(ValueError, match="AddLink: name: there is another 'arm' already"):
         robot.AddLink(RobotLink(**body, name="arm"))
     with pytest.raises(ValueError, match="link 1: expected a parent from -1 .base. to 0, .* received 4"):
         robot.AddLink(RobotLink(**body, parent=4))

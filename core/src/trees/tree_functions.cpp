@@ -14,7 +14,7 @@ namespace {
 // A group of states side by side, and the room for its recursions.
 template <int N>
 struct Group {
-  using S = Lanes<N>;
+  using S = Pack<N>;
 
   explicit Group(const Tree& tree)
       : tree(tree), links(tree.links.size()), q(links), v(links), a(links), x(links), places(links), masses(links), motions(links), wrenches(links) {}
@@ -100,7 +100,7 @@ void TreeFunctions::inverse_dynamics(std::size_t states, const double* q, const 
 int TreeFunctions::forward_dynamics(std::size_t states, const double* q, const double* v, const double* forces, double* a) const {
   int loose = -1;
   each_group(tree_, states, [&]<int N>(Group<N>& group) {
-    using S = Lanes<N>;
+    using S = Pack<N>;
     group.articulated.resize(group.links);
     group.place(q);
     group.move(v, nullptr, gravity_);
@@ -118,7 +118,7 @@ void TreeFunctions::mass_matrix(std::size_t states, const double* q, double* mat
   const std::size_t n = tree_.links.size();
   std::fill_n(matrices, states * n * n, 0.0);
   each_group(tree_, states, [&]<int N>(Group<N>& group) {
-    using S = Lanes<N>;
+    using S = Pack<N>;
     group.bodies.resize(n);
     group.place(q);
     group.place_masses();
@@ -135,7 +135,7 @@ void TreeFunctions::derivatives(std::size_t states, const double* q, const doubl
   const std::size_t n = tree_.links.size();
   for (double* matrices : {by_q, by_v}) std::fill_n(matrices, states * n * n, 0.0);
   each_group(tree_, states, [&]<int N>(Group<N>& group) {
-    using S = Lanes<N>;
+    using S = Pack<N>;
     group.bodies.resize(n);
     group.increments.resize(n);
     group.place(q);
@@ -171,7 +171,7 @@ void TreeFunctions::jacobian(std::size_t states, const double* q, int link, cons
   const std::size_t n = tree_.links.size();
   std::fill_n(matrices, states * 6 * n, 0.0);
   each_group(tree_, states, [&]<int N>(Group<N>& group) {
-    using S = Lanes<N>;
+    using S = Pack<N>;
     group.place(q);
     Vec3<S> arm = group.places[static_cast<std::size_t>(link)].rotation * local;  // from the origin of link i to the point
     for (int joint = link; joint >= 0; joint = tree_.links[static_cast<std::size_t>(joint)].parent) {
@@ -192,9 +192,9 @@ namespace {
 
 // The sum of mass times position.
 template <int N>
-DALEMBERT_INLINE inline Vec3<Lanes<N>> first_moment(Group<N>& group) {
+DALEMBERT_INLINE inline Vec3<Pack<N>> first_moment(Group<N>& group) {
   group.find_origins();
-  Vec3<Lanes<N>> sum{};
+  Vec3<Pack<N>> sum{};
   for (std::size_t i = 0; i < group.links; ++i)
     sum += group.tree.links[i].mass * group.origins[i] + group.places[i].rotation * group.tree.links[i].moment;
   return sum;
@@ -213,7 +213,7 @@ void TreeFunctions::centre_of_mass(std::size_t states, const double* q, double* 
 
 void TreeFunctions::energies(std::size_t states, const double* q, const double* v, double* kinetic, double* potential) const {
   each_group(tree_, states, [&]<int N>(Group<N>& group) {
-    using S = Lanes<N>;
+    using S = Pack<N>;
     group.place(q);
     if (potential != nullptr) group.give(potential, 1, 0, -dot(gravity_, first_moment(group)));
     if (kinetic == nullptr) return;

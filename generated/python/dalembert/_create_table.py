@@ -6,6 +6,7 @@ MIRRORS: dict[str, tuple[str, ...]] = {
     "CreateCartesianSpringDamper": ("ObjectConnectorCartesianSpringDamper",),
     "CreateCoordinateConstraint": ("ObjectConnectorCoordinate",),
     "CreateDistanceConstraint": ("ObjectConnectorDistance",),
+    "CreateFFRFReducedOrderObject": ("ObjectFFRFreducedOrder",),
     "CreateForce": ("LoadForceVector",),
     "CreateGenericJoint": ("ObjectJointGeneric",),
     "CreateGround": ("ObjectGround",),

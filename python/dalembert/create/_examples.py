@@ -132,10 +132,24 @@ wheel = mbs.CreateRigidBody(inertia=InertiaCylinder(7800, 0.02, 0.2, axis=2))
 mbs.CreateRevoluteJoint(bodyNumbers=[ground, wheel], position=[0, 0, 0], axis=[0, 0, 1])
 mbs.CreateTorque(bodyNumber=wheel, loadVector=[0, 0, 2])
 """,
+    "CreateFFRFReducedOrderObject": """
+from dalembert.FEM import FEMinterface, KirchhoffMaterial
+
+fem = FEMinterface()
+corners = [[x, y, z] for z in (0, 0.1) for x, y in ((0, 0), (1, 0), (1, 0.1), (0, 0.1))]
+fem.SetMesh(corners, {"Hex8": [range(8)]})
+fem.AssembleMatrices(KirchhoffMaterial(2.1e11, 0.3, 7850))
+fem.nodeSets.append({"Name": "root", "NodeNumbers": [0, 3, 4, 7], "NodeWeights": [0.25] * 4, "type": "boundary"})
+fem.ComputeHurtyCraigBamptonModes([[0, 3, 4, 7]], nEigenModes=3)
+beam = mbs.CreateFFRFReducedOrderObject("beam", fem, gravity=[0, 0, -9.81])
+ground = mbs.CreateGround()
+fixed = mbs.AddMarker(MarkerBodyRigid(bodyNumber=ground, localPosition=[0, 0.05, 0.05]))
+mbs.AddObject(GenericJoint(markerNumbers=[fixed, beam["beam:root"]]))
+""",
     "CreateKinematicTree": """
 bar = InertiaCuboid(density=1000, sideLengths=[0.5, 0.05, 0.05]).Translated([0.25, 0, 0])
-shoulder = TreeLink(bar, exu.JointType.RevoluteZ, PDcontrol=(200, 20))
-elbow = TreeLink(bar, exu.JointType.RevoluteY, jointHT=HTtranslate([0.5, 0, 0]), PDcontrol=(50, 5))
+shoulder = TreeLink(linkInertia=bar, jointType=exu.JointType.RevoluteZ, PDcontrol=(200, 20))
+elbow = TreeLink(linkInertia=bar, jointType=exu.JointType.RevoluteY, jointHT=HTtranslateX(0.5), PDcontrol=(50, 5))
 arm = mbs.CreateKinematicTree(
     listOfTreeLinks=[shoulder, elbow], gravity=[0, 0, -9.81], jointPositionOffsetVector=[0.5, -0.3]
 )

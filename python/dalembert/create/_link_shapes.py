@@ -30,7 +30,7 @@ def _bar(look: Look, start: FloatArray, end: FloatArray, color: Any) -> dict[str
     span = end - start
     if look.roundness >= 1:
         return graphics.Cylinder(pAxis=start, vAxis=span, radius=look.radius, color=color)
-    size = [np.linalg.norm(span) + 2 * look.radius, look.width, 2 * look.radius]
+    size = [float(np.linalg.norm(span)) + 2 * look.radius, look.width, 2 * look.radius]
     block = graphics.Brick(size=size, color=color, roundness=look.roundness, nTiles=24)
     return graphics.Move(block, 0.5 * (start + end), ComputeOrthonormalBasis(span))
 

@@ -63,9 +63,9 @@ class Robot:
     def AddLink(self, robotLink: RobotLink) -> int:
         """Add a copy of a link, and return its index; its parent must have been added before."""
         link, i = deepcopy(robotLink), len(self.links)
-        for name in filter(None, (link.name, link.jointName)):
-            if any(name in (other.name, other.jointName) for other in self.links):
-                raise ValueError(f"Robot.AddLink: there is a link or joint '{name}' already; names must differ")
+        for what, name in (("name", link.name), ("jointName", link.jointName)):
+            if name and any(name == getattr(other, what) for other in self.links):
+                raise ValueError(f"Robot.AddLink: {what}: there is another '{name}' already; names must differ")
         if isinstance(link.parent, str):
             link.parent = self.GetLinkIndex(link.parent)
         if link.parent == PREVIOUS_LINK:
@@ -88,9 +88,9 @@ class Robot:
     def GetLinkIndex(self, link: int | str) -> int:
         """Return the index of a link, given by index, by its name, or by the name of its joint."""
         if isinstance(link, str):
-            for i, own in enumerate(self.links):
-                if link and link in (own.name, own.jointName):
-                    return i
+            names = [own.name for own in self.links] + [own.jointName for own in self.links]
+            if link and link in names:
+                return names.index(link) % len(self.links)
             known = ", ".join(name for own in self.links for name in (own.name, own.jointName) if name) or "none"
             raise ValueError(f"Robot: there is no link or joint '{link}'; there are: {known}")
         if not 0 <= link < len(self.links):

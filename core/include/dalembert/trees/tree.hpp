@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "dalembert/frames.hpp"
-#include "dalembert/math/lane_functions.hpp"
+#include "dalembert/math/pack_functions.hpp"
 
 namespace dalembert {
 
@@ -61,11 +61,11 @@ namespace trees {
 // Of all coordinates; of single states, four at a time.
 template <class S>
 void find_sines(const S* q, std::span<LinkPlace<S>> places) {
-  using Several = std::conditional_t<holds_lanes<S>, S, Lanes<4>>;
-  constexpr std::size_t step = holds_lanes<S> ? 1 : 4;
+  using Several = std::conditional_t<holds_packs<S>, S, Pack<4>>;
+  constexpr std::size_t step = holds_packs<S> ? 1 : 4;
   for (std::size_t first = 0; first < places.size(); first += step) {
     const std::size_t count = std::min(step, places.size() - first);
-    if constexpr (holds_lanes<S>) {
+    if constexpr (holds_packs<S>) {
       const auto [sine, cosine] = sine_cosine(q[first]);
       places[first].sine = sine;
       places[first].cosine = cosine;
