@@ -31,6 +31,7 @@ PYBIND11_MODULE(_core, module) {
   register_solvers(module);
   register_ensemble(module);
   register_evaluation(module);
+  register_tree_functions(module);
   register_linear_solver(module);
   register_symbolic(module);
   register_compiled_functions(module);

@@ -15,6 +15,7 @@ void register_system_data(py::module_& module);  // system_data.cpp
 void register_solvers(py::module_& module);      // solvers.cpp
 void register_ensemble(py::module_& module);     // ensemble.cpp
 void register_evaluation(py::module_& module);   // evaluation.cpp: the submodule `testing`
+void register_tree_functions(py::module_& module);  // tree_functions.cpp
 void register_linear_solver(py::module_& module);  // linear_solver.cpp: in `testing`
 void guard_objects(py::module_& module);           // object_guards.cpp: when all classes are there
 

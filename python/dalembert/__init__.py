@@ -71,6 +71,7 @@ _submodules = frozenset(
         "shells",
         "signalProcessing",
         "solver",
+        "treeDynamics",
         "utilities",
     )
 )
@@ -105,6 +106,7 @@ if TYPE_CHECKING:
         shells as shells,
         signalProcessing as signalProcessing,
         solver as solver,
+        treeDynamics as treeDynamics,
         utilities as utilities,
     )
 else:

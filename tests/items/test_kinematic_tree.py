@@ -6,10 +6,13 @@ from typing import Any
 
 import numpy as np
 import pytest
-from trees import Link, Tree, box_inertia, forward, in_python, make, random_links
+import trees
+from trees import Link, Tree, box_inertia, forward, in_python, lists, make, random_links
 
 import dalembert as exu
+from dalembert import itemInterface as items
 from dalembert._core import testing
+from dalembert.rigidBodyUtilities import RigidBodyInertia, RotationMatrixX, RotationMatrixZ
 
 Solver = exu.DynamicSolverType
 G = 9.81
@@ -27,9 +30,13 @@ def solve(tree: Tree, end: float, steps: int, solver: Any = Solver.RK67) -> None
     tree.mbs.SolveDynamic(settings, solverType=solver)
 
 
-def state_of(tree: Tree) -> testing.State:
+def assembled(tree: Tree) -> Tree:
     tree.mbs.Assemble()
-    return testing.State(tree.mbs)
+    return tree
+
+
+def state_of(tree: Tree) -> testing.State:
+    return testing.State(assembled(tree).mbs)
 
 
 # ---- equations ----------------------------------------------------------------------------------------------------------
@@ -188,3 +195,198 @@ def test_floating_tree_keeps_momentum_and_energy(seed: int) -> None:
     start, end = (momentum(tree) for tree in after)
     assert end == pytest.approx(start, abs=1e-7)
     assert energy(after[1], np.zeros(3)) == pytest.approx(energy(after[0], np.zeros(3)), rel=1e-8)
+
+
+# ---- other formulations -------------------------------------------------------------------------------------------------
+ARM = [
+    Link("Rz", -1, 2.0, [0.2, 0.05, 0], box_inertia(2, [0.4, 0.1, 0.2]), [0.1, 0.2, 0.3]),
+    Link("Ry", 0, 1.5, [0.15, 0, 0.05], box_inertia(1.5, [0.3, 0.2, 0.1]), [0.4, 0, 0.1], RotationMatrixX(0.4)),
+    Link("Px", 1, 1.0, [0.1, 0.1, 0], box_inertia(1, [0.2, 0.3, 0.1]), [0.3, 0.1, 0], RotationMatrixZ(0.7)),
+]
+
+
+def with_redundant_coordinates(mbs: Any, links: list[Link], base: Any, q: Any, v: Any, gravity: Any) -> list[Any]:
+    """The links as rigid bodies with joints, in the state that the tree has; returns the bodies."""
+    tree = assembled(make(links, q, v, baseOffset=base))
+    bodies: list[Any] = []
+    for i, link in enumerate(links):
+        frame = {name: tree.of_link(name, i) for name in ("Position", "RotationMatrix", "Velocity", "AngularVelocity")}
+        rotation = frame["RotationMatrix"].reshape(3, 3)
+        inertia = RigidBodyInertia(link.mass, link.inertia, link.com, inertiaTensorAtCOM=True)
+        start = {"referencePosition": frame["Position"], "referenceRotationMatrix": rotation}
+        rates = {"initialVelocity": frame["Velocity"], "initialAngularVelocity": frame["AngularVelocity"]}
+        body = mbs.CreateRigidBody(inertia=inertia, gravity=gravity, **start, **rates)
+        before = mbs.CreateGround() if link.parent < 0 else bodies[link.parent]
+        free = list(trees.JOINTS).index(link.joint)  # of rotations first, in the order of joints
+        axes = [0 if axis == (free - 3 if free > 2 else free + 3) else 1 for axis in range(6)]
+        mbs.CreateGenericJoint(
+            bodyNumbers=[before, body], position=frame["Position"], rotationMatrixAxes=rotation, constrainedAxes=axes
+        )
+        bodies.append(body)
+    return bodies
+
+
+def test_tree_moves_like_bodies_with_joints() -> None:
+    q, v, gravity, base = [0.3, -0.5, 0.2], [1.0, -2.0, 0.5], [0.5, -3, -8], [0.5, -1, 2]
+    tree = make(ARM, q, v, gravity=gravity, baseOffset=base)
+    solve(tree, 0.4, 400)
+    errors = []
+    for steps in (100, 200):
+        mbs = exu.SystemContainer().AddSystem()
+        bodies = with_redundant_coordinates(mbs, ARM, base, q, v, gravity)
+        solve(Tree(mbs, None, None, ARM), 0.4, steps, Solver.TrapezoidalIndex2)
+        place = [mbs.GetObjectOutputBody(body, exu.OutputVariableType.Position, [0, 0, 0]) for body in bodies]
+        errors.append(np.abs(place - np.array([tree.of_link("Position", i) for i in range(3)])).max())
+    assert errors[1] < 1e-4
+    assert errors[0] / errors[1] == pytest.approx(4, rel=0.05)  # second order: the difference is the integrator's
+
+
+def test_weight_and_forces_on_links_are_loads_on_markers() -> None:
+    links, rng = random_links(3, 6), np.random.default_rng(3)
+    q, v = rng.uniform(-1, 1, (2, 6))
+    forces, torques = rng.uniform(-5, 5, (2, 6, 3))
+    gravity = np.array([1.0, 2.0, -9.0])
+    lists_of_vectors = {"linkForces": exu.Vector3DList(list(forces)), "linkTorques": exu.Vector3DList(list(torques))}
+    by_parameters = make(links, q, v, gravity=gravity, **lists_of_vectors)
+    by_loads = make(links, q, v)
+    for i, link in enumerate(links):
+        on = {"objectNumber": by_loads.body, "linkNumber": i}
+        centre = by_loads.mbs.AddMarker(items.MarkerKinematicTreeRigid(localPosition=link.com, **on))
+        origin = by_loads.mbs.AddMarker(items.MarkerKinematicTreeRigid(**on))
+        by_loads.mbs.AddLoad(items.Force(markerNumber=centre, loadVector=link.mass * gravity))
+        by_loads.mbs.AddLoad(items.Force(markerNumber=origin, loadVector=forces[i]))
+        by_loads.mbs.AddLoad(items.Torque(markerNumber=origin, loadVector=torques[i]))
+    states = [state_of(tree) for tree in (by_parameters, by_loads)]
+    results = [
+        (testing.residual(tree.mbs, s), testing.tangent(tree.mbs, s, cq=0.7, cv=0.2, ca=0.1))
+        for tree, s in zip((by_parameters, by_loads), states, strict=True)
+    ]
+    for one, other in zip(*results, strict=True):
+        assert one == pytest.approx(other, abs=1e-11)
+
+
+def test_force_on_a_link_accelerates_it_along() -> None:
+    tree = make([Link("Px", mass=2.0)], linkForces=exu.Vector3DList([[3, 0, 0]]))
+    solve(tree, 1.0, 10)
+    assert tree.coordinates == pytest.approx([0.75])
+
+
+def test_tree_and_other_bodies_in_one_system() -> None:
+    """A mass hangs by a spring at a link, and moves alike with each solver, with or without factors of the tree's own."""
+    results = []
+    for solver, shared in ((Solver.RK44, False), (Solver.RK44, True), (Solver.GeneralizedAlpha, False)):
+        tree = make(ARM, [0.3, -0.5, 0.2], gravity=[0, 0, -G])
+        mass = tree.mbs.CreateMassPoint(referencePosition=[0.5, 0.5, 0.5], physicsMass=0.7, gravity=[0, 0, -G])
+        place = {"objectNumber": tree.body, "linkNumber": 2, "localPosition": [0.1, 0, 0]}
+        on = tree.mbs.AddMarker(items.MarkerKinematicTreeRigid(**place))
+        at = tree.mbs.AddMarker(items.MarkerBodyPosition(bodyNumber=mass))
+        tree.mbs.AddObject(items.CartesianSpringDamper(markerNumbers=[on, at], stiffness=[50] * 3, damping=[1] * 3))
+        if shared:  # a mass matrix of zeros: the coordinates are no longer the tree's alone
+            tree.mbs.AddObject(items.ObjectGenericODE2(nodeNumbers=[tree.node], massMatrix=np.zeros((3, 3))))
+        solve(tree, 0.2, 400, solver)
+        results.append(tree.coordinates)
+    assert np.abs(results[0] - [0.3, -0.5, 0.2]).min() > 0.01
+    assert results[1] == pytest.approx(results[0], abs=1e-12)
+    assert results[2] == pytest.approx(results[0], abs=1e-5)
+
+
+def test_four_bar_of_two_trees() -> None:
+    """Two trees that meet in a joint keep it closed, and their energy."""
+    rod = {"mass": 1.0, "com": [0.25, 0, 0], "inertia": np.diag([0, 1, 1]) * 0.25 / 12}
+    pair = [Link("Rz", -1, **rod), Link("Rz", 0, offset=[0.5, 0, 0], **rod)]
+    mbs = exu.SystemContainer().AddSystem()
+    gravity = [0, -G, 0]
+    left = make(pair, [np.pi / 2, -np.pi / 2], mbs=mbs, gravity=gravity)
+    right = make(pair[:1], [np.pi / 2], mbs=mbs, gravity=gravity, baseOffset=[0.5, 0, 0])
+    ends = [(left, 1), (right, 0)]
+    markers = [
+        mbs.AddMarker(items.MarkerKinematicTreeRigid(objectNumber=t.body, linkNumber=i, localPosition=[0.5, 0, 0]))
+        for t, i in ends
+    ]
+    mbs.AddObject(items.SphericalJoint(markerNumbers=markers, constrainedAxes=[1, 1, 0]))
+    mbs.AddLoad(items.Force(markerNumber=markers[0], loadVector=[2, 0, 0]))
+    solve(left, 0.6, 600, Solver.GeneralizedAlpha)
+    corners = [t.of_link("Position", i, [0.5, 0, 0]) for t, i in ends]
+    assert corners[0] == pytest.approx(corners[1], abs=1e-7)
+    assert left.coordinates[0] == pytest.approx(right.coordinates[0], abs=1e-6)  # a parallelogram
+    # of three rods: two turn with the crank, one moves along with its end
+    inertia, angle, rate = (2 / 3 + 1) * 0.25, left.coordinates[0], left.rates[0]
+    fallen = G * 0.5 * 2 * (1 - np.sin(angle)) + 2 * 0.5 * np.cos(angle)
+    assert 0.5 * inertia * rate**2 == pytest.approx(fallen, rel=1e-4)
+
+
+# ---- forces of joints ---------------------------------------------------------------------------------------------------
+def test_controllers_and_user_functions() -> None:
+    n = 3
+    q, v = np.array([0.3, -0.5, 0.2]), np.array([1.0, -2.0, 0.5])
+    P, D, u, w, f = np.random.default_rng(5).uniform(1, 2, (5, n))
+    control = {"jointPControlVector": P, "jointDControlVector": D}
+    goal = {"jointPositionOffsetVector": u, "jointVelocityOffsetVector": w, "jointForceVector": f}
+    plain = testing.residual((tree := make(ARM, q, v)).mbs, state_of(tree))
+    controlled = testing.residual((tree := make(ARM, q, v, **control, **goal)).mbs, state_of(tree))
+    assert plain - controlled == pytest.approx(P * (u - q) + D * (w - v) + f, rel=1e-13)
+
+    def law(mbs: Any, t: float, item: int, q: Any, q_t: Any) -> Any:
+        return P * (u - np.array(q)) + D * (w - np.array(q_t)) + f
+
+    by_function = make(ARM, q, v, forceUserFunction=law)
+    assert testing.residual(by_function.mbs, state_of(by_function)) == pytest.approx(controlled, rel=1e-13)
+    s = state_of(tree)
+    tangents = [testing.tangent(t.mbs, state_of(t), cq=1, cv=0.5, ca=0.1) for t in (tree, by_function)]
+    assert tangents[1] == pytest.approx(tangents[0], abs=1e-6)
+    force = tree.mbs.GetObjectOutput(tree.body, exu.OutputVariableType.Force)
+    assert force == pytest.approx(testing.residual(tree.mbs, s), rel=1e-13)
+
+
+def test_goals_of_controllers_can_change_while_a_solver_runs() -> None:
+    zeros = np.zeros(1)
+    control = {"jointPControlVector": [100.0], "jointDControlVector": [20.0], "jointPositionOffsetVector": zeros}
+    tree = make([Link("Rz", mass=1.0, inertia=np.eye(3))], **control)
+
+    def move(mbs: Any, t: float) -> bool:
+        mbs.SetObjectParameter(tree.body, "jointPositionOffsetVector", [0.5])
+        return True
+
+    tree.mbs.SetPreStepUserFunction(move)
+    solve(tree, 5.0, 1000, Solver.RK44)
+    assert tree.coordinates == pytest.approx([0.5], abs=1e-9)
+
+
+def test_joint_that_nothing_resists_is_named() -> None:
+    tree = make([Link("Rz", mass=1.0, inertia=np.eye(3)), Link("Rx", 0)], gravity=[0, -G, 0])
+    with pytest.raises(exu.SolverError, match="coordinate 1"):
+        solve(tree, 0.1, 10, Solver.RK44)
+
+
+# ---- refusals -----------------------------------------------------------------------------------------------------------
+@pytest.mark.parametrize(
+    ("change", "text"),
+    [
+        ({"linkMasses": [1.0, 2.0]}, "linkMasses.*list of length 2.*length 3"),
+        ({"jointTypes": []}, "jointTypes.*length 0.*length 3"),
+        ({"jointForceVector": [1.0]}, "jointForceVector.*length 1.*or none"),
+        ({"linkParents": [-1, 1, 0]}, "linkParents.*entry 1: 1.*smaller number"),
+        ({"linkParents": [-1, 0, -2]}, "linkParents.*entry 2: -2"),
+        ({"linkMasses": [1.0, -2.0, 1.0]}, "linkMasses.*entry 1: -2"),
+        ({"linkInertiasCOM": [np.eye(3), -np.eye(3), np.eye(3)]}, "linkInertiasCOM.*entry 1"),
+        ({"jointTypes": [exu.JointType.RevoluteX] * 2 + [exu.JointType._None]}, "jointTypes.*entry 2"),
+    ],
+    ids=lambda value: next(iter(value)) if isinstance(value, dict) else "",
+)
+def test_wrong_parameters_are_refused(change: dict[str, Any], text: str) -> None:
+    mbs = exu.SystemContainer().AddSystem()
+    node = mbs.AddNode(items.NodeGenericODE2(numberOfODE2Coordinates=3))
+    mbs.AddObject(items.ObjectKinematicTree(nodeNumber=node, **lists(ARM) | change))
+    with pytest.raises(ValueError, match=text):
+        mbs.Assemble()
+
+
+def test_links_that_are_not_there_are_refused() -> None:
+    tree = make(ARM)
+    tree.mbs.AddMarker(items.MarkerKinematicTreeRigid(objectNumber=tree.body, linkNumber=3))
+    with pytest.raises(ValueError, match=r"linkNumber.*3.*a link from 0 to 2"):
+        tree.mbs.Assemble()
+    with pytest.raises(ValueError, match=r"linkNumber.*5.*a link from 0 to 2"):
+        assembled(make(ARM)).of_link("Position", 5)
+    with pytest.raises(ValueError, match="no output variable StressLocal"):
+        assembled(make(ARM)).of_link("StressLocal", 0)

@@ -38,18 +38,19 @@ class Tree:
     node: Any
     body: Any
     links: list[Link]
+    base: Any = (0.0, 0.0, 0.0)
 
     @property
     def coordinates(self) -> np.ndarray:
-        return np.array(self.mbs.GetNodeOutput(self.node, exu.OutputVariableType.CoordinatesTotal))
+        return np.atleast_1d(self.mbs.GetNodeOutput(self.node, exu.OutputVariableType.CoordinatesTotal))
 
     @property
     def rates(self) -> np.ndarray:
-        return np.array(self.mbs.GetNodeOutput(self.node, exu.OutputVariableType.Coordinates_t))
+        return np.atleast_1d(self.mbs.GetNodeOutput(self.node, exu.OutputVariableType.Coordinates_t))
 
     def of_link(self, variable: str, link: int, local: Any = (0, 0, 0)) -> np.ndarray:
         """An output of a point of a link, by a sensor on another tree that starts in this state."""
-        here = make(self.links, self.coordinates, self.rates)
+        here = make(self.links, self.coordinates, self.rates, baseOffset=self.base)
         kind = getattr(exu.OutputVariableType, variable)
         place = {"objectNumber": here.body, "linkNumber": link, "localPosition": local}
         sensor = here.mbs.AddSensor(items.SensorKinematicTree(outputVariableType=kind, **place))
@@ -67,7 +68,7 @@ def make(links: list[Link], q: Any = None, v: Any = None, mbs: Any = None, **par
     }
     node = mbs.AddNode(items.NodeGenericODE2(numberOfODE2Coordinates=n, referenceCoordinates=np.zeros(n), **start))
     body = mbs.AddObject(items.ObjectKinematicTree(nodeNumber=node, **lists(links), **parameters))
-    return Tree(mbs, node, body, links)
+    return Tree(mbs, node, body, links, parameters.get("baseOffset", np.zeros(3)))
 
 
 def lists(links: list[Link]) -> dict[str, Any]:

@@ -4,7 +4,8 @@ from typing import Any
 
 import numpy as np
 
-from dalembert.rigidBodyUtilities import InertiaCuboid, RotationMatrixX, RotationMatrixZ
+from dalembert import JointType, Matrix3DList, Vector3DList
+from dalembert.rigidBodyUtilities import HTtranslate, InertiaCuboid, RotationMatrixX, RotationMatrixZ, TreeLink
 
 TILTED = RotationMatrixX(0.4) @ RotationMatrixZ(0.2)
 ABOUT_Z = RotationMatrixZ(0.3)
@@ -111,6 +112,24 @@ CASES: dict[str, tuple[str, dict[str, Any]]] = {
     ),
     "force at marker": ("CreateForce", {"bodyNumber": "rigidMarker", "loadVector": [1, 2, 3]}),
     "torque": ("CreateTorque", {"bodyNumber": "body", "loadVector": [1, 2, 3], "localPosition": [0.1, 0, 0]}),
+    "kinematic tree": (
+        "CreateKinematicTree",
+        {
+            "name": "arm",
+            "listOfTreeLinks": [
+                TreeLink(BAR, JointType.RevoluteZ, HTtranslate([0.1, 0.2, 0.3]), PDcontrol=(100, 5)),
+                TreeLink(BAR.Translated([0.5, 0, 0]), JointType.PrismaticY, HTtranslate([1, 0, 0]), PDcontrol=(50, 2)),
+            ],
+            "referenceCoordinates": [0.1, 0.2],
+            "initialCoordinates": [0.3, 0.4],
+            "initialCoordinates_t": [1, 2],
+            "gravity": GRAVITY,
+            "baseOffset": [1, 2, 3],
+            "jointForceVector": [3, 4],
+            "jointVelocityOffsetVector": [0.5, 0.6],
+            "baseGraphicsDataList": [],
+        },
+    ),
 }
 
 
@@ -137,6 +156,8 @@ def resolved(arguments: dict[str, Any], numbers: dict[str, Any]) -> dict[str, An
 
 def plain(value: Any) -> Any:
     """Return a value as it can be written to JSON."""
+    if isinstance(value, (Vector3DList, Matrix3DList)):
+        return [plain(np.array(v)) for v in value]
     if isinstance(value, (list, tuple, np.ndarray)):
         return [plain(v) for v in value]
     if isinstance(value, (float, np.floating)):

@@ -17,58 +17,43 @@ struct ArticulatedBody {
 
 namespace trees {
 
-// The cross product with v of each column.
+// The cross product of v with each column.
 template <class S>
 Mat3<S> crossed(const Vec3<S>& v, const Mat3<S>& m) {
   return {m(2, 0) * v[1] - m(1, 0) * v[2], m(2, 1) * v[1] - m(1, 1) * v[2], m(2, 2) * v[1] - m(1, 2) * v[2],
           m(0, 0) * v[2] - m(2, 0) * v[0], m(0, 1) * v[2] - m(2, 1) * v[0], m(0, 2) * v[2] - m(2, 2) * v[0],
           m(1, 0) * v[0] - m(0, 0) * v[1], m(1, 1) * v[0] - m(0, 1) * v[1], m(1, 2) * v[0] - m(0, 2) * v[1]};
 }
-// m v~, with v~ x = v x x.
-template <class S>
-Mat3<S> times_crossed(const Mat3<S>& m, const Vec3<S>& v) {
-  const auto entry = [&](int i, int j) { return m(i, (j + 1) % 3) * v[(j + 2) % 3] - m(i, (j + 2) % 3) * v[(j + 1) % 3]; };
-  return matrix_of<3, 3>(entry);
-}
 
 template <class S>
-ArticulatedBody<S> free_body(const TreeLink& link, const LinkPlace<S>& place) {
-  ArticulatedBody<S> body{};
-  const Mat3<S>& r = place.rotation;
-  const Mat3<S> turned = r * link.inertia;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j <= i; ++j) body.rotation(j, i) = body.rotation(i, j) = turned(i, 0) * r(j, 0) + turned(i, 1) * r(j, 1) + turned(i, 2) * r(j, 2);
-    body.translation(i, i) = S(link.mass);
-  }
-  const Vec3<S> h = r * link.moment;
-  body.coupling = {S(0), -h[2], h[1], h[2], S(0), -h[0], -h[1], h[0], S(0)};
-  return body;
+void set_free(ArticulatedBody<S>& body, const TreeLink& link, const LinkMass<S>& mass) {
+  const S m(link.mass), none(0.0);
+  const Vec3<S>& h = mass.moment;
+  body.translation = {m, none, none, none, m, none, none, none, m};
+  body.coupling = {none, -h[2], h[1], h[2], none, -h[0], -h[1], h[0], none};
+  body.rotation = mass.inertia;
 }
 
 // What remains of it when the joint gives way, about the origin of the parent.
 template <class S>
 void add_to_parent(ArticulatedBody<S>& parent, const ArticulatedBody<S>& body, const Vec3<S>& arm) {
   const Vec3<S>&f = body.along.force, &n = body.along.moment, scaled_f = body.inverse * f, scaled_n = body.inverse * n;
-  Mat3<S> m = body.translation, h = body.coupling;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) {
-      m(i, j) = m(i, j) - f[i] * scaled_f[j];
-      h(i, j) = h(i, j) - n[i] * scaled_f[j];
+  Mat3<S> m, h, j, half;
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column) {
+      m(row, column) = body.translation(row, column) - f[row] * scaled_f[column];
+      h(row, column) = body.coupling(row, column) - n[row] * scaled_f[column];
+      j(row, column) = body.rotation(row, column) - n[row] * scaled_n[column];
     }
   const Mat3<S> shift = crossed(arm, m);
-  Mat3<S> half = h;
   for (std::size_t i = 0; i < 9; ++i) {
     half.x[i] = h.x[i] + 0.5 * shift.x[i];
-    parent.translation.x[i] = parent.translation.x[i] + m.x[i];
-    parent.coupling.x[i] = parent.coupling.x[i] + (h.x[i] + shift.x[i]);
+    parent.translation.x[i] += m.x[i];
+    parent.coupling.x[i] += h.x[i] + shift.x[i];
   }
-  const Mat3<S> x = times_crossed(half, arm);
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j <= i; ++j) {
-      const S entry = body.rotation(i, j) - n[i] * scaled_n[j] - (x(i, j) + x(j, i));
-      parent.rotation(i, j) = parent.rotation(i, j) + entry;
-      if (i != j) parent.rotation(j, i) = parent.rotation(i, j);
-    }
+  const Mat3<S> turned = crossed(arm, transpose(half));
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column) parent.rotation(row, column) += j(row, column) + (turned(row, column) + turned(column, row));
 }
 
 template <class S>
@@ -84,9 +69,9 @@ bool is_positive(const S& x) {
 
 // Returns the first joint from the leaves on that nothing resists, or -1.
 template <class S>
-int factorize(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<ArticulatedBody<S>> bodies) {
+int factorize(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<const LinkMass<S>> masses, std::span<ArticulatedBody<S>> bodies) {
   int loose = -1;
-  for (std::size_t i = 0; i < tree.links.size(); ++i) bodies[i] = free_body(tree.links[i], places[i]);
+  for (std::size_t i = 0; i < tree.links.size(); ++i) set_free(bodies[i], tree.links[i], masses[i]);
   for (std::size_t i = tree.links.size(); i-- > 0;) {
     const TreeLink& link = tree.links[i];
     ArticulatedBody<S>& body = bodies[i];
@@ -117,7 +102,7 @@ void solve(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<con
   // From here on: acceleration of the origin, and spin rate.
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
     const TreeLink& link = tree.links[i];
-    const auto& [rotation, axis, arm] = places[i];
+    const Vec3<S>&axis = places[i].axis, &arm = places[i].arm;
     LinkWrench<S>& a = wrenches[i];
     a = {};
     if (link.parent >= 0) {

@@ -34,11 +34,9 @@ S along_joint(const TreeLink& link, const Vec3<S>& axis, const LinkWrench<S>& w)
 
 // What moves the link as it moves.
 template <class S>
-LinkWrench<S> inertia_force(const TreeLink& link, const LinkPlace<S>& place, const LinkMotion<S>& motion) {
-  const Vec3<S> moment = place.rotation * link.moment, w = transposed_times(place.rotation, motion.spin),
-                w_t = transposed_times(place.rotation, motion.spin_rate);
-  return {link.mass * motion.acceleration + cross(motion.spin_rate, moment) + cross(motion.spin, cross(motion.spin, moment)),
-          cross(moment, motion.acceleration) + place.rotation * (link.inertia * w_t + cross(w, link.inertia * w))};
+LinkWrench<S> inertia_force(const TreeLink& link, const LinkMass<S>& mass, const LinkMotion<S>& motion) {
+  return {link.mass * motion.acceleration + cross(motion.spin_rate, mass.moment) + cross(motion.spin, cross(motion.spin, mass.moment)),
+          cross(mass.moment, motion.acceleration) + mass.inertia * motion.spin_rate + cross(motion.spin, mass.inertia * motion.spin)};
 }
 
 // Each wrench becomes the sum over its link and all behind; f(i, force of joint i).

@@ -6,9 +6,9 @@
 // those of points, not spatial ones. The recursions are those of R. Featherstone, Rigid Body Dynamics Algorithms, Springer, 2008.
 #pragma once
 
-#include <cmath>
+#include <algorithm>
 #include <span>
-#include <utility>
+#include <type_traits>
 #include <vector>
 
 #include "dalembert/frames.hpp"
@@ -37,9 +37,17 @@ struct Tree {
 // Where a link is.
 template <class S>
 struct LinkPlace {
+  S sine, cosine;    // of its coordinate
   Mat3<S> rotation;  // of the frame of the link
   Vec3<S> axis;      // of its joint
   Vec3<S> arm;       // from the origin of the parent to that of the link
+};
+
+// How its mass lies there.
+template <class S>
+struct LinkMass {
+  Vec3<S> moment;   // mass times centre of mass, from the origin of the link
+  Mat3<S> inertia;  // about the origin
 };
 
 // How it moves: its frame as a whole, and the origin of that.
@@ -50,17 +58,29 @@ struct LinkMotion {
 
 namespace trees {
 
+// Of all coordinates; of single states, four at a time.
 template <class S>
-auto sine_and_cosine(const S& angle) {
-  using std::cos;
-  using std::sin;
-  if constexpr (holds_packs<S>) return sine_cosine(angle);
-  else return std::pair<S, S>(sin(angle), cos(angle));
+void find_sines(const S* q, std::span<LinkPlace<S>> places) {
+  using Several = std::conditional_t<holds_packs<S>, S, Pack<4>>;
+  constexpr std::size_t step = holds_packs<S> ? 1 : 4;
+  for (std::size_t first = 0; first < places.size(); first += step) {
+    const std::size_t count = std::min(step, places.size() - first);
+    if constexpr (holds_packs<S>) {
+      const auto [sine, cosine] = sine_cosine(q[first]);
+      places[first].sine = sine;
+      places[first].cosine = cosine;
+    } else {
+      const auto [sine, cosine] = sine_cosine(Several::of_each([&](std::size_t lane) { return q[first + std::min(lane, count - 1)]; }));
+      for (std::size_t i = 0; i < count; ++i) {
+        places[first + i].sine = sine[static_cast<int>(i)];
+        places[first + i].cosine = cosine[static_cast<int>(i)];
+      }
+    }
+  }
 }
 
 template <class S>
-void turn_about(Mat3<S>& m, int axis, const S& angle) {
-  const auto [s, c] = sine_and_cosine(angle);
+void turn_about(Mat3<S>& m, int axis, const S& s, const S& c) {
   const int y = (axis + 1) % 3, z = (axis + 2) % 3;
   for (int i = 0; i < 3; ++i) {
     const S along_y = m(i, y), along_z = m(i, z);
@@ -71,6 +91,7 @@ void turn_about(Mat3<S>& m, int axis, const S& angle) {
 
 template <class S>
 void place_links(const Tree& tree, const S* q, std::span<LinkPlace<S>> places) {
+  find_sines(q, places);
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
     const TreeLink& link = tree.links[i];
     LinkPlace<S>& place = places[i];
@@ -86,8 +107,22 @@ void place_links(const Tree& tree, const S* q, std::span<LinkPlace<S>> places) {
     if (link.slides) {
       place.arm += q[i] * place.axis;
     } else {
-      turn_about(place.rotation, link.axis, q[i]);
+      turn_about(place.rotation, link.axis, place.sine, place.cosine);
     }
+  }
+}
+
+template <class S>
+void place_masses(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<LinkMass<S>> masses) {
+  for (std::size_t i = 0; i < tree.links.size(); ++i) {
+    const TreeLink& link = tree.links[i];
+    const Mat3<S>& r = places[i].rotation;
+    const Mat3<S> turned = r * link.inertia;
+    masses[i].moment = r * link.moment;
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column <= row; ++column)
+        masses[i].inertia(column, row) = masses[i].inertia(row, column) =
+            turned(row, 0) * r(column, 0) + turned(row, 1) * r(column, 1) + turned(row, 2) * r(column, 2);
   }
 }
 
@@ -97,7 +132,7 @@ void move_links(const Tree& tree, std::span<const LinkPlace<S>> places, const S*
   const LinkMotion<S> rest{{}, {}, {}, base};
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
     const TreeLink& link = tree.links[i];
-    const auto& [rotation, axis, arm] = places[i];
+    const Vec3<S>&axis = places[i].axis, &arm = places[i].arm;
     const LinkMotion<S>& parent = link.parent < 0 ? rest : motions[static_cast<std::size_t>(link.parent)];
     LinkMotion<S>& own = motions[i];
     const Vec3<S> swing = cross(parent.spin, arm), turning = v[i] * cross(parent.spin, axis);

@@ -38,14 +38,8 @@ Mat3<S> projection(const Vec3<S>& a, const Vec3<S>& b) {
 }
 
 template <class S>
-CompositeBody<S> inertia_of(const TreeLink& link, const LinkPlace<S>& place) {
-  const Mat3<S>& r = place.rotation;
-  const Mat3<S> turned = r * link.inertia;
-  return {.mass = S(link.mass),
-          .moment = r * link.moment,
-          .inertia = matrix_of<3, 3>([&](int i, int j) { return turned(i, 0) * r(j, 0) + turned(i, 1) * r(j, 1) + turned(i, 2) * r(j, 2); }),
-          .momentum = {},
-          .momentum_arms = {}};
+CompositeBody<S> single_body(const TreeLink& link, const LinkMass<S>& mass) {
+  return {.mass = S(link.mass), .moment = mass.moment, .inertia = mass.inertia, .momentum = {}, .momentum_arms = {}};
 }
 template <class S>
 void add_momentum(CompositeBody<S>& body, const LinkMotion<S>& motion) {
@@ -88,15 +82,16 @@ LinkWrench<S> inertia_along(const TreeLink& link, const Vec3<S>& axis, const Com
 }
 
 template <class S>
-void compose(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<CompositeBody<S>> bodies) {
-  for (std::size_t i = 0; i < tree.links.size(); ++i) bodies[i] = inertia_of(tree.links[i], places[i]);
+void compose(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<const LinkMass<S>> masses, std::span<CompositeBody<S>> bodies) {
+  for (std::size_t i = 0; i < tree.links.size(); ++i) bodies[i] = single_body(tree.links[i], masses[i]);
   for (std::size_t i = tree.links.size(); i-- > 0;)
     if (const int parent = tree.links[i].parent; parent >= 0) add_inertia(bodies[static_cast<std::size_t>(parent)], bodies[i], places[i].arm);
 }
 template <class S>
-void compose(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<const LinkMotion<S>> motions, std::span<CompositeBody<S>> bodies) {
+void compose(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<const LinkMass<S>> masses, std::span<const LinkMotion<S>> motions,
+             std::span<CompositeBody<S>> bodies) {
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
-    bodies[i] = inertia_of(tree.links[i], places[i]);
+    bodies[i] = single_body(tree.links[i], masses[i]);
     add_momentum(bodies[i], motions[i]);
   }
   for (std::size_t i = tree.links.size(); i-- > 0;)

@@ -27,6 +27,7 @@ SizedLaw law_of(const Parameters& p) {
 struct Room {
   std::vector<LinkPlace<double>> places;
   std::vector<double> placed_at;  // the coordinates that they belong to
+  std::vector<LinkMass<double>> masses;
   std::vector<LinkMotion<double>> motions;
   std::vector<LinkWrench<double>> wrenches;
   std::vector<CompositeBody<double>> bodies;
@@ -40,6 +41,7 @@ struct Room {
   void make(std::size_t links) {
     places.resize(links);
     placed_at.clear();
+    masses.resize(links);
     motions.resize(links);
     wrenches.resize(links);
     bodies.resize(links);
@@ -103,7 +105,7 @@ class TreeBody {
   }
   void add_mass(const Evaluation& e, double factor, Room& room, SlotCursor& slot) const {
     place(e, room);
-    trees::compose<double>(tree_, room.places, room.bodies);
+    trees::compose<double>(tree_, room.places, room.masses, room.bodies);
     trees::mass_matrix<double>(tree_, room.places, room.bodies, [&](int k, int j, double m) {
       slot.add(factor * m);
       if (j != k) slot.add(factor * m);
@@ -113,7 +115,7 @@ class TreeBody {
   void add_tangent(const Evaluation& e, const Weights& w, Room& room, SlotCursor& slot) const {
     find_inertia_forces(e, room);
     trees::sum_to_base<double>(tree_, room.places, room.wrenches, [](std::size_t, double) {});
-    trees::compose<double>(tree_, room.places, room.motions, room.bodies);
+    trees::compose<double>(tree_, room.places, room.masses, room.motions, room.bodies);
     for (std::size_t i = 0; i < tree_.links.size(); ++i)
       room.increments[i] = trees::increment_of(tree_.links[i], room.places[i].axis, room.motions[i], w);
     if (!loads_.empty()) {
@@ -142,7 +144,7 @@ class TreeBody {
   int factorize_masses(const Evaluation& e, Room& room) const {
     place(e, room);
     room.articulated.resize(tree_.links.size());
-    const int loose = trees::factorize<double>(tree_, room.places, room.articulated);
+    const int loose = trees::factorize<double>(tree_, room.places, room.masses, room.articulated);
     return loose < 0 ? -1 : first_ + loose;
   }
   void solve_masses(Room& room, double* x) const { trees::solve<double>(tree_, room.places, room.articulated, room.wrenches, x + first_); }
@@ -175,11 +177,12 @@ class TreeBody {
     if (std::equal(room.placed_at.begin(), room.placed_at.end(), now, end)) return;
     room.placed_at.assign(now, end);
     trees::place_links<double>(tree_, now, room.places);
+    trees::place_masses<double>(tree_, room.places, room.masses);
   }
   void find_inertia_forces(const Evaluation& e, Room& room) const {
     place(e, room);
     trees::move_links<double>(tree_, room.places, v(e), e.inertia ? e.a + first_ : nullptr, -gravity_, room.motions);
-    for (std::size_t i = 0; i < tree_.links.size(); ++i) room.wrenches[i] = trees::inertia_force(tree_.links[i], room.places[i], room.motions[i]);
+    for (std::size_t i = 0; i < tree_.links.size(); ++i) room.wrenches[i] = trees::inertia_force(tree_.links[i], room.masses[i], room.motions[i]);
   }
 
   Tree tree_;

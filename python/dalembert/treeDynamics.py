@@ -1,0 +1,121 @@
+"""Mechanics of kinematic trees as functions of states: inverse and forward dynamics, mass matrix, Jacobians, energies.
+
+States are arrays whose last axis has one number per joint. Any number of states is computed at once, several side by
+side in the registers of the processor, and without Python's lock.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from dalembert import itemInterface as items
+from dalembert._checks import FloatArray, as_vector, shape_error
+from dalembert._core import SystemContainer, _TreeFunctions
+
+
+def _assembled(tree: Any) -> tuple[Any, Any]:
+    """Return a system with nothing but the tree, and its number there."""
+    mbs = SystemContainer().AddSystem()
+    given = tree.GetDictionary() if hasattr(tree, "GetDictionary") else dict(tree)
+    given["nodeNumber"] = mbs.AddNode(items.NodeGenericODE2(numberOfODE2Coordinates=len(given["jointTypes"])))
+    number = mbs.AddObject(given)
+    mbs.Assemble()
+    return mbs, number
+
+
+class TreeDynamics:
+    """Functions of the joint coordinates q, velocities v and accelerations a (or forces) of one kinematic tree.
+
+    TreeDynamics(mbs, objectNumber) takes the tree from an assembled system, as its parameters are now;
+    TreeDynamics(ObjectKinematicTree(...)) needs no system. Coordinates are total ones: rad or m. Of the tree's forces,
+    gravity acts; controllers, user functions, jointForceVector, linkForces and linkTorques do not.
+    """
+
+    def __init__(self, tree: Any, objectNumber: Any = None) -> None:
+        self._functions = _TreeFunctions(*(_assembled(tree) if objectNumber is None else (tree, objectNumber)))
+        self.numberOfLinks: int = self._functions.links()
+
+    def _states(self, **given: npt.ArrayLike) -> tuple[list[FloatArray], tuple[int, ...]]:
+        """Return states as rows, broadcast against each other, and the shape that results begin with."""
+        arrays = {name: np.asarray(values, dtype=float) for name, values in given.items()}
+        for name, array in arrays.items():
+            if array.ndim == 0 or array.shape[-1] != self.numberOfLinks:
+                expected = f"an array whose last axis has {self.numberOfLinks} numbers, one per joint"
+                raise shape_error(f"TreeDynamics: {name}", expected, given[name])
+        shape = np.broadcast_shapes(*(array.shape for array in arrays.values()))
+        rows = [np.broadcast_to(array, shape).reshape(-1, self.numberOfLinks) for array in arrays.values()]
+        return rows, shape[:-1]
+
+    def InverseDynamics(self, q: npt.ArrayLike, v: npt.ArrayLike, a: npt.ArrayLike) -> FloatArray:
+        """Return the joint forces (Nm or N) that the accelerations need."""
+        (q, v, a), shape = self._states(q=q, v=v, a=a)
+        return self._functions.inverse_dynamics(q, v, a).reshape(*shape, self.numberOfLinks)
+
+    def BiasForces(self, q: npt.ArrayLike, v: npt.ArrayLike) -> FloatArray:
+        """Return the joint forces without accelerations: Coriolis and centrifugal forces, and minus the weight."""
+        (q, v), shape = self._states(q=q, v=v)
+        return self._functions.inverse_dynamics(q, v, None).reshape(*shape, self.numberOfLinks)
+
+    def GravityForces(self, q: npt.ArrayLike) -> FloatArray:
+        """Return the joint forces that hold the tree at rest against its weight."""
+        return self.BiasForces(q, np.zeros(self.numberOfLinks))
+
+    def ForwardDynamics(self, q: npt.ArrayLike, v: npt.ArrayLike, forces: npt.ArrayLike) -> FloatArray:
+        """Return the accelerations (rad/s^2 or m/s^2) that joint forces cause."""
+        (q, v, forces), shape = self._states(q=q, v=v, forces=forces)
+        return self._functions.forward_dynamics(q, v, forces).reshape(*shape, self.numberOfLinks)
+
+    def MassMatrix(self, q: npt.ArrayLike) -> FloatArray:
+        """Return the mass matrix, n x n."""
+        (q,), shape = self._states(q=q)
+        return self._functions.mass_matrix(q).reshape(*shape, self.numberOfLinks, self.numberOfLinks)
+
+    def InverseDynamicsDerivatives(
+        self, q: npt.ArrayLike, v: npt.ArrayLike, a: npt.ArrayLike
+    ) -> tuple[FloatArray, FloatArray]:
+        """Return the derivatives of the joint forces by q and by v, n x n each; that by a is the mass matrix."""
+        (q, v, a), shape = self._states(q=q, v=v, a=a)
+        by_q, by_v = self._functions.derivatives(q, v, a)
+        n = self.numberOfLinks
+        return by_q.reshape(*shape, n, n), by_v.reshape(*shape, n, n)
+
+    def ForwardDynamicsDerivatives(
+        self, q: npt.ArrayLike, v: npt.ArrayLike, forces: npt.ArrayLike
+    ) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Return the derivatives of the accelerations by q, by v and by the joint forces, n x n each."""
+        by_q, by_v = self.InverseDynamicsDerivatives(q, v, self.ForwardDynamics(q, v, forces))
+        inverse = np.linalg.inv(np.broadcast_to(self.MassMatrix(q), by_q.shape))
+        return -inverse @ by_q, -inverse @ by_v, inverse
+
+    def LinkFrames(self, q: npt.ArrayLike) -> tuple[FloatArray, FloatArray]:
+        """Return rotation matrices (n x 3 x 3) and origins (n x 3, in m) of the frames of all links."""
+        (q,), shape = self._states(q=q)
+        rotations, origins = self._functions.frames(q)
+        n = self.numberOfLinks
+        return rotations.reshape(*shape, n, 3, 3), origins.reshape(*shape, n, 3)
+
+    def Jacobian(self, q: npt.ArrayLike, linkNumber: int, localPosition: npt.ArrayLike = [0, 0, 0]) -> FloatArray:
+        """Return 6 x n: velocity of a point of a link, then angular velocity, by joint velocities; in global axes."""
+        if not 0 <= linkNumber < self.numberOfLinks:
+            raise ValueError(f"TreeDynamics: linkNumber: received {linkNumber}; expected 0 to {self.numberOfLinks - 1}")
+        (q,), shape = self._states(q=q)
+        local = as_vector("TreeDynamics: localPosition", localPosition, 3)
+        return self._functions.jacobian(q, linkNumber, local).reshape(*shape, 6, self.numberOfLinks)
+
+    def CenterOfMass(self, q: npt.ArrayLike) -> FloatArray:
+        """Return the centre of mass of all links (m), in the global frame."""
+        (q,), shape = self._states(q=q)
+        return self._functions.centre_of_mass(q).reshape(*shape, 3)
+
+    def KineticEnergy(self, q: npt.ArrayLike, v: npt.ArrayLike) -> FloatArray:
+        """Return the kinetic energy (J)."""
+        (q, v), shape = self._states(q=q, v=v)
+        return self._functions.kinetic_energy(q, v).reshape(shape)
+
+    def PotentialEnergy(self, q: npt.ArrayLike) -> FloatArray:
+        """Return the potential energy of the weight (J); zero where the centre of mass is in the global origin."""
+        (q,), shape = self._states(q=q)
+        return self._functions.potential_energy(q).reshape(shape)
