@@ -73,7 +73,7 @@ void add_to_parent(ArticulatedBody<S>& parent, const ArticulatedBody<S>& body, c
 
 template <class S>
 bool is_positive(const S& x) {
-  if constexpr (holds_lanes<S>) {
+  if constexpr (holds_packs<S>) {
     for (int lane = 0; lane < S::count; ++lane)
       if (!(x[lane] > 0)) return false;
     return true;

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "dalembert/frames.hpp"
-#include "dalembert/math/lane_functions.hpp"
+#include "dalembert/math/pack_functions.hpp"
 
 namespace dalembert {
 
@@ -54,7 +54,7 @@ template <class S>
 auto sine_and_cosine(const S& angle) {
   using std::cos;
   using std::sin;
-  if constexpr (holds_lanes<S>) return sine_cosine(angle);
+  if constexpr (holds_packs<S>) return sine_cosine(angle);
   else return std::pair<S, S>(sin(angle), cos(angle));
 }
 
