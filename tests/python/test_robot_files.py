@@ -316,7 +316,7 @@ WRONG_URDF = {
         '<limit lower="0" upper="0.3" effort="200" velocity="1"/>',
         "",
     ),
-    "line 20: <joint>: joint 'yaw': mimic: expected another joint that moves, of yaw, slide, wheel": (
+    "line 20: <joint>: joint 'yaw': mimic: expected a joint that moves by itself, of slide, wheel": (
         '<axis xyz="0 0 1"/>',
         '<axis xyz="0 0 1"/><mimic joint="weld"/>',
     ),

@@ -57,11 +57,14 @@ class _Files:
 
     def __init__(self, file: Path, packages: Packages | None) -> None:
         self.folder = file.resolve().parent
-        self.named = {name: Path(folder) for name, folder in packages.items()} if isinstance(packages, Mapping) else {}
-        listed = (
-            [packages] if isinstance(packages, str | Path) else [] if isinstance(packages, Mapping) else packages or []
-        )
-        self.folders = [Path(folder) for folder in listed]
+        self.named: dict[str, Path] = {}
+        self.folders: list[Path] = []
+        if isinstance(packages, Mapping):
+            self.named = {name: Path(folder) for name, folder in packages.items()}
+        elif isinstance(packages, str | Path):
+            self.folders = [Path(packages)]
+        elif packages is not None:
+            self.folders = [Path(folder) for folder in packages]
 
     def find(self, element: Element) -> Path:
         """Return the path of <mesh filename>."""
@@ -82,9 +85,8 @@ class _Files:
         if package in self.named:
             return [self.named[package] / rest]
         around = [*self.folders, self.folder, *self.folder.parents]
-        return [folder / package / rest for folder in around] + [
-            folder / rest for folder in around if folder.name == package
-        ]
+        inside = [folder / rest for folder in around if folder.name == package]
+        return [folder / package / rest for folder in around] + inside
 
 
 def _shape(geometry: Element, files: _Files) -> _shapes.Shape:
@@ -129,11 +131,10 @@ def _joint_values(element: Element, kind: str) -> dict[str, Any]:
         element.fail(f"joint '{element.text('name')}' of type {kind}: expected an element <limit> in it")
     if limit is not None:
         if kind != "continuous":
-            values["jointLimits"] = [limit.number("lower", "0"), limit.number("upper", "0")]
-            if values["jointLimits"][0] > values["jointLimits"][1]:
-                limit.fail(
-                    f"expected lower <= upper, received {values['jointLimits'][0]:g} and {values['jointLimits'][1]:g}"
-                )
+            lower, upper = limit.number("lower", "0"), limit.number("upper", "0")
+            if lower > upper:
+                limit.fail(f"expected lower <= upper, received {lower:g} and {upper:g}")
+            values["jointLimits"] = [lower, upper]
         for name, argument in (("velocity", "maxVelocity"), ("effort", "maxForce")):
             if name in limit.attributes:
                 values[argument] = limit.amount(name)
@@ -183,11 +184,11 @@ def read_urdf(fileName: str | Path, packages: Packages | None = None, shapes: bo
     joints = [_joint(element) for element in root.every("joint")]
     _unique(bodies, "link")
     _unique(joints, "joint")
-    leaders = [joint.name for joint in joints if joint.kind in ("revolute", "prismatic")]
+    leaders = [j.name for j in joints if j.kind in ("revolute", "prismatic") and "follows" not in j.values]
     for joint in joints:
-        if "follows" in joint.values and joint.values["follows"][0] not in set(leaders) - {joint.name}:
+        if "follows" in joint.values and joint.values["follows"][0] not in leaders:
             known = ", ".join(leaders)
-            joint.where.fail(f"joint '{joint.name}': mimic: expected another joint that moves, of {known}")
+            joint.where.fail(f"joint '{joint.name}': mimic: expected a joint that moves by itself, of {known}")
     if not bodies:
         root.fail("expected an element <link> in it")
     named = {body.name: body for body in bodies}
