@@ -136,10 +136,13 @@ def test_numbers_become_colors(SC: Any, mbs: Any) -> None:
     assert np.allclose(quarter, contour.advanced.contourColor1)
     assert np.allclose(high, contour.advanced.contourColor4)
     assert np.allclose(over, [*contour.advanced.contourColorMax[:3], 1])
-    image = studio.picture().astype(int)
-    row, left, right = 384, 512 - 300, 512 + 300
-    assert image[row + 20, left, 2] > image[row + 20, left, 0]  # blue
-    assert image[row - 20, right, 0] > image[row - 20, right, 2]  # red
+    SC.renderer.SetModelView(zoom=4, centerPoint=[4, 0.5, 0])  # 96 pixels per m
+
+    def at(x: float) -> Any:
+        return Studio(SC).picture().astype(int)[round(384 - 96 * (x / 8 - 0.5)), round(512 + 96 * (x - 4))]
+
+    assert at(0.3)[2] > at(0.3)[0] + 50  # blue
+    assert at(7.7)[0] > at(7.7)[2] + 50  # red
 
 
 def test_deformation_is_scaled(SC: Any, mbs: Any) -> None:
