@@ -136,10 +136,13 @@ def test_numbers_become_colors(SC: Any, mbs: Any) -> None:
     assert np.allclose(quarter, contour.advanced.contourColor1)
     assert np.allclose(high, contour.advanced.contourColor4)
     assert np.allclose(over, [*contour.advanced.contourColorMax[:3], 1])
-    image = studio.picture().astype(int)
-    row, left, right = 384, 512 - 300, 512 + 300
-    assert image[row + 20, left, 2] > image[row + 20, left, 0]  # blue
-    assert image[row - 20, right, 0] > image[row - 20, right, 2]  # red
+    SC.renderer.SetModelView(zoom=4, centerPoint=[4, 0.5, 0])  # 96 pixels per m
+
+    def at(x: float) -> Any:
+        return Studio(SC).picture().astype(int)[round(384 - 96 * (x / 8 - 0.5)), round(512 + 96 * (x - 4))]
+
+    assert at(0.3)[2] > at(0.3)[0] + 50  # blue
+    assert at(7.7)[0] > at(7.7)[2] + 50  # red
 
 
 def test_deformation_is_scaled(SC: Any, mbs: Any) -> None:
@@ -243,3 +246,45 @@ def test_the_frame_of_the_world(SC: Any, mbs: Any) -> None:
     SC.visualizationSettings.view0.scene.worldBasisSize = 3
     box = np.concatenate([i.mesh.points @ i.matrix.T + i.place for i in Studio(SC).scene().instances])
     assert box.max(axis=0) == pytest.approx([3, 3, 3])
+
+
+def test_sections_are_filled() -> None:
+    """Triangles of an I section: their areas sum up to that of the section, and none lies outside."""
+    from dalembert._pictures.meshes import filled
+
+    half = [[1, -2], [1, -1.5], [0.2, -1.5], [0.2, 1.5], [1, 1.5], [1, 2]]
+    section = np.array(half + [[-x, y] for x, y in reversed(half)], float)
+    area = 2 * 2 * 0.5 + 3 * 0.4
+    for polygon in (section, section[::-1]):
+        a, b, c = (polygon[filled(polygon)[:, k]] for k in range(3))
+        areas = np.abs((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]) / 2
+        assert areas.sum() == pytest.approx(area)
+        middles = (a + b + c) / 3
+        assert np.all((np.abs(middles[:, 1]) > 1.5) | (np.abs(middles[:, 0]) < 0.2))
+
+
+def test_perspective_keeps_everything_in_the_picture(SC: Any, mbs: Any) -> None:
+    for x, y, z in ((-1, 0, 3), (1, 0, 3), (0, 1, -3), (0, -1, 0)):
+        mbs.AddNode(NodePoint(referenceCoordinates=[x, y, z], visualization=VNodePoint(drawSize=0.1)))
+    SC.visualizationSettings.view0.camera.perspective = 0.4
+    camera = Studio(SC).camera(Studio(SC).scene())
+    seen = camera.pixels(np.array([[-1, 0, 3], [1, 0, 3], [0, 1, -3], [0, -1, 0]], float), 1024, 768)
+    assert (seen[:, :2] > 0).all() and (seen[:, 0] < 1024).all() and (seen[:, 1] < 768).all()
+    assert max(np.abs(seen[:, 0] - 512).max() / 512, np.abs(seen[:, 1] - 384).max() / 384) > 0.4
+
+
+def test_the_bar_of_colors_has_its_place(SC: Any, mbs: Any) -> None:
+    nodes = [mbs.AddNode(NodePoint2DSlope1(referenceCoordinates=[x, 0, 1, 0])) for x in (0, 1)]
+    mbs.AddObject(
+        Cable2D(
+            nodeNumbers=nodes,
+            physicsLength=1,
+            physicsMassPerLength=1,
+            physicsBendingStiffness=1,
+            physicsAxialStiffness=1,
+        )
+    )
+    mbs.Assemble()
+    SC.visualizationSettings.contour.outputVariable = Variable.Displacement
+    columns = np.nonzero(pixels(SC, "Object", 0))[1]
+    assert 0.03 * 1024 < columns.min() < columns.max() < 0.86 * 1024

@@ -42,20 +42,21 @@ class Camera:
         scale = 0.5 * height / self.zoom / (1 + self.perspective / self.zoom * eye[:, 2])
         return np.stack([0.5 * width + scale * eye[:, 0], 0.5 * height - scale * eye[:, 1], eye[:, 2]], 1)
 
-    def fit(self, box: FloatArray | None, width: int, height: int, factor: float = 1.2) -> None:
-        """Let the camera look at a box, seen from where it is now, with a margin."""
+    def fit(self, box: FloatArray | None, width: int, height: int, factor: float = 1.2, right: float = 0.0) -> None:
+        """Let the camera look at a box, from where it is now, with a margin; `right`: part of the width left free."""
         if box is None:
             self.center, self.zoom = np.zeros(3), 1.0
             return
         corners = np.array([[box[i, 0], box[j, 1], box[k, 2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)])
         turned = corners @ self.rotation.T
-        low, high = turned.min(axis=0), turned.max(axis=0)
-        self.center = self.rotation.T @ (0.5 * (low + high))
-        extent = 0.5 * (high - low)
-        zoom = max(extent[1], extent[0] * height / width)
-        self.zoom = factor * (zoom or 1.0)
-        if self.perspective > 0:
-            self.zoom += self.perspective * float(extent[2])
+        middle = 0.5 * (turned.min(axis=0) + turned.max(axis=0))
+        x, y, towards = (turned - middle).T
+        wide = (1 - right) * width / height
+        # seen at x / (1 - perspective * towards / zoom), which is to be within zoom times the shape of the image
+        needed = np.maximum(np.abs(x) / wide, np.abs(y)) + self.perspective * towards
+        self.zoom = factor * (float(needed.max()) or 1.0)
+        middle[0] += right * self.zoom * width / height
+        self.center = self.rotation.T @ middle
 
 
 def of_settings(settings: Any) -> Camera:

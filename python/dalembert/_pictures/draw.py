@@ -89,7 +89,8 @@ def around(scenes: list[Scene]) -> Scene:
 
     boxes = [box for box in (scene.box() for scene in scenes) if box is not None]
     corners = np.concatenate(boxes) if boxes else np.zeros((0, 3))
-    return Scene(lines=[(corners, (0.0, 0.0, 0.0, 1.0), 0.0, -1)] if len(corners) else [])
+    lines = [(corners, (0.0, 0.0, 0.0, 1.0), 0.0, -1)] if len(corners) else []
+    return Scene(lines=lines, value_name=scenes[0].value_name)
 
 
 def _size(windowSize: Any) -> tuple[int, int]:
@@ -119,6 +120,6 @@ def camera_for(
             chosen.rotation = cameras.named(view, studio.upwards())
         elif free:
             chosen.rotation = cameras.automatic(box, studio.upwards())
-        chosen.fit(box, *size, studio.margin())
+        studio.fit(chosen, scene, box, size)
     chosen.zoom /= zoom
     return chosen

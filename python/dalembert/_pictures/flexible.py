@@ -104,8 +104,8 @@ def beam(pen: Pen, colors: Contour, number: int, item: Item) -> None:
     points = np.array(sections)
     n = len(outline)
     side = meshes.grid_triangles(len(points), n)
-    fan = np.array([[0, i, i + 1] for i in range(1, n - 2)], int).reshape(-1, 3)
-    triangles = np.concatenate([side, fan[:, ::-1], fan + n * (len(points) - 1)])
+    end = meshes.filled(section)
+    triangles = np.concatenate([side, end[:, ::-1], end + n * (len(points) - 1)])
     color = pen.looks.color(item, "bodies.defaultColor")
     pen.mesh(Mesh(points.reshape(-1, 3), triangles), color=color, values=_values(pen, colors, number, stations, n))
 

@@ -60,6 +60,37 @@ def grid_triangles(rows: int, columns: int) -> IntArray:
     return np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)])
 
 
+def filled(polygon: FloatArray) -> IntArray:
+    """Return triangles that fill a polygon without holes: corner by corner is cut off where no other is inside."""
+    rest = list(range(len(polygon)))
+    x, y = polygon.T
+    if np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)) < 0:
+        rest.reverse()
+    triangles = []
+    while len(rest) > 3:
+        for k, here in enumerate(rest):
+            before, after = rest[k - 1], rest[(k + 1) % len(rest)]
+            corner = polygon[[before, here, after]]
+            others = polygon[[i for i in rest if i not in (before, here, after)]]
+            if _turn(*corner) > 0 and not _inside(others, corner):
+                break
+        else:
+            k = 0  # it crosses itself: any way is as good
+        triangles.append([rest[k - 1], rest[k], rest[(k + 1) % len(rest)]])
+        del rest[k]
+    return np.array([*triangles, rest], int).reshape(-1, 3)
+
+
+def _turn(a: FloatArray, b: FloatArray, c: FloatArray) -> float:
+    return float((b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0]))
+
+
+def _inside(points: FloatArray, corner: FloatArray) -> bool:
+    """Return whether any point lies in a triangle that turns to the left."""
+    sides = [(corner[k], corner[(k + 1) % 3]) for k in range(3)]
+    return any(all(_turn(a, b, point) >= 0 for a, b in sides) for point in points)
+
+
 def joined(*meshes: Mesh) -> Mesh:
     """Return one mesh of several; all of them have normals, or none of them."""
     starts = np.cumsum([0, *(len(mesh.points) for mesh in meshes)])[:-1]

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from dalembert import _core
+from dalembert._checks import FloatArray
 from dalembert._pictures import camera, films, painting
 from dalembert._pictures.camera import Camera
 from dalembert._pictures.making import SceneMaker
@@ -15,6 +16,8 @@ from dalembert._pictures.painting import Image
 from dalembert._pictures.places import Places
 from dalembert._pictures.renderer import state_of
 from dalembert._pictures.scene import DrawnItem, Instance, Scene
+
+BAR = 0.14  # part of the width that the bar of colors needs
 
 
 def joined(scenes: list[Scene]) -> Scene:
@@ -53,6 +56,11 @@ class Studio:
         """Return how much larger an image is than what it shows."""
         return max(float(self.settings.general.boundingBoxZoomAllFactor), 0.1)
 
+    def fit(self, seen: Camera, scene: Scene, box: FloatArray | None, size: tuple[int, int]) -> None:
+        """Let a camera look at a box; the bar of colors has its place beside it."""
+        bar = bool(scene.value_name) and bool(self.settings.contour.advanced.showColorBar)
+        seen.fit(box, *size, self.margin(), BAR if bar else 0.0)
+
     def upwards(self) -> int:
         """Return the axis that points upwards: 1 if weight acts along y, otherwise 2."""
         for maker in self.makers:
@@ -85,7 +93,7 @@ class Studio:
             result.rotation = np.asarray(state["modelRotation"], float).reshape(3, 3).T
         known = float(state.get("zoom", 0.0)) > 0
         if self.settings.general.autoFitScene and not known:
-            result.fit(scene.box(), *(size or self.size(number)), self.margin())
+            self.fit(result, scene, scene.box(), size or self.size(number))
         if "centerPoint" in state and known:
             result.center = np.asarray(state["centerPoint"], float)
         if known:
