@@ -88,13 +88,6 @@ TEXTS = {
     "coordinates": "index of the coordinate of each body, counted over its nodes; None for ground",
     "axisPosition": "centre of the disc in the frame of its body (m)",
     "planePosition": "point of the plane in the frame of its body (m)",
-    "listOfTreeLinks": "links of a kinematic tree, parents before their children",
-    "jointRadius": "radius of joints and links that are drawn (m)",
-    "jointWidth": "width of joints and links that are drawn (m)",
-    "colors": "RGBA color of all links, or a list with one for each",
-    "colorsJoints": "RGBA color of all joints, or a list with one for each",
-    "baseGraphicsDataList": "graphics of the base; None: bars to the first joints",
-    "linkRoundness": "0: links are drawn as bricks, 1: as cylinders, rounded in between",
 }
 _VECTOR, _MATRIX = re.compile(r"(\d+) numbers"), re.compile(r"(\d+) x \1 numbers")
 _NUMBERS = {"": NUMBER, "non_negative": NOT_NEGATIVE, "positive": POSITIVE}
