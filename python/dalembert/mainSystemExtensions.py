@@ -11,6 +11,8 @@ from dalembert._io import pickling
 from dalembert._plots.repr_html import _repr_html_
 from dalembert._plots.system_graph import DrawSystemGraph
 from dalembert._solving.consistent import ComputeConsistentInitialConditions
+from dalembert._solving.energies import ComputeEnergies
+from dalembert._solving.report import Report
 from dalembert._studies.variations import SolveVariations
 from dalembert.create._distance_sensor import CreateDistanceSensor, CreateDistanceSensorGeometry
 from dalembert.create._interface import (  # noqa: F401
@@ -29,10 +31,12 @@ methods: dict[str, Callable[..., Any]] = (
         function.__name__: function
         for function in (
             ComputeConsistentInitialConditions,
+            ComputeEnergies,
             CreateDistanceSensor,
             CreateDistanceSensorGeometry,
             DrawSystemGraph,
             PlotSensor,
+            Report,
             SolutionViewer,
             pickling.GetDictionary,
             pickling.__copy__,
