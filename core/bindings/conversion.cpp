@@ -216,7 +216,7 @@ void read(PyObject* value, const Row& row, std::vector<int>& out) {
 template <class Entry>
   requires(is_vec<Entry> || is_mat<Entry>)
 void read(PyObject* value, const Row& row, std::vector<Entry>& out) {
-  constexpr int n = rows_of<Entry>;
+  constexpr int n = row_count<Entry>;
   const std::string shape = is_vec<Entry> ? "vectors of length " + std::to_string(n)
                                           : "matrices of " + std::to_string(n) + " x " + std::to_string(n);
   const std::string what = "a list of " + shape;
@@ -393,7 +393,7 @@ template <class Entry>
 py::object write(const std::vector<Entry>& value, Form, PyObject*) {
   py::list list;
   for (const Entry& entry : value) list.append(write(entry, Form::copy, nullptr));
-  constexpr int n = rows_of<Entry>;
+  constexpr int n = row_count<Entry>;
   const std::string name = std::string(is_vec<Entry> ? "Vector" : "Matrix") + std::to_string(n) + "DList";
   if (!py::hasattr(core_module(), name.c_str())) return list;
   return core_module().attr(name.c_str())(list);

@@ -15,14 +15,14 @@ constexpr int rank = is_mat<Entry> ? 2 : 1;
 
 template <class Entry>
 constexpr Storage storage_of() {
-  if constexpr (is_mat<Entry>) return rows_of<Entry> == 3 ? Storage::matrix3 : Storage::matrix6;
-  if constexpr (rows_of<Entry> == 2) return Storage::vector2;
-  return rows_of<Entry> == 3 ? Storage::vector3 : Storage::vector6;
+  if constexpr (is_mat<Entry>) return row_count<Entry> == 3 ? Storage::matrix3 : Storage::matrix6;
+  if constexpr (row_count<Entry> == 2) return Storage::vector2;
+  return row_count<Entry> == 3 ? Storage::vector3 : Storage::vector6;
 }
 
 template <class Entry>
 std::string list_name() {
-  return std::string(is_mat<Entry> ? "Matrix" : "Vector") + std::to_string(rows_of<Entry>) + "DList";
+  return std::string(is_mat<Entry> ? "Matrix" : "Vector") + std::to_string(row_count<Entry>) + "DList";
 }
 
 // `position` names the entry in errors.
@@ -64,7 +64,7 @@ EntryList<Entry> make_list(const py::object& value) {
 
 template <class Entry>
 py::array_t<double> entry_array(const Entry& entry) {
-  std::vector<py::ssize_t> shape(rank<Entry>, rows_of<Entry>);
+  std::vector<py::ssize_t> shape(rank<Entry>, row_count<Entry>);
   return new_array(std::move(shape), entry.x.data());
 }
 
@@ -89,7 +89,7 @@ py::list entries_of(const EntryList<Entry>& list) {
 // n x size, or n x size x size.
 template <class Entry>
 py::array_t<double> whole_array(const EntryList<Entry>& list) {
-  std::vector<py::ssize_t> shape(rank<Entry> + 1, rows_of<Entry>);
+  std::vector<py::ssize_t> shape(rank<Entry> + 1, row_count<Entry>);
   shape[0] = static_cast<py::ssize_t>(list.entries.size());
   py::array_t<double> array(std::move(shape));
   double* out = array.mutable_data();

@@ -7,8 +7,10 @@
 #include "dalembert/prototypes/spheres_in_box.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
 #include "dalembert/solvers/open_constraints.hpp"
+#include "dalembert/solvers/redundant_constraints.hpp"
 #include "main_system.hpp"
 #include "module.hpp"
+#include "solver_data.hpp"
 
 namespace dalembert {
 namespace {
@@ -207,6 +209,14 @@ void register_constraints(py::module_& module) {
       },
       py::arg("mbs"), py::arg("state"), py::arg("position"), py::arg("velocity"), py::arg("rates") = true,
       "Constraints that the state does not fulfil, the worst first: (AE number, whether the rate is meant, gap, gap / tolerance, text).");
+  module.def(
+      "redundant_constraints",
+      [](MainSystem& main, const EvaluationState& s, double moment_length) {
+        System& system = checked(main, s, "redundant_constraints");
+        return redundancy_dictionary(redundant_constraints(system, s.state, s.conditions, moment_length), system);
+      },
+      py::arg("mbs"), py::arg("state"), py::arg("momentLength") = 0.0,
+      "Constraint equations that follow from others, as GetRedundantConstraints of the solvers gives them.");
   module.def("extent", [](MainSystem& main) { return main.assembled("extent").extent(); }, py::arg("mbs"),
              "The diagonal of the box around all markers in space, as evaluated last, in m; 1 without such markers.");
 }

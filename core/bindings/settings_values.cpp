@@ -6,6 +6,7 @@
 #include "conversion.hpp"
 #include "dalembert/model/member.hpp"
 #include "dalembert/reflection/settings_texts.hpp"
+#include "dalembert/simulation_settings.hpp"
 #include "index_types.hpp"
 #include "python_errors.hpp"
 #include "settings.hpp"
@@ -45,7 +46,7 @@ py::object plain(const Row& row, const T& value) {
     for (const auto& entry : value.x) list.append(entry);
     return list;
   } else if constexpr (is_mat<T>) {
-    constexpr int n = rows_of<T>;
+    constexpr int n = row_count<T>;
     py::list list;
     for (int i = 0; i < n; ++i) {
       py::list line;
@@ -132,9 +133,17 @@ void write_value(const SettingsView& view, const Row& row, PyObject* value) {
   });
 }
 
-// Write a dictionary into a copy, so that an error leaves the settings as they were.
+// Who sets a type of linear solver gets it.
+void note_choice(const SettingsView& view, const Row& row) {
+  if (view.group == &simulation_settings_group() && row.name == "linearSolverType")
+    static_cast<SimulationSettings*>(view.data)->linearSolverChoice.automatic = false;
+}
+
+// Write a dictionary into a copy, so that an error leaves the settings as they were. What says who has chosen comes after the choice.
 void merge(const SettingsView& view, const py::dict& values) {
-  for (const auto& [key, value] : values) {
+  std::vector<std::pair<py::handle, py::handle>> entries(values.begin(), values.end());
+  std::ranges::stable_partition(entries, [](const auto& entry) { return !py::isinstance<py::dict>(entry.second); });
+  for (const auto& [key, value] : entries) {
     if (!py::isinstance<py::str>(key))
       refuse(ErrorKind::type, {.item = view.title(),
                                .problem = "keys of a dictionary of settings must be strings",
@@ -199,6 +208,7 @@ py::object read_setting(const SettingsView& view, const Row& row) {
 void write_setting(const SettingsView& view, const Row& row, PyObject* value) {
   try {
     write_value(view, row, value);
+    note_choice(view, row);
   } catch (const Refusal& refusal) {
     const std::string root(view.tree->group->name);
     refuse(refusal.kind, {.item = root,

@@ -178,6 +178,15 @@ py::dict diagnosis_dictionary(const Diagnosis& d) {
                   "dependentEquations"_a = d.dependent, "advice"_a = d.advice);
 }
 
+py::dict redundancy_dictionary(const RedundantConstraints& redundant, const System& system) {
+  using namespace py::literals;
+  py::list items;
+  for (const RedundantConstraints::Item& item : redundant.items(system))
+    items.append(py::dict("object"_a = item.object, "item"_a = item.item, "equations"_a = item.equations, "removable"_a = item.removable));
+  return py::dict("count"_a = redundant.count(), "items"_a = items, "equations"_a = redundant.equations(),
+                  "weakest"_a = redundant.weakest());
+}
+
 void register_solver_data(py::module_& module) {
   register_iteration(module);
   register_convergence(module);

@@ -4,6 +4,7 @@
 #include <pybind11/pybind11.h>
 
 #include "dalembert/solvers/error.hpp"
+#include "dalembert/solvers/redundant_constraints.hpp"
 
 namespace dalembert {
 
@@ -13,5 +14,8 @@ void register_solver_data(py::module_& module);
 
 // With the names of the attributes of SolverError.
 py::dict diagnosis_dictionary(const Diagnosis& diagnosis);
+
+// What is known of constraints that follow from others.
+py::dict redundancy_dictionary(const RedundantConstraints& redundant, const System& system);
 
 }  // namespace dalembert

@@ -49,7 +49,11 @@ void read_matrix(const char* method, const Array& matrix, const Pattern& pattern
   std::vector<double> stored(values.size(), 0.0);
   for (int i = 0; i < size; ++i) {
     for (int j = 0; j < size; ++j) {
-      if (m(i, j) != 0) stored[static_cast<std::size_t>(pattern.slot(i, j))] = m(i, j);
+      if (m(i, j) == 0) continue;
+      if (!pattern.contains(i, j))
+        refuse_shape(method, "an entry in row " + std::to_string(i) + ", column " + std::to_string(j),
+                     "entries of coordinates that items of the model couple; set simulationSettings.linearSolverType=EigenDense for others");
+      stored[static_cast<std::size_t>(pattern.slot(i, j))] = m(i, j);
     }
   }
   std::copy(stored.begin(), stored.end(), values.begin());
@@ -140,7 +144,6 @@ bool SolverWrapper::run(const MainPointer& new_main, const py::object& object, c
   initialized_ = false;
   attach(new_main, object, method, true);
   new_main->stop_requested = false;
-  dense_ = is_dense(settings->linearSolverType);
   version_ = new_main->system.version();
   mass_.clear();
   new_main->system.state(ConfigurationType::Visualization);  // there before other threads ask for it
@@ -179,7 +182,7 @@ void SolverWrapper::update_newton_view() {
 
 const Pattern& SolverWrapper::pattern() {
   if (NewtonSolver* newton = newton_solver()) return newton->pattern();
-  return main()->system.pattern(dense_);
+  return main()->system.pattern(is_dense(solver().linear_type()));
 }
 
 std::span<double> SolverWrapper::residual() {

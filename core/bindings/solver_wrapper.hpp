@@ -96,7 +96,6 @@ class SolverWrapper {
   std::optional<SolverEnvironment> environment_;  // none after SolveSystem: functions are not kept longer than needed
   bool initialized_ = false;
   std::uint64_t version_ = 0;  // of the system, when the solver was initialized
-  bool dense_ = false;         // its matrices, likewise
   std::vector<double> mass_, own_residual_, part_;
   py::object newton_settings_;  // settings of which one branch holds the copy
 };

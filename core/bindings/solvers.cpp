@@ -213,6 +213,21 @@ void register_matrices(SolverClass<W>& c) {
 }
 
 // Methods of solvers with Newton's method. Only `Base` is called: a replaced part may use the built-in one.
+template <class W>
+void register_redundancy(SolverClass<W>& c) {
+  c.def(
+      "GetRedundantConstraints",
+      [](W& w) {
+        w.require_own_thread("GetRedundantConstraints");
+        py::dict found = redundancy_dictionary(w.redundant_constraints(), w.system());
+        found["misfit"] = w.largest_misfit();
+        return found;
+      },
+      "What the last solution has found of constraint equations that follow from others: their number (count), the joints that could "
+      "lose some (items: object, item, equations, removable), equations whose multipliers are not unique (equations), the smallest "
+      "eigenvalue of the others (weakest), and the largest gap that contradictions have left, relative to the size of the model (misfit).");
+}
+
 template <class W, class Base>
 void register_newton(SolverClass<W>& c) {
   part<W>(c, "ComputeNewtonResidual", [](W& w) { return w.compute_residual(); },
@@ -296,6 +311,7 @@ void register_implicit(py::module_& module) {
   SolverClass<ImplicitWrapper> c(module, "MainSolverImplicitSecondOrder", "Generalized alpha, Newmark and trapezoidal rule.");
   register_common(c);
   register_newton<ImplicitWrapper, SecondOrderSolver>(c);
+  register_redundancy(c);
   c.def(
       "GetAAlgorithmic",
       [](ImplicitWrapper& w) {
@@ -341,6 +357,7 @@ void register_implicit(py::module_& module) {
 void register_explicit(py::module_& module) {
   SolverClass<ExplicitWrapper> c(module, "MainSolverExplicit", "Explicit Runge-Kutta methods and velocity Verlet.");
   register_common(c);
+  register_redundancy(c);
   c.def("GetMethodOrder", [](const ExplicitWrapper& w) { return w.method_order(); }, "Order of the method.");
   c.def("GetNumberOfStages", [](const ExplicitWrapper& w) { return w.number_of_stages(); }, "Stages of the method.");
   for (const char* name : {"ComputeNewtonResidual", "ComputeNewtonJacobian", "ComputeNewtonUpdate"}) {
@@ -357,6 +374,7 @@ void register_solvers(py::module_& module) {
   SolverClass<StaticWrapper> c(module, "MainSolverStatic", "Static equilibrium under loads that grow in steps.");
   register_common(c);
   register_newton<StaticWrapper, StaticSolver>(c);
+  register_redundancy(c);
   c.def_property_readonly("loadStepGeometricFactor", [](const StaticWrapper& w) { return w.geometric_factor(); },
                           "Ratio of consecutive loads with loadStepGeometric.");
   register_implicit(module);

@@ -48,6 +48,10 @@ constexpr std::array<std::string_view, 4> InitialConditionsSettings_rows{
     "largest rate of a gap that is not reported, relative to the sum of the magnitudes of the velocities that meet in the constraint; rates that open a gap of less than positionTolerance in one second are not reported",
 };
 
+constexpr std::array<std::string_view, 1> LinearSolverChoiceSettings_rows{
+    "true: as long as ``linearSolverType`` has not been set, dense matrices are taken up to 32 unknowns and sparse ones above; setting ``linearSolverType`` makes this false",
+};
+
 constexpr std::array<std::string_view, 4> LinearSolverSettings_rows{
     "true: a singular system matrix is no error, and one of the possible solutions is taken, for example with redundant constraints; only with a dense solver with full pivoting, and to be checked with care; false: a singular matrix stops the solver",
     "a pivot below this value is treated as zero, so that an almost singular matrix is reported; dense solvers only; 0: exact zeros only",
@@ -64,6 +68,12 @@ constexpr std::array<std::string_view, 8> ParallelSettings_rows{
     "number of items from which on work is split into several parts per thread",
     "number of parts of work per thread",
     "true: threads that are ready take over work of others; false: fixed share per thread",
+};
+
+constexpr std::array<std::string_view, 3> RedundantConstraintsSettings_rows{
+    "gap that redundant constraints which contradict each other may leave, relative to the size of the model, or in rad: up to it the solver distributes it among them and warns, above it is an error",
+    "the smallest reactions are those with the smallest sum of squares of forces and of moments divided by this length; 0: the size of the model, which is the diagonal of the box around all nodes and markers",
+    "true: find redundant constraints and solve in spite of them; false: a matrix that they make singular stops the solver, and where round-off hides that, reactions are arbitrary",
 };
 
 constexpr std::array<std::string_view, 27> SolutionSettings_rows{
@@ -115,6 +125,10 @@ constexpr std::array<std::string_view, 18> StaticSolverSettings_rows{
     "true: loads are multiplied with the load factor, which goes from 0 to 1; false: loads act in full, for loads that follow the quasi-time by themselves",
     "amount of output: 0 none, 1 now and then a line, 2 a line per step, 3 with the solution, 4 with mass matrix and Jacobian, 5 with the inverse of the Jacobian; on the console",
     "amount of output: 0 none, 1 now and then a line, 2 a line per step, 3 with the solution, 4 with mass matrix and Jacobian, 5 with the inverse of the Jacobian; in the solver information file",
+};
+
+constexpr std::array<std::string_view, 1> StepSizeControlSettings_rows{
+    "true: implicit solvers estimate the error of coordinates and velocities in each step, and repeat steps whose error is above the tolerances, if ``timeIntegration.automaticStepSize`` is true; false: they take equal steps",
 };
 
 constexpr std::array<std::string_view, 5> TimeIntegrationExplicitIntegrationSettings_rows{
@@ -539,15 +553,18 @@ constexpr std::array<std::string_view, 11> VSettingsExportImages_rows{
     "the width of an image is a multiple of this number of pixels; 4 suits video encoders",
 };
 
-constexpr std::array<SettingsText, 42> settings{{
+constexpr std::array<SettingsText, 45> settings{{
     {"NewtonNumericalDifferentiationSettings", "Jacobians by numerical differentiation", NewtonNumericalDifferentiationSettings_rows},
     {"NewtonSettings", "Newton's method for the nonlinear equations of a step", NewtonSettings_rows},
     {"DiscontinuousSettings", "iterations for contact, friction and other discontinuous states, after Newton's method has converged", DiscontinuousSettings_rows},
     {"InitialConditionsSettings", "how the initial values are held against the constraints when a solver starts", InitialConditionsSettings_rows},
+    {"LinearSolverChoiceSettings", "who chooses the linear solver", LinearSolverChoiceSettings_rows},
     {"LinearSolverSettings", "settings of the linear solver", LinearSolverSettings_rows},
     {"ParallelSettings", "computation with several threads", ParallelSettings_rows},
+    {"RedundantConstraintsSettings", "constraint equations that follow from others, such as those of the second hinge of a door", RedundantConstraintsSettings_rows},
     {"SolutionSettings", "what is written to files, and how often", SolutionSettings_rows},
     {"StaticSolverSettings", "static solver: equilibrium under loads that are increased in steps", StaticSolverSettings_rows},
+    {"StepSizeControlSettings", "which solvers choose their step sizes by an estimated error", StepSizeControlSettings_rows},
     {"TimeIntegrationExplicitIntegrationSettings", "explicit integrators", TimeIntegrationExplicitIntegrationSettings_rows},
     {"TimeIntegrationGeneralizedAlphaSettings", "generalized-alpha, Newmark and implicit trapezoidal integrators", TimeIntegrationGeneralizedAlphaSettings_rows},
     {"TimeIntegrationSettings", "time integration", TimeIntegrationSettings_rows},

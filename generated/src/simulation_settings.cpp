@@ -70,6 +70,11 @@ constexpr std::array<Row, 4> InitialConditionsSettings_rows{{
 }};
 constexpr SettingsGroup InitialConditionsSettings_group{"InitialConditionsSettings", InitialConditionsSettings_rows, {}};
 
+constexpr std::array<Row, 1> LinearSolverChoiceSettings_rows{{
+    {.name = "automatic", .storage = Storage::boolean, .offset = offsetof(LinearSolverChoiceSettings, automatic), .role = Role::parameter},
+}};
+constexpr SettingsGroup LinearSolverChoiceSettings_group{"LinearSolverChoiceSettings", LinearSolverChoiceSettings_rows, {}};
+
 constexpr std::array<Row, 4> LinearSolverSettings_rows{{
     {.name = "ignoreSingularJacobian", .storage = Storage::boolean, .offset = offsetof(LinearSolverSettings, ignoreSingularJacobian), .role = Role::parameter},
     {.name = "pivotThreshold", .storage = Storage::real, .offset = offsetof(LinearSolverSettings, pivotThreshold), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
@@ -101,6 +106,13 @@ constexpr std::array<SettingRule, 7> ParallelSettings_rules{{
     {.name = "useLoadBalancing", .no_effect = "threads that are ready always take over work of others"},
 }};
 constexpr SettingsGroup ParallelSettings_group{"ParallelSettings", ParallelSettings_rows, {}, ParallelSettings_rules};
+
+constexpr std::array<Row, 3> RedundantConstraintsSettings_rows{{
+    {.name = "largestMisfit", .storage = Storage::real, .offset = offsetof(RedundantConstraintsSettings, largestMisfit), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
+    {.name = "momentLength", .storage = Storage::real, .offset = offsetof(RedundantConstraintsSettings, momentLength), .role = Role::parameter, .check = Check::non_negative, .unit = "m"},
+    {.name = "treat", .storage = Storage::boolean, .offset = offsetof(RedundantConstraintsSettings, treat), .role = Role::parameter},
+}};
+constexpr SettingsGroup RedundantConstraintsSettings_group{"RedundantConstraintsSettings", RedundantConstraintsSettings_rows, {}};
 
 constexpr std::array<Row, 27> SolutionSettings_rows{{
     {.name = "appendToFile", .storage = Storage::boolean, .offset = offsetof(SolutionSettings, appendToFile), .role = Role::parameter},
@@ -167,6 +179,11 @@ constexpr std::array<SettingsChild, 2> StaticSolverSettings_children{{
     {"newton", &NewtonSettings_group, offsetof(StaticSolverSettings, newton)},
 }};
 constexpr SettingsGroup StaticSolverSettings_group{"StaticSolverSettings", StaticSolverSettings_rows, StaticSolverSettings_children, StaticSolverSettings_rules};
+
+constexpr std::array<Row, 1> StepSizeControlSettings_rows{{
+    {.name = "implicitSolvers", .storage = Storage::boolean, .offset = offsetof(StepSizeControlSettings, implicitSolvers), .role = Role::parameter},
+}};
+constexpr SettingsGroup StepSizeControlSettings_group{"StepSizeControlSettings", StepSizeControlSettings_rows, {}};
 
 constexpr std::array<Row, 5> TimeIntegrationExplicitIntegrationSettings_rows{{
     {.name = "computeEndOfStepAccelerations", .storage = Storage::boolean, .offset = offsetof(TimeIntegrationExplicitIntegrationSettings, computeEndOfStepAccelerations), .role = Role::parameter},
@@ -256,12 +273,15 @@ constexpr std::array<SettingRule, 3> SimulationSettings_rules{{
     {.name = "outputPrecision", .lower = 1.0, .upper = 17.0, .words = "from 1 to 17"},
     {.name = "pauseAfterEachStep", .no_effect = "there is no render window yet whose space bar could be waited for; a PostStep user function may wait"},
 }};
-constexpr std::array<SettingsChild, 6> SimulationSettings_children{{
+constexpr std::array<SettingsChild, 9> SimulationSettings_children{{
     {"initialConditions", &InitialConditionsSettings_group, offsetof(SimulationSettings, initialConditions)},
+    {"linearSolverChoice", &LinearSolverChoiceSettings_group, offsetof(SimulationSettings, linearSolverChoice)},
     {"linearSolverSettings", &LinearSolverSettings_group, offsetof(SimulationSettings, linearSolverSettings)},
     {"parallel", &ParallelSettings_group, offsetof(SimulationSettings, parallel)},
+    {"redundantConstraints", &RedundantConstraintsSettings_group, offsetof(SimulationSettings, redundantConstraints)},
     {"solutionSettings", &SolutionSettings_group, offsetof(SimulationSettings, solutionSettings)},
     {"staticSolver", &StaticSolverSettings_group, offsetof(SimulationSettings, staticSolver)},
+    {"stepSizeControl", &StepSizeControlSettings_group, offsetof(SimulationSettings, stepSizeControl)},
     {"timeIntegration", &TimeIntegrationSettings_group, offsetof(SimulationSettings, timeIntegration)},
 }};
 constexpr SettingsGroup SimulationSettings_group{"SimulationSettings", SimulationSettings_rows, SimulationSettings_children, SimulationSettings_rules};

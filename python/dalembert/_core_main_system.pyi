@@ -20,7 +20,9 @@ from dalembert._pictures import draw as draw
 from dalembert._pictures import html as html
 from dalembert._plots import system_graph as system_graph
 from dalembert._solving import consistent as consistent
+from dalembert._solving import energies as energies
 from dalembert._solving import linearized as linearized
+from dalembert._solving import report as report
 from dalembert._studies import variations as variations
 from dalembert.create import _distance_sensor as distance_sensor
 from dalembert.create import _robot as robot
@@ -280,3 +282,5 @@ class MainSystem(_Bound):
     SolveStatic = solver.SolveStatic
     SolveVariations = variations.SolveVariations
     ComputeConsistentInitialConditions = consistent.ComputeConsistentInitialConditions
+    ComputeEnergies = energies.ComputeEnergies
+    Report = report.Report

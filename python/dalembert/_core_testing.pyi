@@ -1,7 +1,7 @@
 # dalembert._core.testing: the equations of an assembled system at any state, and linear solvers.
 
 from collections.abc import Sequence
-from typing import Self
+from typing import Any, Self
 
 from numpy.typing import ArrayLike
 
@@ -87,6 +87,7 @@ def constraint_rates(mbs: MainSystem, state: State) -> tuple[Array, Array, Indic
 def open_constraints(
     mbs: MainSystem, state: State, position: float, velocity: float, rates: bool = True
 ) -> list[tuple[int, bool, float, float, str]]: ...
+def redundant_constraints(mbs: MainSystem, state: State, momentLength: float = 0.0) -> dict[str, Any]: ...
 def extent(mbs: MainSystem) -> float: ...
 def constant_mass_matrix(mbs: MainSystem) -> bool: ...
 def compose(mbs: MainSystem, state: State, increment: ArrayLike) -> Array: ...

@@ -14,6 +14,8 @@ from dalembert._pictures.html import SaveHTML
 from dalembert._plots.repr_html import _repr_html_
 from dalembert._plots.system_graph import DrawSystemGraph
 from dalembert._solving.consistent import ComputeConsistentInitialConditions
+from dalembert._solving.energies import ComputeEnergies
+from dalembert._solving.report import Report
 from dalembert._studies.variations import SolveVariations
 from dalembert.create._distance_sensor import CreateDistanceSensor, CreateDistanceSensorGeometry
 from dalembert.create._interface import (  # noqa: F401
@@ -33,6 +35,7 @@ methods: dict[str, Callable[..., Any]] = (
         function.__name__: function
         for function in (
             ComputeConsistentInitialConditions,
+            ComputeEnergies,
             CreateDistanceSensor,
             CreateDistanceSensorGeometry,
             CreateRobot,
@@ -42,6 +45,7 @@ methods: dict[str, Callable[..., Any]] = (
             model_files.Load,
             model_files.Save,
             PlotSensor,
+            Report,
             SaveHTML,
             SolutionViewer,
             pickling.GetDictionary,

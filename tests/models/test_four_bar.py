@@ -32,11 +32,12 @@ def parallelogram(loops: int, times: list[float]) -> np.ndarray:
 
 
 class Bars:
-    def __init__(self, loops: int) -> None:
+    def __init__(self, loops: int, angle: float = np.pi / 2, rate: float = -1) -> None:
         self.mbs = new_system()
         ground = self.mbs.AddObject(exu.ObjectGround())
-        links = [self.bar([i, 0.5, np.pi / 2], [0.5, 0, -1]) for i in range(loops + 1)]
-        couplers = [self.bar([i + 0.5, 1, 0], [1, 0, 0]) for i in range(loops)]
+        along, across = np.array([np.cos(angle), np.sin(angle)]), np.array([-np.sin(angle), np.cos(angle)])
+        links = [self.bar([*([i, 0] + along / 2), angle], [*(rate * across / 2), rate]) for i in range(loops + 1)]
+        couplers = [self.bar([*([i + 0.5, 0] + along), 0], [*(rate * across), 0]) for i in range(loops)]
         for i, link in enumerate(links):
             self.join((ground, [i, 0, 0]), (link, [-0.5, 0, 0]))
         for i, coupler in enumerate(couplers):
@@ -77,3 +78,17 @@ def test_parallelogram(loops: int, end: int) -> None:
     error = np.linalg.norm(bars.tip_output(Variable.Position) - wanted[:2])
     assert 1e-8 < error < 6e-5 * end
     np.testing.assert_allclose(bars.tip_output(Variable.Velocity), wanted[2:], rtol=0, atol=6e-4 * end)
+
+
+@pytest.mark.parametrize("linear", [exu.LinearSolverType.EXUdense, exu.LinearSolverType.EigenSparse])
+def test_start_in_the_singular_position(linear: Any) -> None:
+    """Flat, with three degrees of freedom at the start and one thereafter; it comes back there after 0.67 s."""
+    bars = Bars(2, angle=0, rate=-3)
+    assert bars.mbs.ComputeSystemDegreeOfFreedom()["degreeOfFreedom"] == 3
+    s = settings(1, 250)
+    s.linearSolverType = linear
+    bars.mbs.SolveDynamic(s)
+    np.testing.assert_allclose(bars.tip_output(Variable.Position), [-0.9245629518, 0.3810293271], rtol=0, atol=1e-4)
+    angles = [bars.mbs.GetObjectOutputBody(bars.tip + i, Variable.Rotation, [0, 0, 0]) for i in range(3)]
+    assert np.ptp(angles) < 1e-9
+    assert bars.mbs.sys["dynamicSolver"].GetRedundantConstraints()["count"] == 0

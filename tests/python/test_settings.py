@@ -37,7 +37,17 @@ def test_every_value_is_an_attribute_and_can_be_written(root: Any) -> None:
         target = at(settings, owner) if owner else settings
         assert getattr(target, name) == value
         setattr(target, name, value)
-    assert dict(leaves(settings.GetDictionary())) == values
+    chosen = {"linearSolverChoice.automatic": False} if "linearSolverType" in values else {}  # who sets a type gets it
+    assert dict(leaves(settings.GetDictionary())) == values | chosen
+
+
+def test_a_type_of_linear_solver_that_is_set_stays() -> None:
+    settings = exu.SimulationSettings()
+    assert settings.linearSolverChoice.automatic
+    assert pickle.loads(pickle.dumps(settings)).linearSolverChoice.automatic
+    settings.linearSolverType = exu.LinearSolverType.EXUdense
+    assert not settings.linearSolverChoice.automatic
+    assert not pickle.loads(pickle.dumps(settings)).linearSolverChoice.automatic
 
 
 def test_nested_structures_refer_to_their_parent() -> None:

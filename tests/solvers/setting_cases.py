@@ -113,10 +113,20 @@ GENERAL: dict[str, Case] = {
     "initialConditions.positionTolerance": Case(0.1, named("contradict"), models.open_pendulum),
     "initialConditions.velocityTolerance": Case(10.0, named("contradict"), models.stretching_pendulum),
     "linearSolverSettings.ignoreSingularJacobian": Case(
-        True, solved, models.redundant, {"linearSolverType": exu.LinearSolverType.EigenDense}
+        True,
+        solved,
+        models.redundant,
+        {"linearSolverType": exu.LinearSolverType.EigenDense, "redundantConstraints.treat": False},
     ),
     "linearSolverSettings.pivotThreshold": Case(1e6, solved),
-    "linearSolverSettings.showCausingItems": Case(False, named("twice"), models.redundant, solver="static"),
+    "linearSolverSettings.showCausingItems": Case(
+        False, named("twice"), models.redundant, {"redundantConstraints.treat": False}, solver="static"
+    ),
+    "redundantConstraints.largestMisfit": Case(1e-2, solved, models.contradictory),
+    "redundantConstraints.momentLength": Case(20.0, motion, models.door),
+    "redundantConstraints.treat": Case(False, solved, models.redundant),
+    "linearSolverChoice.automatic": Case(False, says("linear solver: sparse"), models.long_chain, LOUD_DYNAMICS),
+    "stepSizeControl.implicitSolvers": Case(True, steps),
     "parallel.numberOfThreads": Case(
         2, lambda run: run.threads, models.long_chain, {"linearSolverType": exu.LinearSolverType.EigenSparse}
     ),

@@ -186,6 +186,28 @@ def redundant() -> Any:
     return assembled(model)
 
 
+def contradictory() -> Any:
+    model = spring()
+    for offset in (0.3, 0.3001):
+        model.mbs.AddObject(CoordinateConstraint(markerNumbers=[model.ground, model.marker], offset=offset))
+    return assembled(model)
+
+
+def door() -> Any:
+    """How a moment is shared by the forces and moments of two hinges."""
+    mbs = exu.SystemContainer().AddSystem()
+    ground = mbs.CreateGround()
+    inertia = exu.rigidBodyUtilities.InertiaCuboid(100, [1, 0.1, 2])
+    leaf = mbs.CreateRigidBody(referencePosition=[0.5, 0, 0], inertia=inertia, gravity=[0, 0, -9.81])
+    for height in (-0.5, 0.5):
+        hinge = mbs.CreateRevoluteJoint(bodyNumbers=[ground, leaf], position=[0, 0, height], axis=[0, 0, 1])
+    mbs.AddSensor(
+        exu.itemInterface.SensorObject(objectNumber=hinge, storeInternal=True, outputVariableType=Variable.ForceLocal)
+    )
+    mbs.Assemble()
+    return mbs
+
+
 def held() -> Any:
     """A second mass, with a speed, is held by a constraint."""
     model = spring()

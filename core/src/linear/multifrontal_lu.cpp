@@ -39,11 +39,17 @@ int MultifrontalLu::start_again(std::span<const double> given) {
   std::vector<double> gathered(slots_.size());
   std::ranges::transform(slots_, gathered.begin(), [&](int slot) { return given[slot]; });
   const std::span<const double> values = slots_.empty() ? given : gathered;
-  if (tree_.empty()) {
-    const EliminationOrder order = minimum_degree_order(pattern_, values);
-    tree_ = balanced(assembly_tree(pattern_, order), pivots_at_hand(pattern_, values));
+  std::vector<double> pivots_alone;  // the values without diagonal entries that are none
+  if (!options_.tiny_diagonal.empty()) {
+    pivots_alone.assign(values.begin(), values.end());
+    for (const int j : options_.tiny_diagonal) pivots_alone[static_cast<std::size_t>(pattern_.slot(j, j))] = 0;
   }
-  scaling_ = balance(pattern_, values);
+  const std::span<const double> structure = pivots_alone.empty() ? values : pivots_alone;
+  if (tree_.empty()) {
+    const EliminationOrder order = minimum_degree_order(pattern_, structure);
+    tree_ = balanced(assembly_tree(pattern_, order), pivots_at_hand(pattern_, structure));
+  }
+  scaling_ = balance(pattern_, structure);
   // Without multipliers there is in general nothing to search.
   planned_ = !options_.ignore_singular && std::ranges::none_of(scaling_.multiplier, [](char m) { return m != 0; }) &&
              adopt(pivots_in_order(tree_), values, given) && growth_ <= harmless_growth && regular();

@@ -87,7 +87,10 @@ void OccupiedLu::select(std::span<const double> values) {
   x_.resize(coupled_.size());
   occupied_ = Pattern::sparse(std::move(occupied_starts), std::move(occupied_rows));
   count_as_earlier();
-  solver_ = std::make_unique<MultifrontalLu>(*occupied_, options_, std::move(slots));
+  LinearSolverOptions options = options_;
+  std::erase_if(options.tiny_diagonal, [&](int j) { return place[j] < 0; });
+  for (int& j : options.tiny_diagonal) j = place[j];
+  solver_ = std::make_unique<MultifrontalLu>(*occupied_, options, std::move(slots));
 }
 
 // Those of entries that differ from zero, of the entries opposite to them, and of the diagonal.

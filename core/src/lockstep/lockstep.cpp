@@ -172,7 +172,7 @@ void Lockstep::search_pivots(int i) {
   Lane& lane = lanes_[static_cast<std::size_t>(i)];
   const std::span<double> values = lane.solver->jacobian_values();
   for (std::size_t k = 0; k < values.size(); ++k) values[k] = program_.output(matrix_output(static_cast<int>(k)))[i];
-  lane.here = lane.solver->factorize();
+  lane.here = lane.solver->factorize() && !lane.solver->redundant_constraints().in_use();
   if (lane.here) lane.factors = &factors_for(lane.solver->linear_->listed_rows());
 }
 

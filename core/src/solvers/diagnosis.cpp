@@ -64,8 +64,9 @@ Diagnosis& Solver::diagnose(FailureReason reason) {
     d.singular_row = conv.linearSolverCausingRow;
     if (settings_->linearSolverSettings.showCausingItems) d.singular_items = system_->describe_row(d.singular_row);
     d.advice = {"look for redundant constraints, coordinates without mass or stiffness, and zero parameters at these items",
-                "use linearSolverType=exu.LinearSolverType.EigenDense with linearSolverSettings.ignoreSingularJacobian=True "
-                "to go on with redundant constraints"};
+                settings_->redundantConstraints.treat
+                    ? "hold what can move without inertia or stiffness, by a constraint or a weak spring: redundant constraints alone are no obstacle"
+                    : "use redundantConstraints.treat=True to go on with redundant constraints"};
   }
   return d;
 }

@@ -13,10 +13,11 @@ struct Words {
 };
 
 // In the order of FailureReason.
-constexpr std::array<Words, 9> words{{
+constexpr std::array<Words, 10> words{{
     {"", "no failure", ""},
     {"newton", "Newton's method did not converge", "largest residuals"},
     {"singularMatrix", "the system matrix is singular", ""},
+    {"contradictoryConstraints", "constraints contradict each other", "what the closest fit leaves open"},
     {"massMatrix", "the mass matrix is singular", ""},
     {"discontinuousIteration", "the discontinuous iteration (contact, friction) did not settle", ""},
     {"errorControl", "the error stays above the tolerances at the smallest step size", "largest errors, in units of the tolerances"},
@@ -65,7 +66,7 @@ std::string Diagnosis::text() const {
     t += "\n  no pivot for unknown " + std::to_string(singular_row);
     if (!singular_items.empty()) t += ": " + singular_items;
   }
-  add_list(t, "equations that depend on each other", dependent);
+  add_list(t, reason == FailureReason::contradiction ? "apart, if all others are fulfilled" : "equations that depend on each other", dependent);
   std::vector<std::string> lines;
   for (const NamedValue& v : values) lines.push_back(line_of(v));
   add_list(t, words_of(reason).values, lines);

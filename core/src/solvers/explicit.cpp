@@ -98,9 +98,9 @@ void ExplicitSolver::post_initialize() {
   std::fill(now.y_t.begin(), now.y_t.end(), 0.0);
   std::fill(now.lambda.begin(), now.lambda.end(), 0.0);
   const auto& l = settings().linearSolverSettings;
-  mass_.prepare(system(), settings().linearSolverType,
+  mass_.prepare(system(), linear_type(),
                 {.pivot_threshold = l.pivotThreshold, .ignore_singular = l.ignoreSingularJacobian});
-  constant_mass_ = system().constant_mass_matrix() && settings().timeIntegration.reuseConstantMassMatrix;
+  constant_mass_ = !constrained_ && system().constant_mass_matrix() && settings().timeIntegration.reuseConstantMassMatrix;
   if (constant_mass_) {
     if (const int row = mass_.update(system(), now); row != LinearSolver::success) {
       mass_failed(row);
@@ -113,22 +113,30 @@ void ExplicitSolver::post_initialize() {
   start_of_step() = now;
 }
 
-// Constraints that fix one coordinate are kept by setting it back to zero; others cannot be.
+// Constraints that fix one coordinate are kept by setting it back to zero; others by their multipliers.
 void ExplicitSolver::find_eliminated_coordinates() {
   eliminated_.clear();
+  constrained_ = false;
   if (sizes_.ae == 0) return;
   if (!settings().timeIntegration.explicitIntegration.eliminateConstraints) {
     warn("explicit integration ignores all constraints (timeIntegration.explicitIntegration.eliminateConstraints=False)");
     return;
   }
   auto fixed = system().fixed_coordinates();
-  if (!fixed) {
-    throw ModelError(ErrorKind::value,
-                     name() + ": the system has constraints that explicit integration cannot eliminate; only "
-                     "CoordinateConstraint between a node's coordinate and a ground node is possible. Use an implicit "
-                     "solver, nodes without constraints of their own, or spring-dampers instead of joints");
+  constrained_ = !fixed;
+  if (!constrained_) {
+    eliminated_ = std::move(*fixed);
+    return;
   }
-  eliminated_ = std::move(*fixed);
+  if (verlet_) {
+    throw ModelError(ErrorKind::value,
+                     name() + ": the system has constraints that this method cannot eliminate; only CoordinateConstraint between a "
+                     "node's coordinate and a ground node is possible. Use a Runge-Kutta method, for example "
+                     "exu.DynamicSolverType.DOPRI5, which keeps all constraints, or an implicit solver");
+  }
+  const auto& l = settings().linearSolverSettings;
+  motion_.prepare(system(), linear_type(), {.pivot_threshold = l.pivotThreshold, .ignore_singular = l.ignoreSingularJacobian},
+                  settings().redundantConstraints);
 }
 
 void ExplicitSolver::eliminate(Vector& x) const {
@@ -176,8 +184,9 @@ bool ExplicitSolver::newton() {
   conv.linearSolverFailed = conv.newtonSolutionDiverged = conv.stopNewton = false;
   conv.linearSolverCausingRow = -1;
   conv.newtonConverged = true;
-  end_known_ = false;
+  end_known_ = off_constraints_ = false;
   compute_step();
+  if (off_constraints_) [[unlikely]] return lose_constraints();
   if (conv.linearSolverFailed) [[unlikely]] {
     conv.newtonConverged = false;
     const bool singular = all_finite(current().q) && all_finite(current().v);
@@ -215,6 +224,7 @@ DALEMBERT_INLINE inline bool ExplicitSolver::stays_bounded() const {
   eliminate(now.q);
   eliminate(now.v);
   now.time = it.currentTime;
+  if (constrained_ && !back_onto_constraints()) return;
   end_of_step();
 }
 
@@ -344,6 +354,7 @@ void ExplicitSolver::rates(Vector& y_t) {
 }
 
 bool ExplicitSolver::accelerations(Vector& a, std::span<double> y_t) {
+  if (constrained_) return constrained_accelerations(a, y_t);
   if (!constant_mass_) {
     const TimedPart time(timer, timer.massMatrix);
     if (const int row = mass_.update(system(), current()); row != LinearSolver::success) {
@@ -371,6 +382,7 @@ void ExplicitSolver::free_memory() {
   for (std::vector<Vector>* stages : {&stage_q_, &stage_v_, &stage_y_}) *stages = {};
   for (Vector* numbers : {&second_q_, &second_v_, &second_y_, &end_a_, &end_y_t_, &turn_}) *numbers = {};
   mass_ = {};
+  motion_ = {};
 }
 
 }  // namespace dalembert

@@ -66,6 +66,12 @@ void NewtonSolver::initialize_data() {
   const auto n = static_cast<std::size_t>(sizes_.total());
   residual_.assign(n, 0.0);
   increment_.assign(n, 0.0);
+  redundant_ = RedundantConstraints();
+  treatment_ = Treatment::none;
+  plain_.reset();
+  announced_ = warned_of_misfit_ = confirmed_ = confirms_ = false;
+  largest_misfit_ = 0;
+  examined_ = sizes_.ae == 0 || !settings().redundantConstraints.treat || settings().linearSolverSettings.ignoreSingularJacobian;
 }
 
 // Dense patterns are never revised.
@@ -77,13 +83,18 @@ void NewtonSolver::pattern_revised() {
 
 void NewtonSolver::take_pattern() {
   const Pattern* pattern = &system().pattern(dense());
-  const auto& s = settings().linearSolverSettings;
-  linear_ = make_linear_solver(*pattern, settings().linearSolverType,
-                               {.pivot_threshold = s.pivotThreshold,
-                                .ignore_singular = s.ignoreSingularJacobian,
-                                .unsettled_matrices = full_newton_ ? first_jacobians : 0});
+  const auto make = [&](const LinearSolverOptions& options) { return make_linear_solver(*pattern, linear_type(), options); };
+  linear_ = make(redundant_.in_use() ? redundant_.options(linear_options()) : linear_options());
+  if (plain_) plain_ = make(linear_options());
   pattern_ = pattern;
   jacobian_.assign(static_cast<std::size_t>(pattern->values()), 0.0);
+}
+
+LinearSolverOptions NewtonSolver::linear_options() const {
+  const auto& s = settings().linearSolverSettings;
+  return {.pivot_threshold = s.pivotThreshold,
+          .ignore_singular = s.ignoreSingularJacobian,
+          .unsettled_matrices = full_newton_ ? first_jacobians : 0};
 }
 
 double NewtonSolver::evaluate_residual() {
@@ -91,11 +102,21 @@ double NewtonSolver::evaluate_residual() {
     const TimedPart time(timer, timer.python);
     hooks().pre_newton_residual(it.currentTime, it.newtonSteps, it.discontinuousIteration);
   }
-  return compute_residual();
+  const double norm = compute_residual();
+  return misfit_.empty() ? norm : residual_without_misfit();
 }
 
 // Its parts are inlined: calls take as long as what they compute in small systems.
 [[gnu::flatten]] bool NewtonSolver::newton() {
+  tried_harder_ = contradiction_ = false;
+  if (iterate_to_the_end()) return true;
+  while (try_harder())
+    if (iterate_to_the_end()) return true;
+  report_failure();
+  return false;
+}
+
+[[gnu::always_inline]] inline bool NewtonSolver::iterate_to_the_end() {
   begin_newton();
   judge_start(evaluate_residual());
   while (goes_on()) {
@@ -104,12 +125,9 @@ double NewtonSolver::evaluate_residual() {
     }
     iterate();
   }
-  if (succeeded()) {
-    if (leaves_correction()) correct_motion();
-    return true;
-  }
-  report_failure();
-  return false;
+  if (!succeeded()) return false;
+  if (leaves_correction()) correct_motion();
+  return !redundant_.in_use() || settle_multipliers();
 }
 
 // Multipliers start from zero, coordinates from the prediction of the integrator.
@@ -119,6 +137,10 @@ void NewtonSolver::begin_newton() {
   conv.linearSolverCausingRow = -1;
   full_newton_ = !newton_settings.useModifiedNewton;
   loop_ = Loop();
+  if (treatment_ != Treatment::none) [[unlikely]] {
+    misfit_.clear();
+    if (it.currentStepIndex != treated_since_) look_again_at_redundancy();
+  }
   State& now = current();
   clear_numbers(now.lambda.data(), now.lambda.size());
   clear_numbers(increment_.data(), increment_.size());
@@ -144,8 +166,10 @@ bool NewtonSolver::goes_on() const {
 
 bool NewtonSolver::factorize() {
   const TimedPart time(timer, timer.factorization);
+  if (redundant_.in_use()) [[unlikely]] prepare_regularized();
   conv.linearSolverCausingRow = linear_->factorize(jacobian_);
   conv.linearSolverFailed = conv.linearSolverCausingRow != LinearSolver::success;
+  if (!examined_ || conv.linearSolverFailed) [[unlikely]] look_for_redundancy();
   return !conv.linearSolverFailed;
 }
 
@@ -187,6 +211,7 @@ void NewtonSolver::correct_motion() {
     copy_numbers(residual_.data(), residual_.size(), increment_.data());
     linear_->solve(increment_);
   }
+  if (redundant_.in_use()) [[unlikely]] take_off_misfit();
   compute_update(false);
 }
 
@@ -344,6 +369,7 @@ void NewtonSolver::restart() {
 }
 
 [[gnu::noinline]] void NewtonSolver::report_failure() {
+  if (contradiction_) return report_contradiction();
   if (!all_finite(jacobian_) || loop_.lost) return report_not_finite();
   if (conv.linearSolverFailed) {
     diagnose(FailureReason::singular_matrix);
@@ -402,6 +428,7 @@ void NewtonSolver::report_not_finite() {
 
 void NewtonSolver::free_memory() {
   linear_.reset();
+  plain_.reset();
   for (std::vector<double>* numbers : {&residual_, &increment_, &jacobian_}) *numbers = {};
 }
 

@@ -101,6 +101,10 @@ void SecondOrderSolver::initialize_data() {
   simplified_lie_ = lie_ && settings().timeIntegration.generalizedAlpha.lieGroupSimplifiedKinematicRelations;
   lie_increment_.assign(lie_ ? n : 0, 0.0);
   previous_q_.assign(lie_ ? n : 0, 0.0);
+  accepted_step_size_ = 0;
+  driven_.clear();
+  rejected_ = warned_minimum_ = false;
+  steps_above_tolerance_ = 0;
 }
 
 void SecondOrderSolver::initial_conditions() {
@@ -116,8 +120,9 @@ void SecondOrderSolver::initial_conditions() {
   if (s.computeInitialAccelerations) {
     const auto& l = settings().linearSolverSettings;
     const InitialAccelerations first =
-        dalembert::initial_accelerations(system(), now, conditions_, settings().linearSolverType,
-                                         {.pivot_threshold = l.pivotThreshold, .ignore_singular = l.ignoreSingularJacobian});
+        dalembert::initial_accelerations(system(), now, conditions_, linear_type(),
+                                         {.pivot_threshold = l.pivotThreshold, .ignore_singular = l.ignoreSingularJacobian},
+                                         settings().redundantConstraints);
     if (first.singular_row == LinearSolver::success) {
       now.a = first.a;
       if (s.storeInitialAlgebraicCoordinates) now.lambda = first.lambda;
@@ -142,7 +147,7 @@ void SecondOrderSolver::post_initialize() {
 
 // Constant steps are counted, not summed, to keep round-off out of the time.
 void SecondOrderSolver::update_current_time() {
-  if (!it.adaptiveStep) {
+  if (!it.adaptiveStep && !it.automaticStepSize) {
     it.currentTime = static_cast<double>(it.currentStepIndex) * it.currentStepSize + it.startTime;
     return;
   }
@@ -152,12 +157,15 @@ void SecondOrderSolver::update_current_time() {
 
 bool SecondOrderSolver::reduce_step_size() {
   it.currentTime = current().time;
+  algorithmic_ = algorithmic_at_start_;
+  if (std::exchange(rejected_, false)) return true;  // the error control has chosen a step size
   if (!(it.currentStepSize > it.minStepSize)) return false;
   it.currentStepSize = reduced_step_size(settings().timeIntegration.adaptiveStepDecrease);
   return true;
 }
 
 void SecondOrderSolver::increase_step_size() {
+  if (it.automaticStepSize) return;
   it.currentStepSize = std::min(it.maxStepSize, settings().timeIntegration.adaptiveStepIncrease * it.currentStepSize);
 }
 
@@ -195,6 +203,7 @@ void SecondOrderSolver::predict() {
   State& now = current();
   const double h = it.currentStepSize;
   if (lie_) previous_q_ = start_of_step().q;
+  if (it.automaticStepSize) [[unlikely]] move_algorithmic_accelerations();
   predict_motion(system(), now.q.size(), {h, newmark_beta, newmark_gamma, alpha_m, alpha_f}, increment_of_q_.data(),
                  newmark() ? nullptr : algorithmic_.data(), now.q.data(), now.v.data(), now.a.data());
   for (std::size_t i = 0; i < now.y.size(); ++i) {
@@ -346,7 +355,7 @@ void SecondOrderSolver::scale_jacobian(std::vector<S>& values) const {
 
 bool SecondOrderSolver::goes_in_lockstep() const {
   const auto& s = settings();
-  return !verbose(1) && !hooks().take_part_in_steps() && hooks().timeout < 0 && !has_replaced_parts() && !s.displayComputationTime &&
+  return !verbose(1) && !it.automaticStepSize && !hooks().take_part_in_steps() && hooks().timeout < 0 && !has_replaced_parts() && !s.displayComputationTime &&
          !wants_differences(newton_settings.numericalDifferentiation) && s.timeIntegration.computeLoadsJacobian == 0 &&
          newton_settings.useNewtonSolver && discontinuous.iterationTolerance >= 0 &&
          linear_->may_be_listed();

@@ -96,12 +96,28 @@ bool Solver::check_system() {
   if (sizes_.total() == 0) {
     refuse_system(name() + ": the system has no unknowns; add at least one node with coordinates and assemble again");
   }
-  const auto type = settings_->linearSolverType;
-  if (is_dense(type) && sizes_.total() + sizes_.data > 1000) {
+  choose_linear_solver();
+  if (dense() && sizes_.total() + sizes_.data > 1000) {
     warn("simulationSettings.linearSolverType is dense, but the system has " + std::to_string(sizes_.total()) +
          " unknowns; exudyn.LinearSolverType.EigenSparse needs less memory and time");
   }
   return true;
+}
+
+// Dense factors list their operations up to 32 unknowns; above, sparse ones take less time. Choices that only dense solvers know, and users
+// who write into matrices, need dense ones.
+void Solver::choose_linear_solver() {
+  constexpr int most_dense_unknowns = 32;
+  const auto& s = *settings_;
+  const auto& differences = newton_settings.numericalDifferentiation;
+  linear_type_ = s.linearSolverType;
+  if (!s.linearSolverChoice.automatic || linear_type_ != LinearSolverType::EXUdense || sizes_.total() <= most_dense_unknowns) return;
+  if (s.linearSolverSettings.ignoreSingularJacobian || s.linearSolverSettings.pivotThreshold > 0 || hooks().system_jacobian ||
+      differences.doSystemWideDifferentiation || has_replaced_parts()) {
+    return;
+  }
+  linear_type_ = LinearSolverType::EigenSparse;
+  if (verbose(1)) say(1, "  linear solver: sparse (EigenSparse), as linearSolverType has not been set\n");
 }
 
 void Solver::initialize_data() {
@@ -255,7 +271,9 @@ void Solver::begin_step() {
 [[gnu::noinline]] void Solver::step_failed() {
   current() = start_of_step();
   if (system_->searches()) system_->restore_history();
-  const bool may_be_reduced = !conv.linearSolverFailed && (it.adaptiveStep || it.automaticStepSize);  // no step mends a singular matrix
+  // No step mends a singular matrix, or joints that do not fit.
+  const bool beyond_repair = conv.linearSolverFailed || diagnosis_.reason == FailureReason::contradiction;
+  const bool may_be_reduced = !beyond_repair && (it.adaptiveStep || it.automaticStepSize);
   if (!may_be_reduced || !reduce_step_size()) {
     conv.stepReductionFailed = true;
     if (!diagnosis_.failed()) diagnose(FailureReason::discontinuous, {});

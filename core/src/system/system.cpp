@@ -262,4 +262,17 @@ std::string System::describe_row(int row) const {
   return "row " + std::to_string(row);
 }
 
+std::vector<System::EquationOwner> System::equation_owners() const {
+  const SystemParts& parts = *parts_;
+  std::vector<EquationOwner> owners;
+  const auto add = [&](ItemKind kind, std::size_t i, int first, int count) {
+    const int number = static_cast<int>(i);
+    if (first >= 0 && count > 0) owners.push_back({kind == ItemKind::node, number, first, count, parts.describe(kind, number)});
+  };
+  for (std::size_t i = 0; i < parts.nodes.size(); ++i) add(ItemKind::node, i, parts.nodes[i].ae, parts.nodes[i].sizes.ae);
+  for (std::size_t i = 0; i < parts.objects.size(); ++i) add(ItemKind::object, i, parts.objects[i].first_ae, parts.objects[i].equations);
+  std::ranges::sort(owners, {}, &EquationOwner::first);
+  return owners;
+}
+
 }  // namespace dalembert

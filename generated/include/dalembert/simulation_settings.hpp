@@ -54,6 +54,11 @@ struct InitialConditionsSettings {
   double velocityTolerance = 0.01;
 };
 
+// who chooses the linear solver
+struct LinearSolverChoiceSettings {
+  bool automatic = true;
+};
+
 // settings of the linear solver
 struct LinearSolverSettings {
   bool ignoreSingularJacobian = false;
@@ -72,6 +77,13 @@ struct ParallelSettings {
   int taskSplitMinItems = 50;
   int taskSplitTasksPerThread = 16;
   bool useLoadBalancing = true;
+};
+
+// constraint equations that follow from others, such as those of the second hinge of a door
+struct RedundantConstraintsSettings {
+  double largestMisfit = 1e-06;
+  double momentLength = 0.0;
+  bool treat = true;
 };
 
 // what is written to files, and how often
@@ -127,6 +139,11 @@ struct StaticSolverSettings {
   int verboseModeFile = 0;
   DiscontinuousSettings discontinuous{};
   NewtonSettings newton{};
+};
+
+// which solvers choose their step sizes by an estimated error
+struct StepSizeControlSettings {
+  bool implicitSolvers = false;
 };
 
 // explicit integrators
@@ -193,10 +210,13 @@ struct SimulationSettings {
   int outputPrecision = 6;
   bool pauseAfterEachStep = false;
   InitialConditionsSettings initialConditions{};
+  LinearSolverChoiceSettings linearSolverChoice{};
   LinearSolverSettings linearSolverSettings{};
   ParallelSettings parallel{};
+  RedundantConstraintsSettings redundantConstraints{};
   SolutionSettings solutionSettings{};
   StaticSolverSettings staticSolver{};
+  StepSizeControlSettings stepSizeControl{};
   TimeIntegrationSettings timeIntegration{};
 };
 

@@ -105,6 +105,14 @@ class InitialConditionsSettings(_Settings):
     def __init__(self) -> None: ...
 
 @final
+class LinearSolverChoiceSettings(_Settings):
+    """who chooses the linear solver"""
+
+    automatic: bool
+    """true: as long as ``linearSolverType`` has not been set, dense matrices are taken up to 32 unknowns and sparse ones above; setting ``linearSolverType`` makes this false; default: True"""
+    def __init__(self) -> None: ...
+
+@final
 class LinearSolverSettings(_Settings):
     """settings of the linear solver"""
 
@@ -138,6 +146,18 @@ class ParallelSettings(_Settings):
     """number of parts of work per thread; no effect: how work is divided among threads follows from the size of the system alone, so that results do not depend on it; default: 16"""
     useLoadBalancing: bool
     """true: threads that are ready take over work of others; false: fixed share per thread; no effect: threads that are ready always take over work of others; default: True"""
+    def __init__(self) -> None: ...
+
+@final
+class RedundantConstraintsSettings(_Settings):
+    """constraint equations that follow from others, such as those of the second hinge of a door"""
+
+    largestMisfit: float
+    """gap that redundant constraints which contradict each other may leave, relative to the size of the model, or in rad: up to it the solver distributes it among them and warns, above it is an error [1]; default: 1e-06"""
+    momentLength: float
+    """the smallest reactions are those with the smallest sum of squares of forces and of moments divided by this length; 0: the size of the model, which is the diagonal of the box around all nodes and markers [m]; default: 0.0"""
+    treat: bool
+    """true: find redundant constraints and solve in spite of them; false: a matrix that they make singular stops the solver, and where round-off hides that, reactions are arbitrary; default: True"""
     def __init__(self) -> None: ...
 
 @final
@@ -248,6 +268,14 @@ class StaticSolverSettings(_Settings):
     def newton(self) -> NewtonSettings: ...
     @newton.setter
     def newton(self, value: NewtonSettings | dict[str, Any]) -> None: ...
+    def __init__(self) -> None: ...
+
+@final
+class StepSizeControlSettings(_Settings):
+    """which solvers choose their step sizes by an estimated error"""
+
+    implicitSolvers: bool
+    """true: implicit solvers estimate the error of coordinates and velocities in each step, and repeat steps whose error is above the tolerances, if ``timeIntegration.automaticStepSize`` is true; false: they take equal steps; default: False"""
     def __init__(self) -> None: ...
 
 @final
@@ -383,6 +411,10 @@ class SimulationSettings(_Settings):
     @initialConditions.setter
     def initialConditions(self, value: InitialConditionsSettings | dict[str, Any]) -> None: ...
     @property
+    def linearSolverChoice(self) -> LinearSolverChoiceSettings: ...
+    @linearSolverChoice.setter
+    def linearSolverChoice(self, value: LinearSolverChoiceSettings | dict[str, Any]) -> None: ...
+    @property
     def linearSolverSettings(self) -> LinearSolverSettings: ...
     @linearSolverSettings.setter
     def linearSolverSettings(self, value: LinearSolverSettings | dict[str, Any]) -> None: ...
@@ -391,6 +423,10 @@ class SimulationSettings(_Settings):
     @parallel.setter
     def parallel(self, value: ParallelSettings | dict[str, Any]) -> None: ...
     @property
+    def redundantConstraints(self) -> RedundantConstraintsSettings: ...
+    @redundantConstraints.setter
+    def redundantConstraints(self, value: RedundantConstraintsSettings | dict[str, Any]) -> None: ...
+    @property
     def solutionSettings(self) -> SolutionSettings: ...
     @solutionSettings.setter
     def solutionSettings(self, value: SolutionSettings | dict[str, Any]) -> None: ...
@@ -398,6 +434,10 @@ class SimulationSettings(_Settings):
     def staticSolver(self) -> StaticSolverSettings: ...
     @staticSolver.setter
     def staticSolver(self, value: StaticSolverSettings | dict[str, Any]) -> None: ...
+    @property
+    def stepSizeControl(self) -> StepSizeControlSettings: ...
+    @stepSizeControl.setter
+    def stepSizeControl(self, value: StepSizeControlSettings | dict[str, Any]) -> None: ...
     @property
     def timeIntegration(self) -> TimeIntegrationSettings: ...
     @timeIntegration.setter

@@ -21,8 +21,8 @@ _ITEMS = re.compile(r"^(\s*(?:no pivot for unknown \d+|rows [\d, ]+|equation \d+
 class SolverError(ValueError):
     """A solver that gave up. Its text is the whole diagnosis with advice; its parts are attributes.
 
-    reason: 'newton', 'singularMatrix', 'massMatrix', 'discontinuousIteration', 'errorControl', 'notFinite',
-        'unbounded' or 'timeLimit'.
+    reason: 'newton', 'singularMatrix', 'contradictoryConstraints', 'massMatrix', 'discontinuousIteration',
+        'errorControl', 'notFinite', 'unbounded' or 'timeLimit'.
     solverName, stepIndex, time (s), stepSize (s), loadFactor: where it happened; step 0 is the start.
     newtonSteps, residual, relativeResidual, relativeTolerance, absoluteTolerance: the last iteration, and what it is
         compared with; of discontinuous iterations if they did not settle.
@@ -30,7 +30,7 @@ class SolverError(ValueError):
         items.
     sources: items that give values that are not finite.
     causingRow (-1: none), causingItems, dependentEquations: the unknown without a pivot, and equations of which a
-        combination vanishes.
+        combination vanishes; of contradictory constraints, how far each item is apart if all others are fulfilled.
     advice: what to try, one sentence each.
     message, diagnosis: the parts of the text. solver: the compiled solver, None after copying or pickling.
     """

@@ -17,6 +17,7 @@ struct LinearSolverOptions {
   bool ignore_singular = false;   // leave out the equations that depend on others instead of failing
   int unsettled_matrices = 0;     // what is zero in the first ones may well be something else in the next
   std::string instructions = {};  // one of instruction_sets(); empty: the first
+  std::vector<int> tiny_diagonal = {};  // unknowns whose diagonal entry, if there is one, is too small to count as a pivot
 };
 
 struct LinearSolverStatistics {

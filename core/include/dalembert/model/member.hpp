@@ -113,11 +113,11 @@ constexpr bool is_mat = false;
 template <int R, int C>
 constexpr bool is_mat<Mat<double, R, C>> = true;
 template <class T>
-constexpr int rows_of = 0;
+constexpr int row_count = 0;
 template <int R, int C>
-constexpr int rows_of<Mat<double, R, C>> = R;
+constexpr int row_count<Mat<double, R, C>> = R;
 template <int N>
-constexpr int rows_of<Vec<double, N>> = N;
+constexpr int row_count<Vec<double, N>> = N;
 template <class T>
 constexpr bool is_item_index = false;
 template <ItemKind K>

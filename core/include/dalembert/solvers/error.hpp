@@ -12,6 +12,7 @@ enum class FailureReason {
   none,
   newton,           // no convergence, and the step could not be made smaller
   singular_matrix,  // the system matrix cannot be factorized
+  contradiction,    // no motion fulfils all constraints
   mass_matrix,      // explicit: the mass matrix cannot be inverted
   discontinuous,    // friction or contact did not settle
   error_control,    // the estimated error stays above the tolerances at the smallest step size

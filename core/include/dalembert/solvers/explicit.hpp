@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "dalembert/solvers/constrained_motion.hpp"
 #include "dalembert/solvers/mass_operator.hpp"
 #include "dalembert/solvers/runge_kutta.hpp"
 #include "dalembert/solvers/solver.hpp"
@@ -21,6 +22,8 @@ class ExplicitSolver : public Solver {
   std::string name() const override;
   bool controls_step_size() const override { return method_.controls_step_size(); }
   bool obeys_constraints() const override { return settings().timeIntegration.explicitIntegration.eliminateConstraints; }
+  const RedundantConstraints& redundant_constraints() const { return motion_.redundant(); }
+  double largest_misfit() const { return motion_.largest_misfit(); }
   int method_order() const { return verlet_ ? 2 : method_.order; }
   int number_of_stages() const { return verlet_ ? 1 : method_.stages; }
 
@@ -62,6 +65,10 @@ class ExplicitSolver : public Solver {
   void rates(Vector& y_t);
   void eliminate(Vector& x) const;
   void find_eliminated_coordinates();
+  // ---- constraints that are no fixed coordinates (explicit_constraints.cpp) ----------------------------------------
+  bool constrained_accelerations(Vector& a, std::span<double> y_t);
+  bool back_onto_constraints();
+  bool lose_constraints();
   void end_of_step();
   // ---- control of the step size, by the distance of two approximations ----------------------------------------------
   bool control_step_size();
@@ -94,6 +101,8 @@ class ExplicitSolver : public Solver {
   double growth_limit_ = 0;         // of the sum of squares of velocities ...
   bool watches_coordinates_ = false;  // ... and of coordinates, where the user has set a limit
   bool searching_ = false;          // for the first evaluation that is not finite
+  bool constrained_ = false, off_constraints_ = false;
+  ConstrainedMotion motion_;
   MassOperator mass_;
   std::vector<int> eliminated_;
   std::vector<Vector> stage_q_, stage_v_, stage_y_;  // derivatives at the stages

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dalembert/linear/linear_solver.hpp"
+#include "dalembert/solvers/redundant_constraints.hpp"
 #include "dalembert/solvers/solver.hpp"
 #include "dalembert/system/large_vectors.hpp"
 
@@ -26,6 +27,10 @@ class NewtonSolver : public Solver {
   virtual void compute_update(bool initial) = 0;
   // Values of the system matrix for the current state.
   virtual void compute_jacobian() = 0;
+
+  // What the solver has found of constraints that follow from others; count() is zero if there are none.
+  const RedundantConstraints& redundant_constraints() const { return redundant_; }
+  double largest_misfit() const { return largest_misfit_; }
 
   std::span<double> residual() { return residual_; }
   std::span<double> increment() { return increment_; }
@@ -62,8 +67,30 @@ class NewtonSolver : public Solver {
     bool one_more_step = false;  // after a restart, convergence counts only if confirmed by another iteration
   };
 
+  // ---- redundant constraints (newton_redundancy.cpp) ---------------------------------------------------------------
+  // A singular position is passed with the matrix that redundant constraints have, for one step.
+  enum class Treatment { none, passing, lasting };
+
+  void look_for_redundancy();
+  void begin_treatment();
+  void end_treatment();
+  void use_regularized(double eps);
+  void look_again_at_redundancy();
+  void prepare_regularized();
+  bool try_harder();
+  void take_off_misfit();
+  double residual_without_misfit();
+  bool settle_multipliers();
+  void announce_redundancy();
+  std::vector<std::string> describe_misfit() const;
+  void report_contradiction();
+  LinearSolverOptions linear_options() const;
+  // By which rows of constraints of velocities are multiplied in `jacobian_`.
+  virtual double rate_factor() const { return 1; }
+
   // ---- the parts of newton ---------------------------------------------------------------------------------------
   void take_pattern();
+  bool iterate_to_the_end();
   void begin_newton();
   void judge_start(double residual);
   bool goes_on() const;
@@ -94,6 +121,16 @@ class NewtonSolver : public Solver {
   void check_entry(const MatrixEntry& entry) const;
 
   Loop loop_;
+  RedundantConstraints redundant_;
+  Treatment treatment_ = Treatment::none;
+  bool examined_ = false;     // the first matrix of a solution has been looked at
+  bool contradiction_ = false;  // it has converged, and left too much open
+  bool tried_harder_ = false, announced_ = false, warned_of_misfit_ = false;
+  StepCount treated_since_ = 0;          // step
+  bool confirmed_ = false, confirms_ = false;  // redundancy at the start may be that of a singular position
+  std::unique_ptr<LinearSolver> plain_;  // while a singular position is passed
+  std::vector<double> misfit_;           // gaps that no motion closes, by equation; empty: none
+  double largest_misfit_ = 0;            // of the last solution, relative to the size of the model
 };
 
 }  // namespace dalembert

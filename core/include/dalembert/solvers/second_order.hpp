@@ -30,6 +30,8 @@ class SecondOrderSolver : public NewtonSolver {
   void compute_update(bool initial) override;
   void compute_jacobian() override;
   void finalize_newton() override;
+  bool discontinuous_iteration() override;
+  bool controls_step_size() const override { return settings().stepSizeControl.implicitSolvers; }
 
   const std::vector<double>& algorithmic_accelerations() const { return algorithmic_; }
   const std::vector<double>& algorithmic_accelerations_at_start() const { return algorithmic_at_start_; }
@@ -51,7 +53,15 @@ class SecondOrderSolver : public NewtonSolver {
   // Notes the residual with its norm, and the Jacobian, as two parts, by the vectors q, v, a and lambda of the state.
   void trace(Trace& trace);
 
+  // ---- control of the step size (implicit_error_control.cpp) --------------------------------------------------------
+  void move_algorithmic_accelerations();
+  bool control_step_size();
+  double estimated_error();
+  bool hold_at_minimum();
+  void project_velocities();
+
   bool newmark() const;
+  double rate_factor() const final { return gamma_prime(); }
   double row_scale() const final;  // of the ODE2 equations in Newton's method
   double beta_prime() const;   // acceleration per increment of a coordinate
   double gamma_prime() const;  // velocity per increment of a coordinate
@@ -74,6 +84,10 @@ class SecondOrderSolver : public NewtonSolver {
   std::vector<double> lie_increment_;        // sum of increments since the start of the step (simplified relations)
   std::vector<double> increment_of_q_, previous_q_, more_values_;
   bool lie_ = false, simplified_lie_ = false;
+  double accepted_step_size_ = 0;   // to which the algorithmic accelerations at the start belong; zero: to any
+  bool rejected_ = false, warned_minimum_ = false;
+  int steps_above_tolerance_ = 0;   // in a row, at the smallest step size
+  std::vector<char> driven_;        // equations whose gaps are prescribed in time
 };
 
 // Accelerations and multipliers that fit the current positions and velocities; false: the matrix is singular.
@@ -81,7 +95,7 @@ struct InitialAccelerations {
   std::vector<double> a, lambda;
   int singular_row = LinearSolver::success;
 };
-InitialAccelerations initial_accelerations(System& system, const State& state, const Conditions& conditions,
-                                           LinearSolverType type, const LinearSolverOptions& options);
+InitialAccelerations initial_accelerations(System& system, const State& state, const Conditions& conditions, LinearSolverType type,
+                                           const LinearSolverOptions& options, const RedundantConstraintsSettings& redundancy);
 
 }  // namespace dalembert

@@ -93,6 +93,7 @@ class Solver {
   std::string error_string() const;
   const Diagnosis& diagnosis() const { return diagnosis_; }
 
+  LinearSolverType linear_type() const { return linear_type_; }  // of the settings, or chosen by the size of the system
   const Sizes& sizes() const { return sizes_; }
   System& system() { return *system_; }
   const System& system() const { return *system_; }
@@ -110,7 +111,7 @@ class Solver {
   State& start_of_step() { return system_->state(ConfigurationType::StartOfStep); }
   const State& initial() { return system_->state(ConfigurationType::Initial); }
   const SolverHooks& hooks() const { return environment_->hooks; }
-  bool dense() const { return is_dense(settings_->linearSolverType); }
+  bool dense() const { return is_dense(linear_type_); }
   // Sets back what a discontinuous iteration has moved: everything except data.
   virtual void reset_to_start_of_step();
   virtual void save_start_of_step();
@@ -149,6 +150,7 @@ class Solver {
 
  private:
   friend class Lockstep;
+  void choose_linear_solver();
   void check_constraints();  // warns of initial values that do not fulfil them, or refuses these
   // ---- the parts of solve_steps ------------------------------------------------------------------------------------
   void start_steps();
@@ -190,6 +192,7 @@ class Solver {
   std::string position_text() const;
   RunDescription run_description() const;
 
+  LinearSolverType linear_type_ = LinearSolverType::EXUdense;
   System* system_ = nullptr;
   const SimulationSettings* settings_ = nullptr;
   const SolverEnvironment* environment_ = &no_environment();

@@ -149,6 +149,15 @@ class System {
   // Which items act on a row of the system vector, for diagnoses: "object 3 'joint' (JointRevoluteZ), equation 2".
   std::string describe_row(int row) const;
 
+  // The items with constraint equations, in the order of these.
+  struct EquationOwner {
+    bool of_node;  // otherwise of an object
+    int number;
+    int first, count;  // equations
+    std::string item;  // "object 3 'joint' (JointRevoluteZ)"
+  };
+  std::vector<EquationOwner> equation_owners() const;
+
   // ---- results: written into `values`, whose memory is used again ----------------------------------------------
   using Values = std::vector<double>;
   void node_output(int node, OutputVariableType variable, ConfigurationType configuration, Values& values);

@@ -1,0 +1,56 @@
+// [M  G^T] [a     ]   [Q              ]
+// [G  0  ] [lambda] = [-(G v)_q v     ]   at any state, also with redundant constraints; and the way back onto the constraints.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "dalembert/linear/linear_solver.hpp"
+#include "dalembert/simulation_settings.hpp"
+#include "dalembert/solvers/redundant_constraints.hpp"
+
+namespace dalembert {
+
+class ConstrainedMotion {
+ public:
+  void prepare(System& system, LinearSolverType type, const LinearSolverOptions& options, const RedundantConstraintsSettings& settings);
+  // The factors at this state; success, or the unknown without a pivot. Redundant constraints are looked for once.
+  int factorize(System& system, const State& state, const Conditions& conditions);
+  // Of all unknowns; [Q, 0, right-hand sides of the constraints] becomes [a, 0, lambda].
+  void solve(std::span<double> x);
+  // With the forces Q in `a`, which become accelerations.
+  void accelerations(System& system, const State& state, const Conditions& conditions, std::span<double> a, std::span<double> lambda);
+  // Moves the state by the smallest changes, in the metric of the masses, that close gaps and end their rates, with the factors at
+  // hand. False: they do not get small enough.
+  bool project(System& system, State& state, const Conditions& conditions);
+  const RedundantConstraints& redundant() const { return redundant_; }
+  double largest_misfit() const { return largest_misfit_; }  // that projections have left
+
+  // Second derivatives of gaps, or derivatives of constraints of velocities, along the motion with constant velocities.
+  static std::vector<double> gap_acceleration(System& system, const State& state, const Conditions& conditions);
+
+ private:
+  void fill(System& system, const State& state, const Conditions& conditions);
+  void look_for_redundancy(System& system, const State& state, const Conditions& conditions, int& singular);
+  void add_driving(System& system, const State& still, const Conditions& conditions, std::vector<double>& gap);
+  // Solutions for right-hand sides of the constraints alone; returns the part of the coordinates.
+  std::span<const double> move(std::span<const double> gaps);
+
+  LinearSolverType type_ = LinearSolverType::EXUdense;
+  LinearSolverOptions options_;
+  RedundantConstraintsSettings settings_;
+  const Pattern* pattern_ = nullptr;
+  int ode2_ = 0, first_ae_ = 0;
+  bool examined_ = false, is_driven_ = false;
+  double largest_misfit_ = 0;
+  std::unique_ptr<LinearSolver> factors_;
+  std::vector<double> matrix_, part_, x_, rest_;
+  std::vector<char> of_velocities_, driven_;
+  RedundantConstraints redundant_;
+};
+
+// Constraint equations whose gaps are prescribed in time, by user functions.
+std::vector<char> driven_equations(System& system, const State& state, const Conditions& conditions);
+
+}  // namespace dalembert

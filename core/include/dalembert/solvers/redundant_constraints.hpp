@@ -1,0 +1,105 @@
+// Constraint equations that follow from others, such as those of the second hinge of a door.
+//
+// In the system matrix [[A, G^T], [G, 0]], -eps D takes the place of the zeros; residuals stay exact, so that Newton's method
+// arrives at the solution of the constraints as they are. With S = G A^-1 G^T, the operator P = eps (S + eps D)^-1 D leaves
+// multipliers from which no force comes as they are, and takes a factor of about eps from all others: it finds the combinations of
+// equations that vanish, and takes off multipliers what makes them larger than need be.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "dalembert/linear/linear_solver.hpp"
+#include "dalembert/system/system.hpp"
+
+namespace dalembert {
+
+class RedundantConstraints {
+ public:
+  // For counting: combinations of equations of which less than this is left vanish.
+  static constexpr double counting_eps = 1e-12;
+
+  struct Item {
+    int object;
+    std::string item;  // "object 3 'joint' (JointRevoluteZ)"
+    int first, rows;   // equations, also those that are off
+    int equations;     // that act
+    int removable;     // so many of them follow from what all other items state
+  };
+
+  // ---- what constraints are like -------------------------------------------------------------------------------------
+  // Finds D for a matrix: one number for all forces, and the same by the square of a length for all moments. Rows of constraints of
+  // velocities are multiplied by `rate_factor` in the matrix. False: no equation could be redundant.
+  bool measure(System& system, const Pattern& pattern, std::span<const double> values, double moment_length, double rate_factor);
+  // Whether some may be redundant, as far as the factors of the matrix tell: two solutions.
+  bool suspected(LinearSolver& factors);
+  // Finds the combinations that vanish; factorizes the matrix with this eps. False: it is singular for other reasons as well.
+  bool find(const Pattern& pattern, std::span<const double> values, double eps, LinearSolverType type, LinearSolverOptions options);
+  int count() const { return count_; }
+  double weakest() const { return weakest_; }  // the smallest eigenvalue of D^-1 S that is not zero
+  std::vector<Item> items(const System& system) const;
+  // Equations whose multipliers are not unique.
+  std::vector<int> equations() const;
+  // What no motion closes of these gaps.
+  std::vector<double> misfit(std::span<const double> gaps) const;
+  // The largest of gaps, in units of their equations.
+  double largest(std::span<const double> gaps) const;
+
+  // By how much each item would be apart if all others were fulfilled, of those that could be: lines for a diagnosis.
+  std::vector<std::string> contradictions(std::span<const double> misfit, const System& system) const;
+
+  // ---- solutions in spite of them ------------------------------------------------------------------------------------
+  // A contradiction that is not worth a word, and what gaps are round-off below, in units of the equations.
+  static constexpr double silent_misfit = 1e-11, round_off_of_gaps = 1e-12;
+  static constexpr double passing_eps = 1e-11;  // in positions that are singular for a moment
+  static constexpr double largest_eps = 1e-7;
+  // For combinations that have been found, and a misfit of that size; `of_rates`: of constraints of velocities, which drift.
+  double eps_for(double misfit, bool of_rates) const;
+  // The same after a look at the gaps: where they contradict each other, combinations that nearly vanish are found as well.
+  double eps_for_gaps(std::span<const double> gaps, bool of_rates, const Pattern& pattern, std::span<const double> values,
+                      LinearSolverType type, const LinearSolverOptions& options);
+  bool in_use() const { return eps_ > 0; }
+  double eps() const { return eps_; }
+  void use(double eps) { eps_ = eps; }  // zero: not any more
+  LinearSolverOptions options(LinearSolverOptions options) const;
+  void regularize(const Pattern& pattern, std::span<double> values, double rate_factor);
+  // From multipliers, with factors of the regularized matrix: the part from which no force comes.
+  void take_off_idle_part(LinearSolver& factors, std::span<double> multipliers);
+  // From a solution for all unknowns: the same, and what this part has moved, as equations that no longer vanish exactly let it do.
+  void take_off_idle_solution(LinearSolver& factors, std::span<double> unknowns);
+  // The gap that an equation is left with by its multiplier.
+  double left_open(int equation, double multiplier) const {
+    return eps_ * row_factor(equation) * weight_[static_cast<std::size_t>(equation)] * multiplier;
+  }
+  // What counts as one in the gap of an equation: the size of the model, or a radian; where rates count, within a step.
+  double unit(int equation) const { return row_factor(equation) * unit_[static_cast<std::size_t>(equation)]; }
+  std::span<const int> rows() const { return rows_; }
+  double length() const { return length_; }
+
+ private:
+  double row_factor(int equation) const { return of_rate_[static_cast<std::size_t>(equation)] ? rate_factor_ : 1; }
+  // P with another eps, for all equations with a weight.
+  void apply(LinearSolver& factors, double eps, std::span<double> multipliers);
+  void find_weights(const std::vector<double>& ratios, const std::vector<CoordinateUnit>& units, double moment_length);
+  std::span<const double> combination(int k) const { return std::span(combinations_).subspan(rows_.size() * static_cast<std::size_t>(k), rows_.size()); }
+
+  int first_ae_ = 0;
+  double length_ = 1;                // the size of the model
+  std::vector<double> weight_;       // D, by equation; zero: it is never redundant
+  std::vector<double> unit_;
+  std::vector<CoordinateUnit> units_;
+  // Whether an equation constrains velocities, has a multiplier, and acts on anything.
+  std::vector<char> of_rate_, multiplier_, acting_;
+  std::vector<int> rows_;            // equations with a weight
+  double rate_factor_ = 1, eps_ = 0, weakest_ = 0;
+  double rest_ = 0;                  // the largest eigenvalue of P that is not one
+  int count_ = 0;
+  std::vector<double> combinations_;  // one after the other, orthonormal in sqrt(D) lambda, by rows_
+  std::vector<double> x_, idle_;
+};
+
+// Of the constraints as they are in a state.
+RedundantConstraints redundant_constraints(System& system, const State& state, Conditions conditions, double moment_length);
+
+}  // namespace dalembert

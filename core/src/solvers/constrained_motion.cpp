@@ -1,0 +1,263 @@
+#include "dalembert/solvers/constrained_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dalembert/solvers/numerical_tangent.hpp"
+#include "dalembert/solvers/open_constraints.hpp"
+
+namespace dalembert {
+
+namespace {
+
+constexpr Weights along_positions{.q = 1, .v = 0, .a = 0, .y = 1, .y_t = 0};
+constexpr Weights along_velocities{.q = 0, .v = 1, .a = 0, .y = 1, .y_t = 0};
+
+// Gaps of this size, relative to that of the model, are round-off; larger ones are accepted where nothing makes them smaller: redundant
+// constraints may contradict each other.
+constexpr double closed = 1e-13, accepted = 1e-9;
+constexpr int most_projections = 10;
+
+// Columns of ODE1 coordinates and of multipliers leave these out of the solution.
+void leave_out_ode1(const Sizes& s, const Pattern& pattern, std::span<double> matrix) {
+  for (int i = s.ode2; i < s.first_ae(); ++i) {
+    for_each_row(pattern, i, [&](int column) {
+      if (column >= s.first_ae()) matrix[pattern.slot(i, column)] = 0;
+    });
+    matrix[pattern.slot(i, i)] = 1;
+  }
+}
+
+// The columns of the multipliers and the rows of the constraints, around the mass matrix.
+//
+// Gradients are those of the rates by the velocities: Euler parameters turn a frame without their own lengthening, which
+// the gradient of a gap contains. Constraints of velocities are their own rates, so they are differentiated once, not twice.
+void add_constraints(System& system, const State& state, Conditions conditions, const Pattern& pattern, std::span<double> matrix,
+                     std::span<double> part) {
+  const int end_of_ode2 = system.sizes().ode2, first_ae = system.sizes().first_ae();
+  const auto take = [&](std::size_t begin, std::size_t end) { std::copy(part.data() + begin, part.data() + end, matrix.data() + begin); };
+  system.tangent(state, conditions, along_positions, pattern, part);
+  for (int j = 0; j < pattern.size(); ++j) {
+    const ColumnRange column = column_range(pattern, j, first_ae);
+    if (j >= end_of_ode2) take(j < first_ae ? column.middle : column.begin, column.end);
+  }
+  conditions.rate_level = true;
+  system.tangent(state, conditions, along_velocities, pattern, part);
+  for (int j = 0; j < end_of_ode2; ++j) {
+    const ColumnRange column = column_range(pattern, j, first_ae);
+    take(column.middle, column.end);
+  }
+}
+
+State without_multipliers(State state) {
+  std::ranges::fill(state.lambda, 0.0);
+  return state;
+}
+
+Conditions at_level(Conditions conditions, bool of_rates) {
+  conditions.rate_level = of_rates;
+  return conditions;
+}
+
+double largest(std::span<const double> numbers) {
+  double size = 0;
+  for (const double x : numbers) size = std::max(size, std::abs(x));
+  return size;
+}
+
+void move_positions(System& system, std::span<const double> step, std::vector<double>& q) {
+  const std::vector<double> before = q, increment(step.begin(), step.end());
+  for (std::size_t i = 0; i < q.size(); ++i) q[i] += increment[i];
+  if (system.has_lie_nodes()) system.compose(before, increment, q);
+}
+
+}  // namespace
+
+void ConstrainedMotion::prepare(System& system, LinearSolverType type, const LinearSolverOptions& options,
+                                const RedundantConstraintsSettings& settings) {
+  *this = ConstrainedMotion();
+  type_ = type;
+  options_ = options;
+  settings_ = settings;
+  pattern_ = &system.pattern(is_dense(type));
+  ode2_ = system.sizes().ode2;
+  first_ae_ = system.sizes().first_ae();
+  matrix_.resize(static_cast<std::size_t>(pattern_->values()));
+  x_.resize(static_cast<std::size_t>(system.sizes().total()));
+  factors_ = make_linear_solver(*pattern_, type, options);
+}
+
+void ConstrainedMotion::fill(System& system, const State& state, const Conditions& conditions) {
+  const State still = without_multipliers(state);
+  system.mass_matrix(still, *pattern_, matrix_);
+  if (system.sizes().ae > 0) {
+    part_.resize(matrix_.size());
+    add_constraints(system, still, at_level(conditions, false), *pattern_, matrix_, part_);
+  }
+  leave_out_ode1(system.sizes(), *pattern_, matrix_);
+}
+
+int ConstrainedMotion::factorize(System& system, const State& state, const Conditions& conditions) {
+  fill(system, state, conditions);
+  if (redundant_.in_use()) redundant_.regularize(*pattern_, matrix_, 1);
+  int singular = factors_->factorize(matrix_);
+  if (!redundant_.in_use() && (!examined_ || singular != LinearSolver::success)) look_for_redundancy(system, state, conditions, singular);
+  return singular;
+}
+
+// A matrix that is singular without redundancy belongs to a singular position, which is passed all the same.
+void ConstrainedMotion::look_for_redundancy(System& system, const State& state, const Conditions& conditions, int& singular) {
+  examined_ = true;
+  const bool regular = singular == LinearSolver::success;
+  if (system.sizes().ae == 0 || !settings_.treat || options_.ignore_singular) return;
+  if (!redundant_.measure(system, *pattern_, matrix_, settings_.momentLength, 1) || (regular && !redundant_.suspected(*factors_)) ||
+      !redundant_.find(*pattern_, matrix_, RedundantConstraints::counting_eps, type_, options_) || (regular && redundant_.count() == 0)) {
+    return;
+  }
+  std::vector<double> gaps(static_cast<std::size_t>(system.sizes().ae));
+  system.gaps(without_multipliers(state), at_level(conditions, false), gaps);
+  redundant_.use(redundant_.count() > 0 ? redundant_.eps_for_gaps(gaps, false, *pattern_, matrix_, type_, options_)
+                                        : RedundantConstraints::passing_eps);
+  redundant_.regularize(*pattern_, matrix_, 1);
+  factors_ = make_linear_solver(*pattern_, type_, redundant_.options(options_));
+  singular = factors_->factorize(matrix_);
+}
+
+// Accelerations do not depend on which of the redundant equations hold a body; multipliers become the smallest ones. What eps leaves
+// open is closed by a second solution.
+void ConstrainedMotion::solve(std::span<double> x) {
+  factors_->solve(x);
+  if (!redundant_.in_use()) return;
+  const auto first = static_cast<std::size_t>(first_ae_);
+  redundant_.take_off_idle_solution(*factors_, x);
+  rest_.assign(x.size(), 0.0);
+  for (const int k : redundant_.rows()) rest_[first + k] = -redundant_.left_open(k, x[first + k]);
+  factors_->solve(rest_);
+  redundant_.take_off_idle_solution(*factors_, rest_);
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] += rest_[i];
+}
+
+std::vector<double> ConstrainedMotion::gap_acceleration(System& system, const State& state, const Conditions& conditions) {
+  const std::size_t n = state.lambda.size();
+  std::vector<double> before(n), after(n), step(state.q.size());
+  double speed = 0;
+  for (const double v : state.v) speed += v * v;
+  speed = std::sqrt(speed);
+  if (n == 0 || speed <= 1e-10) return before;
+  double size = 1;
+  for (const double q : state.q) size = std::max(size, std::abs(q));
+  const double eps = 1e-5 * size / speed;
+  State moved = state;
+  const auto evaluate = [&](double factor, std::vector<double>& rates) {
+    for (std::size_t i = 0; i < step.size(); ++i) {
+      step[i] = factor * state.v[i];
+      moved.q[i] = state.q[i] + step[i];
+    }
+    if (system.has_lie_nodes()) system.compose(state.q, step, moved.q);
+    system.gaps(moved, at_level(conditions, true), rates);
+  };
+  evaluate(-eps, before);
+  evaluate(eps, after);
+  for (std::size_t i = 0; i < n; ++i) after[i] = (after[i] - before[i]) / (2 * eps);
+  return after;
+}
+
+void ConstrainedMotion::accelerations(System& system, const State& state, const Conditions& conditions, std::span<double> a,
+                                      std::span<double> lambda) {
+  const State still = without_multipliers(state);
+  std::vector<double> gap = gap_acceleration(system, still, conditions);
+  if (driven_.size() != gap.size()) {
+    driven_ = driven_equations(system, still, conditions);
+    is_driven_ = std::ranges::any_of(driven_, [](char d) { return d != 0; });
+  }
+  if (is_driven_) add_driving(system, still, conditions, gap);
+  std::vector<double> now(gap.size());
+  if (!std::ranges::all_of(system.static_signs(), [](double sign) { return sign < 0; })) system.gaps(still, at_level(conditions, false), now);
+  std::ranges::fill(x_, 0.0);
+  std::ranges::copy(a, x_.begin());
+  for (std::size_t k = 0; k < gap.size(); ++k)
+    x_[static_cast<std::size_t>(first_ae_) + k] = system.constrains_motion(static_cast<int>(k)) ? -gap[k] : -now[k];
+  solve(x_);
+  std::copy_n(x_.begin(), a.size(), a.begin());
+  std::copy(x_.begin() + first_ae_, x_.end(), lambda.begin());
+}
+
+// User functions are asked at a few times: one that is constant there does not drive.
+std::vector<char> driven_equations(System& system, const State& state, const Conditions& conditions) {
+  State moved = without_multipliers(state);
+  std::vector<char> driven(state.lambda.size(), 0);
+  std::vector<double> now(driven.size()), later(driven.size());
+  system.gaps(moved, at_level(conditions, false), now);
+  for (const double after : {1e-3, 0.1, 1.0, 10.0}) {
+    moved.time = state.time + after;
+    system.gaps(moved, at_level(conditions, false), later);
+    for (std::size_t k = 0; k < driven.size(); ++k) driven[k] |= later[k] != now[k];
+  }
+  return driven;
+}
+
+// Second differences along the motion and in time at once.
+void ConstrainedMotion::add_driving(System& system, const State& still, const Conditions& conditions, std::vector<double>& gap) {
+  constexpr double tau = 1e-4;
+  std::vector<double> before(gap.size()), now(gap.size()), after(gap.size());
+  const auto evaluate = [&](double time, std::vector<double>& gaps) {
+    State moved = still;
+    moved.time += time;
+    std::vector<double> step = still.v;
+    for (double& x : step) x *= time;
+    move_positions(system, step, moved.q);
+    system.gaps(moved, at_level(conditions, false), gaps);
+  };
+  evaluate(-tau, before);
+  evaluate(0, now);
+  evaluate(tau, after);
+  for (std::size_t k = 0; k < gap.size(); ++k)
+    if (driven_[k]) gap[k] = (after[k] - 2 * now[k] + before[k]) / (tau * tau);
+}
+
+std::span<const double> ConstrainedMotion::move(std::span<const double> gaps) {
+  std::ranges::fill(x_, 0.0);
+  for (std::size_t k = 0; k < gaps.size(); ++k) x_[static_cast<std::size_t>(first_ae_) + k] = -gaps[k];
+  solve(x_);
+  return std::span(x_).first(static_cast<std::size_t>(ode2_));
+}
+
+bool ConstrainedMotion::project(System& system, State& state, const Conditions& conditions) {
+  const auto n = static_cast<std::size_t>(system.sizes().ae);
+  if (of_velocities_.empty()) {  // their gaps are rates already
+    of_velocities_.assign(n, 0);
+    system.tangent(without_multipliers(state), at_level(conditions, false), along_velocities, *pattern_, part_);
+    for_each_entry(*pattern_, [&](int row, int column, std::size_t slot) {
+      if (row >= first_ae_ && column < ode2_ && part_[slot] != 0) of_velocities_[row - first_ae_] = 1;
+    });
+  }
+  State still = without_multipliers(state);
+  std::vector<double> gaps(n);
+  // As long as gaps become smaller; what is left of them, in units of `size`.
+  const auto close = [&](bool of_rates, double size, auto&& apply) {
+    double left = 0;
+    for (int i = 0; i < most_projections; ++i) {
+      if (of_rates && is_driven_) gaps = constraint_rates(system, still, at_level(conditions, false)).rates;
+      else system.gaps(still, at_level(conditions, of_rates), gaps);
+      for (std::size_t k = 0; k < n; ++k)
+        if (!system.constrains_motion(static_cast<int>(k)) || (!of_rates && of_velocities_[k])) gaps[k] = 0;
+      const double open = largest(gaps) / size;
+      const bool settled = i > 0 && !(open < 0.5 * left);
+      left = open;
+      if (settled || left <= closed) break;
+      apply(move(gaps));
+    }
+    return left;
+  };
+  const double of_positions = close(false, system.extent(), [&](std::span<const double> step) { move_positions(system, step, still.q); });
+  const double of_velocities = close(true, std::max(1.0, largest(still.v)), [&](std::span<const double> step) {
+    for (std::size_t i = 0; i < still.v.size(); ++i) still.v[i] += step[i];
+  });
+  if (redundant_.in_use()) largest_misfit_ = std::max(largest_misfit_, of_positions);
+  state.q = std::move(still.q);
+  state.v = std::move(still.v);
+  const double limit = redundant_.in_use() ? std::max(accepted, settings_.largestMisfit) : accepted;
+  return std::max(of_positions, of_velocities) <= limit;
+}
+
+}  // namespace dalembert

@@ -1,0 +1,52 @@
+// Explicit solvers with joints: accelerations and multipliers at each stage, and the way back onto the constraints at the end of a step.
+#include <algorithm>
+
+#include "dalembert/solvers/explicit.hpp"
+
+namespace dalembert {
+
+bool ExplicitSolver::constrained_accelerations(Vector& a, std::span<double> y_t) {
+  State& now = current();
+  {
+    const TimedPart time(timer, timer.massMatrix);
+    if (const int row = motion_.factorize(system(), now, conditions_); row != LinearSolver::success) {
+      mass_failed(row);
+      return false;
+    }
+  }
+  {
+    const TimedPart time(timer, timer.ODE2RHS);
+    system().right_hand_sides(now, conditions_, a, y_t);
+  }
+  const TimedPart time(timer, timer.newtonIncrement);
+  motion_.accelerations(system(), now, conditions_, a, now.lambda);
+  return !searching_ || is_good(a, y_t);
+}
+
+// The factors of the last stage are close enough to close what a step opens.
+bool ExplicitSolver::back_onto_constraints() {
+  State& now = current();
+  off_constraints_ = !motion_.project(system(), now, conditions_);
+  return !off_constraints_;
+}
+
+// False, always. With error control, a smaller step may do.
+[[gnu::noinline]] bool ExplicitSolver::lose_constraints() {
+  constexpr double much_smaller = 0.25;
+  conv.newtonConverged = false;
+  if (it.automaticStepSize && it.currentStepSize > it.minStepSize) {
+    ++it.rejectedAutomaticStepSizeSteps;
+    it.currentStepSize = std::max(it.minStepSize, much_smaller * it.currentStepSize);
+    return false;
+  }
+  conv.stopNewton = true;
+  std::vector<double> gaps(static_cast<std::size_t>(sizes_.ae));
+  system().gaps(current(), conditions_, gaps);
+  Diagnosis& d = diagnose(FailureReason::newton);
+  add_largest(d.values, gaps, "equation", sizes_.first_ae());
+  d.advice = {"the step leaves gaps that cannot be closed: use smaller steps (timeIntegration.numberOfSteps, minimumStepSize)",
+              "check initial values of the items named above: mbs.ComputeConsistentInitialConditions() finds some that fulfil all constraints"};
+  return false;
+}
+
+}  // namespace dalembert

@@ -1,0 +1,115 @@
+// Implicit solvers: step sizes from an estimated error, of second order.
+//
+// Arnold, Hante: Implementation details of a generalized-alpha differential-algebraic equation Lie group method, Journal of Computational and
+//   Nonlinear Dynamics 12 (2017), for changes of the step size: algorithmic accelerations belong to a time of their own.
+#include <algorithm>
+#include <cmath>
+
+#include "dalembert/output/numbers.hpp"
+#include "dalembert/solvers/constrained_motion.hpp"
+#include "dalembert/solvers/second_order.hpp"
+
+namespace dalembert {
+
+namespace {
+
+constexpr double smallest_factor = 0.2;   // of the step size after a step with a large error
+constexpr double not_worth_it = 1.2;      // an increase, which costs accuracy of the algorithmic accelerations
+constexpr double last_stretch = 1.1;      // a rest of the simulation that is not much longer than a step is one
+constexpr int most_steps_above_tolerance = 100;
+
+}  // namespace
+
+bool SecondOrderSolver::discontinuous_iteration() {
+  return Solver::discontinuous_iteration() && (!it.automaticStepSize || control_step_size());
+}
+
+// They stand for the time t + (alpha_m - alpha_f) h, and h has changed.
+void SecondOrderSolver::move_algorithmic_accelerations() {
+  if (accepted_step_size_ == 0 || accepted_step_size_ == it.currentStepSize || newmark()) return;
+  const double ratio = it.currentStepSize / accepted_step_size_;
+  const State& now = current();
+  for (std::size_t i = 0; i < algorithmic_.size(); ++i) algorithmic_[i] = now.a[i] + ratio * (algorithmic_[i] - now.a[i]);
+}
+
+// In units of the tolerances, root mean square. Of positions: the term of third order that the formulas leave out. Of velocities: the
+// same within a step, which is of second order: estimates of third order drown in the noise that accelerations of constrained systems have.
+double SecondOrderSolver::estimated_error() {
+  const auto& s = settings().timeIntegration;
+  const State &now = current(), &start = start_of_step();
+  const double h = it.currentStepSize, constant = std::abs(newmark_beta + 0.5 * (alpha_m - alpha_f) - 1.0 / 6);
+  const double ratio = accepted_step_size_ == 0 ? 1 : h / accepted_step_size_;
+  double sum = 0;
+  const auto add = [&](double error, double value) {
+    const double e = error / (s.absoluteTolerance + s.relativeTolerance * std::abs(value));
+    sum += e * e;
+  };
+  for (std::size_t i = 0; i < now.q.size(); ++i) {
+    const double before = newmark() ? start.a[i] : start.a[i] + ratio * (algorithmic_at_start_[i] - start.a[i]);
+    const double after = newmark() ? now.a[i] : algorithmic_[i];
+    add(constant * h * h * (after - before), now.q[i]);
+    add(constant * h * (after - before), now.v[i]);
+  }
+  for (std::size_t i = 0; i < now.y.size(); ++i) add(h * (now.y_t[i] - start.y_t[i]) / 12, now.y[i]);
+  return std::sqrt(sum / static_cast<double>(std::max(1, 2 * sizes_.ode2 + sizes_.ode1)));
+}
+
+// False: the step has to be repeated, or the solver gives up.
+bool SecondOrderSolver::control_step_size() {
+  const TimedPart time(timer, timer.errorEstimator);
+  const auto& s = settings().timeIntegration;
+  const double h = it.currentStepSize, error = it.automaticStepSizeError = estimated_error();
+  const double wanted = s.stepSizeSafety * std::cbrt(1 / std::max(error, 1e-12));
+  if (!(error <= 1)) {
+    if (h <= it.minStepSize) {
+      if (!hold_at_minimum()) return false;
+    } else {
+      ++it.rejectedAutomaticStepSizeSteps;
+      rejected_ = true;
+      it.currentStepSize = std::max(it.minStepSize, h * (std::isfinite(wanted) ? std::clamp(wanted, smallest_factor, 1.0) : smallest_factor));
+      return false;
+    }
+  } else {
+    steps_above_tolerance_ = 0;
+  }
+  accepted_step_size_ = h;
+  project_velocities();
+  const double factor = std::clamp(wanted, smallest_factor, s.stepSizeMaxIncrease);
+  double next = factor > 1 && factor < not_worth_it ? h : h * factor;
+  next = std::clamp(next, it.minStepSize, std::max(it.minStepSize, it.maxStepSize));
+  const double rest = it.endTime - it.currentTime;
+  it.currentStepSize = next < rest && rest < last_stretch * next ? rest : next;
+  return true;
+}
+
+[[gnu::noinline]] bool SecondOrderSolver::hold_at_minimum() {
+  if (!warned_minimum_) {
+    warn("automatic step size reached timeIntegration.minimumStepSize at time " + format_number(it.currentTime) +
+         "; the error becomes larger than the tolerances");
+    warned_minimum_ = true;
+  }
+  if (++steps_above_tolerance_ <= most_steps_above_tolerance) return true;
+  Diagnosis& d = diagnose(FailureReason::error_control);
+  d.advice = {"look for what jumps: contact, friction, user functions that are not continuous",
+              "allow larger errors (timeIntegration.relativeTolerance, absoluteTolerance), or smaller steps (timeIntegration.minimumStepSize)"};
+  return false;
+}
+
+// With the factors at hand: velocities along which gaps would open make the next accelerations jump. Those that are prescribed in time
+// are left as they are.
+void SecondOrderSolver::project_velocities() {
+  if (sizes_.ae == 0 || conditions_.rate_level) return;
+  State& now = current();
+  if (driven_.size() != now.lambda.size()) driven_ = driven_equations(system(), now, conditions_);
+  Conditions rate = conditions_;
+  rate.rate_level = true;
+  const auto first = static_cast<std::size_t>(sizes_.first_ae());
+  std::ranges::fill(increment_, 0.0);
+  system().gaps(now, rate, std::span(increment_).subspan(first));
+  for (int k = 0; k < sizes_.ae; ++k)
+    if (!system().constrains_motion(k) || driven_[static_cast<std::size_t>(k)]) increment_[first + static_cast<std::size_t>(k)] = 0;
+  linear_->solve(increment_);
+  for (std::size_t i = 0; i < now.v.size(); ++i) now.v[i] -= increment_[i];
+}
+
+}  // namespace dalembert

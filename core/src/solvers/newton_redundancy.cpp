@@ -1,0 +1,186 @@
+// Newton's method with constraints that follow from others, contradict each other a little, or are about to become dependent.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "dalembert/output/numbers.hpp"
+#include "dalembert/solvers/newton.hpp"
+
+namespace dalembert {
+
+namespace {
+
+constexpr double counting_eps = RedundantConstraints::counting_eps, silent_misfit = RedundantConstraints::silent_misfit;
+
+}  // namespace
+
+// At the first matrix of a solution, and at each one that cannot be factorized.
+[[gnu::noinline]] void NewtonSolver::look_for_redundancy() {
+  const auto& s = settings().redundantConstraints;
+  examined_ = true;
+  if (sizes_.ae == 0 || !s.treat || settings().linearSolverSettings.ignoreSingularJacobian || redundant_.in_use()) return;
+  if (!redundant_.measure(system(), *pattern_, jacobian_, s.momentLength, rate_factor())) return;
+  if (!conv.linearSolverFailed && !redundant_.suspected(*linear_)) return;
+  if (!redundant_.find(*pattern_, jacobian_, counting_eps, linear_type(), linear_options())) return;
+  if (redundant_.count() > 0 || conv.linearSolverFailed) begin_treatment();
+}
+
+void NewtonSolver::begin_treatment() {
+  treatment_ = redundant_.count() > 0 ? Treatment::lasting : Treatment::passing;
+  double eps = RedundantConstraints::passing_eps;
+  if (treatment_ == Treatment::lasting) {
+    const auto gaps = std::span<const double>(residual_).subspan(static_cast<std::size_t>(sizes_.first_ae()));
+    eps = redundant_.eps_for_gaps(gaps, conditions_.rate_level, *pattern_, jacobian_, linear_type(), linear_options());
+    if (!announced_) announce_redundancy();
+    announced_ = true;
+  } else {
+    plain_ = std::move(linear_);
+  }
+  treated_since_ = it.currentStepIndex;
+  use_regularized(eps);
+  conv.linearSolverCausingRow = linear_->factorize(jacobian_);
+  conv.linearSolverFailed = conv.linearSolverCausingRow != LinearSolver::success;
+}
+
+void NewtonSolver::use_regularized(double eps) {
+  redundant_.use(eps);
+  linear_ = make_linear_solver(*pattern_, linear_type(), redundant_.options(linear_options()));
+  redundant_.regularize(*pattern_, jacobian_, rate_factor());
+}
+
+// In the next step: redundancy may have been that of a singular position only, and what was to be passed may have come to stay.
+void NewtonSolver::look_again_at_redundancy() {
+  if (treatment_ == Treatment::passing) return end_treatment();
+  if (confirmed_) return;
+  confirmed_ = true;
+  confirms_ = largest_misfit_ <= silent_misfit;
+  conv.jacobianUpdateRequested |= confirms_;
+}
+
+[[gnu::noinline]] void NewtonSolver::prepare_regularized() {
+  if (std::exchange(confirms_, false) && redundant_.find(*pattern_, jacobian_, counting_eps, linear_type(), linear_options())) {
+    const bool gone = redundant_.count() == 0;
+    redundant_.use(gone ? 0 : redundant_.eps_for(0, conditions_.rate_level));
+    if (gone) {
+      treatment_ = Treatment::none;
+      linear_ = make_linear_solver(*pattern_, linear_type(), linear_options());
+      return;
+    }
+  }
+  redundant_.regularize(*pattern_, jacobian_, rate_factor());
+}
+
+// The next matrix is looked at again.
+void NewtonSolver::end_treatment() {
+  treatment_ = Treatment::none;
+  redundant_.use(0);
+  linear_ = std::move(plain_);
+  examined_ = false;
+  conv.jacobianUpdateRequested = true;
+}
+
+// Once per call of newton, where constraints may be to blame that it has not converged. True: again from the start of the step.
+[[gnu::noinline]] bool NewtonSolver::try_harder() {
+  if (tried_harder_ || sizes_.ae == 0 || conv.linearSolverFailed || it.newtonSteps == 0) return false;
+  tried_harder_ = true;
+  if (redundant_.in_use()) {
+    const bool fits = misfit_.empty() || redundant_.largest(misfit_) <= silent_misfit;
+    redundant_.use(fits ? RedundantConstraints::passing_eps : RedundantConstraints::largest_eps);
+  } else {
+    const auto& s = settings().redundantConstraints;
+    if (!s.treat || settings().linearSolverSettings.ignoreSingularJacobian ||
+        !redundant_.measure(system(), *pattern_, jacobian_, s.momentLength, rate_factor()) || !redundant_.suspected(*linear_) ||
+        !redundant_.find(*pattern_, jacobian_, counting_eps, linear_type(), linear_options())) {
+      return false;
+    }
+    begin_treatment();
+  }
+  conv.jacobianUpdateRequested = true;
+  reset_to_start_of_step();
+  return true;
+}
+
+// What the increment would leave open shows in its multipliers. The part that no motion closes would make them larger in each
+// iteration; it is kept as misfit, which residuals do without. A matrix that has to serve many steps turns round-off into more.
+[[gnu::noinline]] void NewtonSolver::take_off_misfit() {
+  const auto multipliers = std::span<double>(increment_).subspan(static_cast<std::size_t>(sizes_.first_ae()));
+  const bool open = !full_newton_ || std::ranges::any_of(redundant_.rows(), [&](int k) {
+    return std::abs(redundant_.left_open(k, multipliers[static_cast<std::size_t>(k)])) > RedundantConstraints::round_off_of_gaps * redundant_.unit(k);
+  });
+  if (!open) return;
+  const std::vector<double> before(multipliers.begin(), multipliers.end());
+  redundant_.take_off_idle_solution(*linear_, increment_);
+  misfit_.resize(before.size());
+  for (const int k : redundant_.rows()) {
+    const auto i = static_cast<std::size_t>(k);
+    misfit_[i] -= redundant_.left_open(k, before[i] - multipliers[i]);
+  }
+}
+
+double NewtonSolver::residual_without_misfit() {
+  const auto gaps = std::span<double>(residual_).subspan(static_cast<std::size_t>(sizes_.first_ae()));
+  for (std::size_t k = 0; k < gaps.size(); ++k) gaps[k] -= misfit_[k];
+  return norm_of(unscaled_residual());
+}
+
+// After Newton's method has converged: smallest multipliers. False: constraints contradict each other too much.
+[[gnu::noinline]] bool NewtonSolver::settle_multipliers() {
+  const double misfit = misfit_.empty() ? 0 : redundant_.largest(misfit_);
+  largest_misfit_ = std::max(largest_misfit_, misfit);
+  if (misfit > settings().redundantConstraints.largestMisfit) {
+    conv.newtonConverged = false;
+    conv.stopNewton = contradiction_ = true;
+    return false;
+  }
+  contradiction_ = false;
+  if (misfit > silent_misfit && !warned_of_misfit_ && !conditions_.rate_level) {
+    warned_of_misfit_ = true;
+    std::string text = name() + ": redundant constraints contradict each other; what the closest fit leaves open:";
+    for (const std::string& line : describe_misfit()) text += "\n  " + line;
+    warn(text);
+  }
+  redundant_.take_off_idle_part(*linear_, current().lambda);
+  if (const double eps = redundant_.eps_for(misfit, conditions_.rate_level); treatment_ == Treatment::lasting && (eps != redundant_.eps())) {
+    redundant_.use(eps);
+    conv.jacobianUpdateRequested = true;
+  }
+  return true;
+}
+
+[[gnu::noinline]] void NewtonSolver::announce_redundancy() {
+  if (!verbose(1)) return;
+  std::string text = "  " + std::to_string(redundant_.count()) + " of " + std::to_string(redundant_.rows().size()) +
+                     " constraint equations follow from others; where reactions are not unique, the smallest are taken:\n";
+  for (const auto& item : redundant_.items(system()))
+    text += "    " + item.item + ": " + std::to_string(item.removable) + " of " + std::to_string(item.equations) + " could be left out\n";
+  say(1, text);
+}
+
+// One line per item, the worst equation of each.
+std::vector<std::string> NewtonSolver::describe_misfit() const {
+  std::vector<std::string> lines;
+  for (const System::EquationOwner& owner : system().equation_owners()) {
+    int worst = -1;
+    double largest = silent_misfit;
+    for (int k = owner.first; k < owner.first + owner.count; ++k) {
+      const double size = std::abs(misfit_[static_cast<std::size_t>(k)]) / redundant_.unit(k);
+      if (size > largest) {
+        largest = size;
+        worst = k;
+      }
+    }
+    if (worst >= 0)
+      lines.push_back(owner.item + ", equation " + std::to_string(worst - owner.first) + ": " + format_number(misfit_[static_cast<std::size_t>(worst)]));
+  }
+  return lines;
+}
+
+[[gnu::noinline]] void NewtonSolver::report_contradiction() {
+  Diagnosis& d = diagnose(FailureReason::contradiction);
+  add_largest(d.values, misfit_, "equation", sizes_.first_ae());
+  d.dependent = redundant_.contradictions(misfit_, system());
+  d.advice = {"move or turn the markers of the joints named above until they fit, or free equations that others state as well",
+              "if a gap of this size is meant, raise redundantConstraints.largestMisfit (relative to the size of the model)"};
+}
+
+}  // namespace dalembert

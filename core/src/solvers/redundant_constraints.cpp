@@ -1,0 +1,246 @@
+#include "dalembert/solvers/redundant_constraints.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+
+#include "dalembert/solvers/numerical_tangent.hpp"
+#include "finite.hpp"
+
+namespace dalembert {
+
+namespace {
+
+// Entries of the diagonal that are so much smaller than others of an equation belong to motions without inertia.
+constexpr double no_inertia = 1e-10;
+// Equations whose combinations are so much weaker than the equations themselves are worth a closer look.
+constexpr double suspicious_growth = 1e9;
+// The filter is applied again as long as it would take more than this off multipliers that forces come from.
+constexpr double harmless_share = 1e-7;
+constexpr int most_passes = 3;
+// The range for redundancy that lasts: below, round-off of multipliers shows; above, singular positions are not passed.
+constexpr double smallest_eps = 1e-11, regular_eps = 1e-9;
+// Beside the weakest constraint that is none of the redundant ones.
+constexpr double share_of_weakest = 1e-3;
+// Joints apart by a misfit m (relative to the size of the model) constrain with m^2 what aligned ones would leave free, and so do those
+// that have drifted apart because velocities alone are constrained.
+constexpr double misaligned = 1e6, eps_for_misfits = 1e-8;
+
+double mean_of_logarithms(const std::vector<double>& numbers) {
+  double sum = 0;
+  for (const double x : numbers) sum += std::log(x);
+  return numbers.empty() ? 0 : std::exp(sum / static_cast<double>(numbers.size()));
+}
+
+}  // namespace
+
+bool RedundantConstraints::measure(System& system, const Pattern& pattern, std::span<const double> values, double moment_length,
+                                   double rate_factor) {
+  const Sizes& s = system.sizes();
+  first_ae_ = s.first_ae();
+  rate_factor_ = rate_factor;
+  count_ = 0;
+  combinations_.clear();
+  const auto n = static_cast<std::size_t>(s.ae);
+  x_.resize(static_cast<std::size_t>(s.total()));
+  length_ = system.extent();
+  multiplier_.resize(n);
+  for (int k = 0; k < s.ae; ++k) multiplier_[k] = system.constrains_motion(k);
+  std::vector<char> eligible = multiplier_;
+  for (const System::EquationOwner& owner : system.equation_owners())
+    if (owner.of_node) std::fill_n(eligible.begin() + owner.first, owner.count, 0);
+  rows_.clear();
+  for (int k = 0; k < s.ae; ++k)
+    if (eligible[k]) rows_.push_back(k);
+  if (rows_.empty()) return false;
+
+  std::vector<double> diagonal(static_cast<std::size_t>(s.ode2)), largest(n, 0.0), ratio(n, 0.0), columns(n, 0.0), lines(n, 0.0);
+  for (int j = 0; j < s.ode2; ++j) diagonal[j] = std::abs(values[static_cast<std::size_t>(pattern.slot(j, j))]);
+  const std::vector<CoordinateUnit> units_of_coordinates = system.coordinate_units();
+  std::vector<CoordinateUnit> units(n, CoordinateUnit::unknown);
+  const auto each_force = [&](auto&& f) {  // f(equation, coordinate, entry) of G^T
+    for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
+      if (row < s.ode2 && column >= first_ae_ && values[slot] != 0) f(column - first_ae_, row, values[slot]);
+    });
+  };
+  each_force([&](int k, int j, double g) {
+    largest[k] = std::max(largest[k], diagonal[j]);
+    columns[k] += g * g;
+    units[k] = std::max(units[k], units_of_coordinates[j]);
+  });
+  each_force([&](int k, int j, double g) {
+    if (diagonal[j] > no_inertia * largest[k]) ratio[k] += g * g / diagonal[j];
+  });
+  for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
+    if (row >= first_ae_ && column < s.ode2) lines[row - first_ae_] += values[slot] * values[slot];
+  });
+  acting_.assign(n, 0);
+  std::ranges::transform(columns, acting_.begin(), [](double sum) { return sum > 0; });
+  of_rate_.assign(n, 0);
+  for (std::size_t k = 0; k < n; ++k) {
+    const double factor = columns[k] > 0 && lines[k] > 0 ? 0.5 * std::log(lines[k] / columns[k]) : 0;
+    of_rate_[k] = std::abs(factor - std::log(rate_factor)) < std::abs(factor);
+  }
+  find_weights(ratio, units, moment_length);
+  return true;
+}
+
+// Equations of a kind have one weight, whatever their bodies weigh: equal hinges carry equal parts.
+void RedundantConstraints::find_weights(const std::vector<double>& ratios, const std::vector<CoordinateUnit>& units, double moment_length) {
+  std::map<CoordinateUnit, std::vector<double>> kinds;
+  for (const int k : rows_)
+    if (ratios[k] > 0 && std::isfinite(ratios[k])) kinds[units[k]].push_back(ratios[k]);
+  const double length = moment_length > 0 ? moment_length : length_;
+  double force = mean_of_logarithms(kinds[CoordinateUnit::meter]), moment = mean_of_logarithms(kinds[CoordinateUnit::radian]);
+  if (force > 0) moment = force / (length * length);
+  else if (moment > 0) force = moment * length * length;
+  const double other = mean_of_logarithms(kinds[CoordinateUnit::unknown]);
+  const auto weight_of = [&](CoordinateUnit unit) {
+    const double weight = unit == CoordinateUnit::meter ? force : unit == CoordinateUnit::radian ? moment : other > 0 ? other : force;
+    return weight > 0 ? weight : 1.0;
+  };
+  units_ = units;
+  weight_.assign(ratios.size(), 0.0);
+  unit_.assign(ratios.size(), 1.0);
+  for (const int k : rows_) {
+    weight_[k] = weight_of(units[k]);
+    if (units[k] == CoordinateUnit::meter) unit_[k] = length_;
+  }
+}
+
+void RedundantConstraints::apply(LinearSolver& factors, double eps, std::span<double> multipliers) {
+  std::ranges::fill(x_, 0.0);
+  for (const int k : rows_) x_[static_cast<std::size_t>(first_ae_ + k)] = -eps * row_factor(k) * weight_[k] * multipliers[k];
+  factors.solve(x_);
+  for (std::size_t k = 0; k < multipliers.size(); ++k)
+    multipliers[k] = multiplier_[k] ? x_[static_cast<std::size_t>(first_ae_) + k] : 0;
+}
+
+// Without eps the operator is S^-1 D, which makes large what forces hardly come from.
+bool RedundantConstraints::suspected(LinearSolver& factors) {
+  std::mt19937 random(1);
+  std::vector<double> lambda(weight_.size(), 0.0);
+  for (const int k : rows_) lambda[k] = static_cast<double>(random()) / 2147483648.0 - 1;
+  const auto size = [&] {
+    double sum = 0;
+    for (const int k : rows_) sum += weight_[k] * lambda[k] * lambda[k];
+    return std::sqrt(sum);
+  };
+  for (int i = 0; i < 2; ++i) {
+    const double before = size();
+    apply(factors, 1, lambda);
+    const double growth = size() / before;
+    if (!(growth < suspicious_growth)) return true;
+    for (double& x : lambda) x /= growth;
+  }
+  return false;
+}
+
+std::vector<int> RedundantConstraints::equations() const {
+  constexpr double noticeable = 1e-6;
+  std::vector<int> found;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    double sum = 0;
+    for (int k = 0; k < count_; ++k) sum += combination(k)[i] * combination(k)[i];
+    if (sum > noticeable * noticeable) found.push_back(rows_[i]);
+  }
+  return found;
+}
+
+std::vector<double> RedundantConstraints::misfit(std::span<const double> gaps) const {
+  std::vector<double> open(gaps.size(), 0.0);
+  for (int k = 0; k < count_; ++k) {
+    double share = 0;
+    for (std::size_t i = 0; i < rows_.size(); ++i) share += combination(k)[i] * gaps[rows_[i]] / std::sqrt(weight_[rows_[i]]);
+    for (std::size_t i = 0; i < rows_.size(); ++i) open[rows_[i]] += share * combination(k)[i] * std::sqrt(weight_[rows_[i]]);
+  }
+  return open;
+}
+
+double RedundantConstraints::largest(std::span<const double> gaps) const {
+  double size = 0;
+  for (const int k : rows_) size = std::max(size, std::abs(gaps[static_cast<std::size_t>(k)]) / unit(k));
+  return size;
+}
+
+double RedundantConstraints::eps_for(double misfit, bool of_rates) const {
+  const double weak = std::max(smallest_eps, share_of_weakest * weakest_);
+  if (of_rates) return std::min(weak, largest_eps);
+  if (!(misfit > silent_misfit)) return std::min(weak, regular_eps);
+  return std::min({weak, largest_eps, std::max(eps_for_misfits, misaligned * misfit * misfit)});
+}
+
+double RedundantConstraints::eps_for_gaps(std::span<const double> gaps, bool of_rates, const Pattern& pattern, std::span<const double> values,
+                                          LinearSolverType type, const LinearSolverOptions& options) {
+  const double open = largest(misfit(gaps));
+  if (open > silent_misfit) find(pattern, values, eps_for_misfits, type, options);
+  return eps_for(open, of_rates);
+}
+
+LinearSolverOptions RedundantConstraints::options(LinearSolverOptions options) const {
+  for (const int k : rows_) options.tiny_diagonal.push_back(first_ae_ + k);
+  return options;
+}
+
+// Equations that are off state their multipliers themselves.
+void RedundantConstraints::regularize(const Pattern& pattern, std::span<double> values, double rate_factor) {
+  rate_factor_ = rate_factor;
+  for (const int k : rows_) {
+    double& entry = values[static_cast<std::size_t>(pattern.slot(first_ae_ + k, first_ae_ + k))];
+    if (entry == 0) entry = -eps_ * row_factor(k) * weight_[k];
+  }
+}
+
+// Twice: the first time leaves what is round-off beside a large idle part.
+void RedundantConstraints::take_off_idle_part(LinearSolver& factors, std::span<double> multipliers) {
+  for (int time = 0; time < 2; ++time) {
+    idle_.assign(multipliers.begin(), multipliers.end());
+    double share = 1;
+    for (int i = 0; i < most_passes && share > harmless_share; ++i) {
+      apply(factors, eps_, idle_);
+      share *= eps_ / (eps_ + weakest_);
+    }
+    for (std::size_t k = 0; k < idle_.size(); ++k) multipliers[k] -= idle_[k];
+  }
+}
+
+void RedundantConstraints::take_off_idle_solution(LinearSolver& factors, std::span<double> unknowns) {
+  const auto first = static_cast<std::size_t>(first_ae_);
+  const auto multipliers = unknowns.subspan(first);
+  idle_.assign(multipliers.begin(), multipliers.end());
+  apply(factors, eps_, idle_);
+  for (std::size_t i = 0; i < first; ++i) unknowns[i] -= x_[i];
+  for (std::size_t k = 0; k < idle_.size(); ++k) multipliers[k] -= idle_[k];
+}
+
+// In the metric of the diagonal of the mass matrix, with ones where there is no mass: any metric serves for counting, and this one makes
+// the matrix regular whatever the model is.
+RedundantConstraints redundant_constraints(System& system, const State& state, Conditions conditions, double moment_length) {
+  const Sizes& s = system.sizes();
+  const Pattern& pattern = system.pattern(false);
+  std::vector<double> matrix(static_cast<std::size_t>(pattern.values())), part(matrix.size());
+  State still = state;
+  std::ranges::fill(still.lambda, 0.0);
+  system.mass_matrix(still, pattern, part);
+  for (int j = 0; j < s.first_ae(); ++j) {
+    const auto slot = static_cast<std::size_t>(pattern.slot(j, j));
+    matrix[slot] = part[slot] > 0 ? part[slot] : 1;
+  }
+  const auto take = [&](auto&& wanted) {
+    for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
+      if (wanted(row, column)) matrix[slot] = part[slot];
+    });
+  };
+  conditions.rate_level = false;
+  system.tangent(still, conditions, {.q = 1, .v = 0, .a = 0, .y = 1, .y_t = 0}, pattern, part);
+  take([&](int row, int column) { return column >= s.first_ae() && (row < s.ode2 || row >= s.first_ae()); });
+  conditions.rate_level = true;
+  system.tangent(still, conditions, {.q = 0, .v = 1, .a = 0, .y = 1, .y_t = 0}, pattern, part);
+  take([&](int row, int column) { return row >= s.first_ae() && column < s.ode2; });
+  RedundantConstraints found;
+  if (found.measure(system, pattern, matrix, moment_length, 1)) found.find(pattern, matrix, RedundantConstraints::counting_eps, LinearSolverType::EigenSparse, {});
+  return found;
+}
+
+}  // namespace dalembert

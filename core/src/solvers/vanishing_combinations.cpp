@@ -1,0 +1,126 @@
+// Combinations of constraint equations that vanish, by block inverse iteration: P has the eigenvalue one for them, and eps/(eps + s)
+// for all others.
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <random>
+
+#include "dalembert/output/numbers.hpp"
+#include "dalembert/solvers/numerical_tangent.hpp"
+#include "dalembert/solvers/redundant_constraints.hpp"
+
+namespace dalembert {
+
+namespace {
+
+constexpr int block_size = 8;
+constexpr int iterations = 2;
+constexpr double removable_share = 1e-10;  // squared: of the equations of an item in combinations that vanish
+
+using Block = Eigen::MatrixXd;
+
+Block orthonormal(const Block& block) {
+  const Eigen::HouseholderQR<Block> qr(block);
+  return qr.householderQ() * Block::Identity(block.rows(), block.cols());
+}
+
+}  // namespace
+
+bool RedundantConstraints::find(const Pattern& pattern, std::span<const double> values, double eps, LinearSolverType type,
+                                LinearSolverOptions linear_options) {
+  linear_options.unsettled_matrices = 0;
+  std::vector<double> matrix(values.begin(), values.end());
+  const double in_use = std::exchange(eps_, eps);
+  regularize(pattern, matrix, rate_factor_);
+  eps_ = in_use;
+  const auto factors = make_linear_solver(pattern, type, options(linear_options));
+  if (factors->factorize(matrix) != LinearSolver::success) return false;
+
+  const auto m = static_cast<Eigen::Index>(rows_.size());
+  Eigen::VectorXd root(m);
+  for (Eigen::Index i = 0; i < m; ++i) root[i] = std::sqrt(weight_[rows_[i]]);
+  std::vector<double> lambda(weight_.size());
+  const auto image = [&](Block block) {
+    for (Eigen::Index j = 0; j < block.cols(); ++j) {
+      std::ranges::fill(lambda, 0.0);
+      for (Eigen::Index i = 0; i < m; ++i) lambda[rows_[i]] = block(i, j) / root[i];
+      apply(*factors, eps, lambda);
+      for (Eigen::Index i = 0; i < m; ++i) block(i, j) = lambda[rows_[i]] * root[i];
+    }
+    return block;
+  };
+
+  std::mt19937 random(1);
+  Block known(m, 0);
+  const auto beside_known = [&](const Block& block) { return orthonormal(block - known * (known.transpose() * block)); };
+  rest_ = 0;
+  while (known.cols() < m) {
+    Block block(m, std::min<Eigen::Index>(block_size, m - known.cols()));
+    for (double& x : block.reshaped()) x = static_cast<double>(random()) / 2147483648.0 - 1;
+    block = beside_known(block);
+    for (int i = 0; i < iterations; ++i) block = beside_known(image(block));
+    block = beside_known(block);  // once is not enough where most of a column is known
+    const Block small = block.transpose() * image(block);
+    if (!small.allFinite()) return false;
+    const Eigen::SelfAdjointEigenSolver<Block> shares((small + small.transpose()) / 2);
+    const auto vanishing = static_cast<Eigen::Index>(std::ranges::count_if(shares.eigenvalues(), [](double x) { return x > 0.5; }));
+    if (vanishing < block.cols()) rest_ = std::max(0.0, shares.eigenvalues()[block.cols() - vanishing - 1]);
+    Block more(m, known.cols() + vanishing);
+    more << known, block * shares.eigenvectors().rightCols(vanishing);
+    known = std::move(more);
+    if (vanishing < block.cols()) break;
+  }
+  count_ = static_cast<int>(known.cols());
+  weakest_ = rest_ > 0 ? eps * (1 / rest_ - 1) : 1;
+  combinations_.assign(known.data(), known.data() + known.size());
+  return true;
+}
+
+// Equations of one item can be left out as long as the rest of the combinations stays independent of them: as many as the rank of
+// their part of the combinations.
+std::vector<RedundantConstraints::Item> RedundantConstraints::items(const System& system) const {
+  std::vector<Item> found;
+  if (count_ == 0) return found;
+  const Eigen::Map<const Block> all(combinations_.data(), static_cast<Eigen::Index>(rows_.size()), count_);
+  for (System::EquationOwner& owner : system.equation_owners()) {
+    const auto begin = std::ranges::lower_bound(rows_, owner.first), end = std::ranges::lower_bound(rows_, owner.first + owner.count);
+    if (begin == end) continue;
+    const Block part = all.middleRows(begin - rows_.begin(), end - begin);
+    if (!(part.squaredNorm() > removable_share)) continue;
+    const Eigen::SelfAdjointEigenSolver<Block> shares(part * part.transpose(), Eigen::EigenvaluesOnly);
+    const auto rank = std::ranges::count_if(shares.eigenvalues(), [](double x) { return x > removable_share; });
+    const auto acting = std::count(acting_.begin() + owner.first, acting_.begin() + owner.first + owner.count, 1);
+    found.push_back({owner.number, std::move(owner.item), owner.first, owner.count, static_cast<int>(acting), static_cast<int>(rank)});
+  }
+  return found;
+}
+
+// What vanishes of a gap is the same wherever it is: the smallest gap of the item alone that has as much of it.
+std::vector<std::string> RedundantConstraints::contradictions(std::span<const double> misfit, const System& system) const {
+  constexpr double not_all = 1e-2;
+  std::vector<std::string> lines;
+  if (count_ == 0) return lines;
+  const Eigen::Map<const Block> all(combinations_.data(), static_cast<Eigen::Index>(rows_.size()), count_);
+  Eigen::VectorXd scaled(all.rows());
+  for (Eigen::Index i = 0; i < scaled.size(); ++i) scaled[i] = misfit[rows_[i]] / std::sqrt(weight_[rows_[i]]);
+  const Eigen::VectorXd whole = all.transpose() * scaled;
+  for (const Item& item : items(system)) {
+    const auto first = std::ranges::lower_bound(rows_, item.first) - rows_.begin();
+    const auto count = std::ranges::lower_bound(rows_, item.first + item.rows) - rows_.begin() - first;
+    const Eigen::CompleteOrthogonalDecomposition<Block> part(all.middleRows(first, count).transpose());
+    Eigen::VectorXd gap = part.solve(whole);
+    if ((all.middleRows(first, count).transpose() * gap - whole).norm() > not_all * whole.norm()) continue;
+    for (Eigen::Index i = 0; i < count; ++i) gap[i] *= std::sqrt(weight_[rows_[first + i]]);
+    Eigen::Index worst = 0;
+    gap.cwiseAbs().maxCoeff(&worst);
+    const int equation = rows_[first + worst];
+    const char* unit = units_[equation] == CoordinateUnit::meter ? " m" : units_[equation] == CoordinateUnit::radian ? " rad" : "";
+    lines.push_back(item.item + ", equation " + std::to_string(equation - item.first) + ": " + format_number(gap[worst]) + unit);
+  }
+  return lines;
+}
+
+}  // namespace dalembert

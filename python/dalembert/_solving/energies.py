@@ -1,0 +1,155 @@
+"""Kinetic and potential energy of a system, and the power that goes in and out of it.
+
+Potential energy is the work of all forces but those of velocities, on a path from the reference configuration:
+rotations turn about fixed axes, everything else moves straight. Where forces have a potential, the path is all one.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from dalembert._checks import FloatArray
+from dalembert._core import ConfigurationType, testing
+from dalembert._solving.consistent import _Nodes
+from dalembert._solving.quiet import assemble_if_needed
+
+_NAME = "ComputeEnergies"
+_POINTS = 6  # of Gauss per part of the path
+_MOST_PARTS = 64
+_TOLERANCE = 1e-12  # of the work, relative to the sum of its magnitudes
+
+
+class Energies(NamedTuple):
+    """Energies in J and powers in W, of a configuration.
+
+    kinetic, kineticPerNode: of velocities, and the share of each node, by node number.
+    potential: work that weight, loads, springs and bodies have stored since the reference configuration.
+    total: kinetic + potential; constant as long as no power goes in or out.
+    dissipatedPower: taken out by forces that depend on velocities, such as those of dampers.
+    potentialError: by how much the last two refinements of the path differ; large where forces jump.
+    """
+
+    kinetic: float
+    potential: float
+    total: float
+    dissipatedPower: float
+    potentialError: float
+    kineticPerNode: dict[int, float]
+
+
+class _Path:
+    """From the reference configuration to a state: coordinates and their derivatives at s in [0, 1]."""
+
+    def __init__(self, mbs: Any, q: FloatArray) -> None:
+        nodes = _Nodes(mbs, [], [])
+        self.q, self.lie, self.units = q, nodes.lie, nodes.units
+        self.reference = np.array(mbs.systemData.GetODE2Coordinates(ConfigurationType.Reference))
+        self.start = self.reference[self.units]
+        end = (q + self.reference)[self.units]
+        self.end = end * np.where(np.sum(self.start * end, axis=1, keepdims=True) < 0, -1, 1)  # the shorter way
+        cosines = np.sum(self.start * self.end, axis=1, keepdims=True)
+        self.angles = np.arctan2(np.linalg.norm(self.end - cosines * self.start, axis=1, keepdims=True), cosines)
+        # Euler parameters are as far from each other as half of the angle between them.
+
+    def at(self, s: float) -> tuple[FloatArray, FloatArray]:
+        """Return displacements, and their derivative by s; that of Lie-group nodes is a spin in local axes."""
+        q, rate = s * self.q, self.q.copy()
+        sine = np.sin(self.angles)
+        small = sine < 1e-9
+        sine = np.where(small, 1.0, sine)
+        first = np.where(small, 1 - s, np.sin((1 - s) * self.angles) / sine)
+        last = np.where(small, s, np.sin(s * self.angles) / sine)
+        q[self.units] = first * self.start + last * self.end - self.start
+        first_rate = np.where(small, -1.0, -self.angles * np.cos((1 - s) * self.angles) / sine)
+        last_rate = np.where(small, 1.0, self.angles * np.cos(s * self.angles) / sine)
+        rate[self.units] = first_rate * self.start + last_rate * self.end
+        for block in self.lie:
+            rate[block] = _tangent_operator(self.reference[block] + q[block]) @ self.q[block]
+        return q, rate
+
+
+def _tangent_operator(turn: FloatArray) -> FloatArray:
+    """Return the matrix from rates of a rotation vector to the spin in axes of the body."""
+    angle = float(np.linalg.norm(turn))
+    x, y, z = turn
+    skew = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    if angle < 1e-4:
+        return np.eye(3) - skew / 2 + skew @ skew / 6
+    return np.eye(3) - (1 - np.cos(angle)) / angle**2 * skew + (angle - np.sin(angle)) / angle**3 * skew @ skew
+
+
+class _System:
+    """Forces and masses of a system in states at rest and in motion."""
+
+    def __init__(self, mbs: Any, configuration: ConfigurationType) -> None:
+        data = mbs.systemData
+        self.mbs, self.state = mbs, testing.State(mbs)
+        self.state.q = data.GetODE2Coordinates(configuration)
+        self.state.v = data.GetODE2Coordinates_t(configuration)
+        self.state.y, self.state.data = data.GetODE1Coordinates(configuration), data.GetDataCoordinates(configuration)
+        self.state.t = data.GetTime(configuration)
+        self.state.lam, self.state.a = np.zeros_like(self.state.lam), np.zeros_like(self.state.a)
+
+    def forces(self, q: FloatArray, v: FloatArray) -> FloatArray:
+        state = self.state.copy()
+        state.q, state.v = q, v
+        return np.asarray(testing.forces(self.mbs, state))
+
+    def momentum(self, q: FloatArray, v: FloatArray) -> FloatArray:
+        state = self.state.copy()
+        state.q = q
+        rows, columns, values = testing.mass_entries(self.mbs, state)
+        return np.asarray(np.bincount(rows, weights=values * v[columns], minlength=len(q)), dtype=float)
+
+    def work(self, path: _Path) -> tuple[float, float]:
+        """Return the work of forces along the path and what is not sure of it."""
+        points, weights = np.polynomial.legendre.leggauss(_POINTS)
+        at_rest, parts, before = np.zeros(len(path.q)), 2, np.nan
+        while True:
+            work = size = 0.0
+            for part in range(parts):
+                for point, weight in zip(points, weights, strict=True):
+                    q, rate = path.at((part + (point + 1) / 2) / parts)
+                    power = self.forces(q, at_rest) * rate * weight / (2 * parts)
+                    work += float(power.sum())
+                    size += float(np.abs(power).sum())
+            error = abs(work - before)
+            if error <= _TOLERANCE * size or parts >= _MOST_PARTS or not np.isfinite(work):
+                return work, error
+            before, parts = work, 2 * parts
+
+    def dissipated_power(self) -> float:
+        """Return the power of forces of velocities, without that of inertia: -v (Q(v) - Q(0)) - v M_t v / 2."""
+        q, v = np.asarray(self.state.q), np.asarray(self.state.v)
+        speed = float(np.abs(v).max(initial=0.0))
+        if speed == 0:
+            return 0.0
+        step = 1e-5 * max(1.0, float(np.abs(q).max(initial=0.0))) / speed
+        moved = [np.asarray(testing.compose(self.mbs, self.state, sign * step * v)) for sign in (1, -1)]
+        inertia = [v @ self.momentum(x, v) for x in moved]
+        power = v @ (self.forces(q, v) - self.forces(q, 0 * v))
+        return float(-power - (inertia[0] - inertia[1]) / (4 * step))
+
+
+def ComputeEnergies(
+    mbs: Any, configuration: ConfigurationType = ConfigurationType.Current, autoAssemble: bool = True
+) -> Energies:
+    """Return kinetic and potential energy of the system, and the power that it dissipates, in a configuration.
+
+    Potential energy is the work since the reference configuration against weight, loads and all forces of connectors
+    and bodies, as they are at the time of the configuration: items need no formula of their own. Where a force has no
+    potential, as that of friction or of a load that turns with its body, the result depends on the path.
+    """
+    assemble_if_needed(_NAME, mbs, autoAssemble)
+    system = _System(mbs, configuration)
+    q, v = np.asarray(system.state.q), np.asarray(system.state.v)
+    shares = v * system.momentum(q, v) / 2
+    per_node = {}
+    for node in range(mbs.systemData.NumberOfNodes()):
+        if numbers := mbs.systemData.GetNodeLTGODE2(node):
+            per_node[node] = float(shares[numbers].sum())
+    work, error = system.work(_Path(mbs, q))
+    kinetic = float(shares.sum())
+    return Energies(kinetic, -work, kinetic - work, system.dissipated_power(), error, per_node)

@@ -1,0 +1,112 @@
+"""Explicit Runge-Kutta methods with joints: multipliers at each stage, and the way back onto the constraints after each step."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from bricard_reference import third_corners
+from solving import Solver, Variable, new_system, settings
+from test_andrews import END, Squeezer, angles
+from test_bricard import Bricard
+
+import dalembert as exu
+from dalembert.solver import SolverError
+
+
+def tolerances(end: float, tolerance: float, steps: int = 100) -> Any:
+    s = settings(end, steps)
+    s.timeIntegration.absoluteTolerance = s.timeIntegration.relativeTolerance = tolerance
+    return s
+
+
+def largest_gap(mbs: Any) -> float:
+    state = exu._core.testing.State(mbs)
+    return float(np.abs(exu._core.testing.gaps(mbs, state)).max())
+
+
+def test_the_squeezer_holds_a_tolerance() -> None:
+    squeezer = Squeezer()
+    squeezer.mbs.SolveDynamic(tolerances(0.03, 1e-8), solverType=Solver.DOPRI5)
+    np.testing.assert_allclose(squeezer.angles(), angles(END), rtol=0, atol=1e-6)
+    assert largest_gap(squeezer.mbs) < 1e-12
+
+
+def cart_pole() -> tuple[Any, Any, Any]:
+    """A cart of 1 mg on a rail, and a mass of 1 kg on a rod of 1 m."""
+    mbs = new_system()
+    ground = mbs.AddNode(exu.NodePointGround())
+    cart = mbs.AddNode(exu.NodePoint2D(referenceCoordinates=[0, 0]))
+    mass = mbs.AddNode(exu.NodePoint2D(referenceCoordinates=[1, 0]))
+    bodies = [mbs.AddObject(exu.MassPoint2D(nodeNumber=node, physicsMass=m)) for node, m in ((cart, 1e-6), (mass, 1.0))]
+    rail = [mbs.AddMarker(exu.MarkerNodeCoordinate(nodeNumber=n, coordinate=i)) for n, i in ((ground, 0), (cart, 1))]
+    mbs.AddObject(exu.CoordinateConstraint(markerNumbers=rail))
+    ends = [mbs.AddMarker(exu.MarkerBodyPosition(bodyNumber=body)) for body in bodies]
+    mbs.AddObject(exu.DistanceConstraint(markerNumbers=ends, distance=1))
+    mbs.AddLoad(exu.Force(markerNumber=ends[1], loadVector=[0, -9.81, 0]))
+    mbs.Assemble()
+    return mbs, cart, mass
+
+
+def test_a_light_cart_with_a_heavy_pole() -> None:
+    mbs, cart, mass = cart_pole()
+    mbs.SolveDynamic(tolerances(10, 1e-9), solverType=Solver.DOPRI5)
+    place = [mbs.GetNodeOutput(cart, Variable.Position)[0], mbs.GetNodeOutput(mass, Variable.Position)[1]]
+    assert place == pytest.approx([1.9997632825, -0.0216651897], abs=1e-6)
+
+
+@pytest.mark.parametrize("freed", [{}, {5: 0}], ids=["redundant", "regular"])
+def test_bricard(freed: dict[int, int]) -> None:
+    bricard = Bricard(freed)
+    bricard.mbs.SolveDynamic(tolerances(1, 1e-9), solverType=Solver.DOPRI5)
+    assert bricard.third_corner() == pytest.approx(third_corners()[1.0], abs=1e-7)
+    assert bricard.energy() == pytest.approx(0, abs=1e-7) and largest_gap(bricard.mbs) < 1e-11
+    assert bricard.mbs.sys["dynamicSolver"].GetRedundantConstraints()["count"] == (0 if freed else 1)
+
+
+@pytest.mark.parametrize(
+    ("method", "order", "steps"), [(Solver.RK33, 3, 50), (Solver.RK44, 4, 50), (Solver.RK67, 6, 25)]
+)
+def test_orders(method: Any, order: int, steps: int) -> None:
+    """Multipliers and projection leave the order of the method."""
+    wanted = third_corners()[1.0]
+
+    def error(steps: int) -> float:
+        bricard = Bricard({5: 0})
+        bricard.mbs.SolveDynamic(settings(1, steps), solverType=method)
+        return float(np.linalg.norm(bricard.third_corner() - wanted))
+
+    assert np.log2(error(steps) / error(2 * steps)) > order - 0.5
+
+
+def test_a_driven_constraint() -> None:
+    """A mass that is carried along x = sin(3 t) / 2: the multiplier is the force that this takes."""
+    mbs = new_system()
+    ground = mbs.AddNode(exu.NodePointGround())
+    node = mbs.AddNode(exu.NodePoint2D(referenceCoordinates=[0, 0], initialVelocities=[1.5, 0]))
+    mbs.AddObject(exu.MassPoint2D(nodeNumber=node, physicsMass=2.0))
+    markers = [mbs.AddMarker(exu.MarkerNodeCoordinate(nodeNumber=n, coordinate=0)) for n in (ground, node)]
+    mbs.AddObject(
+        exu.CoordinateConstraint(
+            markerNumbers=markers, offsetUserFunction=lambda mbs, t, number, offset: 0.5 * np.sin(3 * t)
+        )
+    )
+    mbs.Assemble()
+    mbs.SolveDynamic(settings(1, 200), solverType=Solver.RK44)
+    assert mbs.GetNodeOutput(node, Variable.Position)[0] == pytest.approx(0.5 * np.sin(3), abs=1e-9)
+    assert mbs.GetNodeOutput(node, Variable.Velocity)[0] == pytest.approx(1.5 * np.cos(3), abs=1e-6)
+    assert abs(mbs.systemData.GetAECoordinates()[0]) == pytest.approx(9 * np.sin(3), abs=1e-5)
+
+
+def test_verlet_refuses_joints() -> None:
+    with pytest.raises(ValueError, match="DOPRI5, which keeps all constraints"):
+        Bricard({}).mbs.SolveDynamic(settings(1, 10), solverType=Solver.VelocityVerlet)
+
+
+def test_gaps_that_cannot_be_closed() -> None:
+    mbs, _, _ = cart_pole()
+    mbs.SetNodeParameter(1, "initialVelocities", [1e9, 0])
+    mbs.Assemble()
+    with pytest.raises(SolverError):
+        mbs.SolveDynamic(settings(1, 10), solverType=Solver.RK44)

@@ -1,0 +1,115 @@
+"""Generalized alpha with step sizes from an estimated error."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from solving import Variable, new_system, settings
+from test_andrews import END, Squeezer, angles
+
+import dalembert as exu
+from dalembert.solver import SolverError
+
+
+def tolerances(end: float, tolerance: float, largest_step: float) -> Any:
+    s = settings(end, int(round(end / largest_step)), spectral_radius=0.8)
+    t = s.timeIntegration
+    t.absoluteTolerance = t.relativeTolerance = tolerance
+    t.initialStepSize = 1e-5
+    s.stepSizeControl.implicitSolvers = True
+    return s
+
+
+def squeezer(tolerance: float) -> tuple[float, Any]:
+    mechanism = Squeezer()
+    mechanism.mbs.SolveDynamic(tolerances(0.03, tolerance, 0.001))
+    return float(np.abs(mechanism.angles() - angles(END)).max()), mechanism.mbs.sys["dynamicSolver"].it
+
+
+def test_the_squeezer_by_tolerances() -> None:
+    """Errors are as small as tolerances, nearly; steps grow by their square root, as the estimate is of second order."""
+    results = {tolerance: squeezer(tolerance) for tolerance in (1e-4, 1e-5, 1e-6)}
+    for tolerance, (error, it) in results.items():
+        assert error < 20 * tolerance
+        assert it.rejectedAutomaticStepSizeSteps < it.currentStepIndex / 10
+        assert it.currentTime == pytest.approx(0.03, abs=1e-12)
+    steps = [it.currentStepIndex for _, it in results.values()]
+    for fewer, more in zip(steps[:-1], steps[1:], strict=True):
+        assert more / fewer == pytest.approx(np.sqrt(10), rel=0.2)
+
+
+def mass_on_spring(jump: float) -> Any:
+    mbs = new_system()
+    mass = mbs.CreateMassPoint(physicsMass=1, referencePosition=[1, 0, 0])
+    spring = mbs.CreateSpringDamper(bodyNumbers=[mbs.CreateGround(), mass], stiffness=100, damping=0, referenceLength=1)
+    del spring
+    marker = mbs.AddMarker(exu.itemInterface.MarkerBodyPosition(bodyNumber=mass))
+    mbs.AddLoad(
+        exu.itemInterface.LoadForceVector(
+            markerNumber=marker,
+            loadVector=[1, 0, 0],
+            loadVectorUserFunction=lambda mbs, t, load: [10.0 if t > jump else 0.0, 0, 0],
+        )
+    )
+    mbs.Assemble()
+    return mbs
+
+
+def test_a_load_that_jumps() -> None:
+    """Large steps before it, small ones at it."""
+    mbs = mass_on_spring(0.5)
+    s = tolerances(1, 1e-6, 0.1)
+    times: list[float] = []
+    mbs.SetPostStepUserFunction(lambda mbs, t: bool(times.append(t)) or True)
+    mbs.SolveDynamic(s)
+    steps = np.diff([0.0, *times])
+    assert steps[: np.searchsorted(times, 0.49)].max() == pytest.approx(0.1, rel=0.3)
+    assert steps.min() < 2e-3 and times[int(np.argmin(steps))] < 0.52
+    wanted = 0.1 * (1 - np.cos(10 * 0.5))
+    assert mbs.GetNodeOutput(0, Variable.Displacement)[0] == pytest.approx(wanted, abs=2e-3)
+    assert mbs.sys["dynamicSolver"].it.rejectedAutomaticStepSizeSteps > 0
+
+
+def test_the_smallest_step_is_kept_with_a_warning(capfd: Any) -> None:
+    s = tolerances(1, 1e-10, 0.1)
+    s.timeIntegration.minimumStepSize = 0.02
+    s.timeIntegration.initialStepSize = 0.02
+    mass_on_spring(0.0).SolveDynamic(s)
+    assert capfd.readouterr().out.count("automatic step size reached timeIntegration.minimumStepSize") == 1
+
+
+def test_errors_above_the_tolerances_end_the_solution() -> None:
+    s = tolerances(20, 1e-10, 0.1)
+    s.timeIntegration.minimumStepSize = s.timeIntegration.initialStepSize = 0.02
+    with pytest.raises(SolverError) as caught:
+        mass_on_spring(0.0).SolveDynamic(s)
+    assert caught.value.reason == "errorControl"
+
+
+def test_a_driven_pendulum_keeps_its_drive() -> None:
+    """Velocities are projected onto constraints, and not against what is prescribed in time."""
+    mbs = new_system()
+    ground = mbs.AddNode(exu.itemInterface.NodePointGround())
+    node = mbs.AddNode(exu.itemInterface.NodePoint2D(referenceCoordinates=[0, 0], initialVelocities=[1.5, 0]))
+    mbs.AddObject(exu.itemInterface.ObjectMassPoint2D(nodeNumber=node, physicsMass=2.0))
+    markers = [
+        mbs.AddMarker(exu.itemInterface.MarkerNodeCoordinate(nodeNumber=n, coordinate=0)) for n in (ground, node)
+    ]
+    mbs.AddObject(
+        exu.itemInterface.CoordinateConstraint(
+            markerNumbers=markers, offsetUserFunction=lambda mbs, t, number, offset: 0.5 * np.sin(3 * t)
+        )
+    )
+    mbs.Assemble()
+    mbs.SolveDynamic(tolerances(1, 1e-6, 0.05))
+    assert mbs.GetNodeOutput(node, Variable.Velocity)[0] == pytest.approx(1.5 * np.cos(3), abs=1e-3)
+
+
+def test_without_the_setting_steps_are_equal() -> None:
+    s = tolerances(1, 1e-6, 0.1)
+    s.stepSizeControl.implicitSolvers = False
+    mbs = mass_on_spring(0.5)
+    mbs.SolveDynamic(s)
+    assert mbs.sys["dynamicSolver"].it.currentStepIndex == 11

@@ -1,0 +1,299 @@
+"""Closed loops whose constraints follow from each other: motion, smallest reactions, and who is told of contradictions."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import pytest
+from bricard_reference import third_corners
+from scipy.spatial.transform import Rotation
+from solving import Variable, new_system, settings
+from test_bricard import Bricard
+
+import dalembert as exu
+from dalembert._core import testing
+from dalembert.rigidBodyUtilities import InertiaCuboid
+from dalembert.solver import SolverError
+
+Linear = exu.LinearSolverType
+NODES = [
+    exu.NodeType.RotationEulerParameters,
+    exu.NodeType.RotationRxyz,
+    exu.NodeType.RotationRotationVector,
+]
+LEAN = 0.2  # rad, of the axis of the door
+MASS = 30.0
+
+
+def multipliers_of_joints(mbs: Any, length: float) -> tuple[np.ndarray, np.ndarray]:
+    """Multipliers, and those with the same forces whose sum of squares, moments divided by a length, is smallest.
+
+    Conditions of unit length belong to nodes: they take what is normal to motions, and do not count.
+    """
+    state = testing.State(mbs)
+    lam, first = np.asarray(state.lam), len(state.q) + len(state.y)
+    forces = testing.tangent(mbs, state)[: len(state.q), first:]
+    of_joints, meters = np.ones(len(lam), dtype=bool), np.zeros(len(state.q), dtype=bool)
+    for node in range(mbs.systemData.NumberOfNodes()):
+        meters[mbs.systemData.GetNodeLTGODE2(node)[:3]] = True
+        of_joints[mbs.systemData.GetNodeLTGAE(node)] = False
+    moments = ~(np.abs(forces[meters]) > 0).any(axis=0)
+    weight = np.where(moments, length, 1.0)[of_joints]
+    units = forces[:, ~of_joints]
+    beside_units = np.eye(len(forces)) - units @ np.linalg.pinv(units)
+    map_of_joints = beside_units @ forces[:, of_joints] * weight
+    smallest = weight * (np.linalg.pinv(map_of_joints, rcond=1e-7) @ (beside_units @ forces @ lam))
+    return lam[of_joints], smallest
+
+
+def assert_smallest(mbs: Any, length: float, tolerance: float = 1e-6) -> None:
+    lam, smallest = multipliers_of_joints(mbs, length)
+    assert np.linalg.norm(lam - smallest) <= tolerance * np.linalg.norm(smallest)
+
+
+def redundancy(mbs: Any, solver: str = "dynamicSolver") -> dict[str, Any]:
+    found: dict[str, Any] = mbs.sys[solver].GetRedundantConstraints()
+    return found
+
+
+# ---- a door on hinges ----------------------------------------------------------------------------------------------------
+
+
+class Door:
+    """30 kg, 0.9 m wide and 2 m high, on an axis that leans, with hinges at these heights, the second one misplaced."""
+
+    def __init__(self, heights: Sequence[float] = (0.3, 1.7), misplaced: float = 0, node: Any = NODES[0]) -> None:
+        self.mbs = new_system()
+        ground = self.mbs.CreateGround()
+        size = np.array([0.9, 0.04, 2.0])
+        self.door = self.mbs.CreateRigidBody(
+            referencePosition=[0.45, 0, 1],
+            inertia=InertiaCuboid(density=MASS / np.prod(size), sideLengths=size),
+            gravity=[0, 9.81 * np.sin(LEAN), -9.81 * np.cos(LEAN)],
+            nodeType=node,
+        )
+        self.hinges = [self.hinge(ground, i, z, misplaced if i == 1 else 0.0) for i, z in enumerate(heights)]
+        self.mbs.Assemble()
+
+    def hinge(self, ground: Any, i: int, z: float, misplaced: float) -> Any:
+        markers = [
+            self.mbs.AddMarker(exu.itemInterface.MarkerBodyRigid(bodyNumber=body, localPosition=place))
+            for body, place in ((ground, [misplaced, 0, z]), (self.door, [-0.45, 0, z - 1]))
+        ]
+        return self.mbs.AddObject(exu.itemInterface.ObjectJointRevoluteZ(name=f"hinge {i}", markerNumbers=markers))
+
+    def axial_forces(self) -> list[float]:
+        return [abs(self.mbs.GetObjectOutput(hinge, Variable.ForceLocal)[2]) for hinge in self.hinges]
+
+    def edge(self) -> np.ndarray:
+        return np.asarray(self.mbs.GetObjectOutputBody(self.door, Variable.Position, [0.45, 0, 0]))
+
+
+@pytest.mark.parametrize("linear", [Linear.EXUdense, Linear.EigenSparse])
+@pytest.mark.parametrize("node", NODES)
+@pytest.mark.parametrize("heights", [(0.3, 1.7), (0.3, 1.0, 1.7)])
+def test_hinges_share_the_weight_of_a_door(linear: Any, node: Any, heights: Sequence[float]) -> None:
+    door = Door(heights, node=node)
+    s = settings(2, 200)
+    s.linearSolverType = linear
+    door.mbs.SolveDynamic(s)
+    weight = MASS * 9.81 * np.cos(LEAN)
+    assert door.axial_forces() == pytest.approx([weight / len(heights)] * len(heights), abs=1e-6)
+    found = redundancy(door.mbs)
+    assert found["count"] == 5 * (len(heights) - 1)
+    assert [(item["removable"], item["equations"]) for item in found["items"]] == [(5, 5)] * len(heights)
+    counts = door.mbs.ComputeSystemDegreeOfFreedom()
+    assert counts["degreeOfFreedom"] == 1 and counts["redundantConstraints"] == found["count"]
+    assert counts["removableEquations"] == {int(hinge): [5, 5] for hinge in door.hinges}
+
+
+def test_a_door_moves_as_with_one_hinge() -> None:
+    two, one = Door(), Door((1.0,))
+    for door in (two, one):
+        door.mbs.SolveDynamic(settings(2, 200))
+    assert two.edge() == pytest.approx(one.edge(), abs=1e-10)
+
+
+def test_without_treatment_a_door_is_singular() -> None:
+    s = settings(0.1, 10)
+    s.redundantConstraints.treat = False
+    with pytest.raises(SolverError, match="singular"):
+        Door().mbs.SolveDynamic(s)
+
+
+@pytest.mark.parametrize("node", NODES)
+def test_misplaced_hinges_are_fitted_with_a_warning(node: Any, capfd: Any) -> None:
+    aligned, misplaced = Door(node=node), Door(misplaced=1e-6, node=node)
+    for door in (aligned, misplaced):
+        door.mbs.SolveDynamic(settings(2, 200))
+    assert misplaced.edge() == pytest.approx(aligned.edge(), abs=1e-5)
+    told = capfd.readouterr().out
+    assert told.count("contradict each other") == 1 and "'hinge 0'" in told and "'hinge 1'" in told
+    assert 1e-7 < redundancy(misplaced.mbs)["misfit"] < 1e-6
+
+
+@pytest.mark.parametrize("misplaced", [1e-4, 1e-3, 1e-2])
+def test_hinges_that_do_not_fit_are_refused(misplaced: float) -> None:
+    with pytest.raises(SolverError) as refused:
+        Door(misplaced=misplaced).mbs.SolveDynamic(settings(2, 200))
+    assert refused.value.reason == "contradictoryConstraints" and refused.value.stepIndex == 1
+    for hinge in range(2):
+        named = [text for text in refused.value.dependentEquations if f"'hinge {hinge}'" in text]
+        assert len(named) == 1
+        apart = float(named[0].split(": ")[-1].removesuffix(" m"))
+        assert abs(apart) == pytest.approx(misplaced, rel=1e-3)
+
+
+def test_a_larger_misfit_may_be_allowed() -> None:
+    s = settings(0.1, 10)
+    s.redundantConstraints.largestMisfit = 1e-4
+    Door(misplaced=1e-4).mbs.SolveDynamic(s)
+
+
+def test_a_door_at_rest() -> None:
+    """A spring holds it: the static solver finds the same weights."""
+    door = Door()
+    marker = door.mbs.AddMarker(exu.itemInterface.MarkerBodyRigid(bodyNumber=door.door, localPosition=[0.45, 0, 0]))
+    ground = door.mbs.AddMarker(exu.itemInterface.MarkerBodyPosition(bodyNumber=0, localPosition=[0.9, 0.5, 1]))
+    door.mbs.AddObject(
+        exu.itemInterface.ObjectConnectorSpringDamper(
+            markerNumbers=[ground, marker], referenceLength=0.5, stiffness=1e4
+        )
+    )
+    door.mbs.Assemble()
+    s = settings(1, 1)
+    s.staticSolver.verboseMode = 0
+    door.mbs.SolveStatic(s)
+    assert redundancy(door.mbs, "staticSolver")["count"] == 5
+    total = MASS * 9.81 * np.cos(LEAN)
+    first, second = door.axial_forces()
+    assert first == pytest.approx(second, abs=1e-6) and first + second == pytest.approx(total, rel=1e-2)
+
+
+# ---- six full joints in a loop -----------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("linear", [Linear.EXUdense, Linear.EigenSparse])
+def test_bricard_with_six_full_joints(linear: Any) -> None:
+    full, freed = Bricard({}), Bricard({5: 0})
+    s = settings(1, 200, spectral_radius=1.0, tolerance=1e-8)
+    s.linearSolverType = linear
+    for mechanism in (full, freed):
+        mechanism.mbs.SolveDynamic(s)
+    assert np.linalg.norm(full.third_corner() - third_corners()[1.0]) <= 2.1e-5
+    assert full.third_corner() == pytest.approx(freed.third_corner(), abs=1e-10)
+    assert full.mbs.sys["dynamicSolver"].it.newtonStepsCount / 200 == pytest.approx(2, abs=0.1)
+    found = redundancy(full.mbs)
+    assert found["count"] == 1
+    assert [(item["removable"], item["equations"]) for item in found["items"]] == [(1, 5)] * 6
+
+
+@pytest.mark.parametrize("level", ["index 3", "index 2"])
+@pytest.mark.parametrize("modified", [False, True])
+def test_bricard_by_all_kinds_of_newton(level: str, modified: bool) -> None:
+    s = settings(1, 200, spectral_radius=1.0)
+    s.timeIntegration.newton.useModifiedNewton = modified
+    s.timeIntegration.generalizedAlpha.useIndex2Constraints = level == "index 2"
+    s.timeIntegration.generalizedAlpha.useNewmark = level == "index 2"
+    full, freed = Bricard({}), Bricard({5: 0})
+    for mechanism in (full, freed):
+        mechanism.mbs.SolveDynamic(s)
+    wanted = third_corners()[1.0]
+    errors = [np.linalg.norm(mechanism.third_corner() - wanted) for mechanism in (full, freed)]
+    assert errors[0] < 2 * errors[1]
+
+
+# ---- random closed mechanisms ------------------------------------------------------------------------------------------
+
+
+class ClosedChain:
+    """Bars in a plane in space, joined to each other and to the ground by revolute joints normal to the plane."""
+
+    def __init__(self, random: np.random.Generator, bars: int, node: Any) -> None:
+        self.mbs = new_system()
+        ground = self.mbs.CreateGround()
+        turn = Rotation.random(random_state=random).as_matrix()
+        angles = np.sort(random.uniform(0, 2 * np.pi, bars + 1)) + np.arange(bars + 1) * 1e-2
+        radii = random.uniform(0.5, 1.5, bars + 1)
+        corners = [turn @ [r * np.cos(a), r * np.sin(a), 0] for r, a in zip(radii, angles, strict=True)]
+        bodies = [ground]
+        for start, end in zip(corners[:-1], corners[1:], strict=True):
+            bodies.append(self.bar(start, end, turn[:, 2], random, node))
+        bodies.append(ground)
+        for corner, pair in zip(corners, zip(bodies[:-1], bodies[1:], strict=True), strict=True):
+            self.mbs.CreateRevoluteJoint(bodyNumbers=list(pair), position=corner, axis=turn[:, 2])
+        self.mbs.Assemble()
+
+    def bar(
+        self, start: np.ndarray, end: np.ndarray, normal: np.ndarray, random: np.random.Generator, node: Any
+    ) -> Any:
+        along = (end - start) / np.linalg.norm(end - start)
+        size = [float(np.linalg.norm(end - start)), 0.1, 0.05]
+        return self.mbs.CreateRigidBody(
+            referencePosition=(start + end) / 2,
+            referenceRotationMatrix=np.column_stack([along, np.cross(normal, along), normal]),
+            inertia=InertiaCuboid(density=random.uniform(500, 5000), sideLengths=size),
+            gravity=[0, 0, -9.81],
+            nodeType=node,
+        )
+
+
+@pytest.mark.parametrize("node", NODES)
+@pytest.mark.parametrize("linear", [Linear.EXUdense, Linear.EigenSparse])
+@pytest.mark.parametrize("bars", [3, 4, 5, 6, 7])
+def test_planar_loops_in_space(node: Any, linear: Any, bars: int) -> None:
+    """n bars and the ground: each loop has three equations too many; reactions are those of numpy's singular values."""
+    random = np.random.default_rng(bars)
+    for _ in range(7):
+        chain = ClosedChain(random, bars, node)
+        s = settings(0.02, 20, tolerance=1e-12)  # so that the last matrix is that of the last state
+        s.linearSolverType = linear
+        s.redundantConstraints.momentLength = 1.0
+        chain.mbs.SolveDynamic(s)
+        assert redundancy(chain.mbs)["count"] == 3
+        assert_smallest(chain.mbs, 1.0)
+        counts = chain.mbs.ComputeSystemDegreeOfFreedom()
+        assert (counts["degreeOfFreedom"], counts["redundantConstraints"]) == (bars - 2, 3)
+
+
+# ---- a platform on legs ------------------------------------------------------------------------------------------------
+
+
+def stewart_platform(legs: int) -> Any:
+    """A platform on legs of fixed lengths between spherical joints, which turn about their own axes; more than six are redundant."""
+    mbs = new_system()
+    ground = mbs.CreateGround()
+    platform = mbs.CreateRigidBody(
+        referencePosition=[0, 0, 1], inertia=InertiaCuboid(1000, [1, 1, 0.1]), gravity=[0, 0, -9.81]
+    )
+    for i in range(legs):
+        foot_angle, head_angle = 2 * np.pi * (i + 0.3 * (-1) ** i) / legs, 2 * np.pi * (i - 0.2 * (-1) ** i) / legs
+        foot = np.array([1.5 * np.cos(foot_angle), 1.5 * np.sin(foot_angle), 0])
+        head = np.array([0.6 * np.cos(head_angle), 0.6 * np.sin(head_angle), 1])
+        along = (head - foot) / np.linalg.norm(head - foot)
+        side = np.cross([0, 0, 1], along) / np.linalg.norm(np.cross([0, 0, 1], along))
+        leg = mbs.CreateRigidBody(
+            referencePosition=(foot + head) / 2,
+            referenceRotationMatrix=np.column_stack([along, side, np.cross(along, side)]),
+            inertia=InertiaCuboid(1000, [float(np.linalg.norm(head - foot)), 0.1, 0.1]),
+            gravity=[0, 0, -9.81],
+        )
+        mbs.CreateSphericalJoint(bodyNumbers=[ground, leg], position=foot)
+        mbs.CreateSphericalJoint(bodyNumbers=[leg, platform], position=head)
+    mbs.Assemble()
+    return mbs
+
+
+@pytest.mark.parametrize(("legs", "redundant"), [(6, 0), (8, 2), (9, 3)])
+def test_stewart_platform(legs: int, redundant: int) -> None:
+    mbs = stewart_platform(legs)
+    counts = mbs.ComputeSystemDegreeOfFreedom()
+    assert (counts["degreeOfFreedom"], counts["redundantConstraints"]) == (legs, redundant)
+    mbs.SolveDynamic(settings(0.1, 20, tolerance=1e-12))
+    assert redundancy(mbs)["count"] == redundant
+    assert_smallest(mbs, 1.0)
+    start = [0, 0, 1]
+    place = mbs.GetNodeOutput(mbs.GetObject(exu.ObjectIndex(1))["nodeNumber"], Variable.Position)
+    assert place == pytest.approx(start, abs=1e-9)  # it is held
