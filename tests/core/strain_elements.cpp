@@ -5,9 +5,12 @@
 #include <cstdio>
 
 #include "dalembert/batches/strain_element.hpp"
+#include "dalembert/items/finite_elements/ancf_beam.hpp"
 #include "dalembert/items/finite_elements/ancf_cable.hpp"
 #include "dalembert/items/finite_elements/ancf_cable_2d.hpp"
+#include "dalembert/items/finite_elements/ancf_thin_plate.hpp"
 #include "dalembert/items/finite_elements/beam_geometrically_exact.hpp"
+#include "dalembert/items/finite_elements/beam_geometrically_exact_2d.hpp"
 #include "dalembert/items/nodes/rigid_body_rot_vec_lg.hpp"
 
 using namespace dalembert;
@@ -62,9 +65,9 @@ template <class E>
 typename E::Parameters parameters(int variant) {
   return cable<typename E::Parameters>(variant);
 }
-template <>
-ObjectBeamGeometricallyExactParameters parameters<Beam>(int variant) {
-  ObjectBeamGeometricallyExactParameters p;
+template <class P>
+P beam(int variant) {
+  P p;
   p.physicsLength = 0.7;
   p.sectionData.massPerLength = 2;
   for (int i = 0; i < 6; ++i)
@@ -73,6 +76,53 @@ ObjectBeamGeometricallyExactParameters parameters<Beam>(int variant) {
       p.sectionData.dampingMatrix(i, j) = variant & 1 ? (i == j ? 1 : 0) + number(i + j, 0.1) : 0;
     }
   for (int i = 0; i < 3; ++i) p.sectionData.inertia(i, i) = 1 + i;
+  if constexpr (requires { p.crossSectionDamping; }) p.crossSectionDamping = {0, 0.1 * (variant & 1), 0.2 * (variant & 1)};
+  return p;
+}
+template <>
+ObjectBeamGeometricallyExactParameters parameters<Beam>(int variant) {
+  return beam<ObjectBeamGeometricallyExactParameters>(variant);
+}
+template <>
+ObjectANCFBeamParameters parameters<ObjectANCFBeam>(int variant) {
+  return beam<ObjectANCFBeamParameters>(variant);
+}
+// Sections normal to the axis or turned as the nodes are.
+template <int nodes>
+typename ObjectBeamGeometricallyExact2D::On<nodes>::Parameters planar(int variant) {
+  typename ObjectBeamGeometricallyExact2D::On<nodes>::Parameters p;
+  p.physicsLength = 0.7;
+  p.physicsMassPerLength = 2;
+  p.physicsCrossSectionInertia = 0.3;
+  p.physicsBendingStiffness = 3;
+  p.physicsAxialStiffness = 100;
+  p.physicsShearStiffness = 50;
+  p.physicsBendingDamping = p.physicsAxialDamping = p.physicsShearDamping = variant & 1 ? 0.4 : 0;
+  p.includeReferenceRotations = variant & 2;
+  for (int i = 0; i < nodes; ++i) p.reference[3 * i] = 0.7 * i / (nodes - 1), p.reference[3 * i + 1] = 0.1 * i * i, p.reference[3 * i + 2] = 0.2 * i;
+  return p;
+}
+template <>
+ObjectBeamGeometricallyExact2D::On<2>::Parameters parameters<ObjectBeamGeometricallyExact2D::On<2>>(int variant) {
+  return planar<2>(variant);
+}
+template <>
+ObjectBeamGeometricallyExact2D::On<3>::Parameters parameters<ObjectBeamGeometricallyExact2D::On<3>>(int variant) {
+  return planar<3>(variant);
+}
+// A quadrangle that is no rectangle, and not flat.
+constexpr Vec<double, 36> plate_reference{0, 0, 0, 1, 0, 0.1, 0, 1, 0,   0.9, 0.1, 0,   1, 0.1, 0, 0, 1, 0.1,
+                                          1, 1, 0.1, 1, 0, 0, 0.1, 1, 0, -0.1, 0.9, 0.1, 1, 0, 0, 0, 1, 0};
+template <>
+ObjectANCFThinPlate::Parameters parameters<ObjectANCFThinPlate>(int variant) {
+  ObjectANCFThinPlate::Parameters p;
+  p.physicsThickness = {0.1};
+  p.physicsDensity = 5;
+  p.physicsMassProportionalDamping = variant & 1 ? 0.3 : 0;
+  p.useReducedOrderIntegration = variant / 2;
+  p.physicsStrainCoefficients = {Mat3<double>{20, 5, 0, 5, 30, 1, 0, 1, 10}};
+  for (int i = 0; i < 4; ++i) p.physicsCurvatureCoefficients.push_back(Mat3<double>{2. + i, 0.5, 0, 0.5, 3, 0.1, 0, 0.1, 1});
+  p.reference = plate_reference;
   return p;
 }
 
@@ -131,5 +181,9 @@ int main() {
   check<ObjectANCFCable2D>("ObjectANCFCable2D", 12, {0, 0, 1, 0.1, 0.7, 0.05, 0.9, -0.2});
   check<ObjectANCFCable>("ObjectANCFCable", 12, {0, 0, 0, 1, 0.1, -0.1, 0.7, 0.05, 0.1, 0.9, -0.2, 0.3});
   check<Beam>("ObjectBeamGeometricallyExact", 2, {0, 0, 0, 0.1, 0.2, 0.3, 0.7, 0, 0, 0.2, 0.1, -0.4});
+  check<ObjectANCFBeam>("ObjectANCFBeam", 2, {0, 0, 0, 0, 1, 0.1, 0, 0, 1, 0.7, 0.05, 0, -0.1, 1, 0, 0.1, 0, 0.9});
+  check<ObjectBeamGeometricallyExact2D::On<2>>("ObjectBeamGeometricallyExact2D, two nodes", 4, planar<2>(0).reference);
+  check<ObjectBeamGeometricallyExact2D::On<3>>("ObjectBeamGeometricallyExact2D, three nodes", 4, planar<3>(0).reference);
+  check<ObjectANCFThinPlate>("ObjectANCFThinPlate", 4, plate_reference);
   return failures;
 }

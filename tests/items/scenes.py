@@ -275,6 +275,10 @@ class Scene:
         made = self.mbs.AddObject(getattr(exu, item.name)(**{key: numbers}, **rows | self._fixed(item)))
         if item.object_type != "Object":
             self.bodies.append(made)
+        if any(entry.mesh for entry in item.scene.nodes):  # a mesh that moves back as its frame moves on has no inertia
+            self.mbs.AddObject(
+                exu.ObjectRigidBody(physicsMass=1, physicsInertia=[1, 1, 1, 0, 0, 0], nodeNumber=nodes[0])
+            )
         frame = reference if item.scene.small_deformations else motion
         if has_row(item, "linkParents"):
             frame = self._motion_of_link(made, nodes[0])

@@ -178,6 +178,33 @@ def test_bathe_bend(kind: str, force: float) -> None:
     assert errors[1] < 1e-3 * 60
 
 
+# Tip displacements in mm (axial, in the stiff and in the soft direction) of the Princeton beam, 0.508 m long, by load in N and its angle
+# from the stiff direction: solutions of the rod's differential equations, to all digits.
+PRINCETON = {
+    (8.896, 30): (-7.6599334, 10.1455436, 79.4516879),
+    (8.896, 60): (-20.4710889, 6.6532875, 129.9170624),
+    (13.345, 45): (-30.3580555, 15.3398470, 156.5803966),
+    (13.345, 90): (-50.4013592, 0, 200.6848179),
+}
+
+
+@pytest.mark.parametrize(("load", "angle"), list(PRINCETON))
+def test_princeton_beam(load: float, angle: float) -> None:
+    """Errors fall with the square of the element length, so that two meshes tell the limit."""
+    stiffness = [2842069.442616, 903966.107702, 903966.107702, 3.1035479832842, 2.4288718041122, 36.285519395400]
+    tips = []
+    for elements in (12, 24):
+        beam = Beam.straight("RotVecLG", elements, 0.508, section(stiffness))
+        beam.clamp()
+        beam.load(Force, load * np.array([0, np.cos(np.radians(angle)), np.sin(np.radians(angle))]))
+        beam.solve_static(5)
+        tips.append(1e3 * beam.tip())
+    wanted = np.array(PRINCETON[load, angle])
+    errors = [float(np.linalg.norm(tip - wanted)) for tip in tips]
+    assert np.log2(errors[0] / errors[1]) == pytest.approx(2, abs=0.1)
+    assert (4 * tips[1] - tips[0]) / 3 == pytest.approx(wanted, abs=5e-3)
+
+
 @each_node
 def test_rigid_motion_causes_no_strain(kind: str) -> None:
     """Forces of a deformed element turn with it, whatever the rotation, and its outputs stay."""
