@@ -44,7 +44,7 @@ struct Packs {
   }
   // Entry i in all places.
   DALEMBERT_INLINE Part spread(int i) const {
-    Mask from;
+    Mask from{};
     for (int k = 0; k < Width; ++k) from[k] = i % Width;
     return __builtin_shuffle(part[i / Width], from);
   }
@@ -52,7 +52,7 @@ struct Packs {
   DALEMBERT_INLINE Packs only(int begin, int end, const Packs& others = {}) const {
     Packs z;
     for (int k = 0; k < count; ++k) {
-      Mask place;
+      Mask place{};
       for (int i = 0; i < Width; ++i) place[i] = k * Width + i;
       z.part[k] = (place >= begin) & (place < end) ? part[k] : others.part[k];
     }

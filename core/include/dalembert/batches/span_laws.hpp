@@ -82,7 +82,7 @@ class SpanLaws {
     };
     const auto span = differences(0), rate = differences(2);  // which begins with the last number of the span
     const Vec3<Pack<L>> f = K::force(law, Vec3<Pack<L>>{span[0], span[1], span[2]}, Vec3<Pack<L>>{rate[1], rate[2], rate[3]});
-    const auto rows = rows_of<L>({f[0], f[1], f[2], Pack<L>()});
+    const auto rows = rows_from<L>({f[0], f[1], f[2], Pack<L>()});
     for (int lane = 0; lane < L; ++lane) {
       rows[lane].add_to(forces + block.forces[0][first + lane]);
       rows[lane].subtract_from(forces + block.forces[1][first + lane]);

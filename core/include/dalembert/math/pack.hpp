@@ -5,7 +5,7 @@
 //     a * b            | a0 b0 | a1 b1 | a2 b2 | a3 b3 |     in one instruction
 //
 // Lane i belongs to element i: a kernel S f(S a, S b) with S = Pack<4> is four elements. In memory the numbers of an element
-// stay together: those of several elements are transposed on the way (columns_of, rows_of). There is no other type of registers.
+// stay together: those of several elements are transposed on the way (columns_of, rows_from). There is no other type of registers.
 //
 // The compiler knows such a vector on any processor; where it has registers for all of it, loops that run in the widest
 // registers (math/wide_registers.hpp) use them.
@@ -150,7 +150,7 @@ DALEMBERT_INLINE inline std::array<Pack<N>, 4> gather_fours(const std::array<con
 }
 // The inverse of columns_of: what lane i of the vectors holds, as row i.
 template <int N>
-DALEMBERT_INLINE inline std::array<Pack<4>, N> rows_of(std::array<Pack<N>, 4> numbers) {
+DALEMBERT_INLINE inline std::array<Pack<4>, N> rows_from(std::array<Pack<N>, 4> numbers) {
   std::array<Pack<4>, N> rows;
   if constexpr (N > 2) numbers = transposed(numbers);
   for (int lane = 0; lane < N; ++lane) {
@@ -164,7 +164,7 @@ DALEMBERT_INLINE inline std::array<Pack<4>, N> rows_of(std::array<Pack<N>, 4> nu
 // Calls f(lane, row) for the first `count` rows, one after the other; spelt out, so that rows stay in registers.
 template <int N, class F>
 DALEMBERT_INLINE inline void each_row(const std::array<Pack<N>, 4>& numbers, int count, const F& f) {
-  const std::array<Pack<4>, N> rows = rows_of(numbers);
+  const std::array<Pack<4>, N> rows = rows_from(numbers);
   [&]<int... lane>(std::integer_sequence<int, lane...>) DALEMBERT_INLINE {
     (void)((lane < count && (f(lane, rows[lane]), true)) && ...);
   }(std::make_integer_sequence<int, N>{});
