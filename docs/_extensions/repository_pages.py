@@ -76,6 +76,8 @@ def documented(module: ModuleType, seen: set[int]) -> list[str]:
 def member(module: str, name: str, thing: object) -> str:
     kind = "autoclass" if isinstance(thing, type) else "autofunction"
     members = "   :members:\n" if kind == "autoclass" else ""
+    if isinstance(thing, type) and any(base.__module__.startswith("dalembert._fem.") for base in thing.__mro__[1:]):
+        members += "   :inherited-members:\n"  # parts that are no classes of their own to users
     return f".. {kind}:: {module}.{name}\n{members}"
 
 

@@ -78,8 +78,8 @@ class Cholesky:
             front.triangle = triangle
             front.below = blas.dtrsm(1.0, triangle, full[own:, :own], side=1, lower=1, trans_a=1)
             if len(front.around):
-                rest = blas.dsyrk(-1.0, front.below, beta=1.0, c=full[own:, own:], lower=1)
-                updates[id(front)] = np.tril(rest) + np.tril(rest, -1).T
+                # only the lower triangle is ever read
+                updates[id(front)] = blas.dsyrk(-1.0, front.below, beta=1.0, c=full[own:, own:], lower=1)
             done += _work(front)
             if done > told + 0.1 * total:
                 told = done
