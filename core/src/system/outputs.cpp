@@ -291,15 +291,20 @@ void System::load_values(int load, double time, Values& values) {
   values = static_cast<const LoadPhysics*>(place.type->physics)->values(place.record.get(), time);
 }
 
+bool follows_from_motion(Variable variable) {
+  Values values;
+  const Motion<double> rest{};
+  return frame_output(variable, rest, [&] { return rest; }, values);
+}
+
 // Kernels tell in the spec what they have; what follows from motion and from coordinates is the same for all.
 bool may_have(const ItemType& type, Variable variable) {
   if (std::ranges::find(type.outputs, variable) != type.outputs.end()) return true;
   Values values;
   if (coordinate_output(variable, {}, {}, {}, false, {}, values)) return true;
-  const Motion<double> rest{};
   const bool moves = type.kind != ItemKind::object || type.category == "Body" || type.category == "FiniteElement" ||
                      type.category == "SuperElement";
-  return moves && !lacks(type, variable) && frame_output(variable, rest, [&] { return rest; }, values);
+  return moves && !lacks(type, variable) && follows_from_motion(variable);
 }
 
 System::Recording::Recording(System& system) : system_(system) {

@@ -75,6 +75,20 @@ Subject subject_of(const void* record) {
   return {kind_of<std::remove_cvref_t<decltype(index)>>, index.value, p.outputVariableType};
 }
 
+// A point of a link: there are such links, and such outputs of them.
+void check_link(const SystemParts& parts, const SensorKinematicTreeParameters& p, int sensor) {
+  const Membership<Term>& member = parts.objects[static_cast<std::size_t>(p.objectNumber.value)].member;
+  const auto* bodies = dynamic_cast<const LinkedBodies*>(member.batch);
+  const std::string item = parts.describe(ItemKind::sensor, sensor);
+  if (bodies == nullptr)
+    refuse(ErrorKind::value, {item, "objectNumber", "", parts.describe(ItemKind::object, p.objectNumber.value), "an ObjectKinematicTree", ""});
+  if (const int links = bodies->links(member.entry); p.linkNumber < 0 || p.linkNumber >= links)
+    refuse(ErrorKind::value, {item, "linkNumber", "", std::to_string(p.linkNumber), "a link from 0 to " + std::to_string(links - 1), ""});
+  if (!follows_from_motion(p.outputVariableType))
+    refuse(ErrorKind::value, {item, "outputVariableType", "", std::string(variable_name(p.outputVariableType)), "an output variable of links",
+                              "Use Position, Displacement, Velocity, Acceleration, Rotation, RotationMatrix, AngularVelocity or AngularAcceleration"});
+}
+
 struct SensorKind {
   std::string_view type;
   SensorReader read;
@@ -131,6 +145,7 @@ void SystemParts::check_sensors() const {
   for (int i = 0; i < static_cast<int>(sensors.size()); ++i) {
     const SensorPlace& sensor = sensors[static_cast<std::size_t>(i)];
     const SensorKind* kind = kind_of_sensor(*sensor.type);
+    if (sensor.type->type_name == "KinematicTree") check_link(*this, static_cast<const SensorKinematicTreeRecord*>(sensor.record.get())->parameters, i);
     if (kind == nullptr || kind->subject == nullptr) continue;
     const Subject subject = kind->subject(sensor.record.get());
     const ItemType& type = type_of(subject.kind, subject.number);

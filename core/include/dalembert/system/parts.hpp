@@ -105,6 +105,8 @@ struct SensorPlace {
 
 // False: no item of this type ever has that output variable.
 bool may_have(const ItemType& type, OutputVariableType variable);
+// Whatever has a position and an orientation has that output variable.
+bool follows_from_motion(OutputVariableType variable);
 
 // Ranges of numbers, those that follow each other as one.
 class Ranges {
