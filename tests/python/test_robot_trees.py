@@ -121,6 +121,8 @@ def test_joints_that_follow_others(tmp_path):
     ground = mbs.AddMarker(MarkerBodyRigid(bodyNumber=mbs.CreateGround()))
     with pytest.raises(ValueError, match="link 1 'right' has a joint to follow, .* use CreateKinematicTree"):
         mbs.CreateRobot(tmp_path / "gripper.urdf", name="again ", baseMarker=ground)
+    with pytest.raises(ValueError, match="limitStiffness and limitDamping belong to kinematic trees"):
+        mbs.CreateRobot(tmp_path / "gripper.urdf", baseMarker=ground, limitStiffness=1)
 
 
 def test_static_torques_hold_a_tree():

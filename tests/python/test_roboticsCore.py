@@ -9,7 +9,7 @@ from scipy.integrate import solve_ivp
 
 import dalembert as exu
 from dalembert import robotics
-from dalembert.itemInterface import MarkerBodyRigid, SensorObject
+from dalembert.itemInterface import MarkerBodyRigid, MarkerNodePosition, SensorObject
 from dalembert.rigidBodyUtilities import HTrotateX, HTrotateZ, HTtranslate
 from dalembert.robotics import (
     InverseKinematicsNumerical,
@@ -308,6 +308,17 @@ def test_what_is_no_robot_is_refused():
     base = mbs.AddMarker(MarkerBodyRigid(bodyNumber=mbs.CreateGround()))
     with pytest.raises(ValueError, match="link 1 '' has no mass, .* use CreateKinematicTree"):
         robot.CreateRedundantCoordinateMBS(mbs, base)
+    robot.links[1].mass, robot.links[0].preHT[0, 3] = 1, 0.5
+    node = mbs.CreateMassPoint(physicsMass=1, returnDict=True)["nodeNumber"]
+    point = mbs.AddMarker(MarkerNodePosition(nodeNumber=node))
+    with pytest.raises(ValueError, match="needs a MarkerBodyRigid, received a marker of type NodePosition"):
+        robot.CreateRedundantCoordinateMBS(mbs, point)
+    with pytest.raises(ValueError, match="RobotLink 'arm': there is no PDcontrol"):
+        robot.CreateRedundantCoordinateMBS(mbs, base, jointSpringDamperUserFunctionList=[0])
+    robot.links[1].follows = ("elbow", 1.0, 0.0)
+    with pytest.raises(ValueError, match="there is no joint 'elbow'; there are: shoulder"):
+        robot.CreateKinematicTree(mbs)
+    assert (mbs.systemData.NumberOfObjects(), mbs.systemData.NumberOfNodes()) == (2, 1)  # ground and mass point
 
 
 def test_robots_do_not_share_their_parts():

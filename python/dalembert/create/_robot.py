@@ -35,6 +35,11 @@ def CreateRobot(
     """
     from dalembert.robotics.utilities import ReadRobot  # a system without robots does without
 
+    if baseMarker is not None and (forceUserFunction or limitStiffness or limitDamping):
+        raise ValueError(
+            "CreateRobot: forceUserFunction, limitStiffness and limitDamping belong to kinematic trees; leave out "
+            "either these or baseMarker"
+        )
     robot = ReadRobot(fileName, baseHT, gravity, packages, graphics)
     if referenceConfiguration is not None:
         where = "CreateRobot: referenceConfiguration"

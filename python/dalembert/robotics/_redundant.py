@@ -61,18 +61,36 @@ def _graphics(robot: Robot, i: int) -> GraphicsList:
     return parts + _drawing.tool(robot, i)
 
 
+def _check(robot: Robot, mbs: Any, baseMarker: Any, options: Options) -> None:
+    """Raise the ValueError of what cannot be made of bodies and joints, before anything is added."""
+    where = "Robot.CreateRedundantCoordinateMBS"
+    if len(options.springUserFunctions) > len(robot.links):
+        expected = f"at most {len(robot.links)} entries"
+        raise shape_error(f"{where}: jointSpringDamperUserFunctionList", expected, options.springUserFunctions)
+    for i, link in enumerate(robot.links):
+        reasons = {
+            "no mass": link.mass == 0,
+            "the inertia of a rotor": link.rotorInertia,
+            "a joint to follow": link.follows,
+        }
+        for what in (reason for reason, holds in reasons.items() if holds):
+            raise ValueError(
+                f"{where}: link {i} '{link.name}' has {what}, which needs the coordinates of the joints; use "
+                "CreateKinematicTree"
+            )
+        if i < len(options.springUserFunctions):
+            link.GetPDcontrol()
+    beside = any(not robot.HasParent(i) and np.any(link.preHT[:3, 3]) for i, link in enumerate(robot.links))
+    kind = mbs.GetMarker(baseMarker)["markerType"]
+    if beside and kind != "BodyRigid":
+        raise ValueError(
+            f"{where}: baseMarker: a joint beside the origin of the base (preHT) needs a MarkerBodyRigid, received a "
+            f"marker of type {kind}"
+        )
+
+
 def _add_body(robot: Robot, mbs: Any, i: int, T: FloatArray, options: Options) -> dict[str, Any]:
     link = robot.links[i]
-    reasons = {
-        "no mass": link.mass == 0,
-        "the inertia of a rotor": link.rotorInertia,
-        "a joint to follow": link.follows,
-    }
-    for what in (reason for reason, holds in reasons.items() if holds):
-        raise ValueError(
-            f"Robot.CreateRedundantCoordinateMBS: link {i} '{link.name}' has {what}, which needs the coordinates of "
-            "the joints; use CreateKinematicTree"
-        )
     created: dict[str, Any] = mbs.CreateRigidBody(
         name=options.named(link.name),
         referencePosition=T[:3, 3],
@@ -98,11 +116,6 @@ def _base_marker(mbs: Any, marker: Any, offset: FloatArray) -> Any:
     if not np.any(offset):
         return marker
     given = mbs.GetMarker(marker)
-    if given["markerType"] != "BodyRigid":
-        raise ValueError(
-            "Robot.CreateRedundantCoordinateMBS: baseMarker: a joint beside the origin of the base (preHT) needs a "
-            f"MarkerBodyRigid, received a marker of type {given['markerType']}"
-        )
     place = np.asarray(given["localPosition"]) + offset
     return mbs.AddMarker(items.MarkerBodyRigid(bodyNumber=given["bodyNumber"], localPosition=place))
 
@@ -193,9 +206,7 @@ def _add_spring_damper(mbs: Any, link: RobotLink, q: float, ends: Ends, i: int, 
 
 def create(robot: Robot, mbs: Any, baseMarker: Any, options: Options) -> dict[str, Any]:
     """Add bodies, joints and drives; see Robot.CreateRedundantCoordinateMBS."""
-    if len(options.springUserFunctions) > len(robot.links):
-        expected = f"at most {len(robot.links)} entries"
-        raise shape_error("jointSpringDamperUserFunctionList", expected, options.springUserFunctions)
+    _check(robot, mbs, baseMarker, options)
     lists = "nodeList bodyList jointList markerList0 markerList1 springDamperList jointTorque0List jointTorque1List"
     result: dict[str, Any] = {name: [] for name in (*lists.split(), "unitTorque0List", "unitTorque1List")}
     base = _drawing.add_base(robot, mbs)

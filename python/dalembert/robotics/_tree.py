@@ -118,38 +118,36 @@ def _add_rotors(robot: Robot, mbs: Any, node: Any) -> Any:
 def create(robot: Robot, mbs: Any, name: str, forceUserFunction: Any, stops: tuple[float, float]) -> dict[str, Any]:
     """Add node, tree and what acts on its joints; see Robot.CreateKinematicTree."""
     n = len(robot.links)
-    base = _drawing.add_base(robot, mbs)
+    robot.FollowedCoordinates(robot.referenceConfiguration[:n])  # refuses joints that follow none
     in_parents = [joint_in_parent(robot, i) for i in range(n)]
     inertias = [link.JointInertia() for link in robot.links]
-    node = mbs.AddNode(
-        items.NodeGenericODE2(
-            referenceCoordinates=robot.referenceConfiguration[:n],
-            initialCoordinates=[0.0] * n,
-            initialCoordinates_t=[0.0] * n,
-            numberOfODE2Coordinates=n,
-        )
-    )
     lists: dict[str, Any] = {
         "jointTransformations": Matrix3DList([T[:3, :3] for T in in_parents]),
         "jointOffsets": Vector3DList([T[:3, 3] for T in in_parents]),
         "linkInertiasCOM": Matrix3DList([inertia.InertiaCOM() for inertia in inertias]),
         "linkCOMs": Vector3DList([inertia.COM() for inertia in inertias]),
     }
-    tree = mbs.AddObject(
-        items.ObjectKinematicTree(
-            name=name,
-            nodeNumber=node,
-            gravity=robot.gravity,
-            baseOffset=robot.base.HT[:3, 3],
-            jointTypes=[JOINT_TYPES[link.jointType] for link in robot.links],
-            linkParents=[robot.GetParentIndex(i) for i in range(n)],
-            linkMasses=[link.mass for link in robot.links],
-            forceUserFunction=forceUserFunction,
-            visualization=items.VObjectKinematicTree(graphicsDataList=_graphics(robot)),
-            **lists,
-            **_control(robot),
-        )
+    item = items.ObjectKinematicTree(
+        name=name,
+        gravity=robot.gravity,
+        baseOffset=robot.base.HT[:3, 3],
+        jointTypes=[JOINT_TYPES[link.jointType] for link in robot.links],
+        linkParents=[robot.GetParentIndex(i) for i in range(n)],
+        linkMasses=[link.mass for link in robot.links],
+        forceUserFunction=forceUserFunction,
+        visualization=items.VObjectKinematicTree(graphicsDataList=_graphics(robot)),
+        **lists,
+        **_control(robot),
     )
+    coordinates = items.NodeGenericODE2(
+        referenceCoordinates=robot.referenceConfiguration[:n],
+        initialCoordinates=[0.0] * n,
+        initialCoordinates_t=[0.0] * n,
+        numberOfODE2Coordinates=n,
+    )
+    base = _drawing.add_base(robot, mbs)
+    node = item.nodeNumber = mbs.AddNode(coordinates)
+    tree = mbs.AddObject(item)
     return {
         "nodeGeneric": node,
         "objectKinematicTree": tree,
