@@ -1,7 +1,7 @@
 """Print what building models costs: python building.py [--peer PYTHON].
 
 Time to add an item, time to assemble it, how these grow with the number of items, and resident memory per item. PYTHON
-is an interpreter with the seed system (exudyn) installed; by default this one is tried. Each measurement is a process
+is an interpreter with Exudyn installed; by default this one is tried. Each measurement is a process
 of its own: python building.py --measure MODULE MODEL ITEMS prints its numbers as a line of JSON.
 """
 

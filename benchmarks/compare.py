@@ -1,6 +1,6 @@
 """Print the table of benchmarks: python compare.py [--peer PYTHON] [CASE ...].
 
-PYTHON is an interpreter with the seed system (exudyn) installed; by default this one is tried. Without it the table has
+PYTHON is an interpreter with Exudyn installed; by default this one is tried. Without it the table has
 the times of dalembert alone. Each measurement is a process of its own; the packages take turns.
 """
 
@@ -31,7 +31,7 @@ def printed_by(python: str, script: str, *arguments: str) -> dict[str, Any] | No
 
 
 def has_peer(python: str) -> bool:
-    """Tell whether that interpreter has the seed system."""
+    """Tell whether that interpreter has Exudyn."""
     return subprocess.run([python, "-c", "import exudyn"], capture_output=True, check=False).returncode == 0
 
 

@@ -1,6 +1,6 @@
 """Time for many slider-cranks with rods of different lengths: SolveVariations against ParameterVariation.
 
-`python benchmarks/ensemble.py --peer PYTHON > docs/tutorial/ensemble.txt` compares with the seed system (exudyn) as
+`python benchmarks/ensemble.py --peer PYTHON > docs/tutorial/ensemble.txt` compares with Exudyn as
 well, if the interpreter PYTHON has it. ParameterVariation builds, assembles and solves each model in Python, in so many
 processes; SolveVariations uses as many threads. Seconds are those of a clock, and those that all cores together have
 computed, which other work on the machine hardly changes.
@@ -130,7 +130,7 @@ def timed(solve: Callable[..., Sequence[float]], *arguments: Any) -> dict[str, f
 
 
 def peer(python: str, sizes: list[int]) -> dict[str, float] | None:
-    """Run this file by the interpreter that has the seed system; None if there is none."""
+    """Run this file by the interpreter that has Exudyn; None if there is none."""
     command = [python, __file__, "--only", "exudyn", *map(str, sizes)]
     run = subprocess.run(command, capture_output=True, text=True, check=False)
     return dict(json.loads(run.stdout.splitlines()[-1])) if run.returncode == 0 else None

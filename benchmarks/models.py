@@ -1,4 +1,4 @@
-"""Models of the benchmarks, written with what dalembert and the seed system share, so that either package runs them."""
+"""Models of the benchmarks, written with what dalembert and Exudyn share, so that either package runs them."""
 
 from __future__ import annotations
 
@@ -209,7 +209,7 @@ def cantilever(p: Package, elements: int, steps: int) -> Job:
     mbs.Assemble()
     settings = _settings(p.exu, 1, 1)
     settings.staticSolver.numberOfLoadSteps = steps
-    settings.staticSolver.newton.relativeTolerance = 1e-7  # the seed system stalls in rounding errors at 1e-8
+    settings.staticSolver.newton.relativeTolerance = 1e-7  # Exudyn stalls in rounding errors at 1e-8
     return Job(
         solve=lambda: mbs.SolveStatic(settings),
         result=lambda: float(mbs.systemData.GetODE2Coordinates()[-3]),  # deflection of the tip

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -23,14 +24,15 @@ from codegen.model_settings import Enum, Specs, value_type
 from codegen.names import FOLDERS, nearest
 from codegen.rows import at, check_keys, known_key, parameter, parse, text
 from codegen.scene import SceneTable
+from codegen.views.python import create_functions
 
 TABLES = ("parameters", "visualization", "outputs")
 TOP_LEVEL = (
-    "name", "type_name", "object_type", "short_names", "summary", "provides", "requested_nodes", "requested_markers",
-    "physics",
+    "name", "type_name", "object_type", "short_names", "create_functions", "summary", "provides", "requested_nodes",
+    "requested_markers", "physics",
     "nodes", "sized", "irregular", "beyond_reference", *TABLES, "user_functions", "scene", "docs", "example",
 )  # fmt: skip
-WORD_LISTS = ("short_names", "provides", "requested_nodes", "requested_markers", "nodes")
+WORD_LISTS = ("short_names", "create_functions", "provides", "requested_nodes", "requested_markers", "nodes")
 OUTPUT_KEYS = ("size", "unit", "from", "symbol", "doc")
 ARGUMENT_KEYS = ("name", "type", "unit", "size", "doc")
 
@@ -46,6 +48,7 @@ def load(root: Path) -> Specs:
     enums = {enum.name: enum for enum in _each(root, ["enums"], load_enum)}
     groups = dict(_each(root, ["groups"], lambda path, content: (Path(path).stem, load_group(path, content))))
     items = _each(root, FOLDERS, lambda path, content: load_item(path, content, groups, enums))
+    items = with_examples(items, {path.stem: path.read_text("utf-8") for path in sorted(root.glob("examples/*.py"))})
     settings = _each(root, ["settings"], lambda path, content: load_settings(path, content, enums))
     planned = [one for file in _each(root, ["interface"], load_planned) for one in file]
     _check_references(items, enums, root)
@@ -127,6 +130,21 @@ def load_group(path: str, content: str) -> dict[str, Any]:
                 if not isinstance(row, dict) or "use" in row:
                     raise SpecError(f"{table}.{name}: a group holds rows, and never uses a group")
         return raw
+
+
+def first_of_kind(item: Item, others: Iterable[Item]) -> bool:
+    return item is next(other for other in others if other.kind == item.kind)
+
+
+def with_examples(items: list[Item], examples: Mapping[str, str]) -> list[Item]:
+    """Items with the names of those examples that make them, besides those that their specs name."""
+    mirrored = create_functions(items)
+    completed = []
+    for item in items:
+        calls = [f"mbs.{name}(" for name in item.create_functions if first_of_kind(item, mirrored[name])]
+        found = {stem for stem, code in examples.items() if item.used_in(code) or any(call in code for call in calls)}
+        completed.append(replace(item, examples=tuple(sorted(found.union(item.examples)))))
+    return completed
 
 
 def _check_references(items: Iterable[Item], enums: Mapping[str, Enum], root: Path) -> None:

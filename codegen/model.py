@@ -264,6 +264,7 @@ class Item:
     user_functions: tuple[UserFunction, ...] = ()
     object_type: str = ""
     short_names: tuple[str, ...] = ()
+    create_functions: tuple[str, ...] = ()  # of MainSystem, whose arguments mirror the parameters of this item
     provides: tuple[str, ...] = ()
     requested_nodes: tuple[str, ...] = ()
     requested_markers: tuple[str, ...] = ()
@@ -350,3 +351,7 @@ class Item:
     @property
     def ready(self) -> bool:
         return self.physics == "ready"
+
+    def used_in(self, code: str) -> bool:
+        """Whether a model makes this item by its class."""
+        return bool(re.search(rf"(?<!\w)({'|'.join((self.name, *self.short_names))})\(", code))

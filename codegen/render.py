@@ -95,6 +95,7 @@ def _python_files(specs: Specs) -> dict[str, str]:
         "python/dalembert/_core_items.pyi": fill("core_items.pyi.j2", items=specs.items),
         "python/dalembert/_core_enums.pyi": fill("core_enums.pyi.j2", enums=specs.enums),
         "python/dalembert/_core_settings.pyi": fill("core_settings.pyi.j2", files=parts),
+        "python/dalembert/_create_table.py": fill("create_table.py.j2", functions=python.create_functions(specs.items)),
         "python/dalembert/_function_sizes.py": fill(
             "function_sizes.py.j2",
             functions=[(item, f) for item in specs.items for f in item.user_functions if python.has_arrays(f)],

@@ -90,9 +90,9 @@ def _arrays() -> list[ParameterType]:
         ParameterType("NumpyMatrix", "DynamicMatrix<double>", "matrix", "ArrayLike", (None, None)),
         ParameterType("NumpyMatrixI", "DynamicMatrix<int>", "integer_matrix", "ArrayLike", (None, None)),
         ParameterType("PyMatrixContainer", "MatrixContainer", "matrix_container", "MatrixLike | None", (None, None)),
-        many("Vector3DList", "Vec<double, 3>", "vector3s", "Sequence[ArrayLike]", 3),
-        many("Vector6DList", "Vec<double, 6>", "vector6s", "Sequence[ArrayLike]", 6),
-        many("Matrix3DList", "Mat<double, 3, 3>", "matrix3s", "Sequence[ArrayLike]", 3, 3),
+        many("Vector3DList", "Vec<double, 3>", "vector3s", "Sequence[ArrayLike] | Vector3DList", 3),
+        many("Vector6DList", "Vec<double, 6>", "vector6s", "Sequence[ArrayLike] | Vector6DList", 6),
+        many("Matrix3DList", "Mat<double, 3, 3>", "matrix3s", "Sequence[ArrayLike] | Matrix3DList", 3, 3),
         many("ArrayIndex", "int", "integers", "Sequence[int]"),
         many("JointTypeList", "JointType", "joint_types", "Sequence[JointType]"),
     ]

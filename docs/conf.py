@@ -15,11 +15,15 @@ extensions = [
     "sphinx.ext.autodoc",
     "sphinx.ext.mathjax",
     "sphinx.ext.viewcode",
+    "sphinxcontrib.bibtex",
     "repository_pages",
     "plain_docstrings",
 ]
 exclude_patterns = ["_extensions"]
 nitpicky = False
+bibtex_bibfiles = ["references.bib"]
+bibtex_reference_style = "author_year"
+bibtex_default_style = "plain"
 autodoc_typehints = "none"
 autodoc_member_order = "bysource"
 add_module_names = False

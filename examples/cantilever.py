@@ -43,6 +43,7 @@ for left, right in pairwise(nodes):
             physicsBendingStiffness=EI,
             physicsBendingDamping=0.02,
             physicsAxialStiffness=EA,
+            visualization=VObjectANCFCable2D(drawHeight=0.03),
         )
     )
 
@@ -68,6 +69,9 @@ mbs.SolveStatic(settings, updateInitialValues=True)
 for value, exact in zip(mbs.GetNodeOutput(nodes[-1], exu.OutputVariableType.Displacement), elastica(), strict=False):
     print(f"static displacement: {-value:.5f} m, elastica {exact:.5f} m")
 
+SC = mbs.GetSystemContainer()
+SC.visualizationSettings.contour.outputVariable = exu.OutputVariableType.TorqueLocal  # bending moment, as color
+mbs.Draw(fileName="cantilever_picture.png")
 mbs.SetLoadParameter(load, "loadVector", [0, 0, 0])
 settings.timeIntegration.endTime = 3
 settings.timeIntegration.numberOfSteps = 600

@@ -26,15 +26,21 @@ mbs = exu.SystemContainer().AddSystem()
 ground = mbs.CreateGround()
 
 
-def bar(start, end):
-    """A steel bar of 20 x 10 mm between two pins."""
+def bar(start, end, layer, color):
+    """A steel bar of 20 x 10 mm between two pins; they are drawn in layers, one in front of the other."""
     vector = np.subtract(end, start)
+    half, z = np.hypot(*vector) / 2, 0.012 * layer
+    link = graphics.RigidLink(
+        [-half, 0, z], [half, 0, z], axis0=[0, 0, 1], axis1=[0, 0, 1], radius=[0.012, 0.012], thickness=0.01,
+        width=[0.016, 0.016], color=color, nTiles=32,
+    )  # fmt: skip
     return mbs.CreateRigidBody(
         referencePosition=[*np.add(start, end) / 2, 0],
         referenceRotationMatrix=RotationMatrixZ(np.arctan2(vector[1], vector[0])),
         inertia=InertiaCuboid(density=7800, sideLengths=[np.hypot(*vector), 0.02, 0.01]),
         gravity=[0, -9.81, 0],
         create2D=True,
+        graphicsDataList=[link],
     )
 
 
@@ -47,7 +53,11 @@ def pin(body0, place0, body1, place1):
 
 bearing, crank_pin, foot = [0, 0], [crank, 0], [base, 0]
 rocker_pin = [base + rocker * np.cos(swing(0)), rocker * np.sin(swing(0))]
-bars = [bar(bearing, crank_pin), bar(crank_pin, rocker_pin), bar(foot, rocker_pin)]
+bars = [
+    bar(bearing, crank_pin, 0, graphics.color.orange),
+    bar(crank_pin, rocker_pin, 1, graphics.color.dodgerblue),
+    bar(foot, rocker_pin, 0, graphics.color.springgreen),
+]
 pin(ground, 0, bars[0], -crank / 2)
 pin(bars[0], crank / 2, bars[1], -coupler / 2)
 pin(bars[1], coupler / 2, bars[2], rocker / 2)
@@ -80,8 +90,11 @@ settings.timeIntegration.endTime = 3.5
 settings.timeIntegration.numberOfSteps = 3500
 settings.timeIntegration.generalizedAlpha.spectralRadius = 0.8
 settings.solutionSettings.sensorsWritePeriod = 1e-3
-settings.solutionSettings.writeSolutionToFile = False
+settings.solutionSettings.solutionWritePeriod = 0.02
 mbs.SolveDynamic(settings)
+
+mbs.Draw(fileName="four_bar_picture.png", view="axonometric")
+mbs.DrawSolution(fileName="four_bar_motion.gif", windowSize=[480, 360], framesPerSecond=20)
 
 mbs.PlotSensor(angle, yLabel="swing of the rocker (rad)", fileName="four_bar_rocker.png", closeAll=True)
 mbs.PlotSensor(torque, yLabel="torque of the motor (Nm)", fileName="four_bar_torque.png")

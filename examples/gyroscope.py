@@ -29,7 +29,7 @@ turn = RotationMatrixY(tilt)
 axis = turn @ [0, 0, 1]
 
 
-def gyroscope(rate):
+def gyroscope(rate, color):
     """The disc on its shaft, with spin and rate of precession about the vertical; returns a sensor of its place."""
     omega = (spin - rate * np.cos(tilt)) * axis + np.array([0, 0, rate])
     body = mbs.CreateRigidBody(
@@ -39,6 +39,10 @@ def gyroscope(rate):
         initialAngularVelocity=omega,
         inertia=disc,
         gravity=[0, 0, -g],
+        graphicsDataList=[
+            graphics.Cylinder([0, 0, -width / 2], [0, 0, width], radius, color=color, nTiles=64),
+            graphics.Cylinder([0, 0, -arm], [0, 0, 1.3 * arm], 0.006, color=graphics.color.lightgrey, nTiles=24),
+        ],
     )
     mbs.CreateSphericalJoint(bodyNumbers=[ground, body], position=[0, 0, 0])
     return mbs.AddSensor(
@@ -46,7 +50,7 @@ def gyroscope(rate):
     )
 
 
-steady, nodding = gyroscope(precession), gyroscope(0)
+steady, nodding = gyroscope(precession, graphics.color.dodgerblue), gyroscope(0, [1, 0.5, 0, 0.5])
 mbs.Assemble()
 
 settings = exu.SimulationSettings()
@@ -56,6 +60,7 @@ settings.solutionSettings.sensorsWritePeriod = 1e-3
 settings.solutionSettings.writeSolutionToFile = False
 mbs.SolveDynamic(settings)
 
+mbs.Draw(fileName="gyroscope_picture.png")
 mbs.PlotSensor(
     [steady, nodding], components=[2, 2], labels=["steady", "let go at rest"], yLabel="height of the disc (m)",
     fileName="gyroscope_height.png", closeAll=True,

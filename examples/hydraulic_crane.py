@@ -28,7 +28,10 @@ def geometry(angle):
 
 
 mbs = exu.SystemContainer().AddSystem()
-ground = mbs.CreateGround()
+column = graphics.Brick([0.1, 1.0, 0], [0.3, 2.0, 0.5], color=graphics.color.darkgrey2)
+foundation = graphics.Brick([0.3, -0.05, 0], [1.6, 0.1, 1.2], color=graphics.color.lightgrey)
+bracket = graphics.Brick([0.35, 0.3, 0], [0.5, 0.2, 0.2], color=graphics.color.darkgrey2)
+ground = mbs.CreateGround(graphicsDataList=[column, foundation, bracket])
 boom = mbs.CreateRigidBody(
     referencePosition=bearing + [length / 2, 0, 0],
     inertia=InertiaCuboid(
@@ -36,6 +39,7 @@ boom = mbs.CreateRigidBody(
     ),  # hollow: the mean density of a box of sheet steel
     gravity=[0, -g, 0],
     create2D=True,
+    color=graphics.color.orange,
 )
 
 
@@ -45,7 +49,7 @@ def marker(body, place):
 
 mbs.AddObject(RevoluteJoint2D(markerNumbers=[marker(ground, bearing), marker(boom, [-length / 2, 0, 0])]))
 tip = mbs.CreateMassPoint(
-    referencePosition=bearing + [length, 0, 0], physicsMass=load, gravity=[0, -g, 0], create2D=True
+    referencePosition=bearing + [length, 0, 0], physicsMass=load, gravity=[0, -g, 0], create2D=True, drawSize=0.5
 )
 mbs.AddObject(RevoluteJoint2D(markerNumbers=[marker(boom, [length / 2, 0, 0]), marker(tip, [0, 0, 0])]))
 
@@ -74,6 +78,7 @@ cylinder = mbs.AddObject(
         systemPressure=supply,
         tankPressure=tank,
         useChamberVolumeChange=True,
+        visualization=VHydraulicActuatorSimple(cylinderRadius=0.06, rodRadius=0.04, pistonRadius=0.055),
     )
 )
 
@@ -102,6 +107,7 @@ settings.solutionSettings.sensorsWritePeriod = 5e-3
 settings.solutionSettings.writeSolutionToFile = False
 mbs.SolveDynamic(settings)
 
+mbs.Draw(fileName="crane_picture.png", view="axonometric")
 mbs.PlotSensor(
     angle, factors=[180 / np.pi], yLabel="angle of the boom (deg)", fileName="crane_angle.png", closeAll=True
 )

@@ -43,7 +43,7 @@ def motor(k):
 
 
 mbs = exu.SystemContainer().AddSystem()
-ground = mbs.CreateGround()
+ground = mbs.CreateGround(graphicsDataList=[graphics.CheckerBoard(size=1.6, nTiles=8)])
 elbow, hand = places(start)
 shoulder = np.array([0, 0, column])
 pitch = RotationMatrixY(-start[1]), RotationMatrixY(-start[1] - start[2])
@@ -55,9 +55,19 @@ links = [
     ((shoulder + elbow) / 2, pitch[0], tube[0]),
     ((elbow + hand) / 2, pitch[1], tube[1] + load),
 ]
+shapes = [
+    [graphics.Cylinder([0, 0, -column / 2], [0, 0, column], width, color=graphics.color.lightgrey, nTiles=48)],
+    [graphics.RigidLink([-upper / 2, 0, 0], [upper / 2, 0, 0], [0, 1, 0], [0, 1, 0], [width] * 2, width,
+                        [2 * width] * 2, color=graphics.color.orange, nTiles=48)],
+    [graphics.RigidLink([-fore / 2, 0, 0], [fore / 2, 0, 0], [0, 1, 0], [0, 0, 0], [0.06, 0], 0.07, [0.14, 0.0],
+                        color=graphics.color.orange, nTiles=48),
+     graphics.Sphere([fore / 2, 0, 0], radius=0.07, color=graphics.color.darkgrey2, nTiles=32)],
+]  # fmt: skip
 bodies = [ground] + [
-    mbs.CreateRigidBody(referencePosition=p, referenceRotationMatrix=A, inertia=inertia, gravity=[0, 0, -g])
-    for p, A, inertia in links
+    mbs.CreateRigidBody(
+        referencePosition=p, referenceRotationMatrix=A, inertia=inertia, gravity=[0, 0, -g], graphicsDataList=shape
+    )
+    for (p, A, inertia), shape in zip(links, shapes, strict=True)
 ]
 upwards = RotationMatrixX(np.pi / 2)  # its third axis is -y: arms turn upwards
 joints = [
@@ -84,6 +94,7 @@ settings.timeIntegration.generalizedAlpha.spectralRadius = 0.8
 settings.solutionSettings.writeSolutionToFile = False
 settings.solutionSettings.sensorsWritePeriod = duration / 2000
 mbs.SolveDynamic(settings)
+mbs.Draw(fileName="robot_picture.png")
 
 names = ["column", "shoulder", "elbow"]
 mbs.PlotSensor(

@@ -21,11 +21,21 @@ mbs = exu.SystemContainer().AddSystem()
 ground = mbs.CreateGround()
 
 # bodies: the mechanism is stretched in the reference configuration, the crank along x
-crank = mbs.CreateRigidBody(referencePosition=[crankLength / 2, 0, 0], inertia=bar(crankLength), gravity=gravity)
-rod = mbs.CreateRigidBody(
-    referencePosition=[crankLength + rodLength / 2, 0, 0], inertia=bar(rodLength), gravity=gravity
+crank = mbs.CreateRigidBody(
+    referencePosition=[crankLength / 2, 0, 0], inertia=bar(crankLength), gravity=gravity, color=graphics.color.orange
 )
-slider = mbs.CreateRigidBody(referencePosition=[crankLength + rodLength, 0, 0], inertia=bar(0.05), gravity=gravity)
+rod = mbs.CreateRigidBody(
+    referencePosition=[crankLength + rodLength / 2, 0, 0],
+    inertia=bar(rodLength),
+    gravity=gravity,
+    color=graphics.color.dodgerblue,
+)
+slider = mbs.CreateRigidBody(
+    referencePosition=[crankLength + rodLength, 0, 0],
+    inertia=bar(0.05),
+    gravity=gravity,
+    color=graphics.color.lightgrey,
+)
 
 # joints: 5 + 5 + 2 + 5 equations for 18 degrees of freedom
 mbs.CreateRevoluteJoint(bodyNumbers=[ground, crank], position=[0, 0, 0], axis=[0, 0, 1])
@@ -71,6 +81,7 @@ settings.solutionSettings.sensorsWritePeriod = 5e-3
 settings.solutionSettings.writeSolutionToFile = False
 mbs.SolveDynamic(settings)
 
+mbs.Draw(fileName="slider_crank_picture.png", view="axonometric")
 mbs.PlotSensor(position, components=0, yLabel="slider position (m)", fileName="slider_position.png", closeAll=True)
 mbs.PlotSensor(spin, components=2, yLabel="crank speed (rad/s)", fileName="crank_speed.png")
 mbs.PlotSensor(force, components=[0, 1], yLabel="pin force (N)", fileName="pin_force.png")

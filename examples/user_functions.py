@@ -7,7 +7,7 @@ from dalembert.utilities import *
 
 mbs = exu.SystemContainer().AddSystem()
 ground = mbs.CreateGround()
-mass = mbs.CreateMassPoint(referencePosition=[1, 0, 0], physicsMass=1)
+mass = mbs.CreateMassPoint(referencePosition=[1, 0, 0], physicsMass=1, drawSize=0.1, color=graphics.color.orange)
 
 
 def stiffening(mbs, t, itemNumber, elongation, rate, stiffness, damping, force):
@@ -56,5 +56,7 @@ settings.timeIntegration.endTime = 6
 settings.timeIntegration.numberOfSteps = 1200
 settings.solutionSettings.writeSolutionToFile = False
 mbs.SolveDynamic(settings)
+
+mbs.Draw(fileName="user_functions_picture.png")
 mbs.PlotSensor(kinetic, yLabel="kinetic energy (J)", closeAll=True, fileName="user_functions.png")
 print("largest kinetic energy", mbs.GetSensorStoredData(kinetic)[:, 1].max())

@@ -19,13 +19,18 @@ stiffness = 2e5  # N/m, of a tyre
 sinking = total * g / 4 / stiffness  # of a disc into the road
 
 mbs = exu.SystemContainer().AddSystem()
-ground = mbs.CreateGround()
+road = graphics.CheckerBoard([30, 10, 0], size=140, nTiles=70, color=[0.82, 0.82, 0.82, 1])
+ground = mbs.CreateGround(graphicsDataList=[road])
 box = [3.6, 1.6, 1.2]
 body = mbs.CreateRigidBody(
     referencePosition=[0, 0, height - sinking],
     initialVelocity=[speed, 0, 0],
     inertia=InertiaCuboid(density=mass / np.prod(box), sideLengths=box),
     gravity=[0, 0, -g],
+    graphicsDataList=[
+        graphics.Brick([0, 0, -0.12], [3.9, 1.3, 0.3], color=graphics.color.dodgerblue, roundness=0.25),
+        graphics.Brick([-0.25, 0, 0.22], [2.0, 1.2, 0.5], color=[0.55, 0.75, 0.95, 1], roundness=0.5),
+    ],
 )
 disc = InertiaCylinder(density=wheel_mass / (np.pi * radius**2 * 0.2), length=0.2, outerRadius=radius, axis=1)
 
@@ -50,6 +55,7 @@ for x, side in ((base / 2, 1), (base / 2, -1), (-base / 2, 1), (-base / 2, -1)):
         initialAngularVelocity=[0, speed / radius, 0],
         inertia=disc,
         gravity=[0, 0, -g],
+        color=graphics.color.darkgrey2,
     )
     free_about_y = {"position": hub, "constrainedAxes": [1, 1, 1, 1, 0, 1]}
     turn = {"offsetUserFunction": steering(side)} if x > 0 else {}
@@ -69,6 +75,8 @@ for x, side in ((base / 2, 1), (base / 2, -1), (-base / 2, 1), (-base / 2, -1)):
             contactDamping=4e3,
             dryFriction=[0.9, 0.9],
             dryFrictionProportionalZone=0.05,
+            discWidth=0.2,
+            color=graphics.color.darkgrey,
         )
     )
 
@@ -95,6 +103,11 @@ settings.timeIntegration.generalizedAlpha.spectralRadius = 0.6
 settings.solutionSettings.sensorsWritePeriod = 1e-2
 settings.solutionSettings.writeSolutionToFile = False
 mbs.SolveDynamic(settings)
+
+SC = mbs.GetSystemContainer()
+SC.visualizationSettings.loads.show = SC.visualizationSettings.markers.show = False
+SC.visualizationSettings.sensors.traces.showPositionTrace = True
+mbs.Draw(fileName="vehicle_picture.png", view="axonometric", around=body, zoom=0.35)
 
 mbs.PlotSensor(position, componentsX=[0], components=[1], xLabel="x (m)", yLabel="y (m)",
                fileName="vehicle_path.png", closeAll=True)  # fmt: skip

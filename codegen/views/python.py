@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 from codegen.model import BODY_FOLDERS, Argument, Item, Parameter, UserFunction
@@ -135,3 +136,12 @@ def planned_entry(planned: Planned) -> str:
 def arguments_of(item: Item) -> list[Parameter]:
     """Rows that are arguments of the constructor."""
     return [row for row in item.parameters if not row.internal]
+
+
+def create_functions(items: Iterable[Item]) -> dict[str, list[Item]]:
+    """The items that each Create function mirrors: objects before their nodes, spatial ones before planar ones."""
+    found: dict[str, list[Item]] = {}
+    for item in sorted(items, key=lambda item: (item.kind != "object", item.stem.endswith("_2d"), item.name)):
+        for function in item.create_functions:
+            found.setdefault(function, []).append(item)
+    return dict(sorted(found.items()))

@@ -148,11 +148,15 @@ def items_that_run(folders: Mapping[str, list[Item]]) -> str:
 
 
 def partners(item: Item, items: tuple[Item, ...], kind: str) -> list[Item]:
-    """Nodes or markers that the item can stand on: those of its kernel, or those that provide what it requests."""
+    """Nodes or markers that the item can stand on: those of its kernel, or those that provide what it requests.
+
+    Ground nodes have no coordinates: a body stands on one only if its kernel says so.
+    """
     if kind == "node" and item.nodes:
         return [other for other in items if other.name in item.nodes]
     wanted = set(item.requested_nodes if kind == "node" else item.requested_markers)
-    return [other for other in items if wanted and other.kind == kind and wanted <= set(other.provides)]
+    found = [other for other in items if wanted and other.kind == kind and wanted <= set(other.provides)]
+    return [other for other in found if "Ground" not in other.provides] if kind == "node" else found
 
 
 def users(item: Item, items: tuple[Item, ...]) -> list[Item]:
@@ -174,3 +178,9 @@ def rst_type_link(row: Parameter, owner: str) -> str:
     """The type; of a user function with a link to its section on the page of `owner`."""
     text = rst_type(row)
     return f":ref:`user function <function-{owner}-{row.name}>`" if text == "user function" else text
+
+
+def shown_by(item: Item, items: tuple[Item, ...]) -> list[Item]:
+    """Items whose mini examples use this one."""
+    others = (other for other in items if other is not item and other.example)
+    return [other for other in others if other.example and item.used_in(other.example.code)]

@@ -180,6 +180,11 @@ const System& MainSystem::at_rest(const Label& method) const {
   return system;
 }
 
+void MainSystem::show_current() {
+  look_wanted = always_looked_at;
+  system.state(ConfigurationType::Visualization) = system.state(ConfigurationType::Current);
+}
+
 void MainSystem::reset() { reset_to({}); }
 
 void MainSystem::reset_to(Model model) {

@@ -34,6 +34,9 @@ class MainSystem : public std::enable_shared_from_this<MainSystem> {
   bool interactive = false;
   std::atomic<bool> stop_requested = false, jacobian_update_requested = false;  // also by other threads than the solver's
   std::weak_ptr<SystemContainer> container;
+  // Whoever reads the configuration Visualization wishes that a solver renews it; nobody pays for what nobody looks at.
+  std::atomic<bool> look_wanted = false;
+  bool always_looked_at = false;  // arrays that are views of it were given away
   const Work* work = nullptr;  // of the solver that is running
 
   // Assembled, and the model has the same items since.
@@ -44,6 +47,9 @@ class MainSystem : public std::enable_shared_from_this<MainSystem> {
   System& assembled(const Label& method);
   // The same for reading what a solver leaves alone: tables, the configurations Reference and Visualization. Any thread may.
   const System& at_rest(const Label& method) const;
+
+  // Let the configuration Visualization be the current one.
+  void show_current();
 
   // ---- changes of the model: there are no others ---------------------------------------------------------------------
   // What changes its structure is refused while the system is in use; `call`: "mbs.AddNode(...)".

@@ -23,8 +23,11 @@ OutputVariableType variable_argument(const py::object& value, const char* method
   return static_cast<OutputVariableType>(Enumeration::number(value.ptr()));
 }
 
-ConfigurationType current_or(const py::object& value, const char* method) {
-  return value.is_none() ? ConfigurationType::Current : configuration_argument(value, [&] { return called(method); });
+ConfigurationType current_or(MainSystem& main, const py::object& value, const char* method) {
+  if (value.is_none()) return ConfigurationType::Current;
+  const ConfigurationType configuration = configuration_argument(value, [&] { return called(method); });
+  if (configuration == ConfigurationType::Visualization) main.look_wanted = true;
+  return configuration;
 }
 
 std::array<double, 3> position_argument(const py::object& value, const char* method) {
@@ -90,7 +93,7 @@ void register_outputs(Class& main_system) {
       "GetNodeOutput",
       [](MainSystem& main, const py::object& node, const py::object& variable, const py::object& configuration) {
         const int number = item_number_argument(main, ItemKind::node, node.ptr(), "GetNodeOutput");
-        const ConfigurationType in = current_or(configuration, "GetNodeOutput");
+        const ConfigurationType in = current_or(main, configuration, "GetNodeOutput");
         const Source source(main, "GetNodeOutput", ItemKind::node, number, in);
         std::vector<double> values;
         source.system->node_output(source.number, variable_argument(variable, "GetNodeOutput"), in, values);
@@ -104,7 +107,7 @@ void register_outputs(Class& main_system) {
         std::vector<double> values;
         main.assembled("GetObjectOutput")
             .object_output(number, variable_argument(variable, "GetObjectOutput"),
-                           current_or(configuration, "GetObjectOutput"), values);
+                           current_or(main, configuration, "GetObjectOutput"), values);
         return number_or_array(values);
       },
       py::arg("objectNumber"), py::arg("variableType"), py::arg("configuration") = py::none(),
@@ -116,7 +119,7 @@ void register_outputs(Class& main_system) {
         const char* const method = "GetObjectOutputBody";
         const int number = item_number_argument(main, ItemKind::object, object.ptr(), method);
         const auto local = position_argument(position, method);
-        const ConfigurationType in = current_or(configuration, method);
+        const ConfigurationType in = current_or(main, configuration, method);
         const Source source(main, method, ItemKind::object, number, in);
         std::vector<double> values;
         source.system->body_output(source.number, variable_argument(variable, method), local, in, values);
@@ -132,7 +135,7 @@ void register_outputs(Class& main_system) {
         std::vector<double> values;
         main.assembled(method)
             .super_element_output(number, variable_argument(variable, method), mesh_node,
-                                  current_or(configuration, method), values);
+                                  current_or(main, configuration, method), values);
         return number_or_array(values);
       },
       py::arg("objectNumber"), py::arg("variableType"), py::arg("meshNodeNumber"), py::arg("configuration") = py::none(),
@@ -141,7 +144,7 @@ void register_outputs(Class& main_system) {
       "GetMarkerOutput",
       [](MainSystem& main, const py::object& marker, const py::object& variable, const py::object& configuration) {
         const int number = item_number_argument(main, ItemKind::marker, marker.ptr(), "GetMarkerOutput");
-        const ConfigurationType in = current_or(configuration, "GetMarkerOutput");
+        const ConfigurationType in = current_or(main, configuration, "GetMarkerOutput");
         const Source source(main, "GetMarkerOutput", ItemKind::marker, number, in);
         std::vector<double> values;
         source.system->marker_output(source.number, variable_argument(variable, "GetMarkerOutput"), in, values);
@@ -167,7 +170,7 @@ void register_loads_and_sensors(Class& main_system) {
         const int number = item_number_argument(main, ItemKind::sensor, sensor.ptr(), "GetSensorValues");
         std::vector<double> values;
         main.assembled("GetSensorValues")
-            .sensor_values(number, current_or(configuration, "GetSensorValues"), values);
+            .sensor_values(number, current_or(main, configuration, "GetSensorValues"), values);
         return number_or_array(values);
       },
       py::arg("sensorNumber"), py::arg("configuration") = py::none(), "What a sensor measures.");

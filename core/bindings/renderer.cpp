@@ -1,81 +1,119 @@
-// What scripts with graphics call. There is no renderer in this package: one notice per process says so.
+// SC.renderer, whose methods are written in Python (_pictures/renderer.py), and the pictures that it makes.
+#include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <array>
+#include <optional>
+#include <tuple>
+
 #include "conversion.hpp"
+#include "dalembert/pictures/picture.hpp"
 #include "system_container.hpp"
 
 namespace dalembert {
 namespace {
 
-using Container = py::class_<SystemContainer, std::shared_ptr<SystemContainer>>;
+template <class T>
+using Numbers = py::array_t<T, py::array::c_style | py::array::forcecast>;
 
-void notice_once() {
-  static bool told = false;
-  if (told) return;
-  told = true;
-  py::print("dalembert: there is no renderer; calls of SC.renderer do nothing.");
+template <class T>
+std::span<const T> all(const Numbers<T>& array) {
+  return {array.data(), static_cast<std::size_t>(array.size())};
 }
 
-py::dict default_state() {
-  const py::module_ numpy = py::module_::import("numpy");
-  const py::object zeros3 = numpy.attr("zeros")(3), zeros2 = numpy.attr("zeros")(2);
-  py::dict state;
-  state["viewEnabled"] = false;
-  state["windowOpen"] = false;
-  state["centerPoint"] = zeros3;
-  state["rotationCenterPoint"] = numpy.attr("zeros")(3);
-  state["maxSceneSize"] = 1.0;
-  state["zoom"] = 1.0;
-  state["currentWindowSize"] = numpy.attr("array")(std::vector<int>{1024, 768});
-  state["displayScaling"] = 1.0;
-  state["modelRotation"] = numpy.attr("eye")(3);
-  state["projectionMatrix"] = numpy.attr("eye")(4);
-  state["mouseCoordinates"] = zeros2;
-  state["openGLcoordinates"] = numpy.attr("zeros")(2);
-  return state;
+// So many numbers for each of `count` things.
+template <class T>
+std::span<const T> each(const Numbers<T>& array, std::size_t count, std::size_t numbers, const char* name) {
+  const auto values = all(array);
+  if (values.size() != count * numbers)
+    throw py::value_error(std::string("_Picture: ") + name + ": expected " + std::to_string(count * numbers) + " numbers, received " +
+                          std::to_string(values.size()));
+  return values;
 }
 
-py::dict get_state(const Renderer& renderer) {
-  py::dict state = default_state();
-  for (const auto& [key, value] : renderer.state) state[key] = value;
-  return state;
+using LightRow = std::tuple<std::array<float, 3>, float, float>;
+
+Picture new_picture(int width, int height, int samples, const std::array<double, 12>& view, double scale, double perspective,
+                    const std::vector<LightRow>& lights, float ambient, float shininess) {
+  if (width < 1 || height < 1 || samples < 1 || samples > 8 || width * samples > 32768 || height * samples > 32768)
+    throw py::value_error("_Picture: sizes: expected 1 to 32768 samples in each direction, 1 to 8 for each pixel");
+  Lighting lighting{{}, ambient, shininess};
+  for (const auto& [d, diffuse, specular] : lights) lighting.lights.push_back({{d[0], d[1], d[2]}, diffuse, specular});
+  return {width, height, samples, {view, scale, perspective}, lighting};
 }
 
-void set_state(Renderer& renderer, const py::dict& state) {
-  for (const auto& [key, value] : state) renderer.state[key] = value;
+void draw_triangles(Picture& picture, const Numbers<double>& points, const std::optional<Numbers<double>>& normals,
+                    const Numbers<float>& colors, const Numbers<std::int32_t>& triangles, const Numbers<std::int32_t>& items) {
+  const auto n = static_cast<std::size_t>(points.size()) / 3, m = static_cast<std::size_t>(triangles.size()) / 3;
+  const Mesh mesh{each(points, n, 3, "points"), normals ? each(*normals, n, 3, "normals") : std::span<const double>{},
+                  each(colors, n, 4, "colors"), each(triangles, m, 3, "triangles"), each(items, m, 1, "items")};
+  for (const std::int32_t i : mesh.triangles)
+    if (i < 0 || static_cast<std::size_t>(i) >= n)
+      throw py::index_error("_Picture: triangles: there is no point " + std::to_string(i));
+  const py::gil_scoped_release free;
+  picture.triangles(mesh);
 }
 
-// Accepts everything, gives `result`.
-template <class Result>
-auto nothing(Result result) {
-  return [result](Renderer&, const py::args&, const py::kwargs&) { return result; };
+void draw_spheres(Picture& picture, const Numbers<double>& centers, const Numbers<double>& radii, const Numbers<float>& colors,
+                  const Numbers<std::int32_t>& items) {
+  const auto n = static_cast<std::size_t>(radii.size());
+  const auto c = each(centers, n, 3, "centers");
+  const auto paints = each(colors, n, 4, "colors");
+  const auto numbers = each(items, n, 1, "items");
+  const py::gil_scoped_release free;
+  picture.spheres(c, all(radii), paints, numbers);
 }
-auto nothing() {
-  return [](Renderer&, const py::args&, const py::kwargs&) {};
+
+void draw_lines(Picture& picture, const Numbers<double>& segments, const Numbers<float>& colors, double width, double lift,
+                const Numbers<std::int32_t>& items) {
+  const auto n = static_cast<std::size_t>(segments.size()) / 6;
+  const auto s = each(segments, n, 6, "segments");
+  const auto paints = each(colors, n, 4, "colors");
+  const auto numbers = each(items, n, 1, "items");
+  const py::gil_scoped_release free;
+  picture.lines(s, paints, width, lift, numbers);
+}
+
+void register_picture(py::module_& module) {
+  py::class_<Picture> picture(module, "_Picture", "Triangles, spheres and lines, drawn without a display.");
+  picture.def(py::init(&new_picture), py::arg("width"), py::arg("height"), py::arg("samples"), py::arg("view"), py::arg("scale"),
+              py::arg("perspective"), py::arg("lights"), py::arg("ambient"), py::arg("shininess"));
+  const auto paint = [](const std::array<float, 4>& c) { return Paint{c[0], c[1], c[2], c[3]}; };
+  picture.def(
+      "background",
+      [paint](Picture& p, const std::array<float, 4>& top, const std::array<float, 4>& bottom) { p.background(paint(top), paint(bottom)); },
+      py::arg("top"), py::arg("bottom"), "Fill the picture, before anything is drawn.");
+  picture.def(
+      "clip", [](Picture& p, const std::array<float, 4>& c) { p.clip({c[0], c[1], c[2], c[3]}); }, py::arg("plane"),
+      "Draw from now on only where a x + b y + c z + d >= 0, in eye coordinates.");
+  picture.def("triangles", &draw_triangles, py::arg("points"), py::arg("normals").none(true), py::arg("colors"), py::arg("triangles"),
+              py::arg("items"), "Draw a mesh.");
+  picture.def("spheres", &draw_spheres, py::arg("centers"), py::arg("radii"), py::arg("colors"), py::arg("items"), "Draw spheres.");
+  picture.def("lines", &draw_lines, py::arg("segments"), py::arg("colors"), py::arg("width"), py::arg("lift"), py::arg("items"),
+              "Draw segments of a width in pixels.");
+  picture.def(
+      "develop",
+      [](Picture& p) {
+        std::vector<std::uint8_t> bytes;
+        {
+          const py::gil_scoped_release free;
+          bytes = p.develop();
+        }
+        return py::array_t<std::uint8_t>({p.height(), p.width(), 3}, bytes.data());
+      },
+      "The picture as an array of bytes, height x width x 3.");
+  picture.def(
+      "items", [](const Picture& p) { return py::array_t<std::int32_t>({p.height(), p.width()}, p.items().data()); },
+      "The number of the item in each pixel; -1: background.");
 }
 
 }  // namespace
 
 void register_renderer(py::module_& module) {
-  py::class_<Renderer, std::shared_ptr<Renderer>> renderer(module, "Renderer", "Stands where a renderer would be; nothing is drawn.");
-  renderer.def("Start", [](Renderer&, int) { notice_once(); return false; }, py::arg("verbose") = 0, "Returns False: nothing is shown.");
-  for (const char* name : {"Stop", "EnableView", "DisableView", "ZoomAll", "SetModelView", "RedrawAndSaveImage", "SendRedrawSignal"})
-    renderer.def(name, nothing(), "Does nothing.");
-  for (const char* name : {"IsActive", "Attach", "Detach", "DoIdleTasks"})
-    renderer.def(name, nothing(false), "Returns False: nothing is shown.");
-  renderer.def("GetRenderCount", nothing(0), "0: nothing was drawn.");
-  renderer.def("RedrawAndGetImage", [](Renderer&, const py::args&, const py::kwargs&) {
-    notice_once();
-    return py::module_::import("numpy").attr("zeros")(std::vector<int>{768, 1024, 3}, "uint8");
-  }, "A black image.");
-  renderer.def("GetState", [](const Renderer& r, int) { return get_state(r); }, py::arg("viewID") = 0, "The view, as SetState left it.");
-  renderer.def("SetState", [](Renderer& r, const py::dict& state, bool, int) { set_state(r, state); }, py::arg("renderState"),
-               py::arg("waitForRendererFullStartup") = true, py::arg("viewID") = 0, "Keep a view for GetState.");
-  renderer.def("ResetState", [](Renderer& r) { r.state = py::dict(); }, "Forget the view.");
-  renderer.def("GetMouseCoordinates", [](Renderer&, bool, int) { return std::vector<double>{0, 0}; },
-               py::arg("useOpenGLcoordinates") = false, py::arg("viewID") = 0, "Zeros.");
-  renderer.def("GetItemSelection", [](Renderer&, bool, int) { return py::make_tuple(-1, -1, -1, 0.0); },
-               py::arg("resetSelection") = true, py::arg("viewID") = 0, "No selection.");
+  py::class_<Renderer, std::shared_ptr<Renderer>> renderer(module, "Renderer", "Makes pictures of the systems of a container.");
+  renderer.def_readwrite("_state", &Renderer::state);
+  renderer.def_property_readonly(
+      "_container", [](const Renderer& r) { return r.container.lock(); }, "The SystemContainer, or None if it is gone.");
   renderer.def_property(
       "materials",
       [](Renderer& r) {
@@ -83,17 +121,7 @@ void register_renderer(py::module_& module) {
         return r.materials;
       },
       [](Renderer& r, const py::object& materials) { r.materials = materials; });
-}
-
-void register_renderer_shortcuts(Container& container) {
-  container.def("GetRenderState", [](const SystemContainer& c) { return get_state(*c.renderer); }, "Earlier name of SC.renderer.GetState.");
-  container.def("SetRenderState", [](SystemContainer& c, const py::dict& state) { set_state(*c.renderer, state); }, py::arg("renderState"),
-                "Earlier name of SC.renderer.SetState.");
-  for (const char* name : {"AttachToRenderEngine", "DetachFromRenderEngine", "WaitForRenderEngineStopFlag", "RedrawAndSaveImage",
-                           "RenderEngineZoomAll", "SendRedrawSignal"})
-    container.def(name, [](SystemContainer&, const py::args&, const py::kwargs&) { return false; }, "Does nothing: there is no renderer.");
-  container.def("GetCurrentMouseCoordinates", [](SystemContainer&, bool) { return std::vector<double>{0, 0}; },
-                py::arg("useOpenGLcoordinates") = false, "Zeros.");
+  register_picture(module);
 }
 
 }  // namespace dalembert

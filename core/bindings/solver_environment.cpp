@@ -150,6 +150,14 @@ void add_console(SolverHooks& hooks) {
   hooks.warn = [](std::string_view text) { write_warning(std::string(text)); };
 }
 
+// A picture of recordImagesInterval.
+void record(const std::shared_ptr<MainSystem>& main) {
+  const std::weak_ptr<MainSystem> weak = main;
+  const auto words = [](const void*, int) -> std::string { return "recordImagesInterval"; };
+  const RunningFunction known(weak, RunningFunction::Place::between_evaluations, words, &weak);
+  py::module_::import("dalembert._pictures.recording").attr("record")(py::cast(main));
+}
+
 void add_interruption(SolverHooks& hooks, const std::shared_ptr<MainSystem>& main) {
   const std::weak_ptr<MainSystem> weak = main;
   hooks.interrupted = [weak] {
@@ -162,10 +170,13 @@ void add_interruption(SolverHooks& hooks, const std::shared_ptr<MainSystem>& mai
   hooks.jacobian_update_requested = [&requested = main->jacobian_update_requested] {
     return requested.load(std::memory_order_relaxed) && requested.exchange(false);
   };
-  hooks.show = [weak](bool) {
+  hooks.show = [weak, &wanted = main->look_wanted](bool record_image) {
+    if (!record_image && !wanted.load(std::memory_order_relaxed)) return;
     const InterpreterLock lock;  // other threads may read it
     const auto locked = weak.lock();
-    if (locked) locked->system.state(ConfigurationType::Visualization) = locked->system.state(ConfigurationType::Current);
+    if (!locked) return;
+    locked->show_current();
+    if (record_image) record(locked);
   };
 }
 

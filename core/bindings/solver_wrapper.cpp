@@ -123,13 +123,14 @@ bool SolverWrapper::solve_for(const MainPointer& new_main, const py::object& obj
   const Work here(new_main, *this, "SolveSystem", Work::Extent::whole);
   const struct Release {
     SolverWrapper& self;
+    MainSystem& main;
     ~Release() {
       self.solver().forget_environment();
       self.environment_.reset();
+      main.show_current();  // what a solver that has failed leaves, too
     }
-  } release_functions{*this};
+  } release_functions{*this, *new_main};
   const bool success = run(new_main, object, "SolveSystem", [this] { return solver().solve_system(); });
-  new_main->system.state(ConfigurationType::Visualization) = new_main->system.state(ConfigurationType::Current);
   if (settings->cleanUpMemory) {
     solver().free_memory();
     initialized_ = false;

@@ -115,7 +115,14 @@ void register_solution(SolverClass<W>& c) {
         main_argument, settings_argument, "Open files, set all data and the initial conditions; True if it worked.");
   c.def("SolveSystem", [](W& w, const MainPointer& m, const py::object& s) { return w.solve_for(m, s); }, main_argument,
         settings_argument, "Initialize, solve all steps, finalize; True if it worked.");
-  frame<W>(c, "SolveSteps", [](W& w) { return w.Solver::solve_steps(); }, "Solve all steps of an initialized solver.");
+  frame<W>(c, "SolveSteps",
+           [](W& w) {
+             const auto success = w.Solver::solve_steps();
+             const InterpreterLock lock;
+             w.main()->show_current();
+             return success;
+           },
+           "Solve all steps of an initialized solver.");
   frame<W>(c, "FinalizeSolver", [](W& w) { w.Solver::finalize(); }, "Write the last messages and close the files.");
   frame<W>(c, "PreInitializeSolverSpecific", [](W& w) { w.pre_initialize(); }, "First part of InitializeSolver.");
   frame<W>(c, "InitializeSolverOutput", [](W& w) { w.initialize_output(); }, "Open files and read the settings of output.");

@@ -16,6 +16,7 @@ py::object new_visualization_settings() {
 std::shared_ptr<SystemContainer> new_container() {
   auto container = std::make_shared<SystemContainer>();
   container->visualization_settings = new_visualization_settings();
+  container->renderer->container = container;
   return container;
 }
 
@@ -112,8 +113,8 @@ void register_system_container(py::module_& module) {
   container.def("GetDictionary", &container_dictionary, "All systems and settings as one dictionary.");
   container.def("SetDictionary", &set_container_dictionary, py::arg("systemDict"), "Replace everything by what GetDictionary() gave.");
   container.def_readwrite("visualizationSettings", &SystemContainer::visualization_settings,
-                          "Kept for scripts that set them; nothing is drawn.");
-  container.def_readonly("renderer", &SystemContainer::renderer, "Stands where a renderer would be.");
+                          "How systems are drawn.");
+  container.def_readonly("renderer", &SystemContainer::renderer, "Makes pictures of the systems.");
   container.def("__repr__", &container_repr);
   container.def(py::pickle([](const SystemContainer& c) { return container_dictionary(c); },
                            [](const py::dict& state) {
@@ -121,7 +122,6 @@ void register_system_container(py::module_& module) {
                              set_container_dictionary(*made, state);
                              return made;
                            }));
-  register_renderer_shortcuts(container);
 
   py::object main_system = module.attr("MainSystem");
   main_system.attr("GetSystemContainer") = py::cpp_function(

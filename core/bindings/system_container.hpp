@@ -10,9 +10,12 @@
 
 namespace dalembert {
 
-// Stands where a renderer would be. Nothing is drawn: its methods accept what scripts pass and do nothing.
+class SystemContainer;
+
+// What SC.renderer remembers.
 class Renderer {
  public:
+  std::weak_ptr<SystemContainer> container;
   py::dict state;  // as SetState left it
   py::object materials;  // made when asked for
 };
@@ -21,7 +24,7 @@ class SystemContainer : public std::enable_shared_from_this<SystemContainer> {
  public:
   std::vector<std::shared_ptr<MainSystem>> systems;
   py::object visualization_settings;
-  std::shared_ptr<Renderer> renderer = std::make_shared<Renderer>();
+  std::shared_ptr<Renderer> renderer = std::make_shared<Renderer>();  // its methods are attached in Python
 
   void require_idle(const char* call) const;  // of all systems
   void reset();
@@ -31,7 +34,5 @@ class SystemContainer : public std::enable_shared_from_this<SystemContainer> {
 };
 
 void register_renderer(py::module_& module);
-// The methods that containers had before there was SC.renderer.
-void register_renderer_shortcuts(py::class_<SystemContainer, std::shared_ptr<SystemContainer>>& container);
 
 }  // namespace dalembert

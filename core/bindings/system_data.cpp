@@ -65,6 +65,7 @@ const System& at_rest(const SystemData& self, const Label& method) {
 
 // The same for one configuration, which solvers may be changing.
 const System& with(Configuration configuration, const SystemData& self, const Label& method) {
+  if (configuration == Configuration::Visualization) self.main->look_wanted = true;
   return rests(configuration) ? at_rest(self, method) : assembled(self, method);
 }
 
@@ -95,6 +96,7 @@ py::array_t<double> get(const py::object& self, const Coordinates& which, const 
   const Configuration configuration = read_configuration(where, method);
   const System& system = with(configuration, data, method);
   if (!has(which, configuration)) return py::array_t<double>(0);
+  if (!copy && configuration == Configuration::Visualization) data.main->always_looked_at = true;
   return array_of(system.state(configuration).*which.member, copy, system);
 }
 
@@ -326,6 +328,7 @@ void register_time(Data& data, const py::object& current) {
         const Configuration configuration = read_configuration(where, "GetTime");
         if (!self.main->system.assembled()) return 0.0;
         if (!rests(configuration)) require_own_thread(*self.main, "mbs.systemData.GetTime(...)");
+        if (configuration == Configuration::Visualization) self.main->look_wanted = true;
         return self.main->system.state(configuration).time;
       },
       py::arg("configurationType") = current, "Time of a configuration, in s.");

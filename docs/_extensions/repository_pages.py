@@ -1,4 +1,5 @@
-"""Pages that are made of the repository at build time, below docs/_generated: item reference, examples, Python modules.
+"""Pages that are made of the repository at build time, below docs/_generated: item reference, Create
+functions, examples, Python modules.
 
 The reference is copied from generated/docs; a page for each module is written from its name and docstring.
 """
@@ -11,6 +12,7 @@ from inspect import isroutine
 from pathlib import Path
 from types import FunctionType, ModuleType
 
+from create_pages import create_pages, heading
 from example_pages import example_pages
 from sphinx.application import Sphinx
 
@@ -41,12 +43,8 @@ CORE = {
     "MainSolverExplicit": "solvers",
 }
 # Modules with pages of another kind; Create... and the like are methods of MainSystem.
-ELSEWHERE = ("cli", "create", "itemInterface", "mainSystemExtensions")
+ELSEWHERE = ("cli", "create", "itemInterface", "mainSystemExtensions", "robotics.roboticsCore")
 CORE_TITLES = {"system": "Systems", "data": "Matrices and lists", "solvers": "Solver objects"}
-
-
-def heading(title: str, mark: str = "=") -> str:
-    return f"{title}\n{mark * len(title)}\n"
 
 
 def toctree(names: list[str], depth: int = 1) -> str:
@@ -101,21 +99,22 @@ def module_pages() -> dict[str, str]:
         return {"api/index.rst": head + NOT_BUILT}
     pages = core_pages(importlib.import_module("dalembert._core"))
     modules, seen = [], set[int]()
-    for info in pkgutil.iter_modules(package.__path__):
-        if info.name.startswith("_") or info.name in ELSEWHERE:
+    for info in pkgutil.walk_packages(package.__path__, "dalembert."):
+        name = info.name.removeprefix("dalembert.")
+        if any(part.startswith("_") for part in name.split(".")) or name in ELSEWHERE:
             continue
-        full = f"dalembert.{info.name}"
-        module = importlib.import_module(full)
-        members = (member(full, name, getattr(module, name)) for name in documented(module, seen))
-        pages[f"api/{info.name}.rst"] = f"{heading(full)}\n.. automodule:: {full}\n\n" + "\n".join(members)
-        modules.append(info.name)
+        module = importlib.import_module(info.name)
+        members = (member(info.name, thing, getattr(module, thing)) for thing in documented(module, seen))
+        pages[f"api/{name}.rst"] = f"{heading(info.name)}\n.. automodule:: {info.name}\n\n" + "\n".join(members)
+        modules.append(name)
     pages["api/index.rst"] = f"{head}{toctree([*CORE_TITLES, 'functions'])}\n{toctree(modules)}"
     return pages
 
 
 def write(app: Sphinx) -> None:
     """Touch only what differs, so that Sphinx reads only what changed; remove what is no longer made."""
-    wanted = {TARGET / path: text for path, text in (reference_pages() | example_pages() | module_pages()).items()}
+    pages = reference_pages() | create_pages() | example_pages() | module_pages()
+    wanted = {TARGET / path: text for path, text in pages.items()}
     for path in TARGET.rglob("*.rst"):
         if path not in wanted:
             path.unlink()

@@ -16,6 +16,7 @@ from dalembert._core_settings import *
 from dalembert._core_system_data import SystemData
 from dalembert._core_types import Array, Matrix, MatrixLike, Vector
 from dalembert._geometry.inertia import RigidBodyInertia
+from dalembert._pictures import draw as draw
 from dalembert._plots import system_graph as system_graph
 from dalembert._solving import consistent as consistent
 from dalembert._solving import energies as energies
@@ -23,7 +24,7 @@ from dalembert._solving import linearized as linearized
 from dalembert._solving import report as report
 from dalembert._studies import variations as variations
 from dalembert.create import _distance_sensor as distance_sensor
-from dalembert.create import bodies, connectors, joints, loads
+from dalembert.create import bodies, connectors, flexible, joints, loads, trees
 
 # Functions that solvers call. Step functions return whether to go on, PostNewton [error, recommended step size].
 _StepFunction = Callable[[MainSystem, float], bool]
@@ -243,6 +244,7 @@ class MainSystem(_Bound):
         *,
         returnDict: Literal[True],
     ) -> dict[str, Any]: ...
+    CreateFFRFReducedOrderObject = flexible.CreateFFRFReducedOrderObject
     CreateSpringDamper = connectors.CreateSpringDamper
     CreateCartesianSpringDamper = connectors.CreateCartesianSpringDamper
     CreateRigidBodySpringDamper = connectors.CreateRigidBodySpringDamper
@@ -260,11 +262,13 @@ class MainSystem(_Bound):
     def CreateSphereSphereContact(mbs, *args: Any, **kwargs: Any) -> NoReturn: ...
     def CreateSphereQuadContact(mbs, *args: Any, **kwargs: Any) -> NoReturn: ...
     def CreateSphereTriangleContact(mbs, *args: Any, **kwargs: Any) -> NoReturn: ...
-    def CreateKinematicTree(mbs, *args: Any, **kwargs: Any) -> NoReturn: ...
-    def CreateFFRFReducedOrderObject(mbs, *args: Any, **kwargs: Any) -> NoReturn: ...
+
+    CreateKinematicTree = trees.CreateKinematicTree
     CreateDistanceSensor = distance_sensor.CreateDistanceSensor
     CreateDistanceSensorGeometry = distance_sensor.CreateDistanceSensorGeometry
     DrawSystemGraph = system_graph.DrawSystemGraph
+    Draw = draw.Draw
+    DrawSolution = draw.DrawSolution
     PlotSensor = plot.PlotSensor
     SolutionViewer = interactive.SolutionViewer
     ComputeLinearizedSystem = linearized.ComputeLinearizedSystem

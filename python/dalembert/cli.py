@@ -11,7 +11,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
-from dalembert._io.files import naming
+from dalembert._io.files import replacing
 
 
 def _run(arguments: argparse.Namespace) -> int:
@@ -188,8 +188,8 @@ def _demo(arguments: argparse.Namespace) -> int:
     right.set(xlabel="t in s", title="slider")
     right.legend()
     target = Path(arguments.output).resolve()
-    with naming(target):
-        figure.savefig(target, dpi=120)
+    with replacing(target) as written:
+        figure.savefig(written, dpi=120)
     plt.close(figure)
     print(f"slider-crank simulated, plot written to {target}")
     return 0

@@ -195,13 +195,13 @@ def AnimateModes(
     systemContainer.renderer.SendRedrawSignal()
 
 
-def _solution_of_last_simulation(mbs: Any) -> dict[str, Any]:
+def solution_of_last_simulation(mbs: Any, caller: str) -> dict[str, Any]:
     """Return the solution that the last simulation has written; ValueError if it has written none."""
     if "simulationSettings" not in mbs.sys:
-        raise ValueError("SolutionViewer: no simulation has been run yet; solve first or pass a solution")
+        raise ValueError(f"{caller}: no simulation has been run yet; solve first or pass a solution")
     settings = mbs.sys["simulationSettings"].solutionSettings
     if not settings.writeSolutionToFile:
-        raise ValueError("SolutionViewer: the last simulation had solutionSettings.writeSolutionToFile = False")
+        raise ValueError(f"{caller}: the last simulation had solutionSettings.writeSolutionToFile = False")
     name = settings.coordinatesSolutionFileName
     if "." not in name:
         name += ".sol" if settings.binarySolutionFile else ".txt"
@@ -223,7 +223,7 @@ def SolutionViewer(
 
     Without a window, the first row becomes the visualized state. ValueError if there is no solution.
     """
-    data = _solution_of_last_simulation(mainSystem) if solution is None else solution
+    data = solution_of_last_simulation(mainSystem, "SolutionViewer") if solution is None else solution
     if runMode not in (0, 1, 2):
         raise ValueError(f"SolutionViewer: runMode: expected 0, 1 or 2, received {runMode}")
     if not 1 <= rowIncrement <= data["nRows"]:

@@ -6,8 +6,10 @@ from collections.abc import Callable
 from typing import Any
 
 from dalembert import _planned, create, solver
-from dalembert._core import MainSystem
+from dalembert._core import MainSystem, Renderer, SystemContainer
 from dalembert._io import pickling
+from dalembert._pictures import renderer, shortcuts
+from dalembert._pictures.draw import Draw, DrawSolution
 from dalembert._plots.repr_html import _repr_html_
 from dalembert._plots.system_graph import DrawSystemGraph
 from dalembert._solving.consistent import ComputeConsistentInitialConditions
@@ -34,6 +36,8 @@ methods: dict[str, Callable[..., Any]] = (
             ComputeEnergies,
             CreateDistanceSensor,
             CreateDistanceSensorGeometry,
+            Draw,
+            DrawSolution,
             DrawSystemGraph,
             PlotSensor,
             Report,
@@ -55,6 +59,10 @@ methods: dict[str, Callable[..., Any]] = (
 
 for _name, _method in methods.items():
     setattr(MainSystem, _name, _method)
+
+for _class, _functions in ((Renderer, renderer.METHODS), (SystemContainer, shortcuts.METHODS)):
+    for _function in _functions:
+        setattr(_class, _function.__name__, _function)
 
 # Functions of the module, MainSystemCreateGround(mbs, ...) and so on.
 globals().update({f"MainSystem{name}": function for name, function in methods.items() if name.startswith("Create")})

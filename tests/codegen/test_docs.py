@@ -52,13 +52,14 @@ def test_formulas_are_plain_latex_with_balanced_braces(specs: Specs) -> None:
         assert depth == 0, place
 
 
-def test_pages_build_without_warnings(root: Path, tmp_path: Path) -> None:
+def test_pages_build_without_warnings(root: Path, tmp_path: Path, specs: Specs) -> None:
     pytest.importorskip("sphinx")
     from sphinx.cmd.build import main
 
     shutil.copytree(root / "generated/docs", tmp_path / "src")
     (tmp_path / "src/conf.py").write_text(CONF)
     elsewhere = ["compiled-functions", *(f"example-{path.stem}" for path in root.glob("examples/*.py"))]
+    elsewhere += {f"create-{name}" for item in specs.items for name in item.create_functions}
     titles = (f"\n.. _{label}:\n\n{label}\n{'-' * len(label)}\n" for label in elsewhere)
     (tmp_path / "src/index.rst").write_text(INDEX + "".join(titles))
     warnings = tmp_path / "warnings.txt"

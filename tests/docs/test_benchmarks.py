@@ -1,4 +1,4 @@
-"""The benchmarks that compare with the seed system: their models are what they say, and the guard of instructions knows them."""
+"""The benchmarks that compare with Exudyn: their models are what they say, and the guard of instructions knows them."""
 
 from __future__ import annotations
 

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import doctest
+import os
 import re
 import shutil
 import subprocess
 import sys
+import textwrap
 from pathlib import Path
 
 import pytest
@@ -47,11 +49,28 @@ def test_readme_shows_the_first_example() -> None:
     assert (ROOT / "examples/first_model.py").read_text().endswith("\n\n" + shown)
 
 
-@pytest.mark.parametrize(("page", "least"), [("errors", 20), ("compiled_functions", 4)])
-def test_pages_show_the_real_texts(page: str, least: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+PAGES = {path.relative_to(ROOT / "docs").as_posix(): path for path in sorted((ROOT / "docs").rglob("*.rst"))}
+WRITTEN = {name: path for name, path in PAGES.items() if not name.startswith("_generated/")}
+SESSIONS = [name for name, path in WRITTEN.items() if ">>> " in path.read_text()]
+BLOCK = re.compile(r"^\.\. (?:shown-before: |code-block:: )python\n\n((?:(?:   .*)?\n)+)", re.MULTILINE)
+BLOCKS = {name: blocks for name, path in WRITTEN.items() if (blocks := BLOCK.findall(path.read_text() + "\n"))}
+
+
+@pytest.mark.parametrize("page", SESSIONS)
+def test_pages_show_the_real_texts(page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
-    failed, tried = doctest.testfile(str(ROOT / f"docs/tutorial/{page}.rst"), module_relative=False)
-    assert tried > least and failed == 0
+    failed, tried = doctest.testfile(str(PAGES[page]), module_relative=False)
+    assert tried >= PAGES[page].read_text().count(">>> ") and failed == 0
+
+
+@pytest.mark.parametrize("page", BLOCKS)
+def test_code_of_pages_runs(page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """All blocks of a page, one after the other; what they stand on is in its comments `.. shown-before: python`."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("MPLBACKEND", "Agg")
+    code = "\n".join(textwrap.dedent(block) for block in BLOCKS[page])
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, env=os.environ)
+    assert done.returncode == 0, done.stdout + done.stderr
 
 
 def test_the_example_of_a_new_item_is_complete(tmp_path: Path) -> None:

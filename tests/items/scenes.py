@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from motions import EZ, ITEMS, KINDS, Array, Motion, NodeKind, Place, random_motion, random_rotation
+from trees import link_frame
 from user_functions import functions_of
 
 import dalembert as exu
@@ -186,7 +187,12 @@ class Scene:
     def _fixed(self, item: Item) -> dict[str, Any]:
         """Values of the spec and of the variant."""
         alike = {name: np.kron(matrix, np.eye(3)) for name, matrix in item.scene.isotropic.items()}
-        return {**item.scene.values, **alike, **self.options.get(item.name, {})}
+        joints = {row.name for row in item.parameters if row.type.storage == "joint_types"}
+        values = {
+            name: [exu.JointType[joint] for joint in value] if name in joints else value
+            for name, value in item.scene.values.items()
+        }
+        return {**values, **alike, **self.options.get(item.name, {})}
 
     def _inertia(self, item: Item) -> dict[str, Any]:
         """Mass, centre of mass and moments of inertia about the node, as far as the body has them."""
@@ -261,7 +267,17 @@ class Scene:
         if item.object_type != "Object":
             self.bodies.append(made)
         frame = reference if item.scene.small_deformations else motion
+        if has_row(item, "linkParents"):
+            frame = self._motion_of_link(made, nodes[0])
         return Carrier(made, nodes, frame, np.array(item.scene.local or BOX), coordinates)
+
+    def _motion_of_link(self, tree: Any, node: Any) -> Motion:
+        """Where the link is that carries markers."""
+        values = self.mbs.GetNode(node)
+        q = np.add(values["referenceCoordinates"], values["initialCoordinates"])
+        link = ITEMS["MarkerKinematicTreeRigid"].scene.values["linkNumber"]
+        rotation, position = link_frame(self.mbs.GetObject(tree), q, link)
+        return replace(self.motion(), position=position, rotation=rotation)
 
     def _near(self, start: Motion) -> Motion:
         """Slightly displaced."""

@@ -257,11 +257,14 @@ def test_markers_have_no_orientation() -> None:
 
 
 @pytest.mark.parametrize("variable", ["RotationMatrix", "AngularVelocity", "VelocityLocal"])
-def test_outputs_need_no_orientation(variable: str) -> None:
+def test_nothing_tells_an_orientation(variable: str) -> None:
     beam = Beam(1, 1.0, physicsMassPerLength=1)
+    marker = beam.mbs.AddMarker(MarkerBodyPosition(bodyNumber=beam.cables[0], localPosition=[0.5, 0, 0]))
     beam.mbs.Assemble()
     with pytest.raises(ValueError, match=rf"{variable}"):
         beam.mbs.GetObjectOutputBody(beam.cables[0], getattr(exu.OutputVariableType, variable), [0.5, 0, 0])
+    with pytest.raises(ValueError, match=rf"{variable}"):
+        beam.mbs.GetMarkerOutput(marker, getattr(exu.OutputVariableType, variable))
 
 
 def test_position_marker_on_the_node() -> None:

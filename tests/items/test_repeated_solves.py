@@ -48,7 +48,7 @@ def build(variant: Variant, seed: int) -> Scene:
             scene.mbs.systemData.SetDataCoordinates(s.data, configuration)
     if joins(variant):
         for body in scene.bodies:
-            if scene.mbs.GetObject(body)["objectType"] != "GenericODE2":
+            if scene.mbs.GetObject(body)["objectType"] not in ("GenericODE2", "KinematicTree"):
                 marker = scene.mbs.AddMarker(exu.MarkerBodyMass(bodyNumber=body))
                 scene.mbs.AddLoad(exu.LoadMassProportional(markerNumber=marker, loadVector=[1, -2, 3]))
         scene.mbs.Assemble()

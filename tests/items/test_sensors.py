@@ -67,7 +67,7 @@ def sensors_of(scene: Scene) -> list[tuple[Any, Read]]:
                 bodyNumber=number,
                 meshNodeNumber=1,
                 outputVariableType=variable,
-            ) if len(mbs.GetObject(number)["nodeNumbers"]) > 1 else None
+            ) if len(mbs.GetObject(number).get("nodeNumbers", [])) > 1 else None
     for number, entry in enumerate(mbs.GetDictionary()["markerList"]):
         if "Position" in ITEMS[f"Marker{entry['markerType']}"].provides:
             variable = exu.OutputVariableType.Position

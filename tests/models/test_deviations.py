@@ -1,4 +1,4 @@
-"""Where the seed system is not followed: what is computed here against formulas that are written out, and what theirs would give."""
+"""Where Exudyn is not followed: what is computed here against formulas that are written out, and what theirs would give."""
 
 from __future__ import annotations
 

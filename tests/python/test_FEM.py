@@ -152,11 +152,7 @@ def test_flexible_body_is_kept_in_files(truss, ending, tmp_path):
         norm("DisplacementLocal", "Mises")
 
 
-def test_what_is_planned_says_so(fem):
-    with pytest.raises(NotImplementedError, match=r"FEMinterface\.ComputeHurtyCraigBamptonModes is planned"):
-        fem.ComputeHurtyCraigBamptonModes([[1]], 3)
-    with pytest.raises(NotImplementedError, match="ObjectFFRFinterface is planned"):
-        FEM.ObjectFFRFinterface(fem)
+def test_names_that_are_misspelt(fem):
     with pytest.raises(AttributeError, match="has no attribute 'ComputeEigenmode'"):
         fem.ComputeEigenmode()
 

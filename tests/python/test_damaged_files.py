@@ -195,6 +195,7 @@ WRITERS = {
     "data.hdf5": lambda name: advancedUtilities.SaveDictToHDF5(name, {"a": np.ones(1000)}),
     "figure.png": save_figure,
 }
+GROWING = ("results.txt", "printed.txt")  # while their run goes on
 
 
 @pytest.mark.parametrize("name", WRITERS)
@@ -202,6 +203,31 @@ def test_a_full_disk_is_told_with_the_name_of_the_file(name: str) -> None:
     with pytest.raises(OSError, match=name) as caught, limited_files():
         WRITERS[name](name)
     assert caught.value.errno in (errno.EFBIG, None) and (caught.value.errno or "File too large" in str(caught.value))
+    assert ".writing-" not in str(caught.value.filename)
+
+
+@pytest.mark.parametrize("name", [name for name in WRITERS if name not in GROWING])
+def test_what_cannot_be_written_leaves_the_last_good_file(name: str) -> None:
+    Path(name).write_text("of last week")
+    with pytest.raises(OSError, match=name), limited_files():
+        WRITERS[name](name)
+    assert Path(name).read_text() == "of last week"
+    assert [path.name for path in Path().iterdir()] == [name]
+    Path(name).chmod(0o640)
+    WRITERS[name](name)
+    assert Path(name).stat().st_size > 64 and Path(name).stat().st_mode & 0o777 == 0o640
+
+
+def test_files_are_written_through_links_and_into_devices(tmp_path: Path) -> None:
+    Path("real").mkdir()
+    Path("link.png").symlink_to("real/figure.png")
+    save_figure("link.png")
+    assert Path("link.png").is_symlink() and Path("real/figure.png").stat().st_size > 64
+    Path("null.png").symlink_to("/dev/null")
+    save_figure("null.png")
+    assert Path("/dev/null").is_char_device()
+    with pytest.raises(FileNotFoundError, match=r"'nowhere/figure\.h5'"):
+        advancedUtilities.SaveDictToHDF5("nowhere/figure.h5", {})
 
 
 def test_what_prints_tells_that_its_file_is_full() -> None:

@@ -267,7 +267,7 @@ def test_time_limit_of_variations(time_limit: Any) -> None:
 @pytest.mark.parametrize("solver", [*IMPLICIT, *EXPLICIT])
 @pytest.mark.parametrize("name", ["PreStep", "PostStep"])
 def test_functions_that_end_a_simulation(solver: Any, name: str) -> None:
-    """That is a success, as in the seed system; the solver tells how it has ended."""
+    """That is a success, as in Exudyn; the solver tells how it has ended."""
     model = oscillator()
     model.mbs.Assemble()
     getattr(model.mbs, f"Set{name}UserFunction")(lambda mbs, t: t < 0.0301)

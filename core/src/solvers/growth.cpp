@@ -24,6 +24,7 @@ double size_of_motion(const System& system, const State& state) { return sum_of_
 
 void ExplicitSolver::begin_to_watch() {
   growth_limit_ = std::min(newton_settings.maximumSolutionNorm, unbounded * unbounded);
+  watches_coordinates_ = newton_settings.maximumSolutionNorm < NewtonSettings{}.maximumSolutionNorm;
   if (it.automaticStepSize) return;  // keeps to stable steps
   growth_limit_ = std::min(growth_limit_, noticeable_growth * std::max(1.0, size_of_motion(system(), current())));
 }
@@ -32,8 +33,7 @@ void ExplicitSolver::begin_to_watch() {
 [[gnu::noinline]] bool ExplicitSolver::outgrown() {
   const State& now = current();
   const double largest = std::min(newton_settings.maximumSolutionNorm, unbounded * unbounded);
-  const double rest = sum_of_squares(system(), now.a) + sum_of_squares(system(), now.y);
-  if (!(size_of_motion(system(), now) < largest && rest < unbounded * unbounded)) return true;
+  if (!all_finite(now) || !(size_of_motion(system(), now) < largest && sum_of_squares(system(), now.y) < unbounded * unbounded)) return true;
   growth_limit_ = largest;
   return theory_explains_growth();
 }

@@ -23,6 +23,10 @@ void MassOperator::prepare(System& system, LinearSolverType type, const LinearSo
   alone_.assign(static_cast<std::size_t>(size_), 1);
   parent_.resize(static_cast<std::size_t>(size_));
   std::iota(parent_.begin(), parent_.end(), 0);
+  for (const int i : system.coordinates_without_matrix()) {
+    alone_[i] = 0;
+    inverse_[i] = 1;
+  }
   for_each_entry(*pattern_, [&](int row, int column, std::size_t slot) {
     if (row >= size_ || column >= size_) return;
     if (row == column) {
@@ -57,8 +61,8 @@ void MassOperator::build_blocks() {
   for (int i = 0; i < size_; ++i) ++members[root(i)];
   for (int i = 0; i < size_; ++i) {
     const int r = root(i);
-    alone_[i] = members[r] == 1;
-    if (alone_[i]) continue;
+    if (members[r] == 1) continue;
+    alone_[i] = 0;
     if (r == i) {
       block_of[r] = static_cast<int>(blocks_.size());
       blocks_.emplace_back();
@@ -93,6 +97,7 @@ void MassOperator::build_blocks() {
 int MassOperator::update(System& system, const State& state) {
   system.mass_matrix(state, *pattern_, values_);
   if (join_blocks()) build_blocks();
+  if (const int loose = system.factorize_masses(state); loose >= 0) return loose;
   for (int i = 0; i < size_; ++i) {
     if (!alone_[i]) continue;
     const double m = values_[diagonal_[i]];

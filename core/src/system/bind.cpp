@@ -48,7 +48,7 @@ void SystemParts::bind(const Pattern& pattern) {
   };
   const bool mass_alone = mass_pattern && &pattern == &*mass_pattern;
   for (const auto& term : terms)
-    if (!mass_alone || term->has_mass()) collect(*term);
+    if (!mass_alone || (term->has_mass() && !is_without_matrix(*term))) collect(*term);
   if (!mass_alone) {
     for (const auto& batch : marker_batches) collect(*batch);
     for (const auto& batch : rotating_nodes) collect(*batch);
@@ -75,13 +75,46 @@ const Pattern& System::pattern(bool dense) {
   return parts.sparse_patterns.back();
 }
 
+// Those on whose coordinates no other mass acts.
+void SystemParts::find_masses_without_matrix() {
+  struct Counter final : BlockVisitor {
+    explicit Counter(int coordinates) : users(static_cast<std::size_t>(coordinates), nullptr) {}
+    void entry(int row, int) override {
+      const Term*& user = users[static_cast<std::size_t>(row)];
+      if (user != nullptr && user != now) shared.push_back({user, now});
+      user = now;
+    }
+    const Term* now = nullptr;
+    std::vector<const Term*> users;  // by coordinate, the last
+    std::vector<std::pair<const Term*, const Term*>> shared;
+  } counter(sizes.total());
+  for (const auto& term : terms) {
+    if (!term->has_mass()) continue;
+    counter.now = term.get();
+    term->visit(counter, ports);
+    const auto* solver = dynamic_cast<const MassSolver*>(term.get());
+    if (solver != nullptr && solver->is_separate()) without_matrix.push_back(term.get());
+  }
+  for (const auto& [first, second] : counter.shared)
+    std::erase_if(without_matrix, [&](const Term* term) { return term == first || term == second; });
+  for (const Term* term : without_matrix) mass_solvers.push_back(dynamic_cast<const MassSolver*>(term));
+  for (std::size_t i = 0; i < counter.users.size(); ++i)
+    if (counter.users[i] != nullptr && is_without_matrix(*counter.users[i])) coordinates_without_matrix.push_back(static_cast<int>(i));
+}
+
 const Pattern& System::mass_pattern() {
   SystemParts& parts = *parts_;
   if (parts.mass_pattern) return *parts.mass_pattern;
+  parts.find_masses_without_matrix();
   CouplingCollector collector;
   for (const auto& term : parts.terms)
-    if (term->has_mass()) term->visit(collector, parts.ports);
+    if (term->has_mass() && !parts.is_without_matrix(*term)) term->visit(collector, parts.ports);
   return parts.mass_pattern.emplace(Pattern::sparse(sizes_.total(), collector.couplings));
+}
+
+std::span<const int> System::coordinates_without_matrix() {
+  mass_pattern();
+  return parts_->coordinates_without_matrix;
 }
 
 }  // namespace dalembert

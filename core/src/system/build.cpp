@@ -178,12 +178,11 @@ class Builder {
     const auto& physics = this->physics<ObjectPhysics>(item, number);
     const Stretch nodes = refer(item, ItemKind::node), markers = refer(item, ItemKind::marker);
     parts_.objects.push_back({item.type, item.record, {}, nodes, markers});
+    if (!physics.completes()) return;
     Placement& on_nodes = placing_.on(nodes.of(parts_.references));
     on_nodes.item = number;
-    if (auto completed = physics.completed(item.record.get(), on_nodes, {model_, ItemKind::object, number})) {
-      parts_.objects.back().record = std::move(completed);
-      parts_.completed.push_back(number);
-    }
+    parts_.objects.back().record = physics.completed(item.record.get(), on_nodes, {model_, ItemKind::object, number});
+    parts_.completed.push_back(number);
   }
 
   void place_marker(int number) {

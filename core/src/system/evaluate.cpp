@@ -213,12 +213,26 @@ void System::mass_matrix(const State& state, const Pattern& pattern, std::span<d
   parts.bind(pattern);
   evaluated_ = nullptr;
   const Evaluation e = view_of(parts, state, {});
-  parts.each_region([&parts, &e, &pattern, values](const RegionPlan& region) {
+  const bool all = !parts.mass_pattern || &pattern != &*parts.mass_pattern || parts.without_matrix.empty();
+  parts.each_region([&parts, &e, &pattern, values, all](const RegionPlan& region) {
     find_totals(parts, region, e);
     clear_columns(region, pattern, values.data());
     for (const Term* term : region.terms)
-      if (term->has_mass()) term->mass(e, parts.ports, values.data());
+      if (term->has_mass() && (all || !parts.is_without_matrix(*term))) term->mass(e, parts.ports, values.data());
   });
+}
+
+int System::factorize_masses(const State& state) {
+  SystemParts& parts = *parts_;
+  if (parts.mass_solvers.empty()) return -1;
+  const Evaluation e = parts.evaluation(state, {});
+  for (const MassSolver* solver : parts.mass_solvers)
+    if (const int loose = solver->factorize_masses(e); loose >= 0) return loose;
+  return -1;
+}
+
+void System::solve_masses(std::span<double> x) const {
+  for (const MassSolver* solver : parts_->mass_solvers) solver->solve_masses(x.data());
 }
 
 void System::forces(const State& state, const Conditions& conditions, std::span<double> rhs) {

@@ -216,11 +216,33 @@ void System::object_output(int object, Variable variable, ConfigurationType conf
   body_output(object, variable, {0, 0, 0}, configuration, values);
 }
 
+void System::link_output(int object, Variable variable, int link, std::array<double, 3> local, ConfigurationType configuration,
+                         Values& values) {
+  SystemParts& parts = *parts_;
+  const ObjectPlace& place = parts.objects.at(static_cast<std::size_t>(object));
+  const auto& [batch, entry] = place.member;
+  const auto* bodies = dynamic_cast<const LinkedBodies*>(batch);
+  const int count = bodies == nullptr ? 0 : bodies->links(entry);
+  if (link < 0 || link >= count)
+    refuse(ErrorKind::value, {parts.describe(ItemKind::object, object), "linkNumber", "", std::to_string(link),
+                              count == 0 ? "a kinematic tree: this object has no links" : "a link from 0 to " + std::to_string(count - 1), ""});
+  NumberList list(parts.free_numbers);
+  parts.list_coordinates(place, Coordinates::ode2, list.numbers);
+  const auto motion_in = [&](const State& state) {
+    return bodies->link_motion(entry, link, {local[0], local[1], local[2]}, parts.output_evaluation(state, list.numbers));
+  };
+  const auto reference = [&] { return motion_in(parts.state(ConfigurationType::Reference)); };
+  if (frame_output(variable, motion_in(parts.state(configuration)), reference, values)) return;
+  refuse(ErrorKind::value, {parts.describe(ItemKind::object, object), "", "its links have no output variable " + std::string(variable_name(variable)), "",
+                            "Position, Displacement, Velocity, Acceleration, Rotation, RotationMatrix, AngularVelocity, AngularAcceleration, or one of these with Local", ""});
+}
+
 void System::super_element_output(int object, Variable variable, int mesh_node, ConfigurationType configuration,
                                   Values& values) {
   SystemParts& parts = *parts_;
   const ObjectPlace& place = parts.objects.at(static_cast<std::size_t>(object));
   const auto& [batch, entry] = place.member;
+  if (dynamic_cast<const LinkedBodies*>(batch) != nullptr) return link_output(object, variable, mesh_node, {0, 0, 0}, configuration, values);
   const int own = batch->mesh_nodes(entry), count = own != 0 ? std::max(own, 0) : static_cast<int>(place.nodes.count);
   if (mesh_node < 0 || mesh_node >= count)
     refuse(ErrorKind::value, {parts.describe(ItemKind::object, object), "meshNodeNumber", "", std::to_string(mesh_node),
@@ -259,7 +281,8 @@ void System::marker_output(int marker, Variable variable, ConfigurationType conf
     return r;
   };
   const Evaluation e = parts.output_evaluation(parts.state(configuration));
-  if (place.member.batch->motion(place.member.entry, e, m) && frame_output(variable, m, reference, values)) return;
+  const bool unoriented = place.object >= 0 && lacks(*parts.objects[static_cast<std::size_t>(place.object)].type, variable);
+  if (!unoriented && place.member.batch->motion(place.member.entry, e, m) && frame_output(variable, m, reference, values)) return;
   no_output(parts.describe(ItemKind::marker, marker), variable, {});
 }
 

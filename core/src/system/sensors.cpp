@@ -5,6 +5,7 @@
 #include "dalembert/model/member.hpp"
 #include "dalembert/reflection/callback.hpp"
 #include "dalembert/sensors/body_parameters.hpp"
+#include "dalembert/sensors/kinematic_tree_parameters.hpp"
 #include "dalembert/sensors/load_parameters.hpp"
 #include "dalembert/sensors/marker_parameters.hpp"
 #include "dalembert/sensors/node_parameters.hpp"
@@ -37,6 +38,9 @@ void measure_body(System& system, const SensorBodyParameters& p, int, Configurat
 void measure_super_element(System& system, const SensorSuperElementParameters& p, int, ConfigurationType configuration,
                            Values& values) {
   system.super_element_output(p.bodyNumber.value, p.outputVariableType, p.meshNodeNumber, configuration, values);
+}
+void measure_link(System& system, const SensorKinematicTreeParameters& p, int, ConfigurationType configuration, Values& values) {
+  system.link_output(p.objectNumber.value, p.outputVariableType, p.linkNumber, p.localPosition.x, configuration, values);
 }
 void measure_marker(System& system, const SensorMarkerParameters& p, int, ConfigurationType configuration, Values& values) {
   system.marker_output(p.markerNumber.value, p.outputVariableType, configuration, values);
@@ -83,6 +87,7 @@ constexpr SensorKind sensor_kinds[] = {
     {"Body", &read_sensor<SensorBodyRecord, measure_body>, &subject_of<SensorBodyRecord, &SensorBodyParameters::bodyNumber>},
     {"Marker", &read_sensor<SensorMarkerRecord, measure_marker>, &subject_of<SensorMarkerRecord, &SensorMarkerParameters::markerNumber>},
     {"SuperElement", &read_sensor<SensorSuperElementRecord, measure_super_element>},
+    {"KinematicTree", &read_sensor<SensorKinematicTreeRecord, measure_link>},
     {"Load", &read_sensor<SensorLoadRecord, measure_load>},
     {"UserFunction", &read_sensor<SensorUserFunctionRecord, call_user_function>},
 };

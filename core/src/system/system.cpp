@@ -86,8 +86,7 @@ void System::refresh(const Model& model) {
   parts.plan.resting_evaluated = false;
   const auto complete = [&](ObjectPlace& place, int number) {
     const auto& physics = static_cast<const ObjectPhysics&>(*place.type->physics);
-    if (auto record = physics.completed(place.record.get(), placing.of_object(number), {model, ItemKind::object, number}))
-      place.record = std::move(record);
+    if (physics.completes()) place.record = physics.completed(place.record.get(), placing.of_object(number), {model, ItemKind::object, number});
   };
   const auto renew = [&](ItemKind kind, int number) {
     const auto& record = model.item(kind, number).record;

@@ -1715,22 +1715,22 @@ class ObjectKinematicTree(_Object):
     def jointTransformations(self) -> Matrix3DList:
         """for each link the rotation matrix from its joint frame, at coordinate zero, to the frame of the parent; required [n x 3 x 3; 1]"""
     @jointTransformations.setter
-    def jointTransformations(self, value: Sequence[ArrayLike]) -> None: ...
+    def jointTransformations(self, value: Sequence[ArrayLike] | Matrix3DList) -> None: ...
     @property
     def jointOffsets(self) -> Vector3DList:
         """for each link the origin of its joint frame in the frame of the parent, for the base in the base frame; required [n x 3; m]"""
     @jointOffsets.setter
-    def jointOffsets(self, value: Sequence[ArrayLike]) -> None: ...
+    def jointOffsets(self, value: Sequence[ArrayLike] | Vector3DList) -> None: ...
     @property
     def linkInertiasCOM(self) -> Matrix3DList:
         """for each link the inertia tensor about its center of mass, in the frame of the link; required [n x 3 x 3; kg m^2]"""
     @linkInertiasCOM.setter
-    def linkInertiasCOM(self, value: Sequence[ArrayLike]) -> None: ...
+    def linkInertiasCOM(self, value: Sequence[ArrayLike] | Matrix3DList) -> None: ...
     @property
     def linkCOMs(self) -> Vector3DList:
         """for each link the center of mass in the frame of the link; required [n x 3; m]"""
     @linkCOMs.setter
-    def linkCOMs(self, value: Sequence[ArrayLike]) -> None: ...
+    def linkCOMs(self, value: Sequence[ArrayLike] | Vector3DList) -> None: ...
     @property
     def linkMasses(self) -> Array:
         """mass of each link; required [n; kg]"""
@@ -1740,12 +1740,12 @@ class ObjectKinematicTree(_Object):
     def linkForces(self) -> Vector3DList:
         """for each link a force in global components at the origin of its joint frame; empty for zero [n x 3; N]"""
     @linkForces.setter
-    def linkForces(self, value: Sequence[ArrayLike]) -> None: ...
+    def linkForces(self, value: Sequence[ArrayLike] | Vector3DList) -> None: ...
     @property
     def linkTorques(self) -> Vector3DList:
         """for each link a torque in global components; empty for zero [n x 3; Nm]"""
     @linkTorques.setter
-    def linkTorques(self, value: Sequence[ArrayLike]) -> None: ...
+    def linkTorques(self, value: Sequence[ArrayLike] | Vector3DList) -> None: ...
     @property
     def jointForceVector(self) -> Array:
         """for each joint a torque (Nm) or force (N) about or along its axis, positive on the link and negative on its parent; empty for zero [n; various]"""
@@ -1786,13 +1786,13 @@ class ObjectKinematicTree(_Object):
         baseOffset: ArrayLike = [0.0, 0.0, 0.0],
         jointTypes: Sequence[JointType] = [],
         linkParents: Sequence[int] = [],
-        jointTransformations: Sequence[ArrayLike] = [],
-        jointOffsets: Sequence[ArrayLike] = [],
-        linkInertiasCOM: Sequence[ArrayLike] = [],
-        linkCOMs: Sequence[ArrayLike] = [],
+        jointTransformations: Sequence[ArrayLike] | Matrix3DList = [],
+        jointOffsets: Sequence[ArrayLike] | Vector3DList = [],
+        linkInertiasCOM: Sequence[ArrayLike] | Matrix3DList = [],
+        linkCOMs: Sequence[ArrayLike] | Vector3DList = [],
         linkMasses: ArrayLike = [],
-        linkForces: Sequence[ArrayLike] = [],
-        linkTorques: Sequence[ArrayLike] = [],
+        linkForces: Sequence[ArrayLike] | Vector3DList = [],
+        linkTorques: Sequence[ArrayLike] | Vector3DList = [],
         jointForceVector: ArrayLike = [],
         jointPositionOffsetVector: ArrayLike = [],
         jointVelocityOffsetVector: ArrayLike = [],
@@ -2135,12 +2135,12 @@ class ObjectANCFThinPlate(_Object):
     def physicsStrainCoefficients(self) -> Matrix3DList:
         """stiffness against the strains in the plane, integrated over the thickness; one matrix, or one per node [n x 3 x 3; N/m]"""
     @physicsStrainCoefficients.setter
-    def physicsStrainCoefficients(self, value: Sequence[ArrayLike]) -> None: ...
+    def physicsStrainCoefficients(self, value: Sequence[ArrayLike] | Matrix3DList) -> None: ...
     @property
     def physicsCurvatureCoefficients(self) -> Matrix3DList:
         """stiffness against curvatures and twist, integrated over the thickness; one matrix, or one per node [n x 3 x 3; Nm]"""
     @physicsCurvatureCoefficients.setter
-    def physicsCurvatureCoefficients(self, value: Sequence[ArrayLike]) -> None: ...
+    def physicsCurvatureCoefficients(self, value: Sequence[ArrayLike] | Matrix3DList) -> None: ...
     strainIsRelativeToReference: float
     """share of the strains of the reference configuration that are free of stress: 0 for a plate that is flat without stress, 1 for a reference configuration without stress [1]"""
     @property
@@ -2171,8 +2171,8 @@ class ObjectANCFThinPlate(_Object):
         physicsThickness: ArrayLike = [],
         physicsDensity: float = 0.0,
         physicsMassProportionalDamping: float = 0.0,
-        physicsStrainCoefficients: Sequence[ArrayLike] = [],
-        physicsCurvatureCoefficients: Sequence[ArrayLike] = [],
+        physicsStrainCoefficients: Sequence[ArrayLike] | Matrix3DList = [],
+        physicsCurvatureCoefficients: Sequence[ArrayLike] | Matrix3DList = [],
         strainIsRelativeToReference: float = 1.0,
         slopesScalingX: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
         slopesScalingY: ArrayLike = [-1.0, -1.0, -1.0, -1.0],
@@ -2855,7 +2855,7 @@ class ObjectConnectorReevingSystemSprings(_Object):
     def sheavesAxes(self) -> Vector3DList:
         """axis of every sheave in the frame of its marker; the sign chooses the side at which the rope runs; none may be parallel to the line to the next center [n x 3; 1]"""
     @sheavesAxes.setter
-    def sheavesAxes(self, value: Sequence[ArrayLike]) -> None: ...
+    def sheavesAxes(self, value: Sequence[ArrayLike] | Vector3DList) -> None: ...
     @property
     def sheavesRadii(self) -> Array:
         """radius of every sheave; first and last must be zero, 0 between means a deflection point [n; m]"""
@@ -2880,7 +2880,7 @@ class ObjectConnectorReevingSystemSprings(_Object):
         dampingShear: float = 0.0,
         regularizationForce: float = 0.1,
         referenceLength: float = 0.0,
-        sheavesAxes: Sequence[ArrayLike] = [],
+        sheavesAxes: Sequence[ArrayLike] | Vector3DList = [],
         sheavesRadii: ArrayLike = [],
         activeConnector: bool = True,
         visualization: VObjectConnectorReevingSystemSprings | dict[str, Any] = ...,
@@ -4031,7 +4031,7 @@ class ObjectContactSphereTriangle(_Object):
     def trianglePoints(self) -> Vector3DList:
         """three points in the frame of marker m1 [n x 3; m]"""
     @trianglePoints.setter
-    def trianglePoints(self, value: Sequence[ArrayLike]) -> None: ...
+    def trianglePoints(self, value: Sequence[ArrayLike] | Vector3DList) -> None: ...
     includeEdges: int
     """sum of 1, 2 and 4 for contact with edge 0 (points 0 and 1), edge 1 (points 1 and 2) and edge 2 (points 2 and 0); 7: all edges; edges between triangles of a smooth surface are left out"""
     dynamicFriction: float
@@ -4063,7 +4063,7 @@ class ObjectContactSphereTriangle(_Object):
         markerNumbers: Sequence[MarkerIndex | int] = [-1, -1],
         nodeNumber: NodeIndex | int = -1,
         radiusSphere: float = 0.0,
-        trianglePoints: Sequence[ArrayLike] = [],
+        trianglePoints: Sequence[ArrayLike] | Vector3DList = [],
         includeEdges: int = 7,
         dynamicFriction: float = 0.0,
         frictionProportionalZone: float = 0.001,

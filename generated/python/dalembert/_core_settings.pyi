@@ -49,7 +49,7 @@ class NewtonSettings(_Settings):
     adaptInitialResidual: bool
     """true: if the residual grows in the first iteration, the larger value is the one that has to be reduced by the relative tolerance; for steps that start with a residual near zero; default: True"""
     maximumSolutionNorm: float
-    """the solver stops with an error if the squared norm of coordinates or velocities reaches this value: explicit solvers after every step, Newton's method while it has not converged [various; greater than 0]; default: 1e+38"""
+    """the solver stops with an error if the squared norm of coordinates or velocities reaches this value: explicit solvers after every step (coordinates only with values below the default), Newton's method while it has not converged [various; greater than 0]; default: 1e+38"""
     maxIterations: int
     """number of iterations of all kinds after which a step has failed [at least 1]; default: 25"""
     maxModifiedNewtonIterations: int

@@ -9,6 +9,9 @@
 
 namespace dalembert {
 
+// By hand: it moves with those joints only that lie between its link and the base
+const Physics& marker_kinematic_tree_rigid_physics();
+
 // Named, for several of these files may be compiled at once.
 namespace marker_kinematic_tree_rigid {
 
@@ -17,7 +20,7 @@ using Record = MarkerKinematicTreeRigidRecord;
 constexpr std::array<Row, 5> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "objectNumber", .storage = Storage::object, .offset = offsetof(Record, parameters.objectNumber), .role = Role::parameter, .needs_assemble = true},
-    {.name = "linkNumber", .storage = Storage::integer, .offset = offsetof(Record, parameters.linkNumber), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "linkNumber", .storage = Storage::integer, .offset = offsetof(Record, parameters.linkNumber), .role = Role::parameter, .check = Check::non_negative, .needs_assemble = true},
     {.name = "localPosition", .storage = Storage::vector3, .offset = offsetof(Record, parameters.localPosition), .role = Role::parameter, .unit = "m"},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
 }};
@@ -26,6 +29,8 @@ constexpr std::array<std::string_view, 0> short_names{};
 constexpr std::array<std::string_view, 4> provides{"Object", "Body", "Position", "Orientation"};
 constexpr std::array<OutputVariableType, 0> outputs{
 };
+
+const auto& physics = marker_kinematic_tree_rigid_physics();
 
 }  // namespace marker_kinematic_tree_rigid
 
@@ -42,7 +47,7 @@ const ItemType marker_kinematic_tree_rigid_type{
     .record = record_operations<marker_kinematic_tree_rigid::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = nullptr,
+    .physics = &marker_kinematic_tree_rigid::physics,
     .spec = "specs/markers/kinematic_tree_rigid.toml",
 };
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/system/physics.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -31,6 +32,8 @@ constexpr std::array<std::string_view, 0> provides{};
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
+const auto& physics = SensorPhysics{};
+
 }  // namespace sensor_kinematic_tree
 
 extern const ItemType sensor_kinematic_tree_type;
@@ -46,7 +49,7 @@ const ItemType sensor_kinematic_tree_type{
     .record = record_operations<sensor_kinematic_tree::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = nullptr,
+    .physics = &sensor_kinematic_tree::physics,
     .spec = "specs/sensors/kinematic_tree.toml",
 };
 

@@ -10,6 +10,9 @@
 
 namespace dalembert {
 
+// By hand: its recursions over links take the place of a residual that is differentiated
+const Physics& object_kinematic_tree_physics();
+
 // Named, for several of these files may be compiled at once.
 namespace object_kinematic_tree {
 
@@ -27,7 +30,7 @@ constexpr std::array<Row, 24> rows{{
     {.name = "gravity", .storage = Storage::vector3, .offset = offsetof(Record, parameters.gravity), .role = Role::parameter, .unit = "m/s^2"},
     {.name = "baseOffset", .storage = Storage::vector3, .offset = offsetof(Record, parameters.baseOffset), .role = Role::parameter, .unit = "m"},
     {.name = "jointTypes", .storage = Storage::joint_types, .offset = offsetof(Record, parameters.jointTypes), .role = Role::parameter},
-    {.name = "linkParents", .storage = Storage::integers, .offset = offsetof(Record, parameters.linkParents), .role = Role::parameter},
+    {.name = "linkParents", .storage = Storage::integers, .offset = offsetof(Record, parameters.linkParents), .role = Role::parameter, .needs_assemble = true},
     {.name = "jointTransformations", .storage = Storage::matrix3s, .offset = offsetof(Record, parameters.jointTransformations), .role = Role::parameter, .check = Check::rotation, .unit = "1"},
     {.name = "jointOffsets", .storage = Storage::vector3s, .offset = offsetof(Record, parameters.jointOffsets), .role = Role::parameter, .unit = "m"},
     {.name = "linkInertiasCOM", .storage = Storage::matrix3s, .offset = offsetof(Record, parameters.linkInertiasCOM), .role = Role::parameter, .unit = "kg m^2"},
@@ -57,6 +60,8 @@ constexpr std::array<OutputVariableType, 4> outputs{
     OutputVariableType::Force,
 };
 
+const auto& physics = object_kinematic_tree_physics();
+
 }  // namespace object_kinematic_tree
 
 extern const ItemType object_kinematic_tree_type;
@@ -72,7 +77,7 @@ const ItemType object_kinematic_tree_type{
     .record = record_operations<object_kinematic_tree::Record>(),
     .requested_node = Capability::generic_ode2,
     .requested_marker = Capability::none,
-    .physics = nullptr,
+    .physics = &object_kinematic_tree::physics,
     .spec = "specs/super_elements/kinematic_tree.toml",
 };
 

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import errno
 import os
+import shutil
+import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 
@@ -13,6 +16,7 @@ from dalembert._checks import FloatArray
 Path = str | os.PathLike[str]
 
 _SHOWN = 60  # characters of a line that is refused
+_AT_WORK = ".writing-"  # folders of files that are being written
 
 
 @contextmanager
@@ -21,11 +25,33 @@ def naming(fileName: Path) -> Iterator[None]:
     try:
         yield
     except OSError as error:
-        if error.filename is None:
+        if error.filename is None or _AT_WORK in str(error.filename):
             if error.errno is None:  # of a library, with a text of its own
                 raise OSError(f"{os.fspath(fileName)}: {error}") from error
             error.filename = os.fspath(fileName)
         raise
+
+
+@contextmanager
+def replacing(fileName: Path) -> Iterator[str]:
+    """Give the name of a file to write, which takes the place of `fileName` when it is complete; until then that stays.
+
+    It lies in the same folder and has the same ending. Devices and pipes are written to directly; links stay links.
+    """
+    target = os.path.realpath(os.fspath(fileName))
+    exists = os.path.exists(target)
+    with naming(fileName):
+        if exists and not os.path.isfile(target):
+            yield os.fspath(fileName)
+            return
+        if exists and not os.access(target, os.W_OK):
+            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+        with tempfile.TemporaryDirectory(prefix=_AT_WORK, dir=os.path.dirname(target)) as folder:
+            written = os.path.join(folder, os.path.basename(target))
+            yield written
+            if exists:
+                shutil.copymode(target, written)
+            os.replace(written, target)
 
 
 def refuse_line(fileName: Path, number: int, expected: str, received: str) -> ValueError:

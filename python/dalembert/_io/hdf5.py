@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from dalembert._checks import as_array, shape_error
-from dalembert._io.files import naming
+from dalembert._io.files import naming, replacing
 
 _numbers = (bool, int, float, np.bool_, np.integer, np.floating)
 _enumerations = (
@@ -112,7 +112,7 @@ def SaveDictToHDF5(fileName: str, dataDict: Mapping[str, Any]) -> None:
     Values are numbers, None, str, numpy arrays, scipy sparse matrices, item indices, enumerations, and lists and
     dictionaries of them; Python functions are stored by name. Raises ValueError for other types.
     """
-    with naming(fileName), _h5py("SaveDictToHDF5").File(fileName, "w") as file:
+    with replacing(fileName) as written, _h5py("SaveDictToHDF5").File(written, "w") as file:
         for key, value in dataDict.items():
             _store(file, str(key), value, str(key))
 

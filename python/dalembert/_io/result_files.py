@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any
 
-from dalembert._io.files import naming
+from dalembert._io.files import replacing
 
 _MAXIMUM_HEADER = 10
 
@@ -121,7 +121,7 @@ def FileStripSpaces(filename: str, outputFilename: str, fileCommentChar: str = "
         raise ValueError(f"FileStripSpaces: filename and outputFilename must differ, both are {filename!r}")
     with open(filename) as file:
         lines = file.readlines()
-    with naming(outputFilename), open(outputFilename, "w") as file:
+    with replacing(outputFilename) as written, open(written, "w") as file:
         for line in lines:
             if not fileCommentChar or not line.startswith(fileCommentChar):
                 line = line.strip("\n").strip(" ") + "\n"

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from dalembert._core import Print
-from dalembert._io.files import Path, naming, numbers_of, read_table, refuse_line, require_last_line
+from dalembert._io.files import Path, numbers_of, read_table, refuse_line, replacing, require_last_line
 from dalembert._io.solution_rows import solution_of
 
 _HEADER_LINES = 5
@@ -82,7 +82,7 @@ def RecoverSolutionFile(fileName: Path, newFileName: Path, verbose: int = 0) -> 
     with open(fileName, encoding="utf-8", errors="replace") as source:
         expected = sum(_columns_of_header(fileName, list(islice(source, _HEADER_LINES)))) + 1
         source.seek(0)
-        with naming(newFileName), open(newFileName, "w", encoding="utf-8") as target:
+        with replacing(newFileName) as written, open(written, "w", encoding="utf-8") as target:
             for number, line in enumerate(source, 1):
                 row = numbers_of(line, ",")
                 columns = line.count(",") + 1

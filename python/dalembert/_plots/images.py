@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from dalembert._checks import FloatArray, as_array, shape_error
-from dalembert._io.files import naming, numbers_of, refuse_line
+from dalembert._io.files import numbers_of, refuse_line, replacing
 
 Image = dict[str, list[Any]]
 
@@ -111,8 +111,8 @@ def save_figure(figure: Any, fileName: str) -> None:
     folder = os.path.dirname(fileName)
     if folder:
         os.makedirs(folder, exist_ok=True)
-    with naming(fileName):
-        figure.savefig(fileName)
+    with replacing(fileName) as written:
+        figure.savefig(written)
 
 
 def PlotImage(

@@ -9,6 +9,7 @@ from typing import Any
 import numpy.typing as npt
 
 from dalembert._checks import FloatArray
+from dalembert._io.files import replacing
 from dalembert._io.hdf5 import LoadDictFromHDF5, SaveDictToHDF5
 from dalembert._names import eii, exu, np
 from dalembert.physics import VonMisesStress
@@ -127,10 +128,11 @@ class ObjectFFRFreducedOrderInterface:
         if mode == "HDF5":
             SaveDictToHDF5(stem + ending, data)
         elif mode == "PKL":
-            with open(stem + ending, "wb") as file:
+            with replacing(stem + ending) as written, open(written, "wb") as file:
                 pickle.dump(data, file)
         else:
-            np.savez(stem + ending, **data)
+            with replacing(stem + ending) as written:
+                np.savez(written, **data)
 
     def LoadFromFile(self, fileName: str, mode: str | None = None) -> int:
         """Load what SaveToFile has saved; returns the version of the file."""

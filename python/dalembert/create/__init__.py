@@ -2,26 +2,32 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
 from typing import Any
 
-from dalembert.create import bodies, connectors, joints, loads
+from dalembert.create import bodies, connectors, flexible, joints, loads, trees
 from dalembert.create._arguments import COMMON, Check, checked
 from dalembert.create._mirrors import checks_of, documentation
 
 
-def _made(function: Callable[..., Any], own: dict[str, Check]) -> Callable[..., Any]:
+def checks(function: Callable[..., Any]) -> dict[str, Check]:
+    """Return what the arguments of a Create function are checked for, by name."""
+    own: dict[str, Check] = getattr(sys.modules[function.__module__], "CHECKS", {}).get(function.__name__, {})
+    return checks_of(function) | COMMON | own
+
+
+def _made(function: Callable[..., Any]) -> Callable[..., Any]:
     """Return the function with checks and documentation of its arguments."""
-    checks = checks_of(function) | COMMON | own
-    made = checked(function, checks)
-    made.__doc__ = documentation(function, checks)
+    made = checked(function, checks(function))
+    made.__doc__ = documentation(function, checks(function))
     return made
 
 
 # What MainSystem gets, by the name of the method.
 functions: dict[str, Callable[..., Any]] = {
-    name: _made(function, getattr(module, "CHECKS", {}).get(name, {}))
-    for module in (bodies, connectors, joints, loads)
+    name: _made(function)
+    for module in (bodies, connectors, flexible, joints, loads, trees)
     for name, function in vars(module).items()
     if name.startswith("Create")
 }

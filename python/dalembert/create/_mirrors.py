@@ -1,7 +1,7 @@
 """What Create functions take from the items whose parameters they pass on: checks, types, units and texts.
 
-A Create function mirrors the parameters of one item, and of its visualization, by their names; these are described in
-specs/ alone. What an item does not have is described here.
+A Create function mirrors the parameters of items, and of their visualization, by their names; which items, and what
+their parameters are, is said in specs/ alone. What an item does not have is described here.
 """
 
 from __future__ import annotations
@@ -10,10 +10,14 @@ import inspect
 import re
 from collections.abc import Callable
 from enum import Enum
+from textwrap import indent
 from typing import Any, NamedTuple
+
+import numpy as np
 
 from dalembert import itemInterface as items
 from dalembert._core import _parameters_of
+from dalembert._create_table import MIRRORS
 from dalembert.create._arguments import (
     ANYTHING,
     FLAG,
@@ -27,6 +31,7 @@ from dalembert.create._arguments import (
     unit_vector,
     vector,
 )
+from dalembert.create._examples import EXAMPLES
 
 
 class Row(NamedTuple):
@@ -39,26 +44,6 @@ class Row(NamedTuple):
     text: str
 
 
-# The items that a Create function mirrors; the first that has a parameter describes it.
-MIRRORS: dict[str, tuple[str, ...]] = {
-    "CreateGround": ("ObjectGround",),
-    "CreateMassPoint": ("ObjectMassPoint", "NodePoint"),
-    "CreateRigidBody": ("ObjectRigidBody", "NodeRigidBodyEP"),
-    "CreateSpringDamper": ("ObjectConnectorSpringDamper",),
-    "CreateCartesianSpringDamper": ("ObjectConnectorCartesianSpringDamper",),
-    "CreateRigidBodySpringDamper": ("ObjectConnectorRigidBodySpringDamper",),
-    "CreateTorsionalSpringDamper": ("ObjectConnectorTorsionalSpringDamper",),
-    "CreateDistanceConstraint": ("ObjectConnectorDistance",),
-    "CreateCoordinateConstraint": ("ObjectConnectorCoordinate",),
-    "CreateRevoluteJoint": ("ObjectJointRevoluteZ",),
-    "CreatePrismaticJoint": ("ObjectJointPrismaticX",),
-    "CreateSphericalJoint": ("ObjectJointSpherical",),
-    "CreateGenericJoint": ("ObjectJointGeneric",),
-    "CreateRollingDisc": ("ObjectJointRollingDisc",),
-    "CreateRollingDiscPenalty": ("ObjectConnectorRollingDiscPenalty",),
-    "CreateForce": ("LoadForceVector",),
-    "CreateTorque": ("LoadTorqueVector",),
-}
 # Arguments that have another name than the parameter.
 RENAMED = {"axisVector": "discAxis", "graphicsDataList": "graphicsData"}
 # What no item has as a parameter.
@@ -70,7 +55,7 @@ TEXTS = {
     "initialAngularVelocity": "angular velocity at the start, in the global frame (rad/s)",
     "initialRotationMatrix": "rotation at the start, from the right of the reference rotation; in 2D the total one",
     "inertia": "mass, centre of mass and inertia, such as InertiaCuboid(...)",
-    "gravity": "acceleration of gravity (m/s^2); adds the weight of the body as a load",
+    "gravity": "acceleration of gravity (m/s^2); bodies on nodes get a load with their weight",
     "nodeType": "how rotations are described by coordinates",
     "create2D": "True: a body in the xy plane",
     "returnDict": "True: returns a dictionary with the numbers of all items that were added",
@@ -85,11 +70,31 @@ TEXTS = {
     "axis": "axis of the joint in the reference configuration, of any length, see useGlobalFrame",
     "rotationMatrixJoint": "axes of the joint as columns, see useGlobalFrame",
     "rotationMatrixAxes": "axes of the joint as columns, see useGlobalFrame",
+    "femInterface": "mesh with matrices and modes, a FEMinterface",
+    "massProportionalDamping": "factor of the mass matrix in the damping matrix of the modes (1/s)",
+    "stiffnessProportionalDamping": "factor of the stiffness matrix in the damping matrix of the modes (s)",
+    "superElementRigidMarkersOffsets": "offset of each marker from the mean of its nodes, in the frame of the body (m)",
+    "showMarkers": "True: markers are drawn",
+    "verbose": "True: markers are printed",
+    "listOfTreeLinks": "links from the base on; without parents, each link hangs on the one before",
+    "jointRadius": "radius of drawn joints (m)",
+    "jointWidth": "width of drawn joints and links (m)",
+    "linkRoundness": "roundness of drawn links, from 0, a block, to 1, a cylinder",
+    "colors": "RGBA color of all links, or a list with one for each",
+    "colorsJoints": "RGBA color of all joints, or a list with one for each",
+    "baseGraphicsDataList": "what is drawn of the base",
     "useGlobalFrame": "True: given in the global frame; False: in the frame of the first body",
     "unlimitedRotations": "True: adds a data node that counts turns",
     "coordinates": "index of the coordinate of each body, counted over its nodes; None for ground",
     "axisPosition": "centre of the disc in the frame of its body (m)",
     "planePosition": "point of the plane in the frame of its body (m)",
+    "listOfTreeLinks": "links of a kinematic tree, parents before their children",
+    "jointRadius": "radius of joints and links that are drawn (m)",
+    "jointWidth": "width of joints and links that are drawn (m)",
+    "colors": "RGBA color of all links, or a list with one for each",
+    "colorsJoints": "RGBA color of all joints, or a list with one for each",
+    "baseGraphicsDataList": "graphics of the base; None: bars to the first joints",
+    "linkRoundness": "0: links are drawn as bricks, 1: as cylinders, rounded in between",
 }
 _VECTOR, _MATRIX = re.compile(r"(\d+) numbers"), re.compile(r"(\d+) x \1 numbers")
 _NUMBERS = {"": NUMBER, "non_negative": NOT_NEGATIVE, "positive": POSITIVE}
@@ -128,7 +133,11 @@ def checks_of(function: Callable[..., Any]) -> dict[str, Check]:
 
 
 def _literal(value: Any) -> str:
-    return str(value) if isinstance(value, Enum) else repr(value.tolist() if hasattr(value, "tolist") else value)
+    """Return how a default is written in a model."""
+    if isinstance(value, np.ndarray):
+        rows, columns = value.shape
+        return f"np.eye({rows})" if value.any() else f"np.zeros(({rows}, {columns}))"
+    return str(value) if isinstance(value, Enum) else repr(value)
 
 
 def _type_of(parameter: inspect.Parameter, check: Check | None) -> str:
@@ -140,14 +149,29 @@ def _type_of(parameter: inspect.Parameter, check: Check | None) -> str:
     return type(parameter.default).__name__
 
 
-def documentation(function: Callable[..., Any], checks: dict[str, Check]) -> str:
-    """Return the docstring of a Create function with a list of its arguments: type, default, check, unit, meaning."""
-    rows, lines = mirrored(function), []
+class Argument(NamedTuple):
+    """An argument of a Create function in words; `facts` are check and unit."""
+
+    name: str
+    type: str
+    default: str
+    facts: str
+    text: str
+
+
+def arguments(function: Callable[..., Any], checks: dict[str, Check]) -> list[Argument]:
+    """Return what is to be said of the arguments of a Create function, after mbs."""
+    rows, found = mirrored(function), []
     for name, parameter in list(inspect.signature(function).parameters.items())[1:]:
         row = rows.get(name)
         kind = row.type if row else _type_of(parameter, checks.get(name))
-        text = row.text if row else TEXTS[name]
-        default, facts = _literal(parameter.default), row.facts if row else ""
-        lines.append(f"    {name}: {kind} = {default}{facts}\n        {text}")
-    own = inspect.getdoc(function) or ""
-    return f"{own}\n\nArguments:\n" + "\n".join(lines) + "\n"
+        text, facts = (row.text, row.facts) if row else (TEXTS[name], "")
+        found.append(Argument(name, kind, _literal(parameter.default), facts, text))
+    return found
+
+
+def documentation(function: Callable[..., Any], checks: dict[str, Check]) -> str:
+    """Return the docstring of a Create function with a list of its arguments and an example."""
+    lines = [f"    {a.name}: {a.type} = {a.default}{a.facts}\n        {a.text}" for a in arguments(function, checks)]
+    example = indent(EXAMPLES[function.__name__].strip(), "    ")
+    return "\n".join((f"{inspect.getdoc(function)}\n\nArguments:", *lines, f"\nExample:\n{example}\n"))

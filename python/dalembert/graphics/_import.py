@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from dalembert import graphicsDataUtilities as meshes
 from dalembert._checks import FloatArray, as_matrix, as_vector
-from dalembert._io.files import naming
+from dalembert._io.files import replacing
 from dalembert.graphics._mesh import GraphicsData, require_type, triangle_list, triangle_normals
 from dalembert.graphics._operations import FromPointsAndTrigs, _normalized
 
@@ -222,5 +222,5 @@ def ExportSTL(
         lines += ["facet normal {!r} {!r} {!r}".format(*normal), "outer loop"]
         lines += ["vertex {!r} {!r} {!r}".format(*corner) for corner in facet]
         lines += ["endloop", "endfacet"]
-    with naming(fileName):
-        Path(fileName).write_text("\n".join([*lines, f"endsolid {solidName}", ""]))
+    with replacing(fileName) as written:
+        Path(written).write_text("\n".join([*lines, f"endsolid {solidName}", ""]))

@@ -6,7 +6,7 @@
 
 #include "dalembert/batches/make_frame_marker.hpp"
 #include "dalembert/batches/strain_element.hpp"
-#include "dalembert/batches/turning_body.hpp"
+#include "dalembert/batches/rotating_body.hpp"
 #include "dalembert/model/errors.hpp"
 
 namespace dalembert {
@@ -16,7 +16,7 @@ struct BodyPhysics final : ObjectPhysics {
   std::unique_ptr<Term> make_batch(std::span<const ItemType* const> nodes) const override {
     std::unique_ptr<Term> batch;
     choose(nodes, [&]<class E>() {
-      if constexpr (TurningBody<E>) batch = std::make_unique<TurningBodyBatch<E, Record>>();
+      if constexpr (RotatingBodyElement<E>) batch = std::make_unique<RotatingBodyBatch<E, Record>>();
       else batch = std::make_unique<ElementBatch<E, Record>>();
     });
     return batch;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "dalembert/batches/element_parameters.hpp"
-#include "dalembert/math/lanes.hpp"
+#include "dalembert/math/pack.hpp"
 #include "dalembert/math/wide_registers.hpp"
 #include "dalembert/system/physics.hpp"
 
@@ -221,8 +221,8 @@ class ElementBatch : public Term {
     return at;
   }
   template <int L>
-  Vec<Lanes<L>, n> gather_lanes(const double* from, std::size_t first, int count) const {
-    Vec<Lanes<L>, n> x;
+  Vec<Pack<L>, n> gather_lanes(const double* from, std::size_t first, int count) const {
+    Vec<Pack<L>, n> x;
     each_four([&]<int i>() {
       const auto numbers = gather_fours<L>(places<L>(from, first, count, i));
       for (int j = 0; j < 4; ++j) x[four(i) + j] = numbers[j];
@@ -230,15 +230,15 @@ class ElementBatch : public Term {
     return x;
   }
   template <int L>
-  Coordinates<Lanes<L>, n> gather_lanes(const Evaluation& evaluation, std::size_t first, int count) const {
+  Coordinates<Pack<L>, n> gather_lanes(const Evaluation& evaluation, std::size_t first, int count) const {
     const auto gathered = [&](const double* from) { return gather_lanes<L>(from, first, count); };
-    return {gathered(evaluation.q), gathered(evaluation.v), evaluation.inertia ? gathered(evaluation.a) : Vec<Lanes<L>, n>{}};
+    return {gathered(evaluation.q), gathered(evaluation.v), evaluation.inertia ? gathered(evaluation.a) : Vec<Pack<L>, n>{}};
   }
   template <int L>
   void residuals_in_lanes(std::size_t first, int count, const Evaluation& evaluation, double* r) const {
     const Entry* e = &entries_[first];
     const auto x = gather_lanes<L>(evaluation, first, count);
-    const auto f = element_residual<E, Lanes<L>>(e->parameters, e->constants, context(evaluation, *e), x);
+    const auto f = element_residual<E, Pack<L>>(e->parameters, e->constants, context(evaluation, *e), x);
     each_four([&]<int i>() {
       scatter_fours<L>(four_of<i>([&](int row) { return f[row]; }), places<L>(r, first, count, i), count);
     });

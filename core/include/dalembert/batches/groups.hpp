@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "dalembert/math/fixed.hpp"
-#include "dalembert/math/lanes.hpp"
+#include "dalembert/math/pack.hpp"
 #include "dalembert/math/wide_registers.hpp"
 
 namespace dalembert {
@@ -17,7 +17,7 @@ namespace dalembert {
 // One number of each of L entries; of an entry by itself, a plain number.
 template <int L>
 struct NumbersOf {
-  using Type = Lanes<L>;
+  using Type = Pack<L>;
 };
 template <>
 struct NumbersOf<1> {
@@ -43,7 +43,7 @@ struct Group {
   DALEMBERT_INLINE Numbers<L> numbers(const F& of_entry) const {
     const std::array<double, L> all = each(of_entry);
     if constexpr (L == 1) return all[0];
-    else return Lanes<L>::of_each([&all](int lane) { return all[static_cast<std::size_t>(lane)]; });
+    else return Pack<L>::of_each([&all](int lane) { return all[static_cast<std::size_t>(lane)]; });
   }
 };
 
@@ -89,12 +89,12 @@ DALEMBERT_INLINE inline auto gathered(const std::array<T*, L>& from) {
     return vector_of<Count>([&](int i) DALEMBERT_INLINE { return from[0][i]; });
   } else if constexpr (Count < 4) {
     return vector_of<Count>([&](int i) DALEMBERT_INLINE {
-      return Lanes<lanes>::of_each([&](int lane) { return from[static_cast<std::size_t>(lane)][i]; });
+      return Pack<lanes>::of_each([&](int lane) { return from[static_cast<std::size_t>(lane)][i]; });
     });
   } else {
     const auto fours = vector_of<(Count + 3) / 4>([&](int four) DALEMBERT_INLINE {
       const int first = std::min(4 * four, Count - 4);
-      return columns_of<lanes>([&](int lane) -> const FourNumbers& { return four_numbers(from[static_cast<std::size_t>(lane)] + first); });
+      return columns_of<lanes>([&](int lane) DALEMBERT_INLINE { return Pack<4>::load(from[static_cast<std::size_t>(lane)] + first); });
     });
     return vector_of<Count>([&](int i) DALEMBERT_INLINE {
       const int four = i / 4;
@@ -118,7 +118,7 @@ DALEMBERT_INLINE inline void store_numbers(const Vec<S, Count>& from, const std:
   } else {
     each_four<Count>([&]<int first>() DALEMBERT_INLINE {
       each_row<lanes>({from[first], from[first + 1], from[first + 2], from[first + 3]}, lanes,
-                      [&](int lane, const auto& row) DALEMBERT_INLINE { four_numbers(to[static_cast<std::size_t>(lane)] + first) = row; });
+                      [&](int lane, const Pack<4>& row) DALEMBERT_INLINE { row.store(to[static_cast<std::size_t>(lane)] + first); });
     });
   }
 }
@@ -136,7 +136,7 @@ DALEMBERT_INLINE inline void add_numbers(const Vec<S, Count>& from, const std::a
       constexpr int done = first % 4 == 0 ? 0 : 4 - Count % 4;  // numbers that the four before have added
       const auto number = [&](int i) DALEMBERT_INLINE { return i < done ? S(0.0) : from[first + i]; };
       each_row<lanes>({number(0), number(1), number(2), number(3)}, count,
-                      [&](int lane, const auto& row) DALEMBERT_INLINE { four_numbers(to[static_cast<std::size_t>(lane)] + first) += row; });
+                      [&](int lane, const Pack<4>& row) DALEMBERT_INLINE { row.add_to(to[static_cast<std::size_t>(lane)] + first); });
     });
   }
 }

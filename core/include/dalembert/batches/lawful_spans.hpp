@@ -11,7 +11,7 @@
 #include "dalembert/batches/shared_blocks.hpp"
 #include "dalembert/contracts/span_forces.hpp"
 #include "dalembert/frames.hpp"
-#include "dalembert/math/lanes.hpp"
+#include "dalembert/math/pack.hpp"
 #include "dalembert/system/ports.hpp"
 
 namespace dalembert {
@@ -72,20 +72,20 @@ class LawfulSpans {
 
   template <int L>
   static void add_some(const LawBlocks& laws, const Block& block, int first, const double* values, double* forces) {
-    typename K::template Law<Lanes<L>> law;
-    for (int i = 0; i < law_size; ++i) reinterpret_cast<Lanes<L>*>(&law)[i] = Lanes<L>::of_place(laws[i].x + first);
+    typename K::template Law<Pack<L>> law;
+    for (int i = 0; i < law_size; ++i) reinterpret_cast<Pack<L>*>(&law)[i] = Pack<L>::load(laws[i].x + first);
     const auto differences = [&](int number) {  // of four numbers of the frames
-      return columns_of<L>([&](int lane) -> FourNumbers {
-        const auto frame = [&](int m) { return four_numbers(values + block.values[m][first + lane] + number); };
+      return columns_of<L>([&](int lane) DALEMBERT_INLINE {
+        const auto frame = [&](int m) DALEMBERT_INLINE { return Pack<4>::load(values + block.values[m][first + lane] + number); };
         return frame(1) - frame(0);
       });
     };
     const auto span = differences(0), rate = differences(2);  // which begins with the last number of the span
-    const Vec3<Lanes<L>> f = K::force(law, Vec3<Lanes<L>>{span[0], span[1], span[2]}, Vec3<Lanes<L>>{rate[1], rate[2], rate[3]});
-    const auto rows = rows_of<L>({f[0], f[1], f[2], Lanes<L>()});
+    const Vec3<Pack<L>> f = K::force(law, Vec3<Pack<L>>{span[0], span[1], span[2]}, Vec3<Pack<L>>{rate[1], rate[2], rate[3]});
+    const auto rows = rows_of<L>({f[0], f[1], f[2], Pack<L>()});
     for (int lane = 0; lane < L; ++lane) {
-      four_numbers(forces + block.forces[0][first + lane]) += rows[lane].x;
-      four_numbers(forces + block.forces[1][first + lane]) -= rows[lane].x;
+      rows[lane].add_to(forces + block.forces[0][first + lane]);
+      rows[lane].subtract_from(forces + block.forces[1][first + lane]);
     }
   }
 

@@ -4,13 +4,13 @@
 #include <memory>
 
 #include "dalembert/batches/planar_marker.hpp"
-#include "dalembert/batches/turning_marker.hpp"
+#include "dalembert/batches/rotating_marker.hpp"
 
 namespace dalembert {
 
 // On a rotating node, where a force on the whole mass acts at one point.
 template <class Shape, class E>
-concept TurnsWith = TurningElement<E> && (Shape::values > 0 || TurningBody<E>);
+concept RotatesWith = RotatingElement<E> && (Shape::values > 0 || RotatingBodyElement<E>);
 
 // There is no orientation: all coordinates are components of the position, or the element says so.
 template <class E>
@@ -21,7 +21,7 @@ template <class E, class OwnerRecord>
 std::unique_ptr<MarkerBatch> make_frame_marker(FrameShape shape) {
   const auto make = [&]<template <class> class Shape>() -> std::unique_ptr<MarkerBatch> {
     if constexpr (requires { requires E::planar; }) return std::make_unique<PlanarMarkerBatch<E, OwnerRecord, Shape>>();
-    else if constexpr (TurnsWith<Shape<E>, E>) return std::make_unique<TurningMarkerBatch<E, OwnerRecord, Shape>>();
+    else if constexpr (RotatesWith<Shape<E>, E>) return std::make_unique<RotatingMarkerBatch<E, OwnerRecord, Shape>>();
     else return std::make_unique<FrameMarkerBatch<E, OwnerRecord, Shape>>();
   };
   switch (shape) {

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "dalembert/batches/make_frame_marker.hpp"
-#include "dalembert/batches/turning_node.hpp"
+#include "dalembert/batches/rotating_node.hpp"
 #include "dalembert/system/physics.hpp"
 #include "dalembert/system/unit_vectors.hpp"
 
@@ -117,7 +117,7 @@ struct MovingNodePhysics final : NodePhysics {
     return nullptr;
   }
   std::unique_ptr<RotatingNodeBatch> make_rotating() const override {
-    if constexpr (RotatingNode<Node>) return std::make_unique<TurningNodeBatch<Node>>();
+    if constexpr (RotatingNode<Node>) return std::make_unique<RotatingNodes<Node>>();
     return nullptr;
   }
   std::unique_ptr<MarkerBatch> make_marker(FrameShape shape) const override {

@@ -225,6 +225,7 @@ struct SizedBodyPhysics final : ObjectPhysics {
   std::vector<int> mesh_coordinates(const void*, const Placement& on, std::span<const int> nodes) const override {
     return Plain::mesh == Mesh::nodes ? coordinates_of_nodes(on, nodes) : all_positions(on.dofs);
   }
+  bool completes() const override { return Plain::computes_parameters; }
   std::shared_ptr<const void> completed(const void* record, const Placement& on, const ItemLabel& item) const override {
     if constexpr (Plain::computes_parameters) {
       check(record, on, {}, item);

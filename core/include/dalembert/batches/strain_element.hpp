@@ -6,7 +6,7 @@
 
 #include "dalembert/contracts/strain_points.hpp"
 #include "dalembert/math/dual.hpp"
-#include "dalembert/math/lanes.hpp"
+#include "dalembert/math/pack.hpp"
 
 namespace dalembert {
 

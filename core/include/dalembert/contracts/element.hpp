@@ -40,14 +40,14 @@ concept NodeKernel = requires(const Coordinates<double, N::size>& x, const Vec3<
 template <class N>
 concept LieKernel = requires { { N::lie_rotation } -> std::convertible_to<int>; };
 
-// A body says its inertia forces either at the frame of the node or, if they are simple in its own axes, as a SpinBody.
+// A body says its inertia forces either at the frame of the node or, if they are simple in its own axes, as a RotatingBody.
 template <class B>
 concept FrameBody = requires(const typename B::Parameters& p, const Context& c, const Motion<double>& m, const Vec3<double>& g) {
   { B::template residual<double>(p, c, m) } -> std::same_as<Wrench<double>>;  // r of M a + f = 0, at the node
   { B::template mass_load<double>(p, m, g) } -> std::same_as<Wrench<double>>;  // applied force of an acceleration field
 };
 template <class B>
-concept BodyKernel = (FrameBody<B> || SpinBody<B>) && requires { { B::constant_mass } -> std::convertible_to<bool>; };
+concept BodyKernel = (FrameBody<B> || RotatingBody<B>) && requires { { B::constant_mass } -> std::convertible_to<bool>; };
 
 // An element may make constants of its parameters and reference coordinates, once: its residual gets them in addition.
 template <class E>
@@ -90,11 +90,11 @@ concept TangentKernel = requires(const typename E::Parameters& p, const typename
 
 // An element on a node that states its rotation's derivatives (contracts/rotating_node.hpp).
 template <class E>
-concept TurningElement = requires { requires !std::is_void_v<typename E::Turning>; };
+concept RotatingElement = requires { requires !std::is_void_v<typename E::OwnRotation>; };
 template <class E>
-concept TurningBody = TurningElement<E> && SpinBody<typename E::Kernel>;
+concept RotatingBodyElement = RotatingElement<E> && RotatingBody<typename E::Kernel>;
 
-// Elements that obey the same law may be computed as lanes (math/lanes.hpp): residual and tangent are templates over them.
+// Elements that obey the same law may be computed as lanes (math/pack.hpp): residual and tangent are templates over them.
 // The coordinates of a node, four or more, lie side by side.
 template <class E>
 concept LaneKernel = requires(const typename E::Parameters& p, const typename PreparedOf<E>::Type& k) {
@@ -109,7 +109,7 @@ concept PureInertia = requires { requires E::pure_inertia; };
 
 // Bodies without closed forms that only doubles have: their arithmetic may be noted (math/traced.hpp).
 template <class E>
-concept TracedElement = E::size > 0 && !TurningElement<E> && (PureInertia<E> || requires { requires E::planar; });
+concept TracedElement = E::size > 0 && !RotatingElement<E> && (PureInertia<E> || requires { requires E::planar; });
 
 template <class E>
 concept ElementKernel = requires(const typename E::Parameters& p, const typename PreparedOf<E>::Type& constants,
@@ -134,7 +134,7 @@ Mat3<S> node_rotation(const Coordinates<S, Node::size>& x) {
 // The own axes of a node that speaks of global ones only.
 template <class Node, class S>
 SpinMotion<S> spin_motion(const Coordinates<S, Node::size>& x) {
-  if constexpr (SpinNode<Node>) {
+  if constexpr (RotatingNode<Node>) {
     return Node::template spin_motion<S>(x);
   } else {
     const Motion<S> m = Node::template motion<S>(x);
@@ -144,7 +144,7 @@ SpinMotion<S> spin_motion(const Coordinates<S, Node::size>& x) {
 }
 template <class Node, class S>
 Vec<S, Node::size> pull_back_spin_wrench(const Coordinates<S, Node::size>& x, const Vec3<S>& force, const Vec3<S>& moment) {
-  if constexpr (SpinNode<Node>) {
+  if constexpr (RotatingNode<Node>) {
     const auto turn = Node::template pull_back_spin<S>(x, moment);
     Vec<S, Node::size> r{force[0], force[1], force[2]};
     for (int i = 3; i < Node::size; ++i) r[i] = turn[i - 3];
@@ -158,7 +158,7 @@ Vec<S, Node::size> pull_back_spin_wrench(const Coordinates<S, Node::size>& x, co
 template <class Body, class Node>
 struct OnNode {
   using Kernel = Body;
-  using Turning = std::conditional_t<RotatingNode<Node>, Node, void>;  // whose closed forms markers may use
+  using OwnRotation = std::conditional_t<RotatingNode<Node>, Node, void>;  // whose closed forms markers may use
   using Parameters = typename Body::Parameters;
   static constexpr int size = Node::size;
   static constexpr int translations = Node::translations;
@@ -173,7 +173,7 @@ struct OnNode {
 
   template <class S>
   static Vec<S, size> residual(const Parameters& p, const Context& c, const Coordinates<S, size>& x) {
-    if constexpr (SpinBody<Body>) {
+    if constexpr (RotatingBody<Body>) {
       const SpinWrench<S> w = Body::inertia(Body::mass_properties(p), spin_motion<Node, S>(x));
       return pull_back_spin_wrench<Node, S>(x, w.force, w.moment);
     } else {
@@ -192,7 +192,7 @@ struct OnNode {
   static Motion<S> motion(const Parameters&, const Coordinates<S, size>& x, const Vec3<double>& local) {
     const Motion<S> at_node = Node::template motion<S>(x);
     Motion<S> point = moved(at_node, at_node.rotation * local);
-    if constexpr (SpinNode<Node>)
+    if constexpr (RotatingNode<Node>)
       point.velocity = at_node.velocity + at_node.rotation * cross(Node::template spin_motion<S>(x).spin, local);
     return point;
   }
@@ -201,7 +201,7 @@ struct OnNode {
   static Vec<S, size> pull_back(const Parameters&, const Coordinates<S, size>& x, const Vec3<double>& local,
                                 const Vec3<S>& force, const Vec3<S>& moment) {
     const Mat3<S> rotation = node_rotation<Node, S>(x);
-    if constexpr (SpinNode<Node>) {
+    if constexpr (RotatingNode<Node>) {
       Vec<S, size> r = Node::template pull_back<S>(x, force, moment);
       const auto turn = Node::template pull_back_spin<S>(x, cross(local, transposed_times(rotation, force)));
       for (int i = 3; i < size; ++i) r[i] += turn[i - 3];
@@ -211,7 +211,7 @@ struct OnNode {
   }
   template <class S>
   static Vec<S, size> mass_load(const Parameters& p, const Coordinates<S, size>& x, const Vec3<S>& g) {
-    if constexpr (SpinBody<Body>) {
+    if constexpr (RotatingBody<Body>) {
       return pull_back(p, x, Body::centre(p), Vec3<S>(Body::mass(p) * g), Vec3<S>{});
     } else {
       const auto w = Body::template mass_load<S>(p, Node::template motion<S>(x), g);
@@ -260,7 +260,7 @@ struct OnRestingNode {
 template <class Node>
 struct AtNode {
   struct Parameters {};
-  using Turning = std::conditional_t<RotatingNode<Node>, Node, void>;
+  using OwnRotation = std::conditional_t<RotatingNode<Node>, Node, void>;
   static constexpr int size = Node::size;
   static constexpr int translations = Node::translations;
   static constexpr bool planar = PlanarNode<Node>;

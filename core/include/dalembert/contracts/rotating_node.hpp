@@ -61,12 +61,6 @@ struct NodeLoadOf {
 };
 using NodeLoad = NodeLoadOf<double>;
 
-template <class N>
-concept SpinNode = requires(const Coordinates<double, N::size>& x, const Vec3<double>& m) {
-  { N::template spin_motion<double>(x) } -> std::same_as<SpinMotion<double>>;
-  { N::template pull_back_spin<double>(x, m) } -> std::same_as<Vec<double, N::size - 3>>;  // of a moment in own axes
-};
-
 // Derivatives by R rotation coordinates. Maps are per rate, tangents along the weights.
 template <int R>
 struct RotationTangent {
@@ -82,13 +76,14 @@ template <class N>
 concept NodeOfProducts = requires { requires N::products_alone; };
 
 template <class N>
-concept RotatingNode =
-    SpinNode<N> && requires(const Coordinates<double, N::size>& x, const Vec3<double>& m, const Weights& w) {
-      { N::template motion<double>(x) } -> std::same_as<Motion<double>>;
-      { N::rotation_tangent(x, w) } -> std::same_as<RotationTangent<N::size - 3>>;
-      // of the pull-back of a moment in own axes and one in global axes, held fixed
-      { N::moment_tangent(x, m, m, w) } -> std::same_as<Mat<double, N::size - 3, N::size - 3>>;
-    };
+concept RotatingNode = requires(const Coordinates<double, N::size>& x, const Vec3<double>& m, const Weights& w) {
+  { N::template motion<double>(x) } -> std::same_as<Motion<double>>;
+  { N::template spin_motion<double>(x) } -> std::same_as<SpinMotion<double>>;
+  { N::template pull_back_spin<double>(x, m) } -> std::same_as<Vec<double, N::size - 3>>;  // of a moment in own axes
+  { N::rotation_tangent(x, w) } -> std::same_as<RotationTangent<N::size - 3>>;
+  // of the pull-back of a moment in own axes and one in global axes, held fixed
+  { N::moment_tangent(x, m, m, w) } -> std::same_as<Mat<double, N::size - 3, N::size - 3>>;
+};
 
 // Derivatives of a body's inertia forces: force = mass acceleration + rotation swing, and the moment in own axes.
 struct InertiaTangent {
@@ -112,7 +107,7 @@ struct MassProperties {
 };
 
 template <class B>
-concept SpinBody = requires(const typename B::Parameters& p, const MassProperties<double>& b, const SpinMotion<double>& m) {
+concept RotatingBody = requires(const typename B::Parameters& p, const MassProperties<double>& b, const SpinMotion<double>& m) {
   { B::mass_properties(p) } -> std::same_as<MassProperties<double>>;
   { B::inertia(b, m) } -> std::same_as<SpinWrench<double>>;  // of numbers side by side as well
   { B::inertia_tangent(b, m) } -> std::same_as<InertiaTangent>;

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "dalembert/contracts/impact.hpp"
+#include "dalembert/laws/impact.hpp"
 #include "dalembert/frames.hpp"
 #include "dalembert/system/system_term.hpp"
 

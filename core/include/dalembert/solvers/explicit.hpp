@@ -98,7 +98,8 @@ class ExplicitSolver : public Solver {
   // What was computed at the end of a step is the first stage of the next, if nobody changes the system in between.
   bool nobody_interferes_ = false, end_known_ = false, first_stage_known_ = false;
   int steps_above_tolerance_ = 0;   // in a row, at the smallest step size
-  double growth_limit_ = 0;         // of the sum of squares of coordinates and velocities
+  double growth_limit_ = 0;         // of the sum of squares of velocities ...
+  bool watches_coordinates_ = false;  // ... and of coordinates, where the user has set a limit
   bool searching_ = false;          // for the first evaluation that is not finite
   bool constrained_ = false, off_constraints_ = false;
   ConstrainedMotion motion_;

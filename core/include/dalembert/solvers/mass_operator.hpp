@@ -1,4 +1,4 @@
-// Accelerations from forces: the mass matrix, taken apart into blocks that do not touch each other.
+// Accelerations from forces: the mass matrix, taken apart into blocks that do not touch each other, and items that need no matrix.
 #pragma once
 
 #include <memory>
@@ -18,6 +18,7 @@ class MassOperator {
   int update(System& system, const State& state);
   // Forces become accelerations.
   void solve(const System& system, std::span<double> x) {
+    system.solve_masses(x);
     if (blocks_.empty()) {
       each_number(system, x.size(), [numbers = x.data(), factors = inverse_.data()](std::size_t i) { numbers[i] *= factors[i]; });
     } else {

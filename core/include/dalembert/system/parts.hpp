@@ -23,6 +23,7 @@
 #include "dalembert/system/physics.hpp"
 #include "dalembert/system/system.hpp"
 #include "dalembert/system/system_term.hpp"
+#include "dalembert/system/tree_term.hpp"
 #include "dalembert/system/unit_vectors.hpp"
 #include "dalembert/system/workers.hpp"
 
@@ -201,6 +202,9 @@ struct SystemParts {
   std::uint64_t structure = 0, equations = 0, values = 0;  // changes of the model, as assembled
 
   std::optional<Pattern> dense_pattern, mass_pattern;  // made when asked for
+  std::vector<const Term*> without_matrix;  // those who have no part in the pattern of masses, as they are
+  std::vector<const MassSolver*> mass_solvers;
+  std::vector<int> coordinates_without_matrix;
   std::list<Pattern> sparse_patterns;  // likewise; the last is that of solvers that begin, others may still use those before
   const Pattern* bound = nullptr;  // the pattern whose slots the batches hold
   std::vector<int> rate_slots;     // diagonal places of the ODE1 coordinates
@@ -235,6 +239,8 @@ struct SystemParts {
     plan.regions.size() == 1 ? f(plan.regions.front()) : each_of_several_regions(f);
   }
   Pattern make_sparse_pattern() const;
+  void find_masses_without_matrix();
+  bool is_without_matrix(const Term& term) const { return std::ranges::find(without_matrix, &term) != without_matrix.end(); }
   void add_sparse_pattern() { sparse_patterns.push_back(make_sparse_pattern()); }
   void bind(const Pattern& pattern);
 

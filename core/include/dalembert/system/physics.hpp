@@ -82,7 +82,8 @@ struct ObjectPhysics : Physics {
   virtual std::unique_ptr<MarkerBatch> make_mesh_marker(FrameShape, std::span<const ItemType* const> /*nodes*/) const {
     return nullptr;
   }
-  // The record with the parameters that Assemble finds; null: there are none.
+  // Whether Assemble finds some of the parameters, and the record that has them too.
+  virtual bool completes() const { return false; }
   virtual std::shared_ptr<const void> completed(const void* /*record*/, const Placement&, const ItemLabel& /*item*/) const { return nullptr; }
   virtual int algebraic_equations(const void* /*record*/, std::span<const int> /*marker coordinates*/) const { return 0; }
 };

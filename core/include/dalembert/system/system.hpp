@@ -89,8 +89,12 @@ class System {
   const Pattern& pattern(bool dense);
   // For a solver that begins: another pattern, if entries of load dependencies were added after the last was made.
   void complete_pattern();
-  // The pattern of the mass matrix alone, as sparse as it is; of the size of the system.
+  // Of masses alone, as sparse as they are; of the size of the system. Without those of items that find accelerations without a matrix.
   const Pattern& mass_pattern();
+  std::span<const int> coordinates_without_matrix();  // ascending
+  // For these coordinates: prepares a state, and returns one that nothing resists or -1; then turns forces into accelerations.
+  int factorize_masses(const State& state);
+  void solve_masses(std::span<double> x) const;
   // M(q) alone, in the leading ode2 x ode2 block of `pattern`; everything else zero.
   void mass_matrix(const State& state, const Pattern& pattern, std::span<double> values);
   bool constant_mass_matrix() const;
@@ -162,6 +166,9 @@ class System {
                    Values& values);
   void super_element_output(int object, OutputVariableType variable, int mesh_node, ConfigurationType configuration,
                             Values& values);
+  // Of a point of a link of a kinematic tree.
+  void link_output(int object, OutputVariableType variable, int link, std::array<double, 3> local, ConfigurationType configuration,
+                   Values& values);
   void marker_output(int marker, OutputVariableType variable, ConfigurationType configuration, Values& values);
   void load_values(int load, double time, Values& values);
   void sensor_values(int sensor, ConfigurationType configuration, Values& values);

@@ -3,7 +3,7 @@
 
 #include "dalembert/connectors/coordinate_spring_damper_ext_parameters.hpp"
 #include "dalembert/contracts/pair.hpp"
-#include "dalembert/contracts/stribeck.hpp"
+#include "dalembert/laws/stribeck.hpp"
 #include "dalembert/contracts/user_function.hpp"
 #include "dalembert/enums.hpp"
 #include "dalembert/frames.hpp"

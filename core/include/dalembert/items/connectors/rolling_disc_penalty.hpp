@@ -5,7 +5,7 @@
 
 #include "dalembert/connectors/rolling_disc_penalty_parameters.hpp"
 #include "dalembert/contracts/pair.hpp"
-#include "dalembert/contracts/rolling_disc.hpp"
+#include "dalembert/laws/rolling_disc.hpp"
 
 namespace dalembert {
 

@@ -7,7 +7,7 @@
 #include "dalembert/contracts/user_function.hpp"
 #include "dalembert/enums.hpp"
 #include "dalembert/frames.hpp"
-#include "dalembert/math/lanes.hpp"
+#include "dalembert/math/pack.hpp"
 
 namespace dalembert {
 
@@ -108,8 +108,8 @@ struct ObjectConnectorSpringDamper : NoPairHistory {
     return value_of(square) == 0;
   }
   template <int N>
-  DALEMBERT_INLINE static bool any_zero(const Lanes<N>& square) {
-    const auto zero = square.x == typename Lanes<N>::Register{};
+  DALEMBERT_INLINE static bool any_zero(const Pack<N>& square) {
+    const auto zero = square.x == typename Pack<N>::Register{};
     auto any = zero[0];
     for (int lane = 1; lane < N; ++lane) any |= zero[lane];
     return any != 0;
@@ -120,8 +120,8 @@ struct ObjectConnectorSpringDamper : NoPairHistory {
     return first;
   }
   template <int N>
-  DALEMBERT_INLINE static Vec3<Lanes<N>> where_zero(const Lanes<N>& square, const Vec3<Lanes<N>>& first, const Vec3<Lanes<N>>& second) {
-    return vector_of<3>([&](int i) { return Lanes<N>(square.x == 0.0 ? first[i].x : second[i].x); });
+  DALEMBERT_INLINE static Vec3<Pack<N>> where_zero(const Pack<N>& square, const Vec3<Pack<N>>& first, const Vec3<Pack<N>>& second) {
+    return vector_of<3>([&](int i) { return Pack<N>(square.x == 0.0 ? first[i].x : second[i].x); });
   }
 
   template <class S>

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "dalembert/contacts/sphere_torus_parameters.hpp"
-#include "dalembert/contracts/impact.hpp"
+#include "dalembert/laws/impact.hpp"
 #include "dalembert/contracts/pair.hpp"
 #include "dalembert/enums.hpp"
 #include "dalembert/frames.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "dalembert/contracts/pair.hpp"
-#include "dalembert/contracts/rolling_disc.hpp"
+#include "dalembert/laws/rolling_disc.hpp"
 #include "dalembert/joints/rolling_disc_parameters.hpp"
 
 namespace dalembert {

@@ -32,7 +32,7 @@ Mat<double, Node::size - 3, Node::size - 3> load_tangent(const NodeLoad& load, c
 
 // Nodes that bodies and markers turn with.
 template <RotatingNode Node>
-class TurningNodeBatch final : public RotatingNodeBatch {
+class RotatingNodes final : public RotatingNodeBatch {
  public:
   static constexpr int n = Node::size, turns = n - 3;
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "dalembert/math/lanes.hpp"
+#include "dalembert/math/pack.hpp"
 
 using namespace dalembert;
 
@@ -21,9 +21,9 @@ S formula(const S& a, const S& b) {
 
 template <int N>
 int arithmetic_differs() {
-  const auto a = Lanes<N>::of_each([](int lane) { return 1.0 + lane; });
-  const auto b = Lanes<N>::of_each([](int lane) { return 0.3 * lane - 4; });
-  const Lanes<N> c = formula(a, b);
+  const auto a = Pack<N>::of_each([](int lane) { return 1.0 + lane; });
+  const auto b = Pack<N>::of_each([](int lane) { return 0.3 * lane - 4; });
+  const Pack<N> c = formula(a, b);
   int failures = 0;
   for (int lane = 0; lane < N; ++lane) failures += !(std::abs(c[lane] - formula(a[lane], b[lane])) < 1e-14 * std::abs(c[lane]));
   return failures;

@@ -1,21 +1,25 @@
-"""Readers for files that finite element programs write."""
+"""Readers for matrices, nodes and elements that ANSYS exports."""
 
 from __future__ import annotations
 
-from typing import NoReturn
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
+import scipy.sparse
 
 from dalembert._checks import FloatArray
-from dalembert._planned import refuse
+from dalembert._fem.elements import KINDS
 
 
 def ReadMatrixFromAnsysMMF(fileName: str, verbose: bool = False) -> FloatArray:
     """Array of [row, column, value] of a matrix that ANSYS exported in the Matrix Market format (MMF)."""
     from scipy.io import mmread
 
-    matrix = mmread(fileName)
+    try:
+        matrix = scipy.sparse.coo_matrix(mmread(fileName))
+    except ValueError as error:
+        raise ValueError(f"ReadMatrixFromAnsysMMF: {fileName}: {error}") from None
     if verbose:
         print(f"matrix of {matrix.shape[0]} x {matrix.shape[1]}, {matrix.nnz} entries")
     return np.column_stack((matrix.row, matrix.col, matrix.data)).astype(float)
@@ -52,13 +56,26 @@ def ReadNodalCoordinatesFromAnsysTxt(fileName: str, verbose: bool = False) -> Fl
     return positions
 
 
-def ReadElementsFromAnsysTxt(fileName: str, verbose: bool = False) -> NoReturn:
-    """Elements of an exported list; planned."""
-    refuse("FEM.ReadElementsFromAnsysTxt")
+def ReadElementsFromAnsysTxt(fileName: str, verbose: bool = False) -> dict[str, Any]:
+    """Elements of an exported list: a title, then number, type (Tet4, Hex8, ...) and nodes per line.
 
-
-def ReadNodesFromAbaqusInp(
-    fileName: str, typeName: str = "Part", name: str = "Part-1", exportElements: bool = False
-) -> NoReturn:
-    """Nodes of an ABAQUS input file; planned."""
-    refuse("FEM.ReadNodesFromAbaqusInp")
+    A dictionary with 'Name' and, for each type, an array of nodes, counted from 0.
+    """
+    expected = "an element number, counted from 1, a type and nodes"
+    by_type: dict[str, list[list[int]]] = {}
+    with open(fileName, encoding="utf-8", errors="replace") as file:
+        lines = [(number, line.split()) for number, line in enumerate(file, 1) if number > 1 and line.strip()]
+    for count, (number, words) in enumerate(lines, 1):
+        place = f"ReadElementsFromAnsysTxt: {fileName}, line {number}"
+        try:
+            label, nodes = int(words[0]), [int(word) - 1 for word in words[2:]]
+        except ValueError:
+            raise ValueError(f"{place}: expected {expected}, found '{' '.join(words)}'") from None
+        if label != count or not nodes:
+            raise ValueError(f"{place}: expected {expected}, found '{' '.join(words)}'")
+        if words[1] in KINDS and len(nodes) != KINDS[words[1]].count:
+            raise ValueError(f"{place}: expected {KINDS[words[1]].count} nodes of {words[1]}, found {len(nodes)}")
+        by_type.setdefault(words[1], []).append(nodes)
+    if verbose:
+        print(f"{len(lines)} elements")
+    return {"Name": "elements"} | {name: np.array(rows, dtype=np.int64) for name, rows in by_type.items()}

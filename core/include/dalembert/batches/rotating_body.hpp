@@ -8,7 +8,7 @@ namespace dalembert {
 
 // Adds the derivative of the inertia forces by values[slot[row * n + column]]. The wrench is held fixed in the maps to
 // coordinates: that part is the node's.
-template <SpinBody Body, RotatingNode Node>
+template <RotatingBody Body, RotatingNode Node>
 void add_inertia_tangent(const typename Body::Parameters& p, const SpinMotion<double>& motion, const RotationTangent<Node::size - 3>& t,
                          const Weights& w, const int* slot, double* values) {
   constexpr int n = Node::size, r = n - 3;
@@ -36,12 +36,12 @@ void add_inertia_tangent(const typename Body::Parameters& p, const SpinMotion<do
 }
 
 template <class E, class Record>
-class TurningBodyBatch final : public ElementBatch<E, Record> {
+class RotatingBodyBatch final : public ElementBatch<E, Record> {
   using Base = ElementBatch<E, Record>;
   using typename Base::Entry;
   using Base::entries_, Base::n;
   using Body = typename E::Kernel;
-  using Node = typename E::Turning;
+  using Node = typename E::OwnRotation;
 
  public:
   void add(const void* record, const Placement& placement, const Ports& ports) override {

@@ -46,11 +46,11 @@ void write_force_map(const RotationTangent<Node::size - 3>& t, const Vec3<double
 }
 
 template <class E, class OwnerRecord, template <class> class ShapeOf>
-class TurningMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeOf> {
+class RotatingMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeOf> {
   using Base = FrameMarkerBatch<E, OwnerRecord, ShapeOf>;
   using typename Base::Entry, typename Base::Shape;
   using Base::entries_;
-  using Node = typename E::Turning;
+  using Node = typename E::OwnRotation;
   static constexpr int turns = Node::size - 3;
 
  public:

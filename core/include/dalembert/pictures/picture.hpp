@@ -1,0 +1,125 @@
+// Pictures without a display: triangles, spheres and lines into one buffer of samples, several per pixel, on one thread, so that
+// the same scene gives the same bytes. Colors and normals are kept per sample and lit once; what is transparent is lit where
+// it is drawn, from the back to the front.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace dalembert {
+
+struct Point {
+  float x = 0, y = 0, z = 0;
+};
+
+// Red, green, blue and opacity, from 0 to 1.
+struct Paint {
+  float r = 0, g = 0, b = 0, a = 1;
+};
+
+// Where the scene is seen from. Rows of `view` turn a point of the scene into eye coordinates: to the right, up, and away from the
+// viewer, counted from the center of the picture. A length there is `scale` pixels; with `perspective`, a point that is z further away
+// is smaller by 1 + perspective * z.
+struct Camera {
+  std::array<double, 12> view{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0};
+  double scale = 1;
+  double perspective = 0;  // 1 / distance of the viewer; 0: parallel
+};
+
+struct Light {
+  Point direction;  // towards the light, in eye coordinates, a unit vector
+  float diffuse = 0, specular = 0;
+};
+
+struct Lighting {
+  std::vector<Light> lights;
+  float ambient = 1;
+  float shininess = 32;
+};
+
+// What is left of clipping: a x + b y + c z + d >= 0, in eye coordinates.
+struct Plane {
+  float a, b, c, d;
+};
+
+struct Mesh {
+  std::span<const double> points;    // 3 each
+  std::span<const double> normals;   // 3 each, or none: flat triangles
+  std::span<const float> colors;     // 4 each
+  std::span<const std::int32_t> triangles;  // 3 points each
+  std::span<const std::int32_t> items;      // one number per triangle, for item_at
+};
+
+class Picture {
+ public:
+  Picture(int width, int height, int samples, const Camera& camera, const Lighting& lighting);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+  void background(const Paint& top, const Paint& bottom);
+  void clip(const Plane& plane);  // what is drawn from now on
+
+  void triangles(const Mesh& mesh);
+  // Centers 3, radii 1, colors 4 each.
+  void spheres(std::span<const double> centers, std::span<const double> radii, std::span<const float> colors,
+               std::span<const std::int32_t> items);
+  // Segments: two points (6 numbers), one color and one item each; `lift` brings them towards the viewer, in lengths of the scene, so that edges
+  // win against the faces that they bound.
+  void lines(std::span<const double> segments, std::span<const float> colors, double width, double lift,
+             std::span<const std::int32_t> items);
+
+  // Light everything and average the samples: 3 bytes per pixel, the upper row first. Nothing is drawn afterwards.
+  std::vector<std::uint8_t> develop();
+  // The item in the middle of each pixel; -1: background.
+  std::vector<std::int32_t> items() const;
+
+ private:
+  struct Vertex {
+    Point place;   // x, y in samples, z: nearness
+    Point normal;  // in eye coordinates; after perspective division as all that follows
+    Paint paint;
+    float weight = 1;  // 1 / w
+  };
+  struct Corner {  // before projection
+    Point eye, normal;
+    Paint paint;
+  };
+  struct Sheet {  // a transparent triangle that waits for what is behind it
+    std::array<Vertex, 3> corners;
+    float nearness;
+    std::int32_t item;
+  };
+
+  Point to_eye(const double* p) const;
+  Point turned(const double* v) const;
+  Vertex project(const Corner& corner) const;
+  float nearness(float z, float weight) const { return perspective_ > 0 ? weight : -z; }
+  void clipped(std::array<Corner, 3> corners, std::int32_t item);
+  void add(const std::array<Vertex, 3>& corners, std::int32_t item);
+  template <class Write>
+  void fill(const std::array<Vertex, 3>& v, Write&& write) const;
+  template <class Write>
+  void walk(Point a, Point b, float half, Write&& write) const;
+  void outline();
+  void light_row(std::size_t begin);
+  void blend(const Sheet& sheet);
+  float strength(float nx, float ny, float nz, float& shine) const;
+
+  int width_, height_, samples_, columns_, rows_;
+  float scale_, perspective_;
+  std::array<double, 12> view_;
+  Lighting lighting_;
+  std::vector<Point> halves_;        // of light and viewer, per light
+  std::vector<float> shine_;         // power of the cosine, in a table
+  std::vector<Plane> planes_;
+  std::vector<float> depth_;         // nearness of each sample
+  std::vector<std::uint32_t> color_; // bytes r, g, b, and 255 if it is to be lit
+  std::vector<std::uint32_t> normal_;  // x and y of the unit normal towards the viewer, two bytes each
+  std::vector<std::int32_t> item_;
+  std::vector<Sheet> sheets_;
+};
+
+}  // namespace dalembert

@@ -1,0 +1,55 @@
+// Joint forces that a motion of a tree needs: inertia forces of the links, summed up from the leaves to the base (recursive
+// Newton-Euler method; J. Y. S. Luh, M. W. Walker, R. P. C. Paul, 1980).
+#pragma once
+
+#include "dalembert/trees/tree.hpp"
+
+namespace dalembert {
+
+// A force at the origin of a link, and a moment.
+template <class S>
+struct LinkWrench {
+  Vec3<S> force{}, moment{};
+
+  LinkWrench& operator+=(const LinkWrench& w) {
+    force += w.force;
+    moment += w.moment;
+    return *this;
+  }
+};
+
+namespace trees {
+
+// At a point from which `arm` leads to where it was.
+template <class S>
+LinkWrench<S> shifted(const LinkWrench<S>& w, const Vec3<S>& arm) {
+  return {w.force, w.moment + cross(arm, w.force)};
+}
+
+// What of a wrench works along the joint.
+template <class S>
+S along_joint(const TreeLink& link, const Vec3<S>& axis, const LinkWrench<S>& w) {
+  return dot(axis, link.slides ? w.force : w.moment);
+}
+
+// What moves the link as it moves.
+template <class S>
+LinkWrench<S> inertia_force(const TreeLink& link, const LinkPlace<S>& place, const LinkMotion<S>& motion) {
+  const Vec3<S> moment = place.rotation * link.moment, w = transposed_times(place.rotation, motion.spin),
+                w_t = transposed_times(place.rotation, motion.spin_rate);
+  return {link.mass * motion.acceleration + cross(motion.spin_rate, moment) + cross(motion.spin, cross(motion.spin, moment)),
+          cross(moment, motion.acceleration) + place.rotation * (link.inertia * w_t + cross(w, link.inertia * w))};
+}
+
+// Each wrench becomes the sum over its link and all behind; f(i, force of joint i).
+template <class S, class F>
+void sum_to_base(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<LinkWrench<S>> wrenches, const F& f) {
+  for (std::size_t i = tree.links.size(); i-- > 0;) {
+    const TreeLink& link = tree.links[i];
+    f(i, along_joint(link, places[i].axis, wrenches[i]));
+    if (link.parent >= 0) wrenches[static_cast<std::size_t>(link.parent)] += shifted(wrenches[i], places[i].arm);
+  }
+}
+
+}  // namespace trees
+}  // namespace dalembert

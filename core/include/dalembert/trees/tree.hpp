@@ -1,0 +1,142 @@
+// Trees of rigid links, each on a joint with one coordinate, which turns about or slides along an axis: what is constant of them,
+// and where links are and how they move, found from the base to the leaves.
+//
+// Vectors are in global axes. Moments and inertias of a link are about the origin of its frame, which lies on the axis of its
+// joint: on the way to the parent they are shifted, not turned, and numbers stay as small as the links are. Accelerations are
+// those of points, not spatial ones. The recursions are those of R. Featherstone, Rigid Body Dynamics Algorithms, Springer, 2008.
+#pragma once
+
+#include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "dalembert/frames.hpp"
+#include "dalembert/math/pack_functions.hpp"
+
+namespace dalembert {
+
+struct TreeLink {
+  int parent = -1;                              // -1: the base; parents come before their children
+  bool slides = false;                          // along the axis; otherwise it turns about it
+  int axis = 0;                                 // x, y or z of its frame
+  Mat3<double> orientation = identity<double>();  // of its frame in that of the parent, at coordinate zero
+  Vec3<double> offset{};                        // of its origin in the frame of the parent, at coordinate zero
+  double mass = 0;
+  Vec3<double> moment{};                        // mass times centre of mass, in the frame of the link
+  Mat3<double> inertia{};                       // about the origin of the link
+};
+
+struct Tree {
+  std::vector<TreeLink> links;
+  Vec3<double> base{};  // origin of the base, whose axes are the global ones
+
+  int count() const { return static_cast<int>(links.size()); }
+};
+
+// Where a link is.
+template <class S>
+struct LinkPlace {
+  Mat3<S> rotation;  // of the frame of the link
+  Vec3<S> axis;      // of its joint
+  Vec3<S> arm;       // from the origin of the parent to that of the link
+};
+
+// How it moves: its frame as a whole, and the origin of that.
+template <class S>
+struct LinkMotion {
+  Vec3<S> spin, spin_rate, velocity, acceleration;
+};
+
+namespace trees {
+
+template <class S>
+auto sine_and_cosine(const S& angle) {
+  using std::cos;
+  using std::sin;
+  if constexpr (holds_packs<S>) return sine_cosine(angle);
+  else return std::pair<S, S>(sin(angle), cos(angle));
+}
+
+template <class S>
+void turn_about(Mat3<S>& m, int axis, const S& angle) {
+  const auto [s, c] = sine_and_cosine(angle);
+  const int y = (axis + 1) % 3, z = (axis + 2) % 3;
+  for (int i = 0; i < 3; ++i) {
+    const S along_y = m(i, y), along_z = m(i, z);
+    m(i, y) = c * along_y + s * along_z;
+    m(i, z) = c * along_z - s * along_y;
+  }
+}
+
+template <class S>
+void place_links(const Tree& tree, const S* q, std::span<LinkPlace<S>> places) {
+  for (std::size_t i = 0; i < tree.links.size(); ++i) {
+    const TreeLink& link = tree.links[i];
+    LinkPlace<S>& place = places[i];
+    if (link.parent < 0) {
+      place.rotation = Mat3<S>{} + link.orientation;
+      place.arm = Vec3<S>{} + link.offset;
+    } else {
+      const Mat3<S>& parent = places[static_cast<std::size_t>(link.parent)].rotation;
+      place.rotation = parent * link.orientation;
+      place.arm = parent * link.offset;
+    }
+    place.axis = column(place.rotation, link.axis);
+    if (link.slides) {
+      place.arm += q[i] * place.axis;
+    } else {
+      turn_about(place.rotation, link.axis, q[i]);
+    }
+  }
+}
+
+// `base`: the acceleration of the base; minus gravity, if that is to act. Without accelerations `a` of the coordinates (null), they are zero.
+template <class S>
+void move_links(const Tree& tree, std::span<const LinkPlace<S>> places, const S* v, const S* a, const Vec3<S>& base, std::span<LinkMotion<S>> motions) {
+  const LinkMotion<S> rest{{}, {}, {}, base};
+  for (std::size_t i = 0; i < tree.links.size(); ++i) {
+    const TreeLink& link = tree.links[i];
+    const auto& [rotation, axis, arm] = places[i];
+    const LinkMotion<S>& parent = link.parent < 0 ? rest : motions[static_cast<std::size_t>(link.parent)];
+    LinkMotion<S>& own = motions[i];
+    const Vec3<S> swing = cross(parent.spin, arm), turning = v[i] * cross(parent.spin, axis);
+    own.spin = parent.spin;
+    own.spin_rate = parent.spin_rate;
+    own.velocity = parent.velocity + swing;
+    own.acceleration = parent.acceleration + cross(parent.spin_rate, arm) + cross(parent.spin, swing);
+    if (link.slides) {
+      own.velocity += v[i] * axis;
+      own.acceleration += turning + turning;
+      if (a != nullptr) own.acceleration += a[i] * axis;
+    } else {
+      own.spin += v[i] * axis;
+      own.spin_rate += turning;
+      if (a != nullptr) own.spin_rate += a[i] * axis;
+    }
+  }
+}
+
+// Origins of the links.
+template <class S>
+void find_origins(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<Vec3<S>> origins) {
+  for (std::size_t i = 0; i < tree.links.size(); ++i) {
+    const int parent = tree.links[i].parent;
+    origins[i] = places[i].arm + (parent < 0 ? Vec3<S>{} + tree.base : origins[static_cast<std::size_t>(parent)]);
+  }
+}
+
+// The motion of a point that is fixed to a link.
+template <class S>
+Motion<S> motion_at(const LinkPlace<S>& place, const LinkMotion<S>& link, const Vec3<S>& origin, const Vec3<double>& local) {
+  const Vec3<S> r = place.rotation * local, swing = cross(link.spin, r);
+  return {.position = origin + r,
+          .velocity = link.velocity + swing,
+          .acceleration = link.acceleration + cross(link.spin_rate, r) + cross(link.spin, swing),
+          .rotation = place.rotation,
+          .angular_velocity = link.spin,
+          .angular_acceleration = link.spin_rate};
+}
+
+}  // namespace trees
+}  // namespace dalembert

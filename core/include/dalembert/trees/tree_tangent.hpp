@@ -1,0 +1,179 @@
+// Mass matrix and derivatives of the joint forces of a tree, entry by entry: composite bodies, one for each link and all behind it
+// (Featherstone 2008, chapter 6), and derivatives in closed form as in J. Carpentier, N. Mansard, Analytical Derivatives of Rigid
+// Body Dynamics Algorithms, Robotics: Science and Systems, 2018; here for accelerations of points.
+//
+// Increments of a coordinate and its rates turn and shift everything behind the joint as one body, which alone changes no joint force there. What
+// remains is a field of accelerations, a + b x r, and turns w, which add 2 w x (velocity): two numbers of the composite body, its
+// momentum and the sum of 2 r x (w x velocity) m, answer these.
+#pragma once
+
+#include "dalembert/system/evaluation.hpp"
+#include "dalembert/trees/inverse_dynamics.hpp"
+
+namespace dalembert {
+
+// A link with all behind it, about the origin of the link.
+template <class S>
+struct CompositeBody {
+  S mass{};
+  Vec3<S> moment{};    // mass times position
+  Mat3<S> inertia{};
+  Vec3<S> momentum{};
+  Mat3<S> momentum_arms{};  // sum of 2 m ((r . v) I - v r^T): times w, the sum of 2 m r x (w x v)
+};
+
+// What an increment of a coordinate adds behind its joint, besides moving it as one body.
+template <class S>
+struct JointIncrement {
+  Vec3<S> acceleration{}, spin_rate{}, spin{};
+};
+
+namespace trees {
+
+// (a . b) I - a b^T.
+template <class S>
+Mat3<S> projection(const Vec3<S>& a, const Vec3<S>& b) {
+  const S product = dot(a, b);
+  return matrix_of<3, 3>([&](int i, int j) { return i == j ? product - a[i] * b[j] : -(a[i] * b[j]); });
+}
+
+template <class S>
+CompositeBody<S> inertia_of(const TreeLink& link, const LinkPlace<S>& place) {
+  const Mat3<S>& r = place.rotation;
+  const Mat3<S> turned = r * link.inertia;
+  return {.mass = S(link.mass),
+          .moment = r * link.moment,
+          .inertia = matrix_of<3, 3>([&](int i, int j) { return turned(i, 0) * r(j, 0) + turned(i, 1) * r(j, 1) + turned(i, 2) * r(j, 2); }),
+          .momentum = {},
+          .momentum_arms = {}};
+}
+template <class S>
+void add_momentum(CompositeBody<S>& body, const LinkMotion<S>& motion) {
+  const Vec3<S>& w = motion.spin;
+  body.momentum = body.mass * motion.velocity + cross(w, body.moment);
+  // The sum of m v r^T: of the velocity of the origin, and of the spin w x r, with the sum of m r r^T.
+  const S half = 0.5 * (body.inertia(0, 0) + body.inertia(1, 1) + body.inertia(2, 2));
+  Mat3<S> v_r;
+  for (int j = 0; j < 3; ++j) {
+    Vec3<S> square{-body.inertia(0, j), -body.inertia(1, j), -body.inertia(2, j)};
+    square[j] += half;
+    const Vec3<S> column = body.moment[j] * motion.velocity + cross(w, square);
+    for (int i = 0; i < 3; ++i) v_r(i, j) = column[i];
+  }
+  const S trace = v_r(0, 0) + v_r(1, 1) + v_r(2, 2);
+  body.momentum_arms = matrix_of<3, 3>([&](int i, int j) { return i == j ? 2.0 * (trace - v_r(i, j)) : -2.0 * v_r(i, j); });
+}
+
+// A body whose origin is at `arm` from that of the other. Of the momentum only where there is one.
+template <class S>
+void add_inertia(CompositeBody<S>& to, const CompositeBody<S>& b, const Vec3<S>& arm) {
+  const Vec3<S> shift = b.mass * arm;
+  const Mat3<S> crossed = projection(b.moment, arm), own = projection(arm, b.moment + shift);
+  to.mass += b.mass;
+  to.moment += b.moment + shift;
+  for (std::size_t i = 0; i < 9; ++i) to.inertia.x[i] += b.inertia.x[i] + crossed.x[i] + own.x[i];
+}
+template <class S>
+void add_momentum(CompositeBody<S>& to, const CompositeBody<S>& b, const Vec3<S>& arm) {
+  const Mat3<S> shifted = projection(b.momentum, arm);
+  to.momentum += b.momentum;
+  for (std::size_t i = 0; i < 9; ++i) to.momentum_arms.x[i] += b.momentum_arms.x[i] + 2.0 * shifted.x[i];
+}
+
+// What moves the body with unit acceleration of the joint before it.
+template <class S>
+LinkWrench<S> inertia_along(const TreeLink& link, const Vec3<S>& axis, const CompositeBody<S>& body) {
+  if (link.slides) return {body.mass * axis, cross(body.moment, axis)};
+  return {cross(axis, body.moment), body.inertia * axis};
+}
+
+template <class S>
+void compose(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<CompositeBody<S>> bodies) {
+  for (std::size_t i = 0; i < tree.links.size(); ++i) bodies[i] = inertia_of(tree.links[i], places[i]);
+  for (std::size_t i = tree.links.size(); i-- > 0;)
+    if (const int parent = tree.links[i].parent; parent >= 0) add_inertia(bodies[static_cast<std::size_t>(parent)], bodies[i], places[i].arm);
+}
+template <class S>
+void compose(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<const LinkMotion<S>> motions, std::span<CompositeBody<S>> bodies) {
+  for (std::size_t i = 0; i < tree.links.size(); ++i) {
+    bodies[i] = inertia_of(tree.links[i], places[i]);
+    add_momentum(bodies[i], motions[i]);
+  }
+  for (std::size_t i = tree.links.size(); i-- > 0;)
+    if (const int parent = tree.links[i].parent; parent >= 0) {
+      add_inertia(bodies[static_cast<std::size_t>(parent)], bodies[i], places[i].arm);
+      add_momentum(bodies[static_cast<std::size_t>(parent)], bodies[i], places[i].arm);
+    }
+}
+
+// Calls f(k, j) for joint k, then for each joint j before it, up to the base.
+template <class F>
+void each_pair(const Tree& tree, const F& f) {
+  for (int k = 0; k < tree.count(); ++k)
+    for (int j = k; j >= 0; j = tree.links[static_cast<std::size_t>(j)].parent) f(k, j);
+}
+
+// f(k, j, M_kj) for each pair.
+template <class S, class F>
+void mass_matrix(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<const CompositeBody<S>> bodies, const F& f) {
+  LinkWrench<S> w;
+  int at = -1;
+  each_pair(tree, [&](int k, int j) {
+    const auto behind = static_cast<std::size_t>(k), before = static_cast<std::size_t>(j);
+    w = j == k ? inertia_along(tree.links[behind], places[behind].axis, bodies[behind]) : shifted(w, places[static_cast<std::size_t>(at)].arm);
+    at = j;
+    f(k, j, along_joint(tree.links[before], places[before].axis, w));
+  });
+}
+
+template <class S>
+JointIncrement<S> increment_of(const TreeLink& link, const Vec3<S>& e, const LinkMotion<S>& m, const Weights& w) {
+  const Vec3<S>& spin = m.spin;
+  const Vec3<S> turning = cross(spin, e);  // of the axis
+  if (link.slides)
+    return {w.q * (cross(m.spin_rate, e) + cross(spin, turning)) + 2.0 * w.v * turning + w.a * e, {}, {}};
+  const Vec3<S> added = w.v * e + w.q * turning;
+  return {w.q * cross(m.acceleration, e) - 2.0 * cross(added, m.velocity),
+          w.a * e + w.v * turning + w.q * cross(m.spin_rate, e) + cross(spin, added), added};
+}
+
+// The change of the sum of inertia forces behind the joint, about its origin held fixed. `sum` is this sum.
+template <class S>
+LinkWrench<S> increment_of_sum(const TreeLink& link, const Vec3<S>& e, const JointIncrement<S>& by, const CompositeBody<S>& body,
+                               const LinkWrench<S>& sum, const Weights& w) {
+  LinkWrench<S> change{body.mass * by.acceleration + cross(by.spin_rate, body.moment) + 2.0 * cross(by.spin, body.momentum),
+                       body.inertia * by.spin_rate + cross(body.moment, by.acceleration) + body.momentum_arms * by.spin};
+  change.moment += w.q * cross(e, link.slides ? sum.force : sum.moment);
+  if (!link.slides) change.force += w.q * cross(e, sum.force);
+  return change;
+}
+
+// f(k, j, change of force k along j, change of force j along k) for each pair; `sums` are inertia forces, summed to the base.
+template <class S, class F>
+void tangent(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<const CompositeBody<S>> bodies, std::span<const LinkWrench<S>> sums,
+             std::span<const JointIncrement<S>> increments, const Weights& weights, const F& f) {
+  LinkWrench<S> row, column;  // what joint k answers to accelerations before it, and what its increment adds there
+  Vec3<S> row_spin;
+  int at = -1;
+  each_pair(tree, [&](int k, int j) {
+    const auto behind = static_cast<std::size_t>(k), before = static_cast<std::size_t>(j);
+    if (j == k) {
+      const TreeLink& link = tree.links[behind];
+      const Vec3<S>& e = places[behind].axis;
+      const CompositeBody<S>& body = bodies[behind];
+      row = inertia_along(link, e, body);
+      row_spin = link.slides ? 2.0 * cross(body.momentum, e) : transposed_times(body.momentum_arms, e);
+      column = increment_of_sum(link, e, increments[behind], body, sums[behind], weights);
+    } else {
+      row = shifted(row, places[static_cast<std::size_t>(at)].arm);
+      column = shifted(column, places[static_cast<std::size_t>(at)].arm);
+    }
+    at = j;
+    const JointIncrement<S>& by = increments[before];
+    f(k, j, dot(row.force, by.acceleration) + dot(row.moment, by.spin_rate) + dot(row_spin, by.spin),
+      along_joint(tree.links[before], places[before].axis, column));
+  });
+}
+
+}  // namespace trees
+}  // namespace dalembert

@@ -1,0 +1,323 @@
+// ObjectKinematicTree, specs/super_elements/kinematic_tree.toml: all trees side by side, each by recursions over its links.
+#include "dalembert/items/super_elements/kinematic_tree.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "dalembert/batches/sized_law.hpp"
+#include "dalembert/model/value_checks.hpp"
+#include "dalembert/system/physics.hpp"
+#include "dalembert/system/tree_term.hpp"
+#include "dalembert/trees/articulated_bodies.hpp"
+#include "dalembert/trees/link_loads.hpp"
+#include "dalembert/trees/tree_tangent.hpp"
+
+namespace dalembert {
+namespace {
+
+using Parameters = ObjectKinematicTreeParameters;
+using Record = ObjectKinematicTreeRecord;
+
+// What a controller adds to the force of a joint; forces and user functions are those of any body of run-time size.
+SizedLaw law_of(const Parameters& p) {
+  return {.force_vector = &p.jointForceVector, .force_parameter = "jointForceVector", .force = p.forceUserFunction};
+}
+
+// What the recursions of one tree write, again and again.
+struct Room {
+  std::vector<LinkPlace<double>> places;
+  std::vector<double> placed_at;  // the coordinates that they belong to
+  std::vector<LinkMotion<double>> motions;
+  std::vector<LinkWrench<double>> wrenches;
+  std::vector<CompositeBody<double>> bodies;
+  std::vector<JointIncrement<double>> increments;
+  std::vector<ArticulatedBody<double>> articulated;
+  std::vector<Vec3<double>> origins;
+  std::vector<LinkLoad> loads;
+  std::vector<double> block;
+  LawOfBody::Work law;
+
+  void make(std::size_t links) {
+    places.resize(links);
+    placed_at.clear();
+    motions.resize(links);
+    wrenches.resize(links);
+    bodies.resize(links);
+    increments.resize(links);
+    origins.resize(links);
+  }
+};
+
+class TreeBody {
+ public:
+  explicit TreeBody(const Placement& placement) : first_(placement.dofs.empty() ? 0 : placement.dofs.front()) { law_.place(2, placement, 0); }
+  void read(const Record& record) {
+    const Parameters& p = record.parameters;
+    law_.read(law_of(p), false);
+    tree_ = tree_of(p);
+    gravity_ = p.gravity;
+    const std::size_t n = tree_.links.size();
+    const auto filled = [n](std::vector<double> list) {
+      list.resize(n);
+      return list;
+    };
+    stiffness_ = filled(p.jointPControlVector);
+    damping_ = filled(p.jointDControlVector);
+    desired_ = filled(p.jointPositionOffsetVector);
+    desired_rates_ = filled(p.jointVelocityOffsetVector);
+    loads_.assign(p.linkForces.empty() && p.linkTorques.empty() ? 0 : n, {});
+    for (std::size_t i = 0; i < loads_.size(); ++i) {
+      if (!p.linkForces.empty()) loads_[i].force = p.linkForces[i];
+      if (!p.linkTorques.empty()) loads_[i].couple = p.linkTorques[i];
+    }
+  }
+  void make(Room& room) const {
+    room.make(tree_.links.size());
+    room.law.make_room(law_);
+  }
+  int item() const { return law_.item(); }
+  int count() const { return tree_.count(); }
+  bool same_structure(const TreeBody& other) const {
+    const auto alike = [](const TreeLink& a, const TreeLink& b) { return a.parent == b.parent; };
+    return law_.same_places(other.law_) && std::ranges::equal(tree_.links, other.tree_.links, alike);
+  }
+
+  void visit(BlockVisitor& visitor) const {
+    trees::each_pair(tree_, [&](int k, int j) {
+      visitor.entry(first_ + k, first_ + j);
+      if (j != k) visitor.entry(first_ + j, first_ + k);
+    });
+    law_.visit(visitor);
+  }
+
+  void add_residual(const Evaluation& e, Room& room, double* r) const {
+    find_inertia_forces(e, room);
+    for (std::size_t i = 0; i < loads_.size(); ++i) {
+      room.wrenches[i].force -= loads_[i].force;
+      room.wrenches[i].moment -= loads_[i].couple;
+    }
+    trees::sum_to_base<double>(tree_, room.places, room.wrenches, [&](std::size_t i, double force) {
+      r[first_ + static_cast<int>(i)] += force - stiffness_[i] * (desired_[i] - q(e)[i]) - damping_[i] * (desired_rates_[i] - v(e)[i]);
+    });
+    law_.add_forces(e, room.law, r);
+  }
+  void add_mass(const Evaluation& e, double factor, Room& room, SlotCursor& slot) const {
+    place(e, room);
+    trees::compose<double>(tree_, room.places, room.bodies);
+    trees::mass_matrix<double>(tree_, room.places, room.bodies, [&](int k, int j, double m) {
+      slot.add(factor * m);
+      if (j != k) slot.add(factor * m);
+    });
+    if (law_.full()) slot.skip(count() * count());
+  }
+  void add_tangent(const Evaluation& e, const Weights& w, Room& room, SlotCursor& slot) const {
+    find_inertia_forces(e, room);
+    trees::sum_to_base<double>(tree_, room.places, room.wrenches, [](std::size_t, double) {});
+    trees::compose<double>(tree_, room.places, room.motions, room.bodies);
+    for (std::size_t i = 0; i < tree_.links.size(); ++i)
+      room.increments[i] = trees::increment_of(tree_.links[i], room.places[i].axis, room.motions[i], w);
+    if (!loads_.empty()) {
+      room.loads = loads_;
+      trees::sum_to_base(tree_, room.places, room.loads);
+    }
+    const auto add = [&](int k, int j, double row, double column) {
+      const auto behind = static_cast<std::size_t>(k), before = static_cast<std::size_t>(j);
+      if (!loads_.empty()) {
+        const trees::LoadChange change = trees::load_change(tree_, room.places, room.loads, k, j);
+        row -= w.q * change.of_behind;
+        column -= w.q * change.of_before;
+      }
+      if (j == k) row += w.q * stiffness_[behind] + w.v * damping_[before];
+      slot.add(row);
+      if (j != k) slot.add(column);
+    };
+    trees::tangent<double>(tree_, room.places, room.bodies, room.wrenches, room.increments, w, add);
+    if (!law_.full()) return;
+    room.block.assign(tree_.links.size() * tree_.links.size(), 0.0);
+    law_.add_tangent(e, w, room.law, room.block);
+    for (const double entry : room.block) slot.add(entry);
+  }
+
+  // Returns a coordinate that nothing resists, or -1.
+  int factorize_masses(const Evaluation& e, Room& room) const {
+    place(e, room);
+    room.articulated.resize(tree_.links.size());
+    const int loose = trees::factorize<double>(tree_, room.places, room.articulated);
+    return loose < 0 ? -1 : first_ + loose;
+  }
+  void solve_masses(Room& room, double* x) const { trees::solve<double>(tree_, room.places, room.articulated, room.wrenches, x + first_); }
+
+  Motion<double> motion(const Evaluation& e, int link, const Vec3<double>& local, Room& room) const {
+    place(e, room);
+    trees::move_links<double>(tree_, room.places, v(e), e.a + first_, {}, room.motions);
+    trees::find_origins<double>(tree_, room.places, room.origins);
+    const auto i = static_cast<std::size_t>(link);
+    return trees::motion_at(room.places[i], room.motions[i], room.origins[i], local);
+  }
+  // Everything but inertia forces of accelerations.
+  void forces(Evaluation e, std::vector<double>& values) const {
+    Room room;
+    make(room);
+    std::vector<double> r(static_cast<std::size_t>(first_ + count()), 0.0);
+    e.inertia = false;
+    add_residual(e, room, r.data());
+    values.assign(r.begin() + first_, r.end());
+  }
+  void coordinates(const Evaluation& e, std::vector<double>& values) const { values.assign(q(e), q(e) + count()); }
+
+ private:
+  const double* q(const Evaluation& e) const { return e.q + first_; }
+  const double* v(const Evaluation& e) const { return e.v + first_; }
+
+  // A state is often asked for more than once.
+  void place(const Evaluation& e, Room& room) const {
+    const double *now = q(e), *end = now + count();
+    if (std::equal(room.placed_at.begin(), room.placed_at.end(), now, end)) return;
+    room.placed_at.assign(now, end);
+    trees::place_links<double>(tree_, now, room.places);
+  }
+  void find_inertia_forces(const Evaluation& e, Room& room) const {
+    place(e, room);
+    trees::move_links<double>(tree_, room.places, v(e), e.inertia ? e.a + first_ : nullptr, -gravity_, room.motions);
+    for (std::size_t i = 0; i < tree_.links.size(); ++i) room.wrenches[i] = trees::inertia_force(tree_.links[i], room.places[i], room.motions[i]);
+  }
+
+  Tree tree_;
+  LawOfBody law_;
+  int first_ = 0;  // of its coordinates
+  Vec3<double> gravity_{};
+  std::vector<double> stiffness_, damping_, desired_, desired_rates_;  // of the controllers of joints
+  std::vector<LinkLoad> loads_;
+};
+
+class KinematicTreeBatch final : public Term, public LinkedBodies, public MassSolver {
+ public:
+  void add(const void* record, const Placement& placement, const Ports&) override {
+    for (const Entry& other : entries_) share_a_node_ = share_a_node_ || other.node == placement.nodes.front();
+    Entry& e = entries_.emplace_back(placement);
+    e.read(record);
+  }
+  void refresh(int entry, const void* record) override {
+    TreeBody renewed = entries_[entry].body;
+    renewed.read(*static_cast<const Record*>(record));
+    if (!renewed.same_structure(entries_[entry].body))
+      refuse(ErrorKind::state, {"object " + std::to_string(renewed.item()) + " (ObjectKinematicTree)", "",
+                                "it had no user function, or other parents of links, when the system was assembled", "", "",
+                                "Use mbs.ModifyObject(...), then mbs.Assemble()"});
+    entries_[entry].read(record);
+  }
+  void visit(BlockVisitor& visitor, const Ports&) const override {
+    for (const Entry& e : entries_) e.body.visit(visitor);
+  }
+  void residual(const Evaluation& evaluation, Ports&, double* r) const override {
+    for (const Entry& e : entries_) e.body.add_residual(evaluation, e.room, r);
+  }
+  void tangent(const Evaluation& evaluation, const Weights& w, Ports&, double* values) const override {
+    SlotCursor slot(slots.data(), values);
+    for (const Entry& e : entries_) e.body.add_tangent(evaluation, w, e.room, slot);
+  }
+  void mass(const Evaluation& evaluation, Ports&, double* values) const override {
+    SlotCursor slot(slots.data(), values);
+    for (const Entry& e : entries_) e.body.add_mass(evaluation, 1, e.room, slot);
+  }
+  bool has_mass() const override { return true; }
+  bool constant_mass() const override { return false; }
+  bool is_separate() const override { return !share_a_node_; }
+  int factorize_masses(const Evaluation& evaluation) const override {
+    int loose = -1;
+    for (const Entry& e : entries_)
+      if (loose < 0) loose = e.body.factorize_masses(evaluation, e.room);
+    return loose;
+  }
+  void solve_masses(double* x) const override {
+    for (const Entry& e : entries_) e.body.solve_masses(e.room, x);
+  }
+
+  bool output(int entry, OutputVariableType variable, const Vec3<double>&, const Evaluation& evaluation, const Ports&,
+              std::vector<double>& values) const override {
+    const TreeBody& body = entries_[entry].body;
+    if (variable == OutputVariableType::Coordinates) body.coordinates(evaluation, values);
+    else if (variable == OutputVariableType::Force) body.forces(evaluation, values);
+    else return false;
+    return true;
+  }
+  int links(int entry) const override { return entries_[entry].body.count(); }
+  Motion<double> link_motion(int entry, int link, const Vec3<double>& local, const Evaluation& evaluation) const override {
+    return entries_[entry].body.motion(evaluation, link, local, entries_[entry].output_room);
+  }
+
+ private:
+  struct Entry {
+    int node;
+    TreeBody body;
+    mutable Room room, output_room;  // outputs may be asked for in the middle of an evaluation
+
+    explicit Entry(const Placement& placement) : node(placement.nodes.front()), body(placement) {}
+    void read(const void* record) {
+      body.read(*static_cast<const Record*>(record));
+      body.make(room);
+      body.make(output_room);
+    }
+  };
+  std::vector<Entry> entries_;
+  bool share_a_node_ = false;
+};
+
+void check_length(const char* parameter, std::size_t given, int links, bool required, const ItemLabel& item) {
+  if (given == static_cast<std::size_t>(links) || (given == 0 && !required)) return;
+  refuse(ErrorKind::value, {item, parameter, "", "a list of length " + std::to_string(given),
+                            "a list of length " + std::to_string(links) + ", one entry for each coordinate of the node" + (required ? "" : ", or none"), ""});
+}
+
+void check_lengths(const Parameters& p, int links, const ItemLabel& item) {
+  check_length("jointTypes", p.jointTypes.size(), links, true, item);
+  check_length("linkParents", p.linkParents.size(), links, true, item);
+  check_length("jointTransformations", p.jointTransformations.size(), links, true, item);
+  check_length("jointOffsets", p.jointOffsets.size(), links, true, item);
+  check_length("linkInertiasCOM", p.linkInertiasCOM.size(), links, true, item);
+  check_length("linkCOMs", p.linkCOMs.size(), links, true, item);
+  check_length("linkMasses", p.linkMasses.size(), links, true, item);
+  check_length("linkForces", p.linkForces.size(), links, false, item);
+  check_length("linkTorques", p.linkTorques.size(), links, false, item);
+  check_length("jointForceVector", p.jointForceVector.size(), links, false, item);
+  check_length("jointPositionOffsetVector", p.jointPositionOffsetVector.size(), links, false, item);
+  check_length("jointVelocityOffsetVector", p.jointVelocityOffsetVector.size(), links, false, item);
+  check_length("jointPControlVector", p.jointPControlVector.size(), links, false, item);
+  check_length("jointDControlVector", p.jointDControlVector.size(), links, false, item);
+}
+
+void check_link(const Parameters& p, int i, const ItemLabel& item) {
+  const auto at = static_cast<std::size_t>(i);
+  const std::string entry = "entry " + std::to_string(i) + ": ";
+  if (p.jointTypes[at] == JointType::_None)
+    refuse(ErrorKind::value, {item, "jointTypes", "", entry + "JointType._None", "a revolute or prismatic joint", ""});
+  if (const int parent = p.linkParents[at]; parent < -1 || parent >= i)
+    refuse(ErrorKind::value, {item, "linkParents", "", entry + std::to_string(parent), "a link with a smaller number, or -1 for the base",
+                              "Number the links such that parents come before their children"});
+  if (!(p.linkMasses[at] >= 0))
+    refuse(ErrorKind::value, {item, "linkMasses", "", entry + std::to_string(p.linkMasses[at]), "masses that are not negative", ""});
+  if (const Verdict verdict = judge_inertia(p.linkMasses[at], p.linkInertiasCOM[at], {}); verdict.fit == Fit::wrong)
+    refuse(ErrorKind::value, {item, "linkInertiasCOM", "entry " + std::to_string(i) + " is not an inertia about the centre of mass", verdict.problem,
+                              "symmetric matrices without negative principal moments", ""});
+}
+
+struct KinematicTree final : ObjectPhysics {
+  std::unique_ptr<Term> make_batch(std::span<const ItemType* const>) const override { return std::make_unique<KinematicTreeBatch>(); }
+  void check(const void* record, const Placement& on, const Ports&, const ItemLabel& item) const override {
+    const Parameters& p = static_cast<const Record*>(record)->parameters;
+    const int links = static_cast<int>(on.dofs.size());
+    if (links == 0)
+      refuse(ErrorKind::value, {item, "nodeNumber", "its node has no coordinates", "", "a NodeGenericODE2 with one coordinate per link", ""});
+    check_lengths(p, links, item);
+    for (int i = 0; i < links; ++i) check_link(p, i, item);
+  }
+};
+
+}  // namespace
+
+const Physics& object_kinematic_tree_physics() {
+  static const KinematicTree physics;
+  return physics;
+}
+
+}  // namespace dalembert

@@ -1,0 +1,74 @@
+"""A page per Create function: what it adds, its arguments, an example, and where to read on."""
+
+from __future__ import annotations
+
+import inspect
+from importlib.util import find_spec
+from pathlib import Path
+from textwrap import indent
+from types import ModuleType
+from typing import Any
+
+from plain_docstrings import as_rst, escaped
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+
+INTRO = """\
+A Create function is a method of ``MainSystem`` that adds a body, a connector, a joint or a load with what belongs to
+it: nodes, markers, weight. It returns the number of the object or load, by which its parameters can be read and set.
+"""
+
+
+def heading(title: str, mark: str = "=") -> str:
+    return f"{title}\n{mark * len(title)}\n"
+
+
+def row(argument: Any) -> str:
+    check, _, unit = argument.facts.removeprefix(", ").rpartition("unit ")
+    text = argument.text[0].upper() + argument.text[1:] if argument.text[:2].islower() else argument.text
+    cells = (
+        f"``{argument.name}``",
+        escaped(", ".join(part for part in (argument.type, check.rstrip(", ")) if part)),
+        f"``{argument.default}`` {unit if unit != '1' else ''}".rstrip(),
+        f"{escaped(text)}.",
+    )
+    return "   * - " + "\n     - ".join(cells) + "\n"
+
+
+def page(name: str, function: Any, create: ModuleType, examples: dict[str, str]) -> str:
+    plain, mirrors = inspect.unwrap(function), create._mirrors
+    items = ", ".join(f":ref:`{item} <item-{item}>`" for item in mirrors.MIRRORS[name])
+    used = [stem for stem, code in examples.items() if f".{name}(" in code]
+    return "\n".join(
+        (
+            f".. _create-{name}:\n\n{heading(name)}",
+            *as_rst(inspect.getdoc(plain).splitlines()),
+            f"\n:Items: {items}\n",
+            heading("Arguments", "-"),
+            f"``mbs.{name}(...)`` takes these arguments, by name.\n",
+            ".. list-table::\n   :header-rows: 1\n   :class: rows\n",
+            "   * - name\n     - type\n     - default\n     - description",
+            "".join(map(row, mirrors.arguments(plain, create.checks(plain)))),
+            f"{heading('Example', '-')}\nBefore it, ``mbs`` is an empty system.\n\n.. code-block:: python\n",
+            indent(mirrors.EXAMPLES[name].strip(), "   "),
+            f"\n{heading('See also', '-')}" if used else "",
+            "".join(f"* :ref:`example-{stem}`\n" for stem in used),
+        )
+    )
+
+
+def create_pages() -> dict[str, str]:
+    if find_spec("dalembert") is None:
+        return {"create/index.rst": f".. _create:\n\n{heading('Create functions')}\n{INTRO}"}
+    from dalembert import create
+
+    examples = {path.stem: path.read_text("utf-8") for path in sorted(EXAMPLES.glob("*.py"))}
+    functions = create.functions
+    pages = {f"create/{name}.rst": page(name, functions[name], create, examples) for name in functions}
+    rows = "".join(
+        f"   * - :ref:`{name} <create-{name}>`\n     - {escaped((function.__doc__ or '').splitlines()[0])}\n"
+        for name, function in functions.items()
+    )
+    table = f".. list-table::\n   :header-rows: 1\n   :class: rows\n\n   * - function\n     - what it does\n{rows}"
+    tree = ".. toctree::\n   :hidden:\n\n" + "".join(f"   {name}\n" for name in functions)
+    return pages | {"create/index.rst": f".. _create:\n\n{heading('Create functions')}\n{INTRO}\n{tree}\n{table}"}

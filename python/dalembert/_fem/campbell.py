@@ -1,0 +1,77 @@
+"""Frequencies of a body that rotates, in dependence of its speed.
+
+With speed W, M a + W G v + K q = 0 has eigenfrequencies that split.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import scipy.linalg
+import scipy.sparse
+from scipy.sparse.linalg import LinearOperator, eigs
+
+from dalembert._checks import FloatArray
+from dalembert._fem.eigen import SHIFT, first_deformation
+
+
+def gyroscopic_matrix(mass: Any, axis: int) -> Any:
+    """The cross product with the axis for each node, times the mass matrix: sparse."""
+    turn = np.zeros((3, 3))
+    turn[(axis + 2) % 3, (axis + 1) % 3], turn[(axis + 1) % 3, (axis + 2) % 3] = 1.0, -1.0
+    return (scipy.sparse.kron(scipy.sparse.eye(mass.shape[0] // 3), turn) @ mass).tocsr()
+
+
+def dense_frequencies(mass: FloatArray, stiffness: FloatArray, gyroscopic: FloatArray, count: int) -> FloatArray:
+    """Frequencies in Hz in rising order; one 0 stands for all rigid motions."""
+    size = len(mass)
+    right = np.hstack([-stiffness, -gyroscopic])
+    matrix = np.vstack(
+        [np.hstack([np.zeros((size, size)), np.eye(size)]), scipy.linalg.solve(mass, right, assume_a="pos")]
+    )
+    return _different(np.linalg.eigvals(matrix), count)
+
+
+def sparse_frequencies(mass: Any, stiffness: Any, gyroscopic: Any, points: FloatArray, count: int) -> FloatArray:
+    """The same, of large matrices; those next to zero, by inversion around a small imaginary shift."""
+    size = mass.shape[0]
+    shift = np.sqrt(SHIFT * first_deformation(mass, stiffness, points))
+    # with a real shift s, (A - s)^-1 of A = [[0, 1], [-M^-1 K, -M^-1 G]] needs K + s G + s^2 M
+    system = scipy.sparse.csc_matrix(stiffness + shift * gyroscopic + shift**2 * mass)
+    factors = scipy.sparse.linalg.splu(system)
+
+    def solve(right: FloatArray) -> FloatArray:
+        p, v = right[:size], right[size:]
+        position = -factors.solve(mass @ (v + shift * p) + gyroscopic @ p)
+        return np.concatenate([position, shift * position + p])
+
+    inverse = LinearOperator((2 * size, 2 * size), matvec=solve, dtype=float)
+    start = np.random.default_rng(1).standard_normal(2 * size)
+    wanted = min(2 * (count + 7), 2 * size - 2)
+    found = eigs(inverse, k=wanted, which="LM", v0=solve(start), return_eigenvectors=False)
+    return _different(shift + 1.0 / found, count)
+
+
+def _different(values: Any, count: int) -> FloatArray:
+    """One frequency of each conjugate pair, in rising order; rigid motions together are one, 0."""
+    frequencies = np.sort(np.imag(values)) / (2 * np.pi)
+    above = frequencies[frequencies > 1e-5 * frequencies[-1] * min(1.0, 100 / len(frequencies))]
+    moving = above[: count + 1]
+    still = len(values) > 2 * len(above)
+    return np.concatenate([[0.0], moving])[: count + 1] if still else moving
+
+
+def plot_campbell(speeds: Sequence[float], frequencies: Sequence[Sequence[float]]) -> None:
+    """Draw the frequencies over the speed, and the line on which they are equal."""
+    import matplotlib.pyplot as plt
+
+    figure, axes = plt.subplots()
+    axes.plot(speeds, np.array(frequencies))
+    axes.plot(speeds, speeds, "k--", label="rotor speed")
+    axes.set_xlabel("rotor speed (Hz)")
+    axes.set_ylabel("eigenfrequency (Hz)")
+    axes.grid(True)
+    axes.legend()
+    plt.show()

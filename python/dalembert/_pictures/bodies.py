@@ -1,0 +1,77 @@
+"""How rigid bodies, masses and ground are drawn: by graphics data, or else by what markers tell of their shape."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from dalembert._pictures import contour, graphics_data
+from dalembert._pictures.contour import Contour
+from dalembert._pictures.looks import rgba
+from dalembert._pictures.pen import Pen
+
+Item = dict[str, Any]
+
+
+class Bodies:
+    """Draws bodies; graphics data are read once."""
+
+    def __init__(self, mbs: Any) -> None:
+        self.mbs = mbs
+        self._shapes: dict[int, list[graphics_data.Shape]] = {}
+        self._markers: dict[int, list[int]] | None = None
+
+    def shapes(self, pen: Pen, number: int, item: Item) -> list[graphics_data.Shape]:
+        """Return the shapes of a body, and those that its user function gives for this picture."""
+        owner = f"object {number} '{item['name']}'"
+        default = rgba(pen.looks.setting("bodies.defaultColor"))
+        if number not in self._shapes:
+            data = self.mbs.GetObject(number, True)
+            self._shapes[number] = graphics_data.shapes(data.get("VgraphicsData") or [], default, owner)
+        return self._shapes[number] + user_shapes(self.mbs, number, item, default, owner)
+
+    def draw(self, pen: Pen, colors: Contour, number: int, item: Item) -> None:
+        """Draw a body in its frame."""
+        place = pen.places.body(number)
+        if place is None:
+            return
+        rotation = pen.places.body_rotation(number)
+        rotation = np.eye(3) if rotation is None else rotation
+        if shapes := self.shapes(pen, number, item):
+            graphics_data.draw(pen, shapes, place, rotation, contour.of_body(pen, colors, number))
+        elif item["objectType"] != "Ground":
+            self._draw_bare(pen, number, item)
+
+    def _draw_bare(self, pen: Pen, number: int, item: Item) -> None:
+        """Draw rods from the reference point to the markers of a body; a ball for a mass."""
+        place = pen.places.body(number)
+        color, thick = rgba(pen.looks.setting("bodies.defaultColor")), 0.007 * pen.looks.size
+        if place is None:
+            return
+        ends = [pen.places.marker(marker) for marker in self._markers_of(number)]
+        far = [end for end in ends if end is not None and np.linalg.norm(end - place) > thick]
+        if item["objectType"].startswith("Mass") or not far:
+            pen.sphere(place, 2.2 * thick, color)
+        for end in far:
+            pen.cylinder(place, end, thick, color)
+            pen.sphere(end, thick, color)
+        if far:
+            pen.sphere(place, thick, color)
+
+    def _markers_of(self, body: int) -> list[int]:
+        if self._markers is None:
+            self._markers = {}
+            for marker in range(self.mbs.systemData.NumberOfMarkers()):
+                parameters = self.mbs.GetMarker(marker)
+                if "bodyNumber" in parameters:
+                    self._markers.setdefault(int(parameters["bodyNumber"]), []).append(marker)
+        return self._markers.get(body, [])
+
+
+def user_shapes(mbs: Any, number: int, item: Item, default: Any, owner: str) -> list[graphics_data.Shape]:
+    """Return what the graphicsDataUserFunction of an object gives."""
+    function = item.get("VgraphicsDataUserFunction")
+    if not callable(function):
+        return []
+    return graphics_data.shapes(function(mbs, number), default, f"{owner}: graphicsDataUserFunction")

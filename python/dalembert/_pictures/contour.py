@@ -1,0 +1,74 @@
+"""Outputs as colors: which numbers are asked for, and how they become colors."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from dalembert._checks import FloatArray
+from dalembert._core import OutputVariableType
+from dalembert._pictures.looks import Looks
+
+
+class Contour:
+    """What is shown as colors: one component of an output variable, or its length (component -1)."""
+
+    def __init__(self, looks: Looks) -> None:
+        self.looks = looks
+        self.variable = looks.setting("contour.outputVariable")
+        self.component = int(looks.setting("contour.outputVariableComponent"))
+        self.active = self.variable != OutputVariableType._None
+
+    @property
+    def name(self) -> str:
+        """Return the words beside the bar of colors."""
+        if not self.active:
+            return ""
+        return f"{self.variable.name}, {'norm' if self.component < 0 else f'component {self.component}'}"
+
+    def number(self, output: FloatArray | None) -> float:
+        """Return the number of an output; 0 if the item does not have it."""
+        if output is None or len(output) == 0:
+            return 0.0
+        if self.component < 0:
+            return float(np.linalg.norm(output))
+        return float(output[self.component]) if self.component < len(output) else 0.0
+
+    def range(self, values: FloatArray) -> tuple[float, float]:
+        """Return the smallest and the largest number on the bar of colors."""
+        if not self.looks.setting("contour.automaticRange") or len(values) == 0:
+            return float(self.looks.setting("contour.minValue")), float(self.looks.setting("contour.maxValue"))
+        low, high = float(values.min()), float(values.max())
+        return (low, high) if high > low else (low, low + max(abs(low), 1.0) * 1e-6)
+
+
+def colors(looks: Looks, values: FloatArray, limits: tuple[float, float]) -> FloatArray:
+    """Return a color (RGBA) for each number: five of them in equal parts of the range, others beyond it."""
+    advanced = looks.setting("contour.advanced")
+    table = np.array([getattr(advanced, f"contourColor{i}") for i in range(5)], float)
+    low, high = limits
+    part = (np.asarray(values, float) - low) / (high - low)
+    place = np.clip(part, 0, 1) * 4
+    index = np.minimum(place.astype(int), 3)
+    rest = (place - index)[:, None]
+    result = (1 - rest) * table[index] + rest * table[index + 1]
+    result[part < -1e-9] = np.array(advanced.contourColorMin, float)
+    result[part > 1 + 1e-9] = np.array(advanced.contourColorMax, float)
+    result[:, 3] = float(looks.setting("contour.alphaTransparency"))
+    return result
+
+
+def of_body(pen: Any, contour: Contour, number: int) -> Any:
+    """Return the function of local points that gives the numbers of a rigid body, or None if it has no colors."""
+    if not contour.active or not contour.looks.setting("contour.rigidBodiesColored"):
+        return None
+    if pen.places.body_output(number, contour.variable) is None:
+        return None
+
+    def values(points: FloatArray) -> FloatArray:
+        unique, which = np.unique(points, axis=0, return_inverse=True)
+        numbers = [contour.number(pen.places.body_output(number, contour.variable, point)) for point in unique]
+        return np.array(numbers)[which.ravel()]
+
+    return values

@@ -1,0 +1,146 @@
+"""mbs.Draw() and mbs.DrawSolution(): a picture in one line, and a film in another."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from dalembert._checks import as_array, shape_error
+from dalembert._core import ConfigurationType
+
+if TYPE_CHECKING:
+    from PIL.Image import Image as PillowImage
+
+    from dalembert._pictures.camera import Camera
+    from dalembert._pictures.scene import Scene
+    from dalembert._pictures.studio import Studio
+
+VIEWS = ("front", "back", "left", "right", "top", "bottom", "axonometric")
+
+
+def Draw(
+    mbs: Any,
+    fileName: str = "",
+    view: Any = None,
+    windowSize: Any = None,
+    configuration: Any = None,
+    zoom: float = 1.0,
+    around: Any = None,
+) -> PillowImage:
+    """Return a picture of the system as it is visualized; before Assemble(), of its reference configuration.
+
+    Notebooks show it by themselves; `fileName` (.png, .jpg, .webp) saves it. `view` is 'front' (x to the right, y up),
+    'back', 'left', 'right', 'top', 'bottom', 'axonometric', or a rotation matrix with the rows right, up, towards the
+    viewer; without one, it is that of SC.renderer.SetModelView, or what suits the system. `windowSize` are width and
+    height in pixels; `zoom` > 1 shows things larger; `around` is an object, or a list of objects, in the middle of the
+    picture. Sizes, colors and what is shown: SC.visualizationSettings.
+    """
+    from PIL import Image as Pillow
+
+    from dalembert._pictures.films import save_image
+    from dalembert._pictures.studio import Studio
+
+    studio = Studio(_container(mbs), [mbs])
+    scene = studio.scene(configuration)
+    size = _size(studio, windowSize)
+    image = studio.image(scene, _camera(studio, scene, view, size, zoom, around), size=size)
+    if fileName:
+        save_image(image, fileName)
+    return Pillow.fromarray(image)
+
+
+def DrawSolution(
+    mbs: Any,
+    fileName: str,
+    solution: dict[str, Any] | None = None,
+    framesPerSecond: float = 25,
+    speed: float = 1.0,
+    view: Any = None,
+    windowSize: Any = None,
+    zoom: float = 1.0,
+) -> None:
+    """Make a film of a solution (of LoadSolutionFile), or of that of the last simulation if solution is None.
+
+    A `fileName` with .gif or .webp needs nothing else, .mp4 the program ffmpeg; a name with a % such as
+    'images/frame%05d.png' gives numbered images. `speed` is the time of the solution that passes in a second.
+    View, size and zoom are those of Draw(); the camera stands where it sees the whole motion.
+    """
+    from pathlib import Path
+
+    from dalembert._io.solution_states import SetSolutionState
+    from dalembert._pictures.films import require_ffmpeg, save_film, save_image, times_of
+    from dalembert._pictures.studio import Studio
+    from dalembert.interactive import solution_of_last_simulation
+
+    if framesPerSecond <= 0 or speed <= 0:
+        raise ValueError(
+            f"DrawSolution: framesPerSecond and speed: expected positive, received {framesPerSecond}, {speed}"
+        )
+    if "%" not in fileName:
+        require_ffmpeg(Path(fileName))
+    data = solution_of_last_simulation(mbs, "DrawSolution") if solution is None else solution
+    recorded = np.asarray(data["data"], float)[:, 0]
+    chosen = np.abs(recorded[None] - times_of(recorded[0], recorded[-1], framesPerSecond, speed)[:, None]).argmin(
+        axis=1
+    )
+    studio = Studio(_container(mbs), [mbs])
+    size = _size(studio, windowSize)
+
+    def scene_of(row: int) -> Scene:
+        SetSolutionState(mbs, data, row, ConfigurationType.Visualization)
+        return studio.scene()
+
+    scenes = [scene_of(int(row)) for row in chosen]
+    camera = _camera(studio, _around(scenes), view, size, zoom)
+    images = (studio.image(scene, camera, size=size) for scene in scenes)
+    if "%" in fileName:
+        for number, image in enumerate(images):
+            save_image(image, fileName % number)
+    else:
+        save_film(images, fileName, framesPerSecond)
+
+
+def _container(mbs: Any) -> Any:
+    return mbs.GetSystemContainer()
+
+
+def _around(scenes: list[Scene]) -> Scene:
+    """Return a scene with the corners of all that is drawn in others."""
+    from dalembert._pictures.scene import Scene
+
+    boxes = [box for box in (scene.box() for scene in scenes) if box is not None]
+    corners = np.concatenate(boxes) if boxes else np.zeros((0, 3))
+    return Scene(lines=[(corners, (0.0, 0.0, 0.0, 1.0), 0.0, -1)] if len(corners) else [])
+
+
+def _size(studio: Studio, windowSize: Any) -> tuple[int, int]:
+    if windowSize is None:
+        return studio.size(0)
+    size = as_array("windowSize", windowSize, "width and height in pixels")
+    if size.shape != (2,) or not (size >= 1).all() or not (size <= 16000).all():
+        raise shape_error("windowSize", "width and height in pixels, each from 1 to 16000", windowSize)
+    return int(size[0]), int(size[1])
+
+
+def _camera(studio: Studio, scene: Scene, view: Any, size: tuple[int, int], zoom: float, around: Any = None) -> Camera:
+    """Return the camera for a view; that of the renderer if it was set and no other is wanted."""
+    from dalembert._pictures import camera as cameras
+    from dalembert._pictures.renderer import state_of
+
+    if not np.isfinite(zoom) or zoom <= 0:
+        raise ValueError(f"zoom: expected a positive number, received {zoom}")
+    chosen = studio.camera(scene, 0, size)
+    start = np.asarray(studio.settings.openGL.advanced.initialModelRotation, float)
+    free = "modelRotation" not in state_of(studio.container.renderer, 0) and bool((start == np.eye(3)).all())
+    if view is not None or around is not None or free:
+        box = (
+            scene.box() if around is None else scene.box_of([int(n) for n in np.atleast_1d(np.asarray(around, object))])
+        )
+        if view is not None:
+            chosen.rotation = cameras.named(view, studio.upwards())
+        elif free:
+            chosen.rotation = cameras.automatic(box, studio.upwards())
+        chosen.fit(box, *size, studio.margin())
+    chosen.zoom /= zoom
+    return chosen

@@ -1,0 +1,62 @@
+"""Films: images one after the other, as files with numbers, or as one file."""
+
+from __future__ import annotations
+
+import shutil
+import tempfile
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from PIL import Image as Pillow
+
+from dalembert._io.files import naming
+from dalembert._pictures.painting import Image
+
+
+def save_image(image: Image, name: str | Path) -> None:
+    """Save an image in the format that the ending of the name says; its folder is made if needed."""
+    path = Path(name)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with naming(path):
+        Pillow.fromarray(image).save(path)
+
+
+def save_film(images: Iterable[Image], name: str | Path, rate: float) -> None:
+    """Save images as one file: .gif or .webp by Pillow, .mp4 and other videos by ffmpeg; rate per second."""
+    path = Path(name)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    if path.suffix.lower() in (".gif", ".webp"):
+        frames = [Pillow.fromarray(image) for image in images]
+        if path.suffix.lower() == ".gif":
+            palette = frames[len(frames) // 2].quantize(255, method=Pillow.Quantize.MEDIANCUT)
+            frames = [frame.quantize(palette=palette, dither=Pillow.Dither.NONE) for frame in frames]
+        with naming(path):
+            frames[0].save(path, save_all=True, append_images=frames[1:], duration=round(1000 / rate), loop=0)
+        return
+    from dalembert.interactive import ConvertImages2Video
+
+    require_ffmpeg(path)
+    with tempfile.TemporaryDirectory() as folder:
+        for number, image in enumerate(images):
+            save_image(
+                image[: image.shape[0] // 2 * 2, : image.shape[1] // 2 * 2], Path(folder, f"frame{number:05d}.png")
+            )
+        whole = max(round(rate), 1)
+        ConvertImages2Video(folder, outputFile=str(path.resolve()), inputFrameRate=whole, outputFrameRate=whole)
+
+
+def require_ffmpeg(path: Path) -> None:
+    """Refuse videos, before anything is drawn, where there is no ffmpeg."""
+    if path.suffix.lower() not in (".gif", ".webp") and shutil.which("ffmpeg") is None:
+        raise FileNotFoundError(
+            f"film '{path}': the program ffmpeg is not installed, or not in the search path; "
+            "names that end with .gif or .webp need no other program"
+        )
+
+
+def times_of(begin: float, end: float, rate: float, speed: float) -> np.ndarray[Any, Any]:
+    """Return the times of the images of a film that shows `speed` seconds in each second."""
+    count = max(int(np.floor((end - begin) / speed * rate + 1e-9)) + 1, 1)
+    return begin + np.arange(count) * speed / rate

@@ -1,0 +1,238 @@
+"""How beams, cables, plates and finite element meshes are drawn, deformed, and colored by their outputs."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from dalembert._checks import FloatArray, IntArray
+from dalembert._core import ConfigurationType, CrossSectionType, OutputVariableType
+from dalembert._pictures import graphics_data, meshes
+from dalembert._pictures.bodies import user_shapes
+from dalembert._pictures.contour import Contour
+from dalembert._pictures.looks import rgba
+from dalembert._pictures.meshes import Mesh
+from dalembert._pictures.pen import Pen
+from dalembert._pictures.places import Places, frame_along
+
+Item = dict[str, Any]
+LINE_WIDTH = 3.0  # pixels, of beams whose section nobody has given
+
+
+def _stations(pen: Pen, length: float) -> FloatArray:
+    tiling = max(int(pen.looks.setting("bodies.beams.axialTiling")), 1)
+    return np.linspace(-0.5, 0.5, tiling + 1) * length
+
+
+def _axis(pen: Pen, number: int, stations: FloatArray) -> FloatArray | None:
+    """Return points of the axis of a beam; displacements are scaled as the settings say."""
+    now = [pen.places.body(number, (x, 0, 0)) for x in stations]
+    if any(point is None for point in now):
+        return None
+    points = np.array(now)
+    factor = float(pen.looks.setting("bodies.deformationScaleFactor"))
+    if factor != 1:
+        rest = Places(pen.places.mbs, ConfigurationType.Reference)
+        before = np.array([rest.body(number, (x, 0, 0)) for x in stations])
+        points = before + factor * (points - before)
+    return points
+
+
+def _beam_stations(pen: Pen, item: Item) -> FloatArray:
+    """Return positions along a beam: cables count from their first node, other beams from their middle."""
+    stations = _stations(pen, float(item["physicsLength"]))
+    return stations - stations[0] if "Cable" in item["objectType"] else stations
+
+
+def _values(pen: Pen, colors: Contour, number: int, stations: FloatArray, repeat: int) -> FloatArray | None:
+    """Return the numbers along a beam, for sections of so many points."""
+    if not colors.active:
+        return None
+    numbers = [colors.number(pen.places.body_output(number, colors.variable, (x, 0, 0))) for x in stations]
+    return np.repeat(numbers, repeat)
+
+
+def planar_beam(pen: Pen, colors: Contour, number: int, item: Item) -> None:
+    """A band of the height that is to be drawn, in the plane of the beam; a line if that is zero."""
+    stations = _beam_stations(pen, item)
+    if (axis := _axis(pen, number, stations)) is None:
+        return
+    height, color = float(item["VdrawHeight"]), pen.looks.color(item, "bodies.defaultColor")
+    if height <= 0 and not colors.active:
+        pen.line(axis, color, LINE_WIDTH)
+        return
+    height = height if height > 0 else 0.012 * pen.looks.size
+    tangents = np.gradient(axis, axis=0)
+    across = np.cross([0, 0, 1.0], tangents)
+    across *= 0.5 * height / np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-300)
+    section = np.array([[-1.0, -1], [1, -1], [1, 1], [-1, 1], [-1, -1]])
+    deep = np.array([0, 0, 0.5 * height])
+    points = np.array([axis + y * across + z * deep for y, z in section]).transpose(1, 0, 2)
+    mesh = Mesh(points.reshape(-1, 3), meshes.grid_triangles(len(axis), len(section)))
+    pen.mesh(mesh, color=color, values=_values(pen, colors, number, stations, len(section)))
+
+
+def cable(pen: Pen, colors: Contour, number: int, item: Item) -> None:
+    """A tube; a line if its radius is zero."""
+    stations = _beam_stations(pen, item)
+    if (axis := _axis(pen, number, stations)) is None:
+        return
+    radius, color = float(item.get("Vradius", 0.0)), pen.looks.color(item, "bodies.defaultColor")
+    if radius <= 0 and not colors.active:
+        pen.line(axis, color, LINE_WIDTH)
+        return
+    tiles = max(2 * int(pen.looks.setting("bodies.beams.crossSectionTiling")), 6)
+    mesh = meshes.swept(axis, radius if radius > 0 else 0.006 * pen.looks.size, tiles)
+    pen.mesh(mesh, color=color, values=_values(pen, colors, number, stations, tiles + 1))
+
+
+def beam(pen: Pen, colors: Contour, number: int, item: Item) -> None:
+    """The polygon of the section, carried along with the rotation of the beam; a tube without one."""
+    section = _section(item.get("VsectionGeometry"))
+    stations = _beam_stations(pen, item)
+    axis = _axis(pen, number, stations) if section is not None else None
+    if section is None or axis is None:
+        cable(pen, colors, number, item)
+        return
+    frames = [_beam_frame(pen, number, axis, i, float(x)) for i, x in enumerate(stations)]
+    outline = np.vstack([section, section[:1]])
+    sections = [
+        p + np.outer(outline[:, 0], f[:, 1]) + np.outer(outline[:, 1], f[:, 2])
+        for p, f in zip(axis, frames, strict=True)
+    ]
+    points = np.array(sections)
+    n = len(outline)
+    side = meshes.grid_triangles(len(points), n)
+    fan = np.array([[0, i, i + 1] for i in range(1, n - 2)], int).reshape(-1, 3)
+    triangles = np.concatenate([side, fan[:, ::-1], fan + n * (len(points) - 1)])
+    color = pen.looks.color(item, "bodies.defaultColor")
+    pen.mesh(Mesh(points.reshape(-1, 3), triangles), color=color, values=_values(pen, colors, number, stations, n))
+
+
+def _section(geometry: Any) -> FloatArray | None:
+    """Return the polygon of a section, in the y and z axes of the beam; None if there is none."""
+    if geometry is None:
+        return None
+    if geometry.crossSectionType == CrossSectionType.Circular and geometry.crossSectionRadiusY > 0:
+        angles = np.linspace(0, 2 * np.pi, 24, endpoint=False)
+        radii = [geometry.crossSectionRadiusY, geometry.crossSectionRadiusZ or geometry.crossSectionRadiusY]
+        return np.stack([np.cos(angles), np.sin(angles)], 1) * radii
+    points = np.array([list(point) for point in geometry.polygonalPoints], float)
+    return points if len(points) >= 3 else None
+
+
+def _beam_frame(pen: Pen, number: int, axis: FloatArray, index: int, x: float) -> FloatArray:
+    """Return the axes of a section: x along the beam, y and z those of the section."""
+    rotation = pen.places.body_rotation(number, (x, 0, 0))
+    if rotation is not None:
+        return rotation
+    angles = pen.places.body_output(number, OutputVariableType.Rotation, (x, 0, 0))
+    if angles is not None and len(angles) == 3:
+        return _tait_bryan(angles)
+    around = frame_along(np.gradient(axis, axis=0)[index])
+    return np.stack([around[:, 2], around[:, 0], around[:, 1]], axis=1)
+
+
+def _tait_bryan(angles: FloatArray) -> FloatArray:
+    """Return the rotation about x, then about the new y and z."""
+    matrix = np.eye(3)
+    for i, angle in enumerate(angles):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        step = np.eye(3)
+        step[j, j] = step[k, k] = np.cos(angle)
+        step[j, k], step[k, j] = -np.sin(angle), np.sin(angle)
+        matrix = matrix @ step
+    return matrix
+
+
+def plate(pen: Pen, colors: Contour, number: int, item: Item) -> None:
+    """The middle surface of a plate between its four nodes."""
+    nodes = [pen.places.node_output(n, OutputVariableType.Position) for n in item["nodeNumbers"]]
+    places = [place for place in nodes if place is not None]
+    if len(places) == 4:
+        values = None
+        if colors.active:
+            values = np.array([colors.number(pen.places.node_output(n, colors.variable)) for n in item["nodeNumbers"]])
+        mesh = Mesh(
+            np.array(places), np.array([[0, 1, 2], [0, 2, 3]]), edges=np.array([[0, 1], [1, 2], [2, 3], [3, 0]])
+        )
+        pen.mesh(mesh, color=pen.looks.color(item, "bodies.defaultColor"), values=values)
+
+
+class MeshBodies:
+    """Draws bodies with mesh nodes; what belongs to the mesh alone is found once."""
+
+    def __init__(self, mbs: Any) -> None:
+        self.mbs = mbs
+        self._edges: dict[int, IntArray] = {}
+
+    def draw(self, pen: Pen, colors: Contour, number: int, item: Item) -> None:
+        """Draw the triangles of the mesh, deformed; its nodes if there are no triangles."""
+        default = rgba(pen.looks.setting("bodies.defaultColor"))
+        shapes = user_shapes(self.mbs, number, item, default, f"object {number} '{item['name']}'")
+        graphics_data.draw(pen, shapes, np.zeros(3), np.eye(3))
+        points = self._points(pen, number, item)
+        if points is None:
+            return
+        triangles = np.asarray(item.get("VtriangleMesh", []), int).reshape(-1, 3)
+        color = pen.looks.color(item, "bodies.defaultColor")
+        if len(triangles):
+            if number not in self._edges:
+                sides = np.sort(
+                    np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]), axis=1
+                )
+                self._edges[number] = np.unique(sides, axis=0)
+            edges = self._edges[number] if pen.looks.setting("view0.scene.showMeshEdges") else np.empty((0, 2), int)
+            if not pen.looks.setting("view0.scene.showMeshFaces"):
+                triangles = triangles[:0]
+            dark = (0.3 * color[0], 0.3 * color[1], 0.3 * color[2], 1.0)
+            pen.mesh(
+                Mesh(points, triangles, None, None, edges, dark),
+                color=color,
+                values=self._values(pen, colors, number, len(points)),
+            )
+        if item.get("VshowNodes") or not len(triangles):
+            radius = 0.5 * pen.looks.length("nodes.defaultSize", 0.01)
+            for point in points:
+                pen.sphere(point, radius, color)
+
+    def _points(self, pen: Pen, number: int, item: Item) -> FloatArray | None:
+        """Return the positions of the mesh nodes."""
+        count = len(np.asarray(item.get("referencePositions", [])).ravel()) // 3 or len(item["nodeNumbers"])
+        factor = float(pen.looks.setting("bodies.deformationScaleFactor"))
+        found = []
+        for node in range(count):
+            place = pen.places.mesh_output(number, OutputVariableType.Position, node)
+            if place is None and "referencePositions" not in item:
+                place = pen.places.node_output(item["nodeNumbers"][node], OutputVariableType.Position)
+            if place is None:
+                return _reference_points(item)
+            if factor != 1:
+                change = pen.places.mesh_output(number, OutputVariableType.Displacement, node)
+                place = place if change is None else place + (factor - 1) * change
+            found.append(place)
+        return np.array(found) if found else None
+
+    def _values(self, pen: Pen, colors: Contour, number: int, count: int) -> FloatArray | None:
+        if not colors.active:
+            return None
+        return np.array([colors.number(pen.places.mesh_output(number, colors.variable, node)) for node in range(count)])
+
+
+def _reference_points(item: Item) -> FloatArray | None:
+    """Return the mesh as it was given, before the system is assembled."""
+    points = np.asarray(item.get("referencePositions", []), float).reshape(-1, 3)
+    return points if len(points) else None
+
+
+DRAWINGS = {
+    "ANCFCable2D": planar_beam,
+    "ALEANCFCable2D": planar_beam,
+    "BeamGeometricallyExact2D": planar_beam,
+    "ANCFCable": cable,
+    "ANCFBeam": beam,
+    "BeamGeometricallyExact": beam,
+    "ANCFThinPlate": plate,
+}
+MESH_BODIES = ("GenericODE2", "FFRF", "FFRFreducedOrder")

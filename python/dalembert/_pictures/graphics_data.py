@@ -1,0 +1,66 @@
+"""Graphics data, the dictionaries of the graphics module, as shapes that can be drawn at any place."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from dalembert._checks import FloatArray
+from dalembert._pictures.looks import rgba
+from dalembert._pictures.meshes import Mesh, Rgba, rows
+from dalembert._pictures.pen import Pen
+from dalembert._pictures.places import frame_along
+
+Shape = tuple[str, Any, Any]  # kind, what, and its color or size
+
+
+def shapes(data: Any, default: Rgba, owner: str) -> list[Shape]:
+    """Return shapes of a list of graphics data; ValueError that names the owner for what cannot be drawn."""
+    return [_shape(entry, default, f"{owner}: graphicsData[{number}]") for number, entry in enumerate(data)]
+
+
+def _shape(entry: dict[str, Any], default: Rgba, where: str) -> Shape:
+    kind = entry.get("type")
+    if kind == "TriangleList":
+        return "mesh", _mesh(entry, default, where), None
+    color = rgba(entry.get("color", (-1, -1, -1, 1)), default)
+    if kind == "Line":
+        return "line", rows(entry["data"], 3), color
+    if kind == "Circle":
+        angles = np.linspace(0, 2 * np.pi, 33)
+        circle = np.stack([np.cos(angles), np.sin(angles), np.zeros_like(angles)], 1)
+        normal = np.asarray(entry.get("normal", (0, 0, 1)), float)
+        return "line", np.asarray(entry["position"]) + entry["radius"] * circle @ frame_along(normal).T, color
+    if kind == "Text":
+        return "text", (np.asarray(entry["position"], float), str(entry["text"])), (color, entry.get("fontSize", 0.0))
+    raise ValueError(f"{where}: 'type': expected TriangleList, Line, Circle or Text, received {kind!r}")
+
+
+def _mesh(entry: dict[str, Any], default: Rgba, where: str) -> Mesh:
+    points = rows(entry["points"], 3)
+    triangles = rows(entry["triangles"], 3, int)
+    if len(triangles) and not 0 <= triangles.min() <= triangles.max() < len(points):
+        wrong = triangles[(triangles < 0) | (triangles >= len(points))][0]
+        raise ValueError(f"{where}: 'triangles': expected numbers of points, 0 to {len(points) - 1}, received {wrong}")
+    colors = np.asarray(entry.get("colors", []), float)
+    colors = rows(colors, 4) if colors.size == 4 * len(points) else np.tile(np.array(default), (len(points), 1))
+    unique, which = np.unique(colors, axis=0, return_inverse=True)
+    if np.any(unique < 0) or np.any(unique[:, 3] > 1):
+        colors = np.array([rgba(color, default) for color in unique])[which.ravel()]
+    normals = rows(entry["normals"], 3) if len(entry.get("normals", [])) == points.size else None
+    if normals is not None and not normals.any(axis=1).all():
+        normals = None  # some are zero: nobody has computed them
+    edges = rows(entry.get("edges", []), 2, int)
+    return Mesh(points, triangles, normals, colors, edges, rgba(entry.get("edgeColor", (0.2, 0.2, 0.2, 1.0))))
+
+
+def draw(pen: Pen, all_shapes: list[Shape], place: FloatArray, rotation: FloatArray, values: Any = None) -> None:
+    """Draw shapes in a frame; values(points) gives the numbers that are shown as colors, or None."""
+    for kind, what, look in all_shapes:
+        if kind == "mesh":
+            pen.mesh(what, place, rotation, None, None if values is None else values(what.points))
+        elif kind == "line":
+            pen.line(what @ rotation.T + place, look)
+        else:
+            pen.label(rotation @ what[0] + place, what[1], *look)

@@ -1,0 +1,85 @@
+"""Sizes and colors of what is drawn: those of the item, of the settings, or in proportion to the scene."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import lru_cache
+from typing import Any
+
+from dalembert import _core
+from dalembert._pictures.meshes import Rgba
+from dalembert.graphics import material
+
+
+@lru_cache(maxsize=1)
+def _defaults() -> Any:
+    return _core.VisualizationSettings()
+
+
+@dataclass
+class Looks:
+    """Settings, and the size of the scene: a size that nobody has chosen is a part of it at most."""
+
+    settings: Any
+    size: float = 1.0
+    _windings: dict[int, int] = field(default_factory=dict)  # by number of the spring
+
+    def setting(self, path: str) -> Any:
+        """Return a setting, such as connectors.defaultSize."""
+        value = self.settings
+        for name in path.split("."):
+            value = getattr(value, name)
+        return value
+
+    def is_default(self, path: str) -> bool:
+        """Return whether a setting has its default."""
+        value = _defaults()
+        for name in path.split("."):
+            value = getattr(value, name)
+        return bool(value == self.setting(path))
+
+    def length(self, path: str, part: float) -> float:
+        """Return a length of the settings; as long as nobody has set it, it is at most a part of the scene."""
+        value = float(self.setting(path))
+        if value < 0:
+            return part * self.size
+        return min(value, part * self.size) if self.is_default(path) else value
+
+    def item_length(self, value: float, default: float, part: float) -> float:
+        """Return a length of an item; its default is at most a part of the scene."""
+        return min(value, part * self.size) if abs(value - default) < 1e-6 or value <= 0 else value
+
+    def windings(self, number: int, slenderness: float) -> int:
+        """Return how many windings a spring has in all pictures of a film; unless it is set, more if it is long."""
+        wanted = max(int(self.setting("connectors.springNumberOfWindings")), 1)
+        if not self.is_default("connectors.springNumberOfWindings"):
+            return wanted
+        return self._windings.setdefault(number, int(min(max(0.7 * slenderness, wanted), 5 * wanted)))
+
+    def draw_size(self, item: dict[str, Any], path: str, part: float) -> float:
+        """Return VdrawSize of an item, or the default size of its kind."""
+        value = float(item.get("VdrawSize", -1.0))
+        return value if value >= 0 else self.length(path, part)
+
+    def color(self, item: dict[str, Any], path: str, name: str = "Vcolor") -> Rgba:
+        """Return the color of an item, or the default color of its kind."""
+        value = item.get(name, (-1.0,))
+        return rgba(value if value[0] >= 0 else self.setting(path))
+
+
+@lru_cache(maxsize=1)
+def _materials() -> Any:
+    return _core.GraphicsMaterialList()
+
+
+def rgba(value: Any, default: Rgba = (0.4, 0.4, 0.9, 1.0)) -> Rgba:
+    """Return red, green, blue and opacity.
+
+    A negative red stands for the color of the material, whose index is in the place of the opacity, or for the default.
+    """
+    r, g, b, a = (float(v) for v in value)
+    if a >= material.indexBase:
+        chosen = _materials()[min(int(a) - material.indexBase, len(_materials()) - 1)]
+        r, g, b = chosen.baseColor if r < 0 else (r, g, b)
+        return (float(r), float(g), float(b), float(chosen.alpha))
+    return default if r < 0 else (r, g, b, min(max(a, 0.0), 1.0))

@@ -1,0 +1,145 @@
+"""How a scene is made of a system: what is drawn for each item, in which order, and how large."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from dalembert._core import ConfigurationType
+from dalembert._pictures import connectors, flexible, symbols, traces, trees
+from dalembert._pictures.bodies import Bodies
+from dalembert._pictures.contour import Contour
+from dalembert._pictures.looks import Looks
+from dalembert._pictures.pen import Pen
+from dalembert._pictures.places import Places
+from dalembert._pictures.scene import DrawnItem, Scene
+
+KINDS = ("Node", "Object", "Marker", "Load", "Sensor")
+RIGID = ("Ground", "RigidBody", "RigidBody2D", "MassPoint", "MassPoint2D", "Mass1D", "RotationalMass1D")
+# What has no place in space: its coordinates are those of a controller, a hydraulic circuit or a field.
+WITHOUT_PLACE = {
+    "ObjectGenericODE1": "equations of first order have no shape",
+    "NodeGenericAE": "algebraic coordinates have no place",
+    "NodeGenericData": "data coordinates have no place",
+    "NodeGenericODE1": "coordinates of first order have no place",
+    "NodeGenericODE2": "coordinates without meaning have no place; the objects that use them are drawn",
+    "SensorUserFunction": "it measures what other sensors measure",
+}
+
+
+class SceneMaker:
+    """Makes scenes of one system, one for each state; what does not change between them is found once.
+
+    Sizes that follow from the size of the system are those of the first scene, so that nothing breathes in a film.
+    """
+
+    def __init__(self, mbs: Any, settings: Any) -> None:
+        self.mbs, self.looks = mbs, Looks(settings)
+        self.bodies, self.meshes = Bodies(mbs), flexible.MeshBodies(mbs)
+        self._sized = False
+
+    def scene(self, configuration: ConfigurationType | None = None) -> Scene:
+        """Return the scene in a configuration: what is visualized, or the reference if nothing is assembled."""
+        assembled = self.mbs.systemData.ODE2Size() >= 0 and _is_assembled(self.mbs)
+        if configuration is None:
+            configuration = ConfigurationType.Visualization
+        if not assembled:
+            configuration = ConfigurationType.Reference
+        places = Places(self.mbs, configuration)
+        if not self._sized:
+            self._find_size(places)
+            self._sized = True
+        scene = Scene()
+        scene.time = float(self.mbs.systemData.GetTime(configuration)) if assembled else 0.0
+        pen, colors = Pen(scene, places, self.looks), Contour(self.looks)
+        for kind in KINDS:
+            self._draw_kind(pen, colors, kind)
+        pen.take(DrawnItem("Trace", 0, "", ""))
+        traces.draw(pen, scene.time)
+        scene.value_name = colors.name
+        scene.value_range = colors.range(scene.values())
+        return scene
+
+    def _find_size(self, places: Places) -> None:
+        """Let the size be that of bodies, of the places of nodes and of what connectors join, without symbols."""
+        rough = Scene()
+        pen = Pen(rough, places, self.looks)
+        for kind in ("Node", "Object"):
+            for number in range(self._count(kind)):
+                item = places.item(kind, number)
+                found = [places.node(number)] if kind == "Node" else []
+                if kind == "Object" and item.get("Vshow", True):
+                    pen.take(DrawnItem(kind, number, item["objectType"], ""))
+                    self._draw_body(pen, Contour(self.looks), number, item)
+                    if "RollingDisc" not in item["objectType"]:  # the ground below them is anywhere
+                        found = [places.marker(marker) for marker in item.get("markerNumbers", [])]
+                pen.take(DrawnItem("Object", -1, "", ""))
+                pen.line([place for place in found if place is not None], (0.0, 0.0, 0.0, 1.0))
+        box = rough.box()
+        if box is not None:
+            self.looks.size = float(np.linalg.norm(box[1] - box[0])) or 1.0
+
+    def _count(self, kind: str) -> int:
+        return int(getattr(self.mbs.systemData, f"NumberOf{kind}s")())
+
+    def _draw_kind(self, pen: Pen, colors: Contour, kind: str) -> None:
+        settings = {k: f"{k.lower()}s" for k in KINDS}
+        numbers = self._count(kind)
+        shown = kind == "Object" or bool(self.looks.setting(f"{settings[kind]}.show"))
+        for number in range(numbers if shown else 0):
+            item = pen.places.item(kind, number)
+            if not item.get("Vshow", True):
+                continue
+            pen.take(DrawnItem(kind, number, item[f"{kind.lower()}Type"], item["name"]))
+            group = self._group(kind, item)
+            if not self.looks.setting(f"{group}.show"):
+                continue
+            self._draw(pen, colors, kind, number, item)
+            if self.looks.setting(f"{group}.showNumbers"):
+                place = getattr(pen.places, kind.lower())(number) if kind in ("Node", "Object", "Marker") else None
+                if kind == "Load":
+                    place = pen.places.marker(item["markerNumber"])
+                if place is not None:
+                    pen.label(place, f"{kind[0]}{number}")
+
+    @staticmethod
+    def _group(kind: str, item: dict[str, Any]) -> str:
+        """Return the group of settings that an item belongs to."""
+        if kind != "Object":
+            return f"{kind.lower()}s"
+        return "connectors" if item["objectType"] in connectors.DRAWINGS else "bodies"
+
+    def _draw(self, pen: Pen, colors: Contour, kind: str, number: int, item: dict[str, Any]) -> None:
+        if kind == "Node":
+            symbols.node(pen, colors, number, item)
+        elif kind == "Marker":
+            symbols.marker(pen, number, item)
+        elif kind == "Load":
+            symbols.load(pen, number, item)
+        elif kind == "Sensor":
+            symbols.sensor(pen, number, item)
+        elif item["objectType"] in connectors.DRAWINGS:
+            connectors.DRAWINGS[item["objectType"]](pen, item)
+        else:
+            self._draw_body(pen, colors, number, item)
+
+    def _draw_body(self, pen: Pen, colors: Contour, number: int, item: dict[str, Any]) -> None:
+        name = item["objectType"]
+        if name in RIGID:
+            self.bodies.draw(pen, colors, number, item)
+        elif name in flexible.DRAWINGS:
+            flexible.DRAWINGS[name](pen, colors, number, item)
+        elif name in flexible.MESH_BODIES:
+            self.meshes.draw(pen, colors, number, item)
+        elif name == "KinematicTree":
+            trees.draw(pen, number, item)
+
+
+def _is_assembled(mbs: Any) -> bool:
+    """Return whether outputs can be asked for in all configurations."""
+    try:
+        mbs.systemData.GetODE2Coordinates(ConfigurationType.Visualization)
+    except RuntimeError:
+        return False
+    return True

@@ -1,0 +1,134 @@
+"""From a scene and a camera to an image: faces, lines and spheres by the core, texts and what lies on top by Pillow."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from dalembert import _core
+from dalembert._checks import FloatArray
+from dalembert._pictures import contour, overlay
+from dalembert._pictures.camera import Camera
+from dalembert._pictures.looks import Looks
+from dalembert._pictures.scene import Faces, Scene, faces, mesh_edges
+
+Image = npt.NDArray[np.uint8]
+# Where light0 and light1 come from unless their position is set: right, up, towards the viewer, with whom they turn.
+LIGHTS = ((-0.5, 0.8, 1.1), (0.9, 0.1, 0.6))
+LIFT = 3e-3  # of lines towards the viewer, as part of the height of the picture
+
+
+def paint(
+    scene: Scene, camera: Camera, looks: Looks, view: Any, size: tuple[int, int], decorated: bool = True
+) -> Image:
+    """Return an image (height x width x 3); view: its settings. Decorated: with axes, texts and bar of colors."""
+    image = _drawn(scene, camera, looks, view, size).develop()
+    return overlay.add(image, scene, camera, looks, view) if decorated else image
+
+
+def items(scene: Scene, camera: Camera, looks: Looks, view: Any, size: tuple[int, int]) -> npt.NDArray[np.int32]:
+    """Return for each pixel the position of its item in scene.items; -1 where there is none."""
+    picture = _drawn(scene, camera, looks, view, size, samples=1)
+    picture.develop()
+    return picture.items()
+
+
+def _drawn(
+    scene: Scene, camera: Camera, looks: Looks, view: Any, size: tuple[int, int], samples: int | None = None
+) -> Any:
+    picture = _new_picture(camera, looks, size, samples or _samples(looks))
+    _set_background(picture, looks)
+    _clip(picture, camera, view)
+    color_of = {
+        number: contour.colors(looks, instance.values, scene.value_range)
+        for number, instance in enumerate(scene.instances)
+        if instance.values is not None
+    }
+    if view.scene.showFaces:
+        for smooth in (True, False):
+            if (found := faces(scene, smooth, color_of)) is not None:
+                _draw_faces(picture, found, looks, view)
+        _draw_spheres(picture, scene)
+    if view.scene.showLines:
+        _draw_lines(picture, scene, camera, looks)
+    return picture
+
+
+def _new_picture(camera: Camera, looks: Looks, size: tuple[int, int], samples: int) -> Any:
+    gl = looks.setting("openGL")
+    usual = {f"light{i}": where for i, where in enumerate(LIGHTS) if looks.is_default(f"openGL.light{i}.position")}
+    shine = float(np.mean(np.asarray(gl.materialSpecular, float)[:3]))
+    lights = []
+    for name in ("light0", "light1", "light2", "light3"):
+        light = getattr(gl, name)
+        direction = np.asarray(usual.get(name, light.position), float)[:3] * [1, 1, -1]
+        if light.enable and gl.advanced.enableLighting and (length := float(np.linalg.norm(direction))) > 0:
+            lights.append((direction / length, float(light.diffuse), shine * float(light.specular)))
+    ambient = float(np.mean(np.asarray(gl.lightModelAmbient, float)[:3])) if lights else 1.0
+    return _core._Picture(
+        size[0],
+        size[1],
+        samples,
+        camera.view().ravel(),
+        0.5 * size[1] / camera.zoom,
+        max(camera.perspective, 0.0) / camera.zoom,
+        lights,
+        ambient,
+        float(gl.materialShininess),
+    )
+
+
+def _samples(looks: Looks) -> int:
+    """Return samples per pixel and direction: at least two."""
+    return int(np.clip(np.ceil(np.sqrt(float(looks.setting("openGL.multiSampling")))), 2, 8))
+
+
+def _set_background(picture: Any, looks: Looks) -> None:
+    general = looks.setting("general")
+    top = list(general.backgroundColor)
+    picture.background(top, list(general.backgroundColorBottom) if general.useGradientBackground else top)
+
+
+def _clip(picture: Any, camera: Camera, view: Any) -> None:
+    """Leave out what lies beyond the clipping plane of the view, on the side to which its normal points."""
+    normal = np.asarray(view.camera.clippingPlaneNormal, float)
+    if not normal.any():
+        return
+    normal = normal / np.linalg.norm(normal)
+    rows = camera.view()
+    turned = rows[:, :3] @ normal
+    distance = float(view.camera.clippingPlaneDistance) - normal @ camera.center
+    picture.clip([*(-turned), distance])
+
+
+def _draw_faces(picture: Any, found: Faces, looks: Looks, view: Any) -> None:
+    colors = found.colors
+    if view.scene.facesTransparent:
+        colors = colors * [1, 1, 1, float(looks.setting("openGL.faceTransparencyGlobal"))]
+    normals = found.normals if looks.setting("openGL.advanced.shadeModelSmooth") else None
+    picture.triangles(found.points, normals, colors, found.triangles, found.items)
+
+
+def _draw_spheres(picture: Any, scene: Scene) -> None:
+    if scene.spheres:
+        centers, radii, colors, numbers = zip(*scene.spheres, strict=True)
+        picture.spheres(np.array(centers), np.array(radii), np.array(colors), np.array(numbers))
+
+
+def _draw_lines(picture: Any, scene: Scene, camera: Camera, looks: Looks) -> None:
+    """Draw lines, all of one width at a time, and edges of meshes."""
+    usual, lift = float(looks.setting("openGL.lineWidth")), LIFT * camera.zoom
+    groups: dict[float, list[tuple[FloatArray, Any, int]]] = {}
+    for points, color, width, item in scene.lines:
+        if len(points) > 1:
+            segments = np.concatenate([points[:-1], points[1:]], axis=1)
+            groups.setdefault(width or usual, []).append((segments, color, item))
+    groups.setdefault(usual, []).extend(mesh_edges(scene))
+    for width, group in groups.items():
+        if group:
+            counts = [len(segments) for segments, *_ in group]
+            colors = np.repeat([color for _, color, _ in group], counts, axis=0)
+            numbers = np.repeat([item for *_, item in group], counts)
+            picture.lines(np.concatenate([segments for segments, *_ in group]), colors, width, lift, numbers)

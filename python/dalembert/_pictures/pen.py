@@ -1,0 +1,110 @@
+"""What items are drawn with: shapes at places, added to a scene in the name of the item."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from dalembert._checks import FloatArray
+from dalembert._pictures import meshes
+from dalembert._pictures.looks import Looks, rgba
+from dalembert._pictures.meshes import Mesh, Rgba
+from dalembert._pictures.places import Places, frame_along
+from dalembert._pictures.scene import DrawnItem, Instance, Label, Scene
+
+RED, GREEN, BLUE = (0.85, 0.15, 0.15, 1.0), (0.15, 0.65, 0.2, 1.0), (0.2, 0.35, 0.9, 1.0)
+
+
+class Pen:
+    """Adds to a scene; knows where things are and how large they should look."""
+
+    def __init__(self, scene: Scene, places: Places, looks: Looks) -> None:
+        self.scene, self.places, self.looks = scene, places, looks
+        self.tiles = max(int(looks.setting("general.cylinderTiling")), 3)
+        self._item = -1
+
+    def take(self, item: DrawnItem) -> None:
+        """Draw from now on in the name of this item."""
+        self.scene.items.append(item)
+        self._item = len(self.scene.items) - 1
+
+    def mesh(
+        self,
+        mesh: Mesh,
+        place: Any = (0.0, 0.0, 0.0),
+        matrix: FloatArray | None = None,
+        color: Rgba | None = None,
+        values: FloatArray | None = None,
+    ) -> None:
+        """Add a mesh."""
+        where = np.asarray(place, float)
+        self.scene.instances.append(
+            Instance(mesh, np.eye(3) if matrix is None else matrix, where, color, self._item, values)
+        )
+
+    def sphere(self, center: FloatArray, radius: float, color: Rgba) -> None:
+        """Add a sphere; those that are seen through are meshes."""
+        if radius <= 0:
+            return
+        if color[3] < 1:
+            self.mesh(meshes.ball(16), center, radius * np.eye(3), color)
+        else:
+            self.scene.spheres.append((np.asarray(center, float), float(radius), color, self._item))
+
+    def line(self, points: Any, color: Rgba, width: float = 0.0) -> None:
+        """Add a line through points; width in pixels, 0: that of the settings."""
+        self.scene.lines.append((meshes.rows(points, 3), color, width, self._item))
+
+    def cylinder(self, begin: FloatArray, end: FloatArray, radius: float, color: Rgba, inner: float = 0.0) -> None:
+        """Add a cylinder between two points; inner: radius of a hole, as part of the radius."""
+        axis = end - begin
+        length = float(np.linalg.norm(axis))
+        if length > 0 and radius > 0:
+            matrix = frame_along(axis) * np.array([radius, radius, length])
+            self.mesh(meshes.cylinder(self.tiles, inner), begin, matrix, color)
+
+    def box(self, center: FloatArray, rotation: FloatArray, sizes: Any, color: Rgba) -> None:
+        """Add a box, its sides along the columns of the rotation matrix."""
+        self.mesh(meshes.cube(), center, rotation * np.asarray(sizes, float), color)
+
+    def arrow(self, begin: FloatArray, vector: FloatArray, radius: float, color: Rgba) -> None:
+        """Add an arrow; its head is at most half of it."""
+        length = float(np.linalg.norm(vector))
+        if length <= 0:
+            return
+        head = min(6 * radius, 0.5 * length)
+        neck = begin + vector * (1 - head / length)
+        self.cylinder(begin, neck, radius, color)
+        matrix = frame_along(vector) * np.array([2.4 * radius, 2.4 * radius, head])
+        self.mesh(meshes.cone(self.tiles), neck, matrix, color)
+
+    def turning_arrow(self, center: FloatArray, axis: FloatArray, size: float, color: Rgba) -> None:
+        """Add an arrow of three quarters of a circle about an axis."""
+        rotation = frame_along(axis)
+        self.mesh(meshes.torus(0.06, 12, 1.5 * np.pi), center, size * rotation, color)
+        tip = center + rotation @ np.array([0, -size, 0])
+        self.mesh(
+            meshes.cone(self.tiles), tip, frame_along(rotation[:, 0]) * (size * np.array([0.16, 0.16, 0.45])), color
+        )
+
+    def spring(self, begin: FloatArray, end: FloatArray, radius: float, color: Rgba) -> None:
+        """Add a helix between two points."""
+        axis = end - begin
+        length = float(np.linalg.norm(axis))
+        if length <= 0 or radius <= 0:
+            return
+        slenderness = float(2.0 ** (0.5 * np.round(2 * np.log2(max(length / radius, 1e-3)))))  # few meshes for many
+        windings = self.looks.windings(self.scene.items[self._item].number, slenderness)
+        mesh = meshes.helix(slenderness, windings, 0.13, 8)
+        self.mesh(mesh, begin, frame_along(axis) * np.array([radius, radius, length]), color)
+
+    def frame(self, origin: FloatArray, rotation: FloatArray, size: float) -> None:
+        """Add the three axes of a frame: red, green, blue."""
+        for axis, color in zip(rotation.T, (RED, GREEN, BLUE), strict=True):
+            self.arrow(origin, size * axis, 0.03 * size, color)
+
+    def label(self, place: FloatArray, text: str, color: Rgba | None = None, size: float = 0.0) -> None:
+        """Add a text."""
+        color = rgba(self.looks.setting("general.textColor")) if color is None else color
+        self.scene.labels.append(Label(np.asarray(place, float), text, color, size))

@@ -1,0 +1,211 @@
+"""The methods of SC.renderer. What draws is loaded when the first picture is made."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from dalembert import _core
+from dalembert._checks import as_array, as_vector
+
+if TYPE_CHECKING:
+    from dalembert._pictures.painting import Image
+    from dalembert._pictures.studio import Studio
+
+
+def state_of(renderer: Any, number: int) -> dict[str, Any]:
+    """Return what is known of a view; that of view 0 is the state that containers store."""
+    state: dict[str, Any] = renderer._state
+    return state if number == 0 else state.setdefault(f"view{number}", {})
+
+
+def _studio(renderer: Any, method: str) -> Studio:
+    container = renderer._container
+    if container is None:
+        raise RuntimeError(
+            f"SC.renderer.{method}(...): the SystemContainer does not exist any more; keep it in a variable"
+        )
+    from dalembert._pictures.studio import Studio
+
+    return Studio(container)
+
+
+def _view_number(method: str, viewID: Any) -> int:
+    if isinstance(viewID, (int, np.integer)) and 0 <= viewID <= 3:
+        return int(viewID)
+    raise ValueError(f"SC.renderer.{method}(...): viewID: expected 0, 1, 2 or 3, received {viewID!r}")
+
+
+_noticed = False
+
+
+def Start(self: Any, verbose: int = 0) -> bool:
+    """Return False: there is no window; images are made by RedrawAndGetImage, RedrawAndSaveImage and mbs.Draw()."""
+    global _noticed
+    if not _noticed:
+        _noticed = True
+        _core.Print("dalembert: there is no window; mbs.Draw() and SC.renderer.RedrawAndSaveImage() make pictures.")
+    return False
+
+
+def Stop(self: Any) -> None:
+    """Do nothing: there is no window."""
+
+
+def IsActive(self: Any) -> bool:
+    """Return False: there is no window."""
+    return False
+
+
+def Attach(self: Any) -> bool:
+    """Return False: there is no window."""
+    return False
+
+
+def Detach(self: Any) -> bool:
+    """Return False: there is no window."""
+    return False
+
+
+def DoIdleTasks(self: Any, waitSeconds: float = -1.0, printPauseMessage: bool = True) -> bool:
+    """Return False at once: there is no window to wait for."""
+    return False
+
+
+def EnableView(self: Any, viewID: int, createWindow: bool = True) -> None:
+    """Do nothing: images of all views can be made at any time."""
+
+
+def DisableView(self: Any, viewID: int) -> None:
+    """Do nothing: images of all views can be made at any time."""
+
+
+def SendRedrawSignal(self: Any) -> None:
+    """Do nothing: images show what is visualized when they are made."""
+
+
+def RedrawAndGetImage(self: Any, useRaytracer: bool = False, viewID: int = 0) -> Image:
+    """Return an image, height x width x 3 bytes, of all systems; size, colors and camera are those of the settings."""
+    number = _view_number("RedrawAndGetImage", viewID)
+    studio = _studio(self, "RedrawAndGetImage")
+    self._state["renderCount"] = int(self._state.get("renderCount", 0)) + 1
+    return studio.picture(number)
+
+
+def RedrawAndSaveImage(self: Any, viewID: int = 0) -> None:
+    """Save an image to exportImages.saveImageFileName, with a number unless saveImageSingleFile is set."""
+    number = _view_number("RedrawAndSaveImage", viewID)
+    studio = _studio(self, "RedrawAndSaveImage")
+    self._state["renderCount"] = int(self._state.get("renderCount", 0)) + 1
+    from dalembert._pictures.studio import save_next
+
+    save_next(studio.settings.exportImages, studio.picture(number))
+
+
+def ZoomAll(self: Any, computeMaxScene: bool = True, viewID: int = 0) -> None:
+    """Let the view show the whole scene from now on."""
+    state = state_of(self, _view_number("ZoomAll", viewID))
+    state.pop("zoom", None)
+    state.pop("centerPoint", None)
+
+
+def SetModelView(
+    self: Any, zoom: float = 0, rotationVector: Any = [0, 0, 0], centerPoint: Any = [0, 0, 0], viewID: int = 0
+) -> None:
+    """Set the view: half the height of the image in lengths of the scene (0: all is shown), rotation and center."""
+    state = state_of(self, _view_number("SetModelView", viewID))
+    vector = as_vector("SC.renderer.SetModelView(...): rotationVector", rotationVector, 3)
+    center = as_vector("SC.renderer.SetModelView(...): centerPoint", centerPoint, 3)
+    if not np.isfinite(zoom) or zoom < 0:
+        raise ValueError(f"SC.renderer.SetModelView(...): zoom: expected a length, or 0 to show all, received {zoom}")
+    state["zoom"] = float(zoom)
+    from dalembert._pictures.camera import turned
+
+    state["modelRotation"] = turned(vector).T
+    state["centerPoint"] = center
+
+
+def GetState(self: Any, viewID: int = 0) -> dict[str, Any]:
+    """Return the view: what SetState or SetModelView has said, otherwise what follows from settings and scene.
+
+    A point p is seen at modelRotation.T @ (p - centerPoint): to the right, up, towards the viewer.
+    """
+    number = _view_number("GetState", viewID)
+    from dalembert._pictures.scene import Scene
+
+    studio = _studio(self, "GetState")
+    known = {"zoom", "modelRotation", "centerPoint"} <= state_of(self, number).keys()
+    seen = studio.camera(Scene() if known else studio.scene(), number)
+    result: dict[str, Any] = {
+        "viewEnabled": False,
+        "windowOpen": False,
+        "centerPoint": seen.center,
+        "rotationCenterPoint": np.zeros(3),
+        "maxSceneSize": max((maker.looks.size for maker in studio.makers), default=1.0),
+        "zoom": seen.zoom,
+        "currentWindowSize": np.array(studio.size(number)),
+        "displayScaling": 1.0,
+        "modelRotation": seen.rotation.T,
+        "projectionMatrix": np.eye(4),
+        "mouseCoordinates": np.zeros(2),
+        "openGLcoordinates": np.zeros(2),
+    }
+    return result | {k: v for k, v in state_of(self, number).items() if not k.startswith("view") and k != "renderCount"}
+
+
+def SetState(self: Any, renderState: dict[str, Any], waitForRendererFullStartup: bool = True, viewID: int = 0) -> None:
+    """Set the view, with entries of the dictionary that GetState gives."""
+    number = _view_number("SetState", viewID)
+    if "modelRotation" in renderState:
+        rotation = as_array("SC.renderer.SetState(...): modelRotation", renderState["modelRotation"])
+        if rotation.shape != (3, 3):
+            raise ValueError(
+                f"SC.renderer.SetState(...): modelRotation: expected a 3x3 matrix, received {rotation.shape}"
+            )
+    if "centerPoint" in renderState:
+        as_vector("SC.renderer.SetState(...): centerPoint", renderState["centerPoint"], 3)
+    state_of(self, number).update(renderState)
+
+
+def ResetState(self: Any) -> None:
+    """Forget the views; the settings say the next ones."""
+    self._state.clear()
+
+
+def GetRenderCount(self: Any) -> int:
+    """Return how many images have been made."""
+    return int(self._state.get("renderCount", 0))
+
+
+def GetMouseCoordinates(self: Any, useOpenGLcoordinates: bool = False, viewID: int = 0) -> list[float]:
+    """Return zeros: there is no window."""
+    return [0.0, 0.0]
+
+
+def GetItemSelection(self: Any, resetSelection: bool = True, viewID: int = 0) -> tuple[int, int, int, float]:
+    """Return (-1, -1, -1, 0): nothing is selected without a window."""
+    return (-1, -1, -1, 0.0)
+
+
+METHODS = (
+    Start,
+    Stop,
+    IsActive,
+    Attach,
+    Detach,
+    DoIdleTasks,
+    EnableView,
+    DisableView,
+    ZoomAll,
+    SetModelView,
+    RedrawAndSaveImage,
+    RedrawAndGetImage,
+    GetState,
+    SetState,
+    GetMouseCoordinates,
+    GetItemSelection,
+    ResetState,
+    SendRedrawSignal,
+    GetRenderCount,
+)

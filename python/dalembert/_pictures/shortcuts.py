@@ -1,0 +1,63 @@
+"""The methods that containers had before there was SC.renderer."""
+
+from __future__ import annotations
+
+from typing import Any
+
+
+def AttachToRenderEngine(container: Any) -> bool:
+    """Earlier name of SC.renderer.Attach."""
+    return bool(container.renderer.Attach())
+
+
+def DetachFromRenderEngine(container: Any) -> bool:
+    """Earlier name of SC.renderer.Detach."""
+    return bool(container.renderer.Detach())
+
+
+def GetCurrentMouseCoordinates(container: Any, useOpenGLcoordinates: bool = False) -> list[float]:
+    """Earlier name of SC.renderer.GetMouseCoordinates."""
+    return list(container.renderer.GetMouseCoordinates(useOpenGLcoordinates))
+
+
+def GetRenderState(container: Any) -> dict[str, Any]:
+    """Earlier name of SC.renderer.GetState."""
+    return dict(container.renderer.GetState())
+
+
+def RedrawAndSaveImage(container: Any) -> None:
+    """Earlier name of SC.renderer.RedrawAndSaveImage."""
+    container.renderer.RedrawAndSaveImage()
+
+
+def RenderEngineZoomAll(container: Any) -> None:
+    """Earlier name of SC.renderer.ZoomAll."""
+    container.renderer.ZoomAll()
+
+
+def SendRedrawSignal(container: Any) -> None:
+    """Earlier name of SC.renderer.SendRedrawSignal."""
+    container.renderer.SendRedrawSignal()
+
+
+def SetRenderState(container: Any, renderState: dict[str, Any]) -> None:
+    """Earlier name of SC.renderer.SetState."""
+    container.renderer.SetState(renderState)
+
+
+def WaitForRenderEngineStopFlag(container: Any) -> bool:
+    """Earlier name of SC.renderer.DoIdleTasks."""
+    return bool(container.renderer.DoIdleTasks())
+
+
+METHODS = (
+    AttachToRenderEngine,
+    DetachFromRenderEngine,
+    GetCurrentMouseCoordinates,
+    GetRenderState,
+    RedrawAndSaveImage,
+    RenderEngineZoomAll,
+    SendRedrawSignal,
+    SetRenderState,
+    WaitForRenderEngineStopFlag,
+)

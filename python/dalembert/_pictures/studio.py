@@ -1,0 +1,147 @@
+"""A studio draws all systems of a container, as its settings and the render state say."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from dalembert import _core
+from dalembert._pictures import camera, films, painting
+from dalembert._pictures.camera import Camera
+from dalembert._pictures.making import SceneMaker
+from dalembert._pictures.painting import Image
+from dalembert._pictures.places import Places
+from dalembert._pictures.renderer import state_of
+from dalembert._pictures.scene import DrawnItem, Instance, Scene
+
+
+def joined(scenes: list[Scene]) -> Scene:
+    """Return one scene of those of several systems."""
+    if len(scenes) == 1:
+        return scenes[0]
+    whole = Scene()
+    for scene in scenes:
+        start = len(whole.items)
+        whole.items += scene.items
+        whole.instances += [
+            Instance(i.mesh, i.matrix, i.place, i.color, i.item + start, i.values) for i in scene.instances
+        ]
+        whole.spheres += [(center, radius, color, item + start) for center, radius, color, item in scene.spheres]
+        whole.lines += [(points, color, width, item + start) for points, color, width, item in scene.lines]
+        whole.labels += scene.labels
+        whole.time = max(whole.time, scene.time)
+        whole.value_name = whole.value_name or scene.value_name
+    if len(values := whole.values()):
+        whole.value_range = (min(s.value_range[0] for s in scenes), max(s.value_range[1] for s in scenes))
+        assert np.isfinite(values).all()
+    return whole
+
+
+class Studio:
+    """Draws all systems of a container as its settings and its render state say."""
+
+    def __init__(self, container: Any, systems: list[Any] | None = None) -> None:
+        self.container = container
+        self.settings = container.visualizationSettings
+        if systems is None:
+            systems = [container.GetSystem(i) for i in range(container.NumberOfSystems())]
+        self.makers = [SceneMaker(mbs, self.settings) for mbs in systems]
+
+    def margin(self) -> float:
+        """Return how much larger an image is than what it shows."""
+        return max(float(self.settings.general.boundingBoxZoomAllFactor), 0.1)
+
+    def upwards(self) -> int:
+        """Return the axis that points upwards: 1 if weight acts along y, otherwise 2."""
+        for maker in self.makers:
+            for number in range(maker.mbs.systemData.NumberOfLoads()):
+                load = maker.mbs.GetLoad(number)
+                if load["loadType"] == "MassProportional":
+                    x, y, z = np.abs(np.asarray(load["loadVector"], float))
+                    return 1 if y > z else 2
+        return 2
+
+    def view(self, number: int) -> Any:
+        """Return the settings of a view."""
+        return getattr(self.settings, f"view{number}")
+
+    def size(self, number: int) -> tuple[int, int]:
+        """Return width and height of the images of a view, in pixels."""
+        width, height = (max(int(n), 1) for n in self.view(number).window.renderWindowSize)
+        return width, height
+
+    def scene(self, configuration: Any = None) -> Scene:
+        """Return the scene of all systems."""
+        return joined([maker.scene(configuration) for maker in self.makers]) if self.makers else Scene()
+
+    def camera(self, scene: Scene, number: int = 0, size: tuple[int, int] | None = None) -> Camera:
+        """Return the camera of the render state; what that does not say follows from the settings and the scene."""
+        state = state_of(self.container.renderer, number)
+        result = camera.of_settings(self.settings)
+        result.perspective = float(self.view(number).camera.perspective)
+        if "modelRotation" in state:
+            result.rotation = np.asarray(state["modelRotation"], float).reshape(3, 3).T
+        known = float(state.get("zoom", 0.0)) > 0
+        if self.settings.general.autoFitScene and not known:
+            result.fit(scene.box(), *(size or self.size(number)), self.margin())
+        if "centerPoint" in state and known:
+            result.center = np.asarray(state["centerPoint"], float)
+        if known:
+            result.zoom = float(state["zoom"])
+        self._track(result, number)
+        return result
+
+    def _track(self, result: Camera, number: int) -> None:
+        """Let the camera follow a marker."""
+        follow = self.view(number).camera
+        if int(follow.trackMarker) < 0 or int(follow.trackMarkerMbsNumber) >= len(self.makers):
+            return
+        mbs = self.makers[int(follow.trackMarkerMbsNumber)].mbs
+        places = Places(mbs, _core.ConfigurationType.Visualization)
+        place = places.marker(int(follow.trackMarker))
+        if place is not None:
+            chosen = np.asarray(follow.trackMarkerPosition, float) != 0
+            result.center = np.where(chosen, place, result.center)
+        if np.any(np.asarray(follow.trackMarkerOrientation, float)):
+            result.rotation = result.rotation @ places.marker_rotation(int(follow.trackMarker)).T
+
+    def image(self, scene: Scene, view: Camera, number: int = 0, size: tuple[int, int] | None = None) -> Image:
+        """Return the image of a scene."""
+        return painting.paint(scene, view, self.makers[0].looks, self.view(number), size or self.size(number))
+
+    def picture(self, number: int = 0) -> Image:
+        """Return the image of what is visualized now."""
+        if not self.makers:
+            width, height = self.size(number)
+            return np.full((height, width, 3), 255, np.uint8)
+        scene = self.scene()
+        return self.image(scene, self.camera(scene, number), number)
+
+
+def save_next(export: Any, image: Image) -> Path:
+    """Save an image under the next name; its size becomes a multiple of what videos need."""
+    height, width = (n // max(int(a), 1) * max(int(a), 1) or n for n, a in zip(
+        image.shape, (export.heightAlignment, export.widthAlignment), strict=False))  # fmt: skip
+    image = image[:height, :width]
+    number = "" if export.saveImageSingleFile else f"{int(export.saveImageFileCounter):05d}"
+    if export.saveImageFormat != "PNG":
+        raise ValueError(
+            f"visualizationSettings.exportImages.saveImageFormat: expected 'PNG', received '{export.saveImageFormat}'"
+        )
+    path = Path(f"{export.saveImageFileName}{number}.png")
+    films.save_image(image, path)
+    if not export.saveImageSingleFile:
+        export.saveImageFileCounter += 1
+    return path
+
+
+def item_at(studio: Studio, x: int, y: int, number: int = 0) -> DrawnItem | None:
+    """Return the item that is seen in a pixel: column x, row y."""
+    scene = studio.scene()
+    seen = painting.items(
+        scene, studio.camera(scene, number), studio.makers[0].looks, studio.view(number), studio.size(number)
+    )
+    found = int(seen[y, x])
+    return scene.items[found] if found >= 0 else None

@@ -1,0 +1,103 @@
+"""Symbols of what has no shape of its own: nodes, markers, loads and sensors."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from dalembert._checks import FloatArray
+from dalembert._core import OutputVariableType
+from dalembert._pictures.contour import Contour
+from dalembert._pictures.pen import Pen
+from dalembert._pictures.places import frame_along
+
+Item = dict[str, Any]
+
+
+def node(pen: Pen, colors: Contour, number: int, item: Item) -> None:
+    """A ball, and the axes of the node if they are wanted."""
+    if (place := pen.places.node(number)) is None:
+        return
+    radius = 0.5 * pen.looks.draw_size(item, "nodes.defaultSize", 0.02)
+    color = pen.looks.color(item, "nodes.defaultColor")
+    pen.sphere(place, radius, color)
+    if pen.looks.setting("nodes.showBasis"):
+        rotation = pen.places.node_rotation(number)
+        pen.frame(place, np.eye(3) if rotation is None else rotation, pen.looks.length("nodes.basisSize", 0.1))
+
+
+def marker(pen: Pen, number: int, item: Item) -> None:
+    """A small cube; balls at the mesh nodes that the marker is the mean of."""
+    if (place := pen.places.marker(number)) is None:
+        return
+    size = pen.looks.length("markers.defaultSize", 0.009)
+    color = pen.looks.color(item, "markers.defaultColor")
+    pen.box(place, pen.places.marker_rotation(number), 3 * [size], color)
+    if item.get("VshowMarkerNodes") and "meshNodeNumbers" in item:
+        for mesh_node in item["meshNodeNumbers"]:
+            point = pen.places.mesh_output(item["bodyNumber"], OutputVariableType.Position, mesh_node)
+            if point is not None:
+                pen.sphere(point, 0.35 * size, color)
+
+
+def load(pen: Pen, number: int, item: Item) -> None:
+    """An arrow along a force, a turning arrow about a torque; its size is fixed, or in proportion to the load."""
+    color = pen.looks.color(item, "loads.defaultColor")
+    marker_number = item["markerNumber"]
+    if (place := pen.places.marker(marker_number)) is None:
+        return
+    vector, turns = _direction(pen, item)
+    strength = float(np.linalg.norm(vector))
+    if strength == 0:
+        return
+    if item.get("bodyFixed"):
+        vector = pen.places.marker_rotation(marker_number) @ vector
+    if pen.looks.setting("loads.fixedLoadSize"):
+        size = pen.looks.length("loads.defaultSize", 0.08)
+    else:
+        size = strength * float(pen.looks.setting("loads.loadSizeFactor"))
+    radius = pen.looks.length("loads.defaultRadius", 0.003)
+    if turns:
+        pen.turning_arrow(place, vector, 0.5 * size, color)
+    else:
+        pen.arrow(place, size / strength * vector, radius, color)
+
+
+def _direction(pen: Pen, item: Item) -> tuple[FloatArray, bool]:
+    """Return the vector of a load, and whether it is a torque."""
+    if item["loadType"] != "Coordinate":
+        return np.asarray(item["loadVector"], float), item["loadType"] == "TorqueVector"
+    marker = pen.places.item("Marker", item["markerNumber"])
+    coordinate = int(marker.get("coordinate", marker.get("rotationCoordinate", 0)))
+    turns = "rotationCoordinate" in marker
+    if "nodeNumber" in marker:
+        node_type = pen.places.item("Node", marker["nodeNumber"])["nodeType"]
+        planar, spatial = node_type.startswith("RigidBody2D"), node_type.startswith("RigidBody")
+        if planar and coordinate == 2:
+            return np.array([0, 0, float(item["load"])]), True
+        turns = turns or (spatial and not planar and coordinate >= 3)
+    return float(item["load"]) * np.eye(3)[coordinate % 3], turns
+
+
+def sensor(pen: Pen, number: int, item: Item) -> None:
+    """A small diamond where something is measured."""
+    if (place := _sensor_place(pen, item)) is None:
+        return
+    size = pen.looks.length("sensors.defaultSize", 0.012)
+    diamond = frame_along(np.array([1.0, 1, 1]))
+    pen.box(place, diamond, 3 * [0.8 * size], pen.looks.color(item, "sensors.defaultColor"))
+
+
+def _sensor_place(pen: Pen, item: Item) -> FloatArray | None:
+    if "meshNodeNumber" in item:
+        return pen.places.mesh_output(item["bodyNumber"], OutputVariableType.Position, item["meshNodeNumber"])
+    if "bodyNumber" in item:
+        return pen.places.body(item["bodyNumber"], item.get("localPosition", (0, 0, 0)))
+    if "nodeNumber" in item:
+        return pen.places.node(item["nodeNumber"])
+    if "markerNumber" in item:
+        return pen.places.marker(item["markerNumber"])
+    if "loadNumber" in item:
+        return pen.places.marker(pen.places.item("Load", item["loadNumber"])["markerNumber"])
+    return pen.places.object(item["objectNumber"]) if "objectNumber" in item else None

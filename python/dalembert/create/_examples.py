@@ -1,0 +1,159 @@
+"""An example of each Create function, for its docstring and its page; before it, `mbs` is an empty system.
+
+Tests run, assemble and solve each of them.
+"""
+
+EXAMPLES = {
+    "CreateGround": """
+ground = mbs.CreateGround(referencePosition=[0, 0, 1])
+mass = mbs.CreateMassPoint(physicsMass=2, gravity=[0, 0, -9.81])
+mbs.CreateSpringDamper(bodyNumbers=[ground, mass], stiffness=800)
+""",
+    "CreateMassPoint": """
+mass = mbs.CreateMassPoint(
+    referencePosition=[0, 2, 0], initialVelocity=[3, 0, 0], physicsMass=0.5, gravity=[0, -9.81, 0]
+)
+planar = mbs.CreateMassPoint(physicsMass=0.5, create2D=True, returnDict=True)
+marker = mbs.AddMarker(MarkerNodePosition(nodeNumber=planar["nodeNumber"]))
+mbs.AddLoad(Force(markerNumber=marker, loadVector=[1, 0, 0]))
+""",
+    "CreateRigidBody": """
+bar = InertiaCuboid(density=7800, sideLengths=[1, 0.1, 0.1])
+body = mbs.CreateRigidBody(
+    referencePosition=[0.5, 0, 0],
+    referenceRotationMatrix=RotationMatrixZ(0.2),
+    initialAngularVelocity=[0, 0, 3],
+    inertia=bar,
+    gravity=[0, -9.81, 0],
+)
+""",
+    "CreateSpringDamper": """
+ground = mbs.CreateGround()
+mass = mbs.CreateMassPoint(referencePosition=[0, -1, 0], physicsMass=2, gravity=[0, -9.81, 0])
+mbs.CreateSpringDamper(bodyNumbers=[ground, mass], referenceLength=1, stiffness=800, damping=8)
+""",
+    "CreateCartesianSpringDamper": """
+ground = mbs.CreateGround()
+mass = mbs.CreateMassPoint(physicsMass=2, gravity=[0, 0, -9.81])
+mbs.CreateCartesianSpringDamper(bodyNumbers=[ground, mass], stiffness=[800, 800, 2000], damping=[8, 8, 20])
+""",
+    "CreateRigidBodySpringDamper": """
+ground = mbs.CreateGround()
+body = mbs.CreateRigidBody(inertia=InertiaSphere(mass=2, radius=0.1), gravity=[0, 0, -9.81])
+mbs.CreateRigidBodySpringDamper(
+    bodyNumbers=[ground, body],
+    stiffness=np.diag([800, 800, 2000, 5, 5, 5]),  # N/m and Nm/rad
+    damping=np.diag([8, 8, 20, 0.1, 0.1, 0.1]),
+)
+""",
+    "CreateTorsionalSpringDamper": """
+ground = mbs.CreateGround()
+flywheel = mbs.CreateRigidBody(initialAngularVelocity=[0, 0, 2], inertia=InertiaCylinder(7800, 0.02, 0.2, axis=2))
+mbs.CreateRevoluteJoint(bodyNumbers=[ground, flywheel], position=[0, 0, 0], axis=[0, 0, 1])
+mbs.CreateTorsionalSpringDamper(bodyNumbers=[ground, flywheel], axis=[0, 0, 1], stiffness=30, damping=0.1)
+""",
+    "CreateDistanceConstraint": """
+ground = mbs.CreateGround()
+mass = mbs.CreateMassPoint(referencePosition=[1, 0, 0], physicsMass=2, gravity=[0, -9.81, 0])
+mbs.CreateDistanceConstraint(bodyNumbers=[ground, mass])  # a pendulum of length 1
+""",
+    "CreateCoordinateConstraint": """
+mass = mbs.CreateMassPoint(physicsMass=2, gravity=[0, -9.81, 0], initialVelocity=[1, 0, 0])
+mbs.CreateCoordinateConstraint(bodyNumbers=[None, mass], coordinates=[None, 1])  # y stays where it is
+""",
+    "CreateRevoluteJoint": """
+ground = mbs.CreateGround()
+bar = InertiaCuboid(density=7800, sideLengths=[1, 0.1, 0.1])
+pendulum = mbs.CreateRigidBody(referencePosition=[0.5, 0, 0], inertia=bar, gravity=[0, -9.81, 0])
+mbs.CreateRevoluteJoint(bodyNumbers=[ground, pendulum], position=[0, 0, 0], axis=[0, 0, 1])
+""",
+    "CreatePrismaticJoint": """
+ground = mbs.CreateGround()
+slider = mbs.CreateRigidBody(inertia=InertiaCuboid(density=7800, sideLengths=[0.1, 0.1, 0.1]), gravity=[2, 0, -9.81])
+mbs.CreatePrismaticJoint(bodyNumbers=[ground, slider], position=[0, 0, 0], axis=[1, 0, 0])
+""",
+    "CreateSphericalJoint": """
+ground = mbs.CreateGround()
+top = mbs.CreateRigidBody(
+    referencePosition=[0, 0, 1],
+    initialAngularVelocity=[0, 0, 50],
+    inertia=InertiaCylinder(7800, 0.05, 0.2, axis=2),
+    gravity=[1, 0, -9.81],
+)
+mbs.CreateSphericalJoint(bodyNumbers=[ground, top], position=[0, 0, 0])
+""",
+    "CreateGenericJoint": """
+ground = mbs.CreateGround()
+body = mbs.CreateRigidBody(inertia=InertiaSphere(mass=2, radius=0.1), gravity=[0, 0, -9.81])
+mbs.CreateGenericJoint(
+    bodyNumbers=[ground, body],
+    position=[0, 0, 0],
+    constrainedAxes=[1, 1, 0, 1, 1, 0],  # free along and about z
+)
+""",
+    "CreateRollingDisc": """
+ground = mbs.CreateGround()
+disc = mbs.CreateRigidBody(
+    referencePosition=[0, 0, 0.2],
+    initialVelocity=[0, 1, 0],
+    initialAngularVelocity=[-5, 0, 0],
+    inertia=InertiaCylinder(7800, 0.02, 0.2, axis=0),
+    gravity=[0, 0, -9.81],
+)
+mbs.CreateRollingDisc(bodyNumbers=[ground, disc], axisPosition=[0, 0, 0], axisVector=[1, 0, 0], discRadius=0.2)
+""",
+    "CreateRollingDiscPenalty": """
+ground = mbs.CreateGround()
+disc = mbs.CreateRigidBody(
+    referencePosition=[0, 0, 0.2],
+    initialVelocity=[0, 1, 0],  # slips until it rolls
+    inertia=InertiaCylinder(7800, 0.02, 0.2, axis=0),
+    gravity=[0, 0, -9.81],
+)
+mbs.CreateRollingDiscPenalty(
+    bodyNumbers=[ground, disc],
+    axisPosition=[0, 0, 0],
+    axisVector=[1, 0, 0],
+    discRadius=0.2,
+    contactStiffness=1e5,
+    contactDamping=1e3,
+    dryFriction=[0.3, 0.3],
+    dryFrictionProportionalZone=0.01,
+)
+""",
+    "CreateForce": """
+body = mbs.CreateRigidBody(inertia=InertiaCuboid(density=7800, sideLengths=[1, 0.1, 0.1]))
+mbs.CreateForce(bodyNumber=body, loadVector=[0, 100, 0], localPosition=[0.5, 0, 0])
+mbs.CreateForce(bodyNumber=body, loadVectorUserFunction=lambda mbs, t, load: [0, 0, 50 * np.sin(20 * t)])
+""",
+    "CreateTorque": """
+ground = mbs.CreateGround()
+wheel = mbs.CreateRigidBody(inertia=InertiaCylinder(7800, 0.02, 0.2, axis=2))
+mbs.CreateRevoluteJoint(bodyNumbers=[ground, wheel], position=[0, 0, 0], axis=[0, 0, 1])
+mbs.CreateTorque(bodyNumber=wheel, loadVector=[0, 0, 2])
+""",
+    "CreateFFRFReducedOrderObject": """
+from dalembert.FEM import FEMinterface, KirchhoffMaterial
+
+fem = FEMinterface()
+corners = [[x, y, z] for z in (0, 0.1) for x, y in ((0, 0), (1, 0), (1, 0.1), (0, 0.1))]
+fem.SetMesh(corners, {"Hex8": [range(8)]})
+fem.AssembleMatrices(KirchhoffMaterial(2.1e11, 0.3, 7850))
+fem.nodeSets.append({"Name": "root", "NodeNumbers": [0, 3, 4, 7], "NodeWeights": [0.25] * 4, "type": "boundary"})
+fem.ComputeHurtyCraigBamptonModes([[0, 3, 4, 7]], nEigenModes=3)
+beam = mbs.CreateFFRFReducedOrderObject("beam", fem, gravity=[0, 0, -9.81])
+ground = mbs.CreateGround()
+fixed = mbs.AddMarker(MarkerBodyRigid(bodyNumber=ground, localPosition=[0, 0.05, 0.05]))
+mbs.AddObject(GenericJoint(markerNumbers=[fixed, beam["beam:root"]]))
+""",
+    "CreateKinematicTree": """
+bar = InertiaCuboid(density=1000, sideLengths=[0.5, 0.05, 0.05]).Translated([0.25, 0, 0])
+shoulder = TreeLink(linkInertia=bar, jointType=exu.JointType.RevoluteZ, PDcontrol=(200, 20))
+elbow = TreeLink(linkInertia=bar, jointType=exu.JointType.RevoluteY, jointHT=HTtranslateX(0.5), PDcontrol=(50, 5))
+arm = mbs.CreateKinematicTree(
+    listOfTreeLinks=[shoulder, elbow], gravity=[0, 0, -9.81], jointPositionOffsetVector=[0.5, -0.3]
+)
+tip = mbs.AddMarker(MarkerKinematicTreeRigid(objectNumber=arm, linkNumber=1, localPosition=[0.5, 0, 0]))
+mbs.AddLoad(Force(markerNumber=tip, loadVector=[0, 0, 5]))
+""",
+}

@@ -1,0 +1,228 @@
+"""Links and joints as files of robots have them, and the robot that they make.
+
+Fixed joints join links to one; floating and planar joints become several joints of one coordinate, with links without
+mass between them; axes in any direction become axes of turned joints.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from dalembert._checks import FloatArray
+from dalembert._geometry.inertia import RigidBodyInertia
+from dalembert._geometry.rotations import ComputeOrthonormalBasis
+from dalembert._geometry.transformations import InverseHT
+from dalembert.robotics import _drawing
+from dalembert.robotics._dynamics import joint_transformation
+from dalembert.robotics._parts import GraphicsList, RobotBase, RobotLink, VRobotBase, VRobotLink
+from dalembert.robotics._robot import Robot
+from dalembert.robotics._xml import Element
+
+
+@dataclass
+class Body:
+    """A link of a file, in its own frame; frames are further frames on it by name."""
+
+    name: str
+    where: Element
+    inertia: RigidBodyInertia | None = None
+    drawn: GraphicsList = field(default_factory=list)
+    frames: dict[str, FloatArray] = field(default_factory=dict)
+
+
+@dataclass
+class Joint:
+    """A joint of a file: T leads from the parent to the child at coordinate `reference`; axis and place in the child.
+
+    kind is revolute, prismatic, fixed, floating or planar; values are further arguments of RobotLink.
+    """
+
+    name: str
+    kind: str
+    parent: str
+    child: str
+    T: FloatArray
+    where: Element
+    axis: FloatArray = field(default_factory=lambda: np.array([1.0, 0.0, 0.0]))
+    place: FloatArray = field(default_factory=lambda: np.zeros(3))
+    reference: float = 0.0
+    values: dict[str, Any] = field(default_factory=dict)
+
+
+@dataclass
+class Description:
+    """What a file says of a robot; the root is the link that stands on the ground."""
+
+    name: str
+    bodies: dict[str, Body]
+    joints: list[Joint]
+    root: str
+    gravity: npt.ArrayLike = (0.0, 0.0, -9.81)
+
+
+@dataclass
+class _Moving:
+    """A link of the robot while bodies are joined to it."""
+
+    parent: int
+    before: FloatArray
+    kind: str
+    after: FloatArray
+    body: str = ""
+    joint: str = ""
+    reference: float = 0.0
+    values: dict[str, Any] = field(default_factory=dict)
+    inertia: RigidBodyInertia = field(default_factory=RigidBodyInertia)
+    drawn: GraphicsList = field(default_factory=list)
+
+
+def translated(r: npt.ArrayLike) -> FloatArray:
+    """Return the transformation of a translation."""
+    T = np.eye(4)
+    T[:3, 3] = r
+    return T
+
+
+def turned(A: FloatArray) -> FloatArray:
+    """Return the transformation of a rotation."""
+    T = np.eye(4)
+    T[:3, :3] = A
+    return T
+
+
+def _axis_frame(letter: str, axis: FloatArray) -> tuple[str, FloatArray]:
+    """Return the short name of a joint, and the rotation that turns its own axis to the given one."""
+    for name, unit in zip("xyz", np.eye(3), strict=True):
+        if np.allclose(axis, unit, atol=1e-12):
+            return letter + name, np.eye(3)
+    return letter + "z", ComputeOrthonormalBasis(axis)[:, [1, 2, 0]]
+
+
+def _elementary(joint: Joint) -> list[tuple[str, FloatArray]]:
+    """Return the joints of one coordinate that a joint is made of, with their axes in the frame of the child."""
+    x, y, z = np.eye(3)
+    match joint.kind:
+        case "revolute":
+            return [("R", joint.axis)]
+        case "prismatic":
+            return [("P", joint.axis)]
+        case "planar":
+            basis = ComputeOrthonormalBasis(joint.axis)
+            return [("P", basis[:, 1]), ("P", basis[:, 2]), ("R", basis[:, 0])]
+        case "ball":
+            return [("R", z), ("R", y), ("R", x)]
+    return [("P", x), ("P", y), ("P", z), ("R", z), ("R", y), ("R", x)]
+
+
+def _moving(joint: Joint, carrier: int, T: FloatArray, number: int) -> list[_Moving]:
+    """Return the links that a joint adds, the last of which is the child; T leads from the carrier to the child."""
+    parts = _elementary(joint)
+    result = []
+    for i, (letter, axis) in enumerate(parts):
+        kind, A = _axis_frame(letter, axis)
+        to_axis = translated(joint.place) @ turned(A)
+        back = joint_transformation(kind, np.array(-joint.reference))
+        before = (T if i == 0 else np.eye(4)) @ to_axis @ back
+        name = joint.name if len(parts) == 1 else f"{joint.name}:{i}"
+        own = _Moving(carrier if i == 0 else number + i - 1, before, kind, InverseHT(to_axis), joint=name)
+        own.reference, own.values = joint.reference, joint.values
+        result.append(own)
+    return result
+
+
+class _Builder:
+    """Goes through the tree of links from its root."""
+
+    def __init__(self, description: Description) -> None:
+        self.description = description
+        self.children: dict[str, list[Joint]] = {}
+        for joint in description.joints:
+            self.children.setdefault(joint.parent, []).append(joint)
+        self.moving: list[_Moving] = []
+        self.base: GraphicsList = []
+        self.frames: dict[str, tuple[int, FloatArray]] = {}
+        self._place(description.root, -1, np.eye(4), fixed=True)
+
+    def _place(self, name: str, carrier: int, T: FloatArray, fixed: bool) -> None:
+        """Join a body to the link that carries it, and go on with its joints; T leads from the link to the body."""
+        body = self.description.bodies[name]
+        drawn = _drawing.moved(body.drawn, T)
+        if carrier < 0:
+            self.base += drawn
+        else:
+            link = self.moving[carrier]
+            link.drawn += drawn
+            if body.inertia is not None:
+                link.inertia = link.inertia + body.inertia.Transformed(T)
+        if fixed:
+            self.frames[name] = (carrier, T)
+        self.frames |= {frame: (carrier, T @ local) for frame, local in body.frames.items()}
+        for joint in self.children.get(name, []):
+            if joint.kind == "fixed":
+                self._place(joint.child, carrier, T @ joint.T, fixed=True)
+                continue
+            self.moving += _moving(joint, carrier, T @ joint.T, len(self.moving))
+            self.moving[-1].body = self.description.bodies[joint.child].name
+            self._place(joint.child, len(self.moving) - 1, np.eye(4), fixed=False)
+
+    def robot(self) -> Robot:
+        """Return the robot."""
+        base = RobotBase(visualization=VRobotBase(self.base))
+        robot = Robot(self.description.gravity, base, referenceConfiguration=[link.reference for link in self.moving])
+        robot.name, robot.frames = self.description.name, self.frames
+        for link in self.moving:
+            view = VRobotLink(graphicsData=link.drawn, showMBSjoint=not link.drawn, showCOM=not link.drawn)
+            inertia = link.inertia
+            robot.AddLink(
+                RobotLink(
+                    inertia.Mass(),
+                    inertia.COM(),
+                    inertia.InertiaCOM(),
+                    localHT=link.after,
+                    jointType=link.kind,
+                    parent=link.parent,
+                    preHT=link.before,
+                    visualization=view,
+                    name=link.body,
+                    jointName=link.joint,
+                    **link.values,
+                )
+            )
+        return robot
+
+
+def robot_of(description: Description) -> Robot:
+    """Return the robot that links and joints make."""
+    return _Builder(description).robot()
+
+
+def root_of(bodies: dict[str, Body], joints: list[Joint]) -> str:
+    """Return the name of the one link that no joint carries; ValueError if links are carried twice or go round."""
+    carried: dict[str, Joint] = {}
+    for joint in joints:
+        for end in (joint.parent, joint.child):
+            if end not in bodies:
+                joint.where.fail(f"joint '{joint.name}': there is no link '{end}'; there are: {', '.join(bodies)}")
+        if joint.child in carried:
+            other = carried[joint.child]
+            joint.where.fail(
+                f"joint '{joint.name}': link '{joint.child}' is carried by joint '{other.name}' in line "
+                f"{other.where.line} already; loops need a constraint, not a second joint"
+            )
+        carried[joint.child] = joint
+    roots = [body for body in bodies.values() if body.name not in carried]
+    if len(roots) > 1:
+        names = ", ".join(f"'{body.name}'" for body in roots)
+        roots[1].where.fail(f"expected one link that no joint carries, received {names}")
+    for joint in joints:  # whoever does not come to the root goes round
+        seen, name = {joint.child}, joint.parent
+        while name in carried:
+            if name in seen:
+                joint.where.fail(f"joint '{joint.name}': its links carry each other in a circle")
+            seen.add(name)
+            name = carried[name].parent
+    return roots[0].name

@@ -1,0 +1,180 @@
+"""Inverse kinematics by damped least squares, within the limits of the joints.
+
+Steps of Levenberg and Marquardt, weighted by stiffnesses of the joints, make the error of position and rotation small:
+C. W. Wampler, Manipulator inverse kinematic solutions based on vector formulations and damped least-squares methods,
+IEEE Trans. Systems, Man, and Cybernetics 16, 1986. A robot with more joints than needed then moves within the null
+space, until its joints are as near to the start as they can be: the state of least energy of springs in the joints.
+A joint at a limit, which a step would leave, rests for that step.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from dalembert._checks import FloatArray, as_transformation, as_vector, shape_error
+from dalembert._geometry.rotations import RotationMatrix2RotationVector, RotationVector2RotationMatrix
+from dalembert._geometry.transformations import HomogeneousTransformation
+from dalembert.robotics._denavit_hartenberg import projectAngleToPMPi
+from dalembert.robotics._parts import is_revolute
+from dalembert.robotics._robot import Robot
+
+TOLERANCE = 1e-10  # m and rad
+SETTLED = 1e-12  # the error of a pose that is reached but for rounding
+STEADY = 1e-8  # the step in the null space that is the last one
+OTHER_STARTS = 20
+LONGEST = 0.2  # step in the null space, m and rad
+
+
+class InverseKinematicsNumerical:
+    """Finds coordinates of the joints of a robot for a pose of its tool, starting from those found before.
+
+    jointStiffness, a number or one per joint, says how unwilling joints are to move. Limits are those of the links
+    (jointLimits); limits=False leaves them aside. link may name another link, or a frame, than the tool. flagDebug=True
+    prints what happens; useRenderer and useAlternativeConstraints change nothing: there is no window, and no system.
+    """
+
+    def __init__(
+        self,
+        robot: Robot,
+        jointStiffness: float | Sequence[float] = 1.0,
+        useRenderer: bool = False,
+        flagDebug: bool = False,
+        useAlternativeConstraints: bool = False,
+        limits: bool = True,
+        link: str = "tool",
+        maxIterations: int = 100,
+    ) -> None:
+        n = robot.NumberOfLinks()
+        stiffness = np.broadcast_to(np.asarray(jointStiffness, dtype=float), (n,))
+        if not (stiffness > 0).all():
+            raise shape_error("InverseKinematicsNumerical: jointStiffness", "positive numbers", jointStiffness)
+        self.robot, self.flagDebug, self.link, self.maxIterations = robot, flagDebug, link, maxIterations
+        self._compliance = 1.0 / stiffness
+        self._turning = np.array([is_revolute(link.jointType) for link in robot.links])
+        bounds = [link.jointLimits if limits else None for link in robot.links]
+        self._lower = np.array([-np.inf if b is None else b[0] for b in bounds])
+        self._upper = np.array([np.inf if b is None else b[1] for b in bounds])
+        self._carrier = robot.FrameLink(link)
+        self.q = np.clip(robot.referenceConfiguration[:n], self._lower, self._upper)
+
+    @staticmethod
+    def createVector(p0: npt.ArrayLike, p01: npt.ArrayLike) -> tuple[list[float], ...]:
+        """Return the x, y and z values of both ends of a line from p0 along p01, for plots."""
+        start, way = as_vector("p0", p0, 3), as_vector("p01", p01, 3)
+        return tuple([float(a), float(a + b)] for a, b in zip(start, way, strict=True))
+
+    def GetCurrentRobotHT(self) -> FloatArray:
+        """Return the pose of the tool at the coordinates found last."""
+        return self.robot.FrameHT(self.link, self.q)
+
+    def InterpolateHTs(
+        self, T1: npt.ArrayLike, T2: npt.ArrayLike, rotStep: float = np.pi / 16, minSteps: int = 1
+    ) -> list[FloatArray]:
+        """Return poses on the way from T1 to T2, the last of them T2: straight, and turning about one axis.
+
+        They are not more than rotStep (rad) apart, and not fewer than minSteps.
+        """
+        start, end = as_transformation("T1", T1), as_transformation("T2", T2)
+        turn = RotationMatrix2RotationVector(start[:3, :3].T @ end[:3, :3])
+        way = end[:3, 3] - start[:3, 3]
+        n = max(minSteps, int(np.ceil(np.linalg.norm(turn) / rotStep)))
+        between = [
+            HomogeneousTransformation(start[:3, :3] @ RotationVector2RotationMatrix(s * turn), start[:3, 3] + s * way)
+            for s in np.arange(1, n) / n
+        ]
+        return [*between, end.copy()]
+
+    def SolveSafe(self, T: npt.ArrayLike, q0: npt.ArrayLike | None = None) -> list[Any]:
+        """Return [q, success] as Solve does; where this fails, by small steps from the pose at the start to T, and then
+        from other starts, always the same ones."""
+        start = self._start(q0)
+        q, success = self.Solve(T, start)
+        for rotStep, minSteps in ((np.pi / 20, 8), (np.pi / 80, 64)):
+            if success:
+                break
+            self._say("SolveSafe: in smaller steps")
+            q = start
+            for pose in self.InterpolateHTs(self.robot.FrameHT(self.link, start), T, rotStep, minSteps):
+                q, success = self.Solve(pose, q)
+                if not success:
+                    break
+        trials = np.random.default_rng(0).uniform(-1.0, 1.0, (OTHER_STARTS, len(start)))
+        lower, upper = np.maximum(self._lower, start - np.pi), np.minimum(self._upper, start + np.pi)
+        for trial in trials if not success else ():
+            q, success = self.Solve(T, lower + 0.5 * (trial + 1.0) * (upper - lower))
+            if success:
+                break
+        return [q, success]
+
+    def Solve(self, T: npt.ArrayLike, q0: npt.ArrayLike | None = None) -> list[Any]:
+        """Return [q, success], the coordinates of the joints for the pose T of the tool, in the global frame.
+
+        The iteration starts with q0, or the coordinates found last. Angles are between -pi and pi unless limits of a
+        joint are others. q is None if no coordinates within the limits were found to 1e-10 (m and rad).
+        """
+        goal, start = as_transformation("T", T), self._start(q0)
+        q = self._reach(goal, start, start)
+        if np.linalg.norm(self._error(goal, q)) > TOLERANCE:
+            self._say("Solve: pose not reached")
+            return [None, False]
+        projected = projectAngleToPMPi(q)
+        within = self._turning & (projected >= self._lower) & (projected <= self._upper)
+        self.q = np.where(within, projected, q)
+        return [self.q.copy(), True]
+
+    def _start(self, q0: npt.ArrayLike | None) -> FloatArray:
+        q = self.q if q0 is None else as_vector("InverseKinematicsNumerical: q0", q0, len(self.q))
+        return np.clip(q, self._lower, self._upper)
+
+    def _say(self, text: str) -> None:
+        if self.flagDebug:
+            print(f"InverseKinematicsNumerical.{text}")
+
+    def _error(self, goal: FloatArray, q: FloatArray) -> FloatArray:
+        """Return what is missing to the goal: translation and rotation vector, in the global frame."""
+        T = self.robot.FrameHT(self.link, q)
+        return np.concatenate([goal[:3, 3] - T[:3, 3], RotationMatrix2RotationVector(goal[:3, :3] @ T[:3, :3].T)])
+
+    def _step(
+        self, goal: FloatArray, q: FloatArray, error: FloatArray, damping: float, towards: FloatArray
+    ) -> FloatArray:
+        """Return a damped step that takes the error away, and goes towards other coordinates where it is free to."""
+        HT = self.robot.JointHT(q)
+        J = self.robot.Jacobian(HT, self.robot.FrameHT(self.link, q)[:3, 3], linkIndex=self._carrier)[:, : len(q)]
+        free = np.ones(len(q), dtype=bool)
+        while True:
+            weighted = (self._compliance * free)[:, None] * J.T
+            wish = free * towards
+            force = np.linalg.lstsq(J @ weighted + damping * np.eye(6), error - J @ wish, rcond=1e-14)[0]
+            step = weighted @ force + wish
+            leaving = ((q <= self._lower) & (step < 0)) | ((q >= self._upper) & (step > 0))
+            if not np.any(leaving & free):
+                return np.asarray(step * free)
+            free &= ~leaving
+
+    def _reach(self, goal: FloatArray, q: FloatArray, start: FloatArray) -> FloatArray:
+        """Return coordinates for a pose, among several those near the start; or the nearest if there are none."""
+        damping, error, reached = 1e-3, self._error(goal, q), None
+        for _ in range(self.maxIterations):
+            size = float(np.linalg.norm(error))
+            settled = size < SETTLED
+            if settled:
+                reached = q
+            towards = start - q if settled else np.zeros(len(q))
+            towards *= min(1.0, LONGEST / max(np.abs(towards).max(), LONGEST))
+            step = self._step(goal, q, error, damping * size**2, towards)
+            tried = np.clip(q + step, self._lower, self._upper)
+            tried_error = self._error(goal, tried)
+            if settled or np.linalg.norm(tried_error) < size:
+                q, error, damping = tried, tried_error, max(damping / 4, 1e-6)
+                if settled and np.abs(step).max() < STEADY:
+                    break
+            elif damping * size**2 > 1e9:
+                break
+            else:
+                damping *= 8
+        return q if reached is None else reached

@@ -1,0 +1,186 @@
+"""What robots are made of: links with their joints, base and tool, and how these are drawn."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from copy import copy, deepcopy
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from dalembert._checks import FloatArray, as_matrix, as_transformation, as_vector, shape_error
+from dalembert._core import JointType
+from dalembert._geometry.inertia import RigidBodyInertia
+from dalembert._geometry.transformations import HT0
+
+GraphicsList = list[dict[str, Any]]
+
+# Joints by their short names: revolute about, or prismatic along, a local axis.
+JOINT_TYPES = {
+    f"{letter}{axis}": JointType.__members__[f"{name}{axis.upper()}"]
+    for letter, name in (("R", "Revolute"), ("P", "Prismatic"))
+    for axis in "xyz"
+}
+JOINT_AXES: dict[str, FloatArray] = {name: np.eye(3)["xyz".index(name[1])] for name in JOINT_TYPES}
+
+REGULAR_VELOCITY = 1e-2  # rad/s or m/s: below it dry friction is proportional to velocity
+PREVIOUS_LINK = -2  # as parent: the link that was added before
+
+
+def is_revolute(jointType: str) -> bool:
+    """Whether a joint turns; else it slides."""
+    return jointType[0] == "R"
+
+
+class VRobotLink:
+    """How a link is drawn: sizes (m) of its joint and of the bar to the next joint, or graphicsData in its frame.
+
+    With graphicsData, no bar is drawn; showMBSjoint and showCOM draw joint and centre of mass besides.
+    """
+
+    def __init__(
+        self,
+        jointRadius: float = 0.06,
+        jointWidth: float = 0.12,
+        linkWidth: float = 0.1,
+        showMBSjoint: bool = True,
+        showCOM: bool = True,
+        linkColor: Sequence[float] = [0.4, 0.4, 0.4, 1],
+        graphicsData: GraphicsList = [],
+    ) -> None:
+        self.jointRadius = jointRadius
+        self.jointWidth = jointWidth
+        self.linkWidth = linkWidth
+        self.showMBSjoint = showMBSjoint
+        self.showCOM = showCOM
+        self.linkColor = list(linkColor)
+        self.graphicsData = list(graphicsData)
+
+    def __repr__(self) -> str:
+        values = vars(self) | {"graphicsData": "[...]" if self.graphicsData else "[]"}
+        return "\n".join(f"  {name} = {value}" for name, value in values.items())
+
+
+class RobotLink:
+    """A link and the joint that carries it.
+
+    From the frame of the parent link, preHT leads to the joint; the joint turns about ('Rx', 'Ry', 'Rz') or slides
+    along ('Px', 'Py', 'Pz') its own axis (rad or m); localHT then leads to the frame of the link, in which COM (m) and
+    inertia (kg*m^2, about the centre of mass) are given. parent is the index or name of another link, -1 the base, -2
+    the link before. PDcontrol are the factors of position and velocity of a drive.
+
+    Besides, a joint may have limits of its coordinate, of its velocity and of the force or torque of its drive; viscous
+    damping (Nms/rad or Ns/m), dry friction (Nm or N), and the inertia of a rotor as it acts at the joint. Names of link
+    and joint may be given wherever a robot takes the index of a link.
+    """
+
+    def __init__(
+        self,
+        mass: float,
+        COM: npt.ArrayLike,
+        inertia: npt.ArrayLike,
+        localHT: npt.ArrayLike = HT0(),
+        jointType: str = "Rz",
+        parent: int | str = PREVIOUS_LINK,
+        preHT: npt.ArrayLike = HT0(),
+        PDcontrol: Sequence[float | None] | None = (None, None),
+        visualization: VRobotLink | None = None,
+        name: str = "",
+        jointName: str = "",
+        jointLimits: Sequence[float] | None = None,
+        maxVelocity: float | None = None,
+        maxForce: float | None = None,
+        damping: float = 0.0,
+        friction: float = 0.0,
+        rotorInertia: float = 0.0,
+    ) -> None:
+        amounts = {"mass": mass, "damping": damping, "friction": friction, "rotorInertia": rotorInertia}
+        for what, value in amounts.items():
+            if not (np.ndim(value) == 0 and np.isfinite(value) and value >= 0):
+                raise shape_error(f"RobotLink: {what}", "a finite number that is not negative", value)
+        if jointType not in JOINT_TYPES:
+            raise shape_error("RobotLink: jointType", f"one of {', '.join(JOINT_TYPES)}", jointType)
+        self.mass = mass
+        self.COM = as_vector("RobotLink: COM", COM, 3).copy()
+        self.inertia = as_matrix("RobotLink: inertia", inertia, (3, 3)).copy()
+        self.localHT = as_transformation("RobotLink: localHT", localHT).copy()
+        self.preHT = as_transformation("RobotLink: preHT", preHT).copy()
+        self.jointType = jointType
+        self.parent = parent
+        self.visualization = deepcopy(visualization) if visualization is not None else VRobotLink()
+        self.PDcontrol: tuple[float, float] | None = None
+        if PDcontrol is not None and PDcontrol[0] is not None:
+            self.SetPDcontrol(*PDcontrol)
+        self.name, self.jointName = name, jointName
+        self.jointLimits = None if jointLimits is None else as_vector("RobotLink: jointLimits", jointLimits, 2).copy()
+        if self.jointLimits is not None and not self.jointLimits[0] <= self.jointLimits[1]:
+            raise shape_error("RobotLink: jointLimits", "[lower, upper] with lower <= upper", jointLimits)
+        self.maxVelocity, self.maxForce = maxVelocity, maxForce
+        self.damping, self.friction, self.rotorInertia = damping, friction, rotorInertia
+
+    def SetPDcontrol(self, Pvalue: float | None, Dvalue: float | None) -> None:
+        """Set the factors of position and velocity of the drive of the joint."""
+        if Pvalue is None or Dvalue is None:
+            raise shape_error("RobotLink: PDcontrol", "two numbers", (Pvalue, Dvalue))
+        self.PDcontrol = (Pvalue, Dvalue)
+
+    def HasPDcontrol(self) -> bool:
+        """Return whether the joint has a drive."""
+        return self.PDcontrol is not None
+
+    def GetPDcontrol(self) -> tuple[float, float]:
+        """Return the factors of the drive; ValueError if there is none."""
+        if self.PDcontrol is None:
+            raise ValueError(f"RobotLink{self._called()}: there is no PDcontrol; set it by SetPDcontrol")
+        return self.PDcontrol
+
+    def JointInertia(self) -> RigidBodyInertia:
+        """Return mass, centre of mass and inertia in the frame of the joint, as it is after its motion."""
+        inertia = RigidBodyInertia()
+        inertia.SetWithCOMinertia(self.mass, self.inertia, self.COM)
+        return inertia.Transformed(self.localHT)
+
+    def _called(self) -> str:
+        return f" '{self.name}'" if self.name else ""
+
+    def __repr__(self) -> str:
+        shown = {name: str(value) for name, value in vars(self).items() if value is not None}
+        lines = [f"  {name} = {value}" for name, value in shown.items() if value and name != "visualization"]
+        return "\n".join([*lines, "  visualization:", repr(self.visualization)])
+
+
+class VRobotTool:
+    """How a tool is drawn: graphicsData in its frame."""
+
+    def __init__(self, graphicsData: GraphicsList = []) -> None:
+        self.graphicsData = copy(graphicsData)
+
+
+class VRobotBase:
+    """How a base is drawn: graphicsData in its frame."""
+
+    def __init__(self, graphicsData: GraphicsList = []) -> None:
+        self.graphicsData = copy(graphicsData)
+
+
+class RobotTool:
+    """The tool: HT leads from the frame of the last link to it."""
+
+    def __init__(self, HT: npt.ArrayLike = HT0(), visualization: VRobotTool | None = None) -> None:
+        self.HT = as_transformation("RobotTool: HT", HT).copy()
+        self.visualization = visualization if visualization is not None else VRobotTool()
+
+    def __repr__(self) -> str:
+        return f"  HT = {self.HT}"
+
+
+class RobotBase:
+    """The base: HT leads from the global frame to it."""
+
+    def __init__(self, HT: npt.ArrayLike = HT0(), visualization: VRobotBase | None = None) -> None:
+        self.HT = as_transformation("RobotBase: HT", HT).copy()
+        self.visualization = visualization if visualization is not None else VRobotBase()
+
+    def __repr__(self) -> str:
+        return f"  HT = {self.HT}"

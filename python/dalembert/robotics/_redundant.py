@@ -1,0 +1,219 @@
+"""A robot as rigid bodies and joints: redundant coordinates, on a base that may move."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from dalembert import graphics
+from dalembert import itemInterface as items
+from dalembert._checks import FloatArray, as_rotation, shape_error
+from dalembert._core import NodeType
+from dalembert._geometry.inertia import RigidBodyInertia
+from dalembert._geometry.transformations import InverseHT
+from dalembert.create._frames import reference_rotation
+from dalembert.robotics import _drawing, _dynamics
+from dalembert.robotics._parts import JOINT_AXES, REGULAR_VELOCITY, GraphicsList, RobotLink, is_revolute
+
+if TYPE_CHECKING:
+    from dalembert.robotics._robot import Robot
+
+# Turns the third axis, about which torsional springs turn, to the axis of a joint; and the third cyclically.
+_FROM_Z = {"x": np.eye(3)[:, [1, 2, 0]], "y": np.eye(3)[:, [2, 0, 1]], "z": np.eye(3)}
+
+
+class Options(NamedTuple):
+    """Arguments of Robot.CreateRedundantCoordinateMBS."""
+
+    springUserFunctions: Sequence[Any]
+    loadUserFunctions: Sequence[Any]
+    torqueLoads: bool
+    rotationMarkerBase: npt.ArrayLike | None
+    nodeType: NodeType
+    name: str
+
+    def named(self, part: str) -> str:
+        """Return the name of an item; none for parts without a name."""
+        return f"{self.name}{part}" if part else ""
+
+
+class Ends(NamedTuple):
+    """The two markers of a joint, and the rotations from these to the axes of the joint."""
+
+    markers: list[Any]
+    rotations: tuple[FloatArray, FloatArray]
+
+
+def _graphics(robot: Robot, i: int) -> GraphicsList:
+    """Return the graphics of a link, in its frame: its own, or bars to the joints of the links that it carries."""
+    link = robot.links[i]
+    parts = list(link.visualization.graphicsData)
+    if not parts:
+        back = InverseHT(link.localHT)
+        for j, following in enumerate(robot.links):
+            if robot.GetParentIndex(j) == i:
+                axis = following.preHT[:3, :3] @ JOINT_AXES[following.jointType]
+                ends = (back[:3, 3], following.preHT[:3, 3]), (back[:3, :3] @ JOINT_AXES[link.jointType], axis)
+                parts += _drawing.link_between(link.COM, *ends, link.visualization, is_first=i == 0)
+    return parts + _drawing.tool(robot, i)
+
+
+def _add_body(robot: Robot, mbs: Any, i: int, T: FloatArray, options: Options) -> dict[str, Any]:
+    link = robot.links[i]
+    if link.mass == 0 or link.rotorInertia:
+        what = "no mass" if link.mass == 0 else "the inertia of a rotor"
+        raise ValueError(
+            f"Robot.CreateRedundantCoordinateMBS: link {i} '{link.name}' has {what}, which needs the coordinates of "
+            "the joints; use CreateKinematicTree"
+        )
+    created: dict[str, Any] = mbs.CreateRigidBody(
+        name=options.named(link.name),
+        referencePosition=T[:3, 3],
+        referenceRotationMatrix=T[:3, :3],
+        inertia=RigidBodyInertia(link.mass, link.inertia).Translated(link.COM),
+        gravity=robot.gravity,
+        nodeType=options.nodeType,
+        graphicsDataList=_graphics(robot, i),
+        returnDict=True,
+    )
+    return created
+
+
+def _base_rotation(robot: Robot, mbs: Any, marker: Any, given: npt.ArrayLike | None) -> FloatArray:
+    """Return the rotation of the base against its marker."""
+    if given is not None:
+        return as_rotation("rotationMarkerBase", given)
+    return np.asarray(reference_rotation(mbs, marker).T @ robot.base.HT[:3, :3])
+
+
+def _base_marker(mbs: Any, marker: Any, offset: FloatArray) -> Any:
+    """Return the marker of the base, or one beside it for a first joint that is not in its origin."""
+    if not np.any(offset):
+        return marker
+    given = mbs.GetMarker(marker)
+    if given["markerType"] != "BodyRigid":
+        raise ValueError(
+            "Robot.CreateRedundantCoordinateMBS: baseMarker: a joint beside the origin of the base (preHT) needs a "
+            f"MarkerBodyRigid, received a marker of type {given['markerType']}"
+        )
+    place = np.asarray(given["localPosition"]) + offset
+    return mbs.AddMarker(items.MarkerBodyRigid(bodyNumber=given["bodyNumber"], localPosition=place))
+
+
+def _add_joint(mbs: Any, link: RobotLink, ends: Ends, options: Options) -> Any:
+    constrained = [1] * 6
+    constrained["xyz".index(link.jointType[1]) + 3 * is_revolute(link.jointType)] = 0
+    view = items.VObjectJointGeneric(
+        show=link.visualization.showMBSjoint,
+        axesRadius=0.25 * link.visualization.jointRadius,
+        axesLength=1.1 * link.visualization.jointWidth,
+        color=graphics.color.grey,
+    )
+    return mbs.AddObject(
+        items.GenericJoint(
+            name=options.named(link.jointName),
+            markerNumbers=ends.markers,
+            constrainedAxes=constrained,
+            rotationMarker0=ends.rotations[0],
+            rotationMarker1=ends.rotations[1],
+            visualization=view,
+        )
+    )
+
+
+def _add_loads(mbs: Any, link: RobotLink, i: int, ends: Ends, units: list[FloatArray], options: Options) -> list[Any]:
+    """Add the loads of a drive on both sides of a joint, in the axes of the bodies; None if there are none."""
+    Load = items.LoadTorqueVector if is_revolute(link.jointType) else items.LoadForceVector
+    if i < len(options.loadUserFunctions):
+        values: list[dict[str, Any]] = [
+            {"loadVector": unit, "loadVectorUserFunction": options.loadUserFunctions[i]} for unit in units
+        ]
+    elif options.torqueLoads:
+        values = [{"loadVector": [0, 0, 0]}] * 2
+    else:
+        return [None, None]
+    return [
+        mbs.AddLoad(Load(markerNumber=marker, bodyFixed=True, **value))
+        for marker, value in zip(ends.markers, values, strict=True)
+    ]
+
+
+def _drive_law(link: RobotLink, userFunction: Any) -> Any:
+    """Return the user function of a spring damper with dry friction besides; what is given if there is none."""
+    if not link.friction:
+        return userFunction
+
+    def law(mbs: Any, t: float, item: int, u: float, v: float, k: float, d: float, offset: float) -> float:
+        given = userFunction(mbs, t, item, u, v, k, d, offset) if userFunction else k * (u - offset) + d * v
+        return float(given + link.friction * np.clip(v / REGULAR_VELOCITY, -1.0, 1.0))
+
+    return law
+
+
+def _add_spring_damper(mbs: Any, link: RobotLink, q: float, ends: Ends, i: int, options: Options) -> Any:
+    """Add drive, damping and friction of a joint as one spring damper; None if it has nothing of these."""
+    listed = i < len(options.springUserFunctions)
+    if not (listed or link.HasPDcontrol() or link.damping or link.friction):
+        return None
+    factors = link.GetPDcontrol() if listed or link.HasPDcontrol() else (0.0, 0.0)
+    law = _drive_law(link, options.springUserFunctions[i] if listed else 0)
+    values: dict[str, Any] = {
+        "markerNumbers": ends.markers,
+        "stiffness": factors[0],
+        "damping": factors[1] + link.damping,
+    }
+    if not is_revolute(link.jointType):
+        axis = ends.rotations[0] @ JOINT_AXES[link.jointType]
+        view = items.VLinearSpringDamper(show=False)
+        return mbs.AddObject(
+            items.LinearSpringDamper(**values, axisMarker0=axis, springForceUserFunction=law, visualization=view)
+        )
+    turns = mbs.AddNode(items.NodeGenericData(initialCoordinates=[q], numberOfDataCoordinates=1))
+    turned = [A @ _FROM_Z[link.jointType[1]] for A in ends.rotations]
+    return mbs.AddObject(
+        items.TorsionalSpringDamper(
+            **values,
+            nodeNumber=turns,
+            rotationMarker0=turned[0],
+            rotationMarker1=turned[1],
+            springTorqueUserFunction=law,
+            visualization=items.VTorsionalSpringDamper(show=False),
+        )
+    )
+
+
+def create(robot: Robot, mbs: Any, baseMarker: Any, options: Options) -> dict[str, Any]:
+    """Add bodies, joints and drives; see Robot.CreateRedundantCoordinateMBS."""
+    if len(options.springUserFunctions) > len(robot.links):
+        expected = f"at most {len(robot.links)} entries"
+        raise shape_error("jointSpringDamperUserFunctionList", expected, options.springUserFunctions)
+    lists = "nodeList bodyList jointList markerList0 markerList1 springDamperList jointTorque0List jointTorque1List"
+    result: dict[str, Any] = {name: [] for name in (*lists.split(), "unitTorque0List", "unitTorque1List")}
+    base = _drawing.add_base(robot, mbs)
+    q = robot.referenceConfiguration
+    at_base = _base_rotation(robot, mbs, baseMarker, options.rotationMarkerBase)
+    placed: list[FloatArray] = []
+    for i, link in enumerate(robot.links):
+        parent = robot.GetParentIndex(i)
+        before = robot.base.HT if parent < 0 else placed[parent]
+        placed.append(before @ link.preHT @ _dynamics.joint_transformation(link.jointType, q[i]) @ link.localHT)
+        body = _add_body(robot, mbs, i, placed[i], options)
+        back = InverseHT(link.localHT)
+        marker1 = mbs.AddMarker(items.MarkerBodyRigid(bodyNumber=body["bodyNumber"], localPosition=back[:3, 3]))
+        if parent < 0:
+            marker0, turned = _base_marker(mbs, baseMarker, at_base @ link.preHT[:3, 3]), at_base @ link.preHT[:3, :3]
+        else:
+            carrier, turned = result["bodyList"][parent], link.preHT[:3, :3]
+            marker0 = mbs.AddMarker(items.MarkerBodyRigid(bodyNumber=carrier, localPosition=link.preHT[:3, 3]))
+        ends = Ends([marker0, marker1], (turned, back[:3, :3]))
+        joint = _add_joint(mbs, link, ends, options)
+        units = [-turned @ JOINT_AXES[link.jointType], back[:3, :3] @ JOINT_AXES[link.jointType]]
+        loads = _add_loads(mbs, link, i, ends, units, options)
+        drive = _add_spring_damper(mbs, link, q[i], ends, i, options)
+        row = [body["nodeNumber"], body["bodyNumber"], joint, marker0, marker1, drive, *loads, *units]
+        for entries, entry in zip(result.values(), row, strict=True):
+            entries.append(entry)
+    return result | {"baseObject": -1 if base is None else base}

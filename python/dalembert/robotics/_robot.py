@@ -1,0 +1,347 @@
+"""The class Robot: a tree of links on a base, its kinematics and dynamics, and how it becomes part of a system."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable, Sequence
+from copy import deepcopy
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from dalembert._checks import FloatArray, as_array, as_vector, shape_error
+from dalembert._core import NodeType
+from dalembert._geometry.transformations import HTtranslate, RotationTranslation2T66Inverse
+from dalembert.kinematicTree import Inertia2T66, KinematicTree66
+from dalembert.robotics import _drawing, _dynamics, _redundant, _tree
+from dalembert.robotics._denavit_hartenberg import StdDH2HT
+from dalembert.robotics._parts import (
+    PREVIOUS_LINK,
+    GraphicsList,
+    RobotBase,
+    RobotLink,
+    RobotTool,
+    VRobotLink,
+    is_revolute,
+)
+
+_MODES = {"all": slice(0, 6), "trans": slice(0, 3), "rot": slice(3, 6)}
+
+
+class Robot:
+    """A serial robot or a tree of links, with gravity (m/s^2, in the global frame), a base, a tool at the last link.
+
+    referenceConfiguration has the coordinates of the joints in which bodies are placed, zeros where it is too short.
+    Functions of coordinates take arrays as well: the last axis counts joints, axes before it count states, and results
+    have the same leading axes.
+    """
+
+    def __init__(
+        self,
+        gravity: npt.ArrayLike = [0, 0, -9.81],
+        base: RobotBase | None = None,
+        tool: RobotTool | None = None,
+        referenceConfiguration: npt.ArrayLike = [],
+    ) -> None:
+        self.gravity = as_vector("Robot: gravity", gravity, 3).copy()
+        self.base = base if base is not None else RobotBase()
+        self.tool = tool if tool is not None else RobotTool()
+        self.referenceConfiguration = as_vector("Robot: referenceConfiguration", referenceConfiguration).copy()
+        self.links: list[RobotLink] = []
+        self.isSerialRobot = True
+        self.name = ""
+        self.frames: dict[str, tuple[int, FloatArray]] = {}
+
+    def __repr__(self) -> str:
+        parts = {"base": self.base, "tool": self.tool, "links": self.links}
+        head = f"gravity = {self.gravity}\nreferenceConfiguration = {self.referenceConfiguration}"
+        return "\n".join([head, *(f"{name}:\n{part}" for name, part in parts.items())])
+
+    # ---- links -------------------------------------------------------------------------------------------------------
+
+    def AddLink(self, robotLink: RobotLink) -> int:
+        """Add a copy of a link, and return its index; its parent must have been added before."""
+        link, i = deepcopy(robotLink), len(self.links)
+        for what, name in (("name", link.name), ("jointName", link.jointName)):
+            if name and any(name == getattr(other, what) for other in self.links):
+                raise ValueError(f"Robot.AddLink: {what}: there is another '{name}' already; names must differ")
+        if isinstance(link.parent, str):
+            link.parent = self.GetLinkIndex(link.parent)
+        if link.parent == PREVIOUS_LINK:
+            link.parent = i - 1
+        if not -1 <= link.parent < i:
+            raise ValueError(
+                f"Robot.AddLink: link {i}: expected a parent from -1 (base) to {i - 1}, or -2 for the link before, "
+                f"received {link.parent}; parents are added first"
+            )
+        if len(self.referenceConfiguration) == i:
+            self.referenceConfiguration = np.append(self.referenceConfiguration, 0.0)
+        self.isSerialRobot = self.isSerialRobot and link.parent == i - 1
+        self.links.append(link)
+        return i
+
+    def IsSerialRobot(self) -> bool:
+        """Return whether each link is carried by the one before."""
+        return self.isSerialRobot
+
+    def GetLinkIndex(self, link: int | str) -> int:
+        """Return the index of a link, given by index, by its name, or by the name of its joint."""
+        if isinstance(link, str):
+            names = [own.name for own in self.links] + [own.jointName for own in self.links]
+            if link and link in names:
+                return names.index(link) % len(self.links)
+            known = ", ".join(name for own in self.links for name in (own.name, own.jointName) if name) or "none"
+            raise ValueError(f"Robot: there is no link or joint '{link}'; there are: {known}")
+        if not 0 <= link < len(self.links):
+            raise ValueError(f"Robot: expected a link from 0 to {len(self.links) - 1}, or its name, received {link}")
+        return int(link)
+
+    def GetLink(self, i: int | str) -> RobotLink:
+        """Return a link."""
+        return self.links[self.GetLinkIndex(i)]
+
+    def HasParent(self, i: int | str) -> bool:
+        """Return whether a link is carried by another link; else the base carries it."""
+        return self.GetParentIndex(i) >= 0
+
+    def GetParentIndex(self, i: int | str) -> int:
+        """Return the index of the link that carries a link, -1 for the base."""
+        parent = self.GetLink(i).parent
+        assert isinstance(parent, int)
+        return parent
+
+    def NumberOfLinks(self) -> int:
+        """Return the number of links, which is that of the coordinates."""
+        return len(self.links)
+
+    def GetBaseHT(self) -> FloatArray:
+        """Return the transformation from the global frame to the base."""
+        return self.base.HT
+
+    def GetToolHT(self) -> FloatArray:
+        """Return the transformation from the last link to the tool."""
+        return self.tool.HT
+
+    # ---- kinematics --------------------------------------------------------------------------------------------------
+
+    def _coordinates(self, name: str, values: npt.ArrayLike) -> FloatArray:
+        """Return coordinates, rates, accelerations or torques as array, or ValueError if there is not one per joint."""
+        array = as_array(f"Robot: {name}", values)
+        if array.ndim == 0 or array.shape[-1] != len(self.links):
+            raise shape_error(f"Robot: {name}", f"{len(self.links)} numbers, one per link", values)
+        return array
+
+    def JointHT(self, q: npt.ArrayLike) -> list[FloatArray]:
+        """Return the transformations from the global frame to all joints, after their motion."""
+        coordinates = self._coordinates("q", q)
+        result: list[FloatArray] = []
+        for i, link in enumerate(self.links):
+            parent = self.GetParentIndex(i)
+            before = self.base.HT if parent < 0 else result[parent] @ self.links[parent].localHT
+            result.append(before @ link.preHT @ _dynamics.joint_transformation(link.jointType, coordinates[..., i]))
+        return result
+
+    def LinkHT(self, q: npt.ArrayLike) -> list[FloatArray]:
+        """Return the transformations from the global frame to all links."""
+        return [T @ link.localHT for T, link in zip(self.JointHT(q), self.links, strict=True)]
+
+    def COMHT(self, HT: Sequence[FloatArray]) -> list[FloatArray]:
+        """Return the transformations to the centres of mass, in the axes of the links, from those of JointHT."""
+        return [T @ link.localHT @ HTtranslate(link.COM) for T, link in zip(HT, self.links, strict=False)]
+
+    def FrameHT(self, frame: str, q: npt.ArrayLike) -> FloatArray:
+        """Return the transformation to a link, to a frame of a file that the robot has been read from, or to 'tool'."""
+        index = self.FrameLink(frame)
+        local = self.frames[frame][1] if frame in self.frames else self.tool.HT if frame == "tool" else np.eye(4)
+        return np.asarray((self.LinkHT(q)[index] if index >= 0 else self.base.HT) @ local)
+
+    def FrameLink(self, frame: str) -> int:
+        """Return the index of the link that carries a frame, see FrameHT; -1 for the base."""
+        if frame in self.frames:
+            return self.frames[frame][0]
+        return len(self.links) - 1 if frame == "tool" else self.GetLinkIndex(frame)
+
+    def Jacobian(
+        self,
+        HT: Sequence[FloatArray],
+        toolPosition: npt.ArrayLike = [],
+        mode: str = "all",
+        linkIndex: int | str | None = None,
+    ) -> FloatArray:
+        """Return the Jacobian of a point that moves with a link: rates of the joints to velocity and angular velocity.
+
+        HT is the result of JointHT, toolPosition the point in the global frame, [] the origin of the link; without
+        linkIndex it is the last link of HT. mode is 'all', 'trans' for the three rows of the velocity, or 'rot'.
+        """
+        if mode not in _MODES:
+            raise shape_error("Robot.Jacobian: mode", "'all', 'trans' or 'rot'", mode)
+        if len(HT) > len(self.links):
+            expected = f"at most {len(self.links)} transformations"
+            raise ValueError(f"Robot.Jacobian: HT: expected {expected}, received {len(HT)}")
+        last = len(HT) - 1 if linkIndex is None else self.GetLinkIndex(linkIndex)
+        point = np.asarray(toolPosition, dtype=float)
+        if point.size == 0:
+            point = (HT[last] @ self.links[last].localHT)[..., :3, 3]
+        J = np.zeros((*HT[last].shape[:-2], 6, len(HT)))
+        i = last
+        while i >= 0:
+            axis = _dynamics.joint_axis(self.links[i], HT[i])
+            if is_revolute(self.links[i].jointType):
+                J[..., :3, i] = _dynamics.cross(axis, point - HT[i][..., :3, 3])
+                J[..., 3:, i] = axis
+            else:
+                J[..., :3, i] = axis
+            i = self.GetParentIndex(i)
+        return J[..., _MODES[mode], :]
+
+    # ---- dynamics ----------------------------------------------------------------------------------------------------
+
+    def StaticTorques(self, HT: Sequence[FloatArray]) -> FloatArray:
+        """Return what gravity does in all joints, forces and torques, from the transformations of JointHT.
+
+        Drives hold the robot with the opposite values.
+        """
+        none = np.zeros((*HT[0].shape[:-2], len(self.links)))
+        return -_dynamics.inverse_dynamics(self.links, HT, none, none, self.gravity)
+
+    def InverseDynamics(
+        self, q: npt.ArrayLike, q_t: npt.ArrayLike, q_tt: npt.ArrayLike, gravity: npt.ArrayLike | None = None
+    ) -> FloatArray:
+        """Return forces and torques of the drives for a motion: inertia, gravity, damping and friction of joints."""
+        rates, seconds = self._coordinates("q_t", q_t), self._coordinates("q_tt", q_tt)
+        g = self.gravity if gravity is None else as_vector("Robot: gravity", gravity, 3)
+        rigid = _dynamics.inverse_dynamics(self.links, self.JointHT(q), rates, seconds, g)
+        return rigid + self.JointResistance(rates) + np.array([link.rotorInertia for link in self.links]) * seconds
+
+    def JointResistance(self, q_t: npt.ArrayLike) -> FloatArray:
+        """Return forces and torques of damping and dry friction, which drives have to overcome."""
+        rates = self._coordinates("q_t", q_t)
+        damping, friction = (np.array([getattr(link, what) for link in self.links]) for what in ("damping", "friction"))
+        return np.asarray(damping * rates + friction * np.sign(rates))
+
+    def MassMatrix(self, q: npt.ArrayLike) -> FloatArray:
+        """Return the mass matrix in the coordinates of the joints."""
+        one_by_one, at_rest = np.eye(len(self.links)), np.zeros(len(self.links))
+        HT = [T[..., None, :, :] for T in self.JointHT(q)]
+        columns = _dynamics.inverse_dynamics(self.links, HT, at_rest, one_by_one, np.zeros(3))
+        return columns + np.diag([link.rotorInertia for link in self.links])
+
+    def ForwardDynamics(self, q: npt.ArrayLike, q_t: npt.ArrayLike, torques: npt.ArrayLike) -> FloatArray:
+        """Return the accelerations that forces and torques of drives bring about, the inverse of InverseDynamics."""
+        applied = self._coordinates("torques", torques)
+        bias = self.InverseDynamics(q, q_t, np.zeros(len(self.links)))
+        return np.asarray(np.linalg.solve(self.MassMatrix(q), (applied - bias)[..., None])[..., 0])
+
+    def KineticEnergy(self, q: npt.ArrayLike, q_t: npt.ArrayLike) -> FloatArray:
+        """Return the kinetic energy (J)."""
+        rates = self._coordinates("q_t", q_t)
+        rotors = 0.5 * np.array([link.rotorInertia for link in self.links]) * rates**2
+        return _dynamics.energies(self.links, self.JointHT(q), rates, self.gravity)[0] + rotors.sum(axis=-1)
+
+    def PotentialEnergy(self, q: npt.ArrayLike) -> FloatArray:
+        """Return the potential energy of the weight (J), zero with all centres of mass in the global origin."""
+        coordinates = self._coordinates("q", q)
+        return _dynamics.energies(self.links, self.JointHT(coordinates), np.zeros_like(coordinates), self.gravity)[1]
+
+    def CenterOfMass(self, q: npt.ArrayLike) -> FloatArray:
+        """Return the centre of mass of all links in the global frame."""
+        masses = np.array([link.mass for link in self.links])
+        points = np.stack([T[..., :3, 3] for T in self.COMHT(self.JointHT(q))], axis=-1)
+        return np.asarray(points @ (masses / masses.sum()))
+
+    # ---- as part of a system -----------------------------------------------------------------------------------------
+
+    def CreateKinematicTree(
+        self,
+        mbs: Any,
+        name: str = "",
+        forceUserFunction: Callable[..., Any] | int = 0,
+        limitStiffness: float = 0.0,
+        limitDamping: float = 0.0,
+    ) -> dict[str, Any]:
+        """Add the robot to a system as a kinematic tree, on a node with the coordinates of the joints.
+
+        Factors of PDcontrol become those of the tree; set jointPositionOffsetVector and jointVelocityOffsetVector of
+        the object to where the drives are to be. With limitStiffness or limitDamping, limits of joints are stops.
+        Returns a dict with nodeGeneric, objectKinematicTree, baseObject (the ground that draws the base, or None),
+        links (the indices of links and joints by name), resistances (a connector per joint with damping, friction or
+        stops, else None) and rotors (an object with the inertia of rotors, or None).
+        """
+        return _tree.create(self, mbs, name, forceUserFunction, (limitStiffness, limitDamping))
+
+    def CreateRedundantCoordinateMBS(
+        self,
+        mbs: Any,
+        baseMarker: Any,
+        jointSpringDamperUserFunctionList: Sequence[Any] = [],
+        jointLoadUserFunctionList: Sequence[Any] = [],
+        createJointTorqueLoads: bool = True,
+        rotationMarkerBase: npt.ArrayLike | None = None,
+        rigidBodyNodeType: NodeType = NodeType.RotationEulerParameters,
+        name: str = "",
+    ) -> dict[str, Any]:
+        """Add the robot to a system as rigid bodies and joints, on a rigid marker that may move.
+
+        Links with PDcontrol get a torsional, or linear, spring damper with these factors and, where the list has one,
+        its user function. Each joint gets two loads, on what carries the link and on the link, given by the user
+        functions of loads, or zero until mbs.SetLoadParameter sets them (unitTorque0List and unitTorque1List have their
+        directions); with createJointTorqueLoads=False there are only the former. rotationMarkerBase turns the base
+        against its marker; without it the base is as base.HT says. Bodies and joints have the names of links and their
+        joints, after a name, which tells several robots apart. Returns a dict with lists of one entry per link:
+        nodeList, bodyList, jointList, markerList0, markerList1, springDamperList, jointTorque0List, jointTorque1List,
+        unitTorque0List, unitTorque1List; and baseObject, the ground that draws the base, or -1.
+        """
+        return _redundant.create(
+            self,
+            mbs,
+            baseMarker,
+            _redundant.Options(
+                jointSpringDamperUserFunctionList,
+                jointLoadUserFunctionList,
+                createJointTorqueLoads,
+                rotationMarkerBase,
+                rigidBodyNodeType,
+                name,
+            ),
+        )
+
+    def GetKinematicTree66(self) -> KinematicTree66:
+        """Return the robot as KinematicTree66, with inertias in the frames of the joints."""
+        transformations, inertias = [], []
+        for i, link in enumerate(self.links):
+            T = _tree.joint_in_parent(self, i)
+            transformations.append(RotationTranslation2T66Inverse(T[:3, :3], T[:3, 3]))
+            inertias.append(Inertia2T66(link.JointInertia()))
+        parents = [self.GetParentIndex(i) for i in range(len(self.links))]
+        types = [link.jointType for link in self.links]
+        return KinematicTree66(types, transformations, inertias, parents, self.gravity)
+
+    def GetLinkGraphicsData(
+        self,
+        i: int | str,
+        p0: npt.ArrayLike,
+        p1: npt.ArrayLike,
+        axis0: npt.ArrayLike,
+        axis1: npt.ArrayLike,
+        linkVisualization: VRobotLink,
+    ) -> GraphicsList:
+        """Return how a link is drawn between two joints at p0 and p1, in its frame."""
+        index = self.GetLinkIndex(i)
+        points = as_vector("p0", p0, 3), as_vector("p1", p1, 3)
+        axes = as_vector("axis0", axis0, 3), as_vector("axis1", axis1, 3)
+        return _drawing.link_between(self.links[index].COM, points, axes, linkVisualization, is_first=index == 0)
+
+    def BuildFromDictionary(self, robotDict: dict[str, Any]) -> None:
+        """Add the links of a dictionary with standard Denavit-Hartenberg parameters; prefer models.LinkDict2Robot."""
+        warnings.warn("Robot.BuildFromDictionary is of the past; use robotics.models.LinkDict2Robot", stacklevel=2)
+        for part in ("base", "tool"):
+            if part in robotDict:
+                getattr(self, part).HT = np.array(robotDict[part]["HT"], dtype=float)
+        for vector in ("gravity", "referenceConfiguration"):
+            if vector in robotDict:
+                setattr(self, vector, np.array(robotDict[vector], dtype=float))
+        for i, link in enumerate(robotDict["links"]):
+            if "stdDH" not in link:
+                raise ValueError(f"Robot.BuildFromDictionary: link {i}: there are no parameters 'stdDH'")
+            self.AddLink(RobotLink(link["mass"], link["COM"], link["inertia"], localHT=StdDH2HT(link["stdDH"])))

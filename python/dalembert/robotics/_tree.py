@@ -1,0 +1,145 @@
+"""A robot as kinematic tree: one object, whose coordinates are those of the joints."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from dalembert import itemInterface as items
+from dalembert._checks import FloatArray
+from dalembert._core import Matrix3DList, Vector3DList
+from dalembert.robotics import _drawing
+from dalembert.robotics._parts import JOINT_AXES, JOINT_TYPES, REGULAR_VELOCITY, GraphicsList
+
+if TYPE_CHECKING:
+    from dalembert.robotics._robot import Robot
+
+
+def joint_in_parent(robot: Robot, i: int) -> FloatArray:
+    """Return the transformation to joint i from that of its parent, after its motion, or from the base, unturned."""
+    link, parent = robot.links[i], robot.GetParentIndex(i)
+    if parent >= 0:
+        return np.asarray(robot.links[parent].localHT @ link.preHT)
+    turned = np.eye(4)
+    turned[:3, :3] = robot.base.HT[:3, :3]
+    return np.asarray(turned @ link.preHT)
+
+
+def _graphics(robot: Robot) -> list[GraphicsList]:
+    """Return the graphics of all links in the frames of their joints; bars are drawn by the links that they lie on."""
+    drawn: list[GraphicsList] = []
+    for i, link in enumerate(robot.links):
+        view, parent = link.visualization, robot.GetParentIndex(i)
+        own = _drawing.center_of_mass(link.JointInertia().COM(), view)
+        own += _drawing.joint(JOINT_AXES[link.jointType], view)
+        own += _drawing.moved(view.graphicsData + _drawing.tool(robot, i), link.localHT)
+        drawn.append(own)
+        if parent >= 0 and not robot.links[parent].visualization.graphicsData:
+            drawn[parent] += _drawing.bar(np.zeros(3), joint_in_parent(robot, i)[:3, 3], view)
+    return drawn
+
+
+def _control(robot: Robot) -> dict[str, Any]:
+    """Return the control of the drives, as far as there are any."""
+    if not any(link.HasPDcontrol() for link in robot.links):
+        return {}
+    factors = np.array([link.PDcontrol or (0.0, 0.0) for link in robot.links], dtype=float)
+    rest = np.zeros(len(robot.links))
+    return {
+        "jointPControlVector": factors[:, 0],
+        "jointDControlVector": factors[:, 1],
+        "jointPositionOffsetVector": rest,
+        "jointVelocityOffsetVector": rest,
+    }
+
+
+def _resistance(robot: Robot, i: int, stops: tuple[float, float]) -> dict[str, Any]:
+    """Return damping, friction and stops of a joint as parameters of a connector; empty if there are none."""
+    link, parameters = robot.links[i], dict[str, Any]()
+    if link.damping:
+        parameters["damping"] = link.damping
+    if link.friction:
+        parameters |= {"fDynamicFriction": link.friction, "frictionProportionalZone": REGULAR_VELOCITY}
+    if link.jointLimits is not None and any(stops) and np.isfinite(link.jointLimits).all():
+        lower, upper = link.jointLimits - robot.referenceConfiguration[i]  # markers measure from there
+        parameters |= {"useLimitStops": True, "limitStopsLower": lower, "limitStopsUpper": upper}
+        parameters |= {"limitStopsStiffness": stops[0], "limitStopsDamping": stops[1]}
+    return parameters
+
+
+def _add_resistances(robot: Robot, mbs: Any, node: Any, stops: tuple[float, float]) -> list[Any]:
+    """Add a connector from ground to each coordinate whose joint has damping, friction or stops; None for others."""
+    wanted = [_resistance(robot, i, stops) for i in range(len(robot.links))]
+    if not any(wanted):
+        return [None] * len(wanted)
+    ground = mbs.AddMarker(items.MarkerNodeCoordinate(nodeNumber=mbs.AddNode(items.NodePointGround()), coordinate=0))
+    added: list[Any] = []
+    for i, parameters in enumerate(wanted):
+        if not parameters:
+            added.append(None)
+            continue
+        marker = mbs.AddMarker(items.MarkerNodeCoordinate(nodeNumber=node, coordinate=i))
+        if "useLimitStops" in parameters:
+            history = items.NodeGenericData(numberOfDataCoordinates=3, initialCoordinates=[0, 0, 0])
+            parameters["nodeNumber"] = mbs.AddNode(history)
+        view = items.VObjectConnectorCoordinateSpringDamperExt(show=False)
+        connector = items.ObjectConnectorCoordinateSpringDamperExt(
+            markerNumbers=[ground, marker], stiffness=0, visualization=view, **parameters
+        )
+        added.append(mbs.AddObject(connector))
+    return added
+
+
+def _add_rotors(robot: Robot, mbs: Any, node: Any) -> Any:
+    """Add the inertia of rotors to the coordinates of the joints; None if there are none."""
+    inertias = [link.rotorInertia for link in robot.links]
+    if not any(inertias):
+        return None
+    view = items.VObjectGenericODE2(show=False)
+    return mbs.AddObject(items.ObjectGenericODE2(nodeNumbers=[node], massMatrix=np.diag(inertias), visualization=view))
+
+
+def create(robot: Robot, mbs: Any, name: str, forceUserFunction: Any, stops: tuple[float, float]) -> dict[str, Any]:
+    """Add node, tree and what acts on its joints; see Robot.CreateKinematicTree."""
+    n = len(robot.links)
+    base = _drawing.add_base(robot, mbs)
+    in_parents = [joint_in_parent(robot, i) for i in range(n)]
+    inertias = [link.JointInertia() for link in robot.links]
+    node = mbs.AddNode(
+        items.NodeGenericODE2(
+            referenceCoordinates=robot.referenceConfiguration[:n],
+            initialCoordinates=[0.0] * n,
+            initialCoordinates_t=[0.0] * n,
+            numberOfODE2Coordinates=n,
+        )
+    )
+    lists: dict[str, Any] = {
+        "jointTransformations": Matrix3DList([T[:3, :3] for T in in_parents]),
+        "jointOffsets": Vector3DList([T[:3, 3] for T in in_parents]),
+        "linkInertiasCOM": Matrix3DList([inertia.InertiaCOM() for inertia in inertias]),
+        "linkCOMs": Vector3DList([inertia.COM() for inertia in inertias]),
+    }
+    tree = mbs.AddObject(
+        items.ObjectKinematicTree(
+            name=name,
+            nodeNumber=node,
+            gravity=robot.gravity,
+            baseOffset=robot.base.HT[:3, 3],
+            jointTypes=[JOINT_TYPES[link.jointType] for link in robot.links],
+            linkParents=[robot.GetParentIndex(i) for i in range(n)],
+            linkMasses=[link.mass for link in robot.links],
+            forceUserFunction=forceUserFunction,
+            visualization=items.VObjectKinematicTree(graphicsDataList=_graphics(robot)),
+            **lists,
+            **_control(robot),
+        )
+    )
+    return {
+        "nodeGeneric": node,
+        "objectKinematicTree": tree,
+        "baseObject": base,
+        "links": {name: i for i, link in enumerate(robot.links) for name in (link.name, link.jointName) if name},
+        "resistances": _add_resistances(robot, mbs, node, stops),
+        "rotors": _add_rotors(robot, mbs, node),
+    }

@@ -1,0 +1,190 @@
+"""Robots from URDF files, as ROS uses them (http://wiki.ros.org/urdf/XML)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from dalembert._checks import FloatArray
+from dalembert._geometry.inertia import RigidBodyInertia
+from dalembert._geometry.rotations import RotXYZ2RotationMatrix
+from dalembert.robotics import _drawing, _shapes
+from dalembert.robotics._description import Body, Description, Joint, root_of, translated, turned
+from dalembert.robotics._xml import Element, read
+
+_KINDS = {
+    "revolute": "revolute",
+    "continuous": "revolute",
+    "prismatic": "prismatic",
+    "fixed": "fixed",
+    "floating": "floating",
+    "planar": "planar",
+}
+_GREY = (0.7, 0.7, 0.7, 1.0)
+
+Packages = str | Path | Sequence[str | Path] | Mapping[str, str | Path]
+
+
+def _origin(element: Element) -> FloatArray:
+    """Return the transformation of <origin xyz rpy>: turned about fixed x, y and z axes."""
+    origin = element.only("origin")
+    if origin is None:
+        return np.eye(4)
+    roll, pitch, yaw = origin.numbers("rpy", 3, "0 0 0")
+    about_z, about_y, about_x = (RotXYZ2RotationMatrix(angles) for angles in ([0, 0, yaw], [0, pitch, 0], [roll, 0, 0]))
+    return translated(origin.numbers("xyz", 3, "0 0 0")) @ turned(about_z @ about_y @ about_x)
+
+
+def _inertial(link: Element) -> RigidBodyInertia | None:
+    element = link.only("inertial")
+    if element is None:
+        return None
+    mass = element.needed("mass").amount("value")
+    tensor = element.needed("inertia")
+    xx, xy, xz, yy, yz, zz = (tensor.number(f"i{pair}") for pair in ("xx", "xy", "xz", "yy", "yz", "zz"))
+    try:
+        inertia = RigidBodyInertia(mass, [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+    except ValueError as error:
+        tensor.fail(str(error))
+    return inertia.Transformed(_origin(element))
+
+
+class _Files:
+    """Finds the meshes of a file: beside it, and in packages."""
+
+    def __init__(self, file: Path, packages: Packages | None) -> None:
+        self.folder = file.resolve().parent
+        self.named = {name: Path(folder) for name, folder in packages.items()} if isinstance(packages, Mapping) else {}
+        listed = (
+            [packages] if isinstance(packages, str | Path) else [] if isinstance(packages, Mapping) else packages or []
+        )
+        self.folders = [Path(folder) for folder in listed]
+
+    def find(self, element: Element) -> Path:
+        """Return the path of <mesh filename>."""
+        name = element.text("filename")
+        tried = [path for path in self._candidates(name) if path.is_file()]
+        if not tried:
+            element.fail(
+                f"there is no file '{name}'; give the folder of its package as packages, or graphics=False to leave "
+                "shapes out"
+            )
+        return tried[0]
+
+    def _candidates(self, name: str) -> list[Path]:
+        if not name.startswith("package://"):
+            own = Path(name.removeprefix("file://"))
+            return [self.folder / own, *(folder / own for folder in self.folders)]
+        package, _, rest = name.removeprefix("package://").partition("/")
+        if package in self.named:
+            return [self.named[package] / rest]
+        around = [*self.folders, self.folder, *self.folder.parents]
+        return [folder / package / rest for folder in around] + [
+            folder / rest for folder in around if folder.name == package
+        ]
+
+
+def _shape(geometry: Element, files: _Files) -> _shapes.Shape:
+    for element in geometry.children:
+        match element.tag:
+            case "box":
+                return _shapes.Shape("box", tuple(element.numbers("size", 3)))
+            case "sphere":
+                return _shapes.Shape("sphere", (element.amount("radius"),))
+            case "cylinder" | "capsule":
+                return _shapes.Shape(element.tag, (element.amount("radius"), element.amount("length")))
+            case "mesh":
+                try:
+                    return _shapes.mesh(files.find(element), element.numbers("scale", 3, "1 1 1"))
+                except ImportError as error:
+                    element.fail(f"{error}; or give graphics=False to leave shapes out")
+    geometry.fail("expected <box>, <cylinder>, <sphere> or <mesh> in it")
+
+
+def _color(visual: Element, materials: dict[str, FloatArray]) -> Any:
+    material = visual.only("material")
+    if material is None:
+        return _GREY
+    own = material.only("color")
+    return own.numbers("rgba", 4) if own is not None else materials.get(material.text("name", ""), _GREY)
+
+
+def _link(element: Element, materials: dict[str, FloatArray], files: _Files | None) -> Body:
+    body = Body(element.text("name"), element, _inertial(element))
+    for visual in element.every("visual") if files is not None else ():
+        assert files is not None
+        parts = _shapes.drawn(_shape(visual.needed("geometry"), files), _color(visual, materials))
+        body.drawn += _drawing.moved(parts, _origin(visual))
+    return body
+
+
+def _joint_values(element: Element, kind: str) -> dict[str, Any]:
+    """Return limits, damping and friction as arguments of RobotLink."""
+    values: dict[str, Any] = {}
+    limit, dynamics = element.only("limit"), element.only("dynamics")
+    if limit is None and kind in ("revolute", "prismatic"):
+        element.fail(f"joint '{element.text('name')}' of type {kind}: expected an element <limit> in it")
+    if limit is not None:
+        if kind != "continuous":
+            values["jointLimits"] = [limit.number("lower", "0"), limit.number("upper", "0")]
+            if values["jointLimits"][0] > values["jointLimits"][1]:
+                limit.fail(
+                    f"expected lower <= upper, received {values['jointLimits'][0]:g} and {values['jointLimits'][1]:g}"
+                )
+        for name, argument in (("velocity", "maxVelocity"), ("effort", "maxForce")):
+            if name in limit.attributes:
+                values[argument] = limit.amount(name)
+    if dynamics is not None:
+        values |= {name: dynamics.amount(name, "0") for name in ("damping", "friction")}
+    return values
+
+
+def _joint(element: Element) -> Joint:
+    name, kind = element.text("name"), element.text("type")
+    if kind not in _KINDS:
+        element.fail(f"joint '{name}': type: expected one of {', '.join(_KINDS)}, received '{kind}'")
+    if element.only("mimic") is not None:
+        element.fail(
+            f"joint '{name}': <mimic> is no joint of a tree: take it out, and add a CoordinateConstraint between the "
+            "coordinates of both joints"
+        )
+    parent, child = (element.needed(end).text("link") for end in ("parent", "child"))
+    joint = Joint(name, _KINDS[kind], parent, child, _origin(element), element)
+    if kind in ("revolute", "continuous", "prismatic"):
+        joint.values = _joint_values(element, kind)
+    axis = element.only("axis")
+    if axis is not None and kind not in ("fixed", "floating"):
+        direction = axis.numbers("xyz", 3)
+        if not np.any(direction):
+            axis.fail("xyz: expected a vector that is not zero")
+        joint.axis = direction / np.linalg.norm(direction)
+    return joint
+
+
+def _unique(things: Sequence[Body | Joint], what: str) -> None:
+    seen: dict[str, Body | Joint] = {}
+    for thing in things:
+        if thing.name in seen:
+            thing.where.fail(f"there is a {what} '{thing.name}' in line {seen[thing.name].where.line} already")
+        seen[thing.name] = thing
+
+
+def read_urdf(fileName: str | Path, packages: Packages | None = None, shapes: bool = True) -> Description:
+    """Return what a URDF file says; ValueError with file and line of what is wrong."""
+    root = read(fileName)
+    if root.tag != "robot":
+        root.fail("expected <robot> as the first element of a URDF file")
+    files = _Files(Path(fileName), packages) if shapes else None
+    colored = ((material, material.only("color")) for material in root.every("material"))
+    materials = {material.text("name"): color.numbers("rgba", 4) for material, color in colored if color is not None}
+    bodies = [_link(element, materials, files) for element in root.every("link")]
+    joints = [_joint(element) for element in root.every("joint")]
+    _unique(bodies, "link")
+    _unique(joints, "joint")
+    if not bodies:
+        root.fail("expected an element <link> in it")
+    named = {body.name: body for body in bodies}
+    return Description(root.text("name", ""), named, joints, root_of(named, joints))

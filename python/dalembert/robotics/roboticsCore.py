@@ -1,0 +1,25 @@
+"""Robots: links, base and tool, their kinematics and dynamics, and how they become part of a system.
+
+Homogeneous transformations (4x4 matrices) place links and joints. Lengths in m, angles in rad.
+"""
+
+from __future__ import annotations
+
+from dalembert.robotics._denavit_hartenberg import ModDHKK2HT, StdDH2HT, projectAngleToPMPi
+from dalembert.robotics._inverse_kinematics import InverseKinematicsNumerical
+from dalembert.robotics._parts import RobotBase, RobotLink, RobotTool, VRobotBase, VRobotLink, VRobotTool
+from dalembert.robotics._robot import Robot
+
+__all__ = [
+    "InverseKinematicsNumerical",
+    "ModDHKK2HT",
+    "Robot",
+    "RobotBase",
+    "RobotLink",
+    "RobotTool",
+    "StdDH2HT",
+    "VRobotBase",
+    "VRobotLink",
+    "VRobotTool",
+    "projectAngleToPMPi",
+]
