@@ -75,7 +75,6 @@ class RedundantConstraints {
   // What counts as one in the gap of an equation: the size of the model, or a radian; where rates count, within a step.
   double unit(int equation) const { return row_factor(equation) * unit_[static_cast<std::size_t>(equation)]; }
   std::span<const int> rows() const { return rows_; }
-  double length() const { return length_; }
 
  private:
   double row_factor(int equation) const { return of_rate_[static_cast<std::size_t>(equation)] ? rate_factor_ : 1; }
