@@ -10,7 +10,7 @@ MIRRORS: dict[str, tuple[str, ...]] = {
     "CreateForce": ("LoadForceVector",),
     "CreateGenericJoint": ("ObjectJointGeneric",),
     "CreateGround": ("ObjectGround",),
-    "CreateKinematicTree": ("ObjectKinematicTree",),
+    "CreateKinematicTree": ("ObjectKinematicTree", "NodeGenericODE2",),
     "CreateMassPoint": ("ObjectMassPoint", "ObjectMassPoint2D", "NodePoint", "NodePoint2D",),
     "CreatePrismaticJoint": ("ObjectJointPrismaticX",),
     "CreateRevoluteJoint": ("ObjectJointRevoluteZ",),
