@@ -11,7 +11,16 @@ import dalembert as exu
 from dalembert import graphics
 from dalembert._pictures import painting
 from dalembert._pictures.studio import Studio, item_at
-from dalembert.itemInterface import Cable2D, NodePoint, NodePoint2DSlope1, SensorBody, VCable2D, VNodePoint
+from dalembert.itemInterface import (
+    Cable2D,
+    MarkerNodePosition,
+    NodePoint,
+    NodePoint2DSlope1,
+    SensorBody,
+    SpringDamper,
+    VCable2D,
+    VNodePoint,
+)
 from dalembert.utilities import InertiaCuboid, RotationMatrixZ
 
 Configuration, Variable = exu.ConfigurationType, exu.OutputVariableType
@@ -288,3 +297,29 @@ def test_the_bar_of_colors_has_its_place(SC: Any, mbs: Any) -> None:
     SC.visualizationSettings.contour.outputVariable = Variable.Displacement
     columns = np.nonzero(pixels(SC, "Object", 0))[1]
     assert 0.03 * 1024 < columns.min() < columns.max() < 0.86 * 1024
+
+
+def test_springs_of_many_objects_are_simpler(SC: Any, mbs: Any) -> None:
+    ends = [
+        mbs.AddMarker(MarkerNodePosition(nodeNumber=mbs.AddNode(NodePoint(referenceCoordinates=[x, 0, 0]))))
+        for x in (0, 1)
+    ]
+    numbers = []
+    for count in (1, 150, 900, 2200):
+        while mbs.systemData.NumberOfObjects() < count:
+            mbs.AddObject(SpringDamper(markerNumbers=ends, stiffness=1))
+        scene = Studio(SC).scene()
+        springs = [part for part in scene.instances if scene.items[part.item].kind == "Object"]
+        numbers.append(len(springs[0].mesh.points) if springs else 0)
+    assert numbers[0] > 1.9 * numbers[1] > 3.5 * numbers[2] > numbers[3] == 0
+    assert len(scene.lines) == 2200
+
+
+def test_extremes_stand_for_the_size_of_a_mesh() -> None:
+    from dalembert._pictures.meshes import ball, cube, extremes, helix
+
+    for mesh, error in ((cube(), 1e-12), (ball(16), 0.03), (helix(8.0, 10, 0.1, 16, 8), 0.05)):
+        assert len(extremes(mesh)) <= 26
+        for angle in (0.0, 0.3, 0.7):
+            turned, few = (points @ RotationMatrixZ(angle).T for points in (mesh.points, extremes(mesh)))
+            np.testing.assert_allclose(few.max(axis=0), turned.max(axis=0), atol=error * np.ptp(turned, axis=0).max())

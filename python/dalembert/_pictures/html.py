@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import base64
-from importlib.resources import files
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -45,7 +44,7 @@ def page(motion: Motion, words: dict[str, Any]) -> str:
     from dalembert._pictures.replay import pack
 
     data = pack(motion, words)
-    folder = files("dalembert._pictures") / "page"
+    folder = Path(__file__).parent / "page"
     bundle = (folder / "bundle.js").read_text("utf-8").replace("</script", "<\\/script")
     text = (folder / "page.html").read_text("utf-8")
     return text.replace("@DATA@", base64.b64encode(data).decode()).replace("@BUNDLE@", bundle)

@@ -22,6 +22,7 @@ class Looks:
 
     settings: Any
     size: float = 1.0
+    crowd: int = 0  # how many objects there are
     _windings: dict[int, int] = field(default_factory=dict)  # by number of the spring
 
     def setting(self, path: str) -> Any:

@@ -55,6 +55,7 @@ class SceneMaker:
             self._sized = True
         scene = Scene()
         scene.time = float(self.mbs.systemData.GetTime(configuration)) if assembled else 0.0
+        self.looks.crowd = self._count("Object")
         pen, colors = Pen(scene, places, self.looks), Contour(self.looks)
         for kind in KINDS:
             self._draw_kind(pen, colors, kind)

@@ -25,6 +25,19 @@ class Mesh:
     edges: IntArray = field(default_factory=lambda: np.empty((0, 2), int))  # pairs of points
     edge_color: Rgba = (0.2, 0.2, 0.2, 1.0)
     sharp: IntArray | None = None  # see sharp_edges
+    extreme: FloatArray | None = None  # see extremes
+
+
+_DIRECTIONS = np.array([[x, y, z] for x in (-1, 0, 1) for y in (-1, 0, 1) for z in (-1, 0, 1) if x or y or z], float)
+
+
+def extremes(mesh: Mesh) -> FloatArray:
+    """Return the points that lie farthest in 26 directions: few that stand for the size of all; computed once."""
+    if mesh.extreme is None:
+        points = mesh.points[np.isfinite(mesh.points).all(axis=1)]
+        small = len(points) <= len(_DIRECTIONS)
+        mesh.extreme = points if small else points[np.unique(np.argmax(points @ _DIRECTIONS.T, axis=0))]
+    return mesh.extreme
 
 
 def sharp_edges(mesh: Mesh) -> IntArray:
@@ -173,12 +186,12 @@ def torus(minor: float, tiles: int, angle: float = 2 * np.pi) -> Mesh:
 
 
 @lru_cache(maxsize=256)
-def helix(slenderness: float, windings: int, wire: float, tiles: int) -> Mesh:
+def helix(slenderness: float, windings: int, wire: float, corners: int, tiles: int) -> Mesh:
     """Return a spring about z from 0 to 1, its ends on the axis, of radius 1; wire is the radius of its wire.
 
     `slenderness`, length by radius, is that at which the wire is round.
     """
-    s = np.linspace(0, 1, 16 * windings + 1)
+    s = np.linspace(0, 1, corners * windings + 1)
     radius = np.minimum(1, np.minimum(s, 1 - s) / 0.08)
     z = np.clip((s - 0.1) / 0.8, 0, 1) * 0.8 + 0.1
     z = np.where(s < 0.1, s, np.where(s > 0.9, s, z))

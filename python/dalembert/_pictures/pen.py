@@ -15,6 +15,10 @@ from dalembert._pictures.scene import DrawnItem, Instance, Label, Scene
 
 RED, GREEN, BLUE = (0.85, 0.15, 0.15, 1.0), (0.15, 0.65, 0.2, 1.0), (0.2, 0.35, 0.9, 1.0)
 
+# Springs of few objects are round; of many, they have fewer corners per winding and around the wire, or are lines.
+CROWD = (100, 500, 2000)
+QUALITY = ((16, 8), (12, 5), (8, 3))
+
 
 class Pen:
     """Adds to a scene; knows where things are and how large they should look."""
@@ -100,7 +104,11 @@ class Pen:
             return
         slenderness = float(2.0 ** (0.5 * np.round(2 * np.log2(max(length / radius, 1e-3)))))  # few meshes for many
         windings = self.looks.windings(self.scene.items[self._item].number, slenderness)
-        mesh = meshes.helix(slenderness, windings, 0.13, 8)
+        if self.looks.crowd > CROWD[-1]:
+            self.line([begin, end], color)
+            return
+        corners, tiles = QUALITY[int(np.searchsorted(CROWD, self.looks.crowd))]
+        mesh = meshes.helix(slenderness, windings, 0.13, corners, tiles)
         self.mesh(mesh, begin, frame_along(axis) * np.array([radius, radius, length]), color)
 
     def frame(self, origin: FloatArray, rotation: FloatArray, size: float) -> None:

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from dalembert._checks import FloatArray, IntArray
-from dalembert._pictures.meshes import Mesh, Rgba, sharp_edges
+from dalembert._pictures.meshes import Mesh, Rgba, extremes, sharp_edges
 
 WIDE = 3.0  # ground that is larger than all the rest by this factor is a floor to stand on
 
@@ -82,7 +82,7 @@ class Scene:
         return self._corners(lambda item: chosen[item])
 
     def _corners(self, counts: Callable[[int], bool]) -> FloatArray | None:
-        parts = [i.mesh.points @ i.matrix.T + i.place for i in self.instances if counts(i.item)]
+        parts = [extremes(i.mesh) @ i.matrix.T + i.place for i in self.instances if counts(i.item)]
         parts += [points for points, _, _, item in self.lines if counts(item)]
         for center, radius, _, item in self.spheres:
             if counts(item):
