@@ -16,6 +16,7 @@ from dalembert._core_settings import *
 from dalembert._core_system_data import SystemData
 from dalembert._core_types import Array, Matrix, MatrixLike, Vector
 from dalembert._geometry.inertia import RigidBodyInertia
+from dalembert._io import model_files as model_files
 from dalembert._plots import system_graph as system_graph
 from dalembert._solving import consistent as consistent
 from dalembert._solving import linearized as linearized
@@ -263,7 +264,9 @@ class MainSystem(_Bound):
     CreateDistanceSensor = distance_sensor.CreateDistanceSensor
     CreateDistanceSensorGeometry = distance_sensor.CreateDistanceSensorGeometry
     DrawSystemGraph = system_graph.DrawSystemGraph
+    Load = model_files.Load
     PlotSensor = plot.PlotSensor
+    Save = model_files.Save
     SolutionViewer = interactive.SolutionViewer
     ComputeLinearizedSystem = linearized.ComputeLinearizedSystem
     ComputeODE2Eigenvalues = linearized.ComputeODE2Eigenvalues

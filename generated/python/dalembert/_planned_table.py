@@ -35,13 +35,10 @@ ITEMS = (
     "SensorKinematicTree",
 )
 MODULES = {
-    "GUI": Planned('dialogs for settings', 'set the attributes of SimulationSettings() and SC.visualizationSettings', ()),
-    "artificialIntelligence": Planned('environments for reinforcement learning', 'call mbs.SolveDynamic for each action, with updateInitialValues=True and the next startTime and endTime; states are in mbs.systemData', ()),
     "robotics.future": Planned('inverse kinematics of standard robots', '', ()),
     "robotics.mobile": Planned('vehicles with mecanum wheels', '', ()),
     "robotics.special": Planned('measures of manipulability', '', ()),
     "robotics.utilities": Planned('lidar sensors, robots from URDF files', '', ()),
-    "resultsMonitor": Planned('a window that shows sensor files while a solver writes them', 'call PlotSensor with the name of the file', ()),
     "rosInterface": Planned('publishers and subscribers of ROS', 'talk to ROS in a PreStep user function, or by CreateTCPIPconnection', ()),
 }
 FUNCTIONS = {
