@@ -89,7 +89,7 @@ std::string show(PyObject* value) {
     text = text.substr(0, cut) + "...";
   }
   if (value == Py_None) return text;
-  std::string_view type = Py_TYPE(value)->tp_name;
+  std::string_view type = index ? index_name(kind) : std::string_view(Py_TYPE(value)->tp_name);
   constexpr std::string_view own = "dalembert._core.";
   if (type.starts_with(own)) type.remove_prefix(own.size());
   text += " (" + std::string(type);

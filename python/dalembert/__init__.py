@@ -19,6 +19,7 @@ except ImportError as _error:
         "install the package, e.g. by 'pip install .' in the source folder"
     ) from _error
 from dalembert import _planned
+from dalembert._tools import completion as _completion
 from dalembert._core import *
 from dalembert._planned import (
     GeneralContact as GeneralContact,
@@ -32,6 +33,7 @@ from dalembert._version import (
     interface_version as interface_version,
 )
 from dalembert.mainSystemExtensions import methods as _methods  # noqa: F401  importing it extends MainSystem
+from dalembert._io.model_files import ModelFileError as ModelFileError
 from dalembert._solving.diagnosis import SolverError as SolverError
 from dalembert.solver import (
     ComputeLinearizedSystem as ComputeLinearizedSystem,
@@ -42,12 +44,16 @@ from dalembert.solver import (
     SolveStatic as SolveStatic,
 )
 
+_completion.tell_ipython()
+
 # Modules that are loaded when they are first used, as attribute or by import.
 _submodules = frozenset(
     (
         "FEM",
+        "GUI",
         "advancedUtilities",
         "alias",
+        "artificialIntelligence",
         "basicUtilities",
         "beams",
         "compiled",
@@ -66,6 +72,7 @@ _submodules = frozenset(
         "plot",
         "processing",
         "results",
+        "resultsMonitor",
         "rigidBodyUtilities",
         "robotics",
         "shells",
@@ -80,9 +87,11 @@ _renamed = {"exudynCPP": _core}
 if TYPE_CHECKING:
     from dalembert import (
         FEM as FEM,
+        GUI as GUI,
         _core as exudynCPP,  # noqa: F401
         advancedUtilities as advancedUtilities,
         alias as alias,
+        artificialIntelligence as artificialIntelligence,
         basicUtilities as basicUtilities,
         beams as beams,
         compiled as compiled,
@@ -101,6 +110,7 @@ if TYPE_CHECKING:
         plot as plot,
         processing as processing,
         results as results,
+        resultsMonitor as resultsMonitor,
         rigidBodyUtilities as rigidBodyUtilities,
         robotics as robotics,
         shells as shells,
@@ -115,6 +125,7 @@ else:
         "ComputeODE2Eigenvalues",
         "ComputeSystemDegreeOfFreedom",
         "GeneralContact",
+        "ModelFileError",
         "RequireVersion",
         "SolveDynamic",
         "SolveStatic",

@@ -16,6 +16,7 @@ from dalembert._core_settings import *
 from dalembert._core_system_data import SystemData
 from dalembert._core_types import Array, Matrix, MatrixLike, Vector
 from dalembert._geometry.inertia import RigidBodyInertia
+from dalembert._io import model_files as model_files
 from dalembert._pictures import draw as draw
 from dalembert._pictures import html as html
 from dalembert._plots import system_graph as system_graph
@@ -272,7 +273,9 @@ class MainSystem(_Bound):
     DrawSystemGraph = system_graph.DrawSystemGraph
     Draw = draw.Draw
     DrawSolution = draw.DrawSolution
+    Load = model_files.Load
     PlotSensor = plot.PlotSensor
+    Save = model_files.Save
     SaveHTML = html.SaveHTML
     SolutionViewer = interactive.SolutionViewer
     ComputeLinearizedSystem = linearized.ComputeLinearizedSystem

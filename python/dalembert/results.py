@@ -16,7 +16,7 @@ import numpy as np
 from dalembert import _version
 from dalembert._checks import FloatArray
 from dalembert._core import SimulationSettings
-from dalembert._io.files import naming
+from dalembert._io.files import naming, replacing
 from dalembert._io.solution_rows import COLUMNS
 from dalembert._io.solution_states import LoadSolutionFile
 from dalembert._tools.found_items import find_item
@@ -140,7 +140,7 @@ def SaveHDF5(
     h5py = _extra("h5py", "SaveHDF5")
     found = list(_measured(mbs, sensors, continuousAngles, "SaveHDF5"))
     solution = None if solutionFile is None else SolutionToXarray(solutionFile)
-    with naming(fileName), h5py.File(fileName, "w") as file:
+    with replacing(fileName) as written, h5py.File(written, "w") as file:
         file.attrs["dalembert"] = _version.__version__
         if simulationSettings is not None:
             file.attrs["settings"] = json.dumps(simulationSettings.GetDictionary(), default=str)

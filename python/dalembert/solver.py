@@ -54,6 +54,16 @@ def _keep_as_initial_values(mbs: Any, accelerations: bool) -> None:
         data.SetODE2Coordinates_tt(coordinates=data.GetODE2Coordinates_tt(), configuration=ConfigurationType.Initial)
 
 
+def _settings(function: str, given: Any) -> SimulationSettings:
+    if given is None:
+        return _core.SimulationSettings()
+    if isinstance(given, SimulationSettings):
+        return given
+    advice = ". Put parentheses behind the class" if given is SimulationSettings else ""
+    expected = f"exu.SimulationSettings(){advice}"
+    raise TypeError(f"{function}: simulationSettings: received {given!r}, but expected {expected}")
+
+
 def SolveStatic(
     mbs: Any,
     simulationSettings: SimulationSettings | None = None,
@@ -71,7 +81,7 @@ def SolveStatic(
     exudyn.special.solver.timeout has ended it early: the system is in the state of the last load step, and initial
     values stay.
     """
-    settings = _core.SimulationSettings() if simulationSettings is None else simulationSettings
+    settings = _settings("SolveStatic", simulationSettings)
     assemble_if_needed("SolveStatic", mbs, autoAssemble)
     slot = "staticSolver" if storeSolver else None
     success = _run("SolveStatic", _core.MainSolverStatic(), mbs, settings, slot, showCausingItems)
@@ -100,7 +110,7 @@ def SolveDynamic(
     user function (PreStep, PostStep), by mbs.SetRenderEngineStopFlag(True) or in the render window returns True;
     mbs.sys['dynamicSolver'].output tells which it was.
     """
-    settings = _core.SimulationSettings() if simulationSettings is None else simulationSettings
+    settings = _settings("SolveDynamic", simulationSettings)
     implicit = is_implicit("SolveDynamic", solverType)
     assemble_if_needed("SolveDynamic", mbs, autoAssemble)
     slot = "dynamicSolver" if storeSolver else None

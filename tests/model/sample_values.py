@@ -212,4 +212,6 @@ def wrong_type(row: Parameter) -> Any:
     """What no parameter of this type accepts, whatever its length."""
     if row.type.storage == "text":
         return 5
+    if row.type.index and not row.type.shape:
+        return 0.5  # a text is a name
     return {"a": 1} if row.type.storage == "user_function" else "words"

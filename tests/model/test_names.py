@@ -31,11 +31,18 @@ def mbs() -> Any:
     return mbs
 
 
+def hold(mbs: Any) -> None:
+    """Leave the weight one degree of freedom."""
+    for coordinate in (1, 2):
+        mbs.CreateCoordinateConstraint(bodyNumbers=[None, "weight"], coordinates=[None, coordinate])
+
+
 def test_names_are_resolved_when_an_item_is_added(mbs: Any) -> None:
     assert mbs.GetObject("weight")["nodeNumber"] == exu.NodeIndex(0)
     assert mbs.GetObject("spring")["markerNumbers"] == [exu.MarkerIndex(0), exu.MarkerIndex(1)]
     mbs.SetNodeParameter("foot", "name", "toe")  # it is the item that is meant, not the name
     assert mbs.GetMarker("load")["nodeNumber"] == exu.NodeIndex(0)
+    hold(mbs)
     mbs.Assemble()
     mbs.SolveStatic()
     assert mbs.GetSensorValues("way")[0] == pytest.approx(4 / 80)
@@ -77,7 +84,7 @@ def test_items_keep_names_until_they_are_added() -> None:
         (lambda m: m.SetObjectParameter("sprong", "stiffness", 1), r"mbs.SetObjectParameter\(...\), parameter 'objectNumber': received 'sprong'.*Did you mean 'spring'"),
         (lambda m: m.GetSensorValues("wey"), "received 'wey'.*Did you mean 'way'"),
         (lambda m: m.AddLoad(exu.LoadForceVector(markerNumber="")), "expected a MarkerIndex, an integer or a name"),
-        (lambda m: m.systemData.GetNodeLTGODE2("fod"), "received 'fod', but expected the name of a node"),
+        (lambda m: (m.Assemble(), m.systemData.GetNodeLTGODE2("fod")), "received 'fod', but expected the name of a node"),
         (lambda m: m.CreateForce(bodyNumber="wight"), r"CreateForce\(...\): argument 'bodyNumber': received 'wight', but no object or marker or node .*'weight'"),
         (lambda m: m.CreateSpringDamper(bodyNumbers=["ground", "wight"]), r"argument 'bodyNumbers\[1\]': received 'wight'"),
         (lambda m: m.SolveVariations({("sprig", "stiffness"): [1.0]}), "SolveVariations: parameters: received 'sprig'.*Did you mean 'spring'"),
@@ -130,6 +137,7 @@ def test_created_objects_tell_what_belongs_to_them() -> None:
 
 
 def test_variations_by_names(mbs: Any) -> None:
+    hold(mbs)
     mbs.Assemble()
     found = mbs.SolveVariations({("spring", "stiffness"): [40.0, 80.0]}, solverType="static", sensors=["way"])
     assert np.allclose(found.SensorValues("way")[:, 0], [0.1, 0.05])

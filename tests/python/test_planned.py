@@ -28,7 +28,7 @@ SIGNATURES_OF_USER_FUNCTIONS = {
     for name in ("PreStep", "PostStep", "PostNewton", "PreNewtonResidual", "SystemJacobian")
 }
 # Modules that the published list leaves out.
-MODULES_BESIDE = {"GUI", "artificialIntelligence"}
+MODULES_BESIDE: set[str] = set()
 # The same for classes, methods and functions.
 CLASSES_BESIDE = {
     "SolverFileData",

@@ -168,7 +168,7 @@ void Solver::print_progress(bool to_console, bool to_file) {
   std::string text = "STEP" + std::to_string(it.currentStepIndex) +
                      (is_static() ? ", factor = " + number(load_factor()) : ", t = " + number(t) + "s");
   const bool at_end = it.currentTime + 1e-10 >= it.endTime;
-  if (!is_static() && whole > 0) text += " (" + number(std::floor(1000 * std::min(done / whole, 1.0)) / 10) + " %)";
+  if (!is_static() && whole > 0) text += " (" + number(at_end ? 100 : std::floor(1000 * done / whole) / 10) + " %)";
   if (info & step_size) text += ", dt = " + duration(it.currentStepSize, digits);
   const bool known = elapsed > 0.2 && done > std::min(10 * it.initialStepSize, 1e-5 * whole) && it.currentStepIndex != 0;
   if ((info & time_to_go) && known && !at_end) text += ", timeToGo = " + duration((it.endTime - t) * elapsed / done, 3);

@@ -21,7 +21,7 @@ import numpy as np
 from dalembert import _core, _version
 from dalembert._core import MainSystem, SimulationSettings, _parameters_of
 from dalembert._io.encoded_values import Decoder, Encoder, Refused
-from dalembert._io.files import naming
+from dalembert._io.files import naming, replacing
 
 FORMAT = "dalembert model"
 FORMAT_VERSION = 1
@@ -41,14 +41,16 @@ class _Place:
     def at(self, path: str) -> Iterator[None]:
         try:
             yield
-        except _FileError:
+        except ModelFileError:
             raise
         except Exception as error:  # of a constructor, of an import, of the code of a function
-            raise _FileError(f"{self.file}: {path}: {error}") from error
+            raise ModelFileError(f"{self.file}: {path}: {error}") from error
 
 
-class _FileError(ValueError):
-    """What is wrong with a file, and where in it."""
+class ModelFileError(ValueError):
+    """What is wrong with a model file, and where in it."""
+
+    __module__ = "dalembert"
 
 
 @cache
@@ -100,11 +102,12 @@ def Save(
         content["variables"] = variables
     if simulationSettings is not None:
         content["settings"] = _differences(simulationSettings.GetDictionary(), SimulationSettings().GetDictionary())
-    with naming(path):
-        path.write_text(_json_text(content), "utf-8")
-        beside = path.with_suffix(".npz")
+    beside = path.with_suffix(".npz")
+    with replacing(path) as written:
+        Path(written).write_text(_json_text(content), "utf-8")
         if encoder.arrays:
-            np.savez_compressed(beside, **encoder.arrays)
+            with replacing(beside) as written_beside:
+                np.savez_compressed(written_beside, **encoder.arrays)
         elif beside.exists() and beside != path:
             beside.unlink()  # of an earlier model of that name
 
@@ -214,34 +217,34 @@ def _content(path: Path, place: _Place) -> dict[str, Any]:
         if len(found) < len(pairs):
             keys = [key for key, _ in pairs]
             twice = next(key for key in keys if keys.count(key) > 1)
-            raise _FileError(f"{place.file}: key '{twice}' stands twice in one object")
+            raise ModelFileError(f"{place.file}: key '{twice}' stands twice in one object")
         return found
 
     def refuse_constant(name: str) -> None:
-        raise _FileError(f"{place.file}: {name} is no number")
+        raise ModelFileError(f"{place.file}: {name} is no number")
 
     try:
         content = json.loads(text, object_pairs_hook=unique, parse_constant=refuse_constant)
     except json.JSONDecodeError as error:
         where = f"{place.file}, line {error.lineno}, column {error.colno}"
-        raise _FileError(f"{where}: not valid JSON: {error.msg}") from None
+        raise ModelFileError(f"{where}: not valid JSON: {error.msg}") from None
     except RecursionError:
-        raise _FileError(f"{place.file}: too many brackets inside each other") from None
+        raise ModelFileError(f"{place.file}: too many brackets inside each other") from None
     if not isinstance(content, dict) or content.get("format") != FORMAT:
-        raise _FileError(f"{place.file}: format: expected '{FORMAT}': this is no model that mbs.Save(...) has written")
+        raise ModelFileError(f"{place.file}: format: expected '{FORMAT}': not written by mbs.Save(...)")
     version = content.get("formatVersion")
     if not isinstance(version, int) or not 1 <= version <= FORMAT_VERSION:
-        raise _FileError(
+        raise ModelFileError(
             f"{place.file}: formatVersion: received {version!r}, but this package reads 1 to {FORMAT_VERSION}; "
             f"the file was written by version {content.get('package', '?')} of the package"
         )
     known = (*_KEYS, *_KEYS_OF_ITEMS)
     for key, value in content.items():
         if key not in known:
-            raise _FileError(f"{place.file}: unknown key '{key}'; known are {', '.join(known)}")
+            raise ModelFileError(f"{place.file}: unknown key '{key}'; known are {', '.join(known)}")
         expected = list if key in _KEYS_OF_ITEMS else dict if key in ("settings", "functions", "variables") else None
         if expected is not None and not isinstance(value, expected):
-            raise _FileError(f"{place.file}: {key}: expected a {'list' if expected is list else 'JSON object'}")
+            raise ModelFileError(f"{place.file}: {key}: expected a {'list' if expected is list else 'JSON object'}")
     return {key: [] for key in _KEYS_OF_ITEMS} | content
 
 
@@ -259,12 +262,13 @@ def _names(content: Mapping[str, Any], place: _Place) -> dict[str, dict[str, int
         known = names.setdefault(kind, {})
         for i, item in enumerate(content[key]):
             if not isinstance(item, dict):
-                raise _FileError(f"{place.file}: {key}[{i}]: expected a JSON object with 'type' and parameters")
+                raise ModelFileError(f"{place.file}: {key}[{i}]: expected a JSON object with 'type' and parameters")
             name = item.get("name", "")
             if not isinstance(name, str):
-                raise _FileError(f"{place.file}: {key}[{i}].name: received {name!r}, but expected a text")
+                raise ModelFileError(f"{place.file}: {key}[{i}].name: received {name!r}, but expected a text")
             if name in known:
-                raise _FileError(f"{place.file}: {key}[{i}].name: '{name}' is already the name of {key}[{known[name]}]")
+                other = f"{key}[{known[name]}]"
+                raise ModelFileError(f"{place.file}: {key}[{i}].name: '{name}' is already the name of {other}")
             if name:
                 known[name] = i
     for kind, key in zip(KINDS, _KEYS_OF_ITEMS, strict=True):
@@ -331,7 +335,7 @@ def _decoded_settings(place: _Place, values: Mapping[str, Any]) -> SimulationSet
 
     def members(known: Mapping[str, Any], given: Any, path: str) -> Any:
         if not isinstance(given, dict):
-            raise _FileError(f"{place.file}: {path}: expected a JSON object")
+            raise ModelFileError(f"{place.file}: {path}: expected a JSON object")
         result = {}
         for key, value in given.items():
             default = known.get(key)

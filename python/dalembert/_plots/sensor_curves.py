@@ -150,6 +150,8 @@ def make_curves(
         if isinstance(sensor, str) and system is not None and int(system.GetSensorNumber(sensor)) >= 0:
             sensor = system.GetSensorNumber(sensor)
         if isinstance(sensor, str):
+            if system is not None and not os.path.exists(sensor):
+                raise FileNotFoundError(f"PlotSensor: there is neither a sensor nor a file named {sensor!r}")
             title = f"file {sensor!r}"
             name, variable, data = _file_information(sensor, comments, delimiter)
         elif isinstance(sensor, np.ndarray) and sensor.ndim > 0:

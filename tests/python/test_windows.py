@@ -1,0 +1,78 @@
+"""Dialogs and the monitor of results, as far as they need no display."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import matplotlib.pyplot
+import numpy as np
+import pytest
+
+import dalembert as exu
+from dalembert import GUI, resultsMonitor
+
+
+def test_settings_are_edited_as_texts() -> None:
+    settings = exu.SimulationSettings()
+    edit = GUI.Edit(settings)
+    rows = {path: (text, words) for path, text, words in edit.rows()}
+    assert rows[("timeIntegration",)][0] == "" and rows[("timeIntegration", "endTime")][0] == "1.0"
+    assert "in s" in rows[("timeIntegration", "endTime")][1]
+    edit.set(("timeIntegration", "endTime"), "2.5")
+    edit.set(("linearSolverType",), "EigenSparse")
+    edit.set(("timeIntegration", "newton", "useModifiedNewton"), "True")
+    assert settings.timeIntegration.endTime == 2.5 and settings.timeIntegration.newton.useModifiedNewton
+    assert settings.linearSolverType == exu.LinearSolverType.EigenSparse
+    assert "EigenSparse" in edit.choices(("linearSolverType",))
+    for path, text in (
+        (("timeIntegration", "endTime"), "soon"),
+        (("timeIntegration", "numberOfSteps"), "-1"),
+        (("linearSolverType",), "fast"),
+    ):
+        with pytest.raises(ValueError, match=path[-1]):
+            edit.set(path, text)
+    assert settings.timeIntegration.endTime == 2.5
+
+
+def test_dictionaries_keep_their_types() -> None:
+    data = {"mass": 1.0, "color": [1, 0], "place": np.zeros(2), "inner": {"show": True}}
+    edit = GUI.Edit(data)
+    for path, text in ((("mass",), "3"), (("place",), "[1, 2]"), (("inner", "show"), "False"), (("color",), "[0, 1]")):
+        edit.set(path, text)
+    assert data["mass"] == 3.0 and isinstance(data["mass"], float) and data["inner"] == {"show": False}
+    assert data["place"].tolist() == [1.0, 2.0] and data["color"] == [0, 1]
+    with pytest.raises(TypeError, match="inner.show: received 3, but expected a bool"):
+        edit.set(("inner", "show"), "3")
+    assert (
+        GUI.IsVector("[1, 2.5]")
+        and GUI.IsArrayInt("[1, 2]")
+        and not GUI.IsArrayInt("[1, 2.5]")
+        and not GUI.IsFloat("x")
+    )
+
+
+def test_without_a_display_dialogs_say_so(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("DISPLAY", raising=False)
+    with pytest.raises((RuntimeError, ImportError), match="set the attributes instead"):
+        GUI.EditDictionaryWithTypeInfo(exu.SimulationSettings())
+
+
+def test_the_monitor_follows_a_growing_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "sensor.txt"
+    file.write_text("#header\n0,1,2\n0.1,3,4\n0.2,")  # the last line is being written
+    monitor = resultsMonitor.Monitor(str(file), ycols=[1, 2], addMarker=True)
+    assert [line.get_ydata().tolist() for line, _ in monitor._lines] == [[1, 3], [2, 4]]
+    assert not monitor.update()
+    with open(file, "a") as more:
+        more.write("5,6\n")
+    assert monitor.update() and monitor._lines[1][0].get_xydata()[-1].tolist() == [0.2, 6]
+    with pytest.raises(ValueError, match="has columns 0 to 2, but not 3"):
+        resultsMonitor.Monitor(str(file), ycols=[3])
+    for arguments, text in (
+        (["none.txt"], "there is no file 'none.txt'"),
+        ([str(file)], "there is no display for a window"),
+    ):
+        with pytest.raises(SystemExit):
+            resultsMonitor.main(arguments)
+        assert text in capsys.readouterr().err
+    matplotlib.pyplot.close("all")
