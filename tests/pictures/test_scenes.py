@@ -323,3 +323,24 @@ def test_extremes_stand_for_the_size_of_a_mesh() -> None:
         for angle in (0.0, 0.3, 0.7):
             turned, few = (points @ RotationMatrixZ(angle).T for points in (mesh.points, extremes(mesh)))
             np.testing.assert_allclose(few.max(axis=0), turned.max(axis=0), atol=error * np.ptp(turned, axis=0).max())
+
+
+@pytest.mark.parametrize("scale", [1e-5, 1.0, 1e4])
+def test_pictures_look_the_same_in_every_size(scale: float) -> None:
+    """Symbols and fit are in proportion: the same model in other units gives the same picture, but for rounding."""
+
+    def picture(unit: float) -> Any:
+        mbs = exu.SystemContainer().AddSystem()
+        ground = mbs.CreateGround()
+        body = mbs.CreateRigidBody(
+            referencePosition=[0.5 * unit, 0.2 * unit, 0],
+            inertia=InertiaCuboid(1, [unit, 0.2 * unit, 0.2 * unit]),
+            graphicsDataList=[graphics.Brick(size=[unit, 0.2 * unit, 0.2 * unit])],
+        )
+        mbs.CreateRevoluteJoint(bodyNumbers=[ground, body], position=[0, 0.2 * unit, 0], axis=[0, 0, 1])
+        mbs.CreateSpringDamper(bodyNumbers=[ground, body], localPosition0=[unit, unit, 0], stiffness=1)
+        mbs.CreateForce(bodyNumber=body, loadVector=[0, 1, 0])
+        return np.asarray(mbs.Draw(windowSize=[320, 240])).astype(int)
+
+    different = np.abs(picture(scale) - picture(1.0)).max(axis=2) > 40
+    assert different.mean() < 0.005

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from dalembert._checks import FloatArray
 from dalembert._core import ConfigurationType
 from dalembert._pictures import connectors, flexible, symbols, traces
 from dalembert._pictures.bodies import Bodies
@@ -16,6 +17,7 @@ from dalembert._pictures.places import Places
 from dalembert._pictures.scene import DrawnItem, Instance, Scene
 from dalembert._pictures.trees import Trees
 
+TINY = 1e-9  # m, of symbols while the size of the scene is found
 KINDS = ("Node", "Object", "Marker", "Load", "Sensor")
 RIGID = ("Ground", "RigidBody", "RigidBody2D", "MassPoint", "MassPoint2D", "Mass1D", "RotationalMass1D")
 # What has no place in space: its coordinates are those of a controller, a hydraulic circuit or a field.
@@ -70,6 +72,7 @@ class SceneMaker:
 
     def _find_size(self, places: Places) -> None:
         """Let the size be that of bodies, of the places of nodes and of what connectors join, without symbols."""
+        self.looks.size = TINY
         rough = Scene()
         pen = Pen(rough, places, self.looks)
         for kind in ("Node", "Object"):
@@ -84,31 +87,29 @@ class SceneMaker:
                 pen.take(DrawnItem("Object", -1, "", ""))
                 pen.line([place for place in found if place is not None], (0.0, 0.0, 0.0, 1.0))
         box = rough.box()
-        if box is not None:
-            self.looks.size = float(np.linalg.norm(box[1] - box[0])) or 1.0
+        size = 0.0 if box is None else float(np.linalg.norm(box[1] - box[0]))
+        self.looks.size = size if size > 100 * TINY else 1.0
 
     def _count(self, kind: str) -> int:
         return int(getattr(self.mbs.systemData, f"NumberOf{kind}s")())
 
     def _draw_kind(self, pen: Pen, colors: Contour, kind: str) -> None:
-        settings = {k: f"{k.lower()}s" for k in KINDS}
-        numbers = self._count(kind)
-        shown = kind == "Object" or bool(self.looks.setting(f"{settings[kind]}.show"))
-        for number in range(numbers if shown else 0):
+        """Draw all items of a kind, as far as they and their group of settings are shown."""
+        for number in range(self._count(kind)):
             item = pen.places.item(kind, number)
-            if not item.get("Vshow", True):
+            group = self.looks.setting(self._group(kind, item))
+            if not item.get("Vshow", True) or not group.show:
                 continue
             pen.take(DrawnItem(kind, number, item[f"{kind.lower()}Type"], item["name"]))
-            group = self._group(kind, item)
-            if not self.looks.setting(f"{group}.show"):
-                continue
             self._draw(pen, colors, kind, number, item)
-            if self.looks.setting(f"{group}.showNumbers"):
-                place = getattr(pen.places, kind.lower())(number) if kind in ("Node", "Object", "Marker") else None
-                if kind == "Load":
-                    place = pen.places.marker(item["markerNumber"])
-                if place is not None:
-                    pen.label(place, f"{kind[0]}{number}")
+            if group.showNumbers and (place := self._label_place(pen.places, kind, number, item)) is not None:
+                pen.label(place, f"{kind[0]}{number}")
+
+    @staticmethod
+    def _label_place(places: Places, kind: str, number: int, item: dict[str, Any]) -> FloatArray | None:
+        if kind == "Sensor":
+            return None
+        return places.marker(item["markerNumber"]) if kind == "Load" else getattr(places, kind.lower())(number)
 
     @staticmethod
     def _group(kind: str, item: dict[str, Any]) -> str:
