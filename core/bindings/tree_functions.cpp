@@ -5,9 +5,10 @@
 
 #include "dalembert/items/super_elements/kinematic_tree.hpp"
 #include "dalembert/model/errors.hpp"
-#include "item_arguments.hpp"
 #include "main_system.hpp"
 #include "module.hpp"
+
+#include "item_arguments.hpp"
 
 namespace dalembert {
 namespace {

@@ -29,9 +29,11 @@ DALEMBERT_INLINE inline SineCosine<N> sine_cosine(const Pack<N>& angle) {
   bool large = false;
   for (int lane = 0; lane < N; ++lane) large = large || !(std::abs(angle[lane]) < 1e5);
   if (large) [[unlikely]]
-    return {Pack<N>::of_each([&angle](int lane) { return std::sin(angle[lane]); }), Pack<N>::of_each([&angle](int lane) { return std::cos(angle[lane]); })};
+    return {Pack<N>::of_each([&angle](int lane) { return std::sin(angle[lane]); }),
+            Pack<N>::of_each([&angle](int lane) { return std::cos(angle[lane]); })};
   constexpr double to_integer = 6755399441055744.0;  // 1.5 * 2^52: the last bits of a sum with it are an integer
-  constexpr double quarter[] = {1.5707963267341256, 6.077100506303966e-11, 2.0222662487959506e-21};  // of a turn; products with the first two are exact
+  // Of a turn; products with the first two parts are exact.
+  constexpr double quarter[] = {1.5707963267341256, 6.077100506303966e-11, 2.0222662487959506e-21};
   const Register shifted = angle.x * 0.6366197723675814 + to_integer, quarters = shifted - to_integer;
   const auto turns = std::bit_cast<Integers>(shifted);
   const Pack<N> x(((angle.x - quarters * quarter[0]) - quarters * quarter[1]) - quarters * quarter[2]), square = x * x;

@@ -76,7 +76,8 @@ int factorize(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<
     const TreeLink& link = tree.links[i];
     ArticulatedBody<S>& body = bodies[i];
     const Vec3<S>& e = places[i].axis;
-    body.along = link.slides ? LinkWrench<S>{body.translation * e, body.coupling * e} : LinkWrench<S>{transposed_times(body.coupling, e), body.rotation * e};
+    if (link.slides) body.along = {body.translation * e, body.coupling * e};
+    else body.along = {transposed_times(body.coupling, e), body.rotation * e};
     const S resistance = along_joint(link, e, body.along);
     if (loose < 0 && !is_positive(resistance)) loose = static_cast<int>(i);
     body.inverse = 1.0 / resistance;

@@ -49,7 +49,8 @@ struct LoadChange {
   double of_behind = 0;  // of joint k, with the coordinate of joint j on its way to the base
   double of_before = 0;  // of joint j, with that of k
 };
-// A turn w takes points along: r changes by w x r, and so the moment of F by (w x r) x F = -arms^T w. Seen from joint k, which turns with them, it is F that turns back.
+// A turn w takes points along: r changes by w x r, and so the moment of F by (w x r) x F = -arms^T w. Seen from joint k, which turns
+// with them, it is F that turns back.
 inline LoadChange load_change(const Tree& tree, std::span<const LinkPlace<double>> places, std::span<const LinkLoad> sums, int k, int j) {
   const TreeLink &behind = tree.links[static_cast<std::size_t>(k)], &before = tree.links[static_cast<std::size_t>(j)];
   const Vec3<double>&e_k = places[static_cast<std::size_t>(k)].axis, e_j = places[static_cast<std::size_t>(j)].axis;

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <span>
-#include <type_traits>
 #include <vector>
 
 #include "dalembert/frames.hpp"
@@ -61,20 +60,20 @@ namespace trees {
 // Of all coordinates; of single states, four at a time.
 template <class S>
 void find_sines(const S* q, std::span<LinkPlace<S>> places) {
-  using Several = std::conditional_t<holds_packs<S>, S, Pack<4>>;
-  constexpr std::size_t step = holds_packs<S> ? 1 : 4;
-  for (std::size_t first = 0; first < places.size(); first += step) {
-    const std::size_t count = std::min(step, places.size() - first);
-    if constexpr (holds_packs<S>) {
-      const auto [sine, cosine] = sine_cosine(q[first]);
-      places[first].sine = sine;
-      places[first].cosine = cosine;
-    } else {
-      const auto [sine, cosine] = sine_cosine(Several::of_each([&](std::size_t lane) { return q[first + std::min(lane, count - 1)]; }));
-      for (std::size_t i = 0; i < count; ++i) {
-        places[first + i].sine = sine[static_cast<int>(i)];
-        places[first + i].cosine = cosine[static_cast<int>(i)];
-      }
+  const auto keep = [](LinkPlace<S>& place, const S& sine, const S& cosine) {
+    place.sine = sine;
+    place.cosine = cosine;
+  };
+  if constexpr (holds_packs<S>) {
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const auto [sine, cosine] = sine_cosine(q[i]);
+      keep(places[i], sine, cosine);
+    }
+  } else {
+    for (std::size_t first = 0; first < places.size(); first += 4) {
+      const std::size_t count = std::min<std::size_t>(4, places.size() - first);
+      const auto [sine, cosine] = sine_cosine(Pack<4>::of_each([&](std::size_t lane) { return q[first + std::min(lane, count - 1)]; }));
+      for (std::size_t i = 0; i < count; ++i) keep(places[first + i], sine[static_cast<int>(i)], cosine[static_cast<int>(i)]);
     }
   }
 }
@@ -128,7 +127,8 @@ void place_masses(const Tree& tree, std::span<const LinkPlace<S>> places, std::s
 
 // `base`: the acceleration of the base; minus gravity, if that is to act. Without accelerations `a` of the coordinates (null), they are zero.
 template <class S>
-void move_links(const Tree& tree, std::span<const LinkPlace<S>> places, const S* v, const S* a, const Vec3<S>& base, std::span<LinkMotion<S>> motions) {
+void move_links(const Tree& tree, std::span<const LinkPlace<S>> places, const S* v, const S* a, const Vec3<S>& base,
+                std::span<LinkMotion<S>> motions) {
   const LinkMotion<S> rest{{}, {}, {}, base};
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
     const TreeLink& link = tree.links[i];

@@ -246,7 +246,8 @@ struct KinematicTreeRigid final : MarkerPhysics {
       refuse(ErrorKind::value, {item, "linkNumber", "", std::to_string(link), "a link from 0 to " + std::to_string(links - 1), ""});
     for (int i = 0; i < links; ++i)
       if (parents[static_cast<std::size_t>(i)] >= i)
-        refuse(ErrorKind::value, {item, "objectNumber", "the parents of its links have no smaller numbers", "", "a tree whose linkParents are right", ""});
+        refuse(ErrorKind::value, {item, "objectNumber", "the parents of its links have no smaller numbers", "",
+                                  "a tree whose linkParents are right", ""});
   }
   std::vector<int> coordinates(const void* record, const Placement& on) const override {
     return path_to(tree_parameters(on.owner), parameters(record).linkNumber);

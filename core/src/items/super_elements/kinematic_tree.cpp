@@ -269,7 +269,8 @@ class KinematicTreeBatch final : public Term, public LinkedBodies, public MassSo
 void check_length(const char* parameter, std::size_t given, int links, bool required, const ItemLabel& item) {
   if (given == static_cast<std::size_t>(links) || (given == 0 && !required)) return;
   refuse(ErrorKind::value, {item, parameter, "", "a list of length " + std::to_string(given),
-                            "a list of length " + std::to_string(links) + ", one entry for each coordinate of the node" + (required ? "" : ", or none"), ""});
+                            "a list of length " + std::to_string(links) + ", one entry for each coordinate of the node" + (required ? "" : ", or none"),
+                            ""});
 }
 
 void check_lengths(const Parameters& p, int links, const ItemLabel& item) {
