@@ -484,14 +484,14 @@ constexpr std::array<OutputText, 7> ObjectRotationalMass1D_outputs{{
 
 constexpr std::array<std::string_view, 25> ObjectFFRF_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
-    "first the node of the body frame (Euler parameters), then the points of the mesh; the displacements of the latter are components in the body frame",
-    "mass matrix of the free mesh, without the coordinates of the body frame; three rows and columns per mesh node",
+    "first the rigid body node of the body frame, then the points of the mesh, each a NodePoint; reference positions and displacements of the latter are components in the body frame",
+    "mass matrix of the free mesh, without the coordinates of the body frame; three rows and columns per mesh node, with the same masses in all directions",
     "stiffness matrix of the free mesh in the body frame; three rows and columns per mesh node",
     "damping matrix of the free mesh in the body frame; three rows and columns per mesh node, or empty for zero",
     "constant generalized forces on the right hand side, for body frame and mesh, in global components; those of the mesh are turned into the body frame; empty for zero",
     "function that gives further generalized forces on the right hand side",
-    "function that gives an additional mass matrix for all coordinates",
-    "true: the inertia coupling of rigid body motion and deformation is computed by the object; false: only the given matrices act, and the user functions supply mass matrix and velocity terms",
+    "function that gives an additional mass matrix for all coordinates; its dependence on them is left out of the tangent",
+    "true: inertia, stiffness and damping of rigid body motion and deformation are computed by the object; false: the user functions supply all forces and the mass matrix",
     "index of the first coordinate of each node in the vector of the object",
     "leave it at false; the object sets it when its constant matrices are computed in ``Assemble()``, and setting it back to false has them computed anew",
     "total mass, from the mass matrix",

@@ -15,7 +15,6 @@ class Planned(NamedTuple):
 
 ITEMS = (
     "NodeGenericAE",
-    "ObjectFFRF",
     "ObjectContactConvexRoll",
     "ObjectContactCurveCircles",
     "ObjectContactFrictionCircleCable2D",
