@@ -624,7 +624,7 @@ constexpr std::array<std::string_view, 18> ObjectALEANCFCable2D_rows{
     "viscous damping of stretching: axial force per rate of axial strain",
     "axial strain at which the axial force is zero",
     "curvature at which the bending moment is zero; positive for a left turn along the axis",
-    "true: all inertia terms of the axial motion act; false: the axial coordinate has its own mass only, and the rest of the element has the inertia of ObjectANCFCable2D",
+    "true: all inertia terms of the axial motion act; false: accelerations of cable and axial coordinate are not coupled, and the latter has a constant mass",
     "true: the axial coordinate feels the change of strain and curvature energy that its motion brings about; false: this term is left out",
     "node at axial position 0, node at axial position L (both with position and slope in the plane), and a generic node of second order whose coordinate is the axial displacement of the material",
     "integration of the elastic forces along the axis: 0 with 5 Gauss points for stretching and 3 for bending; 1 with 4 and 2; 2 with 3 Lobatto points for stretching and 2 Gauss points for bending",

@@ -1848,7 +1848,7 @@ class ObjectALEANCFCable2D(_Object):
     physicsReferenceCurvature: float
     """curvature at which the bending moment is zero; positive for a left turn along the axis [1/m]"""
     physicsUseCouplingTerms: bool
-    """true: all inertia terms of the axial motion act; false: the axial coordinate has its own mass only, and the rest of the element has the inertia of ObjectANCFCable2D"""
+    """true: all inertia terms of the axial motion act; false: accelerations of cable and axial coordinate are not coupled, and the latter has a constant mass"""
     physicsAddALEvariation: bool
     """true: the axial coordinate feels the change of strain and curvature energy that its motion brings about; false: this term is left out"""
     @property
