@@ -59,7 +59,14 @@ def test_constant_mass_matrices_are_constant(variant: Variant) -> None:
 
 def test_which_mass_matrices_are_constant() -> None:
     constant = {v.pairs[0][1]: testing.constant_mass_matrix(v.build().mbs) for v in VARIANTS if not v.functions}
-    names = ("ObjectRigidBody", "ObjectRigidBody2D", "ObjectFFRFreducedOrder", "ObjectFFRF", "ObjectALEANCFCable2D")
+    names = (
+        "ObjectRigidBody",
+        "ObjectRigidBody2D",
+        "ObjectFFRFreducedOrder",
+        "ObjectFFRF",
+        "ObjectALEANCFCable2D",
+        "ObjectKinematicTree",
+    )
     turning = {carrier for carrier in constant if carrier[0] in names}
     beam = "ObjectBeamGeometricallyExact"  # of which that with spins on the group is constant
     turning |= {(beam, node) for node in ("NodeRigidBodyEP", "NodeRigidBodyRxyz")}

@@ -104,7 +104,14 @@ def test_parameters_taken_over_between_solves(item: Item) -> None:
     scenes = [build(variant, seed=62) for _ in range(2)]
     data = scenes[0].mbs.GetDictionary()["objectList"]
     number = next(i for i, entry in enumerate(data) if entry["objectType"] == item.type_name)
-    row = next((r for r in item.parameters if r.type.storage == "real" and r.effective_check == "non_negative"), None)
+    row = next(
+        (
+            r
+            for r in item.parameters
+            if r.type.storage == "real" and r.effective_check == "non_negative" and not r.internal
+        ),
+        None,
+    )
     if row is not None:
         value = scenes[0].mbs.GetObjectParameter(number, row.name)
         scenes[0].mbs.SetObjectParameter(number, row.name, 1.5 * value + 0.25)
@@ -124,7 +131,14 @@ def without_functions(item: Item) -> Variant | None:
 
 def varied_parameter(scene: Scene, item: Item) -> tuple[Any, str, list[float]] | None:
     """An index, the first parameter that may be any number from zero on, and three values; None if there is none."""
-    row = next((r for r in item.parameters if r.type.storage == "real" and r.effective_check == "non_negative"), None)
+    row = next(
+        (
+            r
+            for r in item.parameters
+            if r.type.storage == "real" and r.effective_check == "non_negative" and not r.internal
+        ),
+        None,
+    )
     if row is None or item.kind not in ("object", "load"):
         return None
     data = scene.mbs.GetDictionary()[f"{item.kind}List"]

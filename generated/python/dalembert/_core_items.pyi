@@ -1313,12 +1313,12 @@ class ObjectFFRF(_Object):
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     @property
     def nodeNumbers(self) -> list[NodeIndex]:
-        """first the node of the body frame (Euler parameters), then the points of the mesh; the displacements of the latter are components in the body frame [n]"""
+        """first the rigid body node of the body frame, then the points of the mesh, each a NodePoint; reference positions and displacements of the latter are components in the body frame [n]"""
     @nodeNumbers.setter
     def nodeNumbers(self, value: Sequence[NodeIndex | int | str]) -> None: ...
     @property
     def massMatrixFF(self) -> MatrixContainer:
-        """mass matrix of the free mesh, without the coordinates of the body frame; three rows and columns per mesh node [n x m; various]"""
+        """mass matrix of the free mesh, without the coordinates of the body frame; three rows and columns per mesh node, with the same masses in all directions [n x m; various]"""
     @massMatrixFF.setter
     def massMatrixFF(self, value: MatrixLike | None) -> None: ...
     @property
@@ -1339,9 +1339,9 @@ class ObjectFFRF(_Object):
     forceUserFunction: Callable[[MainSystem, float, int, Array, Array], ArrayLike] | Literal[0]
     """function that gives further generalized forces on the right hand side"""
     massMatrixUserFunction: Callable[[MainSystem, float, int, Array, Array], ArrayLike] | Literal[0]
-    """function that gives an additional mass matrix for all coordinates"""
+    """function that gives an additional mass matrix for all coordinates; its dependence on them is left out of the tangent"""
     computeFFRFterms: bool
-    """true: the inertia coupling of rigid body motion and deformation is computed by the object; false: only the given matrices act, and the user functions supply mass matrix and velocity terms"""
+    """true: inertia, stiffness and damping of rigid body motion and deformation are computed by the object; false: the user functions supply all forces and the mass matrix"""
     @property
     def coordinateIndexPerNode(self) -> list[int]:
         """index of the first coordinate of each node in the vector of the object [n]; computed"""
@@ -1848,7 +1848,7 @@ class ObjectALEANCFCable2D(_Object):
     physicsReferenceCurvature: float
     """curvature at which the bending moment is zero; positive for a left turn along the axis [1/m]"""
     physicsUseCouplingTerms: bool
-    """true: all inertia terms of the axial motion act; false: the axial coordinate has its own mass only, and the rest of the element has the inertia of ObjectANCFCable2D"""
+    """true: all inertia terms of the axial motion act; false: accelerations of cable and axial coordinate are not coupled, and the latter has a constant mass"""
     physicsAddALEvariation: bool
     """true: the axial coordinate feels the change of strain and curvature energy that its motion brings about; false: this term is left out"""
     @property

@@ -5,6 +5,11 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/sized_body.hpp"
+#include "dalembert/items/nodes/rigid_body_ep.hpp"
+#include "dalembert/items/nodes/rigid_body_rot_vec_lg.hpp"
+#include "dalembert/items/nodes/rigid_body_rxyz.hpp"
+#include "dalembert/items/super_elements/ffrf.hpp"
 #include "dalembert/reflection/compiled_call.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
@@ -64,6 +69,8 @@ constexpr std::array<OutputVariableType, 4> outputs{
     OutputVariableType::Force,
 };
 
+const auto& physics = SizedBodyPhysics<ObjectFFRF, ObjectFFRFRecord, NodeRigidBodyEP, NodeRigidBodyRxyz, NodeRigidBodyRotVecLG>{};
+
 }  // namespace object_ffrf
 
 extern const ItemType object_ffrf_type;
@@ -79,7 +86,7 @@ const ItemType object_ffrf_type{
     .record = record_operations<object_ffrf::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = nullptr,
+    .physics = &object_ffrf::physics,
     .spec = "specs/super_elements/ffrf.toml",
 };
 

@@ -65,8 +65,7 @@ struct ObjectALEANCFCable2D {
     Vec<S, 8> r = Axis::Map::pull_back(k.cable, cable, elastic.forces);
     r += Axis::inertia(k.cable, cable);
     S along = elastic.along;
-    if (p.physicsUseCouplingTerms) add_convection(k, x, r, along);
-    else along += k.moving_mass * x.a[way];
+    add_convection(p, k, x, r, along);
     return joined(r, Vec<S, 1>{along});
   }
 
@@ -162,15 +161,19 @@ struct ObjectALEANCFCable2D {
 
   // The other terms of the acceleration r_tt + 2 r'_t s_t + r'' s_t^2 + r' s_tt of the material, and all of it along the axis.
   template <class S>
-  static void add_convection(const Prepared& k, const Coordinates<S, size>& x, Vec<S, 8>& r, S& along) {
+  static void add_convection(const Parameters& p, const Prepared& k, const Coordinates<S, size>& x, Vec<S, 8>& r, S& along) {
     const S &speed = x.v[way], square = speed * speed;
+    const bool couples = p.physicsUseCouplingTerms;  // accelerations of cable and material; else that of the material has a mass of its own
+    if (!couples) along += k.moving_mass * x.a[way];
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j)
         for (int d = 0; d < 2; ++d) {
           const S &qi = x.q[2 * i + d], &qj = x.q[2 * j + d], &vj = x.v[2 * j + d];
-          r[2 * i + d] += k.value_slope[i][j] * (x.a[way] * qj + 2.0 * speed * vj) + (k.end_value_slope[i][j] - k.slope_slope[i][j]) * (square * qj);
-          along += k.value_slope[i][j] * (x.a[2 * i + d] * qj) + k.slope_slope[i][j] * (qi * (x.a[way] * qj + 2.0 * speed * vj)) +
-                   (0.5 * k.end_slope_slope[i][j]) * (square * qi * qj);
+          r[2 * i + d] += k.value_slope[i][j] * (2.0 * speed * vj) + (k.end_value_slope[i][j] - k.slope_slope[i][j]) * (square * qj);
+          along += k.slope_slope[i][j] * (2.0 * speed * qi * vj) + (0.5 * k.end_slope_slope[i][j]) * (square * qi * qj);
+          if (!couples) continue;
+          r[2 * i + d] += k.value_slope[i][j] * (x.a[way] * qj);
+          along += k.value_slope[i][j] * (x.a[2 * i + d] * qj) + k.slope_slope[i][j] * (x.a[way] * qi * qj);
         }
   }
 
