@@ -21,11 +21,7 @@ ITEMS = (
     "ObjectContactSphereSphere",
     "ObjectContactSphereTriangle",
 )
-MODULES = {
-    "GUI": Planned('dialogs for settings', 'set the attributes of SimulationSettings() and SC.visualizationSettings', ()),
-    "artificialIntelligence": Planned('environments for reinforcement learning', 'call mbs.SolveDynamic for each action, with updateInitialValues=True and the next startTime and endTime; states are in mbs.systemData', ()),
-    "resultsMonitor": Planned('a window that shows sensor files while a solver writes them', 'call PlotSensor with the name of the file', ()),
-    "rosInterface": Planned('publishers and subscribers of ROS', 'talk to ROS in a PreStep user function, or by CreateTCPIPconnection', ()),
+MODULES: dict[str, Planned] = {
 }
 FUNCTIONS = {
     "GeneralContact": Planned('contact of many spheres, triangles and cables with each other', 'a few contacts may be springs with user functions that push only, such as ObjectConnectorSpringDamper', ()),
@@ -42,5 +38,4 @@ FUNCTIONS = {
     "SolverFileData": Planned('files of a solver', '', ()),
     "SolverLocalData": Planned('vectors and matrices of a solver', 'the state of the system is in mbs.systemData, and solvers have GetSystemJacobian and GetSystemMassMatrix', ()),
     "VisuGeneralContact": Planned('how GeneralContact is drawn', '', ()),
-    "shells.ShellMesh": Planned('meshes of shells', '', ()),
 }
