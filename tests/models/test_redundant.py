@@ -297,3 +297,18 @@ def test_stewart_platform(legs: int, redundant: int) -> None:
     start = [0, 0, 1]
     place = mbs.GetNodeOutput(mbs.GetObject(exu.ObjectIndex(1))["nodeNumber"], Variable.Position)
     assert place == pytest.approx(start, abs=1e-9)  # it is held
+
+
+@pytest.mark.parametrize("linear", [Linear.EXUdense, Linear.EigenSparse])
+def test_regular_models_do_not_notice(linear: Any) -> None:
+    """Bit for bit, multipliers among them."""
+    results = []
+    for treat in (True, False):
+        bricard, s = Bricard({5: 0}), settings(0.5, 100)
+        s.linearSolverType = linear
+        s.redundantConstraints.treat = treat
+        bricard.mbs.SolveDynamic(s)
+        data = bricard.mbs.systemData
+        results.append([data.GetODE2Coordinates(), data.GetODE2Coordinates_t(), data.GetAECoordinates()])
+    for one, other in zip(*results, strict=True):
+        assert np.array_equal(one, other)
