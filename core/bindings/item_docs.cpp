@@ -71,6 +71,12 @@ std::string literal(const Row& row, const void* record) {
   }
   py::object value = py::reinterpret_steal<py::object>(to_python(row, member(record, row), Form::copy, nullptr));
   if (py::isinstance<py::array>(value)) value = value.attr("tolist")();
+  const IndexStorage index = index_storage(row.storage);
+  if (index.is_list) {
+    value = py::list(py::module_::import("builtins").attr("map")(py::type::of(py::int_()), value));
+  } else if (index.is_index) {
+    value = py::int_(value);
+  }
   return py::repr(value).cast<std::string>();
 }
 

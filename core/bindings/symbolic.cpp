@@ -488,13 +488,12 @@ py::object evaluate_function(const SymbolicFunction& function, const py::args& a
 }
 
 void transfer(const py::object& self, const py::object& main, const py::object& index, const std::string& name) {
-  const std::string type = py::str(py::type::of(index).attr("__name__")).cast<std::string>();
-  for (const char* kind : {"Object", "Node", "Marker", "Load", "Sensor"})
-    if (type == std::string(kind) + "Index") {
-      main.attr((std::string("Set") + kind + "Parameter").c_str())(index, name, self);
-      return;
-    }
-  throw py::type_error("symbolic.UserFunction: TransferUserFunction2Item: expected an ObjectIndex, LoadIndex or the like, but received " + show(index.ptr()));
+  ItemKind kind{};
+  int number = -1;
+  if (!read_index(index.ptr(), kind, number))
+    throw py::type_error("symbolic.UserFunction: TransferUserFunction2Item: expected an ObjectIndex, LoadIndex or the like, but received " + show(index.ptr()));
+  const std::string type(index_name(kind));  // ObjectIndex
+  main.attr(("Set" + type.substr(0, type.size() - 5) + "Parameter").c_str())(index, name, self);
 }
 
 // [kinds of arguments, kind of the result] of a user function of an item type.

@@ -25,8 +25,9 @@ _MAIN_SYSTEM_FUNCTIONS = {"preStepUserFunction": "Bool", "postNewtonFunction": "
 
 def _item_with_function(mbs: Any, itemIndex: Any) -> tuple[str, Any]:
     """Type name and dictionary of an item, e.g. ObjectConnectorSpringDamper."""
-    kind = type(itemIndex).__name__.removesuffix("Index")
-    if kind not in ("Node", "Object", "Marker", "Load", "Sensor"):
+    kinds = ("Node", "Object", "Marker", "Load", "Sensor")
+    kind = next((kind for kind in kinds if isinstance(itemIndex, getattr(_core, f"{kind}Index"))), None)
+    if kind is None:
         raise TypeError(f"CreateSymbolicUserFunction: itemIndex must be an ObjectIndex or the like, not {itemIndex!r}")
     data = getattr(mbs, "Get" + kind)(itemIndex)
     name: str = data[kind.lower() + "Type"]
