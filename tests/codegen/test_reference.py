@@ -35,7 +35,9 @@ SIGNATURES = {
     ],
 }  # fmt: skip
 # Symbols of other outputs: velocities written with the letter of accelerations, where all other nodes have v.
-MISPRINTS = {(node, "Velocity"): (r"{\mathbf{a}}", r"{\mathbf{v}}") for node in ("NodePointSlope12", "NodePointSlope23")}
+MISPRINTS = {
+    (node, "Velocity"): (r"{\mathbf{a}}", r"{\mathbf{v}}") for node in ("NodePointSlope12", "NodePointSlope23")
+}
 # Sizes that contradict the type beside them: six numbers, said to be three.
 WRONG_SIZES = {"Vector6D": "3"}
 KINDS = {"Node": "node", "Object": "object", "Marker": "marker", "Load": "load", "Sensor": "sensor"}
