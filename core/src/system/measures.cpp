@@ -11,6 +11,9 @@ namespace {
 // A single coordinate may be anything.
 bool is_in_space(const NodePlace& node) { return node.ode2 >= 0 && node.translations > 1; }
 
+// Points that are closer together (in m) than this are one point and round-off.
+constexpr double smallest_extent = 1e-12;
+
 }  // namespace
 
 std::vector<CoordinateUnit> System::coordinate_units() const {
@@ -42,7 +45,7 @@ double System::extent() const {
     if (is_in_space(node)) include(parts.total.data() + node.ode2, node.translations);
   const Vec3<double> span = high - low;
   const double diagonal = std::sqrt(dot(span, span));
-  return std::isfinite(diagonal) && diagonal > 0 ? diagonal : 1;
+  return std::isfinite(diagonal) && diagonal > smallest_extent ? diagonal : 1;
 }
 
 }  // namespace dalembert
