@@ -154,9 +154,7 @@ def test_a_function_that_gives_no_number_is_named(solver: Any) -> None:
     assert error.sources == ["object 1 'spring' (ObjectConnectorCoordinateSpringDamper)"]
     assert "values that are not finite come from:\n    object 1 'spring'" in str(error)
     assert "node 0 'foot'" in error.values[0]["items"]
-    # These evaluate nothing at the end of the step that 0.555 is in: what they meet belongs to the next one.
-    late = solver in (Solver.ExplicitEuler, Solver.ExplicitMidpoint)
-    assert 0.555 < error.time <= (0.7 if late else 0.6) + 1e-12
+    assert 0.555 < error.time <= 0.6 + 1e-12
     assert_before(model, error)
 
 
