@@ -70,7 +70,12 @@ Vibration ExplicitSolver::fastest_at_start() {
 }
 
 void ExplicitSolver::diagnose_growth() {
-  if (find_bad_evaluation() || !all_finite(current())) return diagnose_not_finite();
+  const bool evaluation_is_bad = find_bad_evaluation();
+  if (evaluation_is_bad || !all_finite(current())) {
+    diagnose_not_finite();
+    if (evaluation_is_bad) diagnosis_.time = current().time;  // where a user function, for example, is to be looked at
+    return;
+  }
   Diagnosis& d = diagnose(FailureReason::unbounded);
   add_largest(d.values, current().q, "ODE2", 0);
   add_largest(d.values, current().v, "ODE2_t", 0);
@@ -86,6 +91,7 @@ bool ExplicitSolver::find_bad_evaluation() {
   const State after = current();
   current() = start_of_step();
   searching_ = true;
+  first_stage_known_ = false;
   compute_step();
   searching_ = false;
   const bool found = conv.linearSolverFailed;
