@@ -27,7 +27,7 @@ from dalembert._solving import report as report
 from dalembert._studies import variations as variations
 from dalembert.create import _distance_sensor as distance_sensor
 from dalembert.create import _robot as robot
-from dalembert.create import bodies, connectors, flexible, joints, loads, trees
+from dalembert.create import bodies, connectors, contacts, flexible, joints, loads, trees
 
 # Functions that solvers call. Step functions return whether to go on, PostNewton [error, recommended step size].
 _StepFunction = Callable[[MainSystem, float], bool]
@@ -260,11 +260,11 @@ class MainSystem(_Bound):
     CreateGenericJoint = joints.CreateGenericJoint
     CreateRollingDisc = joints.CreateRollingDisc
     CreateRollingDiscPenalty = joints.CreateRollingDiscPenalty
+    CreateSphereSphereContact = contacts.CreateSphereSphereContact
+    CreateSphereTriangleContact = contacts.CreateSphereTriangleContact
+    CreateSphereQuadContact = contacts.CreateSphereQuadContact
     CreateForce = loads.CreateForce
     CreateTorque = loads.CreateTorque
-    def CreateSphereSphereContact(mbs, *args: Any, **kwargs: Any) -> NoReturn: ...
-    def CreateSphereQuadContact(mbs, *args: Any, **kwargs: Any) -> NoReturn: ...
-    def CreateSphereTriangleContact(mbs, *args: Any, **kwargs: Any) -> NoReturn: ...
 
     CreateKinematicTree = trees.CreateKinematicTree
     CreateDistanceSensor = distance_sensor.CreateDistanceSensor
