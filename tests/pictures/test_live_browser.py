@@ -176,4 +176,4 @@ def test_two_pages(model: Any, viewer: Viewer, browser: Browser, tab: Tab) -> No
     tab.press("Escape")
     thread.join(20)
     assert not thread.is_alive()
-    assert tab.wait("page.state.textContent") == "closed"
+    tab.wait("page.state.textContent === 'closed'")

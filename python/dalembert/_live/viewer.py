@@ -99,10 +99,10 @@ class Viewer:
         self._pause(False)
         self._released.set()
         self._wake.set()
+        self.server.tell({"kind": "stopped"})
         if threading.current_thread() is not self._thread:
-            self.server.tell({"kind": "stopped"})
             self._thread.join(2.0)
-            self.server.stop()
+        self.server.stop()
 
     def redraw(self, home: bool = False) -> None:
         """Draw again, although no state has changed; with `home`, from where all is seen."""
@@ -253,6 +253,7 @@ class Viewer:
             "edges": bool(view.scene.showFaceEdges),
             "faces": bool(view.scene.showFaces),
             "clip": [*(float(x) for x in view.camera.clippingPlaneNormal), float(view.camera.clippingPlaneDistance)],
+            "marks": bool(self.settings.interactive.advanced.selectionHighlights),
             "steps": [
                 float(self.settings.interactive.advanced.keypressTranslationStep),
                 float(self.settings.interactive.advanced.keypressRotationStep),
@@ -383,7 +384,6 @@ class Viewer:
 
     def _close(self) -> None:
         """Close all pages at the wish of a reader."""
-        self.server.tell({"kind": "stopped"})
         self.stop()
 
     def _tell_state(self, page: int | None = None) -> None:

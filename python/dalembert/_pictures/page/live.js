@@ -116,6 +116,7 @@ export class Live extends View {
     this.texts = head.labels;
     const found = picked == null ? -1 : head.items.findIndex((item) => JSON.stringify(item) === picked);
     this.picked = found < 0 ? null : found;
+    this.marks = head.marks;
     this.replace([...made.flatMap(([, objects]) => objects), ...balls, ...drawn], head.items);
     this.steps = head.steps;
     this.paint(head.background);

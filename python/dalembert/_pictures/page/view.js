@@ -17,7 +17,7 @@ export function element(parent, tag, properties = {}) {
 
 export class View {
   constructor(place) {
-    Object.assign(this, { place, objects: [], items: [], drawn: 0, background: [1, 1, 1], picked: null, ends: [] });
+    Object.assign(this, { place, objects: [], items: [], marks: true, drawn: 0, background: [1, 1, 1], picked: null, ends: [] });
     this.renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
     this.renderer.setPixelRatio(window.devicePixelRatio);
     this.canvas = this.renderer.domElement;
@@ -78,7 +78,10 @@ export class View {
   look({ rotation, center, zoom }) {
     const towards = new Vector3(...rotation.slice(6, 9)), middle = new Vector3(...center), distance = zoom / HALF;
     const up = rotation.slice(3, 6), main = up.map(Math.abs).indexOf(Math.max(...up.map(Math.abs)));
-    this.camera.up.set(...up.map((part, i) => (i === main ? Math.sign(part) : 0))); // it stays upright when it is turned
+    const upright = Math.abs(rotation[main]) < 1e-6; // it stays so when it is turned by mouse
+    this.camera.up.set(...(upright ? up.map((part, i) => (i === main ? Math.sign(part) : 0)) : up));
+    this.controls._quat?.setFromUnitVectors(this.camera.up, new Vector3(0, 1, 0)); // three.js looks at `up` once only
+    this.controls._quatInverse?.copy(this.controls._quat).invert();
     this.camera.position.copy(middle).addScaledVector(towards, distance);
     Object.assign(this.camera, { near: distance / 200, far: distance * 50 });
     this.camera.updateProjectionMatrix();
@@ -200,7 +203,7 @@ export class View {
   mark() {
     if (this.box) this.scene.remove(this.box);
     this.box = null;
-    if (this.picked == null) return;
+    if (this.picked == null || !this.marks) return;
     const around = new Box3(), part = new Box3(), matrix = new Matrix4();
     for (const object of this.objects) {
       if (!object.isMesh) continue;
