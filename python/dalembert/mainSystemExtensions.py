@@ -31,6 +31,7 @@ from dalembert.plot import PlotSensor
 methods: dict[str, Callable[..., Any]] = (
     _planned.methods
     | create.functions
+    | shortcuts.SYSTEM_METHODS
     | {
         function.__name__: function
         for function in (

@@ -14,7 +14,6 @@ class Planned(NamedTuple):
 
 
 ITEMS = (
-    "NodeGenericAE",
 )
 MODULES: dict[str, Planned] = {
 }
@@ -23,8 +22,6 @@ FUNCTIONS = {
     "MainSystem.AddGeneralContact": Planned('contact of many bodies with each other', '', ()),
     "MainSystem.CreateDistanceSensor": Planned('distances from meshes, by GeneralContact', '', ()),
     "MainSystem.CreateDistanceSensorGeometry": Planned('meshes for distance sensors, by GeneralContact', '', ()),
-    "beams.GenerateAleSlidingJoint": Planned('an ALE sliding joint along cables', '', ()),
-    "beams.GenerateSlidingJoint": Planned('a sliding joint along cables', '', ()),
     "MainSystem.DeleteGeneralContact": Planned('contact of many bodies with each other', '', ()),
     "MainSystem.GetGeneralContact": Planned('contact of many bodies with each other', '', ()),
     "SolverFileData": Planned('files of a solver', '', ()),
