@@ -372,7 +372,10 @@ bool ExplicitSolver::accelerations(Vector& a, std::span<double> y_t) {
     system().right_hand_sides(current(), conditions_, a, y_t);
   }
   const TimedPart time(timer, timer.newtonIncrement);
-  mass_.solve(system(), a);
+  if (const int row = mass_.solve(system(), current(), a); row != LinearSolver::success) [[unlikely]] {
+    mass_failed(row);
+    return false;
+  }
   return !searching_ || is_good(a, y_t);
 }
 

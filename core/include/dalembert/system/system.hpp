@@ -92,9 +92,8 @@ class System {
   // Of masses alone, as sparse as they are; of the size of the system. Without those of items that find accelerations without a matrix.
   const Pattern& mass_pattern();
   std::span<const int> coordinates_without_matrix();  // ascending
-  // For these coordinates: prepares a state, and returns one that nothing resists or -1; then turns forces into accelerations.
-  int factorize_masses(const State& state);
-  void solve_masses(std::span<double> x) const;
+  // At these coordinates, forces become accelerations. Returns one that nothing resists, or -1.
+  int solve_masses(const State& state, std::span<double> x);
   // M(q) alone, in the leading ode2 x ode2 block of `pattern`; everything else zero.
   void mass_matrix(const State& state, const Pattern& pattern, std::span<double> values);
   bool constant_mass_matrix() const;
