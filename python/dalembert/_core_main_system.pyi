@@ -20,6 +20,7 @@ from dalembert._io import model_files as model_files
 from dalembert._pictures import draw as draw
 from dalembert._pictures import html as html
 from dalembert._plots import system_graph as system_graph
+from dalembert._solving import buckling as buckling
 from dalembert._solving import consistent as consistent
 from dalembert._solving import energies as energies
 from dalembert._solving import linearized as linearized
@@ -284,6 +285,7 @@ class MainSystem(_Bound):
     SolveDynamic = solver.SolveDynamic
     SolveStatic = solver.SolveStatic
     SolveVariations = variations.SolveVariations
+    ComputeBucklingLoads = buckling.ComputeBucklingLoads
     ComputeConsistentInitialConditions = consistent.ComputeConsistentInitialConditions
     ComputeEnergies = energies.ComputeEnergies
     Report = report.Report
