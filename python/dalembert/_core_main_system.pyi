@@ -21,6 +21,7 @@ from dalembert._pictures import draw as draw
 from dalembert._pictures import html as html
 from dalembert._pictures import shortcuts as shortcuts
 from dalembert._plots import system_graph as system_graph
+from dalembert._solving import buckling as buckling
 from dalembert._solving import consistent as consistent
 from dalembert._solving import energies as energies
 from dalembert._solving import linearized as linearized
@@ -287,6 +288,7 @@ class MainSystem(_Bound):
     SolveDynamic = solver.SolveDynamic
     SolveStatic = solver.SolveStatic
     SolveVariations = variations.SolveVariations
+    ComputeBucklingLoads = buckling.ComputeBucklingLoads
     ComputeConsistentInitialConditions = consistent.ComputeConsistentInitialConditions
     ComputeEnergies = energies.ComputeEnergies
     Report = report.Report
