@@ -92,7 +92,7 @@ DALEMBERT_INLINE inline Vec3<Spread> operator*(const Spread& k, const Vec3<Sprea
 DALEMBERT_INLINE inline Vec3<Spread> operator*(double k, const Vec3<Spread>& a) { return k * a.x; }
 DALEMBERT_INLINE inline Spread dot(const Vec3<Spread>& a, const Vec3<Spread>& b) {
   using namespace spreads;
-  const Vector products(a.x * b.x);
+  const spreads::Vector products(a.x * b.x);
   return component<0>(products) + component<1>(products) + component<2>(products);
 }
 // Component i of the difference is component i + 2 of the product.
@@ -133,7 +133,7 @@ DALEMBERT_INLINE inline void set_column(Mat3<Spread>& m, int j, const Vec3<Sprea
 // r m r^T, m - a b^T, a x m, diag(a, a, a) and the matrix of v x, as math/tensors.hpp has them for other scalars.
 DALEMBERT_INLINE inline Mat3<Spread> turned(const Mat3<Spread>& r, const Mat3<double>& symmetric) {
   using namespace spreads;
-  const Matrix m = r * symmetric;
+  const Mat3<Spread> m = r * symmetric;
   return {{component<0>(r[0]) * m[0] + component<0>(r[1]) * m[1] + component<0>(r[2]) * m[2],
            component<1>(r[0]) * m[0] + component<1>(r[1]) * m[1] + component<1>(r[2]) * m[2],
            component<2>(r[0]) * m[0] + component<2>(r[1]) * m[1] + component<2>(r[2]) * m[2]}};
