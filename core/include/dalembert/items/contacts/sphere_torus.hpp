@@ -13,7 +13,7 @@
 
 namespace dalembert {
 
-struct ObjectContactSphereTorus : HasPairHistory, AlwaysNeedsData {
+struct ObjectContactSphereTorus : HasPairHistory, AlwaysNeedsData, NoConnectorForms {
   using Parameters = ObjectContactSphereTorusParameters;
   using Port = RigidPort;
   static constexpr int data_coordinates = 4;
