@@ -110,8 +110,8 @@ class System {
   // The diagonal of the box around all markers, nodes and meshes in space, in m, as the last evaluation has left them; 1 if all is one point.
   double extent() const;
 
-  // Coordinates that the ObjectConnectorCoordinate constraints simply fix to zero or tie to ground, for explicit
-  // integrators that eliminate them; empty optional: there are constraints of another kind.
+  // Coordinates that linear constraints simply keep at zero, for explicit integrators that eliminate them; empty optional: there
+  // are other constraints.
   std::optional<std::vector<int>> fixed_coordinates() const;
 
   // Lie-group nodes: their coordinates do not add up. For those nodes q = q0 o exp(increment); all other entries of q are left alone.

@@ -12,7 +12,7 @@
 
 namespace dalembert {
 
-struct ObjectContactSphereTorus : HasPairHistory, AlwaysNeedsData {
+struct ObjectContactSphereTorus : HasPairHistory, AlwaysNeedsData, NoConnectorForms {
   using Parameters = ObjectContactSphereTorusParameters;
   using Port = RigidPort;
   static constexpr int data_coordinates = TouchData::count;
