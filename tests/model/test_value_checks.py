@@ -328,6 +328,8 @@ def test_a_marker_is_not_connected_with_itself(mbs: exu.MainSystem, item: Item) 
     others: dict[str, Any] = {"torusAxis": [0, 0, 1]} if item.name == "ObjectContactSphereTorus" else {}
     if item.requested_nodes and "nodeNumber" in {row.name for row in item.parameters}:
         others["nodeNumber"] = mbs.AddNode(exu.NodeGenericData(numberOfDataCoordinates=1))
+    if "nodeNumbers" in {row.name for row in item.parameters}:
+        others["nodeNumbers"] = [ground, ground]
     number = mbs.AddObject(CLASSES[item.name](markerNumbers=[marker, marker], **others))
     where = f"object {int(number)} 'object{int(number)}' ({item.name}), parameter 'markerNumbers': received marker "
     with pytest.raises(ValueError, match="^" + re.escape(where) + ".* twice, but expected two different markers"):

@@ -1,4 +1,7 @@
-"""Settings of VisualizationSettings that neither pictures nor pages heed, and why. A path stands for all that is below it."""
+"""Settings of VisualizationSettings that neither pictures nor pages heed, and why.
+
+A path stands for all that is below it.
+"""
 
 WINDOW = "pages are in windows of the browser, with its mouse"
 ALWAYS = "it is always so"

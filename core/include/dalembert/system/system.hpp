@@ -108,7 +108,7 @@ class System {
   void gaps(const State& state, const Conditions& conditions, std::span<double> g);
   // What each ODE2 coordinate measures: components of positions, the other coordinates of such nodes, or no one knows what.
   std::vector<CoordinateUnit> coordinate_units() const;
-  // The diagonal of the box around all markers and nodes in space, in m, as the last evaluation has left them; 1 if there is none.
+  // The diagonal of the box around all markers, nodes and meshes in space, in m, as the last evaluation has left them; 1 if all is one point.
   double extent() const;
 
   // Coordinates that the ObjectConnectorCoordinate constraints simply fix to zero or tie to ground, for explicit
