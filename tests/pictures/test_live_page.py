@@ -663,6 +663,55 @@ def test_functions_that_draw_see_the_state_that_is_shown(SC: Any, viewer: Viewer
     thread.join(10)
 
 
+# ---- dialogs
+
+
+def test_a_dialog_runs_a_simulation(SC: Any, swinging: Any, viewer: Viewer) -> None:
+    sensor = swinging.AddSensor(
+        exu.itemInterface.SensorNode(nodeNumber=0, outputVariableType=exu.OutputVariableType.Position)
+    )
+    swinging.Assemble()
+    pressed, seen = [], []
+    items = [
+        {"type": "label", "text": "<b>a spring</b>", "grid": (0, 0, 2)},
+        {"type": "button", "text": "count", "callFunction": lambda: pressed.append(1), "grid": (1, 0)},
+        {"type": "radio", "textValueList": [("soft", 0), ("hard", 1)], "value": 0, "variable": "mode", "grid": [(2, 0), (2, 1)]},
+        {"type": "slider", "range": (0, 100), "value": 10, "steps": 100, "variable": "stiffness", "grid": (3, 0)},
+    ]  # fmt: skip
+    plots = {"nPoints": 50, "sensors": [[(sensor, 0), (sensor, 2), "time", "height"]]}
+    reader = Reader(viewer)
+    reader.message("scene")
+
+    def simulate(mbs: Any, dialog: Any) -> None:
+        seen.append((mbs.variables["stiffness"], mbs.variables["mode"]))
+
+    dialog = threading.Thread(
+        target=lambda: exu.interactive.InteractiveDialog(
+            swinging, settings(100), simulate, items, plots=plots, period=0.02, title="springs"
+        )
+    )
+    dialog.start()
+    told = reader.message("controls")
+    assert told["title"] == "springs"
+    assert [w["type"] for w in told["widgets"]] == ["button", "label", "button", "radio", "slider"]
+    assert told["widgets"][4] | {"step": 1.0} == told["widgets"][4] and told["widgets"][4]["value"] == 10
+    time.sleep(0.2)
+    assert not seen  # nothing runs yet
+    reader.send("control", name="stiffness", value=42.5)
+    reader.send("control", name="mode", value=1)
+    reader.send("control", name="nonsense", value=1)
+    reader.send("control", name="1", pressed=True)
+    reader.send("control", name="start or stop", pressed=True)
+    (curve,) = reader.message("plots")["curves"]
+    assert curve["title"] == "height over time" and len(curve["x"]) == len(curve["y"][0]) > 0
+    assert seen[0] == (42.5, 1) and pressed == [1] and "nonsense" not in swinging.variables
+    reader.press("q")
+    while reader.message("controls").get("widgets"):
+        pass
+    dialog.join(10)
+    assert not dialog.is_alive() and swinging.systemData.GetTime() > 0
+
+
 # ---- where there is no page
 
 

@@ -80,6 +80,7 @@ export class Panels {
 
   // The widgets of a dialog in their grid: {type, text, grid: [row, column], name, value, low, high, step, options}.
   controls({ title, widgets, values = {} }) {
+    if (!widgets) return this.close("controls"); // the dialog is over
     const panel = this.panel("controls", title);
     const grid = element(panel, "div");
     Object.assign(grid.style, { display: "grid", gap: "4px 10px", alignItems: "center" });
