@@ -20,7 +20,7 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations {
   static void evaluate(const Parameters& p, const Context& c, Exchange<S>& x) {
     for (int segment = 0; segment < segments(p); ++segment) {
       const Data at(c.data, segment);
-      if (!at.touches()) continue;
+      if (!at.touches(circles(p))) continue;
       const Meeting<S> touch(p, x, segment, at.circle());
       const Vec3<S> force = touch.direct(-force_on_curve(p, at, touch));
       const Vec3<S> arm = touch.direct(touch.arm), span = touch.span + arm;
@@ -62,7 +62,7 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations {
         const Meeting<double> touch(p, x, segment, circle);
         if (touch.gap < gaps[i]) gaps[i] = touch.gap, rates[i] = -touch.rate;
         const Data at(c.data, segment);
-        if (!p.activeConnector || !at.touches() || at.circle() != circle) continue;
+        if (!p.activeConnector || !at.touches(circles(p)) || at.circle() != circle) continue;
         const Vec<double, 2> force = force_on_curve(p, at, touch);
         forces[2 * i] -= dot(touch.normal, force);
         forces[2 * i + 1] -= dot(touch.tangent(), force);
@@ -106,7 +106,8 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations {
     int circle() const { return static_cast<int>(std::lround(values[which])); }  // -1: none
     double gap() const { return values[distance]; }
     double speed() const { return std::abs(values[slip]); }
-    bool touches() const { return circle() >= 0 && gap() < 0; }
+    // Users write data coordinates, too, also of circles that are not there.
+    bool touches(int circles) const { return circle() >= 0 && circle() < circles && gap() < 0; }
   };
 
   struct Segment {
