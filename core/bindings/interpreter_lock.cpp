@@ -30,6 +30,8 @@ void WithoutInterpreter::look() {
   }
 }
 
+bool WithoutInterpreter::is_kept() { return innermost != nullptr && innermost->state_ == nullptr; }
+
 InterpreterLock::InterpreterLock(Afterwards afterwards) : scope_(innermost) {
   if (scope_ == nullptr) {
     state_ = PyGILState_Ensure();

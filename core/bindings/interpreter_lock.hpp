@@ -22,6 +22,8 @@ class WithoutInterpreter {
 
   // Gives the lock to threads that have waited for it, and keeps it from now on if the last look was not long ago.
   static void look();
+  // Whether the thread that asks has the lock at the moment.
+  static bool is_kept();
 
  private:
   friend class InterpreterLock;

@@ -9,6 +9,7 @@
 #include "conversion.hpp"
 #include "dalembert/model/errors.hpp"
 #include "dalembert/model/member.hpp"
+#include "index_lists.hpp"
 #include "item_docs.hpp"
 #include "item_equality.hpp"
 #include "python_errors.hpp"
@@ -39,6 +40,8 @@ const ItemClass& class_of_python_type(PyTypeObject* type) {
 bool is_view(Storage storage) {
   return (storage >= Storage::vector2 && storage <= Storage::matrix6) || storage == Storage::beam_section;
 }
+
+bool is_index_list(Storage storage) { return storage >= Storage::nodes && storage <= Storage::sensors; }
 
 // ---- life of the Python objects ------------------------------------------------------------------------------------
 
@@ -110,7 +113,10 @@ PyObject* get_attribute(PyObject* self, void* closure) {
     const Row& row = *static_cast<const Row*>(closure);
     const bool view = is_view(row.storage);
     if (view) expose(object);
-    return to_python(row, member(object->record.get(), row), view ? Form::view : Form::copy, self);
+    PyObject* value = to_python(row, member(object->record.get(), row), view ? Form::view : Form::copy, self);
+    if (!is_index_list(row.storage)) return value;
+    const auto entries = py::reinterpret_steal<py::object>(value);
+    return make_index_list(entries.ptr(), self, py::str(std::string(row.name)).ptr());
   });
 }
 

@@ -88,15 +88,11 @@ void register_state(Class& main_system) {
   main_system.def("__repr__", [](const MainSystem& main) { return system_summary(main); });
 }
 
-// Nothing is drawn by this package; the switches are kept so that scripts with graphics run.
 void register_rendering(Class& main_system) {
-  main_system.def("SendRedrawSignal", [](MainSystem&) {}, "Does nothing: there is no renderer.");
-  main_system.def("ActivateRendering", [](MainSystem&, bool) {}, py::arg("flag") = true, "Does nothing: there is no renderer.");
+  main_system.def("ActivateRendering", [](MainSystem&, bool) {}, py::arg("flag") = true, "Does nothing: pages show all systems.");
   main_system.def("GetRenderEngineStopFlag", [](const MainSystem& main) { return main.stop_requested.load(); }, "Whether a stop was requested.");
   main_system.def("SetRenderEngineStopFlag", [](MainSystem& main, bool flag) { main.stop_requested = flag; }, py::arg("stopFlag"),
                   "Ask the running solver to stop.");
-  main_system.def("WaitForUserToContinue", [](MainSystem&, bool) {}, py::arg("printMessage") = true,
-                  "Does nothing: there is no renderer.");
 }
 
 }  // namespace
@@ -125,13 +121,23 @@ void MainSystem::add_load_dependencies(int load, std::span<const int> coordinate
 
 void MainSystem::assemble(const Label& method) {
   require_idle(*this, [&] { return "mbs." + method.text() + "()"; });
+  assemble();
+  if (const std::string doubt = model.doubt(); !doubt.empty())
+    if (PyErr_WarnEx(PyExc_UserWarning, doubt.c_str(), 1) != 0) throw py::error_already_set();
+}
+
+void MainSystem::assemble() {
   system.assemble(model);
   take_completed();
   excerpts = {};
   assembled_structure_ = model.structure_changes();
   refreshed_values_ = model.value_changes();
-  if (const std::string doubt = model.doubt(); !doubt.empty())
-    if (PyErr_WarnEx(PyExc_UserWarning, doubt.c_str(), 1) != 0) throw py::error_already_set();
+}
+
+void MainSystem::become(Model model, bool assembled) {
+  model_.become(std::move(model));
+  excerpts = {};
+  if (assembled) assemble();
 }
 
 // Parameters that assembling finds can be read from the items.

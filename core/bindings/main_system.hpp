@@ -14,6 +14,7 @@
 #include "dalembert/system/system.hpp"
 #include "label.hpp"
 #include "occupation.hpp"
+#include "tap.hpp"
 
 namespace dalembert {
 
@@ -36,6 +37,7 @@ class MainSystem : public std::enable_shared_from_this<MainSystem> {
   std::weak_ptr<SystemContainer> container;
   // Whoever reads the configuration Visualization wishes that a solver renews it; nobody pays for what nobody looks at.
   std::atomic<bool> look_wanted = false;
+  Tap tap;  // of viewers
   bool always_looked_at = false;  // arrays that are views of it were given away
   const Work* work = nullptr;  // of the solver that is running
 
@@ -58,6 +60,9 @@ class MainSystem : public std::enable_shared_from_this<MainSystem> {
   void add_load_dependencies(int load, std::span<const int> coordinates);
   void reset();
   void reset_to(Model model);
+  // Of a copy for viewers (Shadow), which is in nobody else's use: other items, and other values of the same ones.
+  void become(Model model, bool assembled);
+  void renew(ItemKind kind, int number, std::shared_ptr<const void> record) { model_.renew(kind, number, std::move(record)); }
 
   // None if no function was set.
   py::object user_function(const std::string& name) const;
@@ -65,6 +70,7 @@ class MainSystem : public std::enable_shared_from_this<MainSystem> {
 
  private:
   void require_consistent(const Label& method) const;
+  void assemble();
   void take_completed();
 
   Model model_;

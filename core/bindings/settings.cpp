@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <map>
 #include <new>
 
 #include "conversion.hpp"
@@ -96,14 +97,24 @@ void set_child(const SettingsView& view, const SettingsChild& child, PyObject* v
   assign_settings(*child.group, target.data, view_of(value).data);
 }
 
+// interactive.keyPressUserFunction: a function has no place in the memory of settings, so it is kept beside them. It is not among their
+// parameters, so that their dictionaries can be stored.
+py::object& function_beside(const SettingsView& view) {
+  using Functions = std::map<std::weak_ptr<void>, py::object, std::owner_less<std::weak_ptr<void>>>;
+  static auto& functions = *new Functions;  // the interpreter may end before it
+  std::erase_if(functions, [](const auto& entry) { return entry.first.expired(); });
+  return functions.try_emplace(view.root, py::none()).first->second;
+}
+
 PyObject* get_field(const SettingsField& field) {
   if (field.row != nullptr) return read_setting(field.view, *field.row).release().ptr();
   if (field.child != nullptr) return make_object(field.view.child(*field.child));
   if (field.only_names) return make_object(field.view);
-  Py_RETURN_NONE;
+  return py::object(function_beside(field.view)).release().ptr();
 }
 
 void set_field(const SettingsField& field, PyObject* value) {
+  if (field.without_effect) function_beside(field.view) = PyCallable_Check(value) ? py::reinterpret_borrow<py::object>(value) : py::none();
   if (field.row != nullptr) write_setting(field.view, *field.row, value);
   if (field.child != nullptr) set_child(field.view, *field.child, value);
   if (field.only_names)

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <optional>
+#include <thread>
 
 #include "compiled_callback.hpp"
 #include "console.hpp"
@@ -228,19 +230,62 @@ void record(const std::shared_ptr<MainSystem>& main) {
   py::module_::import("dalembert._pictures.recording").attr("record")(py::cast(main));
 }
 
+// What viewers have left for the solver's thread: functions of the user for keys, for instance.
+void do_what_viewers_ask(const std::shared_ptr<MainSystem>& main) {
+  main->tap.ask(false);
+  const std::weak_ptr<MainSystem> weak = main;
+  const auto words = [](const void*, int) -> std::string { return "a function of the viewer"; };
+  const RunningFunction known(weak, RunningFunction::Place::between_evaluations, words, &weak);
+  py::module_::import("dalembert._live.calls").attr("run")(py::cast(main));
+}
+
+// Looks at Ctrl-C, now and then: to get the lock of the interpreter can take milliseconds while another thread works in Python.
+class Interruption {
+ public:
+  explicit Interruption(const std::shared_ptr<MainSystem>& main) : main_(*main), weak_(main) {}
+
+  bool operator()() {
+    WithoutInterpreter::look();
+    const auto now = Clock::now();
+    if (WithoutInterpreter::is_kept() || now >= next_ || main_.tap.paused() || main_.tap.asks()) {
+      next_ = now + std::chrono::milliseconds(50);
+      wait();
+    }
+    return main_.stop_requested;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  // As long as a viewer pauses the solver; otherwise one look.
+  void wait() {
+    for (;;) {
+      {
+        const InterpreterLock lock;
+        if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+        if (const auto locked = weak_.lock(); locked && locked->tap.asks()) do_what_viewers_ask(locked);
+      }
+      if (!main_.tap.paused() || main_.stop_requested) return;
+      main_.tap.offer(main_.system.state(ConfigurationType::Current));
+      std::optional<py::gil_scoped_release> free;
+      if (WithoutInterpreter::is_kept()) free.emplace();
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+  }
+
+  MainSystem& main_;  // the solver's Work keeps it
+  const std::weak_ptr<MainSystem> weak_;
+  Clock::time_point next_{};
+};
+
 void add_interruption(SolverHooks& hooks, const std::shared_ptr<MainSystem>& main) {
   const std::weak_ptr<MainSystem> weak = main;
-  hooks.interrupted = [weak] {
-    WithoutInterpreter::look();
-    const InterpreterLock lock;
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-    const auto locked = weak.lock();
-    return locked && locked->stop_requested;
-  };
+  hooks.interrupted = [interruption = std::make_shared<Interruption>(main)] { return (*interruption)(); };
   hooks.jacobian_update_requested = [&requested = main->jacobian_update_requested] {
     return requested.load(std::memory_order_relaxed) && requested.exchange(false);
   };
-  hooks.show = [weak, &wanted = main->look_wanted](bool record_image) {
+  hooks.show = [weak, &wanted = main->look_wanted, &seen = *main](bool record_image) {
+    seen.tap.offer(seen.system.state(ConfigurationType::Current));
     if (!record_image && !wanted.load(std::memory_order_relaxed)) return;
     const InterpreterLock lock;  // other threads may read it
     const auto locked = weak.lock();

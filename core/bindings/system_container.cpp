@@ -3,6 +3,7 @@
 #include "console.hpp"
 #include "conversion.hpp"
 #include "python_errors.hpp"
+#include "shadow.hpp"
 
 namespace dalembert {
 namespace {
@@ -96,6 +97,7 @@ std::shared_ptr<MainSystem> SystemContainer::system(int number) const {
 
 void register_system_container(py::module_& module) {
   register_renderer(module);
+  register_shadow(module);
   ContainerClass container(module, "SystemContainer", "The systems of a script and what they share.");
   container.def(py::init(&new_container));
   container.def(

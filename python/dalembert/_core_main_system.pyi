@@ -19,15 +19,18 @@ from dalembert._geometry.inertia import RigidBodyInertia
 from dalembert._io import model_files as model_files
 from dalembert._pictures import draw as draw
 from dalembert._pictures import html as html
+from dalembert._pictures import shortcuts as shortcuts
 from dalembert._plots import system_graph as system_graph
+from dalembert._solving import buckling as buckling
 from dalembert._solving import consistent as consistent
 from dalembert._solving import energies as energies
 from dalembert._solving import linearized as linearized
+from dalembert._solving import recognised_trees as recognised_trees
 from dalembert._solving import report as report
 from dalembert._studies import variations as variations
 from dalembert.create import _distance_sensor as distance_sensor
 from dalembert.create import _robot as robot
-from dalembert.create import bodies, connectors, flexible, joints, loads, trees
+from dalembert.create import bodies, connectors, contacts, flexible, joints, loads, trees
 
 # Functions that solvers call. Step functions return whether to go on, PostNewton [error, recommended step size].
 _StepFunction = Callable[[MainSystem, float], bool]
@@ -70,11 +73,11 @@ class MainSystem(_Bound):
     def SetDictionary(self, systemDict: dict[str, Any]) -> None: ...
     def Reset(self) -> None: ...
     def _RequireIdle(self, method: str) -> None: ...
-    def SendRedrawSignal(self) -> None: ...
+    SendRedrawSignal = shortcuts.SendRedrawSignalOfSystem
     def ActivateRendering(self, flag: bool = True) -> None: ...
     def GetRenderEngineStopFlag(self) -> bool: ...
     def SetRenderEngineStopFlag(self, stopFlag: bool) -> None: ...
-    def WaitForUserToContinue(self, printMessage: bool = True) -> None: ...
+    WaitForUserToContinue = shortcuts.WaitForUserToContinue
     def AddGeneralContact(mbs, *args: Any, **kwargs: Any) -> NoReturn: ...
     def GetGeneralContact(mbs, *args: Any, **kwargs: Any) -> NoReturn: ...
     def DeleteGeneralContact(mbs, *args: Any, **kwargs: Any) -> NoReturn: ...
@@ -267,11 +270,11 @@ class MainSystem(_Bound):
     CreateGenericJoint = joints.CreateGenericJoint
     CreateRollingDisc = joints.CreateRollingDisc
     CreateRollingDiscPenalty = joints.CreateRollingDiscPenalty
+    CreateSphereSphereContact = contacts.CreateSphereSphereContact
+    CreateSphereTriangleContact = contacts.CreateSphereTriangleContact
+    CreateSphereQuadContact = contacts.CreateSphereQuadContact
     CreateForce = loads.CreateForce
     CreateTorque = loads.CreateTorque
-    def CreateSphereSphereContact(mbs, *args: Any, **kwargs: Any) -> NoReturn: ...
-    def CreateSphereQuadContact(mbs, *args: Any, **kwargs: Any) -> NoReturn: ...
-    def CreateSphereTriangleContact(mbs, *args: Any, **kwargs: Any) -> NoReturn: ...
 
     CreateKinematicTree = trees.CreateKinematicTree
     CreateDistanceSensor = distance_sensor.CreateDistanceSensor
@@ -282,6 +285,7 @@ class MainSystem(_Bound):
     DrawSolution = draw.DrawSolution
     Load = model_files.Load
     PlotSensor = plot.PlotSensor
+    RecogniseTrees = recognised_trees.RecogniseTrees
     Save = model_files.Save
     SaveHTML = html.SaveHTML
     SolutionViewer = interactive.SolutionViewer
@@ -291,6 +295,7 @@ class MainSystem(_Bound):
     SolveDynamic = solver.SolveDynamic
     SolveStatic = solver.SolveStatic
     SolveVariations = variations.SolveVariations
+    ComputeBucklingLoads = buckling.ComputeBucklingLoads
     ComputeConsistentInitialConditions = consistent.ComputeConsistentInitialConditions
     ComputeEnergies = energies.ComputeEnergies
     Report = report.Report

@@ -27,8 +27,9 @@ def _notice_once(what: str) -> None:
 class InteractiveDialog:
     """A simulation in periods of real time, with values that dialog items set in mbs.variables (or mbs.sys).
 
-    Without a window, all dialog items keep their initial values; with runOnStart, the simulation then runs from
-    startTime to endTime of the settings (without time integration: simulationFunction is called once).
+    With a page (SC.renderer.Start), it is shown there, until a reader closes the page or presses Q. Without one,
+    all dialog items keep their initial values; with runOnStart, the simulation then runs from startTime to endTime of
+    the settings (without time integration: simulationFunction is called once).
     """
 
     def __init__(
@@ -53,7 +54,6 @@ class InteractiveDialog:
         useSysVariables: bool = False,
     ) -> None:
         """Store what the dialog needs, initialize the solver and, with runOnStart, run; period in s."""
-        _notice_once(title or "InteractiveDialog")
         self.mbs, self.SC = mbs, mbs.GetSystemContainer()
         self.simulationSettings, self.simulationFunction = simulationSettings, simulationFunction
         self.dialogItems, self.plots = dialogItems, plots or []
@@ -72,8 +72,14 @@ class InteractiveDialog:
         self.InitializeSolver()
         self.InitializePlots()
         self.ProcessWidgetStates()
-        if runOnStart:
-            self.StartSimulation()
+        if self.SC.renderer.IsActive():
+            from dalembert._live import dialogs, viewer
+
+            dialogs.run(self, viewer.start(self.SC), runOnStart)
+        else:
+            _notice_once(title or "InteractiveDialog")
+            if runOnStart:
+                self.StartSimulation()
         self.FinalizeSolver()
 
     def OnQuit(self, event: Any = None) -> None:

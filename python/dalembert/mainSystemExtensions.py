@@ -13,8 +13,10 @@ from dalembert._pictures.draw import Draw, DrawSolution
 from dalembert._pictures.html import SaveHTML
 from dalembert._plots.repr_html import _repr_html_
 from dalembert._plots.system_graph import DrawSystemGraph
+from dalembert._solving.buckling import ComputeBucklingLoads
 from dalembert._solving.consistent import ComputeConsistentInitialConditions
 from dalembert._solving.energies import ComputeEnergies
+from dalembert._solving.recognised_trees import RecogniseTrees
 from dalembert._solving.report import Report
 from dalembert._studies.variations import SolveVariations
 from dalembert.create._distance_sensor import CreateDistanceSensor, CreateDistanceSensorGeometry
@@ -31,9 +33,11 @@ from dalembert.plot import PlotSensor
 methods: dict[str, Callable[..., Any]] = (
     _planned.methods
     | create.functions
+    | shortcuts.SYSTEM_METHODS
     | {
         function.__name__: function
         for function in (
+            ComputeBucklingLoads,
             ComputeConsistentInitialConditions,
             ComputeEnergies,
             CreateDistanceSensor,
@@ -45,6 +49,7 @@ methods: dict[str, Callable[..., Any]] = (
             model_files.Load,
             model_files.Save,
             PlotSensor,
+            RecogniseTrees,
             Report,
             SaveHTML,
             SolutionViewer,

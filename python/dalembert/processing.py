@@ -24,11 +24,13 @@ from dalembert._studies.execution import (
 )
 from dalembert._studies.genetic import GeneticOptimization
 from dalembert._studies.sensitivity import ComputeSensitivities, PlotSensitivityResults
+from dalembert._studies.varied_model import FailedVariation, VariedModel
 
 __all__ = [
     "AddComputationIndexAndFunctionData",
     "ComputeSensitivities",
     "FailedEvaluation",
+    "FailedVariation",
     "GeneticOptimization",
     "GetVersionPlatformString",
     "Minimize",
@@ -37,6 +39,7 @@ __all__ = [
     "PlotSensitivityResults",
     "ProcessParameterList",
     "SingleIndex2SubIndices",
+    "VariedModel",
     "WriteToFile",
 ]
 
@@ -107,8 +110,8 @@ def ParameterVariation(
     useMultiProcessing, clusterHostNames, showProgress, numberOfThreads, resultsFile, useMPI, restart, keepFailures: see
         ProcessParameterList.
 
-    The function may do anything, so it is called for every combination. Where only numbers of one model vary,
-    mbs.SolveVariations solves them all without Python in between.
+    The function may do anything, so it is called for every combination. Where only numbers of one model vary, it may
+    be a VariedModel, which solves many combinations at once without Python in between.
     """
     check_names("ParameterVariation", kwargs, {"useMPI", "useDispyWebMonitor", "restart", "keepFailures"})
     if not parameters:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import fields
 from pathlib import Path
 
@@ -10,6 +11,12 @@ import pytest
 from codegen.load import load
 from codegen.model import SpecError
 from codegen.scene import EXEMPT, FRAMES, SceneTable
+
+
+def put_scene(spec: Path, line: str) -> None:
+    """Let a line be all of the scene of a spec."""
+    text = re.sub(r"^\[\[?scene\b.*\n(?:(?!\[).*\n)*", "", spec.read_text(), flags=re.MULTILINE)
+    spec.write_text(text.replace("[docs]", f"[scene]\n{line}\n\n[docs]", 1))
 
 
 @pytest.mark.parametrize(
@@ -25,7 +32,7 @@ from codegen.scene import EXEMPT, FRAMES, SceneTable
 )
 def test_places_exist(copy: Path, place: str, message: str) -> None:
     spec = copy / "specs/nodes/point_slope12.toml"
-    spec.write_text(spec.read_text().replace("[docs]", f'[scene]\npairs = [["{place}"]]\n\n[docs]', 1))
+    put_scene(spec, f'pairs = [["{place}"]]')
     with pytest.raises(SpecError) as error:
         load(copy)
     assert str(error.value).startswith(f"specs/nodes/point_slope12.toml: scene: pairs: {message}")
@@ -40,7 +47,7 @@ def test_places_exist(copy: Path, place: str, message: str) -> None:
 )
 def test_nodes_of_a_body_exist(copy: Path, node: str, message: str) -> None:
     spec = copy / "specs/finite_elements/ancf_beam.toml"
-    spec.write_text(spec.read_text().replace("[docs]", f"[scene]\nnodes = [{node}]\n\n[docs]", 1))
+    put_scene(spec, f"nodes = [{node}]")
     with pytest.raises(SpecError) as error:
         load(copy)
     assert str(error.value).startswith(f"specs/finite_elements/ancf_beam.toml: scene: nodes: {message}")

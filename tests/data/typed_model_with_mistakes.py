@@ -25,7 +25,7 @@ mbs.AddObject(ObjectConnectorSpringDamper(springForceUserFunction=force))  # arg
 mbs.AddSensor(SensorNode(nodeNumber=node, outputVariableType="Position"))  # arg-type
 mbs.GetNodeOutput(marker, exu.OutputVariableType.Position)  # arg-type
 mbs.CreateGround(position=[0, 0, 0])  # call-arg
-mbs.CreateRevoluteJoint(bodyNumbers=["ground", "body"])  # list-item
+mbs.CreateRevoluteJoint(bodyNumbers=[0.5, "body"])  # list-item
 mbs.CreateMassPoint(physicsMass="1")  # call-overload
 mbs.SolveDynamic(settings=exu.SimulationSettings())  # call-arg
 mbs.systemData.SetODE2Coordinates()  # call-arg

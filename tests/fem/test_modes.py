@@ -130,6 +130,9 @@ def free_frequencies(fem, count, rigid):
 
 @pytest.mark.parametrize("mode", [HCB.RBE2, HCB.RBE3, HCB.allBoundaryNodes])
 def test_hurty_craig_bampton_modes_converge_from_above(bar, mode):
+    """The part of a motion that is left out has at most its kinetic energy, and frequencies above those that are kept: that bounds what it
+    adds to a frequency, by half the square of their ratio. The fourth frequency is one of bending, of which the ends take little part, and is
+    0.37 to 0.39 percent off with 16 modes."""
     exact = free_frequencies(bar, 4, mode == HCB.RBE2)
     lists, weights = bar.GetBoundaryNodeSetsAsLists()
     errors = []
@@ -140,10 +143,13 @@ def test_hurty_craig_bampton_modes_converge_from_above(bar, mode):
         assert bar.modeBasis["matrix"].shape[1] == static + count
         assert bar.eigenValues.shape == (count,)
         errors.append(frequencies_of(bar, 4) / exact - 1)
+        kept = (2 * np.pi * bar.GetEigenFrequenciesHz()[-1] / exact) ** 2
+        assert (errors[-1] < np.where(kept > 1, 0.5 / (kept - 1), np.inf)).all()
     assert (np.diff(errors, axis=0) < 1e-9).all()
     assert np.min(errors) > -1e-8
     assert np.max(errors[0][:2]) < 0.02
-    assert np.max(errors[-1]) < 5e-3 < np.max(errors[1])
+    assert np.max(errors[-1]) == pytest.approx(0.0038, abs=0.0002)
+    assert np.max(errors[1]) > 5e-3
 
 
 @pytest.mark.parametrize("mode", [HCB.RBE2, HCB.RBE3, HCB.allBoundaryNodes])

@@ -94,6 +94,7 @@ def test_frequencies_of_a_moving_beam(tension: float, speed: float) -> None:
 
 
 def test_resting_material_is_a_cable() -> None:
+    """Forces are the same but for the rounding of the stretch, which is one plus the strain, times the axial stiffness."""
     state, residuals = None, []
     for ale in (True, False):
         belt = Belt(2, 0.0, ale=ale, physicsAxialDamping=3, physicsBendingDamping=2)
@@ -107,7 +108,7 @@ def test_resting_material_is_a_cable() -> None:
             all_values[:n] = values
             setattr(s, name, all_values)
         residuals.append(testing.residual(belt.mbs, s)[:n])
-    assert residuals[0] == pytest.approx(residuals[1], rel=1e-12)
+    assert residuals[0] == pytest.approx(residuals[1], rel=1e-12, abs=1e8 * np.finfo(float).eps)
 
 
 def test_material_velocity_and_forces() -> None:

@@ -134,7 +134,7 @@ def bad_values(row: Parameter) -> dict[str, Any]:
     if storage == "opaque":
         return {}
     bad: dict[str, Any] = {"dictionary": {"a": 1}}
-    if storage != "text":
+    if storage != "text" and not row.type.index:  # indices may be names, which a system knows
         bad["string"] = "words"
     bad |= _bad_entries(row) if row.shape and storage != "matrix_container" else _bad_scalars(row)
     if storage in ("matrix", "matrix_container", "integer_matrix"):
@@ -180,7 +180,9 @@ def _bad_entries(row: Parameter) -> dict[str, Any]:
     """Of vectors, matrices and lists: wrong entries, and wrong lengths."""
     storage, valid = row.type.storage, sample(row)
     kind = storage.removesuffix("s")
-    wrong: dict[str, Any] = {"nested None": None, "nested string": "3", "nested dictionary": {}}
+    wrong: dict[str, Any] = {"nested None": None, "nested dictionary": {}}
+    if not row.type.index:
+        wrong["nested string"] = "3"
     if row.type.real:
         wrong |= {"not a number": float("nan"), "infinite": float("inf"), "too large": TOO_LARGE}
     elif kind in INDEX:

@@ -61,3 +61,40 @@ def test_name_pickle_and_copy(index: Any) -> None:
     for other in (pickle.loads(pickle.dumps(index(3))), copy.copy(index(3)), copy.deepcopy(index(3))):
         assert other == index(3)
         assert type(other) is index
+
+
+def test_lists_of_numbers_change_their_item() -> None:
+    """Templates of elements are completed entry by entry."""
+    cable = exu.ObjectALEANCFCable2D()
+    cable.nodeNumbers[2] = exu.NodeIndex(7)
+    assert cable.nodeNumbers[2] == 7
+    assert isinstance(cable.nodeNumbers[2], exu.NodeIndex)
+    joint = exu.ObjectJointSliding2D(slidingMarkerNumbers=[1])
+    joint.slidingMarkerNumbers.append(exu.MarkerIndex(4))
+    joint.slidingMarkerNumbers += [5, 6]
+    del joint.slidingMarkerNumbers[0]
+    assert joint.slidingMarkerNumbers == [4, 5, 6]
+    assert joint.slidingMarkerNumbers.pop() == 6
+    joint.slidingMarkerNumbers.reverse()
+    assert joint.slidingMarkerNumbers == [5, 4]
+
+
+def test_refused_changes_of_lists_are_taken_back() -> None:
+    cable = exu.ObjectANCFCable2D(nodeNumbers=[1, 2])
+    numbers = cable.nodeNumbers
+    for change in (lambda: numbers.append(3), lambda: operator.setitem(numbers, 0, exu.MarkerIndex(0)), numbers.clear):
+        with pytest.raises((TypeError, ValueError), match="nodeNumbers"):
+            change()
+        assert numbers == cable.nodeNumbers == [1, 2]
+
+
+def test_copies_of_lists_are_lists() -> None:
+    cable = exu.ObjectANCFCable2D(nodeNumbers=[1, 2])
+    for copied in (
+        copy.copy(cable.nodeNumbers),
+        copy.deepcopy(cable.nodeNumbers),
+        pickle.loads(pickle.dumps(cable.nodeNumbers)),
+    ):
+        assert type(copied) is list
+        copied[0] = 5
+    assert cable.nodeNumbers == [1, 2]

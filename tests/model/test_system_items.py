@@ -40,7 +40,7 @@ def test_indices_and_default_names(mbs: exu.MainSystem) -> None:
         (lambda mbs: mbs.GetNode(-1), "mbs.GetNode(...): there is no node with number -1: expected a number from 0 to 0."),
         (lambda mbs: mbs.GetLoad(0), "mbs.GetLoad(...): there is no load with number 0: expected nothing: the system has no loads yet."),
         (lambda mbs: mbs.GetNode(exu.ObjectIndex(0)), "mbs.GetNode(...), parameter 'nodeNumber': received 0 (ObjectIndex), but expected a NodeIndex, an integer or a name. It is an ObjectIndex: it counts objects, not nodes."),
-        (lambda mbs: mbs.GetNode("foot"), "To find an item by its name, use mbs.GetNodeNumber(name)."),
+        (lambda mbs: mbs.GetNode("fot"), "mbs.GetNode(...), parameter 'nodeNumber': received 'fot', but expected the name of a node of this system. Did you mean 'foot'?"),
         (lambda mbs: mbs.GetNodeParameter(0, "refCoordinates"), "node 0 'foot' (NodePoint): there is no parameter 'refCoordinates'. Did you mean 'referenceCoordinates'?"),
         (lambda mbs: mbs.SetNodeParameter(0, "drawSize", 1), "node 0 'foot' (NodePoint): there is no parameter 'drawSize'. Did you mean 'VdrawSize'?"),
         (lambda mbs: mbs.SetNodeParameter(0, "initialVelocities", [1, 2]), "node 0 'foot' (NodePoint), parameter 'initialVelocities': received [1, 2] (list of length 2), but expected 3 finite numbers"),

@@ -151,7 +151,8 @@ def test_without_a_solution_there_is_one_frame(mbs: Any) -> None:
 
 def test_the_bundle_is_made_of_its_sources() -> None:
     """`npm ci && npm run build` in the folder of the page makes it anew, with the versions of package-lock.json."""
-    names = ["axes.js", "data.js", "page.js", "shapes.js", "package.json", "package-lock.json"]
+    modules = ["axes.js", "data.js", "live.js", "motion.js", "page.js", "panels.js", "shapes.js", "view.js"]
+    names = [*modules, "package.json", "package-lock.json"]
 
     def total(files: list[str]) -> str:
         return hashlib.sha256(b"".join((FOLDER / name).read_bytes() for name in files)).hexdigest()

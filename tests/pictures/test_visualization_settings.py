@@ -10,8 +10,9 @@ from typing import Any
 import dalembert as exu
 from dalembert._pictures.without_effect import WITHOUT_EFFECT
 
-SOURCES = Path(exu.__file__).resolve().parent / "_pictures"
-TEXT = "\n".join(path.read_text() for path in sorted(SOURCES.glob("*.py")) if path.stem != "without_effect")
+PACKAGE = Path(exu.__file__).resolve().parent
+SOURCES = sorted([*PACKAGE.glob("_pictures/*.py"), *PACKAGE.glob("_live/*.py")])
+TEXT = "\n".join(path.read_text() for path in SOURCES if path.stem != "without_effect")
 
 
 def leaves(settings: Any, path: str = "") -> Iterator[str]:

@@ -24,6 +24,10 @@ OTHER_DEFAULTS = {
     ("CreateSpringDamper", "referenceLength"): None,
     ("CreateDistanceConstraint", "distance"): None,
     ("CreateRigidBodySpringDamper", "intrinsicFormulation"): True,
+    ("CreateKinematicTree", "linkForces"): None,
+    ("CreateKinematicTree", "linkTorques"): None,
+    ("CreateFFRFReducedOrderObject", "name"): inspect.Parameter.empty,
+    ("CreateFFRFReducedOrderObject", "color"): [0, 1, 0, 1],
 }
 
 
@@ -82,9 +86,10 @@ def test_every_create_function_mirrors_an_item() -> None:
 
 def test_other_defaults_are_others() -> None:
     for (name, argument), default in OTHER_DEFAULTS.items():
-        item = getattr(items, MIRRORS[name][0])()
-        assert inspect.signature(create.functions[name]).parameters[argument].default is default
-        assert getattr(item, argument) != default
+        classes = [getattr(items, prefix + MIRRORS[name][0])() for prefix in ("", "V")]
+        of_item = next(getattr(cls, argument) for cls in classes if hasattr(cls, argument))
+        assert inspect.signature(create.functions[name]).parameters[argument].default == default
+        assert not np.array_equal(of_item, default)
 
 
 def test_checks_are_those_of_the_spec() -> None:

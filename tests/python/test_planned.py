@@ -36,7 +36,7 @@ CLASSES_BESIDE = {
     *(f"MainSystem.{a}GeneralContact" for a in ("Add", "Get", "Delete")),
 }
 # These are there, and end where they add an item that is planned, which says so.
-MADE_OF_PLANNED_ITEMS = {name for name in FUNCTIONS if name.startswith("beams.") or "DistanceSensor" in name}
+MADE_OF_PLANNED_ITEMS = {name for name in FUNCTIONS if "DistanceSensor" in name}
 
 
 def published() -> Iterator[tuple[str, str]]:
@@ -216,6 +216,7 @@ def texts() -> Iterator[tuple[str, str]]:
 
 def test_no_text_leads_to_planned_items_or_modules() -> None:
     """A single word is a name in a table, not advice; a text that says of it that it is planned is none either."""
-    pattern = re.compile(rf"\b(?:{'|'.join(ITEMS)}|(?:dalembert|exudyn|exu)\.(?:{'|'.join(MODULES)}))\b")
+    names = [*ITEMS, *(rf"(?:dalembert|exudyn|exu)\.{module}" for module in MODULES)]
+    pattern = re.compile(rf"\b(?:{'|'.join(names) or '(?!)'})\b")
     found = [(file, text) for file, text in texts() if " " in text.strip() and pattern.search(text)]
     assert [(file, text) for file, text in found if not re.search("planned|NotImplementedError", text)] == []

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from oscillators import MASS, dynamic_settings, friction_or_stop, mass
+from oscillators import MASS, dynamic_settings, friction_or_stop, mass, oscillator
 
 import dalembert as exu
 from dalembert.solver import SolverError
@@ -94,3 +94,27 @@ def test_a_step_that_does_not_settle() -> None:
     settings.timeIntegration.discontinuous.ignoreMaxIterations = True
     model.mbs.SolveDynamic(settings)
     assert model.position == pytest.approx(0.3 - 0.7, abs=1e-14)
+
+
+@pytest.mark.parametrize("solver", [Solver.ODE23, Solver.DOPRI5, Solver.GeneralizedAlpha, Solver.TrapezoidalIndex2])
+def test_repeated_steps_are_the_same_steps(solver: exu.DynamicSolverType) -> None:
+    """A discontinuous iteration that changes nothing leads to the same numbers, whatever error control has in mind for the next step."""
+    tables = []
+    for repeats in (False, True):
+        model = oscillator()
+        asked = 0
+
+        def twice(mbs: exu.MainSystem, t: float, repeats: bool = repeats) -> list[float]:
+            nonlocal asked
+            asked += 1
+            return [2.0 if repeats and asked % 2 else 0.0, -1.0]
+
+        model.mbs.SetPostNewtonUserFunction(twice)
+        model.mbs.Assemble()
+        settings = dynamic_settings(1.0, 1)
+        settings.timeIntegration.automaticStepSize = True
+        settings.timeIntegration.absoluteTolerance = settings.timeIntegration.relativeTolerance = 1e-7
+        settings.timeIntegration.discontinuous.iterationTolerance = 1.0
+        model.mbs.SolveDynamic(settings, solverType=solver)
+        tables.append(model.table())
+    np.testing.assert_array_equal(*tables)

@@ -35,6 +35,7 @@ def test_solvers_name_the_setting(solve: str) -> None:
     mbs.Assemble()
     settings = dynamic_settings(1.0, 10)
     settings.timeIntegration.verboseMode = 0
+    settings.linearSolverType = exu.LinearSolverType.EXUdense
     with pytest.raises(ValueError, match=r"46400 unknowns.*it would take 17 GB.*linearSolverType.*EigenSparse"):
         getattr(mbs, solve)(settings)
     settings.linearSolverType = exu.LinearSolverType.EigenSparse

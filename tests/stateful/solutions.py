@@ -47,6 +47,7 @@ def some_settings(random: Random) -> tuple[str, Any, Any]:
     chosen: dict[str, Any] = {
         "timeIntegration.numberOfSteps": random.choice((1, 2, 3)),
         "timeIntegration.endTime": random.choice((1e-3, 1e-4, 1e-2)),
+        "timeIntegration.minimumStepSize": 1e-6,  # a stiff model ends an explicit solver after 1e4 steps
         "staticSolver.numberOfLoadSteps": random.choice((1, 2)),
         "staticSolver.newton.maxIterations": 8,
     }

@@ -169,6 +169,11 @@ void Model::edit(ItemKind kind, int number, const Row& row, const std::function<
   }
 }
 
+void Model::renew(ItemKind kind, int number, std::shared_ptr<const void> record) {
+  items(kind)[static_cast<std::size_t>(number)].record = std::move(record);
+  note_value_change(kind, number);
+}
+
 void Model::rename(ItemKind kind, int number, std::string name) {
   Item item = renamed(this->item(kind, number), std::move(name));
   adopt_name(kind, number, item);

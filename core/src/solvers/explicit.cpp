@@ -237,19 +237,24 @@ bool ExplicitSolver::newton() {
 
 void ExplicitSolver::compute_step() { verlet_ ? verlet_step() : runge_kutta_step(); }
 
-// What grows shows in the velocities, as forces change them and they carry the coordinates. The end of the solution is looked at whole.
+// What grows shows in the velocities, as forces change them and they carry the coordinates. Accelerations at the end of a step are in
+// the velocities of Verlet's method; others have to be numbers. The end of the solution is looked at whole.
 DALEMBERT_INLINE inline bool ExplicitSolver::stays_bounded() const {
   const State& now = system().state(ConfigurationType::Current);
-  double motion = 0;
+  double motion = 0, rest = 0;
   if (now.v.size() <= few_numbers) {
-    each_of_few(now.v.size(), [&, v = now.v.data()](std::size_t i) { motion += v[i] * v[i]; });
+    each_of_few(now.v.size(), [&, v = now.v.data(), a = now.a.data()](std::size_t i) {
+      motion += v[i] * v[i];
+      rest += a[i] * a[i];
+    });
   } else {
     motion = sum_of_squares(system(), now.v);
+    if (!verlet_) rest = sum_of_squares(system(), now.a);
   }
   if (watches_coordinates_) motion += sum_of_squares(system(), now.q);
   if (!now.y.empty() && !(sum_of_squares(system(), now.y) < unbounded * unbounded)) return false;
   const bool last = it.currentTime + 0.5 * it.currentStepSize > it.endTime;
-  return motion < growth_limit_ && (!last || all_finite(now));
+  return motion < growth_limit_ && std::isfinite(rest) && (!last || all_finite(now));
 }
 
 // Its parts are inlined: calls take as long as what they compute in small systems.
@@ -406,7 +411,10 @@ bool ExplicitSolver::accelerations(Vector& a, std::span<double> y_t) {
     system().right_hand_sides(current(), conditions_, a, y_t);
   }
   const TimedPart time(timer, timer.newtonIncrement);
-  mass_.solve(system(), a);
+  if (const int row = mass_.solve(system(), current(), a); row != LinearSolver::success) [[unlikely]] {
+    mass_failed(row);
+    return false;
+  }
   return !searching_ || is_good(a, y_t);
 }
 

@@ -86,6 +86,7 @@ bool ExplicitSolver::find_bad_evaluation() {
   const State after = current();
   current() = start_of_step();
   searching_ = true;
+  first_stage_known_ = false;
   compute_step();
   searching_ = false;
   const bool found = conv.linearSolverFailed;

@@ -27,6 +27,9 @@ constexpr double share_of_weakest = 1e-3;
 // that have drifted apart because velocities alone are constrained.
 constexpr double misaligned = 1e6, eps_for_misfits = 1e-8;
 
+// Places may be much closer together than the size of the bodies at them: moments count for no less than by this share of it.
+constexpr double smallest_arm = 1e-3;
+
 double mean_of_logarithms(const std::vector<double>& numbers) {
   double sum = 0;
   for (const double x : numbers) sum += std::log(x);
@@ -91,8 +94,9 @@ void RedundantConstraints::find_weights(const std::vector<double>& ratios, const
   std::map<CoordinateUnit, std::vector<double>> kinds;
   for (const int k : rows_)
     if (ratios[k] > 0 && std::isfinite(ratios[k])) kinds[units[k]].push_back(ratios[k]);
-  const double length = moment_length > 0 ? moment_length : length_;
   double force = mean_of_logarithms(kinds[CoordinateUnit::meter]), moment = mean_of_logarithms(kinds[CoordinateUnit::radian]);
+  const double radius_of_gyration = force > 0 && moment > 0 ? std::sqrt(force / moment) : 0;
+  const double length = moment_length > 0 ? moment_length : std::max(length_, smallest_arm * radius_of_gyration);
   if (force > 0) moment = force / (length * length);
   else if (moment > 0) force = moment * length * length;
   const double other = mean_of_logarithms(kinds[CoordinateUnit::unknown]);

@@ -368,12 +368,18 @@ void SecondOrderSolver::scale_jacobian(std::vector<S>& values) const {
   });
 }
 
-bool SecondOrderSolver::goes_in_lockstep() const {
+std::string_view SecondOrderSolver::lockstep_obstacle() const {
   const auto& s = settings();
-  return !verbose(1) && !it.automaticStepSize && !hooks().take_part_in_steps() && hooks().timeout < 0 && !has_replaced_parts() && !s.displayComputationTime &&
-         !wants_differences(newton_settings.numericalDifferentiation) && s.timeIntegration.computeLoadsJacobian == 0 &&
-         newton_settings.useNewtonSolver && discontinuous.iterationTolerance >= 0 &&
-         linear_->may_be_listed();
+  if (it.automaticStepSize) return "steps whose size is chosen by their error";
+  if (hooks().take_part_in_steps()) return "functions of the system that are called at each step";
+  if (hooks().timeout >= 0) return "a limit of the time that solvers may take";
+  if (verbose(1) || s.displayComputationTime) return "messages of the solver";
+  if (has_replaced_parts() || !newton_settings.useNewtonSolver) return "parts of the solver that are replaced or left out";
+  if (wants_differences(newton_settings.numericalDifferentiation) || s.timeIntegration.computeLoadsJacobian != 0)
+    return "derivatives by differences";
+  if (discontinuous.iterationTolerance < 0) return "a negative discontinuous.iterationTolerance";
+  if (!linear_->may_be_listed()) return "the linear solver, or a number of unknowns that is not from 4 to 32";
+  return {};
 }
 
 void SecondOrderSolver::trace(Trace& trace) {

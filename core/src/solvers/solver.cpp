@@ -402,6 +402,7 @@ void Solver::accept_newton() {
     } else if (it.discontinuousIteration < discontinuous.maxIterations) {
       if (system_->searches()) search();
       reset_to_start_of_step();
+      it.currentStepSize = conditions_.step_size;  // error control may have chosen that of the next step
       const double recommended = it.recommendedStepSize;
       if (recommended != -1 && recommended < (1 + 1e-8) * it.currentStepSize) return false;
     } else if (discontinuous.ignoreMaxIterations) {

@@ -11,6 +11,11 @@ namespace {
 // A single coordinate may be anything.
 bool is_in_space(const NodePlace& node) { return node.ode2 >= 0 && node.translations > 1; }
 
+// Of a body with a mesh, so many points tell its size.
+constexpr int enough_points = 1000;
+// Points that are closer together (in m) than this are one point and round-off.
+constexpr double smallest_extent = 1e-12;
+
 }  // namespace
 
 std::vector<CoordinateUnit> System::coordinate_units() const {
@@ -25,7 +30,7 @@ std::vector<CoordinateUnit> System::coordinate_units() const {
 }
 
 double System::extent() const {
-  const SystemParts& parts = *parts_;
+  SystemParts& parts = *parts_;
   const Ports& ports = parts.ports;
   Vec3<double> low, high;
   low.x.fill(std::numeric_limits<double>::infinity());
@@ -40,9 +45,21 @@ double System::extent() const {
     if (port.values == PointPort::values || port.values == RigidPort::values) include(ports.values.data() + port.first_value, 3);
   for (const NodePlace& node : parts.nodes)
     if (is_in_space(node)) include(parts.total.data() + node.ode2, node.translations);
+  std::vector<int> coordinates;
+  std::vector<double> point;
+  for (const ObjectPlace& object : parts.objects) {
+    const auto& [batch, entry] = object.member;
+    const int count = batch == nullptr ? 0 : batch->mesh_nodes(entry);
+    if (count <= 0) continue;
+    coordinates.clear();
+    parts.list_coordinates(object, Coordinates::ode2, coordinates);
+    const Evaluation now = parts.output_evaluation(parts.state(ConfigurationType::Current), coordinates);
+    for (int i = 0; i < count; i += 1 + count / enough_points)
+      if (batch->mesh_output(entry, i, OutputVariableType::Position, now, point)) include(point.data(), 3);
+  }
   const Vec3<double> span = high - low;
   const double diagonal = std::sqrt(dot(span, span));
-  return std::isfinite(diagonal) && diagonal > 0 ? diagonal : 1;
+  return std::isfinite(diagonal) && diagonal > smallest_extent ? diagonal : 1;
 }
 
 }  // namespace dalembert

@@ -77,12 +77,11 @@ class Encoder:
     def _matrix(self, matrix: Any, place: str) -> Any:
         if matrix.UseDenseMatrix():
             return self._array(matrix.Convert2DenseMatrix(), "matrix", place)
-        found = matrix.GetPythonObject().tocoo()
-        rows = np.column_stack((found.row, found.col, found.data))
-        if rows.size > LARGE:
-            return {"sparse": self._array(rows, "matrix", place), "shape": list(found.shape)}
-        entries = zip(found.row.tolist(), found.col.tolist(), found.data.tolist(), strict=True)
-        return {"sparse": [list(entry) for entry in entries], "shape": list(found.shape)}
+        found = matrix.GetPythonObject()
+        entries, shape = found["triplets"], [found["numberOfRows"], found["numberOfColumns"]]
+        if entries.size > LARGE:
+            return {"sparse": self._array(entries, "matrix", place), "shape": shape}
+        return {"sparse": [[int(row), int(column), value] for row, column, value in entries.tolist()], "shape": shape}
 
     def _thing(self, value: Any, place: str) -> Any:
         if isinstance(value, Mapping):

@@ -46,5 +46,5 @@ def page(motion: Motion, words: dict[str, Any]) -> str:
     data = pack(motion, words)
     folder = Path(__file__).parent / "page"
     bundle = (folder / "bundle.js").read_text("utf-8").replace("</script", "<\\/script")
-    text = (folder / "page.html").read_text("utf-8")
+    text = (folder / "page.html").read_text("utf-8").replace("@STYLE@", (folder / "style.css").read_text("utf-8"))
     return text.replace("@DATA@", base64.b64encode(data).decode()).replace("@BUNDLE@", bundle)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -10,6 +11,7 @@ from dalembert import _core
 from dalembert._checks import as_array, as_vector
 
 if TYPE_CHECKING:
+    from dalembert._live.viewer import Viewer
     from dalembert._pictures.painting import Image
     from dalembert._pictures.studio import Studio
 
@@ -37,44 +39,74 @@ def _view_number(method: str, viewID: Any) -> int:
     raise ValueError(f"SC.renderer.{method}(...): viewID: expected 0, 1, 2 or 3, received {viewID!r}")
 
 
+def _viewer(renderer: Any) -> Viewer | None:
+    """Return what shows the systems on pages; None if nothing does. It is not loaded for that."""
+    module = sys.modules.get("dalembert._live.viewer")
+    container = renderer._container
+    return None if module is None or container is None else module.viewer_of(container)
+
+
 _noticed = False
 
 
 def Start(self: Any, verbose: int = 0) -> bool:
-    """Return False: there is no window; images are made by RedrawAndGetImage, RedrawAndSaveImage and mbs.Draw()."""
+    """Open a page in the browser that shows all systems of the container, also while they are being solved.
+
+    Return False where there is no display, or DALEMBERT_VIEWER=off, or CI is set: nothing waits for a reader there. In
+    notebooks and terminals of other machines (SSH), the address of the page is printed.
+    """
     global _noticed
-    if not _noticed:
-        _noticed = True
-        _core.Print("dalembert: there is no window; mbs.Draw() and SC.renderer.RedrawAndSaveImage() make pictures.")
-    return False
+    from dalembert._pictures.showing import where_pages_open
+
+    where = where_pages_open()
+    if where == "nowhere":
+        if not _noticed:
+            _noticed = True
+            _core.Print("dalembert: there is no window; mbs.Draw() and SC.renderer.RedrawAndSaveImage() make pictures.")
+        return False
+    container = self._container
+    if container is None:
+        raise RuntimeError("SC.renderer.Start(...): the SystemContainer does not exist any more; keep it in a variable")
+    from dalembert._live import opening
+
+    opening.open_page(container, where, verbose)
+    return True
 
 
 def Stop(self: Any) -> None:
-    """Do nothing: there is no window."""
+    """Close all pages."""
+    viewer = _viewer(self)
+    if viewer is not None:
+        viewer.stop()
 
 
 def IsActive(self: Any) -> bool:
-    """Return False: there is no window."""
-    return False
+    """Return whether a page is open, or is being opened."""
+    viewer = _viewer(self)
+    return viewer is not None and viewer.watched
 
 
 def Attach(self: Any) -> bool:
-    """Return False: there is no window."""
-    return False
+    """Return whether a page is open: it shows this container anyway."""
+    return IsActive(self)
 
 
 def Detach(self: Any) -> bool:
-    """Return False: there is no window."""
-    return False
+    """Return whether a page is open; it goes on showing this container."""
+    return IsActive(self)
 
 
 def DoIdleTasks(self: Any, waitSeconds: float = -1.0, printPauseMessage: bool = True) -> bool:
-    """Return False at once: there is no window to wait for."""
-    return False
+    """Wait until a reader of a page presses space, 'Q' or escape, or closes it; at once if no page is open.
+
+    With waitSeconds of 0 or more, wait so long at most. Return whether a page is open.
+    """
+    viewer = _viewer(self)
+    return viewer is not None and viewer.idle(float(waitSeconds), printPauseMessage)
 
 
 def EnableView(self: Any, viewID: int, createWindow: bool = True) -> None:
-    """Do nothing: images of all views can be made at any time."""
+    """Do nothing: images of all views can be made at any time, and any number of pages can be opened."""
 
 
 def DisableView(self: Any, viewID: int) -> None:
@@ -82,7 +114,10 @@ def DisableView(self: Any, viewID: int) -> None:
 
 
 def SendRedrawSignal(self: Any) -> None:
-    """Do nothing: images show what is visualized when they are made."""
+    """Let pages show what is visualized now; images do so anyway."""
+    viewer = _viewer(self)
+    if viewer is not None:
+        viewer.redraw()
 
 
 def RedrawAndGetImage(self: Any, useRaytracer: bool = False, viewID: int = 0) -> Image:
@@ -103,11 +138,19 @@ def RedrawAndSaveImage(self: Any, viewID: int = 0) -> None:
     save_next(studio.settings.exportImages, studio.picture(number))
 
 
+def _tell_pages(renderer: Any, number: int) -> None:
+    """Let pages look from where the main view does."""
+    viewer = _viewer(renderer) if number == 0 else None
+    if viewer is not None:
+        viewer.set_camera()
+
+
 def ZoomAll(self: Any, computeMaxScene: bool = True, viewID: int = 0) -> None:
     """Let the view show the whole scene from now on."""
     state = state_of(self, _view_number("ZoomAll", viewID))
     state.pop("zoom", None)
     state.pop("centerPoint", None)
+    _tell_pages(self, viewID)
 
 
 def SetModelView(
@@ -124,6 +167,7 @@ def SetModelView(
 
     state["modelRotation"] = turned(vector).T
     state["centerPoint"] = center
+    _tell_pages(self, viewID)
 
 
 def GetState(self: Any, viewID: int = 0) -> dict[str, Any]:
@@ -138,8 +182,8 @@ def GetState(self: Any, viewID: int = 0) -> dict[str, Any]:
     known = {"zoom", "modelRotation", "centerPoint"} <= state_of(self, number).keys()
     seen = studio.camera(Scene() if known else studio.scene(), number)
     result: dict[str, Any] = {
-        "viewEnabled": False,
-        "windowOpen": False,
+        "viewEnabled": number == 0 and IsActive(self),
+        "windowOpen": number == 0 and IsActive(self),
         "centerPoint": seen.center,
         "rotationCenterPoint": np.zeros(3),
         "maxSceneSize": max((maker.looks.size for maker in studio.makers), default=1.0),
@@ -166,6 +210,7 @@ def SetState(self: Any, renderState: dict[str, Any], waitForRendererFullStartup:
     if "centerPoint" in renderState:
         as_vector("SC.renderer.SetState(...): centerPoint", renderState["centerPoint"], 3)
     state_of(self, number).update(renderState)
+    _tell_pages(self, number)
 
 
 def ResetState(self: Any) -> None:
@@ -174,18 +219,34 @@ def ResetState(self: Any) -> None:
 
 
 def GetRenderCount(self: Any) -> int:
-    """Return how many images have been made."""
-    return int(self._state.get("renderCount", 0))
+    """Return how many images have been made, those of pages among them."""
+    viewer = _viewer(self)
+    return int(self._state.get("renderCount", 0)) + (0 if viewer is None else viewer.pictures)
 
 
 def GetMouseCoordinates(self: Any, useOpenGLcoordinates: bool = False, viewID: int = 0) -> list[float]:
-    """Return zeros: there is no window."""
-    return [0.0, 0.0]
+    """Return where the mouse was last on a page, in pixels from its upper left corner; zeros without a page.
+
+    With useOpenGLcoordinates, in the plane through the center of the view: to the right and up, in m.
+    """
+    viewer = _viewer(self)
+    if viewer is None:
+        return [0.0, 0.0]
+    return list(viewer.mouse_place if useOpenGLcoordinates else viewer.mouse)
 
 
 def GetItemSelection(self: Any, resetSelection: bool = True, viewID: int = 0) -> tuple[int, int, int, float]:
-    """Return (-1, -1, -1, 0): nothing is selected without a window."""
-    return (-1, -1, -1, 0.0)
+    """Return number of the system, type and number of the item that a reader has clicked, and its distance.
+
+    The type is a number of exudyn.ItemType; without a selection, the result is (-1, -1, -1, 0).
+    """
+    viewer = _viewer(self)
+    if viewer is None or viewer.selection is None:
+        return (-1, -1, -1, 0.0)
+    system, kind, number, depth = viewer.selection
+    if resetSelection:
+        viewer.selection = None
+    return (system, int(getattr(_core.ItemType, kind)), number, depth)
 
 
 METHODS = (

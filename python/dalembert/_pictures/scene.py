@@ -22,6 +22,7 @@ class DrawnItem:
     number: int
     type_name: str
     name: str
+    system: int = 0  # its number in the container
 
 
 @dataclass

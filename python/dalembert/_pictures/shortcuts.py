@@ -1,4 +1,4 @@
-"""The methods that containers had before there was SC.renderer."""
+"""The methods that containers and systems had before there was SC.renderer."""
 
 from __future__ import annotations
 
@@ -50,6 +50,16 @@ def WaitForRenderEngineStopFlag(container: Any) -> bool:
     return bool(container.renderer.DoIdleTasks())
 
 
+def WaitForUserToContinue(mbs: Any, printMessage: bool = True) -> None:
+    """Earlier name of SC.renderer.DoIdleTasks."""
+    mbs.GetSystemContainer().renderer.DoIdleTasks(printPauseMessage=printMessage)
+
+
+def SendRedrawSignalOfSystem(mbs: Any) -> None:
+    """Let pages show what is visualized now."""
+    mbs.GetSystemContainer().renderer.SendRedrawSignal()
+
+
 METHODS = (
     AttachToRenderEngine,
     DetachFromRenderEngine,
@@ -61,3 +71,4 @@ METHODS = (
     SetRenderState,
     WaitForRenderEngineStopFlag,
 )
+SYSTEM_METHODS = {"SendRedrawSignal": SendRedrawSignalOfSystem, "WaitForUserToContinue": WaitForUserToContinue}

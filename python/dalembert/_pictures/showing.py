@@ -47,14 +47,32 @@ def in_notebook() -> bool:
     return shell is not None and type(shell).__name__ == "ZMQInteractiveShell"
 
 
+def where_pages_open() -> str:
+    """Return "browser", "notebook", "address" (it is printed, and somebody else opens it) or "nowhere"."""
+    if os.environ.get("DALEMBERT_VIEWER") == "on":
+        return "address"
+    if in_notebook() and os.environ.get("DALEMBERT_VIEWER") != "off":
+        return "notebook"
+    if has_display():
+        return "browser"
+    from_afar = "SSH_CONNECTION" in os.environ and sys.stdout is not None and sys.stdout.isatty()
+    return "address" if from_afar and not _silent() else "nowhere"
+
+
+def _silent() -> bool:
+    """Return whether nothing is to be opened, whatever could be: in tests, where CI is set, or if the user wants it."""
+    environment = os.environ
+    off = environment.get("DALEMBERT_VIEWER") == "off"
+    return off or bool(environment.get("CI")) or "PYTEST_CURRENT_TEST" in environment
+
+
 def has_display() -> bool:
     """Return whether a browser has a place for its window; never in tests, where CI is set, or DALEMBERT_VIEWER=off."""
-    environment = os.environ
-    if environment.get("DALEMBERT_VIEWER") == "off" or environment.get("CI") or "PYTEST_CURRENT_TEST" in environment:
+    if _silent():
         return False
     if sys.platform in ("win32", "darwin"):
         return True
-    return bool(environment.get("DISPLAY") or environment.get("WAYLAND_DISPLAY"))
+    return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
 
 
 def _show_in_notebook(text: str) -> None:

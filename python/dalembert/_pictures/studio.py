@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -25,9 +26,9 @@ def joined(scenes: list[Scene]) -> Scene:
     if len(scenes) == 1:
         return scenes[0]
     whole = Scene()
-    for scene in scenes:
+    for number, scene in enumerate(scenes):
         start = len(whole.items)
-        whole.items += scene.items
+        whole.items += [replace(item, system=number) for item in scene.items]
         whole.instances += [
             Instance(i.mesh, i.matrix, i.place, i.color, i.item + start, i.values) for i in scene.instances
         ]

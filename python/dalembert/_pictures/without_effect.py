@@ -1,6 +1,9 @@
-"""Settings of VisualizationSettings that pictures do not heed, and why. A path stands for all that is below it."""
+"""Settings of VisualizationSettings that neither pictures nor pages heed, and why.
 
-WINDOW = "there is no window"
+A path stands for all that is below it.
+"""
+
+WINDOW = "pages are in windows of the browser, with its mouse"
 ALWAYS = "it is always so"
 UNUSED = "pictures are drawn without it"
 MISSING = "it is not drawn yet"
@@ -33,7 +36,6 @@ WITHOUT_EFFECT = {
     "general.axesTiling": UNUSED,
     "general.boundingBoxZoomAllOffset": UNUSED,
     "general.circleTiling": UNUSED,
-    "general.graphicsUpdateInterval": WINDOW,
     "general.limitWindowToScreenSize": WINDOW,
     "general.linuxDisplayScaleFactor": WINDOW,
     "general.minSceneSize": UNUSED,
@@ -53,20 +55,11 @@ WITHOUT_EFFECT = {
     "general.zoomAllUseBoundingBox": ALWAYS,
     "interactive.advanced.joystickScaleRotation": WINDOW,
     "interactive.advanced.joystickScaleTranslation": WINDOW,
-    "interactive.advanced.keypressRotationStep": WINDOW,
-    "interactive.advanced.keypressTranslationStep": WINDOW,
     "interactive.advanced.mouseMoveRotationFactor": WINDOW,
-    "interactive.advanced.pauseWithSpacebar": WINDOW,
-    "interactive.advanced.selectionHighlights": WINDOW,
-    "interactive.advanced.selectionLeftMouse": WINDOW,
-    "interactive.advanced.selectionLeftMouseItemTypes": WINDOW,
-    "interactive.advanced.selectionRightMouse": WINDOW,
-    "interactive.advanced.selectionRightMouseGraphicsData": WINDOW,
-    "interactive.advanced.zoomStepFactor": WINDOW,
+    "interactive.advanced.selectionRightMouse": "a click with either button shows the same",
     "interactive.autoRotateModelView": WINDOW,
     "interactive.autoRotationVelocity": WINDOW,
     "interactive.highlightMbsNumber": "the item is highlighted in each system that has it",
-    "interactive.ignoreKeys": WINDOW,
     "interactive.logMouseCoordinates": WINDOW,
     "interactive.openVR": WINDOW,
     "interactive.useJoystickInput": WINDOW,

@@ -9,7 +9,6 @@ import numpy as np
 from dalembert._checks import FloatArray
 from dalembert._plots.images import save_figure, show_figure
 from dalembert._plots.sensor_curves import Curve, coordinates, make_curves
-from dalembert.signalProcessing import ComputeFFT
 
 
 def _curve(mbs: Any, sensor: Any, component: int, where: str) -> tuple[Curve, FloatArray, FloatArray]:
@@ -49,6 +48,8 @@ def PlotSensorFFT(mbs: Any, sensor: Any, component: int = 0, fileName: str = "",
     sensor: its values have to be evenly spaced in time; an index or name, a file or an array, as of PlotSensor.
     """
     import matplotlib.pyplot as plt
+
+    from dalembert.signalProcessing import ComputeFFT  # needs scipy
 
     curve, time, values = _curve(mbs, sensor, component, "PlotSensorFFT")
     steps = np.diff(time)

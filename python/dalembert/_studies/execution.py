@@ -8,6 +8,7 @@ import functools
 import os
 import platform
 import sys
+import time
 import warnings
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack
@@ -147,14 +148,27 @@ class _KeepingFailures:
             return FailedEvaluation(f"{type(error).__name__}: {error}")
 
 
-def _rows_of_results(resultsFile: str, sets: Sequence[ParameterSet]) -> list[float]:
-    """Return values that a results file has for the first sets; a last line that is not complete does not count."""
+def known_values(resultsFile: str, sets: Sequence[ParameterSet], first: int = 0) -> list[float]:
+    """Return values that a results file has for the first sets, from its row `first` on.
+
+    What comes behind them, such as a last line that is not complete, is removed from the file.
+    """
+    if not resultsFile:
+        raise ValueError("restart needs the resultsFile of the study to go on with")
     if not os.path.exists(resultsFile):
         return []
     with open(resultsFile, encoding="utf-8") as file:
         lines = [line for line in file if line.endswith("\n") and not line.startswith("#")]
+    values = _checked_values(resultsFile, lines[first:], sets, first)
+    if len(values) < len(sets):
+        _cut_to_rows(resultsFile, first + len(values))
+    return values
+
+
+def _checked_values(resultsFile: str, lines: list[str], sets: Sequence[ParameterSet], first: int) -> list[float]:
+    """Return the values in lines of a results file, which have to be those of the sets."""
     values: list[float] = []
-    for number, (line, parameters) in enumerate(zip(lines, sets, strict=False)):
+    for number, (line, parameters) in enumerate(zip(lines, sets, strict=False), first):
         row, expected = line.rstrip("\n").split(", "), [str(v) for v in without_function_data(parameters).values()]
         if row[0] != str(number) or row[2:] != expected:
             raise ValueError(
@@ -249,6 +263,8 @@ def _choose(
     function: Function, sets: Sequence[ParameterSet], parallel: Any, cluster: Any, use_mpi: bool, threads: int | None
 ) -> tuple[Iterator[Any], str]:
     """Return the results, evaluated on the way, and a word on how they are made."""
+    if hasattr(function, "in_portions"):  # a VariedModel, which solves many sets at once
+        return function.in_portions(sets, threads), "SolveVariations"
     if _is_client(parallel):
         parallel, cluster = True, parallel
     if isinstance(parallel, str):
@@ -269,15 +285,21 @@ def _choose(
     return map(function, sets), "serial"
 
 
-def _named(results: Iterator[Any], sets: Sequence[ParameterSet]) -> Iterator[Any]:
+def _named(results: Iterator[Any], sets: Sequence[ParameterSet], keep_failures: bool) -> Iterator[Any]:
     """Yield results; an exception gets a note that names the parameter set."""
     for i, parameters in enumerate(sets):
         try:
-            yield next(results)
+            value = next(results)
+            if isinstance(value, FailedEvaluation) and not keep_failures:
+                raise ValueError(value.message)
+            yield value
         except Exception as error:
             if hasattr(error, "add_note"):
                 error.add_note(f"in evaluation {i} of {len(sets)} with parameters {without_function_data(parameters)}")
             raise
+
+
+_PERIOD = 0.5  # s, between two lines of progress
 
 
 def _with_progress(results: Iterator[Any], sets: Sequence[ParameterSet], serial: bool) -> Iterator[Any]:
@@ -291,7 +313,13 @@ def _with_progress(results: Iterator[Any], sets: Sequence[ParameterSet], serial:
         else:
             yield from tqdm(results, total=n)
             return
+    shown_at = -_PERIOD
     for i, value in enumerate(results):
+        now = time.monotonic()
+        if i < n - 1 and now - shown_at < _PERIOD:  # a file or a notebook keeps every line
+            yield value
+            continue
+        shown_at = now
         shown = f", value = {value}" if isinstance(value, Real) else ""
         detail = f": parameters={without_function_data(sets[i])}" if serial else ""
         write(f"\rrun  {i + 1} / {n}{shown}{detail}", " " * 16, end="", flush=True)
@@ -323,20 +351,18 @@ def ProcessParameterList(
     file, parameters = kwargs.get("resultsFile", ""), kwargs.get("parameters", {})
     values: list[Any] = []
     if kwargs.get("restart", False):
-        if not file:
-            raise ValueError("ProcessParameterList: restart needs the resultsFile of the study to go on with")
-        values += _rows_of_results(file, parameterList)
-    function = _KeepingFailures(parameterFunction) if kwargs.get("keepFailures", False) else parameterFunction
+        values += known_values(file, parameterList)
+    keeps = kwargs.get("keepFailures", False)
+    at_once = hasattr(parameterFunction, "in_portions")
+    function = _KeepingFailures(parameterFunction) if keeps and not at_once else parameterFunction
     remaining = parameterList[len(values) :]
     results, mode = _choose(
         function, remaining, useMultiProcessing, clusterHostNames, kwargs.get("useMPI", False),
         kwargs.get("numberOfThreads"),
     )  # fmt: skip
-    results = _named(results, remaining)
-    if kwargs.get("showProgress", False):
+    results = _named(results, remaining, keeps)
+    if kwargs.get("showProgress", False) and remaining:
         results = _with_progress(results, remaining, mode == "serial")
-    if values:
-        _cut_to_rows(file, len(values))
     for i, value in enumerate(results, len(values)):
         values.append(value)
         WriteToFile(file, parameters, [parameterList[i]], [value], i, i == 0, "parameter variation", mode)

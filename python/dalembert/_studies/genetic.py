@@ -17,6 +17,7 @@ from dalembert._studies.execution import (
     ProcessParameterList,
     WriteToFile,
     check_names,
+    known_values,
     number_of_threads,
     scalar_objective,
     write,
@@ -129,7 +130,7 @@ def GeneticOptimization(
     distanceFactorGenerations: int = -1,
     debugMode: bool = False,
     addComputationIndex: bool = False,
-    useMultiProcessing: bool = False,
+    useMultiProcessing: Any = False,
     showProgress: bool = True,
     clusterHostNames: Any = [],
     parameterFunctionData: Mapping[str, Any] = {},
@@ -148,13 +149,15 @@ def GeneticOptimization(
     distanceFactor: survivors keep this distance, relative to the ranges, so that several minima are searched; 0: no
         distance. It is dropped from generation distanceFactorGenerations on (-1: never).
     addComputationIndex, parameterFunctionData: adds 'computationIndex' and 'functionData' to parameter sets.
-    useMultiProcessing, clusterHostNames, showProgress, numberOfThreads, useMPI: see ProcessParameterList.
-    kwargs: randomizerInitialization (int: reproducible results), resultsFile (written after each generation), and
-        those named above.
+    useMultiProcessing, clusterHostNames, showProgress, numberOfThreads, useMPI, keepFailures: see ProcessParameterList.
+    kwargs: randomizerInitialization (int: reproducible results), resultsFile (written after each generation), restart
+        (goes on with the resultsFile of the same search, which needs randomizerInitialization), and those named above.
+
+    What fails, if keepFailures, never survives.
     """
     known = {
-        "initialPopulationSize", "numberOfThreads", "numberOfChildren", "randomizerInitialization", "resultsFile",
-        "survivingIndividuals", "useDispyWebMonitor", "useMPI",
+        "initialPopulationSize", "keepFailures", "numberOfThreads", "numberOfChildren", "randomizerInitialization",
+        "restart", "resultsFile", "survivingIndividuals", "useDispyWebMonitor", "useMPI",
     }  # fmt: skip
     check_names("GeneticOptimization", kwargs, known)
     _check_ranges(parameters)
@@ -172,6 +175,12 @@ def GeneticOptimization(
         distanceFactorGenerations = numberOfGenerations
     if "randomizerInitialization" in kwargs:
         np.random.seed(kwargs["randomizerInitialization"])
+    restart = kwargs.get("restart", False)
+    if restart and "randomizerInitialization" not in kwargs:
+        raise ValueError(
+            "GeneticOptimization: restart needs the randomizerInitialization that the search began with, so that its "
+            "parameter sets are those of the resultsFile"
+        )
     file, threads = kwargs.get("resultsFile", ""), number_of_threads(kwargs.get("numberOfThreads"))
     mode = f"multiprocessing.Pool, numberOfThreads={threads}" if useMultiProcessing else ""
 
@@ -186,11 +195,14 @@ def GeneticOptimization(
         sets = [dict(individual) for individual in generation]
         for i, individual in enumerate(sets):
             AddComputationIndexAndFunctionData(individual, i, addComputationIndex, parameterFunctionData)
-        values = ProcessParameterList(
-            objectiveFunction, sets, useMultiProcessing, clusterHostNames, showProgress=showProgress,
-            numberOfThreads=threads, useMPI=kwargs.get("useMPI", False),
+        values: list[Any] = [*known_values(file, sets, len(all_values))] if restart else []
+        first, remaining = len(all_values) + len(values), sets[len(values) :]
+        found = ProcessParameterList(
+            objectiveFunction, remaining, useMultiProcessing, clusterHostNames, showProgress=showProgress,
+            numberOfThreads=threads, useMPI=kwargs.get("useMPI", False), keepFailures=kwargs.get("keepFailures", False),
         )  # fmt: skip
-        WriteToFile(file, parameters, sets, values, len(all_values), number == 0, multiProcessingMode=mode)
+        WriteToFile(file, parameters, remaining, found, first, first == 0, multiProcessingMode=mode)
+        values += found
         all_sets += generation
         all_values += values
         candidates, candidate_values = generation + survivors, values + surviving_values

@@ -49,13 +49,18 @@ def _varied(reference: float, step: float, factor: int) -> float:
     return factor * step
 
 
+_ARGUMENTS = {
+    "clusterHostNames", "keepFailures", "numberOfThreads", "restart", "resultsFile", "useDispyWebMonitor", "useMPI",
+}  # fmt: skip
+
+
 def ComputeSensitivities(
     parameterFunction: Function,
     parameters: Mapping[str, Any],
     scaledByReference: bool = False,
     debugMode: bool = False,
     addComputationIndex: bool = False,
-    useMultiProcessing: bool = False,
+    useMultiProcessing: Any = False,
     showProgress: bool = True,
     parameterFunctionData: Mapping[str, Any] = {},
     **kwargs: Any,
@@ -70,9 +75,10 @@ def ComputeSensitivities(
     Result: the list of parameter sets, the reference first; the m values at the reference; an array (2n x m, or
         1 x m) per name; sensitivities (row: parameter, column: value).
     addComputationIndex, parameterFunctionData: adds 'computationIndex' and 'functionData' to parameter sets.
-    useMultiProcessing, showProgress, kwargs (numberOfThreads, resultsFile, useMPI): see ProcessParameterList.
+    useMultiProcessing, showProgress, kwargs (clusterHostNames, keepFailures, numberOfThreads, restart, resultsFile,
+        useMPI): see ProcessParameterList. What fails, if keepFailures, is NaN.
     """
-    check_names("ComputeSensitivities", kwargs, {"numberOfThreads", "resultsFile", "useMPI", "useDispyWebMonitor"})
+    check_names("ComputeSensitivities", kwargs, _ARGUMENTS)
     if not parameters:
         raise ValueError("ComputeSensitivities: parameters must not be empty")
     variations = {name: _variation(name, value) for name, value in parameters.items()}
@@ -87,7 +93,8 @@ def ComputeSensitivities(
     values = ProcessParameterList(
         parameterFunction, sets, useMultiProcessing, showProgress=showProgress, parameters=variations, **kwargs
     )
-    table = np.array([np.atleast_1d(value) for value in values], dtype=float)
+    size = max(np.size(value) for value in values)
+    table = np.array([np.broadcast_to(np.atleast_1d(value), size) for value in values], dtype=float)  # failures are NaN
     sensitivity = np.zeros((len(variations), table.shape[1]))
     values_sorted = {}
     first = 1

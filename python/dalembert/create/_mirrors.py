@@ -87,6 +87,8 @@ TEXTS = {
     "unlimitedRotations": "True: adds a data node that counts turns",
     "coordinates": "index of the coordinate of each body, counted over its nodes; None for ground",
     "axisPosition": "centre of the disc in the frame of its body (m)",
+    "quadPoints": "four points, one after the other around the quadrangle, in the frame of the second body (m)",
+    "dataInitialCoordinates": "data at the start: gap, tangential speed, impact velocity and plastic overlap",
     "planePosition": "point of the plane in the frame of its body (m)",
 }
 _VECTOR, _MATRIX = re.compile(r"(\d+) numbers"), re.compile(r"(\d+) x \1 numbers")
@@ -126,7 +128,9 @@ def checks_of(function: Callable[..., Any]) -> dict[str, Check]:
 
 
 def _literal(value: Any) -> str:
-    """Return how a default is written in a model."""
+    """Return how a default is written in a model; nothing, where a value has to be given."""
+    if value is inspect.Parameter.empty:
+        return ""
     if isinstance(value, np.ndarray):
         rows, columns = value.shape
         return f"np.eye({rows})" if value.any() else f"np.zeros(({rows}, {columns}))"
@@ -137,7 +141,7 @@ def _type_of(parameter: inspect.Parameter, check: Check | None) -> str:
     """Return what an argument that no item has must be, in words."""
     if check is not None:
         return check.expected.removesuffix(" or None")
-    if parameter.default is None:
+    if parameter.default in (None, inspect.Parameter.empty):
         return str(parameter.annotation).removesuffix(" | None")
     return type(parameter.default).__name__
 
@@ -165,6 +169,8 @@ def arguments(function: Callable[..., Any], checks: dict[str, Check]) -> list[Ar
 
 def documentation(function: Callable[..., Any], checks: dict[str, Check]) -> str:
     """Return the docstring of a Create function with a list of its arguments and an example."""
-    lines = [f"    {a.name}: {a.type} = {a.default}{a.facts}\n        {a.text}" for a in arguments(function, checks)]
+    told = arguments(function, checks)
+    values = [f" = {a.default}" if a.default else ", required" for a in told]
+    lines = [f"    {a.name}: {a.type}{v}{a.facts}\n        {a.text}" for a, v in zip(told, values, strict=True)]
     example = indent(EXAMPLES[function.__name__].strip(), "    ")
     return "\n".join((f"{inspect.getdoc(function)}\n\nArguments:", *lines, f"\nExample:\n{example}\n"))

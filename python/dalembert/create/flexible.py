@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -19,11 +19,14 @@ from dalembert.create._arguments import (
     vector,
 )
 
+if TYPE_CHECKING:
+    from dalembert.FEM import FEMinterface
+
 
 def CreateFFRFReducedOrderObject(
     mbs: Any,
     name: str | None,
-    femInterface: Any,
+    femInterface: FEMinterface,
     referencePosition: Vector = ZERO3,
     initialVelocity: Vector = ZERO3,
     referenceRotationMatrix: Matrix = np.eye(3),

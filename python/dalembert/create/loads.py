@@ -42,10 +42,12 @@ def CreateForce(
     marker = _load_marker(mbs, "CreateForce", bodyNumber, localPosition, rigid=bool(bodyFixed))
     return mbs.AddLoad(
         items.LoadForceVector(
+            name=name,
             markerNumber=marker,
             loadVector=loadVector,
             bodyFixed=bodyFixed,
             loadVectorUserFunction=loadVectorUserFunction,
+            visualization={"show": show},
         )
     )
 
@@ -68,9 +70,11 @@ def CreateTorque(
     marker = _load_marker(mbs, "CreateTorque", bodyNumber, localPosition, rigid=True)
     return mbs.AddLoad(
         items.LoadTorqueVector(
+            name=name,
             markerNumber=marker,
             loadVector=loadVector,
             bodyFixed=bodyFixed,
             loadVectorUserFunction=loadVectorUserFunction,
+            visualization={"show": show},
         )
     )

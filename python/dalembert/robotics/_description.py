@@ -17,7 +17,7 @@ from dalembert._geometry.inertia import RigidBodyInertia
 from dalembert._geometry.rotations import ComputeOrthonormalBasis
 from dalembert._geometry.transformations import InverseHT
 from dalembert.robotics import _drawing
-from dalembert.robotics._dynamics import joint_transformation
+from dalembert.robotics._kinematics import joint_transformation
 from dalembert.robotics._parts import GraphicsList, RobotBase, RobotLink, VRobotBase, VRobotLink
 from dalembert.robotics._robot import Robot
 from dalembert.robotics._xml import Element

@@ -15,7 +15,7 @@ from dalembert._core import NodeType
 from dalembert._geometry.inertia import RigidBodyInertia
 from dalembert._geometry.transformations import InverseHT
 from dalembert.create._frames import reference_rotation
-from dalembert.robotics import _drawing, _dynamics
+from dalembert.robotics import _drawing, _kinematics
 from dalembert.robotics._parts import JOINT_AXES, REGULAR_VELOCITY, GraphicsList, RobotLink, is_revolute
 
 if TYPE_CHECKING:
@@ -216,7 +216,7 @@ def create(robot: Robot, mbs: Any, baseMarker: Any, options: Options) -> dict[st
     for i, link in enumerate(robot.links):
         parent = robot.GetParentIndex(i)
         before = robot.base.HT if parent < 0 else placed[parent]
-        placed.append(before @ link.preHT @ _dynamics.joint_transformation(link.jointType, q[i]) @ link.localHT)
+        placed.append(before @ link.preHT @ _kinematics.joint_transformation(link.jointType, q[i]) @ link.localHT)
         body = _add_body(robot, mbs, i, placed[i], options)
         back = InverseHT(link.localHT)
         marker1 = mbs.AddMarker(items.MarkerBodyRigid(bodyNumber=body["bodyNumber"], localPosition=back[:3, 3]))

@@ -14,7 +14,7 @@ from dalembert._checks import FloatArray, as_array, as_vector, shape_error
 from dalembert._core import NodeType
 from dalembert._geometry.transformations import HTtranslate, RotationTranslation2T66Inverse
 from dalembert.kinematicTree import Inertia2T66, KinematicTree66
-from dalembert.robotics import _drawing, _dynamics, _redundant, _tree
+from dalembert.robotics import _drawing, _kinematics, _redundant, _tree
 from dalembert.robotics._denavit_hartenberg import StdDH2HT
 from dalembert.robotics._parts import (
     PREVIOUS_LINK,
@@ -25,6 +25,7 @@ from dalembert.robotics._parts import (
     VRobotLink,
     is_revolute,
 )
+from dalembert.treeDynamics import TreeDynamics
 
 _MODES = {"all": slice(0, 6), "trans": slice(0, 3), "rot": slice(3, 6)}
 
@@ -161,7 +162,7 @@ class Robot:
         for i, link in enumerate(self.links):
             parent = self.GetParentIndex(i)
             before = self.base.HT if parent < 0 else result[parent] @ self.links[parent].localHT
-            result.append(before @ link.preHT @ _dynamics.joint_transformation(link.jointType, coordinates[..., i]))
+            result.append(before @ link.preHT @ _kinematics.joint_transformation(link.jointType, coordinates[..., i]))
         return result
 
     def LinkHT(self, q: npt.ArrayLike) -> list[FloatArray]:
@@ -208,9 +209,9 @@ class Robot:
         J = np.zeros((*HT[last].shape[:-2], 6, len(HT)))
         i = last
         while i >= 0:
-            axis = _dynamics.joint_axis(self.links[i], HT[i])
+            axis = _kinematics.joint_axis(self.links[i], HT[i])
             if is_revolute(self.links[i].jointType):
-                J[..., :3, i] = _dynamics.cross(axis, point - HT[i][..., :3, 3])
+                J[..., :3, i] = _kinematics.cross(axis, point - HT[i][..., :3, 3])
                 J[..., 3:, i] = axis
             else:
                 J[..., :3, i] = axis
@@ -224,17 +225,30 @@ class Robot:
 
         Drives hold the robot with the opposite values.
         """
-        none = np.zeros((*HT[0].shape[:-2], len(self.links)))
-        return -_dynamics.inverse_dynamics(self.links, HT, none, none, self.gravity)
+        result = np.zeros((*HT[0].shape[:-2], len(self.links)))
+        for i, (link, T) in enumerate(zip(self.links, self.COMHT(HT), strict=True)):
+            J = self.Jacobian(HT, T[..., :3, 3], "trans", i)
+            result += np.swapaxes(J, -1, -2) @ (link.mass * self.gravity)
+        return result
+
+    def Dynamics(self, gravity: npt.ArrayLike | None = None) -> TreeDynamics:
+        """Return dynamics of the rigid links as functions of states, among them exact derivatives; see treeDynamics.
+
+        Damping, friction and rotors are not in there. gravity is that of the robot unless it is given.
+        """
+        given = self.gravity if gravity is None else as_vector("Robot: gravity", gravity, 3)
+        return _tree.dynamics(self, given)
+
+    def _rotors(self) -> FloatArray:
+        return np.array([link.rotorInertia for link in self.links])
 
     def InverseDynamics(
         self, q: npt.ArrayLike, q_t: npt.ArrayLike, q_tt: npt.ArrayLike, gravity: npt.ArrayLike | None = None
     ) -> FloatArray:
         """Return forces and torques of the drives for a motion: inertia, gravity, damping and friction of joints."""
         rates, seconds = self._coordinates("q_t", q_t), self._coordinates("q_tt", q_tt)
-        g = self.gravity if gravity is None else as_vector("Robot: gravity", gravity, 3)
-        rigid = _dynamics.inverse_dynamics(self.links, self.JointHT(q), rates, seconds, g)
-        return rigid + self.JointResistance(rates) + np.array([link.rotorInertia for link in self.links]) * seconds
+        rigid = self.Dynamics(gravity).InverseDynamics(self._coordinates("q", q), rates, seconds)
+        return rigid + self.JointResistance(rates) + self._rotors() * seconds
 
     def JointResistance(self, q_t: npt.ArrayLike) -> FloatArray:
         """Return forces and torques of damping and dry friction, which drives have to overcome."""
@@ -244,33 +258,30 @@ class Robot:
 
     def MassMatrix(self, q: npt.ArrayLike) -> FloatArray:
         """Return the mass matrix in the coordinates of the joints."""
-        one_by_one, at_rest = np.eye(len(self.links)), np.zeros(len(self.links))
-        HT = [T[..., None, :, :] for T in self.JointHT(q)]
-        columns = _dynamics.inverse_dynamics(self.links, HT, at_rest, one_by_one, np.zeros(3))
-        return columns + np.diag([link.rotorInertia for link in self.links])
+        return self.Dynamics().MassMatrix(self._coordinates("q", q)) + np.diag(self._rotors())
 
     def ForwardDynamics(self, q: npt.ArrayLike, q_t: npt.ArrayLike, torques: npt.ArrayLike) -> FloatArray:
         """Return the accelerations that forces and torques of drives bring about, the inverse of InverseDynamics."""
-        applied = self._coordinates("torques", torques)
-        bias = self.InverseDynamics(q, q_t, np.zeros(len(self.links)))
+        rates = self._coordinates("q_t", q_t)
+        applied = self._coordinates("torques", torques) - self.JointResistance(rates)
+        if not self._rotors().any():
+            return self.Dynamics().ForwardDynamics(self._coordinates("q", q), rates, applied)
+        bias = self.Dynamics().BiasForces(self._coordinates("q", q), rates)
         return np.asarray(np.linalg.solve(self.MassMatrix(q), (applied - bias)[..., None])[..., 0])
 
     def KineticEnergy(self, q: npt.ArrayLike, q_t: npt.ArrayLike) -> FloatArray:
         """Return the kinetic energy (J)."""
         rates = self._coordinates("q_t", q_t)
-        rotors = 0.5 * np.array([link.rotorInertia for link in self.links]) * rates**2
-        return _dynamics.energies(self.links, self.JointHT(q), rates, self.gravity)[0] + rotors.sum(axis=-1)
+        rotors = 0.5 * self._rotors() * rates**2
+        return self.Dynamics().KineticEnergy(self._coordinates("q", q), rates) + rotors.sum(axis=-1)
 
     def PotentialEnergy(self, q: npt.ArrayLike) -> FloatArray:
         """Return the potential energy of the weight (J), zero with all centres of mass in the global origin."""
-        coordinates = self._coordinates("q", q)
-        return _dynamics.energies(self.links, self.JointHT(coordinates), np.zeros_like(coordinates), self.gravity)[1]
+        return self.Dynamics().PotentialEnergy(self._coordinates("q", q))
 
     def CenterOfMass(self, q: npt.ArrayLike) -> FloatArray:
         """Return the centre of mass of all links in the global frame."""
-        masses = np.array([link.mass for link in self.links])
-        points = np.stack([T[..., :3, 3] for T in self.COMHT(self.JointHT(q))], axis=-1)
-        return np.asarray(points @ (masses / masses.sum()))
+        return self.Dynamics().CenterOfMass(self._coordinates("q", q))
 
     # ---- as part of a system -----------------------------------------------------------------------------------------
 

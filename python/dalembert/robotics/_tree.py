@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -11,6 +12,7 @@ from dalembert._checks import FloatArray
 from dalembert._core import Matrix3DList, Vector3DList
 from dalembert.robotics import _drawing
 from dalembert.robotics._parts import JOINT_AXES, JOINT_TYPES, REGULAR_VELOCITY, GraphicsList
+from dalembert.treeDynamics import TreeDynamics
 
 if TYPE_CHECKING:
     from dalembert.robotics._robot import Robot
@@ -115,28 +117,53 @@ def _add_rotors(robot: Robot, mbs: Any, node: Any) -> Any:
     return mbs.AddObject(items.ObjectGenericODE2(nodeNumbers=[node], massMatrix=np.diag(inertias), visualization=view))
 
 
-def create(robot: Robot, mbs: Any, name: str, forceUserFunction: Any, stops: tuple[float, float]) -> dict[str, Any]:
-    """Add node, tree and what acts on its joints; see Robot.CreateKinematicTree."""
-    n = len(robot.links)
-    robot.FollowedCoordinates(robot.referenceConfiguration[:n])  # refuses joints that follow none
-    in_parents = [joint_in_parent(robot, i) for i in range(n)]
+def _mechanics(robot: Robot, gravity: FloatArray) -> dict[str, Any]:
+    """Return links, joints and weight as parameters of a kinematic tree."""
+    in_parents = [joint_in_parent(robot, i) for i in range(len(robot.links))]
     inertias = [link.JointInertia() for link in robot.links]
-    lists: dict[str, Any] = {
+    return {
+        "gravity": gravity,
+        "baseOffset": robot.base.HT[:3, 3],
+        "jointTypes": [JOINT_TYPES[link.jointType] for link in robot.links],
+        "linkParents": [link.parent for link in robot.links],
+        "linkMasses": [link.mass for link in robot.links],
         "jointTransformations": Matrix3DList([T[:3, :3] for T in in_parents]),
         "jointOffsets": Vector3DList([T[:3, 3] for T in in_parents]),
         "linkInertiasCOM": Matrix3DList([inertia.InertiaCOM() for inertia in inertias]),
         "linkCOMs": Vector3DList([inertia.COM() for inertia in inertias]),
     }
+
+
+def _fingerprint(robot: Robot, gravity: FloatArray) -> tuple[Any, ...]:
+    """Return what the mechanics are made of."""
+    links = []
+    for link in robot.links:
+        arrays = link.COM, link.inertia, link.localHT, link.preHT
+        links.append((link.jointType, link.parent, link.mass, *(array.tobytes() for array in arrays)))
+    return gravity.tobytes(), robot.base.HT.tobytes(), *links
+
+
+_dynamics: WeakKeyDictionary[Robot, tuple[tuple[Any, ...], TreeDynamics]] = WeakKeyDictionary()
+
+
+def dynamics(robot: Robot, gravity: FloatArray) -> TreeDynamics:
+    """Return the functions of the rigid links as they are now; those of the last call, if nothing has changed."""
+    now = _fingerprint(robot, gravity)
+    known = _dynamics.get(robot)
+    if known is None or known[0] != now:
+        known = _dynamics[robot] = now, TreeDynamics(items.ObjectKinematicTree(**_mechanics(robot, gravity)))
+    return known[1]
+
+
+def create(robot: Robot, mbs: Any, name: str, forceUserFunction: Any, stops: tuple[float, float]) -> dict[str, Any]:
+    """Add node, tree and what acts on its joints; see Robot.CreateKinematicTree."""
+    n = len(robot.links)
+    robot.FollowedCoordinates(robot.referenceConfiguration[:n])  # refuses joints that follow none
     item = items.ObjectKinematicTree(
         name=name,
-        gravity=robot.gravity,
-        baseOffset=robot.base.HT[:3, 3],
-        jointTypes=[JOINT_TYPES[link.jointType] for link in robot.links],
-        linkParents=[robot.GetParentIndex(i) for i in range(n)],
-        linkMasses=[link.mass for link in robot.links],
         forceUserFunction=forceUserFunction,
         visualization=items.VObjectKinematicTree(graphicsDataList=_graphics(robot)),
-        **lists,
+        **_mechanics(robot, robot.gravity),
         **_control(robot),
     )
     coordinates = items.NodeGenericODE2(

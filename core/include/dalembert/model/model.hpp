@@ -45,6 +45,8 @@ class Model {
   void edit(ItemKind kind, int number, const Row& row, const std::function<void(void*)>& write);
   // An object with parameters that Assemble finds: what they are found from has not changed.
   void complete(int object, std::shared_ptr<const void> record);
+  // Parameters with other values; what is connected to what is as before.
+  void renew(ItemKind kind, int number, std::shared_ptr<const void> record);
   void rename(ItemKind kind, int number, std::string name);
   // Take the items of another model; changes go on counting.
   void become(Model other);

@@ -7,6 +7,7 @@
 //   groups (2022), for the kinematic relations of Lie-group nodes.
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "dalembert/solvers/newton.hpp"
@@ -54,7 +55,7 @@ class SecondOrderSolver : public NewtonSolver {
  private:
   friend class Lockstep;
   // ---- steps together with solvers of the same model (lockstep/lockstep.hpp) ---------------------------------------
-  bool goes_in_lockstep() const;
+  std::string_view lockstep_obstacle() const;  // why it cannot take part; empty if it can
   // Notes the residual with its norm, and the Jacobian, as two parts, by the vectors q, v, a and lambda of the state.
   void trace(Trace& trace);
 

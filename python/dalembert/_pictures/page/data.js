@@ -1,4 +1,5 @@
-// The data of a motion, as replay.py packs them: a JSON head, and arrays whose bytes are sorted by significance.
+// What pages get: a JSON head, and arrays behind it. The data of a motion (replay.py) are compressed, and their bytes sorted by significance;
+// messages of the live page (messages.py) are as they are.
 
 async function unpacked(base64) {
   const packed = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
@@ -33,4 +34,19 @@ export function frame(values, size, number, target) {
   const at = Math.min(number, frames - 1);
   for (let i = 0; i < size; ++i) target[i] = values[i * frames + at];
   return target;
+}
+
+// A message of the server; null stands for an array that is as before.
+export function message(buffer) {
+  const length = new DataView(buffer).getUint32(0, true);
+  const head = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 4, length)));
+  const types = { f4: Float32Array, u4: Uint32Array, u1: Uint8Array };
+  let offset = 4 + length;
+  const arrays = head.arrays.map((entry) => {
+    if (!entry) return null;
+    const part = new types[entry[0]](buffer, offset, entry[1]);
+    offset += Math.ceil(part.byteLength / 4) * 4;
+    return part;
+  });
+  return { head, arrays };
 }

@@ -1,9 +1,8 @@
-// What is drawn, as objects of three.js that know how to go to a frame: object.userData.go(number).
+// What is drawn, as objects of three.js; object.userData.put(numbers) brings them to where they are now.
 import {
-  BufferAttribute, BufferGeometry, Color, DoubleSide, DynamicDrawUsage, InstancedMesh, Line, LineBasicMaterial, LineSegments, Matrix4,
-  Mesh, MeshStandardMaterial, SphereGeometry,
+  BufferAttribute, BufferGeometry, Color, DoubleSide, DynamicDrawUsage, InstancedMesh, LineBasicMaterial, LineSegments, Matrix4, Mesh,
+  MeshStandardMaterial, SphereGeometry,
 } from "three";
-import { frame } from "./data.js";
 
 const SPOTS = new Color();
 
@@ -15,9 +14,9 @@ function material(color, colored, flat) {
   return made;
 }
 
-function linear(bytes, stride) {
-  const count = bytes.length / stride, result = new Float32Array(3 * count);
-  for (let i = 0; i < count; ++i) {
+// Bytes as three.js computes with them; `stride` bytes for each color.
+function linear(bytes, stride, result = new Float32Array((3 * bytes.length) / stride)) {
+  for (let i = 0; i < result.length / 3; ++i) {
     SPOTS.setRGB(bytes[stride * i] / 255, bytes[stride * i + 1] / 255, bytes[stride * i + 2] / 255, "srgb").toArray(result, 3 * i);
   }
   return result;
@@ -37,107 +36,122 @@ function edges(entry, arrays, position) {
   const made = new BufferGeometry();
   made.setAttribute("position", position);
   made.setIndex(new BufferAttribute(arrays[entry.edges], 1));
-  const lines = new LineSegments(made, new LineBasicMaterial({ color: 0x202020, transparent: true, opacity: 0.7 }));
-  lines.visible = entry.marked;
-  lines.userData.edges = !entry.marked;
-  lines.frustumCulled = false;
-  lines.raycast = () => {};
-  return lines;
+  const rims = new LineSegments(made, new LineBasicMaterial({ color: 0x202020, transparent: true, opacity: 0.7 }));
+  rims.visible = entry.marked;
+  rims.userData.edges = !entry.marked;
+  rims.frustumCulled = false;
+  rims.raycast = () => {};
+  return rims;
+}
+
+// A mesh and its edges. One that keeps its shape stands at several places, each 12 numbers, the rows of matrix and place; one that
+// deforms is put where its points are, with bytes for their colors if it is shaded.
+export function mesh(entry, arrays) {
+  return entry.frames != null || entry.deforms ? deformed(entry, arrays) : rigid(entry, arrays);
 }
 
 function rigid(entry, arrays) {
-  const shape = geometry(entry, arrays);
-  const count = entry.items.length, numbers = new Float32Array(12), matrix = new Matrix4();
-  const mesh = new InstancedMesh(shape, material(entry.color, entry.colors != null, entry.normals == null), count);
-  const frames = entry.places.map((place) => arrays[place]);
-  const rims = arrays[entry.edges].length && count <= 200 ? frames.map(() => edges(entry, arrays, shape.getAttribute("position"))) : [];
+  const shape = geometry(entry, arrays), count = entry.items.length, matrix = new Matrix4();
+  const made = new InstancedMesh(shape, material(entry.color, entry.colors != null, entry.normals == null), count);
+  const rims = [];
+  if (arrays[entry.edges].length && count <= 200)
+    for (let i = 0; i < count; ++i) rims.push(edges(entry, arrays, shape.getAttribute("position")));
   for (const rim of rims) rim.matrixAutoUpdate = false;
-  mesh.frustumCulled = false;
-  mesh.userData = {
+  made.frustumCulled = false;
+  made.userData = {
     items: entry.items,
-    rims,
-    go(number) {
-      frames.forEach((values, i) => {
-        frame(values, 12, number, numbers);
-        matrix.set(...numbers, 0, 0, 0, 1);
-        mesh.setMatrixAt(i, matrix);
-        if (rims[i]) rims[i].matrix.copy(matrix), rims[i].matrixWorldNeedsUpdate = true;
-      });
-      mesh.instanceMatrix.needsUpdate = true;
-      mesh.boundingSphere = null;
+    put(rows) {
+      for (let i = 0, k = 0; i < count; ++i, k += 12) {
+        matrix.set(
+          rows[k], rows[k + 1], rows[k + 2], rows[k + 3], rows[k + 4], rows[k + 5], rows[k + 6], rows[k + 7], rows[k + 8], rows[k + 9],
+          rows[k + 10], rows[k + 11], 0, 0, 0, 1,
+        );
+        made.setMatrixAt(i, matrix);
+        if (rims[i]) rims[i].matrix.copy(matrix), (rims[i].matrixWorldNeedsUpdate = true);
+      }
+      made.instanceMatrix.needsUpdate = true;
+      made.boundingSphere = null;
     },
   };
-  return [mesh, ...rims];
+  return [made, ...rims];
 }
 
 function deformed(entry, arrays) {
-  const shape = geometry(entry, arrays), position = shape.getAttribute("position"), values = arrays[entry.frames];
+  const shape = geometry(entry, arrays), position = shape.getAttribute("position"), shaded = entry.shaded || entry.frameColors != null;
+  const smooth = entry.smooth ?? entry.normals != null;
   position.setUsage(DynamicDrawUsage);
-  const shades = entry.frameColors != null ? arrays[entry.frameColors] : null;
-  if (shades) shape.setAttribute("color", new BufferAttribute(new Float32Array(3 * position.count), 3));
-  const mesh = new Mesh(shape, material(entry.color, shades != null || entry.colors != null, !entry.smooth));
-  mesh.frustumCulled = false;
-  mesh.userData = {
+  if (shaded) shape.setAttribute("color", new BufferAttribute(new Float32Array(3 * position.count), 3));
+  const color = shaded ? [1, 1, 1, entry.color[3]] : entry.color;
+  const made = new Mesh(shape, material(color, shaded || entry.colors != null, !smooth));
+  made.frustumCulled = false;
+  made.userData = {
     items: entry.items,
-    go(number) {
-      frame(values, 3 * position.count, number, position.array);
-      position.needsUpdate = true;
-      if (entry.smooth) shape.computeVertexNormals();
+    deforms: true,
+    put(points, shades) {
+      position.copyArray(points).needsUpdate = true;
+      if (smooth) shape.computeVertexNormals();
       if (shades) {
-        const size = 3 * position.count, at = Math.min(number, shades.length / size - 1);
-        shape.getAttribute("color").copyArray(linear(shades.subarray(at * size, (at + 1) * size), 3)).needsUpdate = true;
+        const colors = shape.getAttribute("color");
+        linear(shades, 3, colors.array);
+        colors.needsUpdate = true;
       }
       shape.boundingSphere = null;
     },
   };
-  return [mesh, edges(entry, arrays, position)];
+  return [made, edges(entry, arrays, position)];
 }
 
-function spheres(entry, arrays) {
-  const count = entry.items.length, numbers = new Float32Array(4), matrix = new Matrix4();
+// Each is four numbers: center and radius.
+export function spheres(entry, arrays) {
+  const count = entry.items.length, matrix = new Matrix4();
   if (count === 0) return [];
   const fine = count < 500 ? 24 : 10;
-  const mesh = new InstancedMesh(new SphereGeometry(1, fine, fine), material([1, 1, 1, 1], false, false), count);
+  const made = new InstancedMesh(new SphereGeometry(1, fine, fine), material([1, 1, 1, 1], false, false), count);
   const colors = linear(arrays[entry.colors], 3);
-  for (let i = 0; i < count; ++i) mesh.setColorAt(i, SPOTS.fromArray(colors, 3 * i));
-  const frames = entry.places.map((place) => arrays[place]);
-  mesh.frustumCulled = false;
-  mesh.userData = {
+  for (let i = 0; i < count; ++i) made.setColorAt(i, SPOTS.fromArray(colors, 3 * i));
+  made.frustumCulled = false;
+  made.userData = {
     items: entry.items,
-    go(number) {
-      frames.forEach((values, i) => {
-        const [x, y, z, r] = frame(values, 4, number, numbers);
-        mesh.setMatrixAt(i, matrix.set(r, 0, 0, x, 0, r, 0, y, 0, 0, r, z, 0, 0, 0, 1));
-      });
-      mesh.instanceMatrix.needsUpdate = true;
-      mesh.boundingSphere = null;
-    },
-  };
-  return [mesh];
-}
-
-function line(entry, arrays) {
-  const values = arrays[entry.frames], size = 3 * entry.count, made = new BufferGeometry();
-  const position = new BufferAttribute(new Float32Array(size), 3);
-  made.setAttribute("position", position);
-  const [red, green, blue] = entry.color;
-  const drawn = new Line(made, new LineBasicMaterial({ color: new Color().setRGB(red, green, blue, "srgb") }));
-  drawn.frustumCulled = false;
-  drawn.userData = {
-    items: [entry.item],
-    go(number) {
-      frame(values, size, number, position.array);
-      position.needsUpdate = true;
+    put(balls) {
+      for (let i = 0; i < count; ++i) {
+        const r = balls[4 * i + 3];
+        made.setMatrixAt(i, matrix.set(r, 0, 0, balls[4 * i], 0, r, 0, balls[4 * i + 1], 0, 0, r, balls[4 * i + 2], 0, 0, 0, 1));
+      }
+      made.instanceMatrix.needsUpdate = true;
       made.boundingSphere = null;
     },
   };
-  return [drawn];
+  return [made];
 }
 
-export function shapes(head, arrays) {
-  return [
-    ...head.meshes.flatMap((entry) => (entry.frames != null ? deformed(entry, arrays) : rigid(entry, arrays))),
-    ...spheres(head.spheres, arrays),
-    ...head.lines.flatMap((entry) => line(entry, arrays)),
-  ];
+// All lines as one object: the points of one after those of the other, and how many each has. Lines may grow.
+export function lines(colors, items) {
+  const made = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ vertexColors: true }));
+  made.frustumCulled = false;
+  made.raycast = () => {};
+  let room = 0;
+  made.userData = {
+    items,
+    put(points, counts) {
+      const needed = 2 * counts.reduce((sum, count) => sum + Math.max(count - 1, 0), 0), shape = made.geometry;
+      if (needed > room) {
+        room = Math.max(needed, 2 * room);
+        for (const name of ["position", "color"]) shape.setAttribute(name, new BufferAttribute(new Float32Array(3 * room), 3));
+      }
+      shape.setDrawRange(0, needed);
+      if (!needed) return;
+      const position = shape.getAttribute("position"), shade = shape.getAttribute("color");
+      for (let line = 0, from = 0, to = 0; line < counts.length; ++line) {
+        SPOTS.setRGB(colors[line][0] / 255, colors[line][1] / 255, colors[line][2] / 255, "srgb");
+        for (let i = 0; i + 1 < counts[line]; ++i, to += 6) {
+          position.array.set(points.subarray(from + 3 * i, from + 3 * i + 6), to);
+          SPOTS.toArray(shade.array, to);
+          SPOTS.toArray(shade.array, to + 3);
+        }
+        from += 3 * counts[line];
+      }
+      position.needsUpdate = shade.needsUpdate = true;
+    },
+  };
+  return [made];
 }

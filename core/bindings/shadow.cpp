@@ -1,0 +1,103 @@
+#include "shadow.hpp"
+
+#include "python_callback.hpp"
+
+namespace dalembert {
+
+Shadow::Shadow(const std::shared_ptr<MainSystem>& original) : original_(original) {}
+
+Shadow::News Shadow::follow() {
+  News news;
+  const auto original = original_.lock();
+  if (!original) return news;
+  const bool assembled = original->consistent();
+  const std::uint64_t structure = original->model.structure_changes(), version = original->system.version();
+  news.structure = structure != structure_ || assembled != assembled_ || (version != version_ && original->work == nullptr);
+  if (news.structure) {
+    copy_items(*original);
+    structure_ = structure;
+    assembled_ = assembled;
+    version_ = version;
+  }
+  news.items = renew_items(*original) || news.structure;
+  news.state = assembled && follow_state(*original);
+  return news;
+}
+
+// Functions of the user get the copy as their system.
+void Shadow::copy_items(const MainSystem& original) {
+  Model model;
+  for (int k = 0; k < item_kinds; ++k) {
+    const auto kind = static_cast<ItemKind>(k);
+    auto& known = records_[static_cast<std::size_t>(k)];
+    known.clear();
+    for (Item item : original.model.items(kind)) {
+      known.push_back(item.record);
+      item.record = bind_user_functions(*item.type, std::move(item.record), *system_);
+      model.add(std::move(item));
+    }
+  }
+  system_->variables = original.variables;
+  system_->sys = original.sys;
+  system_->container = original.container;
+  system_->become(std::move(model), original.consistent());
+}
+
+bool Shadow::renew_items(const MainSystem& original) {
+  bool changed = false;
+  for (int k = 0; k < item_kinds; ++k) {
+    const auto kind = static_cast<ItemKind>(k);
+    auto& known = records_[static_cast<std::size_t>(k)];
+    for (int i = 0; i < original.model.count(kind); ++i) {
+      const Item& item = original.model.item(kind, i);
+      auto& record = known[static_cast<std::size_t>(i)];
+      if (record == item.record) continue;
+      record = item.record;
+      system_->renew(kind, i, bind_user_functions(*item.type, record, *system_));
+      changed = true;
+    }
+  }
+  return changed;
+}
+
+bool Shadow::follow_state(MainSystem& original) {
+  State& shown = system_->system.state(ConfigurationType::Visualization);
+  if (original.work != nullptr) {
+    original.tap.want();
+    return original.tap.take(shown);
+  }
+  const State& state = original.system.state(ConfigurationType::Visualization);
+  const bool same = state.time == shown.time && state.q == shown.q && state.v == shown.v && state.a == shown.a && state.y == shown.y &&
+                    state.lambda == shown.lambda && state.data == shown.data;
+  if (!same) shown = state;
+  return !same;
+}
+
+void register_shadow(py::module_& module) {
+  py::class_<Shadow>(module, "_Shadow", "A copy of a system for viewers, which follows it while it is being solved.")
+      .def(py::init<const std::shared_ptr<MainSystem>&>(), py::arg("original"))
+      .def_property_readonly("system", &Shadow::system)
+      .def(
+          "follow",
+          [](Shadow& shadow) {
+            const Shadow::News news = shadow.follow();
+            return py::make_tuple(news.state, news.items, news.structure);
+          },
+          "Take over what has changed; tells whether that is the state, items, and which items there are.")
+      .def(
+          "pause", [](Shadow& shadow, bool flag) { shadow.tell([flag](MainSystem& original) { original.tap.pause(flag); }); },
+          py::arg("flag"), "Let the solver of the original wait between two steps, or go on.")
+      .def(
+          "ask", [](Shadow& shadow) { shadow.tell([](MainSystem& original) { original.tap.ask(original.work != nullptr); }); },
+          "Let the solver of the original, if there is one at work, run what viewers have left for it.")
+      .def_property_readonly(
+          "solving",
+          [](Shadow& shadow) {
+            bool result = false;
+            shadow.tell([&](MainSystem& original) { result = original.work != nullptr; });
+            return result;
+          },
+          "Whether a solver is at work on the original.");
+}
+
+}  // namespace dalembert

@@ -1,0 +1,43 @@
+// A copy of a system in which viewers evaluate what they draw, whatever solvers do to the system itself meanwhile.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "main_system.hpp"
+
+namespace dalembert {
+
+// All of it needs the lock of the interpreter.
+class Shadow {
+ public:
+  explicit Shadow(const std::shared_ptr<MainSystem>& original);
+
+  // What has changed since the last call; a solver at work is asked for its state, which comes with a later call.
+  struct News {
+    bool state = false, items = false, structure = false;
+  };
+  News follow();
+  const std::shared_ptr<MainSystem>& system() const { return system_; }
+  // As long as there is an original.
+  template <class F>
+  void tell(F&& f) {
+    if (const auto original = original_.lock()) f(*original);
+  }
+
+ private:
+  bool renew_items(const MainSystem& original);
+  void copy_items(const MainSystem& original);
+  bool follow_state(MainSystem& original);
+
+  const std::weak_ptr<MainSystem> original_;
+  const std::shared_ptr<MainSystem> system_ = std::make_shared<MainSystem>();
+  std::array<std::vector<std::shared_ptr<const void>>, item_kinds> records_;  // of the original: a change replaces them
+  std::uint64_t structure_ = ~std::uint64_t{0}, version_ = 0;
+  bool assembled_ = false;
+};
+
+void register_shadow(py::module_& module);
+
+}  // namespace dalembert

@@ -1,0 +1,53 @@
+// What viewers see of a system while a solver works on it: a copy of its state, made between two steps when one is wanted.
+#pragma once
+
+#include <atomic>
+#include <mutex>
+
+#include "dalembert/solvers/data.hpp"
+#include "dalembert/system/state.hpp"
+
+namespace dalembert {
+
+class Tap {
+ public:
+  // ---- the solver's thread, which waits neither for a viewer nor for Python ---------------------------------------------
+  void offer(const State& current) {
+    if (!wanted_.load(std::memory_order_relaxed)) return;
+    const double begin = SolverTimer::now();
+    if (begin < next_) return;
+    const std::unique_lock lock(mutex_, std::try_to_lock);
+    if (!lock) return;
+    copy_ = current;
+    filled_ = true;
+    wanted_.store(false, std::memory_order_relaxed);
+    next_ = begin + rarity * (SolverTimer::now() - begin);
+  }
+  bool paused() const { return paused_.load(std::memory_order_relaxed); }
+  bool asks() const { return asks_.load(std::memory_order_relaxed); }
+
+  // ---- a viewer's thread ------------------------------------------------------------------------------------------------
+  void want() { wanted_.store(true, std::memory_order_relaxed); }
+  // False if nothing has been offered since the last time.
+  bool take(State& target) {
+    const std::lock_guard lock(mutex_);
+    if (!filled_) return false;
+    std::swap(target, copy_);
+    filled_ = false;
+    return true;
+  }
+  void pause(bool flag) { paused_.store(flag, std::memory_order_relaxed); }
+  // Between two steps, the solver's thread is to do what viewers have left for it.
+  void ask(bool flag) { asks_.store(flag, std::memory_order_relaxed); }
+
+ private:
+  static constexpr double rarity = 100;  // copies take at most a hundredth of the solver's time
+
+  std::atomic<bool> wanted_ = false, paused_ = false, asks_ = false;
+  std::mutex mutex_;
+  State copy_;
+  bool filled_ = false;
+  double next_ = 0;  // of the solver's thread
+};
+
+}  // namespace dalembert

@@ -1,0 +1,14 @@
+"""What viewers leave for the thread that works on a system: functions of the user, which may change the system."""
+
+from __future__ import annotations
+
+from typing import Any
+
+
+def run(mbs: Any) -> None:
+    """Run what has been left by the viewer of a system; called by its solver between two steps."""
+    from dalembert._live.viewer import viewer_of
+
+    viewer = viewer_of(mbs.GetSystemContainer())
+    if viewer is not None:
+        viewer.run_calls()

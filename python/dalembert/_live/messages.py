@@ -1,0 +1,220 @@
+"""Scenes as messages for pages: all that is drawn when something else is drawn, and otherwise only what moves.
+
+A message is a JSON head and arrays behind it: the length of the head (4 bytes), the head, filled up with blanks to a
+multiple of 8, and arrays of little-endian numbers, each at a multiple of 4. The head lists them in `arrays` as
+[kind, count], where kind is f4, u4 or u1; null stands for one that is as in the message of the whole scene.
+"""
+
+from __future__ import annotations
+
+import json
+from collections import defaultdict
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from dalembert._checks import FloatArray
+from dalembert._pictures import contour
+from dalembert._pictures.camera import Camera
+from dalembert._pictures.looks import Looks
+from dalembert._pictures.meshes import Mesh, sharp_edges
+from dalembert._pictures.scene import Instance, Scene
+
+Key = tuple[int, int]  # item, and how manieth of its parts
+KINDS = {"f4": "<f4", "u4": "<u4", "u1": "u1"}
+
+
+class Arrays:
+    """Arrays of a message; a head refers to them by number."""
+
+    def __init__(self) -> None:
+        self.parts: list[npt.NDArray[Any] | None] = []
+
+    def add(self, kind: str, values: npt.ArrayLike) -> int:
+        """Keep an array; return its number."""
+        self.parts.append(np.ascontiguousarray(values, dtype=KINDS[kind]).ravel())
+        return len(self.parts) - 1
+
+    def shades(self, colors: npt.ArrayLike) -> int:
+        """Keep colors, numbers from 0 to 1, as bytes."""
+        return self.add("u1", np.round(255 * np.clip(np.asarray(colors, float), 0, 1)))
+
+    def message(self, head: dict[str, Any]) -> bytes:
+        """Return a message."""
+        names = {np.dtype(dtype): kind for kind, dtype in KINDS.items()}
+        table = [None if part is None else [names[part.dtype], part.size] for part in self.parts]
+        text = json.dumps(head | {"arrays": table}, separators=(",", ":")).encode()
+        text += b" " * (-(len(text) + 4) % 8)
+        data = [np.array([len(text)], "<u4").tobytes(), text]
+        for part in self.parts:
+            if part is not None:
+                data += [part.tobytes(), b"\0" * (-part.nbytes % 4)]
+        return b"".join(data)
+
+
+class Stage:
+    """What pages have: it tells whether a scene has the same parts as the one before."""
+
+    def __init__(self) -> None:
+        self.number = 0  # of the whole scene
+        self.items: list[list[Any]] = []  # of the scene: kind, number, type, name, number of the system
+        self._layout: Any = None
+        self._meshes: dict[Key, Mesh] = {}
+        self._deforming: set[Key] = set()
+        self._first: list[npt.NDArray[Any] | None] = []
+        self._moved: set[int] = set()
+
+    def messages(
+        self, scene: Scene, looks: Looks, words: dict[str, Any], camera: Callable[[], Camera]
+    ) -> tuple[Callable[[], bytes], bytes]:
+        """Return what makes the message of the whole scene, and that of what moves, for pages that have the scene.
+
+        `words` are parts of the head of the whole scene.
+        """
+        parts = self._parts(scene)
+        rigid, deformed = self._sorted(parts)
+        layout = (
+            [(id(group[0][1].mesh), group[0][1].color, [key for key, _ in group]) for group in rigid],
+            [(key, part.mesh.points.shape, part.mesh.triangles.shape, part.color) for key, part in deformed],
+            [(color, item) for _, _, color, item in scene.spheres],
+            [(label.text, label.color) for label in scene.labels],
+            [(color, item) for _, color, _, item in scene.lines],
+            len(scene.items),
+            words,
+        )
+        moving, head = self._frame(scene, looks, rigid, deformed)
+        if layout != self._layout:
+            self.number += 1
+            self._layout, self._first, self._moved = layout, moving.parts, set()
+            self.items = [[item.kind, item.number, item.type_name, item.name, item.system] for item in scene.items]
+        head["scene"] = self.number
+        items = self.items
+
+        def whole() -> bytes:
+            return _whole(scene, rigid, deformed, moving, {**words, **head, "kind": "scene", "items": items}, camera())
+
+        return whole, self._changes(moving, head)
+
+    @staticmethod
+    def _parts(scene: Scene) -> list[tuple[Key, Instance]]:
+        counts: dict[int, int] = defaultdict(int)
+        parts = []
+        for part in scene.instances:
+            if len(part.mesh.triangles) or len(part.mesh.edges):
+                parts.append(((part.item, counts[part.item]), part))
+                counts[part.item] += 1
+        return parts
+
+    def _sorted(
+        self, parts: list[tuple[Key, Instance]]
+    ) -> tuple[list[list[tuple[Key, Instance]]], list[tuple[Key, Instance]]]:
+        """Return groups of one mesh at several places, and what changes its shape or its colors."""
+        groups: dict[tuple[int, Any], list[tuple[Key, Instance]]] = {}
+        deformed = []
+        for key, part in parts:
+            before = self._meshes.get(key)
+            if before is not None and before is not part.mesh and before.points.shape == part.mesh.points.shape:
+                self._deforming.add(key)
+            if part.values is not None or key in self._deforming:
+                deformed.append((key, part))
+            else:
+                groups.setdefault((id(part.mesh), part.color), []).append((key, part))
+        self._meshes = {key: part.mesh for key, part in parts}
+        return list(groups.values()), deformed
+
+    def _frame(
+        self, scene: Scene, looks: Looks, rigid: list[list[tuple[Key, Instance]]], deformed: list[tuple[Key, Instance]]
+    ) -> tuple[Arrays, dict[str, Any]]:
+        """Return where everything is."""
+        arrays = Arrays()
+        for group in rigid:
+            rows = np.empty((len(group), 3, 4))
+            rows[:, :, :3] = [part.matrix for _, part in group]
+            rows[:, :, 3] = [part.place for _, part in group]
+            arrays.add("f4", rows)
+        for _, part in deformed:
+            arrays.add("f4", part.mesh.points @ part.matrix.T + part.place)
+            if part.values is not None:
+                arrays.shades(contour.colors(looks, part.values, scene.value_range)[:, :3])
+        arrays.add("f4", [[*center, radius] for center, radius, _, _ in scene.spheres])
+        arrays.add("f4", np.concatenate([np.zeros((0, 3)), *(points for points, *_ in scene.lines)]))
+        arrays.add("u4", [len(points) for points, *_ in scene.lines])
+        arrays.add("f4", [label.place for label in scene.labels])
+        head: dict[str, Any] = {"kind": "frame", "time": scene.time, "range": list(scene.value_range)}
+        return arrays, head
+
+    def _changes(self, moving: Arrays, head: dict[str, Any]) -> bytes:
+        """Return the message of a frame; what has not moved since the message of the whole scene is left out."""
+        changed = Arrays()
+        for number, (part, first) in enumerate(zip(moving.parts, self._first, strict=True)):
+            if number not in self._moved and not np.array_equal(part, first):  # type: ignore[arg-type]
+                self._moved.add(number)
+            changed.parts.append(part if number in self._moved else None)
+        return changed.message(head)
+
+
+def _whole(
+    scene: Scene,
+    rigid: list[list[tuple[Key, Instance]]],
+    deformed: list[tuple[Key, Instance]],
+    moving: Arrays,
+    words: dict[str, Any],
+    camera: Camera,
+) -> bytes:
+    """Return all that is drawn."""
+    arrays = Arrays()
+    arrays.parts = list(moving.parts)
+    meshes = []
+    for group in rigid:
+        meshes.append(_shape(arrays, group[0][1]) | {"items": [key[0] for key, _ in group]})
+    for key, part in deformed:
+        entry = _shape(arrays, part) | {"items": [key[0]], "deforms": True}
+        meshes.append(entry | {"shaded": part.values is not None})
+    head = {
+        **words,
+        "meshes": meshes,
+        "spheres": {
+            "colors": arrays.shades([color[:3] for _, _, color, _ in scene.spheres]),
+            "items": [item for *_, item in scene.spheres],
+        },
+        "lines": {
+            "colors": arrays.shades([color[:3] for _, color, _, _ in scene.lines]),
+            "items": [item for *_, item in scene.lines],
+        },
+        "labels": [[label.text, list(label.color)] for label in scene.labels],
+        "camera": {
+            "rotation": camera.rotation.ravel().tolist(),
+            "center": camera.center.tolist(),
+            "zoom": camera.zoom,
+        },
+    }
+    return arrays.message(head)
+
+
+def _shape(arrays: Arrays, part: Instance) -> dict[str, Any]:
+    """Return a mesh that is not placed yet."""
+    mesh = part.mesh
+    colors = mesh.colors if part.color is None and mesh.colors is not None else None
+    entry: dict[str, Any] = {
+        "points": arrays.add("f4", mesh.points),
+        "triangles": arrays.add("u4", mesh.triangles),
+        "edges": arrays.add("u4", mesh.edges if len(mesh.edges) else sharp_edges(mesh)),
+        "marked": bool(len(mesh.edges)),
+        "normals": None if mesh.normals is None else arrays.add("f4", mesh.normals),
+        "color": list(part.color or (0.5, 0.5, 0.5, 1.0)),
+    }
+    if colors is not None and len(colors):
+        if (colors == colors[0]).all():
+            entry["color"] = colors[0].tolist()
+        else:
+            entry["colors"] = arrays.shades(colors)
+            entry["color"] = [1.0, 1.0, 1.0, float(colors[:, 3].min())]
+    return entry
+
+
+def palette(looks: Looks) -> list[list[int]]:
+    """Return the colors of the bar, from its lower end to its upper one."""
+    colors: FloatArray = contour.colors(looks, np.linspace(0, 1, 13), (0.0, 1.0))
+    return np.round(255 * colors[:, :3]).astype(int).tolist()

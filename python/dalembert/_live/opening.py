@@ -1,0 +1,64 @@
+"""How a reader gets to the page: by a browser that is opened, a link in a notebook, or an address in a terminal."""
+
+from __future__ import annotations
+
+import atexit
+import os
+import shutil
+import tempfile
+import webbrowser
+from html import escape
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+from dalembert._core import Print
+from dalembert._live.viewer import Viewer, start, viewer_of
+
+
+def open_page(container: Any, where: str, verbose: int = 0) -> None:
+    """Start the viewer of a container, and bring a reader there; nothing more if it has one."""
+    if viewer_of(container) is not None:
+        return
+    viewer = start(container, _port())
+    if where == "browser":
+        _open_in_browser(viewer)
+        if verbose:
+            Print(f"dalembert: the page is at {viewer.server.address}")
+    elif where == "notebook":
+        shown = import_module("IPython.display")
+        address = escape(viewer.server.address, quote=True)
+        shown.display(shown.HTML(f'<a href="{address}" target="_blank" rel="noreferrer">live view</a>'))
+    else:
+        Print(_words(viewer))
+
+
+def _port() -> int:
+    """Return the port that the user wants, for tunnels; 0 for any."""
+    text = os.environ.get("DALEMBERT_VIEWER_PORT", "0")
+    if not text.isdigit() or int(text) > 65535:
+        raise ValueError(f"DALEMBERT_VIEWER_PORT: expected a number from 0 to 65535, received '{text}'")
+    return int(text)
+
+
+def _words(viewer: Viewer) -> str:
+    port = viewer.server.port
+    lines = [f"dalembert: the page is at {viewer.server.address}"]
+    if "SSH_CONNECTION" in os.environ:
+        host = os.environ["SSH_CONNECTION"].split()[2:3] or ["this-machine"]
+        lines.append(f"From your own machine, run first:  ssh -L {port}:127.0.0.1:{port} {host[0]}")
+    return "\n".join(lines)
+
+
+def _open_in_browser(viewer: Viewer) -> None:
+    """Open the page by way of a file that only this user can read: arguments of programs are seen by all users."""
+    folder = Path(tempfile.mkdtemp(prefix="dalembert-"))
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    path = folder / "page.html"
+    address = escape(viewer.server.address, quote=True)
+    path.write_text(
+        f'<!doctype html><meta charset="utf-8"><meta name="referrer" content="no-referrer">'
+        f'<meta http-equiv="refresh" content="0; url={address}"><a href="{address}">dalembert</a>',
+        "utf-8",
+    )
+    webbrowser.open(path.as_uri())

@@ -1,0 +1,236 @@
+"""One port of this machine for the page and its messages: who may connect, what is sent, what is taken.
+
+Nothing but the page itself is given to whoever does not know the token. It is in the part of the address behind #, that
+browsers send nowhere, and is the first message of a page. Messages of pages are JSON; none is evaluated.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import hmac
+import json
+import secrets
+import threading
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from http import HTTPStatus
+from pathlib import Path
+from typing import Any
+
+from websockets.asyncio.server import Server, ServerConnection, serve
+from websockets.datastructures import Headers
+from websockets.exceptions import ConnectionClosed
+from websockets.http11 import Request, Response
+
+HOST = "127.0.0.1"
+LONGEST = 1 << 20  # bytes of a message from a page
+PAGES = 16  # at most so many at once
+PATIENCE = 5.0  # s, for the token
+WAITING = 64  # messages for a page that does not read
+
+FOLDER = Path(__file__).resolve().parent.parent / "_pictures" / "page"
+FILES = {"/": ("live.html", "text/html"), "/bundle.js": ("bundle.js", "text/javascript")}
+
+
+@dataclass(eq=False)
+class Page:
+    """A browser that shows the page; `ready`: it has drawn what it was sent last."""
+
+    number: int
+    connection: ServerConnection
+    ready: bool = True
+    scene: int = -1
+    picture: int = 0  # the last that it was sent
+    waiting: int = 0
+    tasks: set[asyncio.Task[None]] = field(default_factory=set)
+
+
+class PageServer:
+    """Runs in a thread of its own; `receive(page number, message)` is called there, and has to be quick."""
+
+    def __init__(self, receive: Callable[[int, dict[str, Any]], None], port: int = 0) -> None:
+        self.token = secrets.token_urlsafe(24)
+        self.port = 0
+        self._receive, self._pages, self._count, self._open = receive, dict[int, Page](), 0, 0
+        self._newest: tuple[int, int, Callable[[], bytes], bytes] = (0, -1, bytes, b"")
+        self._loop = asyncio.new_event_loop()
+        self._started: threading.Event = threading.Event()
+        self._failure: Exception | None = None
+        self._thread = threading.Thread(target=self._run, args=(port,), name="dalembert page", daemon=True)
+        self._thread.start()
+        self._started.wait()
+        if self._failure is not None:
+            raise self._failure
+
+    @property
+    def address(self) -> str:
+        """Return the address of the page, with its token."""
+        return f"http://{HOST}:{self.port}/#{self.token}"
+
+    @property
+    def pages(self) -> int:
+        """Return how many pages are open."""
+        return len(self._pages)
+
+    @property
+    def wanted(self) -> bool:
+        """Return whether a page waits for something to draw."""
+        return any(page.ready for page in list(self._pages.values()))
+
+    def publish(self, scene_number: int, scene: Callable[[], bytes], frame: bytes) -> None:
+        """Send a frame, or the whole scene to pages that have another; to those that are busy, when they are ready."""
+        self._do(self._publish, scene_number, scene, frame)
+
+    def tell(self, message: dict[str, Any], page: int | None = None) -> None:
+        """Send a message to one page, or to all."""
+        self._do(self._tell, json.dumps(message), page)
+
+    def stop(self) -> None:
+        """Close all pages and the port."""
+        self._do(self._end.set)
+        self._thread.join(2.0)
+
+    def _do(self, function: Callable[..., object], *arguments: Any) -> None:
+        if not self._loop.is_closed():
+            self._loop.call_soon_threadsafe(function, *arguments)
+
+    # ---- in the thread of the server
+
+    def _run(self, port: int) -> None:
+        try:
+            self._loop.run_until_complete(self._serve(port))
+        except Exception as error:  # OSError: the port is in use
+            self._failure = error
+        finally:
+            self._started.set()
+            self._loop.close()
+
+    async def _serve(self, port: int) -> None:
+        self._end = asyncio.Event()
+        options: dict[str, Any] = {"compression": None, "max_size": LONGEST, "process_request": self._answer}
+        async with serve(self._talk, HOST, port, close_timeout=1, server_header=None, **options) as server:
+            self.port = _port(server)
+            self._hosts = {f"{HOST}:{self.port}", f"localhost:{self.port}"}
+            self._started.set()
+            await self._end.wait()
+
+    def _answer(self, connection: ServerConnection, request: Request) -> Response | None:
+        """Give the page to whoever asks for it by a name of this machine; let pages of this server open the socket."""
+        if request.headers.get("Host") not in self._hosts:
+            return connection.respond(HTTPStatus.FORBIDDEN, "unknown host\n")
+        if request.path == "/socket":
+            allowed = request.headers.get("Origin") in {f"http://{host}" for host in self._hosts}
+            return None if allowed else connection.respond(HTTPStatus.FORBIDDEN, "unknown origin\n")
+        if request.path not in FILES:
+            return connection.respond(HTTPStatus.NOT_FOUND, "not found\n")
+        name, kind = FILES[request.path]
+        return self._file((FOLDER / name).read_text("utf-8").replace("@STYLE@", _style()).encode(), kind)
+
+    def _file(self, data: bytes, kind: str) -> Response:
+        sockets = " ".join(f"ws://{host}" for host in sorted(self._hosts))
+        policy = (
+            f"default-src 'none'; script-src 'self'; style-src 'unsafe-inline'; img-src data: blob:; "
+            f"connect-src {sockets}; frame-ancestors 'none'; base-uri 'none'; form-action 'none'"
+        )
+        headers = Headers(
+            {
+                "Content-Type": f"{kind}; charset=utf-8",
+                "Content-Length": str(len(data)),
+                "Cache-Control": "no-store",
+                "Content-Security-Policy": policy,
+                "Cross-Origin-Resource-Policy": "same-origin",
+                "Referrer-Policy": "no-referrer",
+                "X-Content-Type-Options": "nosniff",
+                "X-Frame-Options": "DENY",
+            }
+        )
+        return Response(HTTPStatus.OK, "OK", headers, data)
+
+    async def _talk(self, connection: ServerConnection) -> None:
+        if self._open >= PAGES:
+            await connection.close(1013, "too many pages")
+            return
+        self._open += 1
+        page = None
+        try:
+            if not await self._knows_token(connection):
+                await connection.close(1008, "wrong token")
+                return
+            self._count += 1
+            page = self._pages[self._count] = Page(self._count, connection)
+            self._receive(page.number, {"kind": "opened"})
+            async for text in connection:
+                self._take(page, text)
+        except ConnectionClosed:
+            pass
+        finally:
+            self._open -= 1
+            if page is not None:
+                del self._pages[page.number]
+                self._receive(page.number, {"kind": "closed"})
+
+    async def _knows_token(self, connection: ServerConnection) -> bool:
+        try:
+            first = _message(await asyncio.wait_for(connection.recv(), PATIENCE))
+        except TimeoutError:
+            return False
+        token = first.get("token") if first.get("kind") == "hello" else None
+        return isinstance(token, str) and hmac.compare_digest(token.encode(), self.token.encode())
+
+    def _take(self, page: Page, text: str | bytes) -> None:
+        message = _message(text)
+        if message.get("kind") == "shown":
+            page.ready = True
+            self._show(page)
+        if message:
+            self._receive(page.number, message)
+
+    def _publish(self, scene_number: int, scene: Callable[[], bytes], frame: bytes) -> None:
+        self._newest = (self._newest[0] + 1, scene_number, scene, frame)
+        for page in self._pages.values():
+            self._show(page)
+
+    def _show(self, page: Page) -> None:
+        """Send the newest picture to a page that is ready and has not got it."""
+        picture, scene_number, scene, frame = self._newest
+        if page.ready and page.picture < picture:
+            self._send(page, frame if page.scene == scene_number else scene())
+            page.ready, page.picture, page.scene = False, picture, scene_number
+
+    def _tell(self, text: str, number: int | None) -> None:
+        for page in list(self._pages.values()):
+            if number in (None, page.number) and page.waiting < WAITING:
+                self._send(page, text)
+
+    def _send(self, page: Page, data: bytes | str) -> None:
+        page.waiting += 1
+        task = self._loop.create_task(self._deliver(page, data))
+        page.tasks.add(task)
+        task.add_done_callback(page.tasks.discard)
+
+    async def _deliver(self, page: Page, data: bytes | str) -> None:
+        try:
+            await page.connection.send(data)
+        except ConnectionClosed:
+            pass
+        finally:
+            page.waiting -= 1
+
+
+def _style() -> str:
+    return (FOLDER / "style.css").read_text("utf-8")
+
+
+def _port(server: Server) -> int:
+    return int(next(iter(server.sockets)).getsockname()[1])
+
+
+def _message(text: str | bytes) -> dict[str, Any]:
+    """Return a message; {} for what is none."""
+    if not isinstance(text, str):
+        return {}
+    try:
+        message = json.loads(text)
+    except (ValueError, RecursionError):
+        return {}
+    return message if isinstance(message, dict) and isinstance(message.get("kind"), str) else {}

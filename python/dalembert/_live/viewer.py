@@ -1,0 +1,404 @@
+"""A viewer shows the systems of a container on pages, while solvers work on them or scripts wait.
+
+It draws copies of the systems (shadows), in a thread of its own: solvers only copy their state now and then, and
+nothing that is drawn can change a result.
+"""
+
+from __future__ import annotations
+
+import atexit
+import queue
+import threading
+import time
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from dalembert import _core
+from dalembert._live import details, keys
+from dalembert._live.messages import Stage, palette
+from dalembert._live.server import PageServer
+from dalembert._pictures import draw
+from dalembert._pictures.camera import Camera
+from dalembert._pictures.looks import Looks
+from dalembert._pictures.renderer import state_of
+from dalembert._pictures.studio import Studio
+
+SHORTEST = 1 / 30  # s between pictures, unless settings say otherwise
+SHARE = 0.25  # of the time, at most, is spent on pictures: the interpreter is needed by others
+OFTEN = 0.5  # s between looks at what has no signal: settings that scripts change, outputs of the selected item
+ARRIVAL = 20.0  # s until a browser that was opened has to ask for its page
+RETURN = 3.0  # s until a page that was reloaded is back
+
+_viewers: list[Viewer] = []
+
+
+def viewer_of(container: Any) -> Viewer | None:
+    """Return the viewer of a container, if it has one."""
+    return next((viewer for viewer in _viewers if viewer.container is container), None)
+
+
+def start(container: Any, port: int = 0) -> Viewer:
+    """Return the viewer of a container; it is started if there is none."""
+    viewer = viewer_of(container)
+    if viewer is None:
+        viewer = Viewer(container, port)
+        _viewers.append(viewer)
+    return viewer
+
+
+@atexit.register
+def stop_all() -> None:
+    """Close all pages: the interpreter ends."""
+    for viewer in list(_viewers):
+        viewer.stop()
+
+
+class Viewer:
+    """Pages, the systems they show, and what their readers do."""
+
+    def __init__(self, container: Any, port: int = 0) -> None:
+        self.container, self.settings = container, container.visualizationSettings
+        self.shadows: list[Any] = []
+        self.studio: Studio | None = None
+        self.stage = Stage()
+        self.selection: tuple[int, str, int, float] | None = None
+        self.mouse, self.mouse_place = [0.0, 0.0], [0.0, 0.0]
+        self.pictures = 0
+        self.values: dict[str, Any] = {}  # of the controls of a dialog
+        self.pressed: list[str] = []  # buttons of a dialog, in their order
+        self._controls: dict[str, Any] = {}
+        self._messages: queue.SimpleQueue[tuple[int, dict[str, Any]]] = queue.SimpleQueue()
+        self._calls: queue.SimpleQueue[Callable[[], object]] = queue.SimpleQueue()
+        self._wake, self._released, self._stopped = threading.Event(), threading.Event(), threading.Event()
+        self._dirty = self._home = True
+        self._paused = self._waits = False
+        self._made = self._checked = self._next = 0.0
+        self._known_settings = ""
+        self._complaint = ""
+        self._seen = time.monotonic() + ARRIVAL - RETURN  # when a page was there, or is expected
+        self.server = PageServer(self._receive, port)
+        self._thread = threading.Thread(target=self._work, name="dalembert viewer", daemon=True)
+        self._thread.start()
+
+    # ---- for scripts
+
+    @property
+    def watched(self) -> bool:
+        """Return whether a page is open, or about to be."""
+        if self.server.pages:
+            self._seen = time.monotonic()
+        return not self._stopped.is_set() and time.monotonic() - self._seen < RETURN
+
+    def stop(self) -> None:
+        """Close all pages."""
+        if self in _viewers:
+            _viewers.remove(self)
+        self._stopped.set()
+        self._pause(False)
+        self._released.set()
+        self._wake.set()
+        self.server.tell({"kind": "stopped"})
+        if threading.current_thread() is not self._thread:
+            self._thread.join(2.0)
+        self.server.stop()
+
+    def redraw(self, home: bool = False) -> None:
+        """Draw again, although no state has changed; with `home`, from where all is seen."""
+        self._dirty = True
+        self._home = self._home or home
+        self._wake.set()
+
+    def set_camera(self) -> None:
+        """Let pages look as the render state says."""
+        state = state_of(self.container.renderer, 0)
+        if {"zoom", "modelRotation", "centerPoint"} <= state.keys() and float(state["zoom"]) > 0:
+            rotation = np.asarray(state["modelRotation"], float).reshape(3, 3).T
+            seen = Camera(rotation, np.asarray(state["centerPoint"], float), float(state["zoom"]))
+            self.server.tell({"kind": "camera", "camera": _camera(seen)})
+        else:
+            self.redraw(home=True)
+
+    def idle(self, seconds: float, announce: bool) -> bool:
+        """Wait: so many seconds, or, if they are negative, until a reader goes on; return whether there are pages."""
+        self._released.clear()
+        self.redraw()
+        forever = seconds < 0
+        end = time.monotonic() + seconds
+        if forever:
+            self._waits = True
+            self._tell_state()
+            if announce:
+                _core.Print("Computation paused: press SPACE on the page to continue.")
+        try:
+            while self.watched:
+                self.run_calls()
+                left = 0.05 if forever else min(end - time.monotonic(), 0.05)
+                if left <= 0 or self._released.wait(left):
+                    break
+        finally:
+            self._waits = False
+            if forever:
+                self._tell_state()
+        return self.watched
+
+    def run_calls(self) -> None:
+        """Run functions of the user that pages have asked for."""
+        while not self._calls.empty():
+            self._calls.get()()
+
+    def show_controls(self, controls: dict[str, Any], values: dict[str, Any]) -> None:
+        """Show the widgets of a dialog: title, items, plots."""
+        self._controls, self.values, self.pressed = controls, dict(values), []
+        self.server.tell({"kind": "controls", **controls})
+
+    def tell(self, message: dict[str, Any]) -> None:
+        """Send a message to all pages."""
+        self.server.tell(message)
+
+    # ---- in the thread of the viewer
+
+    def _receive(self, page: int, message: dict[str, Any]) -> None:
+        """Take a message; in the thread of the server."""
+        self._messages.put((page, message))
+        self._wake.set()
+
+    def _work(self) -> None:
+        while not self._stopped.is_set():
+            begin, used = time.monotonic(), time.thread_time()
+            try:
+                while not self._messages.empty():
+                    self._answer(*self._messages.get())
+                if self.server.wanted and (self._dirty or begin >= self._next):
+                    self._next = begin + self._interval()
+                    self._look()
+            except Exception as error:  # of a function of the user, or of graphics data
+                self._complain(error)
+            spent, used = time.monotonic() - begin, time.thread_time() - used
+            self._stopped.wait(max(min(self._interval(), SHORTEST) - spent, used / SHARE - used, 0.001))
+            if not self.server.pages:
+                self._wake.wait(1.0)
+                self._wake.clear()
+
+    def _interval(self) -> float:
+        path = "general.graphicsUpdateInterval"
+        looks = Looks(self.settings)
+        return SHORTEST if looks.is_default(path) else max(float(looks.setting(path)), 0.01)
+
+    def _complain(self, error: Exception) -> None:
+        """Tell what went wrong, once."""
+        words = f"{type(error).__name__}: {error}"
+        if words != self._complaint:
+            self._complaint = words
+            _core.Print(f"dalembert, page: {words}")
+            self.server.tell({"kind": "notice", "text": words})
+
+    def _look(self) -> None:
+        """Draw what has changed."""
+        news = self._follow()
+        self._check_now_and_then()
+        if not news and not self._dirty:
+            return
+        self._dirty = False
+        assert self.studio is not None
+        scene = self.studio.scene()
+        studio = self.studio
+
+        def camera() -> Camera:
+            return draw.camera_for(studio, scene, None, (1024, 768), 1.0)
+
+        looks = self.studio.makers[0].looks if self.studio.makers else Looks(self.settings)
+        whole, frame = self.stage.messages(scene, looks, self._words(scene, looks), camera)
+        self.server.publish(self.stage.number, whole, frame)
+        self.pictures += 1
+        if self._home:
+            self._home = False
+            self.server.tell({"kind": "camera", "camera": _camera(camera())})
+
+    def _follow(self) -> bool:
+        """Let the shadows follow their systems; return whether there is something new."""
+        count = self.container.NumberOfSystems()
+        changed = len(self.shadows) != count
+        if changed:
+            self.shadows = [_core._Shadow(self.container.GetSystem(i)) for i in range(count)]
+        news = [shadow.follow() for shadow in self.shadows]
+        items, structure = any(new[1] for new in news), any(new[2] for new in news)
+        now = time.monotonic()
+        if changed or structure or self.studio is None or (items and now - self._made > OFTEN):
+            self._made = now
+            self.studio = Studio(self.container, [shadow.system for shadow in self.shadows])
+            self._home = self._home or changed or structure
+        return changed or structure or items or any(new[0] for new in news)
+
+    def _check_now_and_then(self) -> None:
+        now = time.monotonic()
+        if now - self._checked < OFTEN:
+            return
+        self._checked = now
+        known = repr(self.settings.GetDictionary())
+        if known != self._known_settings:
+            self._known_settings, self._dirty = known, True
+        if self.selection is not None:
+            self._tell_details(*self.selection[:3])
+        self._tell_state()
+
+    def _words(self, scene: Any, looks: Looks) -> dict[str, Any]:
+        """Return what pages have to know besides what is drawn."""
+        view, gl = self.settings.view0, self.settings.openGL
+        return {
+            "background": list(self.settings.general.backgroundColor)[:3],
+            "contour": {"name": scene.value_name, "colors": palette(looks)} if scene.value_name else None,
+            "transparent": float(gl.faceTransparencyGlobal) if view.scene.facesTransparent else 1.0,
+            "edges": bool(view.scene.showFaceEdges),
+            "faces": bool(view.scene.showFaces),
+            "clip": [*(float(x) for x in view.camera.clippingPlaneNormal), float(view.camera.clippingPlaneDistance)],
+            "marks": bool(self.settings.interactive.advanced.selectionHighlights),
+            "steps": [
+                float(self.settings.interactive.advanced.keypressTranslationStep),
+                float(self.settings.interactive.advanced.keypressRotationStep),
+                float(self.settings.interactive.advanced.zoomStepFactor),
+            ],
+        }
+
+    # ---- messages of pages
+
+    def _answer(self, page: int, message: dict[str, Any]) -> None:
+        action = getattr(self, f"_on_{message['kind']}", None)
+        if action is None:
+            return
+        try:
+            action(page, message)
+        except (KeyError, TypeError, ValueError, IndexError, AttributeError, OverflowError) as error:
+            self.server.tell({"kind": "notice", "text": f"{message['kind']}: {error}"}, page)
+
+    def _on_opened(self, page: int, message: dict[str, Any]) -> None:
+        self._dirty = True
+        self._tell_state(page)
+        if self._controls:
+            self.server.tell({"kind": "controls", **self._controls, "values": self.values}, page)
+
+    def _on_key(self, page: int, message: dict[str, Any]) -> None:
+        key, control, shift = str(message["key"]), bool(message["control"]), bool(message["shift"])
+        held = int(shift) + 2 * control + 4 * bool(message.get("alt"))
+        action = int(message.get("action", 1))
+        ignores = bool(self.settings.interactive.ignoreKeys)
+        if ignores and key not in ("F2", "Escape"):
+            function = self.settings.interactive.keyPressUserFunction
+            if callable(function) and keys.code(key):
+                self._leave(lambda: function(keys.code(key), action, held))
+            return
+        if action == 0:
+            return
+        if key == " ":
+            self._space()
+        elif key.lower() == "a":
+            self.redraw(home=True)
+        elif key.lower() == "q":
+            self._stop_solvers()
+        elif key == "Escape":
+            self._stop_solvers()
+            self._close()
+        elif keys.press(self.settings, key, control or bool(message.get("alt")) or (shift and key.isalpha())):
+            self._dirty = True
+        self._tell_state()
+
+    def _on_camera(self, page: int, message: dict[str, Any]) -> None:
+        rotation = np.asarray(message["rotation"], float).reshape(3, 3)
+        center, zoom = np.asarray(message["center"], float).reshape(3), float(message["zoom"])
+        if not (np.isfinite(rotation).all() and np.isfinite(center).all() and 0 < zoom < np.inf):
+            raise ValueError("expected finite numbers")
+        state_of(self.container.renderer, 0).update(
+            {"modelRotation": rotation.T.copy(), "centerPoint": center, "zoom": zoom}
+        )
+
+    def _on_mouse(self, page: int, message: dict[str, Any]) -> None:
+        self.mouse = [float(x) for x in message["pixels"]][:2]
+        self.mouse_place = [float(x) for x in message["place"]][:2]
+
+    def _on_select(self, page: int, message: dict[str, Any]) -> None:
+        """Remember the item that was picked, and tell about it; item -1: nothing is selected any more."""
+        advanced = self.settings.interactive.advanced
+        number = int(message["item"])
+        if number < 0 or int(message["scene"]) != self.stage.number or not advanced.selectionLeftMouse:
+            self.selection = None
+            return
+        kind, item, _, _, system = self.stage.items[number]
+        if kind not in details.KINDS or not int(advanced.selectionLeftMouseItemTypes) >> details.KINDS.index(kind) & 1:
+            self.selection = None
+            return
+        self.selection = (system, kind, item, float(message["depth"]))
+        self._tell_details(system, kind, item)
+
+    def _on_settings(self, page: int, message: dict[str, Any]) -> None:
+        self.server.tell({"kind": "settings", "rows": keys.rows(self.settings)}, page)
+
+    def _on_set(self, page: int, message: dict[str, Any]) -> None:
+        refused = keys.change(self.settings, str(message["path"]), str(message["value"]))
+        self._dirty = True
+        if refused:
+            self.server.tell({"kind": "notice", "text": refused}, page)
+
+    def _on_control(self, page: int, message: dict[str, Any]) -> None:
+        """Take the value of a widget of a dialog, if there is such a widget."""
+        name = str(message["name"])
+        if message.get("pressed"):
+            self.pressed.append(name)
+        elif name in self.values:
+            value = message["value"]
+            if not isinstance(value, (bool, int, float, str)):
+                raise ValueError("expected a number or a text")
+            self.values[name] = value
+
+    # ---- what they lead to
+
+    def _leave(self, call: Callable[[], object]) -> None:
+        """Leave a function of the user for the thread that works on the systems, or waits."""
+
+        def guarded() -> None:
+            try:
+                call()
+            except Exception as error:
+                self._complain(error)
+
+        self._calls.put(guarded)
+        for shadow in self.shadows:
+            shadow.ask()
+
+    def _space(self) -> None:
+        if self._waits:
+            self._released.set()
+        elif self.settings.interactive.advanced.pauseWithSpacebar:
+            self._pause(not self._paused)
+
+    def _pause(self, flag: bool) -> None:
+        self._paused = flag
+        for shadow in self.shadows:
+            shadow.pause(flag)
+
+    def _stop_solvers(self) -> None:
+        for i in range(self.container.NumberOfSystems()):
+            self.container.GetSystem(i).SetRenderEngineStopFlag(True)
+        self._pause(False)
+        self._released.set()
+
+    def _close(self) -> None:
+        """Close all pages at the wish of a reader."""
+        self.stop()
+
+    def _tell_state(self, page: int | None = None) -> None:
+        solving = any(shadow.solving for shadow in self.shadows)
+        words = "waits: press space to continue" if self._waits else "paused" if self._paused else ""
+        self.server.tell({"kind": "state", "solving": solving, "text": words or ("solving" if solving else "")}, page)
+
+    def _tell_details(self, system: int, kind: str, number: int) -> None:
+        mbs = self.shadows[system].system
+        graphics = bool(self.settings.interactive.advanced.selectionRightMouseGraphicsData)
+        parameters = details.parameters(mbs, kind, number, graphics)
+        outputs = details.outputs(mbs, kind, number)
+        title = f"{kind.lower()} {number}"
+        self.server.tell({"kind": "details", "title": title, "parameters": parameters, "outputs": outputs})
+
+
+def _camera(seen: Camera) -> dict[str, Any]:
+    return {"rotation": seen.rotation.ravel().tolist(), "center": seen.center.tolist(), "zoom": seen.zoom}

@@ -1,0 +1,244 @@
+// The live page: it shows what the server sends, tells when it has drawn it, and passes on keys, choices and views.
+import { message } from "./data.js";
+import { Panels } from "./panels.js";
+import { lines, mesh, spheres } from "./shapes.js";
+import { View, element } from "./view.js";
+
+const GROUPS = [["n", "nodes"], ["b", "bodies"], ["c", "connectors"], ["m", "markers"], ["l", "loads"], ["s", "sensors"]];
+// Rows are right, up and towards the viewer; the second of each pair is seen from behind.
+const PLANES = {
+  1: [[1, 0, 0], [0, 1, 0]], 2: [[1, 0, 0], [0, 0, 1]], 3: [[0, 1, 0], [0, 0, 1]],
+  4: [[0, 1, 0], [1, 0, 0]], 5: [[0, 0, 1], [1, 0, 0]], 6: [[0, 0, 1], [0, 1, 0]],
+};
+const NAMES = { 1: "x, y", 2: "x, z", 3: "y, z", 4: "y, x", 5: "z, x", 6: "z, y" };
+const SENT = 100; // ms between what is told of mouse and view
+const AGAIN = 1000; // ms until a lost connection is tried again
+
+const cross = ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b * x];
+
+export class Live extends View {
+  constructor(place, token) {
+    super(place);
+    Object.assign(this, { token, frames: 0, number: -1, steps: [0.1, 5, 1.15], lost: false });
+    this.panels = new Panels(place, (kind, words) => this.send(kind, words));
+    this.tools();
+    this.connect();
+    this.controls.addEventListener("change", () => (this.turned = true));
+    setInterval(() => this.report(), SENT);
+    for (const kind of ["keydown", "keyup"]) window.addEventListener(kind, (event) => this.key(event));
+  }
+
+  tools() {
+    const { bar } = this;
+    const button = (text, title, onclick) => element(bar, "button", { textContent: text, title, onclick: () => (onclick(), this.canvas.focus()) });
+    this.pause = button("❚❚", "pause or go on (space)", () => this.press(" "));
+    button("stop", "stop the solver (Q)", () => this.press("q"));
+    this.state = element(bar, "span", { className: "state" });
+    const choice = (first, entries, chosen) => {
+      const select = element(bar, "select", { title: first, onchange: () => (chosen(select.value), (select.selectedIndex = 0), select.blur()) });
+      element(select, "option", { textContent: first, value: "" });
+      for (const [value, text] of entries) element(select, "option", { value, textContent: text });
+    };
+    choice("view", [["home", "all (A)"], ...Object.entries(NAMES), ...Object.entries(NAMES).map(([n, name]) => [-n, `${name}, from behind`])],
+      (value) => (value === "home" ? this.home() : this.plane(Math.abs(value), value < 0)));
+    choice("show", [...GROUPS.map(([key, name]) => [key, `${name} (${key.toUpperCase()})`]), ...GROUPS.map(([key, name]) => [`${key}#`, `numbers of ${name}`])],
+      (value) => this.press(value[0], value.length > 1));
+    button("faces", "faces, transparent faces, edges (T)", () => this.press("t"));
+    button("cut", "leave out what is beyond a plane", () => this.panels.cut((plane) => this.cut(...plane), this.extent()));
+    button("dark", "dark or light", () => this.dark());
+    button("picture", "save a picture", () => this.save());
+    button("settings", "visualization settings (V)", () => this.send("settings"));
+    this.canvas.tabIndex = 0;
+    this.notice = element(this.place, "div", { className: "notice", onclick: () => (this.notice.textContent = "") });
+  }
+
+  // Middle and size of what is seen.
+  extent() {
+    const { center, zoom } = this.looking();
+    return { center, size: 2 * zoom };
+  }
+
+  connect() {
+    this.socket = new WebSocket(`ws://${location.host}/socket`);
+    this.socket.binaryType = "arraybuffer";
+    this.socket.onopen = () => {
+      this.socket.send(JSON.stringify({ kind: "hello", token: this.token }));
+      sessionStorage.setItem("token", this.token); // of this tab, for when it is loaded again
+      this.number = -1;
+    };
+    this.socket.onmessage = ({ data }) => (typeof data === "string" ? this.take(JSON.parse(data)) : this.draw(message(data)));
+    this.socket.onclose = ({ code, reason }) => {
+      this.lost = true;
+      this.state.textContent = code === 1008 ? `refused: ${reason}` : this.stopped ? "closed" : "no connection";
+      if (code !== 1008 && !this.stopped) setTimeout(() => this.connect(), AGAIN);
+    };
+  }
+
+  send(kind, words = {}) {
+    if (this.socket.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify({ kind, ...words }));
+  }
+
+  // ---- what the server sends
+
+  draw({ head, arrays }) {
+    if (head.kind === "scene") this.build(head, arrays);
+    else if (head.scene !== this.number) return this.send("shown"); // of a scene that is not here any more
+    let next = 0;
+    for (const { put, shaded } of this.movers) {
+      const points = arrays[next++], shades = shaded ? arrays[next++] : undefined;
+      if (points || shades) put(points ?? this.last.get(put), shades);
+      if (shaded && points) this.last.set(put, points);
+    }
+    const [curves, counts, places] = arrays.slice(next, next + 3);
+    if (curves || counts) this.curves(curves ?? this.points, counts ?? this.counts);
+    if (curves) this.points = curves;
+    if (counts) this.counts = counts;
+    if (places) this.write(this.texts, places);
+    this.range?.(...head.range);
+    this.time.textContent = [this.when(head.time), this.distance].filter(Boolean).join("\n");
+    this.mark();
+    this.wish();
+    this.frames += 1;
+  }
+
+  build(head, arrays) {
+    this.number = head.scene;
+    this.last = new Map();
+    const first = this.number === undefined || !this.objects.length;
+    const made = head.meshes.map((entry) => [entry, mesh(entry, arrays)]);
+    const balls = spheres(head.spheres, arrays);
+    const shades = arrays[head.lines.colors], colors = head.lines.items.map((_, i) => shades.subarray(3 * i, 3 * i + 3));
+    const drawn = lines(colors, head.lines.items);
+    const picked = this.picked == null ? null : JSON.stringify(this.items[this.picked]);
+    this.movers = made.map(([entry, [shape]]) => ({ put: shape.userData.put, shaded: entry.shaded }));
+    this.movers.push({ put: balls.length ? balls[0].userData.put : () => {} });
+    this.curves = drawn[0].userData.put;
+    this.texts = head.labels;
+    const found = picked == null ? -1 : head.items.findIndex((item) => JSON.stringify(item) === picked);
+    this.picked = found < 0 ? null : found;
+    this.marks = head.marks;
+    this.replace([...made.flatMap(([, objects]) => objects), ...balls, ...drawn], head.items);
+    this.steps = head.steps;
+    this.paint(head.background);
+    this.range = null;
+    this.contour(head.contour);
+    this.allEdges = head.edges;
+    this.showEdges();
+    this.fade(head.faces ? head.transparent : 0);
+    if (String(head.clip) !== String(this.clip)) this.cut(...(this.clip = head.clip));
+    if (first) this.look(head.camera);
+  }
+
+  take(words) {
+    const actions = {
+      state: () => {
+        this.lost = false;
+        this.state.textContent = words.text;
+        this.pause.textContent = words.text && words.text !== "solving" ? "▶" : "❚❚";
+      },
+      camera: () => this.look(words.camera),
+      notice: () => (this.notice.textContent = words.text),
+      stopped: () => ((this.stopped = true), (this.state.textContent = "closed")),
+      details: () => this.panels.details(words),
+      settings: () => this.panels.settings(words.rows),
+      controls: () => this.panels.controls(words),
+      plots: () => this.panels.plot(words.curves),
+    };
+    actions[words.kind]?.();
+  }
+
+  when(time) {
+    return `t = ${time.toPrecision(4)} s`;
+  }
+
+  tell(text) {
+    this.distance = text;
+  }
+
+  // ---- what readers do
+
+  home() {
+    this.press("a"); // the server knows from where all is seen
+  }
+
+  plane(number, behind) {
+    const [right, up] = PLANES[number], side = behind ? right.map((part) => -part) : right;
+    this.look({ ...this.looking(), rotation: [...side, ...up, ...cross(side, up)] });
+  }
+
+  pick(hit, full) {
+    super.pick(hit);
+    if (hit) this.send("select", { item: hit.number, scene: this.number, depth: hit.distance, full });
+    else this.send("select", { item: -1, scene: this.number, depth: 0 }), this.panels.close("details");
+  }
+
+  point(event) {
+    super.point(event);
+    this.mouse = event;
+  }
+
+  // Mouse and view, now and then.
+  report() {
+    if (this.mouse) {
+      const { offsetX: x, offsetY: y } = this.mouse, { zoom } = this.looking(), { clientWidth: width, clientHeight: height } = this.place;
+      this.send("mouse", { pixels: [x, y], place: [((2 * x - width) / height) * zoom, ((height - 2 * y) / height) * zoom] });
+      this.mouse = null;
+    }
+    if (this.turned && this.frames) this.send("camera", this.looking());
+    this.turned = false;
+  }
+
+  press(key, numbers = false) {
+    this.send("key", { key, control: numbers, shift: false, alt: false, action: 1 });
+  }
+
+  key(event) {
+    if (/^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName) || event.metaKey) return;
+    if (event.ctrlKey && /^[c]$/i.test(event.key) && String(getSelection())) return; // a text is copied
+    const { key, ctrlKey: control, shiftKey: shift, altKey: alt } = event, down = event.type === "keydown";
+    if (["Control", "Shift", "Alt", "F5", "F11", "F12"].includes(key)) return;
+    event.preventDefault();
+    if (down && this.moveBy(key, event)) return;
+    this.send("key", { key, control, shift, alt, action: down ? (event.repeat ? 2 : 1) : 0 });
+  }
+
+  // Keys that move the view; true if this was one.
+  moveBy(key, { code, ctrlKey: control, altKey: alt, shiftKey: shift }) {
+    const small = control ? 0.1 : 1, [shiftStep, turn, zoom] = this.steps, digit = /^Digit([1-6])$/.exec(code)?.[1];
+    if (digit && (control || alt)) return this.plane(digit, shift), true;
+    const move = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[key];
+    if (move && !code.startsWith("Numpad")) return this.shift(move.map((part) => part * shiftStep * small)), true;
+    const axis = { Numpad2: [0, 1], Numpad8: [0, -1], Numpad4: [1, 1], Numpad6: [1, -1], Numpad1: [2, 1], Numpad9: [2, -1] }[code];
+    if (axis) return this.turn(axis[0], axis[1] * turn * small), true;
+    const factor = { ".": 1 / zoom, NumpadAdd: 1 / zoom, ",": zoom, NumpadSubtract: zoom }[code === "NumpadAdd" || code === "NumpadSubtract" ? code : key];
+    if (factor) return this.look({ ...this.looking(), zoom: this.looking().zoom * factor ** small }), true;
+    const actions = { a: () => this.home(), v: () => this.send("settings"), o: () => {} };
+    if (control || alt || !actions[key.toLowerCase()]) return false;
+    actions[key.toLowerCase()]();
+    return true;
+  }
+
+  // The scene moves by parts of the window.
+  shift([right, up]) {
+    const now = this.looking(), size = 2 * now.zoom;
+    const center = now.center.map((part, i) => part - size * (right * now.rotation[i] + up * now.rotation[3 + i]));
+    this.look({ ...now, center });
+  }
+
+  // The scene turns about an axis of the window: 0 to the right, 1 up, 2 towards the reader.
+  turn(axis, degrees) {
+    const now = this.looking(), rows = [now.rotation.slice(0, 3), now.rotation.slice(3, 6), now.rotation.slice(6)];
+    const [i, j] = [(axis + 1) % 3, (axis + 2) % 3], c = Math.cos((degrees * Math.PI) / 180), s = Math.sin((degrees * Math.PI) / 180);
+    const [a, b] = [rows[i], rows[j]];
+    rows[i] = a.map((part, k) => c * part - s * b[k]);
+    rows[j] = a.map((part, k) => s * part + c * b[k]);
+    this.look({ ...now, rotation: rows.flat() });
+  }
+
+  step() {
+    if (this.frames !== this.told && !this.wanted) {
+      this.told = this.frames;
+      this.send("shown");
+    }
+  }
+}

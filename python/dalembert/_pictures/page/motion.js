@@ -1,0 +1,131 @@
+// The page of a motion: play and scrub.
+import { frame } from "./data.js";
+import { lines, mesh, spheres } from "./shapes.js";
+import { View, element } from "./view.js";
+
+// The numbers of all places in one frame, out of arrays that have all frames of one place each.
+function gathered(places, size, arrays, target) {
+  return (number) => {
+    places.forEach((place, i) => frame(arrays[place], size, number, target.subarray(i * size, (i + 1) * size)));
+    return target;
+  };
+}
+
+// An object goes to the frame of a number.
+function moving(entry, arrays) {
+  const made = mesh(entry, arrays), shape = made[0];
+  if (entry.frames == null) {
+    const now = gathered(entry.places, 12, arrays, new Float32Array(12 * entry.items.length));
+    return [made, (number) => shape.userData.put(now(number))];
+  }
+  const points = new Float32Array(3 * shape.geometry.getAttribute("position").count);
+  const shades = entry.frameColors == null ? null : arrays[entry.frameColors];
+  return [made, (number) => {
+    const at = shades && Math.min(number, shades.length / points.length - 1) * points.length;
+    shape.userData.put(frame(arrays[entry.frames], points.length, number, points), shades?.subarray(at, at + points.length));
+  }];
+}
+
+function balls(entry, arrays) {
+  const made = spheres(entry, arrays);
+  if (!made.length) return [made, () => {}];
+  const now = gathered(entry.places, 4, arrays, new Float32Array(4 * entry.items.length));
+  return [made, (number) => made[0].userData.put(now(number))];
+}
+
+function curves(entries, arrays) {
+  const total = entries.reduce((sum, entry) => sum + entry.count, 0);
+  const made = lines(entries.map((entry) => entry.color.map((part) => 255 * part)), entries.map((entry) => entry.item));
+  const points = new Float32Array(3 * total), counts = entries.map((entry) => entry.count);
+  return [made, (number) => {
+    let start = 0;
+    for (const entry of entries) {
+      frame(arrays[entry.frames], 3 * entry.count, number, points.subarray(start, start + 3 * entry.count));
+      start += 3 * entry.count;
+    }
+    made[0].userData.put(points, counts);
+  }];
+}
+
+export class Motion extends View {
+  constructor(place, head, arrays) {
+    super(place);
+    Object.assign(this, { head, frame: 0, playing: head.plays, speed: 1, since: 0 });
+    const parts = [...head.meshes.map((entry) => moving(entry, arrays)), balls(head.spheres, arrays), curves(head.lines, arrays)];
+    this.movers = parts.map(([, go]) => go);
+    this.replace(parts.flatMap(([made]) => made), head.items);
+    this.paint(head.background);
+    this.contour(head.contour, head.contour?.range);
+    this.tools();
+    this.look(head.camera);
+    this.show(0);
+    window.addEventListener("keydown", (event) => this.key(event));
+  }
+
+  tools() {
+    const { head, bar } = this, many = head.times.length > 1;
+    this.button = element(bar, "button", { title: "play or pause (space)", onclick: () => this.play(!this.playing), hidden: !many });
+    this.slider = element(bar, "input", { type: "range", min: 0, max: head.times.length - 1, value: 0, hidden: !many });
+    this.slider.oninput = () => (this.play(false), this.show(Number(this.slider.value)));
+    const speeds = element(bar, "select", { title: "speed", hidden: !many });
+    for (const speed of [0.1, 0.25, 0.5, 1, 2, 4]) element(speeds, "option", { value: speed, textContent: `${speed} x`, selected: speed === 1 });
+    speeds.onchange = () => (this.speed = Number(speeds.value));
+    element(bar, "button", { textContent: "view", title: "back to the first view (a)", onclick: () => this.look(head.camera) });
+    element(bar, "button", { textContent: "edges", title: "show edges (e)", onclick: () => this.edges() });
+    element(bar, "button", { textContent: "dark", title: "dark or light (d)", onclick: () => this.dark() });
+    element(bar, "button", { textContent: "picture", title: "save a picture", onclick: () => this.save() });
+    this.play(this.playing);
+  }
+
+  play(flag) {
+    const last = this.head.times.length - 1;
+    this.playing = flag && last > 0;
+    if (this.playing && this.frame === last) this.frame = 0;
+    this.button.textContent = this.playing ? "❚❚" : "▶";
+    this.since = 0;
+  }
+
+  show(number) {
+    this.frame = number;
+    for (const go of this.movers) go(number);
+    this.slider.value = number;
+    this.words = this.head.captions?.[number] ?? this.when(number);
+    this.tell(this.distance ?? "");
+    this.mark();
+    this.wish();
+  }
+
+  tell(text) {
+    this.distance = text;
+    this.time.textContent = [this.words, text].filter(Boolean).join("\n");
+  }
+
+  when(number) {
+    return this.head.times.length > 1 ? `t = ${this.head.times[number].toPrecision(4)} s` : "";
+  }
+
+  key(event) {
+    const last = this.head.times.length - 1, step = event.shiftKey ? 10 : 1;
+    const actions = {
+      " ": () => this.play(!this.playing),
+      ArrowRight: () => (this.play(false), this.show(Math.min(this.frame + step, last))),
+      ArrowLeft: () => (this.play(false), this.show(Math.max(this.frame - step, 0))),
+      Home: () => this.show(0),
+      End: () => this.show(last),
+      a: () => this.look(this.head.camera),
+      e: () => this.edges(),
+      d: () => this.dark(),
+    };
+    if (!actions[event.key] || event.ctrlKey || event.metaKey) return;
+    event.preventDefault();
+    actions[event.key]();
+  }
+
+  step(now) {
+    if (!this.playing) return;
+    if (!this.since) this.since = now - (this.frame / this.head.rate / this.speed) * 1000;
+    const number = Math.floor(((now - this.since) / 1000) * this.head.rate * this.speed);
+    if (number >= this.head.times.length) this.head.again ? ((this.since = now), this.show(0)) : this.play(false);
+    else if (number !== this.frame) this.show(Math.max(number, 0));
+  }
+}

@@ -1,0 +1,149 @@
+// Panels beside the scene: what is known of an item, settings, the widgets of a dialog, a cutting plane. All texts are set as text.
+import { element } from "./view.js";
+
+const PLOT = { width: 300, height: 150, left: 44, bottom: 18 };
+const COLORS = ["#3359e6", "#d92626", "#26a633", "#c77700", "#8a3fd1", "#00838f"];
+
+export class Panels {
+  constructor(place, send) {
+    Object.assign(this, { place, send, open: {} });
+  }
+
+  close(name) {
+    this.open[name]?.remove();
+    delete this.open[name];
+  }
+
+  panel(name, title, right = false) {
+    this.close(name);
+    const panel = (this.open[name] = element(this.place, "div", { className: right ? "panel right" : "panel" }));
+    panel.dataset.name = name;
+    element(panel, "h2", { textContent: title });
+    element(panel, "button", { className: "close", textContent: "×", title: "close", onclick: () => this.close(name) });
+    return panel;
+  }
+
+  details({ title, parameters, outputs }) {
+    const old = this.open.details, top = old?.dataset.title === title ? old.scrollTop : 0;
+    const panel = this.panel("details", title, true);
+    panel.dataset.title = title;
+    for (const [name, rows] of [["", parameters], ["outputs", outputs]]) {
+      if (name && rows.length) element(panel, "h2", { textContent: name });
+      const table = element(panel, "table");
+      for (const row of rows) {
+        const line = element(table, "tr");
+        for (const text of row) element(line, "td", { textContent: text });
+      }
+    }
+    panel.scrollTop = top;
+  }
+
+  settings(rows) {
+    const panel = this.panel("settings", "visualization settings"), branches = { "": panel };
+    for (const { path, branch, value, choices, help } of rows) {
+      const at = path.lastIndexOf("."), name = path.slice(at + 1), parent = branches[path.slice(0, Math.max(at, 0))];
+      if (branch) {
+        branches[path] = element(parent, "details");
+        element(branches[path], "summary", { textContent: name });
+        continue;
+      }
+      const row = element(parent, "label", { title: help });
+      element(row, "span", { textContent: `${name} ` });
+      const set = (text) => this.send("set", { path, value: text });
+      if (choices.length) {
+        const select = element(row, "select", { onchange: () => set(select.value) });
+        for (const text of choices) element(select, "option", { value: text, textContent: text, selected: text === value });
+      } else {
+        const input = element(row, "input", { type: "text", value, onchange: () => set(input.value) });
+      }
+    }
+  }
+
+  // A plane across one axis; what is beyond it is left out.
+  cut(apply, { center, size }) {
+    const panel = this.panel("cut", "cut");
+    let axis = 0, sign = 1;
+    const choice = element(panel, "select");
+    for (const name of ["x", "y", "z", "-x", "-y", "-z"]) element(choice, "option", { textContent: name, value: name });
+    const slider = element(panel, "input", { type: "range", min: -1, max: 1, step: 0.005, value: 0 });
+    const go = () => {
+      axis = "xyz".indexOf(choice.value.at(-1));
+      sign = choice.value.length > 1 ? -1 : 1;
+      const normal = [0, 0, 0];
+      normal[axis] = sign;
+      apply([...normal, sign * (center[axis] + Number(slider.value) * size)]);
+    };
+    choice.onchange = slider.oninput = go;
+    element(panel, "button", { textContent: "whole", onclick: () => (apply([0, 0, 0, 0]), this.close("cut")) });
+    go();
+  }
+
+  // The widgets of a dialog in their grid: {type, text, grid: [row, column], name, value, low, high, step, options}.
+  controls({ title, widgets, values = {} }) {
+    if (!widgets) return this.close("controls"); // the dialog is over
+    const panel = this.panel("controls", title);
+    const grid = element(panel, "div");
+    Object.assign(grid.style, { display: "grid", gap: "4px 10px", alignItems: "center" });
+    for (const widget of widgets) {
+      const cell = element(grid, "div");
+      if (widget.grid) [cell.style.gridRow, cell.style.gridColumn] = widget.grid.map((place) => place + 1);
+      this.widget(cell, { ...widget, value: values[widget.name] ?? widget.value });
+    }
+    this.curves = element(panel, "div");
+  }
+
+  widget(cell, { type, text, name, value, low, high, step, options }) {
+    const tell = (now) => this.send("control", { name, value: now });
+    if (type === "label") element(cell, "span", { textContent: text });
+    else if (type === "button") element(cell, "button", { textContent: text, onclick: () => this.send("control", { name, pressed: true }) });
+    else if (type === "check") {
+      const row = element(cell, "label"), box = element(row, "input", { type: "checkbox", checked: !!value, onchange: () => tell(box.checked) });
+      element(row, "span", { textContent: ` ${text ?? ""}` });
+    } else if (type === "radio") {
+      for (const [label, choice] of options) {
+        const row = element(cell, "label");
+        element(row, "input", { type: "radio", name, checked: choice === value, onchange: () => tell(choice) });
+        element(row, "span", { textContent: ` ${label}` });
+      }
+    } else if (type === "slider") {
+      const shown = element(cell, "span", { textContent: Number(value).toPrecision(4) });
+      const slider = element(cell, "input", { type: "range", min: low, max: high, step, value });
+      slider.oninput = () => ((shown.textContent = Number(slider.value).toPrecision(4)), tell(Number(slider.value)));
+    } else if (type === "entry") {
+      const input = element(cell, "input", { type: "text", value, onchange: () => tell(input.value) });
+    }
+  }
+
+  // Curves: [{title, x, y: [numbers of each curve]}].
+  plot(curves) {
+    if (!this.open.controls) return;
+    curves.forEach((curve, i) => {
+      const canvas = this.curves.children[i] ?? element(this.curves, "canvas", { width: PLOT.width, height: PLOT.height });
+      this.draw(canvas, curve);
+    });
+  }
+
+  draw(canvas, { title, x, y }) {
+    const pen = canvas.getContext("2d"), { width, height, left, bottom } = PLOT, ink = getComputedStyle(canvas).color;
+    const range = (numbers) => {
+      const low = Math.min(...numbers), high = Math.max(...numbers);
+      return high > low ? [low, high] : [low - 0.5, low + 0.5];
+    };
+    pen.clearRect(0, 0, width, height);
+    if (!x.length) return;
+    const [a, b] = range(x), [c, d] = range(y.flat());
+    const across = (value) => left + ((value - a) / (b - a)) * (width - left - 4), down = (value) => 18 + ((d - value) / (d - c)) * (height - bottom - 18);
+    pen.fillStyle = pen.strokeStyle = ink;
+    pen.font = "11px sans-serif";
+    pen.fillText(title, left, 11);
+    for (const value of [c, d]) pen.fillText(value.toPrecision(3), 0, down(value) + 4);
+    for (const value of [a, b]) pen.fillText(value.toPrecision(3), Math.min(across(value), width - 34), height - 4);
+    pen.strokeRect(left, 18, width - left - 4, height - bottom - 18);
+    y.forEach((numbers, k) => {
+      pen.strokeStyle = COLORS[k % COLORS.length];
+      pen.beginPath();
+      numbers.forEach((value, i) => pen.lineTo(across(x[i]), down(value)));
+      pen.stroke();
+    });
+  }
+}

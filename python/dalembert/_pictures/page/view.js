@@ -1,0 +1,287 @@
+// A scene of three.js with its camera, and what readers do with it: turn, move, zoom, pick, measure, cut. Both pages, that of a motion
+// and the live one, are views. Names of items are set as text, never as HTML. Nothing is loaded from anywhere.
+import {
+  AmbientLight, Box3, Box3Helper, BufferGeometry, Color, DirectionalLight, HemisphereLight, Line, LineBasicMaterial, Matrix4, PerspectiveCamera,
+  Plane, Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
+} from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { axes } from "./axes.js";
+
+const FIELD = 30; // degrees, of the camera
+const HALF = Math.tan((FIELD / 2) * (Math.PI / 180));
+const CLICK = 4; // pixels that the mouse may move in a click
+
+export function element(parent, tag, properties = {}) {
+  return parent.appendChild(Object.assign(document.createElement(tag), properties));
+}
+
+export class View {
+  constructor(place) {
+    Object.assign(this, { place, objects: [], items: [], marks: true, drawn: 0, background: [1, 1, 1], picked: null, ends: [] });
+    this.renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
+    this.renderer.setPixelRatio(window.devicePixelRatio);
+    this.canvas = this.renderer.domElement;
+    place.appendChild(this.canvas);
+    this.scene = new Scene();
+    this.camera = new PerspectiveCamera(FIELD, 1, 0.01, 1000);
+    this.controls = new OrbitControls(this.camera, this.canvas);
+    this.controls.addEventListener("change", () => this.wish());
+    this.light();
+    this.axes = axes(place);
+    this.labels = element(place, "div", { className: "labels" });
+    this.hint = element(place, "div", { className: "hint" });
+    this.time = element(place, "div", { className: "time" });
+    this.bar = element(place, "div", { className: "bar" });
+    this.scale = element(place, "div", { className: "contour" });
+    new ResizeObserver(() => this.resize()).observe(place);
+    this.resize();
+    this.canvas.addEventListener("pointermove", (event) => this.point(event));
+    this.canvas.addEventListener("pointerdown", (event) => (this.down = [event.clientX, event.clientY]));
+    this.canvas.addEventListener("pointerup", (event) => this.isClick(event) && this.click(event));
+    this.canvas.addEventListener("contextmenu", (event) => event.preventDefault());
+    requestAnimationFrame((now) => this.tick(now));
+  }
+
+  light() {
+    this.scene.add(new AmbientLight(0xffffff, 0.5), new HemisphereLight(0xffffff, 0x777777, 0.8));
+    const key = new DirectionalLight(0xffffff, 1.6), fill = new DirectionalLight(0xffffff, 0.5);
+    key.position.set(-0.5, 0.8, 1.1);
+    fill.position.set(0.9, 0.1, 0.6);
+    for (const lamp of [key, fill]) this.camera.add(lamp, lamp.target), lamp.target.position.set(0, 0, -1);
+    this.scene.add(this.camera);
+  }
+
+  // The objects of another scene; items are [kind, number, type, name, ...].
+  replace(objects, items) {
+    for (const old of this.objects) {
+      this.scene.remove(old);
+      old.geometry.dispose();
+      old.material.dispose();
+      old.dispose?.();
+    }
+    this.objects = objects;
+    this.items = items;
+    this.scene.add(...objects);
+    for (const object of objects) if (object.isMesh) object.userData.own = { opacity: object.material.opacity, clear: object.material.transparent };
+    this.mark();
+    this.wish();
+  }
+
+  paint(background) {
+    if (background) this.background = background;
+    this.scene.background = this.isDark ? new Color(0x1b1d22) : new Color().setRGB(...this.background, "srgb");
+    this.place.classList.toggle("dark", !!this.isDark);
+    this.wish();
+  }
+
+  // The rows of the rotation are right, up and towards the viewer; zoom is half the height that is seen.
+  look({ rotation, center, zoom }) {
+    const towards = new Vector3(...rotation.slice(6, 9)), middle = new Vector3(...center), distance = zoom / HALF;
+    const up = rotation.slice(3, 6), main = up.map(Math.abs).indexOf(Math.max(...up.map(Math.abs)));
+    const upright = Math.abs(rotation[main]) < 1e-6; // it stays so when it is turned by mouse
+    this.camera.up.set(...(upright ? up.map((part, i) => (i === main ? Math.sign(part) : 0)) : up));
+    this.controls._quat?.setFromUnitVectors(this.camera.up, new Vector3(0, 1, 0)); // three.js looks at `up` once only
+    this.controls._quatInverse?.copy(this.controls._quat).invert();
+    this.camera.position.copy(middle).addScaledVector(towards, distance);
+    Object.assign(this.camera, { near: distance / 200, far: distance * 50 });
+    this.camera.updateProjectionMatrix();
+    this.controls.target.copy(middle);
+    this.controls.update();
+    this.wish();
+  }
+
+  // The same numbers of the view as it is.
+  looking() {
+    this.camera.updateMatrixWorld();
+    const right = new Vector3(), up = new Vector3(), towards = new Vector3();
+    this.camera.matrixWorld.extractBasis(right, up, towards);
+    const zoom = this.camera.position.distanceTo(this.controls.target) * HALF;
+    return { rotation: [...right, ...up, ...towards], center: [...this.controls.target], zoom };
+  }
+
+  contour(contour, range) {
+    this.scale.replaceChildren();
+    if (!contour) return;
+    element(this.scale, "div", { textContent: contour.name });
+    const values = [];
+    contour.colors.toReversed().forEach((color, i) => {
+      const row = element(this.scale, "div", { className: "row" });
+      element(row, "span").style.background = `rgb(${color.join(",")})`;
+      if (i % 3 === 0) values.push([element(row, "i"), i / (contour.colors.length - 1)]);
+    });
+    this.range = (low, high) => values.forEach(([place, part]) => (place.textContent = (high + (low - high) * part).toPrecision(4)));
+    if (range) this.range(...range);
+  }
+
+  edges() {
+    this.allEdges = !this.allEdges;
+    this.showEdges();
+  }
+
+  showEdges() {
+    for (const object of this.objects) if (object.userData.edges) object.visible = !!this.allEdges;
+    this.wish();
+  }
+
+  // How clear faces are, on top of their own colors; 0 hides them.
+  fade(part) {
+    for (const object of this.objects) {
+      if (!object.isMesh) continue;
+      const { opacity, clear } = object.userData.own;
+      Object.assign(object.material, { opacity: opacity * part, transparent: clear || part < 1, depthWrite: part === 1 && !clear, visible: part > 0 });
+      object.material.needsUpdate = true;
+    }
+    this.wish();
+  }
+
+  // Leave out what is beyond a plane, on the side to which its normal points; no normal, no plane.
+  cut(x, y, z, distance) {
+    const normal = new Vector3(x, y, z), length = normal.length();
+    this.renderer.clippingPlanes = length ? [new Plane(normal.divideScalar(-length), distance)] : [];
+    this.wish();
+  }
+
+  dark() {
+    this.isDark = !this.isDark;
+    this.paint();
+  }
+
+  save() {
+    this.renderer.render(this.scene, this.camera);
+    Object.assign(document.createElement("a"), { href: this.canvas.toDataURL(), download: "picture.png" }).click();
+  }
+
+  // What is at a place of the window: number of the item, point, distance; null if there is nothing.
+  hit(x, y) {
+    const box = this.canvas.getBoundingClientRect(), ray = new Raycaster();
+    ray.setFromCamera(new Vector2(((x - box.left) / box.width) * 2 - 1, 1 - ((y - box.top) / box.height) * 2), this.camera);
+    const planes = this.renderer.clippingPlanes;
+    const hits = ray.intersectObjects(this.objects.filter((object) => object.isMesh && object.material.visible), false);
+    const found = hits.find(({ point }) => planes.every((plane) => plane.distanceToPoint(point) >= 0));
+    if (!found) return null;
+    const { object, instanceId, point, distance } = found;
+    return { number: object.userData.items[instanceId ?? 0], point, distance };
+  }
+
+  itemAt(x, y) {
+    const hit = this.hit(x, y);
+    return hit && this.items[hit.number];
+  }
+
+  // Where a point of the system is in the window.
+  projected(point) {
+    this.camera.updateMatrixWorld();
+    const { x, y } = new Vector3(...point).project(this.camera), box = this.canvas.getBoundingClientRect();
+    return [box.left + ((x + 1) / 2) * box.width, box.top + ((1 - y) / 2) * box.height];
+  }
+
+  point(event) {
+    if (event.buttons) return;
+    const item = this.itemAt(event.clientX, event.clientY);
+    this.hint.textContent = item ? `${item[0].toLowerCase()} ${item[1]}: ${item[3]} (${item[0]}${item[2]})` : "";
+    this.hint.style.transform = `translate(${event.offsetX + 14}px, ${event.offsetY + 10}px)`;
+  }
+
+  isClick(event) {
+    return this.down && Math.hypot(event.clientX - this.down[0], event.clientY - this.down[1]) < CLICK;
+  }
+
+  // With shift, the two ends of a distance; otherwise an item.
+  click(event) {
+    const hit = this.hit(event.clientX, event.clientY);
+    if (event.shiftKey) this.measure(hit);
+    else this.pick(hit, event.button === 2);
+  }
+
+  pick(hit) {
+    this.picked = hit && hit.number;
+    this.mark();
+    this.wish();
+  }
+
+  // A box around what is picked.
+  mark() {
+    if (this.box) this.scene.remove(this.box);
+    this.box = null;
+    if (this.picked == null || !this.marks) return;
+    const around = new Box3(), part = new Box3(), matrix = new Matrix4();
+    for (const object of this.objects) {
+      if (!object.isMesh) continue;
+      object.userData.items.forEach((item, i) => {
+        if (item !== this.picked) return;
+        if (!object.geometry.boundingBox || object.userData.deforms) object.geometry.computeBoundingBox();
+        part.copy(object.geometry.boundingBox);
+        if (object.isInstancedMesh) object.getMatrixAt(i, matrix), part.applyMatrix4(matrix);
+        around.union(part);
+      });
+    }
+    if (around.isEmpty()) return;
+    this.box = new Box3Helper(around, 0xcc0d0d);
+    this.scene.add(this.box);
+  }
+
+  measure(hit) {
+    if (this.ruler) this.scene.remove(this.ruler);
+    this.ruler = null;
+    if (!hit) this.ends = [];
+    else this.ends = this.ends.length === 1 ? [this.ends[0], hit.point] : [hit.point];
+    if (this.ends.length === 2) {
+      this.ruler = new Line(new BufferGeometry().setFromPoints(this.ends), new LineBasicMaterial({ color: 0xcc0d0d, depthTest: false }));
+      this.ruler.renderOrder = 1;
+      this.scene.add(this.ruler);
+      const [a, b] = this.ends, along = b.clone().sub(a);
+      this.tell(`distance ${along.length().toPrecision(6)} m   (${[...along].map((part) => part.toPrecision(4)).join(", ")})`);
+    } else this.tell(hit ? "distance: shift and click at the other end" : "");
+    this.wish();
+  }
+
+  tell() {}
+
+  // Texts at points: [text, place].
+  write(texts, places) {
+    const shown = Math.min(texts.length, 1000);
+    while (this.labels.children.length > shown) this.labels.lastChild.remove();
+    while (this.labels.children.length < shown) element(this.labels, "span");
+    for (let i = 0; i < shown; ++i) {
+      const [text, [red, green, blue]] = texts[i], label = this.labels.children[i];
+      if (label.textContent !== text) label.textContent = text;
+      label.style.color = this.isDark ? "inherit" : `rgb(${255 * red}, ${255 * green}, ${255 * blue})`;
+    }
+    this.places = places;
+  }
+
+  placeLabels() {
+    const point = new Vector3(), { clientWidth: width, clientHeight: height } = this.place;
+    [...this.labels.children].forEach((label, i) => {
+      const { x, y, z } = point.fromArray(this.places, 3 * i).project(this.camera);
+      label.hidden = z > 1;
+      label.style.transform = `translate(${((x + 1) / 2) * width}px, ${((1 - y) / 2) * height}px)`;
+    });
+  }
+
+  resize() {
+    const { clientWidth: width, clientHeight: height } = this.place;
+    if (!width || !height) return;
+    this.renderer.setSize(width, height);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    this.wish();
+  }
+
+  wish() {
+    this.wanted = true;
+  }
+
+  step() {}
+
+  tick(now) {
+    requestAnimationFrame((next) => this.tick(next));
+    this.step(now);
+    if (!this.wanted) return;
+    this.wanted = false;
+    this.renderer.render(this.scene, this.camera);
+    this.axes(this.camera);
+    this.placeLabels();
+    this.drawn += 1;
+  }
+}

@@ -1,0 +1,179 @@
+"""The live page in a browser: it draws, picks, obeys keys, and asks nobody else for anything."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+from browser import Browser, Tab, running
+
+import dalembert as exu
+from dalembert import graphics
+from dalembert._live.viewer import Viewer, viewer_of
+from dalembert.itemInterface import SensorNode
+from dalembert.utilities import InertiaCuboid
+
+ALT, CONTROL, SHIFT = 1, 2, 8
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    with running() as started:
+        yield started
+
+
+@pytest.fixture
+def model(mbs: Any) -> Any:
+    """One item of each kind, each in a place of its own."""
+    ground = mbs.CreateGround()
+    body = mbs.CreateRigidBody(
+        name="<img src=x onerror=alert(1)>", referencePosition=[1, 0, 0], inertia=InertiaCuboid(1000, [0.4, 0.4, 0.4]),
+        graphicsDataList=[graphics.Brick(size=[0.4, 0.4, 0.4], color=graphics.color.orange)],
+    )  # fmt: skip
+    mass = mbs.CreateMassPoint(name="mass", referencePosition=[0, 1, 0], physicsMass=1, drawSize=0.3)
+    mbs.CreateSpringDamper(bodyNumbers=[ground, body], stiffness=10, damping=0.01)
+    mbs.CreateForce(bodyNumber=mass, loadVector=[0, 1e-3, 0])
+    mbs.AddSensor(SensorNode(nodeNumber=0, outputVariableType=exu.OutputVariableType.Position, storeInternal=True))
+    mbs.Assemble()
+    return mbs
+
+
+@pytest.fixture
+def viewer(SC: Any, model: Any, monkeypatch: pytest.MonkeyPatch) -> Iterator[Viewer]:
+    monkeypatch.setenv("DALEMBERT_VIEWER", "on")
+    SC.renderer.Start()
+    found = viewer_of(SC)
+    assert found is not None
+    yield found
+    SC.renderer.Stop()
+
+
+@pytest.fixture
+def tab(browser: Browser, viewer: Viewer) -> Iterator[Tab]:
+    opened = browser.tab(viewer.server.address)
+    opened.wait("page.frames > 0 && page.drawn > 0")
+    yield opened
+    assert opened.errors == []
+    opened.close()
+
+
+def solving(mbs: Any) -> threading.Thread:
+    settings = exu.SimulationSettings()
+    settings.timeIntegration.endTime = 1000
+    settings.timeIntegration.numberOfSteps = 1_000_000
+    settings.timeIntegration.verboseMode = 0
+    settings.solutionSettings.writeSolutionToFile = False
+    thread = threading.Thread(target=lambda: mbs.SolveDynamic(settings), daemon=True)
+    thread.start()
+    return thread
+
+
+def test_it_follows_the_solver_until_it_is_stopped(model: Any, tab: Tab) -> None:
+    thread = solving(model)
+    frames = tab.value("page.frames")
+    tab.wait(f"page.frames > {frames + 5} && parseFloat(page.time.textContent.slice(4)) > 0")
+    assert "solving" in tab.wait("page.state.textContent")
+    tab.press("q")
+    thread.join(20)
+    assert not thread.is_alive()
+
+
+def test_it_asks_nobody_else_and_hides_its_token(viewer: Viewer, tab: Tab) -> None:
+    port = viewer.server.port
+    assert {r.split("#")[0] for r in tab.requests} <= {
+        f"http://127.0.0.1:{port}/", f"http://127.0.0.1:{port}/bundle.js", f"ws://127.0.0.1:{port}/socket", "data:,",
+    }  # fmt: skip
+    assert tab.value("location.href") == f"http://127.0.0.1:{port}/"
+    tab.call("Page.reload")
+    tab.wait("page.frames > 0")  # it is still known
+
+
+def test_names_are_texts(tab: Tab) -> None:
+    x, y = tab.value("page.projected([1, 0, 0])")
+    tab.click(x, y)
+    text = tab.wait("document.querySelector('[data-name=details]').textContent")
+    assert text and tab.value("document.querySelectorAll('img').length") == 0
+
+
+@pytest.mark.parametrize("kind", ["Node", "Object", "Marker", "Load", "Sensor"])
+def test_one_item_of_each_kind_is_picked(SC: Any, viewer: Viewer, tab: Tab, kind: str) -> None:
+    """All others are hidden; what is picked is what a click on its middle tells."""
+    groups = {"Node": "nodes", "Object": "bodies", "Marker": "markers", "Load": "loads", "Sensor": "sensors"}
+    for name in (*groups.values(), "connectors"):
+        getattr(viewer.settings, name).show = name == groups[kind]
+    viewer.settings.sensors.show = kind == "Sensor"
+    viewer.settings.markers.defaultSize = viewer.settings.sensors.defaultSize = 0.3
+    viewer.redraw()
+    tab.wait(
+        f"page.objects.some((o) => o.isMesh) && page.objects.filter((o) => o.isMesh).every((o) => o.userData.items.every((i) => page.items[i][0] === '{kind}'))"
+    )
+    middle = """(() => {
+      for (const o of page.objects) if (o.isMesh) {
+        o.geometry.computeBoundingBox();
+        const p = o.geometry.boundingBox.getCenter(o.position.clone());
+        if (o.isInstancedMesh) { const m = o.matrixWorld.clone(); o.getMatrixAt(0, m); p.applyMatrix4(m); }
+        const [x, y] = page.projected([...p]), hit = page.hit(x, y);
+        if (hit) return [x, y, ...page.items[hit.number]];
+      }
+    })()"""
+    x, y, found, number = tab.wait(middle)[:4]
+    assert found == kind
+    tab.click(x, y)
+    tab.wait(f"document.querySelector('[data-name=details] h2').textContent === '{kind.lower()} {number}'")
+    assert SC.renderer.GetItemSelection()[1:3] == (int(getattr(exu.ItemType, kind)), number)
+    assert tab.value("page.box !== null")
+
+
+def test_keys(viewer: Viewer, tab: Tab) -> None:
+    look = "JSON.stringify(page.looking())"
+    for key, code, held in [
+        ("ArrowLeft", "ArrowLeft", 0), ("ArrowUp", "ArrowUp", CONTROL), (".", "Period", 0), (",", "Comma", CONTROL),
+        ("4", "Numpad4", 0), ("9", "Numpad9", 0), ("2", "Digit2", ALT), ("1", "Digit1", ALT | SHIFT),
+    ]:  # fmt: skip
+        before = tab.value(look)
+        tab.press(key, code, held)
+        assert tab.value(look) != before, key
+    right, up = np.reshape(tab.value("page.looking().rotation"), (3, 3))[:2]
+    np.testing.assert_allclose([right, up], [[-1, 0, 0], [0, 1, 0]], atol=1e-6)
+    tab.press("n")
+    tab.wait("!page.items.some((item) => item[0] === 'Node')")
+    tab.press("b", held=CONTROL)
+    tab.wait("[...page.labels.children].some((label) => label.textContent === 'O1')")
+    tab.press("t")
+    tab.press("v")
+    tab.wait("document.querySelector('[data-name=settings]') !== null")
+    tab.value("document.querySelector('.dark') || page.dark()")
+    assert tab.value("page.place.classList.contains('dark')")
+
+
+def test_measuring_and_cutting(tab: Tab) -> None:
+    """The brick is 0.4 wide; cut in the middle, it is not hit any more where it was."""
+    tab.value("page.look({ rotation: [1, 0, 0, 0, 1, 0, 0, 0, 1], center: [1, 0, 0], zoom: 1 })")
+    for x in (0.85, 1.15):
+        tab.click(*tab.value(f"page.projected([{x}, 0.1, 0.2])"), held=SHIFT)
+    tab.wait("page.distance.startsWith('distance 0.30')")
+    x, y = tab.value("page.projected([1.1, 0.1, 0.2])")
+    assert tab.value(f"page.hit({x}, {y}) !== null")
+    tab.value("page.cut(1, 0, 0, 1.0)")
+    assert tab.value(f"page.hit({x}, {y}) === null")
+
+
+def test_two_pages(model: Any, viewer: Viewer, browser: Browser, tab: Tab) -> None:
+    other = browser.tab(viewer.server.address)
+    other.wait("page.frames > 0")
+    thread = solving(model)
+    for page in (tab, other):
+        page.call("Page.bringToFront")  # browsers draw only what is seen
+        frames = page.value("page.frames")
+        page.wait(f"page.frames > {frames + 2}")
+    other.close()
+    tab.call("Page.bringToFront")
+    frames = tab.value("page.frames")
+    tab.wait(f"page.frames > {frames + 2}")
+    tab.press("Escape")
+    thread.join(20)
+    assert not thread.is_alive()
+    tab.wait("page.state.textContent === 'closed'")
