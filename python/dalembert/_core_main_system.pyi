@@ -1,6 +1,6 @@
 # The multibody system: adding, reading and changing items, outputs, solving.
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, Literal, NoReturn, overload
 
 from numpy.typing import ArrayLike
@@ -36,6 +36,9 @@ from dalembert.create import bodies, connectors, contacts, flexible, joints, loa
 _StepFunction = Callable[[MainSystem, float], bool]
 _PostNewtonFunction = Callable[[MainSystem, float], ArrayLike]
 _PreNewtonResidualFunction = Callable[[MainSystem, float, int, int], Any]
+# Values whose changes of sign are events, perhaps with a direction; what is done then, with number and direction.
+_EventsFunction = Callable[[MainSystem, float], ArrayLike | Sequence[float | tuple[float, int]]]
+_EventActionFunction = Callable[[MainSystem, float, int, int], bool]
 _SystemJacobianFunction = Callable[[MainSystem, float, float, float, float], MatrixLike]
 
 # The first argument of what is written in Python is called mbs.
@@ -58,6 +61,10 @@ class MainSystem(_Bound):
         self, value: _PreNewtonResidualFunction | dict[str, Any] | Literal[0] | None
     ) -> None: ...
     def GetPreNewtonResidualUserFunction(self, asDict: bool = False) -> Any: ...
+    def SetEventsUserFunction(self, value: _EventsFunction | dict[str, Any] | Literal[0] | None) -> None: ...
+    def GetEventsUserFunction(self, asDict: bool = False) -> Any: ...
+    def SetEventActionUserFunction(self, value: _EventActionFunction | dict[str, Any] | Literal[0] | None) -> None: ...
+    def GetEventActionUserFunction(self, asDict: bool = False) -> Any: ...
     def SetSystemJacobianUserFunction(
         self, value: _SystemJacobianFunction | dict[str, Any] | Literal[0] | None
     ) -> None: ...

@@ -17,6 +17,7 @@ EXPLICIT = {
     DynamicSolverType.RK67,
     DynamicSolverType.ODE23,
     DynamicSolverType.DOPRI5,
+    DynamicSolverType.DOP853,
     DynamicSolverType.VelocityVerlet,
 }
 

@@ -24,7 +24,6 @@ class SecondOrderSolver : public NewtonSolver {
   void initialize_data() override;
   void initial_conditions() override;
   void post_initialize() override;
-  void update_current_time() override;
   bool reduce_step_size() override;
   void increase_step_size() override;
   double compute_residual() override;
@@ -46,6 +45,12 @@ class SecondOrderSolver : public NewtonSolver {
   void reset_to_start_of_step() override;
   void save_start_of_step() override;
   std::span<const double> restart_values() const override { return algorithmic_; }
+  std::vector<double> restart_numbers() const override { return {accepted_step_size_, static_cast<double>(steps_above_tolerance_)}; }
+  void forget() override;
+  KnownDerivatives complete_ends() override {
+    return {it.currentStepIndex > 1 || settings().timeIntegration.generalizedAlpha.computeInitialAccelerations, it.currentStepIndex > 1};
+  }
+  void renew_accelerations() override;
 
  private:
   friend class Lockstep;
@@ -61,6 +66,8 @@ class SecondOrderSolver : public NewtonSolver {
   bool hold_at_minimum();
   void project_velocities();
 
+  // Accelerations and multipliers that fit the state; false, with a warning: there are none.
+  bool find_accelerations();
   bool newmark() const;
   double rate_factor() const final { return gamma_prime(); }
   double row_scale() const final;  // of the ODE2 equations in Newton's method
