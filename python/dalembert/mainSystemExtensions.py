@@ -15,7 +15,6 @@ from dalembert._plots.repr_html import _repr_html_
 from dalembert._plots.system_graph import DrawSystemGraph
 from dalembert._solving.consistent import ComputeConsistentInitialConditions
 from dalembert._solving.energies import ComputeEnergies
-from dalembert._solving.recognised_trees import RecogniseTrees
 from dalembert._solving.report import Report
 from dalembert._studies.variations import SolveVariations
 from dalembert.create._distance_sensor import CreateDistanceSensor, CreateDistanceSensorGeometry
@@ -46,7 +45,6 @@ methods: dict[str, Callable[..., Any]] = (
             model_files.Load,
             model_files.Save,
             PlotSensor,
-            RecogniseTrees,
             Report,
             SaveHTML,
             SolutionViewer,
