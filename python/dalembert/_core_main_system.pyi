@@ -25,7 +25,6 @@ from dalembert._solving import buckling as buckling
 from dalembert._solving import consistent as consistent
 from dalembert._solving import energies as energies
 from dalembert._solving import linearized as linearized
-from dalembert._solving import recognised_trees as recognised_trees
 from dalembert._solving import report as report
 from dalembert._studies import variations as variations
 from dalembert.create import _distance_sensor as distance_sensor
@@ -285,7 +284,6 @@ class MainSystem(_Bound):
     DrawSolution = draw.DrawSolution
     Load = model_files.Load
     PlotSensor = plot.PlotSensor
-    RecogniseTrees = recognised_trees.RecogniseTrees
     Save = model_files.Save
     SaveHTML = html.SaveHTML
     SolutionViewer = interactive.SolutionViewer

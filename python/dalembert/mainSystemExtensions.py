@@ -16,7 +16,6 @@ from dalembert._plots.system_graph import DrawSystemGraph
 from dalembert._solving.buckling import ComputeBucklingLoads
 from dalembert._solving.consistent import ComputeConsistentInitialConditions
 from dalembert._solving.energies import ComputeEnergies
-from dalembert._solving.recognised_trees import RecogniseTrees
 from dalembert._solving.report import Report
 from dalembert._studies.variations import SolveVariations
 from dalembert.create._distance_sensor import CreateDistanceSensor, CreateDistanceSensorGeometry
@@ -49,7 +48,6 @@ methods: dict[str, Callable[..., Any]] = (
             model_files.Load,
             model_files.Save,
             PlotSensor,
-            RecogniseTrees,
             Report,
             SaveHTML,
             SolutionViewer,

@@ -10,6 +10,7 @@ import pytest
 import dalembert as exu
 from dalembert.itemInterface import SensorBody, SensorNode
 from dalembert.rigidBodyUtilities import InertiaCuboid, RotationMatrixX, RotationMatrixZ
+from dalembert.treeDynamics import RecogniseTrees
 
 Variable, Node = exu.OutputVariableType, exu.NodeType
 DOWN = [0, 0, -9.81]
@@ -64,7 +65,7 @@ def chain(node: Any = Node.RotationEulerParameters, branch: bool = False) -> tup
 @pytest.mark.parametrize("node", [Node.RotationEulerParameters, Node.RotationRotationVector])
 def test_trees_move_as_their_bodies_do(node: Any, branch: bool) -> None:
     mbs, sensors = chain(node, branch)
-    trees = mbs.RecogniseTrees()
+    trees = RecogniseTrees(mbs)
     assert types(trees)[:9] == ["Ground"] * 9 and types(trees)[9:] == ["ConnectorSpringDamper", "KinematicTree"]
     trees.Assemble()
     for sensor in sensors:
@@ -93,7 +94,7 @@ def test_loops_are_closed_by_the_remaining_joint() -> None:
     mbs.CreateGenericJoint(bodyNumbers=[bodies[-1], ground], position=corners[-1], **free)
     sensor = mbs.AddSensor(SensorBody(bodyNumber=bodies[2], outputVariableType=Variable.Position))
     mbs.Assemble()
-    trees = mbs.RecogniseTrees()
+    trees = RecogniseTrees(mbs)
     assert types(trees).count("JointGeneric") == 1
     for system in (mbs, trees):
         solve(system, 1.0)
@@ -105,7 +106,7 @@ def test_what_links_do_not_have_leaves_bodies_as_they_are() -> None:
     mbs, _ = chain()
     mbs.AddSensor(SensorNode(nodeNumber=2, outputVariableType=Variable.Coordinates))
     mbs.Assemble()
-    trees = mbs.RecogniseTrees()
+    trees = RecogniseTrees(mbs)
     assert types(trees).count("RigidBody") == 2 and types(trees).count("KinematicTree") == 1
     for system in (mbs, trees):
         solve(system, 0.2, 1000)
@@ -122,7 +123,7 @@ def test_weights_that_differ_stay_loads() -> None:
         bodies.append(body)
     sensor = mbs.AddSensor(SensorBody(bodyNumber=bodies[-1], outputVariableType=Variable.Position))
     mbs.Assemble()
-    trees = mbs.RecogniseTrees()
+    trees = RecogniseTrees(mbs)
     for system in (mbs, trees):
         solve(system)
     assert trees.GetSensorValues(sensor) == pytest.approx(mbs.GetSensorValues(sensor), abs=1e-6)
@@ -135,4 +136,4 @@ def test_open_joints_are_refused() -> None:
     mbs.CreateRevoluteJoint(name="hinge", bodyNumbers=[ground, body], position=[0, 0, 0], axis=[0, 0, 1])
     mbs.Assemble()
     with pytest.raises(ValueError, match=r"RecogniseTrees: joint 'hinge' \(object 2\) is open by 0.1 at the start"):
-        mbs.RecogniseTrees()
+        RecogniseTrees(mbs)

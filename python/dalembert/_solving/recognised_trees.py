@@ -1,4 +1,4 @@
-"""Open chains and trees of rigid bodies as kinematic trees: mbs.RecogniseTrees().
+"""Open chains and trees of rigid bodies as kinematic trees: treeDynamics.RecogniseTrees.
 
 Bodies that joints of one coordinate carry, one after the other from the ground on, become links; what acts on the
 bodies then acts on the links. Items keep their numbers: in the place of bodies, their nodes and joints are ground items
@@ -13,7 +13,6 @@ from typing import Any
 
 import numpy as np
 
-from dalembert import graphics
 from dalembert._checks import FloatArray
 from dalembert._core import (
     ConfigurationType,
@@ -27,6 +26,7 @@ from dalembert._core import (
     Vector3DList,
 )
 from dalembert._geometry.inertia import RigidBodyInertia
+from dalembert.graphics import Move
 
 GROUND = -1
 CLOSED = 1e-6  # m and rad, between the markers of a joint
@@ -344,7 +344,7 @@ def _parameters(model: Model, tree: Tree, node: NodeIndex) -> dict[str, Any]:
         offsets.append(turn.T @ (link.joint.places[0] - origin))
         inertias.append(_inertia(item, link))
         shapes = item["VgraphicsData"] if item["Vshow"] else []
-        drawn.append([graphics.Move(shape, -link.turn.T @ link.origin, link.turn.T) for shape in shapes])
+        drawn.append([Move(shape, -link.turn.T @ link.origin, link.turn.T) for shape in shapes])
     return {
         "objectType": "KinematicTree",
         "name": f"tree of {model.items('object')[tree.links[0].body]['name']}",
