@@ -13,6 +13,7 @@
 #include "dalembert/model/errors.hpp"
 #include "dalembert/model/member.hpp"
 #include "dalembert/symbolic/tape.hpp"
+#include "index_types.hpp"
 #include "main_system.hpp"
 #include "python_errors.hpp"
 
