@@ -27,11 +27,11 @@ def load_enum(path: str, content: str) -> Enum:
 
 def _value(name: str, row: Mapping[str, Any]) -> EnumValue:
     with at(f"values.{name}"):
-        check_keys(row, ("value", "doc"))
+        check_keys(row, ("value", "doc", "beyond_reference"))
         value = row.get("value")
         if not isinstance(value, int) or isinstance(value, bool):
             raise SpecError(f"value: {value!r} is not an integer")
-        return EnumValue(name, value, row.get("doc", ""))
+        return EnumValue(name, value, row.get("doc", ""), row.get("beyond_reference"))
 
 
 def load_settings(path: str, content: str, enums: Mapping[str, Enum]) -> Settings:

@@ -16,10 +16,13 @@ class EnumValue:
     name: str
     value: int
     doc: str = ""
+    beyond_reference: str | None = None  # what it adds to the values of the reference; None: it is one of them
 
     def __post_init__(self) -> None:
         check_identifier(self.name)
         check_documented(self.doc)
+        if self.beyond_reference is not None:
+            check_documented(self.beyond_reference, "beyond_reference")
         if not 0 <= self.value < 2**32:
             raise SpecError(f"value: {self.value} does not fit into 32 bits")
 

@@ -1,7 +1,7 @@
 """Start a new item: its spec, and the skeleton of its kernel.
 
 A kind has two templates in templates/new/, `<kind>.toml.j2` and `<kind>.hpp.j2`: an item that is complete and small, to
-be changed into what is wanted. A kind without templates of its own starts as planned.
+be changed into what is wanted.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from pathlib import Path
 
 from codegen.model import SpecError
 from codegen.names import FOLDERS, stem_of
-from codegen.render import environment, fill
+from codegen.render import fill
 
 # Kind -> folder of specs/, and type of objects.
 KINDS = {
@@ -28,7 +28,6 @@ KINDS = {
     "load": ("loads", ""),
     "sensor": ("sensors", ""),
 }
-PLANNED = ("new/planned.toml.j2", "new/planned.hpp.j2")
 
 
 @dataclass(frozen=True)
@@ -40,7 +39,6 @@ class NewItem:
     object_type: str
     folder: str
     stem: str
-    physics: str
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -64,16 +62,12 @@ def create(root: Path, kind: str, name: str) -> list[str]:
     full = full_name(folder, name)
     if not full.isidentifier() or full in (longest, shortest):
         raise SpecError(f"name: {name!r} does not make the name of an item")
-    own = (f"new/{kind}.toml.j2", f"new/{kind}.hpp.j2")
-    complete = own[0] in environment().list_templates()
     stem = stem_of(full, folder)
-    item = NewItem(
-        full, full.removeprefix(shortest), object_type, folder, stem, physics="ready" if complete else "planned"
-    )
-    spec, kernel = own if complete else PLANNED
-    files = {f"specs/{stem}.toml": fill(spec, item=item)}
-    if kind != "sensor":
-        files[f"core/include/dalembert/items/{stem}.hpp"] = fill(kernel, item=item)
+    item = NewItem(full, full.removeprefix(shortest), object_type, folder, stem)
+    files = {
+        f"specs/{stem}.toml": fill(f"new/{kind}.toml.j2", item=item),
+        f"core/include/dalembert/items/{stem}.hpp": fill(f"new/{kind}.hpp.j2", item=item),
+    }
     for path in files:
         if (root / path).exists():
             raise SpecError(f"{path}: exists already")

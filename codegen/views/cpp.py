@@ -25,6 +25,7 @@ _ITEM_PHYSICS = {
     "joints": ("ConstraintPhysics", "constraint"),
     "markers": ("MarkerPhysicsOf", "marker"),
     "loads": ("LoadPhysicsOf", "load"),
+    "sensors": ("SensorPhysicsOf", "sensor"),
 }
 _SIZED_BODY = ("SizedBodyPhysics", "sized_body")
 
@@ -195,8 +196,6 @@ def physics_includes(item: Item, stems: dict[str, str]) -> list[str]:
     """Headers that the instantiation of a ready item's physics needs, in alphabetical order."""
     if not item.ready or item.irregular:
         return []
-    if item.kind == "sensor":
-        return ["dalembert/system/physics.hpp"]
     kernels = [item.stem, *(stems[node] for node in item.nodes)]
     batch = _physics(item)[1]
     return sorted([f"dalembert/batches/{batch}.hpp", *(f"dalembert/items/{stem}.hpp" for stem in kernels)])
@@ -214,6 +213,4 @@ def physics_expression(item: Item) -> str:
         return ""
     if item.irregular:
         return f"{snake_case(item.name)}_physics()"
-    if item.kind == "sensor":
-        return "SensorPhysics{}"
     return f"{_physics(item)[0]}<{', '.join((item.name, f'{item.name}Record', *item.nodes))}>{{}}"

@@ -223,19 +223,19 @@ std::pair<Array, py::array_t<int>> history_arrays(const std::vector<VariationRes
 py::dict arrays(const std::vector<VariationResult>& results, const Ensemble& ensemble, const State& initial, int columns) {
   py::dict all;
   const auto n = static_cast<py::ssize_t>(results.size());
-  py::array_t<bool> success(n), side_by_side(n);
+  py::array_t<bool> success(n);
   py::array_t<double> times(n);
-  py::list messages, warnings;
+  py::list messages, warnings, alone;
   for (py::ssize_t k = 0; k < n; ++k) {
     const VariationResult& r = results[static_cast<std::size_t>(k)];
     success.mutable_at(k) = r.solved;
-    side_by_side.mutable_at(k) = r.side_by_side;
+    alone.append(r.alone);
     times.mutable_at(k) = r.time;
     messages.append(r.message);
     warnings.append(r.warnings);
   }
   all["success"] = success;
-  all["sideBySide"] = side_by_side;
+  all["alone"] = alone;
   all["messages"] = messages;
   all["warnings"] = warnings;
   all["endTimes"] = times;

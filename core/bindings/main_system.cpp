@@ -17,7 +17,8 @@ namespace {
 using Class = py::class_<MainSystem, std::shared_ptr<MainSystem>>;
 
 // The functions that a solver calls for the whole system, by the names of their setters.
-constexpr const char* system_functions[] = {"PreStep", "PostStep", "PostNewton", "PreNewtonResidual", "SystemJacobian"};
+constexpr const char* system_functions[] = {"PreStep",           "PostStep", "PostNewton", "PreNewtonResidual", "SystemJacobian", "Events",
+                                           "EventAction"};
 
 constexpr const char* list_key(ItemKind kind) {
   constexpr const char* keys[] = {"nodeList", "objectList", "markerList", "loadList", "sensorList"};

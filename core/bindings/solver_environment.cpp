@@ -54,6 +54,7 @@ class SystemFunction {
 
   [[noreturn]] void refuse_result(const py::object& result, double time) const {
     const char* expected = name_ == "PostNewton" ? "a list [error, recommended step size]"
+                           : name_ == "Events" ? "a list of numbers, or of pairs (number, direction)"
                            : name_ == "SystemJacobian" ? "a MatrixContainer"
                                                        : "True to go on, or False to stop";
     refuse(ErrorKind::value, {words(this, -1) + ", at time " + std::to_string(time), "", "",
@@ -120,6 +121,33 @@ std::vector<MatrixEntry> read_entries(const py::object& result) {
   return entries;
 }
 
+// Numbers, or pairs of a number and the direction in which its sign has to change.
+std::vector<EventValue> read_events(const py::object& result) {
+  if (PySequence_Check(result.ptr()) == 0 || PyUnicode_Check(result.ptr())) throw py::cast_error();
+  std::vector<EventValue> values;
+  for (const py::handle entry : result) {
+    if (py::isinstance<py::tuple>(entry) || py::isinstance<py::list>(entry)) {
+      const auto [value, direction] = entry.cast<std::pair<double, int>>();
+      values.push_back({value, direction});
+    } else {
+      values.push_back({entry.cast<double>(), 0});
+    }
+  }
+  return values;
+}
+
+std::function<bool(double, int, int)> event_action(const std::shared_ptr<MainSystem>& main) {
+  if (main->user_function("EventAction").is_none()) return nullptr;
+  return [function = std::make_shared<SystemFunction>(main, "EventAction")](double time, int event, int direction) {
+    return function->call(
+        [&](const py::object& result) {
+          if (result.is_none()) function->refuse_result(result, time);
+          return result.cast<bool>();
+        },
+        time, event, direction);
+  };
+}
+
 void add_user_functions(SolverHooks& hooks, const std::shared_ptr<MainSystem>& main) {
   hooks.pre_step = step_function(main, "PreStep");
   hooks.post_step = step_function(main, "PostStep");
@@ -139,6 +167,10 @@ void add_user_functions(SolverHooks& hooks, const std::shared_ptr<MainSystem>& m
                                     double time, int newton, int discontinuous) {
       function->call([](const py::object&) { return 0; }, time, newton, discontinuous);
     };
+  }
+  if (!main->user_function("Events").is_none()) {
+    hooks.events = [function = std::make_shared<SystemFunction>(main, "Events")](double time) { return function->call(&read_events, time); };
+    hooks.event_action = event_action(main);
   }
   if (!main->user_function("SystemJacobian").is_none()) {
     hooks.system_jacobian = [function = std::make_shared<SystemFunction>(main, "SystemJacobian")](

@@ -158,6 +158,8 @@ template <class W>
 void register_information(SolverClass<W>& c) {
   c.def("IsStaticSolver", [](const W& w) { return w.is_static(); }, "Whether it solves static problems.");
   c.def("GetSolverName", [](const W& w) { return w.name(); }, "The name, as files and messages give it.");
+  c.def("GetDoubts", [](const W& w) { return w.doubts(); },
+        "Why a solution that has finished is not to be trusted, one text each; output.trusted tells whether there are none.");
   c.def("GetErrorString", [](const W& w) { return w.error_string(); }, "Why the solver failed; empty after success.");
   c.def("GetDiagnosis", [](const W& w) { return w.diagnosis().failed() ? w.diagnosis().text() : ""; },
         "Step, time, residuals, equations and items of a failure, and what to try; empty after success.");
@@ -298,11 +300,7 @@ void register_common(SolverClass<W>& c) {
 std::vector<double> read_restart(MainSystem& main, const std::string& name) {
   RestartData data = read_restart_file(name);
   State& initial = main.assembled("ContinueFromRestartFile").state(ConfigurationType::Initial);
-  const auto same = [](const std::vector<double>& x, const std::vector<double>& y) { return x.size() == y.size(); };
-  if (!std::ranges::all_of(std::array{&State::q, &State::v, &State::a, &State::y, &State::y_t, &State::lambda, &State::data},
-                           [&](const auto member) { return same(data.state.*member, initial.*member); })) {
-    throw ModelError(ErrorKind::value, "restart file '" + name + "': the numbers of coordinates are not those of this system");
-  }
+  require_fitting(data, initial, name);
   initial = data.state;  // in place: views stay valid
   return std::move(data.algorithmic_accelerations);
 }

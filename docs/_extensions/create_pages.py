@@ -24,7 +24,7 @@ def heading(title: str, mark: str = "=") -> str:
 
 
 def row(argument: Any) -> str:
-    check, _, unit = argument.facts.removeprefix(", ").rpartition("unit ")
+    check, _, unit = argument.facts.partition(";")[0].removeprefix(", ").partition("unit ")
     text = argument.text[0].upper() + argument.text[1:] if argument.text[:2].islower() else argument.text
     default = f"``{argument.default}``" if argument.default else "(required)"
     cells = (

@@ -41,7 +41,7 @@ constexpr std::array<EnumEntry, 2> CrossSectionType_entries{{
     {"Circular", 2},
 }};
 
-constexpr std::array<EnumEntry, 11> DynamicSolverType_entries{{
+constexpr std::array<EnumEntry, 12> DynamicSolverType_entries{{
     {"GeneralizedAlpha", 1},
     {"TrapezoidalIndex2", 2},
     {"ExplicitEuler", 3},
@@ -53,6 +53,7 @@ constexpr std::array<EnumEntry, 11> DynamicSolverType_entries{{
     {"DOPRI5", 9},
     {"DVERK6", 10},
     {"VelocityVerlet", 11},
+    {"DOP853", 12},
 }};
 
 constexpr std::array<EnumEntry, 6> ItemType_entries{{

@@ -41,6 +41,14 @@ constexpr std::array<std::string_view, 4> DiscontinuousSettings_rows{
     "true: the step size follows recommendations of items, for example at the start of a contact; false: they are ignored",
 };
 
+constexpr std::array<std::string_view, 1> ContinuationSettings_rows{
+    "restart file of a solution with the same model, solver and settings; its start time, end time and number of steps are those of the whole solution. Solution and sensor files go on where they were when the restart file was written; what is behind that is overwritten. Empty: start from the initial values",
+};
+
+constexpr std::array<std::string_view, 1> DenseOutputSettings_rows{
+    "true: solution and sensors are written at the multiples of ``solutionWritePeriod`` and ``sensorsWritePeriod``, counted from the start, and at the end; within steps by Hermite interpolation of coordinates, velocities and accelerations. Data coordinates are those of the end of the step. False: they are written at the first end of a step at which the period is over. Static solvers write at their load steps",
+};
+
 constexpr std::array<std::string_view, 4> InitialConditionsSettings_rows{
     "evaluate the gap and the rate of the gap of every constraint before the first step, and name the worst of those that are not fulfilled; the static solver looks at gaps only, closes them, and says so if its verboseMode is at least 1",
     "true: constraints that are not fulfilled at the start are an error; false: a warning",
@@ -553,10 +561,12 @@ constexpr std::array<std::string_view, 11> VSettingsExportImages_rows{
     "the width of an image is a multiple of this number of pixels; 4 suits video encoders",
 };
 
-constexpr std::array<SettingsText, 45> settings{{
+constexpr std::array<SettingsText, 47> settings{{
     {"NewtonNumericalDifferentiationSettings", "Jacobians by numerical differentiation", NewtonNumericalDifferentiationSettings_rows},
     {"NewtonSettings", "Newton's method for the nonlinear equations of a step", NewtonSettings_rows},
     {"DiscontinuousSettings", "iterations for contact, friction and other discontinuous states, after Newton's method has converged", DiscontinuousSettings_rows},
+    {"ContinuationSettings", "going on with a solution that was stopped", ContinuationSettings_rows},
+    {"DenseOutputSettings", "what is written between the ends of steps", DenseOutputSettings_rows},
     {"InitialConditionsSettings", "how the initial values are held against the constraints when a solver starts", InitialConditionsSettings_rows},
     {"LinearSolverChoiceSettings", "who chooses the linear solver", LinearSolverChoiceSettings_rows},
     {"LinearSolverSettings", "settings of the linear solver", LinearSolverSettings_rows},
@@ -635,7 +645,7 @@ constexpr std::array<std::string_view, 2> CrossSectionType_values{
     "circle, given by its radius",
 };
 
-constexpr std::array<std::string_view, 11> DynamicSolverType_values{
+constexpr std::array<std::string_view, 12> DynamicSolverType_values{
     "implicit, second order with adjustable numerical damping, for all models; its parameters are in ``timeIntegration.generalizedAlpha``",
     "implicit trapezoidal rule (Newmark) with constraints on velocity level; second order, no numerical damping",
     "explicit, first order, one evaluation per step",
@@ -647,6 +657,7 @@ constexpr std::array<std::string_view, 11> DynamicSolverType_values{
     "explicit Runge-Kutta method of Dormand and Prince, order 5 with error estimate of order 4 and automatic step size",
     "explicit Runge-Kutta method of Verner, order 6 with error estimate of order 5 and automatic step size",
     "explicit, second order for coordinates of second order equations, one evaluation per step; for particles and contact",
+    "explicit Runge-Kutta method of Dormand and Prince, order 8 with error estimates of orders 5 and 3 and automatic step size; for tight tolerances",
 };
 
 constexpr std::array<std::string_view, 6> ItemType_values{

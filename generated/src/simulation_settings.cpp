@@ -62,6 +62,16 @@ constexpr std::array<SettingRule, 1> DiscontinuousSettings_rules{{
 }};
 constexpr SettingsGroup DiscontinuousSettings_group{"DiscontinuousSettings", DiscontinuousSettings_rows, {}, DiscontinuousSettings_rules};
 
+constexpr std::array<Row, 1> ContinuationSettings_rows{{
+    {.name = "restartFileName", .storage = Storage::text, .offset = offsetof(ContinuationSettings, restartFileName), .role = Role::parameter},
+}};
+constexpr SettingsGroup ContinuationSettings_group{"ContinuationSettings", ContinuationSettings_rows, {}};
+
+constexpr std::array<Row, 1> DenseOutputSettings_rows{{
+    {.name = "atRequestedTimes", .storage = Storage::boolean, .offset = offsetof(DenseOutputSettings, atRequestedTimes), .role = Role::parameter},
+}};
+constexpr SettingsGroup DenseOutputSettings_group{"DenseOutputSettings", DenseOutputSettings_rows, {}};
+
 constexpr std::array<Row, 4> InitialConditionsSettings_rows{{
     {.name = "checkConstraints", .storage = Storage::boolean, .offset = offsetof(InitialConditionsSettings, checkConstraints), .role = Role::parameter},
     {.name = "inconsistentIsError", .storage = Storage::boolean, .offset = offsetof(InitialConditionsSettings, inconsistentIsError), .role = Role::parameter},
@@ -273,7 +283,9 @@ constexpr std::array<SettingRule, 3> SimulationSettings_rules{{
     {.name = "outputPrecision", .lower = 1.0, .upper = 17.0, .words = "from 1 to 17"},
     {.name = "pauseAfterEachStep", .no_effect = "there is no render window yet whose space bar could be waited for; a PostStep user function may wait"},
 }};
-constexpr std::array<SettingsChild, 9> SimulationSettings_children{{
+constexpr std::array<SettingsChild, 11> SimulationSettings_children{{
+    {"continuation", &ContinuationSettings_group, offsetof(SimulationSettings, continuation)},
+    {"denseOutput", &DenseOutputSettings_group, offsetof(SimulationSettings, denseOutput)},
     {"initialConditions", &InitialConditionsSettings_group, offsetof(SimulationSettings, initialConditions)},
     {"linearSolverChoice", &LinearSolverChoiceSettings_group, offsetof(SimulationSettings, linearSolverChoice)},
     {"linearSolverSettings", &LinearSolverSettings_group, offsetof(SimulationSettings, linearSolverSettings)},

@@ -149,7 +149,8 @@ else:
             return import_module(f"dalembert.{name}")
         if text := _planned.module_text(name):
             raise AttributeError(text)
-        raise AttributeError(f"module 'dalembert' has no attribute '{name}'")
+        hint = f"; it is a method of a system: mbs.{name}(...)" if hasattr(_core.MainSystem, name) else ""
+        raise AttributeError(f"module 'dalembert' has no attribute '{name}'{hint}")
 
     def __dir__() -> list[str]:
         return sorted({*globals(), *_submodules})

@@ -1,6 +1,6 @@
 # The multibody system: adding, reading and changing items, outputs, solving.
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, Literal, NoReturn, overload
 
 from numpy.typing import ArrayLike
@@ -21,6 +21,7 @@ from dalembert._pictures import draw as draw
 from dalembert._pictures import html as html
 from dalembert._pictures import shortcuts as shortcuts
 from dalembert._plots import system_graph as system_graph
+from dalembert._solving import buckling as buckling
 from dalembert._solving import consistent as consistent
 from dalembert._solving import energies as energies
 from dalembert._solving import linearized as linearized
@@ -28,12 +29,15 @@ from dalembert._solving import report as report
 from dalembert._studies import variations as variations
 from dalembert.create import _distance_sensor as distance_sensor
 from dalembert.create import _robot as robot
-from dalembert.create import bodies, connectors, flexible, joints, loads, trees
+from dalembert.create import bodies, connectors, contacts, flexible, joints, loads, trees
 
 # Functions that solvers call. Step functions return whether to go on, PostNewton [error, recommended step size].
 _StepFunction = Callable[[MainSystem, float], bool]
 _PostNewtonFunction = Callable[[MainSystem, float], ArrayLike]
 _PreNewtonResidualFunction = Callable[[MainSystem, float, int, int], Any]
+# Values whose changes of sign are events, perhaps with a direction; what is done then, with number and direction.
+_EventsFunction = Callable[[MainSystem, float], ArrayLike | Sequence[float | tuple[float, int]]]
+_EventActionFunction = Callable[[MainSystem, float, int, int], bool]
 _SystemJacobianFunction = Callable[[MainSystem, float, float, float, float], MatrixLike]
 
 # The first argument of what is written in Python is called mbs.
@@ -56,6 +60,10 @@ class MainSystem(_Bound):
         self, value: _PreNewtonResidualFunction | dict[str, Any] | Literal[0] | None
     ) -> None: ...
     def GetPreNewtonResidualUserFunction(self, asDict: bool = False) -> Any: ...
+    def SetEventsUserFunction(self, value: _EventsFunction | dict[str, Any] | Literal[0] | None) -> None: ...
+    def GetEventsUserFunction(self, asDict: bool = False) -> Any: ...
+    def SetEventActionUserFunction(self, value: _EventActionFunction | dict[str, Any] | Literal[0] | None) -> None: ...
+    def GetEventActionUserFunction(self, asDict: bool = False) -> Any: ...
     def SetSystemJacobianUserFunction(
         self, value: _SystemJacobianFunction | dict[str, Any] | Literal[0] | None
     ) -> None: ...
@@ -261,11 +269,11 @@ class MainSystem(_Bound):
     CreateGenericJoint = joints.CreateGenericJoint
     CreateRollingDisc = joints.CreateRollingDisc
     CreateRollingDiscPenalty = joints.CreateRollingDiscPenalty
+    CreateSphereSphereContact = contacts.CreateSphereSphereContact
+    CreateSphereTriangleContact = contacts.CreateSphereTriangleContact
+    CreateSphereQuadContact = contacts.CreateSphereQuadContact
     CreateForce = loads.CreateForce
     CreateTorque = loads.CreateTorque
-    def CreateSphereSphereContact(mbs, *args: Any, **kwargs: Any) -> NoReturn: ...
-    def CreateSphereQuadContact(mbs, *args: Any, **kwargs: Any) -> NoReturn: ...
-    def CreateSphereTriangleContact(mbs, *args: Any, **kwargs: Any) -> NoReturn: ...
 
     CreateKinematicTree = trees.CreateKinematicTree
     CreateDistanceSensor = distance_sensor.CreateDistanceSensor
@@ -285,6 +293,7 @@ class MainSystem(_Bound):
     SolveDynamic = solver.SolveDynamic
     SolveStatic = solver.SolveStatic
     SolveVariations = variations.SolveVariations
+    ComputeBucklingLoads = buckling.ComputeBucklingLoads
     ComputeConsistentInitialConditions = consistent.ComputeConsistentInitialConditions
     ComputeEnergies = energies.ComputeEnergies
     Report = report.Report

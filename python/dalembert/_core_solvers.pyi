@@ -29,6 +29,10 @@ class SolverIterationData(_Bound):
     endTime: float
     initialStepSize: float
     lastStepSize: float
+    stepsAboveTolerance: int
+    unsettledSteps: int
+    eventsCount: int
+    eventSolutions: int
     maxStepSize: float
     minStepSize: float
     newtonJacobiCount: int
@@ -81,6 +85,7 @@ class SolverOutputData(_Bound):
     simulationStoppedByUserFunction: bool
     simulationTimeout: bool
     stepInformation: int
+    trusted: bool
     verboseMode: int
     verboseModeFile: int
     writeToSolutionFile: bool
@@ -143,6 +148,7 @@ class _Solver(_Bound):
     def WriteSolutionFileHeader(self, mainSystem: MainSystem, simulationSettings: SimulationSettings) -> None: ...
     def IsStaticSolver(self) -> bool: ...
     def GetSolverName(self) -> str: ...
+    def GetDoubts(self) -> list[str]: ...
     def GetErrorString(self) -> str: ...
     def GetDiagnosis(self) -> str: ...
     def GetRedundantConstraints(self) -> dict[str, Any]: ...

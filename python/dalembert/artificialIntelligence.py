@@ -234,6 +234,7 @@ class VariationsVectorEnv(VectorEnv):  # type: ignore[misc,unused-ignore]
         self.action_space = batch_space(self.single_action_space, self.num_envs)
         self.observation_space = batch_space(self.single_observation_space, self.num_envs)
         self._q = self._v = np.zeros((0, 0))
+        self._others: dict[str, Any] = {}  # coordinates of first order, and the history of friction and contact
         self._ended = np.zeros(self.num_envs, dtype=bool)
 
     # ---- what derived classes write ----------------------------------------------------------------------------------
@@ -258,12 +259,19 @@ class VariationsVectorEnv(VectorEnv):  # type: ignore[misc,unused-ignore]
         """Return observations, rewards and whether episodes are over, a row per environment."""
         raise _missing(self, "Outputs", "returns observations, rewards and ends of episodes")
 
+    def _other_starts(self) -> dict[str, Any]:
+        """Return coordinates that belong to an episode besides ODE2, as they are at its beginning."""
+        data, initial = self.mbs.systemData, exu.ConfigurationType.Initial
+        starts = {"ODE1": data.GetODE1Coordinates(initial), "Data": data.GetDataCoordinates(initial)}
+        return {name: start for name, start in starts.items() if len(start)}
+
     # ---- interface of gymnasium --------------------------------------------------------------------------------------
 
     def reset(self, *, seed: Any = None, options: Mapping[str, Any] | None = None) -> tuple[Any, dict[str, Any]]:
         """Begin all episodes; return observations and info."""
         super().reset(seed=seed)
         self._q, self._v = (np.array(part, dtype=float) for part in self.InitialStates(self.num_envs))
+        self._others = {name: np.tile(start, (self.num_envs, 1)) for name, start in self._other_starts().items()}
         self._ended[:] = False
         return self._observed()[0], {}
 
@@ -276,16 +284,20 @@ class VariationsVectorEnv(VectorEnv):  # type: ignore[misc,unused-ignore]
             self.simulationSettings,
             solverType=self.solverType,
             sensors=[],
-            initialCoordinates={"ODE2": self._q, "ODE2_t": self._v},
+            initialCoordinates={"ODE2": self._q, "ODE2_t": self._v, **self._others},
             storeCoordinates=True,
             numberOfThreads=self.numberOfThreads,
         )
         solved = found.success[:, None]
         self._q = np.where(solved, found.coordinates["ODE2"], self._q)
         self._v = np.where(solved, found.coordinates["ODE2_t"], self._v)
+        for name, values in self._others.items():
+            self._others[name] = np.where(solved, found.coordinates[name], values)
         begun = self._ended.copy()
         if begun.any():
             self._q[begun], self._v[begun] = self.InitialStates(int(begun.sum()))
+            for name, start in self._other_starts().items():
+                self._others[name][begun] = start
         observations, rewards, terminated = self._observed()
         rewards, terminated = np.where(begun, 0.0, rewards), terminated & ~begun
         truncated = ~found.success & ~begun

@@ -13,6 +13,7 @@ from dalembert._pictures.draw import Draw, DrawSolution
 from dalembert._pictures.html import SaveHTML
 from dalembert._plots.repr_html import _repr_html_
 from dalembert._plots.system_graph import DrawSystemGraph
+from dalembert._solving.buckling import ComputeBucklingLoads
 from dalembert._solving.consistent import ComputeConsistentInitialConditions
 from dalembert._solving.energies import ComputeEnergies
 from dalembert._solving.report import Report
@@ -35,6 +36,7 @@ methods: dict[str, Callable[..., Any]] = (
     | {
         function.__name__: function
         for function in (
+            ComputeBucklingLoads,
             ComputeConsistentInitialConditions,
             ComputeEnergies,
             CreateDistanceSensor,

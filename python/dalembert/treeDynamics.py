@@ -14,6 +14,7 @@ import numpy.typing as npt
 from dalembert import itemInterface as items
 from dalembert._checks import FloatArray, as_vector, shape_error
 from dalembert._core import SystemContainer, _TreeFunctions
+from dalembert._solving.recognised_trees import RecogniseTrees as RecogniseTrees
 
 
 def _assembled(tree: Any) -> tuple[Any, Any]:

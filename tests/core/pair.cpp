@@ -16,11 +16,28 @@ struct Spring {
     return {};
   }
 };
-struct CompleteSpring : Spring, NoPairHistory, NoPairOutputs {};
+struct CompleteSpring : Spring, NoPairHistory, NoPairOutputs, NoConnectorForms {};
 static_assert(PairConnectorKernel<CompleteSpring>);
 static_assert(!PairConnectorKernel<Spring>);
 
-struct WithHistory : Spring, HasPairHistory, AlwaysNeedsData, NoPairOutputs {
+struct WithTangent : Spring, NoPairHistory, NoPairOutputs {
+  static constexpr ConnectorForms closed_forms{.tangent = true};
+  static bool has_tangent(const Parameters&) { return true; }
+};
+struct MisspeltTangent : WithTangent {
+  static SpanTangent<3> tangents(const Parameters&, const PointFrame<double>&, const PointFrame<double>&) { return {}; }
+};
+struct CompleteTangent : WithTangent {
+  static SpanTangent<3> tangent(const Parameters&, const PointFrame<double>&, const PointFrame<double>&) { return {}; }
+};
+struct TangentNotNamed : CompleteTangent {
+  static constexpr ConnectorForms closed_forms{};
+};
+static_assert(PairConnectorKernel<CompleteTangent>);
+static_assert(!PairConnectorKernel<MisspeltTangent>);
+static_assert(!PairConnectorKernel<TangentNotNamed>);
+
+struct WithHistory : Spring, HasPairHistory, AlwaysNeedsData, NoPairOutputs, NoConnectorForms {
   static constexpr int data_coordinates = 1;
 };
 struct MisspeltHistory : WithHistory {
@@ -36,7 +53,7 @@ struct CompleteHistory : WithHistory {
 static_assert(PairConnectorKernel<CompleteHistory>);
 static_assert(!PairConnectorKernel<MisspeltHistory>);
 
-struct OneForceOnly : NoPairHistory, NoPairOutputs {
+struct OneForceOnly : NoPairHistory, NoPairOutputs, NoConnectorForms {
   using Parameters = ::Parameters;
   using Port = PointPort;
   template <class S>
@@ -52,18 +69,41 @@ struct Joint : Holonomic, TurningDirections, NoConstraintOutputs {
   using Port = PointPort;
   static constexpr int equations = 1;
 };
-struct CompleteJoint : Joint {
+struct CompleteJoint : Joint, NoConstraintForms {
   static bool constrains(const Parameters&, int) { return true; }
 };
-struct MisspeltAxes : Joint {
+struct MisspeltAxes : Joint, NoConstraintForms {
   static bool constrians(const Parameters&, int) { return true; }
 };
-struct AxesOfAnotherType : Joint {
+struct AxesOfAnotherType : Joint, NoConstraintForms {
   static void constrains(const Parameters&, int) {}
 };
 static_assert(PairConstraintKernel<CompleteJoint>);
 static_assert(!PairConstraintKernel<MisspeltAxes>);
 static_assert(!PairConstraintKernel<AxesOfAnotherType>);
+
+template <class Reaction>
+struct WithReaction : CompleteJoint, Reaction {
+  static constexpr ConstraintForms closed_forms{.reaction = true};
+};
+struct Misspelt {
+  template <class S>
+  static std::array<Force<S>, 2> reactions(const Parameters&, const Context&, const PointFrame<S>&, const PointFrame<S>&, const auto&) {
+    return {};
+  }
+};
+struct Stated {
+  template <class S>
+  static std::array<Force<S>, 2> reaction(const Parameters&, const Context&, const PointFrame<S>&, const PointFrame<S>&, const auto&) {
+    return {};
+  }
+};
+struct NotNamed : WithReaction<Stated> {
+  static constexpr ConstraintForms closed_forms{};
+};
+static_assert(PairConstraintKernel<WithReaction<Stated>>);
+static_assert(!PairConstraintKernel<WithReaction<Misspelt>>);
+static_assert(!PairConstraintKernel<NotNamed>);
 
 // ---- loads --------------------------------------------------------------------------------------------------------------
 struct Weight {

@@ -381,6 +381,19 @@ def test_wrong_parameters_are_refused(change: dict[str, Any], text: str) -> None
         mbs.Assemble()
 
 
+@pytest.mark.parametrize(
+    "change", [{"linkInertiasCOM": [np.eye(3)]}, {"linkParents": []}, {"jointOffsets": [[0, 0, 0]]}]
+)
+def test_markers_do_not_read_behind_short_lists(change: dict[str, Any]) -> None:
+    """Markers are placed before objects, and read the parameters of their trees."""
+    tree = make(ARM)
+    tree.mbs.AddMarker(items.MarkerKinematicTreeRigid(objectNumber=tree.body, linkNumber=2))
+    tree.mbs.Assemble()
+    tree.mbs.ModifyObject(tree.body, change)
+    with pytest.raises(ValueError, match=f"{next(iter(change))}.*length [01].*length 3"):
+        tree.mbs.Assemble()
+
+
 def test_links_that_are_not_there_are_refused() -> None:
     tree = make(ARM)
     tree.mbs.AddMarker(items.MarkerKinematicTreeRigid(objectNumber=tree.body, linkNumber=3))

@@ -388,3 +388,36 @@ def test_create_functions_join_two_bodies(mbs: exu.MainSystem, create: Any) -> N
     with pytest.raises(ValueError, match="argument 'bodyNumbers': expected two different bodies"):
         create(mbs, [body, body])
     assert repr(mbs) == before
+
+
+OF_FRAMES = [
+    item
+    for item in ITEMS
+    if item.ready and {"Position", "Orientation"} & {*item.requested_markers} and item.kind == "load"
+]
+
+
+@pytest.mark.parametrize(
+    "marker", ["MarkerBodiesRelativeTranslationCoordinate", "MarkerBodiesRelativeRotationCoordinate"]
+)
+@pytest.mark.parametrize("item", [*OF_FRAMES, *HOLDING], ids=lambda item: item.name)
+def test_a_coordinate_between_frames_is_no_frame(mbs: exu.MainSystem, item: Item, marker: str) -> None:
+    bodies = [
+        mbs.AddObject(
+            exu.RigidBody(
+                physicsMass=1,
+                physicsInertia=[1, 1, 1, 0, 0, 0],
+                nodeNumber=mbs.AddNode(exu.NodeRigidBodyRxyz(referenceCoordinates=[i, 0, 0, 0, 0, 0])),
+            )
+        )
+        for i in range(2)
+    ]
+    number = mbs.AddMarker(CLASSES[marker](bodyNumbers=bodies))
+    other = mbs.AddMarker(exu.MarkerBodyRigid(bodyNumber=bodies[0]))
+    markers = {"markerNumber": number} if item.kind == "load" else {"markerNumbers": [other, number]}
+    getattr(mbs, f"Add{item.kind.title()}")(CLASSES[item.name](**markers))
+    with pytest.raises(
+        ValueError,
+        match=rf"\({item.name}\), parameter 'markerNumber.*{marker}\), which provides .*Coordinate, but expected",
+    ):
+        mbs.Assemble()

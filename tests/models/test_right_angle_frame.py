@@ -34,13 +34,17 @@ BUCKLED = {
 }
 
 
-def buckled(node: type, elements: int) -> np.ndarray:
-    """Along the path of equilibria, which an increasing load follows into the buckled branch: no step fails."""
+def argyris_frame(elements: int, node: type) -> tuple[Rod, Any, Any]:
     young, area = 71240.0, 18.0
     shear = young / 2.62
     stiffness = [young * area, shear * area, shear * area, 30 * 0.6**3 / 3 * shear]
     of = section([*stiffness, young * 30 * 0.6**3 / 12, young * 0.6 * 30**3 / 12])
-    rod, _, tip = frame(240.0, -np.pi / 2, elements, of, node)
+    return frame(240.0, -np.pi / 2, elements, of, node)
+
+
+def buckled(node: type, elements: int) -> np.ndarray:
+    """Along the path of equilibria, which an increasing load follows into the buckled branch: no step fails."""
+    rod, _, tip = argyris_frame(elements, node)
     rod.load(tip, exu.Force, [0, 0, 0], loadVectorUserFunction=lambda mbs, t, load: [t, 0, 1e-3])
     motion = exu.SensorNode(nodeNumber=tip, outputVariableType=Variable.Displacement, storeInternal=True)
     sensor = rod.mbs.AddSensor(motion)

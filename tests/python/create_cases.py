@@ -37,6 +37,7 @@ PLACE = {"bodyNumbers": JOINED, "position": [1, 1, 2]}
 AXIS = {"axis": [1, 2, 0.5]}
 LOCAL = {"useGlobalFrame": False}
 ENDS = {"bodyNumbers": JOINED, "localPosition0": [0.5, 0, 0], "localPosition1": [0, 0.1, 0]}
+TRIANGLE = Vector3DList([[0, 0, 0], [2, 0, 0], [0, 1, 0.5]])
 DISC = {"bodyNumbers": ["ground", "body"], "axisPosition": [0, 0, 0.1], "discRadius": 0.5, "name": "disc"}
 SIX = {"stiffness": 3 * np.eye(6), "damping": 0.1 * np.eye(6), "rotationMatrixJoint": TILTED}
 
@@ -104,6 +105,27 @@ CASES: dict[str, tuple[str, dict[str, Any]]] = {
     "rolling penalty": (
         "CreateRollingDiscPenalty",
         DISC | {"contactStiffness": 100, "dryFriction": [0.1, 0.2], "dryFrictionProportionalZone": 0.1},
+    ),
+    "spheres": (
+        "CreateSphereSphereContact",
+        ENDS | {"name": "touch", "spheresRadii": [0.1, 0.2], "contactStiffness": 100, "contactPlasticityRatio": 0.2},
+    ),
+    "spheres with friction": (
+        "CreateSphereSphereContact",
+        {"bodyNumbers": JOINED, "spheresRadii": [0.1, 0.2], "dynamicFriction": 0.3, "impactModel": 1, "show": True},
+    ),
+    "sphere and triangle": (
+        "CreateSphereTriangleContact",
+        ENDS | {"radiusSphere": 0.1, "trianglePoints": TRIANGLE, "includeEdges": 5, "dynamicFriction": 0.3},
+    ),
+    "sphere and quadrangle": (
+        "CreateSphereQuadContact",
+        {
+            "bodyNumbers": ["body", "ground"],
+            "radiusSphere": 0.1,
+            "includeEdges": 13,
+            "dataInitialCoordinates": [1, 0, 0, 0],
+        },
     ),
     "force": ("CreateForce", {"bodyNumber": "mass", "loadVector": [1, 2, 3]}),
     "force that turns": (

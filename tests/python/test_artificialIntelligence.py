@@ -160,6 +160,60 @@ def test_ended_environments_begin_anew() -> None:
         CartPoles(2).step(np.zeros(2))
 
 
+class Pushers(VariationsVectorEnv):
+    """A mass that is pushed against dry friction, whose history is in data coordinates."""
+
+    stepUpdateTime = STEP
+
+    def CreateMBS(self, SC: Any, mbs: Any, simulationSettings: Any, **kwargs: Any) -> None:
+        node = mbs.AddNode(exu.Node1D())
+        mbs.AddObject(exu.Mass1D(nodeNumber=node, physicsMass=1))
+        places = [mbs.AddNode(exu.NodePointGround()), node]
+        markers = [mbs.AddMarker(exu.MarkerNodeCoordinate(nodeNumber=n, coordinate=0)) for n in places]
+        history = mbs.AddNode(exu.NodeGenericData(initialCoordinates=[1, 0, 0], numberOfDataCoordinates=3))
+        mbs.AddObject(
+            exu.ObjectConnectorCoordinateSpringDamperExt(
+                markerNumbers=markers, nodeNumber=history, fDynamicFriction=2, stickingStiffness=1e4
+            )
+        )
+        self.load = mbs.AddLoad(exu.LoadCoordinate(markerNumber=markers[1]))
+        mbs.Assemble()
+        simulationSettings.timeIntegration.numberOfSteps = 4
+
+    def SetupSpaces(self) -> None:
+        self.single_action_space = spaces.Box(-5, 5, (), np.float32)
+        self.single_observation_space = spaces.Box(-np.inf, np.inf, (2,), np.float32)
+
+    def MapActions(self, actions: Any) -> Any:
+        return {(self.load, "load"): actions}
+
+    def InitialStates(self, number: int) -> Any:
+        return np.zeros((number, 1)), np.zeros((number, 1))
+
+    def Outputs(self, coordinates: Any, velocities: Any) -> Any:
+        return np.hstack((coordinates, velocities)), np.ones(len(coordinates)), np.abs(coordinates[:, 0]) > 0.05
+
+
+def test_history_goes_on_and_begins_anew() -> None:
+    """What friction remembers is that of one long simulation with the same steps, and the first again in a new episode."""
+    many = Pushers(2)
+    many.reset(seed=1)
+    for _ in range(3):
+        observed, *_ = many.step(np.array([1.0, 5.0]))
+    settings = exu.SimulationSettings()
+    settings.timeIntegration.endTime, settings.timeIntegration.numberOfSteps = 3 * STEP, 12
+    many.mbs.SetLoadParameter(many.load, "load", 5.0)
+    many.mbs.SolveDynamic(settings)
+    data = many.mbs.systemData
+    assert many._others["Data"][1] == pytest.approx(data.GetDataCoordinates(), abs=1e-6)
+    assert observed[1, 0] == pytest.approx(data.GetODE2Coordinates()[0], rel=1e-3)
+    assert abs(observed[0, 0]) < 1e-3  # it sticks
+    while not many.step(np.array([1.0, 5.0]))[2][1]:
+        pass
+    many.step(np.array([1.0, 5.0]))
+    assert many._others["Data"][1].tolist() == [1, 0, 0] and many._others["Data"][0].tolist() != [1, 0, 0]
+
+
 def test_what_is_missing_is_told() -> None:
     with pytest.raises(NotImplementedError, match="OpenAIGymInterfaceEnv: write the method CreateMBS"):
         OpenAIGymInterfaceEnv()

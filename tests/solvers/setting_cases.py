@@ -122,6 +122,8 @@ GENERAL: dict[str, Case] = {
     "linearSolverSettings.showCausingItems": Case(
         False, named("twice"), models.redundant, {"redundantConstraints.treat": False}, solver="static"
     ),
+    "continuation.restartFileName": Case("/dev/null", solved),
+    "denseOutput.atRequestedTimes": Case(True, times, given={"solutionSettings.sensorsWritePeriod": 0.15}),
     "redundantConstraints.largestMisfit": Case(1e-2, solved, models.contradictory),
     "redundantConstraints.momentLength": Case(20.0, motion, models.door),
     "redundantConstraints.treat": Case(False, solved, models.redundant),

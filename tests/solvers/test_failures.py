@@ -104,7 +104,7 @@ def test_exception_of_an_item_surfaces_as_itself(solver: Any) -> None:
     assert model.mbs.systemData.GetTime() == pytest.approx(0.5)
 
 
-@pytest.mark.parametrize("name", ["PreStep", "PostStep", "PostNewton", "PreNewtonResidual", "SystemJacobian"])
+@pytest.mark.parametrize("name", ["PreStep", "PostStep", "PostNewton", "PreNewtonResidual", "SystemJacobian", "Events"])
 def test_exception_of_a_system_function(name: str) -> None:
     def function(*arguments: Any) -> Any:
         raise ArithmeticError("mine")

@@ -38,6 +38,7 @@ ORDERS = [
     (Solver.RK44, 4, 50),
     (Solver.DOPRI5, 5, 50),
     (Solver.RK67, 6, 25),
+    (Solver.DOP853, 8, 3),
 ]
 
 
@@ -231,7 +232,7 @@ def test_free_symmetric_top(node_type: str) -> None:
     np.testing.assert_allclose(mbs.GetObjectOutputBody(body, Variable.AngularVelocityLocal), exact, rtol=0, atol=2e-6)
 
 
-@pytest.mark.parametrize("solver", [Solver.ODE23, Solver.DOPRI5])
+@pytest.mark.parametrize("solver", [Solver.ODE23, Solver.DOPRI5, Solver.DOP853])
 def test_automatic_steps_follow_the_tolerance(solver: Any) -> None:
     errors, counts = [], []
     for tolerance in (1e-5, 1e-7, 1e-9):

@@ -18,6 +18,7 @@ from dalembert.itemInterface import (
     ObjectConnectorCoordinateSpringDamper,
     SensorNode,
 )
+from dalembert.rigidBodyUtilities import InertiaCuboid
 
 CRANK = 0.1  # m
 LANES = 8  # variations that go together
@@ -185,3 +186,44 @@ def test_variations_with_other_operations_are_solved_alone() -> None:
         mbs.SolveDynamic(s)
         np.testing.assert_array_equal(results.coordinates["ODE2"][k], mbs.systemData.GetODE2Coordinates())
         np.testing.assert_array_equal(results.coordinates["AE"][k], mbs.systemData.GetAECoordinates())
+
+
+def no_change(mbs: Any, s: Any) -> None:
+    pass
+
+
+def differences(mbs: Any, s: Any) -> None:
+    s.timeIntegration.newton.numericalDifferentiation.forODE2 = True
+
+
+def spring_in_space(mbs: Any, s: Any) -> None:
+    ends = [mbs.AddNode(NodePointGround()), mbs.AddNode(exu.NodePoint(referenceCoordinates=[1, 0, 0]))]
+    mbs.AddObject(exu.MassPoint(nodeNumber=ends[1], physicsMass=1))
+    markers = [mbs.AddMarker(exu.MarkerNodePosition(nodeNumber=end)) for end in ends]
+    mbs.AddObject(exu.SpringDamper(markerNumbers=markers, referenceLength=1, stiffness=1))
+    mbs.Assemble()
+
+
+def rigid_body(mbs: Any, s: Any) -> None:
+    mbs.CreateRigidBody(inertia=InertiaCuboid(1000, [0.1, 0.1, 0.1]))
+    mbs.Assemble()
+
+
+@pytest.mark.parametrize(
+    ("change", "masses", "count", "solver", "reason"),
+    [
+        (no_change, 6, 1, "GeneralizedAlpha", "no other variation is left for its thread"),
+        (no_change, 2, 4, "GeneralizedAlpha", "the linear solver, or a number of unknowns that is not from 4 to 32"),
+        (no_change, 6, 4, "ExplicitEuler", "the solver: only implicit ones of second order take steps side by side"),
+        (differences, 6, 4, "GeneralizedAlpha", "derivatives by differences"),
+        (spring_in_space, 6, 4, "GeneralizedAlpha", "ObjectConnectorSpringDamper"),
+        (rigid_body, 6, 4, "GeneralizedAlpha", "nodes that rotate in space"),
+    ],
+)
+def test_what_is_in_the_way_is_told(change: Any, masses: int, count: int, solver: str, reason: str) -> None:
+    mbs, s = chain(masses), settings(0.01, 10)
+    change(mbs, s)
+    varied = {(first_spring(), "stiffness"): np.linspace(100, 200, count)}
+    results = mbs.SolveVariations(varied, s, solverType=exu.DynamicSolverType[solver], numberOfThreads=1)
+    assert results.success.all() and results.alone == [reason] * count
+    assert f"0 side by side (in the way: {reason})" in repr(results)

@@ -1,4 +1,9 @@
 // What items see of each other: the motion of a point, of a rigid frame or of a coordinate. Vectors are in global axes.
+//
+// Where several frames meet, names say which, as the symbols of the pages do: A_0b turns components in the axes of frame b into global
+// ones, f_b is the vector f by its components in b. Letters that stand side by side cancel:
+//
+//      f_0 = A_0b f_b            f_b = transposed_times(A_0b, f_0)            A_0c = A_0b A_bc
 #pragma once
 
 #include "dalembert/math/fixed.hpp"

@@ -85,16 +85,13 @@ std::vector<int> coordinates_of_nodes(const Placement& on, std::span<const int> 
   return positions;
 }
 
-FramePlace mean_place(const MeshNodes& mesh, const MarkerSuperElementPositionParameters& p, int) {
-  return mean_position(mesh, p.weightingFactors);
-}
-
 // The mean rotation is that of a rigid body with the weights as masses, or one weighted by squared distances.
-FramePlace mean_place(const MeshNodes& mesh, const MarkerSuperElementRigidParameters& p, int marker) {
-  const std::vector<double>& weights = p.weightingFactors;
+FramePlace mean_place(const MeshNodes& mesh, const MeshMean& mean, int marker) {
+  const std::vector<double>& weights = mean.weights;
   if (weights.size() != mesh.rest.size())
     complain(marker, "the number of its mesh nodes has changed since the system was assembled", "as many mesh nodes as before");
   FramePlace place = mean_position(mesh, weights);
+  if (mean.rotation == MeshMean::Rotation::none) return place;
   std::vector<Vec3<double>> arms;
   Vec3<double> sum{};
   Mat3<double> inertia{};
@@ -105,7 +102,7 @@ FramePlace mean_place(const MeshNodes& mesh, const MarkerSuperElementRigidParame
     inertia = inertia - weights[i] * (skew(arms[i]) * skew(arms[i]));
     second_moment += weights[i] * dot(arms[i], arms[i]);
   }
-  if (!p.useAlternativeApproach) inertia = second_moment * identity();
+  if (!mean.of_momentum) inertia = second_moment * identity();
   const double determinant = dot(column(inertia, 0), cross(column(inertia, 1), column(inertia, 2)));
   if (!(std::abs(determinant) > 1e-14 * std::abs(second_moment * second_moment * second_moment)))
     complain(marker, "its weighted mesh nodes lie on a line, and define no rotation", "three nodes that span a plane, or more, with positive weights");
@@ -113,10 +110,10 @@ FramePlace mean_place(const MeshNodes& mesh, const MarkerSuperElementRigidParame
   place.rotation = rows_of(mesh, [&](std::size_t node, const Vec3<double>& by) {
     return turn * (weights[node] * (cross(arms[node], by) - cross(sum, by)));
   });
-  place.rest += p.offset;
-  place.exponential_map = p.rotationsExponentialMap > 0;
-  place.exact_rate = p.rotationsExponentialMap == 2;
-  place.turns_moments = p.useAlternativeApproach && p.rotationsExponentialMap > 0;
+  place.rest += mean.offset;
+  place.exponential_map = mean.rotation != MeshMean::Rotation::linear;
+  place.exact_rate = mean.rotation == MeshMean::Rotation::exact;
+  place.turns_moments = mean.of_momentum && place.exponential_map;
   return place;
 }
 

@@ -46,7 +46,13 @@ struct Packs {
   DALEMBERT_INLINE Part spread(int i) const {
     Mask from{};
     for (int k = 0; k < Width; ++k) from[k] = i % Width;
+#ifdef __clang__  // it has shuffles by constants only, and finds this one by itself
+    Part all;
+    for (int k = 0; k < Width; ++k) all[k] = part[i / Width][from[k]];
+    return all;
+#else
     return __builtin_shuffle(part[i / Width], from);
+#endif
   }
   // Entries from `begin` to before `end`, those of `others` elsewhere.
   DALEMBERT_INLINE Packs only(int begin, int end, const Packs& others = {}) const {
@@ -54,7 +60,7 @@ struct Packs {
     for (int k = 0; k < count; ++k) {
       Mask place{};
       for (int i = 0; i < Width; ++i) place[i] = k * Width + i;
-      z.part[k] = (place >= begin) & (place < end) ? part[k] : others.part[k];
+      z.part[k] = ((place >= begin) & (place < end)) ? part[k] : others.part[k];
     }
     return z;
   }

@@ -21,7 +21,10 @@ void each_input(const State& state, F&& f) {
 
 }  // namespace
 
-bool Lockstep::possible(SecondOrderSolver& solver) { return solver.goes_in_lockstep() && TracedEquations::possible(solver.system()); }
+std::string Lockstep::obstacle(SecondOrderSolver& solver) {
+  const std::string_view of_solver = solver.lockstep_obstacle();
+  return of_solver.empty() ? TracedEquations::obstacle(solver.system()) : std::string(of_solver);
+}
 
 template <class F>
 void Lockstep::each(const Lanes& wanted, F&& f) {

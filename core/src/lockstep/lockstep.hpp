@@ -5,6 +5,7 @@
 #include <array>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "../linear/lane_factors.hpp"
@@ -19,9 +20,9 @@ class Lockstep {
  public:
   static constexpr int most = block_lanes;
 
-  // Whether a solver that has been initialized can go with others. Settings that change what its steps do, hooks, history and
-  // items whose arithmetic cannot be noted are in the way.
-  static bool possible(SecondOrderSolver& solver);
+  // Why a solver that has been initialized cannot go with others; empty if it can. Settings that change what its steps do, hooks,
+  // history and items whose arithmetic cannot be noted are in the way.
+  static std::string obstacle(SecondOrderSolver& solver);
 
   // Solves the steps of up to `most` initialized solvers. False for those that met something unusual: they are of no use
   // any more, and their systems are in the middle of it.

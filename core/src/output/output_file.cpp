@@ -10,6 +10,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include "dalembert/model/errors.hpp"
+
 namespace dalembert {
 
 FileError::FileError(int code, std::string_view purpose, std::string_view problem, std::string file)
@@ -38,6 +40,28 @@ void OutputFile::open(const std::string& name, bool append, std::string_view pur
   const int descriptor = ::open(name.c_str(), flags, 0666);
   if (descriptor < 0) throw FileError(errno, purpose, "cannot be opened", name);
   adopt(descriptor, name, purpose);
+}
+
+void OutputFile::resume(const std::string& name, double length, std::string_view purpose) {
+  if (length < 0) return open(name, false, purpose);
+  open(name, true, purpose);
+  struct stat status{};
+  if (::fstat(descriptor_, &status) != 0) fail(errno, "cannot be read");
+  if (!S_ISREG(status.st_mode)) return;
+  const auto wanted = static_cast<off_t>(length);
+  if (status.st_size < wanted) {
+    throw ModelError(ErrorKind::value, std::string(purpose) + " '" + name + "': expected at least " + std::to_string(wanted) +
+                                           " bytes, as there were when the restart file was written; received " +
+                                           std::to_string(status.st_size) + ". Restore the file, or write to one with another name");
+  }
+  if (::ftruncate(descriptor_, wanted) != 0) fail(errno, "cannot be shortened");
+}
+
+double OutputFile::length() {
+  if (!is_open()) return -1;
+  sync();
+  struct stat status{};
+  return ::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode) ? static_cast<double>(status.st_size) : -1;
 }
 
 void OutputFile::adopt(int descriptor, const std::string& name, std::string_view purpose) {

@@ -16,10 +16,10 @@ namespace dalembert {
 
 namespace {
 
-constexpr const char* title = "#dalembert restart file 2";
+constexpr const char* title = "#dalembert restart file 3";
 constexpr const char* purpose = "restart file";
 constexpr const char* backup_ending = ".bck";
-constexpr std::string_view checksum_word = "checksum ";
+constexpr std::string_view checksum_word = "checksum ", solver_word = "solver ";
 
 void append_line(std::string& text, const char* name, std::span<const double> values) {
   text += name;
@@ -54,6 +54,11 @@ class Reader {
     if (line.substr(0, line.find(' ')) != word) refuse_line("'" + std::string(word) + "' and its values,", line);
     line.remove_prefix(word.size());
     return numbers(line);
+  }
+  std::string text_of(std::string_view word) {
+    const std::string_view line = next_line();
+    if (!line.starts_with(word)) refuse_line("'" + std::string(word) + "' and its name,", line);
+    return std::string(line.substr(word.size()));
   }
   void expect(std::string_view wanted) {
     const std::string_view line = next_line();
@@ -107,21 +112,26 @@ void check_restart_file(const std::string& name) {
   if (!ReplacedFile::is_written_in_place(name)) ReplacedFile(name, purpose);
 }
 
-void write_restart_file(const std::string& name, const State& state, std::span<const double> algorithmic,
-                        double step_size) {
+void write_restart_file(const std::string& name, const RestartData& data) {
   ReplacedFile file(name, purpose);
   std::string& t = file.text();
   t += title;
   t += '\n';
-  append_line(t, "time", std::array{state.time, step_size});
+  t += solver_word;
+  t += data.solver + '\n';
+  const State& state = data.state;
+  append_line(t, "time", std::array{state.time, data.step_size});
+  append_line(t, "run", data.run);
   append_line(t, "q", state.q);
   append_line(t, "v", state.v);
   append_line(t, "a", state.a);
-  append_line(t, "algorithmic", algorithmic);
+  append_line(t, "algorithmic", data.algorithmic_accelerations);
   append_line(t, "y", state.y);
   append_line(t, "y_t", state.y_t);
   append_line(t, "lambda", state.lambda);
   append_line(t, "data", state.data);
+  append_line(t, "events", data.events);
+  append_line(t, "files", data.files);
   const std::string sum = checksum(t);
   t += checksum_word;
   t += sum + '\n';
@@ -132,10 +142,12 @@ RestartData read_restart_file(const std::string& name) {
   Reader file(name);
   file.expect(title);
   RestartData data;
+  data.solver = file.text_of(solver_word);
   const std::vector<double> time = file.values_of("time");
   if (time.size() != 2) file.refuse_line("time and step size,", std::to_string(time.size()) + " numbers");
   data.state.time = time[0];
   data.step_size = time[1];
+  data.run = file.values_of("run");
   data.state.q = file.values_of("q");
   data.state.v = file.values_of("v");
   data.state.a = file.values_of("a");
@@ -144,8 +156,18 @@ RestartData read_restart_file(const std::string& name) {
   data.state.y_t = file.values_of("y_t");
   data.state.lambda = file.values_of("lambda");
   data.state.data = file.values_of("data");
+  data.events = file.values_of("events");
+  data.files = file.values_of("files");
   file.expect_checksum();
   return data;
+}
+
+void require_fitting(const RestartData& data, const State& system, const std::string& name) {
+  if (std::ranges::all_of(std::array{&State::q, &State::v, &State::a, &State::y, &State::y_t, &State::lambda, &State::data},
+                          [&](const auto member) { return (data.state.*member).size() == (system.*member).size(); })) {
+    return;
+  }
+  throw ModelError(ErrorKind::value, std::string(purpose) + " '" + name + "': the numbers of coordinates are not those of this system");
 }
 
 }  // namespace dalembert

@@ -14,14 +14,14 @@ constexpr double most_reserved = 1e4;  // rows; longer tables grow
 }  // namespace
 
 void SensorRecorder::open(const SimulationSettings& settings, const std::vector<SensorChannel>& channels,
-                          SensorStorage* storage, double rows) {
+                          SensorStorage* storage, double rows, std::span<const double> lengths) {
   close();
   const auto& s = settings.solutionSettings;
   active_ = s.sensorsStoreAndWriteFiles && !channels.empty();
   if (!active_) return;
   channels_ = channels;
   flush_ = s.flushFilesImmediately;
-  headers_ = s.sensorsWriteFileHeader;
+  headers_ = s.sensorsWriteFileHeader && lengths.empty();
   precision_ = s.outputPrecision;
   rows_ = static_cast<std::size_t>(std::clamp(rows, 0.0, most_reserved));
   files_.resize(channels.size());
@@ -31,7 +31,9 @@ void SensorRecorder::open(const SimulationSettings& settings, const std::vector<
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const SensorChannel& c = channels[i];
     if (c.write_to_file && !c.file_name.empty()) {
-      files_[i].open(c.file_name, s.sensorsAppendToFile, "file of sensor " + std::to_string(i));
+      const std::string purpose = "file of sensor " + std::to_string(i);
+      if (i < lengths.size()) files_[i].resume(c.file_name, lengths[i], purpose);
+      else files_[i].open(c.file_name, s.sensorsAppendToFile, purpose);
       targets_[i].file = &files_[i];
     }
     if (storage == nullptr || !c.store_internal) continue;
@@ -92,6 +94,12 @@ void SensorRecorder::store(int sensor) {
   }
   columns = {static_cast<int>(row_.size()), count};
   row_.insert(row_.end(), values_.begin(), values_.end());
+}
+
+std::vector<double> SensorRecorder::lengths() {
+  std::vector<double> lengths;
+  for (OutputFile& file : files_) lengths.push_back(file.length());
+  return lengths;
 }
 
 void SensorRecorder::write_footer(const std::string& footer) {

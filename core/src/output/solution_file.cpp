@@ -14,6 +14,8 @@ namespace dalembert {
 
 namespace {
 
+constexpr const char* purpose = "solution file";
+
 // Numbers of exported coordinates: nODE2, nVel2, nAcc2, nODE1, nVel1, nAlgebraic, nData.
 std::array<int, 7> exported(const SimulationSettings& settings, bool is_static, const Sizes& sizes) {
   const auto& s = settings.solutionSettings;
@@ -109,12 +111,20 @@ void SolutionFile::open(const SimulationSettings& settings) {
   const auto& s = settings.solutionSettings;
   binary_ = s.binarySolutionFile;
   single_precision_ = s.outputPrecision < 8;
-  file_.open(name(settings), s.appendToFile && !binary_, "solution file");
+  headed_ = !s.writeFileHeader;
+  file_.open(name(settings), s.appendToFile && !binary_, purpose);
+}
+
+void SolutionFile::resume(const SimulationSettings& settings, double length) {
+  binary_ = settings.solutionSettings.binarySolutionFile;
+  single_precision_ = settings.solutionSettings.outputPrecision < 8;
+  headed_ = true;
+  file_.resume(name(settings), length, purpose);
 }
 
 void SolutionFile::write_header(const SimulationSettings& settings, const RunDescription& run, const Sizes& sizes) {
   is_static_ = run.is_static;
-  if (!file_.is_open() || !settings.solutionSettings.writeFileHeader) return;
+  if (!file_.is_open() || headed_) return;
   binary_ ? write_binary_header(settings, run, sizes) : write_text_header(settings, run, sizes);
   file_.written();
 }

@@ -96,17 +96,17 @@ class Workplace {
     return result;
   }
 
-  // The solver of a variation, about to take its first step. Null: it has to be solved alone; `others` tells whether those of
-  // other variations may go together nevertheless.
-  SecondOrderSolver* begin(int variation, bool& others) {
-    others = true;
+  // The solver of a variation, about to take its first step. Null: it has to be solved alone; `obstacle` is why those of other
+  // variations have to, too, or empty.
+  SecondOrderSolver* begin(int variation, std::string& obstacle) {
+    obstacle.clear();
     try {
       prepare(variation);
       auto* solver = dynamic_cast<SecondOrderSolver*>(solver_.get());
-      others = solver != nullptr;
+      if (!solver) obstacle = "the solver: only implicit ones of second order take steps side by side";
       if (!solver || !solver->initialize()) return nullptr;
-      others = Lockstep::possible(*solver);
-      if (!others) return nullptr;
+      obstacle = Lockstep::obstacle(*solver);
+      if (!obstacle.empty()) return nullptr;
       solver->timer.reset(settings_.displayComputationTime);
       return solver;
     } catch (const std::exception&) {
@@ -116,7 +116,7 @@ class Workplace {
   // After its last step.
   VariationResult end() {
     VariationResult result;
-    result.solved = result.side_by_side = true;
+    result.solved = true;
     solver_->finalize();
     collect(result);
     result.warnings = warnings_;
@@ -189,13 +189,18 @@ class Group {
 
   // Variations from `first` on, into their results.
   void solve(int first, std::span<VariationResult> results) {
-    const bool together = goes_together_ && results.size() > 1;
+    const bool together = obstacle_.empty() && results.size() > 1;
     const std::vector<bool> solved = together ? solve_together(first, results.size()) : std::vector<bool>(results.size());
+    const std::string alone = !obstacle_.empty() ? obstacle_
+                              : together         ? "it starts, iterates or fails in another way than those beside it"
+                                                 : "no other variation is left for its thread";
     for (std::size_t i = 0; i < results.size(); ++i) {
       if (solved[i]) results[i] = workplace(i).end();
     }
     for (std::size_t i = 0; i < results.size(); ++i) {  // one workplace is enough: systems may be large
-      if (!solved[i]) results[i] = workplace(0).solve(first + static_cast<int>(i));
+      if (solved[i]) continue;
+      results[i] = workplace(0).solve(first + static_cast<int>(i));
+      results[i].alone = alone;
     }
   }
 
@@ -205,8 +210,8 @@ class Group {
     std::vector<SecondOrderSolver*> solvers;
     std::vector<std::size_t> who;
     for (std::size_t i = 0; i < count; ++i) {
-      SecondOrderSolver* solver = workplace(i).begin(first + static_cast<int>(i), goes_together_);
-      if (!goes_together_) return std::vector<bool>(count);
+      SecondOrderSolver* solver = workplace(i).begin(first + static_cast<int>(i), obstacle_);
+      if (!obstacle_.empty()) return std::vector<bool>(count);
       if (!solver) continue;
       solvers.push_back(solver);
       who.push_back(i);
@@ -231,7 +236,7 @@ class Group {
   std::function<std::unique_ptr<Workplace>()> make_workplace_;
   std::vector<std::unique_ptr<Workplace>> workplaces_;
   Lockstep lockstep_;
-  bool goes_together_ = true;
+  std::string obstacle_;  // why none go together; found with the first ones
 };
 
 // Threads that take some variations after the others until none is left.

@@ -13,13 +13,14 @@ struct Words {
 };
 
 // In the order of FailureReason.
-constexpr std::array<Words, 10> words{{
+constexpr std::array<Words, 11> words{{
     {"", "no failure", ""},
     {"newton", "Newton's method did not converge", "largest residuals"},
     {"singularMatrix", "the system matrix is singular", ""},
     {"contradictoryConstraints", "constraints contradict each other", "what the closest fit leaves open"},
     {"massMatrix", "the mass matrix is singular", ""},
     {"discontinuousIteration", "the discontinuous iteration (contact, friction) did not settle", ""},
+    {"eventChatter", "events follow each other ever faster", ""},
     {"errorControl", "the error stays above the tolerances at the smallest step size", "largest errors, in units of the tolerances"},
     {"notFinite", "a value is not finite", "not finite"},
     {"unbounded", "the solution grows without bound", "largest values"},

@@ -14,17 +14,25 @@ constexpr int most_steps_above_tolerance = 100;
 
 }  // namespace
 
-// In units of the tolerances. Signed values enter the scale, not magnitudes: step sizes are to be those that users of this interface
-// know; but the scale does not vanish where value and tolerances cancel.
+// In units of the tolerances. Signed values enter the scale of the methods of the interface, not magnitudes: step sizes are to be those
+// that its users know; but the scale does not vanish where value and tolerances cancel.
 double ExplicitSolver::scaled_error(double second, double first, double old) const {
-  const double absolute = settings().timeIntegration.absoluteTolerance;
-  const double scale = absolute + std::max(second, old) * settings().timeIntegration.relativeTolerance;
+  const double absolute = settings().timeIntegration.absoluteTolerance, relative = settings().timeIntegration.relativeTolerance;
+  if (!third_.empty()) return (second - first) / (absolute + relative * std::max(std::abs(first), std::abs(old)));
+  const double scale = absolute + std::max(second, old) * relative;
   return (second - first) / std::max(std::abs(scale), 0.01 * absolute);
 }
 
-// Distance of the two approximations, root mean square over ODE1, positions and velocities.
+// A third approximation keeps the other two from being trusted where they agree by chance.
 double ExplicitSolver::estimated_error() {
-  move_from_start(second_, second_q_, second_v_, second_y_);
+  if (third_.empty()) return distance_of(second_);
+  const double third = distance_of(third_), second = distance_of(second_);
+  return second == 0 ? 0 : second * second / std::sqrt(second * second + 0.01 * third * third);
+}
+
+// Of another approximation from the solution, root mean square over ODE1, positions and velocities.
+double ExplicitSolver::distance_of(const StageWeights& approximation) {
+  move_from_start(approximation, second_q_, second_v_, second_y_);
   eliminate(second_q_);
   eliminate(second_v_);
   const State &now = current(), &start = start_of_step();
@@ -71,6 +79,7 @@ bool ExplicitSolver::control_step_size() {
     conv.stopNewton = true;
     return false;
   }
+  ++it.stepsAboveTolerance;
   it.currentStepSize = it.minStepSize;  // the last step of all may be smaller
   return true;
 }

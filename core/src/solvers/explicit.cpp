@@ -23,6 +23,7 @@ const char* type_name(DynamicSolverType type) {
     case DynamicSolverType::RK67: return "RK67";
     case DynamicSolverType::ODE23: return "ODE23";
     case DynamicSolverType::DOPRI5: return "DOPRI5";
+    case DynamicSolverType::DOP853: return "DOP853";
     case DynamicSolverType::DVERK6: return "DVERK6";
     case DynamicSolverType::VelocityVerlet: return "VelocityVerlet";
     default: return "no explicit method";
@@ -60,13 +61,14 @@ void ExplicitSolver::pre_initialize() {
   if (!verlet_ && method_.stages == 0) {
     throw ModelError(ErrorKind::value,
                      "timeIntegration.explicitIntegration.dynamicSolverType: received an implicit method; expected "
-                     "ExplicitEuler, ExplicitMidpoint, RK33, RK44, RK67, ODE23, DOPRI5, DVERK6 or VelocityVerlet");
+                     "ExplicitEuler, ExplicitMidpoint, RK33, RK44, RK67, ODE23, DOPRI5, DOP853, DVERK6 or VelocityVerlet");
   }
   rows_.clear();
   const auto stages = static_cast<std::size_t>(method_.stages);
   for (std::size_t i = 0; i < stages; ++i) rows_.push_back(that_count({method_.a.data() + i * stages, i}));
   result_ = that_count(method_.b);
   second_ = that_count(method_.b_error);
+  third_ = that_count(method_.b_third);
   warned_minimum_ = end_known_ = first_stage_known_ = searching_ = false;
   steps_above_tolerance_ = 0;
   conditions_ = {.rate_level = false, .inertia = true};
@@ -94,23 +96,52 @@ void ExplicitSolver::post_initialize() {
   if (!controls_step_size()) it.automaticStepSize = false;
   find_eliminated_coordinates();
   State& now = current();
-  std::fill(now.a.begin(), now.a.end(), 0.0);
-  std::fill(now.y_t.begin(), now.y_t.end(), 0.0);
-  std::fill(now.lambda.begin(), now.lambda.end(), 0.0);
-  const auto& l = settings().linearSolverSettings;
-  mass_.prepare(system(), linear_type(),
-                {.pivot_threshold = l.pivotThreshold, .ignore_singular = l.ignoreSingularJacobian});
-  constant_mass_ = !constrained_ && system().constant_mass_matrix() && settings().timeIntegration.reuseConstantMassMatrix;
-  if (constant_mass_) {
-    if (const int row = mass_.update(system(), now); row != LinearSolver::success) {
-      mass_failed(row);
-      return;
-    }
+  if (!continues()) {
+    std::fill(now.a.begin(), now.a.end(), 0.0);
+    std::fill(now.y_t.begin(), now.y_t.end(), 0.0);
+    std::fill(now.lambda.begin(), now.lambda.end(), 0.0);
   }
-  nobody_interferes_ = !system().has_discontinuities() && !hooks().pre_step && !hooks().post_step && !hooks().post_newton;
-  if (verlet_ && !accelerations(now.a)) return;
+  if (!prepare_factors()) return;
+  nobody_interferes_ = !system().has_discontinuities() && !hooks().pre_step && !hooks().post_step && !hooks().post_newton && !hooks().events;
+  if (verlet_ && !continues() && !accelerations(now.a)) return;
   begin_to_watch();
+  if (continues()) {
+    growth_limit_ = continued_number(0);
+    steps_above_tolerance_ = static_cast<int>(continued_number(1));
+  }
   start_of_step() = now;
+}
+
+bool ExplicitSolver::prepare_factors() {
+  const auto& l = settings().linearSolverSettings;
+  const LinearSolverOptions options{.pivot_threshold = l.pivotThreshold, .ignore_singular = l.ignoreSingularJacobian};
+  if (constrained_) motion_.prepare(system(), linear_type(), options, settings().redundantConstraints);
+  mass_.prepare(system(), linear_type(), options);
+  constant_mass_ = !constrained_ && system().constant_mass_matrix() && settings().timeIntegration.reuseConstantMassMatrix;
+  if (!constant_mass_) return true;
+  const int row = mass_.update(system(), current());
+  if (row != LinearSolver::success) mass_failed(row);
+  return row == LinearSolver::success;
+}
+
+// Factors remember the pivots of earlier matrices.
+void ExplicitSolver::forget() {
+  first_stage_known_ = end_known_ = false;
+  prepare_factors();
+}
+
+// Runge-Kutta methods find those at the start of each step.
+void ExplicitSolver::renew_accelerations() {
+  if (verlet_) accelerations(current().a);
+}
+
+// Those at the start belong to the first stage.
+Solver::KnownDerivatives ExplicitSolver::complete_ends() {
+  if (verlet_) return {true, it.currentStepIndex > 1};
+  start_of_step().a = stage_v_.front();
+  start_of_step().y_t = stage_y_.front();
+  eliminate(start_of_step().a);
+  return {settings().timeIntegration.explicitIntegration.computeEndOfStepAccelerations, true};
 }
 
 // Constraints that fix one coordinate are kept by setting it back to zero; others by their multipliers.
@@ -123,7 +154,12 @@ void ExplicitSolver::find_eliminated_coordinates() {
     return;
   }
   auto fixed = system().fixed_coordinates();
-  constrained_ = !fixed;
+  const bool couples = fixed && mass_couples(*fixed);
+  if (couples && verlet_) {
+    warn(name() + ": masses couple coordinates that are fixed with others, which this method leaves out; use a Runge-Kutta method, for example "
+                  "exu.DynamicSolverType.DOPRI5, which takes the forces at fixed coordinates into account");
+  }
+  constrained_ = !fixed || (couples && !verlet_);
   if (!constrained_) {
     eliminated_ = std::move(*fixed);
     return;
@@ -134,22 +170,25 @@ void ExplicitSolver::find_eliminated_coordinates() {
                      "node's coordinate and a ground node is possible. Use a Runge-Kutta method, for example "
                      "exu.DynamicSolverType.DOPRI5, which keeps all constraints, or an implicit solver");
   }
-  const auto& l = settings().linearSolverSettings;
-  motion_.prepare(system(), linear_type(), {.pivot_threshold = l.pivotThreshold, .ignore_singular = l.ignoreSingularJacobian},
-                  settings().redundantConstraints);
+}
+
+// Masses that couple these coordinates with others: what holds the one accelerates the other, so that it cannot be left out.
+bool ExplicitSolver::mass_couples(const std::vector<int>& coordinates) {
+  std::vector<char> among(static_cast<std::size_t>(sizes_.total()), 0);
+  for (const int i : coordinates) among[static_cast<std::size_t>(i)] = 1;
+  const Pattern& pattern = system().pattern(false);
+  std::vector<double> mass(static_cast<std::size_t>(pattern.values()));
+  system().mass_matrix(current(), pattern, mass);
+  bool couples = false;
+  for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
+    const bool one_of_them = among[static_cast<std::size_t>(row)] != among[static_cast<std::size_t>(column)];
+    couples |= one_of_them && row < sizes_.ode2 && column < sizes_.ode2 && mass[slot] != 0;
+  });
+  return couples;
 }
 
 void ExplicitSolver::eliminate(Vector& x) const {
   for (const int i : eliminated_) x[static_cast<std::size_t>(i)] = 0;
-}
-
-void ExplicitSolver::update_current_time() {
-  if (!it.adaptiveStep && !it.automaticStepSize) {
-    it.currentTime = static_cast<double>(it.currentStepIndex) * it.currentStepSize + it.startTime;
-    return;
-  }
-  if (it.currentTime + it.currentStepSize > it.endTime) it.currentStepSize = it.endTime - it.currentTime;
-  it.currentTime += it.currentStepSize;
 }
 
 bool ExplicitSolver::reduce_step_size() {
@@ -372,7 +411,10 @@ bool ExplicitSolver::accelerations(Vector& a, std::span<double> y_t) {
     system().right_hand_sides(current(), conditions_, a, y_t);
   }
   const TimedPart time(timer, timer.newtonIncrement);
-  mass_.solve(system(), a);
+  if (const int row = mass_.solve(system(), current(), a); row != LinearSolver::success) [[unlikely]] {
+    mass_failed(row);
+    return false;
+  }
   return !searching_ || is_good(a, y_t);
 }
 

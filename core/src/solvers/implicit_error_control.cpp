@@ -88,6 +88,7 @@ bool SecondOrderSolver::control_step_size() {
          "; the error becomes larger than the tolerances");
     warned_minimum_ = true;
   }
+  ++it.stepsAboveTolerance;
   if (++steps_above_tolerance_ <= most_steps_above_tolerance) return true;
   Diagnosis& d = diagnose(FailureReason::error_control);
   d.advice = {"look for what jumps: contact, friction, user functions that are not continuous",

@@ -23,6 +23,7 @@ void MassOperator::prepare(System& system, LinearSolverType type, const LinearSo
   alone_.assign(static_cast<std::size_t>(size_), 1);
   parent_.resize(static_cast<std::size_t>(size_));
   std::iota(parent_.begin(), parent_.end(), 0);
+  without_matrix_ = static_cast<int>(system.coordinates_without_matrix().size());
   for (const int i : system.coordinates_without_matrix()) {
     alone_[i] = 0;
     inverse_[i] = 1;
@@ -95,9 +96,9 @@ void MassOperator::build_blocks() {
 }
 
 int MassOperator::update(System& system, const State& state) {
+  if (without_matrix_ == size_) return LinearSolver::success;
   system.mass_matrix(state, *pattern_, values_);
   if (join_blocks()) build_blocks();
-  if (const int loose = system.factorize_masses(state); loose >= 0) return loose;
   for (int i = 0; i < size_; ++i) {
     if (!alone_[i]) continue;
     const double m = values_[diagonal_[i]];

@@ -62,16 +62,21 @@ void NewtonSolver::initialize_data() {
   Solver::initialize_data();
   system().complete_pattern();
   full_newton_ = !newton_settings.useModifiedNewton;
+  forget_redundancy();
   take_pattern();
   const auto n = static_cast<std::size_t>(sizes_.total());
   residual_.assign(n, 0.0);
   increment_.assign(n, 0.0);
-  redundant_ = RedundantConstraints();
-  treatment_ = Treatment::none;
-  plain_.reset();
-  announced_ = warned_of_misfit_ = confirmed_ = confirms_ = false;
+  announced_ = warned_of_misfit_ = false;
   largest_misfit_ = 0;
-  examined_ = sizes_.ae == 0 || !settings().redundantConstraints.treat || settings().linearSolverSettings.ignoreSingularJacobian;
+}
+
+// Factors remember the pivots of earlier matrices.
+void NewtonSolver::forget() {
+  full_newton_ = !newton_settings.useModifiedNewton;
+  forget_redundancy();
+  take_pattern();
+  conv.jacobianUpdateRequested = true;
 }
 
 // Dense patterns are never revised.

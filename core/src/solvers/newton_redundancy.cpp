@@ -14,6 +14,15 @@ constexpr double counting_eps = RedundantConstraints::counting_eps, silent_misfi
 
 }  // namespace
 
+void NewtonSolver::forget_redundancy() {
+  redundant_ = RedundantConstraints();
+  treatment_ = Treatment::none;
+  plain_.reset();
+  misfit_.clear();
+  confirmed_ = confirms_ = false;
+  examined_ = sizes_.ae == 0 || !settings().redundantConstraints.treat || settings().linearSolverSettings.ignoreSingularJacobian;
+}
+
 // At the first matrix of a solution, and at each one that cannot be factorized.
 [[gnu::noinline]] void NewtonSolver::look_for_redundancy() {
   const auto& s = settings().redundantConstraints;

@@ -160,4 +160,23 @@ void Solver::check_constraints() {
   else warn(text);
 }
 
+// After a solution that has finished: what speaks against it.
+void Solver::look_back() {
+  const auto steps = [](StepCount n) { return std::to_string(n) + (n == 1 ? " step" : " steps"); };
+  if (it.stepsAboveTolerance > 0) {
+    doubts_.push_back("errors above the tolerances in " + steps(it.stepsAboveTolerance) +
+                      " of the smallest size: look for jumps, or lower timeIntegration.minimumStepSize");
+  }
+  if (it.unsettledSteps > 0) {
+    doubts_.push_back("contact or friction that has not settled in " + steps(it.unsettledSteps) +
+                      ": use smaller steps, or more discontinuous.maxIterations");
+  }
+  const auto& s = settings_->initialConditions;
+  if (s.checkConstraints && sizes_.ae > 0) {
+    const auto open = open_constraints(*system_, current(), conditions_, {s.positionTolerance, s.velocityTolerance, false});
+    if (!open.empty()) doubts_.push_back("open at the end: " + listed(open, *system_) + "\n  Use smaller steps, or a solver that keeps constraints of positions");
+  }
+  output.trusted = doubts_.empty();
+}
+
 }  // namespace dalembert

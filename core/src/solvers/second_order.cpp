@@ -111,6 +111,12 @@ void SecondOrderSolver::initial_conditions() {
   Solver::initial_conditions();
   const auto& s = settings().timeIntegration.generalizedAlpha;
   State& now = current();
+  if (continues()) {
+    algorithmic_ = continued_values();
+    accepted_step_size_ = continued_number(0);
+    steps_above_tolerance_ = static_cast<int>(continued_number(1));
+    return;
+  }
   std::fill(now.lambda.begin(), now.lambda.end(), 0.0);
   if (continued_.size() == now.a.size() && !continued_.empty()) {
     algorithmic_ = std::exchange(continued_, {});
@@ -118,19 +124,9 @@ void SecondOrderSolver::initial_conditions() {
     return;
   }
   if (s.computeInitialAccelerations) {
-    const auto& l = settings().linearSolverSettings;
-    const InitialAccelerations first =
-        dalembert::initial_accelerations(system(), now, conditions_, linear_type(),
-                                         {.pivot_threshold = l.pivotThreshold, .ignore_singular = l.ignoreSingularJacobian},
-                                         settings().redundantConstraints);
-    if (first.singular_row == LinearSolver::success) {
-      now.a = first.a;
-      if (s.storeInitialAlgebraicCoordinates) now.lambda = first.lambda;
-    } else {
-      warn("initial accelerations are set to zero: mass matrix and constraints are singular at unknown " +
-           std::to_string(first.singular_row) + " (" + system().describe_row(first.singular_row) + ")");
-      std::fill(now.a.begin(), now.a.end(), 0.0);
-    }
+    const std::vector<double> lambda = now.lambda;
+    if (!find_accelerations()) std::fill(now.a.begin(), now.a.end(), 0.0);
+    if (!s.storeInitialAlgebraicCoordinates) now.lambda = lambda;
   } else if (s.resetAccelerations) {
     std::fill(now.a.begin(), now.a.end(), 0.0);
   }
@@ -138,21 +134,35 @@ void SecondOrderSolver::initial_conditions() {
   start_of_step() = now;
 }
 
+bool SecondOrderSolver::find_accelerations() {
+  State& now = current();
+  const auto& l = settings().linearSolverSettings;
+  const InitialAccelerations found =
+      dalembert::initial_accelerations(system(), now, conditions_, linear_type(),
+                                       {.pivot_threshold = l.pivotThreshold, .ignore_singular = l.ignoreSingularJacobian},
+                                       settings().redundantConstraints);
+  if (found.singular_row != LinearSolver::success) {
+    warn("initial accelerations are set to zero: mass matrix and constraints are singular at unknown " +
+         std::to_string(found.singular_row) + " (" + system().describe_row(found.singular_row) + ")");
+    return false;
+  }
+  now.a = found.a;  // in place: views stay valid
+  now.lambda = found.lambda;
+  return true;
+}
+
+// After an event. The algorithmic accelerations of before would cost an order.
+void SecondOrderSolver::renew_accelerations() {
+  if (settings().timeIntegration.generalizedAlpha.computeInitialAccelerations) find_accelerations();
+  algorithmic_ = current().a;
+  accepted_step_size_ = 0;
+}
+
 void SecondOrderSolver::post_initialize() {
   if (!verbose(2)) return;
   say(2, (newmark() ? "  Newmark: " : "  generalized alpha: spectralRadius=" + number(spectral_radius) + ", alphaM=" +
                           number(alpha_m) + ", alphaF=" + number(alpha_f) + ", ") +
              std::string("beta=") + number(newmark_beta) + ", gamma=" + number(newmark_gamma) + "\n");
-}
-
-// Constant steps are counted, not summed, to keep round-off out of the time.
-void SecondOrderSolver::update_current_time() {
-  if (!it.adaptiveStep && !it.automaticStepSize) {
-    it.currentTime = static_cast<double>(it.currentStepIndex) * it.currentStepSize + it.startTime;
-    return;
-  }
-  if (it.currentTime + it.currentStepSize > it.endTime) it.currentStepSize = it.endTime - it.currentTime;
-  it.currentTime += it.currentStepSize;
 }
 
 bool SecondOrderSolver::reduce_step_size() {
@@ -167,6 +177,11 @@ bool SecondOrderSolver::reduce_step_size() {
 void SecondOrderSolver::increase_step_size() {
   if (it.automaticStepSize) return;
   it.currentStepSize = std::min(it.maxStepSize, settings().timeIntegration.adaptiveStepIncrease * it.currentStepSize);
+}
+
+void SecondOrderSolver::forget() {
+  NewtonSolver::forget();
+  driven_.clear();
 }
 
 void SecondOrderSolver::save_start_of_step() {
@@ -353,12 +368,18 @@ void SecondOrderSolver::scale_jacobian(std::vector<S>& values) const {
   });
 }
 
-bool SecondOrderSolver::goes_in_lockstep() const {
+std::string_view SecondOrderSolver::lockstep_obstacle() const {
   const auto& s = settings();
-  return !verbose(1) && !it.automaticStepSize && !hooks().take_part_in_steps() && hooks().timeout < 0 && !has_replaced_parts() && !s.displayComputationTime &&
-         !wants_differences(newton_settings.numericalDifferentiation) && s.timeIntegration.computeLoadsJacobian == 0 &&
-         newton_settings.useNewtonSolver && discontinuous.iterationTolerance >= 0 &&
-         linear_->may_be_listed();
+  if (it.automaticStepSize) return "steps whose size is chosen by their error";
+  if (hooks().take_part_in_steps()) return "functions of the system that are called at each step";
+  if (hooks().timeout >= 0) return "a limit of the time that solvers may take";
+  if (verbose(1) || s.displayComputationTime) return "messages of the solver";
+  if (has_replaced_parts() || !newton_settings.useNewtonSolver) return "parts of the solver that are replaced or left out";
+  if (wants_differences(newton_settings.numericalDifferentiation) || s.timeIntegration.computeLoadsJacobian != 0)
+    return "derivatives by differences";
+  if (discontinuous.iterationTolerance < 0) return "a negative discontinuous.iterationTolerance";
+  if (!linear_->may_be_listed()) return "the linear solver, or a number of unknowns that is not from 4 to 32";
+  return {};
 }
 
 void SecondOrderSolver::trace(Trace& trace) {

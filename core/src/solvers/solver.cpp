@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <thread>
 
 #include "dalembert/linear/linear_solver.hpp"
 #include "dalembert/model/errors.hpp"
 #include "dalembert/output/numbers.hpp"
+#include "dalembert/output/restart_file.hpp"
 #include "dalembert/system/large_vectors.hpp"
 #include "finite.hpp"
 #include "settings_checks.hpp"
@@ -72,17 +74,19 @@ bool Solver::solve_system() {
 bool Solver::initialize() {
   output = SolverOutputData();
   diagnosis_ = Diagnosis();
+  doubts_.clear();
   stop_ = silent_ = false;
   unwritten_ = nullptr;
   output.cpuStartTime = output.cpuLastTimePrinted = output.cpuSolverStartTime = SolverTimer::now();
   pre_initialize();
+  read_continuation();
   initialize_output();
   if (!check_system()) return false;
   tell_settings_without_effect(*settings_, hooks().warn);
   initialize_data();
   if (!starts_finite()) return false;
   initial_conditions();
-  check_constraints();
+  if (!continues()) check_constraints();
   post_initialize();
   if (!diagnosis_.failed() && !all_finite(current())) diagnose_not_finite();
   output.initializationSuccessful = !diagnosis_.failed();
@@ -185,6 +189,7 @@ void Solver::initial_conditions() {
   output.lastSolutionWritten = output.lastSensorsWritten = output.lastImageRecorded = it.startTime;
   last_restart_ = it.startTime;
   write_solution_header();
+  if (continues()) take_continuation();
 }
 
 [[gnu::noinline]] void Solver::start_steps() {
@@ -198,8 +203,11 @@ void Solver::initial_conditions() {
   steps_taken_ = look_mask_ = 0;
   silent_ = steps_end_silently();
   steps_since_reduction_ = 0;
+  equal_steps_ = EqualSteps();
   end_reached_ = false;
   step_completed_ = true;
+  begin_to_watch_events();
+  if (continues()) return continue_steps();
   finish_step(settings_->solutionSettings.writeInitialValues);
   ++it.currentStepIndex;
 }
@@ -226,7 +234,7 @@ void Solver::initial_conditions() {
 
 void Solver::take_step() {
   while (!conv.stepReductionFailed) {
-    if (try_step()) return step_succeeded();
+    if (try_step() && (!watch_ || end_with_event())) return step_succeeded();
     step_failed();
   }
 }
@@ -252,6 +260,7 @@ bool Solver::next_step() {
 void Solver::end_steps() {
   silent_ = false;
   output.finishedSuccessfully = !conv.stepReductionFailed && !output.simulationTimeout;
+  if (output.finishedSuccessfully) look_back();
 }
 
 bool Solver::try_step() {
@@ -289,6 +298,7 @@ void Solver::begin_step() {
 void Solver::step_succeeded() {
   step_completed_ = true;
   if (!silent_) finish_step(true);
+  if (event_reached()) [[unlikely]] act_on_events();
   ++steps_since_reduction_;
   if (steps_since_reduction_ >= recovery_steps() && it.newtonSteps + it.discontinuousIteration <= recovery_iterations()) {
     const double before = it.currentStepSize;
@@ -296,8 +306,25 @@ void Solver::step_succeeded() {
     steps_since_reduction_ = 0;
     if (it.currentStepSize > before && it.currentTime != it.endTime && verbose(1)) announce_increase();
   }
+  if (!silent_ && settings_->solutionSettings.writeRestartFile) write_restart();
   ++it.currentStepIndex;
-  end_reached_ = it.currentTime >= it.endTime - 1e-10;
+  end_reached_ = ends_here();
+}
+
+// Equal steps are counted, not summed: times do not drift. The last step ends at the end, and has the size of the others if that is
+// where they lead.
+void Solver::update_current_time() {
+  double& h = it.currentStepSize;
+  if (h != equal_steps_.step_size || it.currentTime != equal_steps_.time) [[unlikely]] {
+    equal_steps_ = {.start = it.currentTime, .step_size = h, .before = it.currentStepIndex - 1};
+  }
+  double time = static_cast<double>(it.currentStepIndex - equal_steps_.before) * h + equal_steps_.start;
+  const double round_off = 8 * std::numeric_limits<double>::epsilon() * std::max(std::abs(it.startTime), std::abs(it.endTime));
+  if (const double beyond = time - it.endTime; beyond > -round_off) [[unlikely]] {
+    if (beyond > round_off) h = it.endTime - it.currentTime;
+    time = it.endTime;
+  }
+  it.currentTime = equal_steps_.time = time;
 }
 
 [[gnu::noinline]] void Solver::announce_increase() {
@@ -380,6 +407,7 @@ void Solver::accept_newton() {
       if (recommended != -1 && recommended < (1 + 1e-8) * it.currentStepSize) return false;
     } else if (discontinuous.ignoreMaxIterations) {
       conv.discontinuousIterationSuccessful = true;
+      ++it.unsettledSteps;
     } else {
       diagnose(FailureReason::discontinuous, {});
       return false;

@@ -54,13 +54,15 @@ void Solver::initialize_output() {
   }
   close_files();
   output.writeToSolutionFile = s.writeSolutionToFile && !s.coordinatesSolutionFileName.empty();
-  if (output.writeToSolutionFile) solution_file_.open(*settings_);
+  const std::span<const double> lengths = continues() ? std::span<const double>(continuation_->files) : std::span<const double>();
+  if (output.writeToSolutionFile) lengths.empty() ? solution_file_.open(*settings_) : solution_file_.resume(*settings_, lengths.front());
   output.writeToSolverFile = output.verboseModeFile > 0 && !s.solverInformationFileName.empty();
   if (output.writeToSolverFile) {
     information_file_.open(s.solverInformationFileName, s.appendToFile, "solver information file");
   }
   if (s.writeRestartFile) check_restart_file(s.restartFileName);
-  sensors_.open(*settings_, environment_->sensors, environment_->sensor_storage, expected_sensor_rows(*settings_, is_static()));
+  sensors_.open(*settings_, environment_->sensors, environment_->sensor_storage, expected_sensor_rows(*settings_, is_static()),
+                lengths.subspan(lengths.empty() ? 0 : 1));
   warn_of_files_written_twice();
   if (verbose(1)) say(1, "+++++++++++++++++++++++++++++++\ndalembert solver: " + name() + "\n");
 }
@@ -113,7 +115,7 @@ bool Solver::steps_end_silently() const {
 void Solver::finish_step(bool write) {
   if (silent_) return;
   const double t = current().time;
-  const bool end_reached = it.currentTime + 1e-10 >= it.endTime;
+  const bool end_reached = it.currentTime + same_time() >= it.endTime;
   const bool every_step = output.stepInformation & step_information::every_step;
   const bool to_console = output.verboseMode >= 2 || every_step || (output.verboseMode == 1 && end_reached);
   const bool to_file = output.verboseModeFile >= 2 || every_step || (output.verboseModeFile == 1 && end_reached);
@@ -127,22 +129,26 @@ void Solver::finish_step(bool write) {
       stop_ = output.simulationStoppedByUserFunction = true;
     }
   }
-  const bool last = std::abs(t - it.endTime) <= 1e-10;  // the last step is always written
-  if (write && output.writeToSolutionFile) {
-    if (last) output.lastSolutionWritten = it.endTime - it.currentStepSize;
-    write_coordinates();
-  }
-  if (write && sensors_.active()) {
-    if (last) output.lastSensorsWritten = it.endTime - it.currentStepSize;
-    write_sensors();
-  }
-  if (settings_->solutionSettings.writeRestartFile && it.currentStepIndex > 0) write_restart();
+  const bool between = settings_->denseOutput.atRequestedTimes && !is_static() && it.currentStepIndex > 0;
+  if (write) between ? write_requested() : write_end_of_step();
   const double interval = settings_->solutionSettings.recordImagesInterval;
   if (interval >= 0 && t >= output.lastImageRecorded + interval) {
     output.lastImageRecorded += interval;
     if (hooks().show) hooks().show(true);
   }
   if (settings_->pauseAfterEachStep && hooks().pause) hooks().pause();
+}
+
+void Solver::write_end_of_step() {
+  const bool last = std::abs(current().time - it.endTime) <= same_time();  // the last step is always written
+  if (output.writeToSolutionFile) {
+    if (last) output.lastSolutionWritten = it.endTime - it.currentStepSize;
+    write_coordinates();
+  }
+  if (sensors_.active()) {
+    if (last) output.lastSensorsWritten = it.endTime - it.currentStepSize;
+    write_sensors();
+  }
 }
 
 void Solver::wait_for_real_time() {
@@ -167,7 +173,7 @@ void Solver::print_progress(bool to_console, bool to_file) {
   const int info = output.stepInformation, digits = settings_->outputPrecision;
   std::string text = "STEP" + std::to_string(it.currentStepIndex) +
                      (is_static() ? ", factor = " + number(load_factor()) : ", t = " + number(t) + "s");
-  const bool at_end = it.currentTime + 1e-10 >= it.endTime;
+  const bool at_end = it.currentTime + same_time() >= it.endTime;
   if (!is_static() && whole > 0) text += " (" + number(at_end ? 100 : std::floor(1000 * done / whole) / 10) + " %)";
   if (info & step_size) text += ", dt = " + duration(it.currentStepSize, digits);
   const bool known = elapsed > 0.2 && done > std::min(10 * it.initialStepSize, 1e-5 * whole) && it.currentStepIndex != 0;
@@ -204,10 +210,10 @@ void Solver::write_solution_header() {
   sensors_.write_headers(run_description(), *system_);
 }
 
-// Written at the first time, and whenever a period is over; time differences below 1e-10 s do not count.
+// Written at the first time, and whenever a period is over.
 void Solver::write_coordinates() {
   const double t = current().time;
-  if (!solution_file_.is_open() || (t != it.startTime && t - output.lastSolutionWritten < -1e-10)) return;
+  if (!solution_file_.is_open() || (t != it.startTime && t - output.lastSolutionWritten < -same_time())) return;
   const TimedPart time(timer, timer.writeSolution);
   output.lastSolutionWritten = std::max(output.lastSolutionWritten + settings_->solutionSettings.solutionWritePeriod, t);
   solution_file_.write_row(*settings_, current());
@@ -215,7 +221,7 @@ void Solver::write_coordinates() {
 
 void Solver::write_sensors() {
   const double t = current().time;
-  if (t != it.startTime && t - output.lastSensorsWritten < -1e-10) return;
+  if (t != it.startTime && t - output.lastSensorsWritten < -same_time()) return;
   const TimedPart time(timer, timer.writeSolution);
   output.lastSensorsWritten = std::max(output.lastSensorsWritten + settings_->solutionSettings.sensorsWritePeriod, t);
   sensors_.record(*system_, t);
@@ -223,11 +229,12 @@ void Solver::write_sensors() {
 
 void Solver::write_restart() {
   const double t = current().time;
-  const bool last = std::abs(t - it.endTime) <= 1e-10;
-  if (!last && t - last_restart_ < settings_->solutionSettings.restartWritePeriod - 1e-10) return;
+  const bool last = std::abs(t - it.endTime) <= same_time();
+  if (!last && t - last_restart_ < settings_->solutionSettings.restartWritePeriod - same_time()) return;
   const TimedPart time(timer, timer.writeSolution);
   last_restart_ = t;
-  write_restart_file(settings_->solutionSettings.restartFileName, current(), restart_values(), it.currentStepSize);
+  write_restart_file(settings_->solutionSettings.restartFileName, restart_data());
+  forget();
 }
 
 // A file that cannot be written is an error of the run, and a warning if the run has failed anyway.
@@ -298,6 +305,7 @@ void Solver::announce_end() {
     say(1, std::string("Solver stopped ") + reason + seconds);
   } else {
     say(1, std::string("Solver terminated ") + (output.finishedSuccessfully ? "successfully" : "unsuccessfully") + seconds);
+    for (const std::string& doubt : doubts_) say(1, "  not to be trusted: " + doubt + "\n");
     if (diagnosis_.failed()) say(1, diagnosis_.headline() + "\n");
     if (diagnosis_.failed() && information_file_.is_open()) information_file_.text() += diagnosis_.text() + "\n";
   }

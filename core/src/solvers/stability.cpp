@@ -57,7 +57,7 @@ Vibration fastest_vibration(System& system, State state, const Conditions& condi
     for (double& number : x) number /= length;
     if (i + 1 == power_iterations) break;
     multiply(pattern, stiffness, x, y);
-    mass.solve(system, y);
+    if (mass.solve(system, state, y) != LinearSolver::success) return {};
     std::swap(x, y);
   }
   const auto quotient = [&] {

@@ -178,11 +178,21 @@ class Builder {
     const auto& physics = this->physics<ObjectPhysics>(item, number);
     const Stretch nodes = refer(item, ItemKind::node), markers = refer(item, ItemKind::marker);
     parts_.objects.push_back({item.type, item.record, {}, nodes, markers});
-    if (!physics.completes()) return;
+    const bool has_markers = !markers.of(parts_.references).empty();
+    if (has_markers && !physics.completes()) return;
     Placement& on_nodes = placing_.on(nodes.of(parts_.references));
     on_nodes.item = number;
-    parts_.objects.back().record = physics.completed(item.record.get(), on_nodes, {model_, ItemKind::object, number});
-    parts_.completed.push_back(number);
+    auto& record = parts_.objects.back().record;
+    if (physics.completes()) {
+      record = physics.completed(item.record.get(), on_nodes, {model_, ItemKind::object, number});
+      parts_.completed.push_back(number);
+    }
+    if (!has_markers) check_object(number, on_nodes);  // before markers on it read its parameters
+  }
+
+  void check_object(int number, const Placement& placement) {
+    const ObjectPlace& place = parts_.objects[number];
+    physics(place).check(place.record.get(), placement, parts_.ports, {model_, ItemKind::object, number});
   }
 
   void place_marker(int number) {
@@ -293,7 +303,7 @@ class Builder {
       if (!static_cast<const MarkerPhysics&>(*parts_.markers[marker].type->physics).has_rate())
         refuse(ErrorKind::value, {model_.describe(ItemKind::object, number), "markerNumbers", model_.describe(ItemKind::marker, marker) + " gives no velocity", "",
                                   "markers on coordinates of second order", "Markers on coordinates of first order take loads only"});
-    physics.check(place.record.get(), p, parts_.ports, {model_, ItemKind::object, number});
+    if (!p.markers.empty()) check_object(number, p);
     auto& growing = term(place.type, *place.type, [&] { return physics.make_batch(placing_.node_types(p.nodes)); }, number);
     place.member = {growing.batch, enter_term(growing, place.record.get(), p)};
     numbers_of(growing.region).rows.add(p.ae_offset + p.first_ae, place.equations);

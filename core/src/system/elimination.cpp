@@ -1,5 +1,4 @@
 // Which coordinates an explicit integrator may hold fixed instead of solving constraint equations.
-#include "dalembert/constraints/coordinate_parameters.hpp"
 #include "dalembert/system/parts.hpp"
 
 namespace dalembert {
@@ -10,11 +9,10 @@ std::optional<std::vector<int>> System::fixed_coordinates() const {
     if (node.sizes.ae > 0) return std::nullopt;
   for (const ObjectPlace& object : parts_->objects) {
     if (object.equations == 0) continue;
-    if (object.type->name != "ObjectConnectorCoordinate") return std::nullopt;
-    const auto& p = static_cast<const ObjectConnectorCoordinateRecord*>(object.record.get())->parameters;
-    if (!p.activeConnector) continue;
+    const Holding holding = static_cast<const ObjectPhysics&>(*object.type->physics).holds(object.record.get());
+    if (holding == Holding::nothing) continue;
     parts_->list_coordinates(object, Coordinates::ode2, tied);
-    if (tied.size() != 1 || p.offset != 0 || p.offsetUserFunction || p.offsetUserFunction_t) return std::nullopt;
+    if (holding == Holding::unknown || object.equations != 1 || tied.size() != 1) return std::nullopt;
     fixed.push_back(tied.front());
   }
   return fixed;

@@ -222,17 +222,12 @@ void System::mass_matrix(const State& state, const Pattern& pattern, std::span<d
   });
 }
 
-int System::factorize_masses(const State& state) {
+int System::solve_masses(const State& state, std::span<double> x) {
   SystemParts& parts = *parts_;
-  if (parts.mass_solvers.empty()) return -1;
   const Evaluation e = parts.evaluation(state, {});
   for (const MassSolver* solver : parts.mass_solvers)
-    if (const int loose = solver->factorize_masses(e); loose >= 0) return loose;
+    if (const int loose = solver->solve_masses(e, x.data()); loose >= 0) return loose;
   return -1;
-}
-
-void System::solve_masses(std::span<double> x) const {
-  for (const MassSolver* solver : parts_->mass_solvers) solver->solve_masses(x.data());
 }
 
 void System::forces(const State& state, const Conditions& conditions, std::span<double> rhs) {

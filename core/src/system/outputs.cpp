@@ -6,7 +6,6 @@
 #include "dalembert/model/errors.hpp"
 #include "dalembert/model/item.hpp"
 #include "dalembert/math/rotations.hpp"
-#include "dalembert/markers/node_coordinate_parameters.hpp"
 #include "dalembert/system/parts.hpp"
 
 namespace dalembert {
@@ -268,10 +267,11 @@ void System::marker_output(int marker, Variable variable, ConfigurationType conf
     values.assign(first, first + port.forces);
     return;
   }
-  if (variable == Variable::CoordinatesTotal && place.type->name == "MarkerNodeCoordinate") {
-    const auto& record = *static_cast<const MarkerNodeCoordinateRecord*>(place.record.get());
-    node_output(place.node, variable, configuration, values);
-    values = {values.empty() ? 0.0 : values.at(static_cast<std::size_t>(record.parameters.coordinate))};  // empty: ground
+  if (variable == Variable::CoordinatesTotal && place.member.batch->shows_coordinates()) {
+    const auto dofs = parts.ports.marker_dofs(marker);
+    const Evaluation e = parts.output_evaluation(parts.state(configuration), dofs);
+    values.assign(static_cast<std::size_t>(parts.ports.ports[static_cast<std::size_t>(marker)].forces), 0.0);  // of ground: they rest
+    std::ranges::transform(dofs, values.begin(), [&](int i) { return e.q[i]; });
     return;
   }
   Motion<double> m;

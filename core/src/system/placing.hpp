@@ -40,6 +40,7 @@ class Placing {
     p.markers = {number};
     p.owner = place.object >= 0 ? parts_.objects[place.object].record.get() : parts_.nodes[place.node].record.get();
     p.owner_type = place.object >= 0 ? parts_.objects[place.object].type : parts_.nodes[place.node].type;
+    p.owner_number = place.object >= 0 ? place.object : place.node;
     return p;
   }
 

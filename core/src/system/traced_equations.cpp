@@ -2,21 +2,46 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
+#include <string_view>
 
 #include "dalembert/system/parts.hpp"
 
 namespace dalembert {
 
-bool TracedEquations::possible(const System& system) {
+std::string TracedEquations::obstacle(const System& system) {
   const SystemParts& parts = *system.parts_;
-  const auto calls_user = [](const auto& places) {
-    return std::ranges::any_of(places, [](const auto& place) { return has_user_function(*place.type, place.record.get()); });
+  std::string found;
+  const auto search = [&found](const auto& places, const auto& is_obstacle, std::string_view what) {
+    const auto place = std::ranges::find_if(places, is_obstacle);
+    if (found.empty() && place != places.end()) found.append(place->type->name).append(what);
   };
-  if (parts.sizes.ode1 > 0 || parts.has_history || !parts.lie_blocks.empty() || parts.plan.regions.size() != 1) return false;
-  if (calls_user(parts.nodes) || calls_user(parts.objects) || calls_user(parts.loads)) return false;
+  const auto calls_user = [](const auto& place) { return has_user_function(*place.type, place.record.get()); };
+  const std::string_view with_function = " with a function of the user";
+  search(parts.nodes, calls_user, with_function);
+  search(parts.objects, calls_user, with_function);
+  search(parts.loads, calls_user, with_function);
+  if (!found.empty()) return found;
+  if (parts.sizes.ode1 > 0) return "coordinates of first order";
+  if (parts.has_history) return "items with data coordinates, such as contact and friction";
+  if (!parts.lie_blocks.empty()) return "nodes whose rotations are composed on a Lie group";
+  if (parts.plan.regions.size() != 1) return "the size of the system";
   const RegionPlan& plan = parts.plan.regions.front();
-  const auto can = [](const auto& batches) { return std::ranges::all_of(batches, [](const auto* batch) { return batch->traceable(); }); };
-  return plan.nodes.empty() && can(plan.moving) && can(plan.terms) && can(plan.loads);
+  if (!plan.nodes.empty()) return "nodes that rotate in space";
+  const Batch* untraceable = nullptr;
+  const auto look_at = [&untraceable](const auto& batches) {
+    for (const Batch* batch : batches)
+      if (!untraceable && !batch->traceable()) untraceable = batch;
+  };
+  look_at(plan.terms);
+  look_at(plan.loads);
+  look_at(plan.moving);
+  if (!untraceable) return {};
+  const auto is_it = [untraceable](const auto& place) { return place.member.batch == untraceable; };
+  search(parts.objects, is_it, "");
+  search(parts.loads, is_it, "");
+  search(parts.markers, is_it, "");
+  return found.empty() ? "conditions of nodes" : found;
 }
 
 // Markers at rest have been evaluated, or are now: their frames are constants.

@@ -107,8 +107,7 @@ int TreeFunctions::forward_dynamics(std::size_t states, const double* q, const d
     group.sum_inertia_forces();
     group.gather(forces, group.a);
     for (std::size_t i = 0; i < group.links; ++i) group.x[i] = group.a[i] - group.x[i];
-    loose = std::max(loose, trees::factorize<S>(tree_, group.places, group.masses, group.articulated));
-    trees::solve<S>(tree_, group.places, group.articulated, group.wrenches, group.x.data());
+    loose = std::max(loose, trees::accelerate<S>(tree_, group.places, group.masses, group.articulated, group.wrenches, group.x.data()));
     for (std::size_t i = 0; i < group.links; ++i) group.give(a, group.links, i, group.x[i]);
   });
   return loose;

@@ -59,6 +59,7 @@ enum class DynamicSolverType : std::uint32_t {
   DOPRI5 = 9,
   DVERK6 = 10,
   VelocityVerlet = 11,
+  DOP853 = 12,
 };
 
 // the five kinds of items

@@ -46,6 +46,16 @@ struct DiscontinuousSettings {
   bool useRecommendedStepSize = true;
 };
 
+// going on with a solution that was stopped
+struct ContinuationSettings {
+  std::string restartFileName = "";
+};
+
+// what is written between the ends of steps
+struct DenseOutputSettings {
+  bool atRequestedTimes = false;
+};
+
 // how the initial values are held against the constraints when a solver starts
 struct InitialConditionsSettings {
   bool checkConstraints = true;
@@ -209,6 +219,8 @@ struct SimulationSettings {
   LinearSolverType linearSolverType = LinearSolverType::EXUdense;
   int outputPrecision = 6;
   bool pauseAfterEachStep = false;
+  ContinuationSettings continuation{};
+  DenseOutputSettings denseOutput{};
   InitialConditionsSettings initialConditions{};
   LinearSolverChoiceSettings linearSolverChoice{};
   LinearSolverSettings linearSolverSettings{};

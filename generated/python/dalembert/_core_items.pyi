@@ -3513,12 +3513,12 @@ class ObjectContactConvexRoll(_Object):
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     @property
     def markerNumbers(self) -> list[MarkerIndex]:
-        """marker m0 on the ground, which may translate but not rotate, and marker m1 at the center of the roll [2]"""
+        """marker m0 on the ground, whose x and y axes span the plane, and marker m1 at the center of the roll, with the x axis along it [2]"""
     @markerNumbers.setter
     def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
     def nodeNumber(self) -> NodeIndex:
-        """NodeGenericData with three data coordinates: slip velocity in two directions, and gap, of the last update"""
+        """NodeGenericData with three data coordinates of the last update: gap, and slip velocity along the x and y axes of marker m0"""
     @nodeNumber.setter
     def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
     contactStiffness: float
@@ -3661,7 +3661,7 @@ class ObjectContactCurveCircles(_Object):
     """name of the item, unique within its kind; if empty, a name is made from kind and number"""
     @property
     def markerNumbers(self) -> list[MarkerIndex]:
-        """rigid body marker that carries the curve, followed by one marker per circle [2]"""
+        """rigid body marker that carries the curve, followed by one marker per circle [n]"""
     @markerNumbers.setter
     def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     @property
@@ -3681,7 +3681,7 @@ class ObjectContactCurveCircles(_Object):
     def segmentsData(self, value: MatrixLike | None) -> None: ...
     @property
     def polynomialData(self) -> MatrixContainer:
-        """one row per segment with slopes at its begin and end (1) and curvatures at its begin and end (1/m), in the frame of the segment; empty: straight segments [n x m; various]"""
+        """one row per segment with slopes at its begin and end (1) and curvatures at its begin and end (1/m), in the frame of the segment; to be left empty: segments are straight [n x m; various]"""
     @polynomialData.setter
     def polynomialData(self, value: MatrixLike | None) -> None: ...
     @property

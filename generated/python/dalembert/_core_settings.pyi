@@ -91,6 +91,22 @@ class DiscontinuousSettings(_Settings):
     def __init__(self) -> None: ...
 
 @final
+class ContinuationSettings(_Settings):
+    """going on with a solution that was stopped"""
+
+    restartFileName: str
+    """restart file of a solution with the same model, solver and settings; its start time, end time and number of steps are those of the whole solution. Solution and sensor files go on where they were when the restart file was written; what is behind that is overwritten. Empty: start from the initial values; default: ''"""
+    def __init__(self) -> None: ...
+
+@final
+class DenseOutputSettings(_Settings):
+    """what is written between the ends of steps"""
+
+    atRequestedTimes: bool
+    """true: solution and sensors are written at the multiples of ``solutionWritePeriod`` and ``sensorsWritePeriod``, counted from the start, and at the end; within steps by Hermite interpolation of coordinates, velocities and accelerations. Data coordinates are those of the end of the step. False: they are written at the first end of a step at which the period is over. Static solvers write at their load steps; default: False"""
+    def __init__(self) -> None: ...
+
+@final
 class InitialConditionsSettings(_Settings):
     """how the initial values are held against the constraints when a solver starts"""
 
@@ -406,6 +422,14 @@ class SimulationSettings(_Settings):
     """number of significant digits in texts on the console [from 1 to 17]; default: 6"""
     pauseAfterEachStep: bool
     """wait for the space bar in the renderer after each step; no effect: there is no render window yet whose space bar could be waited for; a PostStep user function may wait; default: False"""
+    @property
+    def continuation(self) -> ContinuationSettings: ...
+    @continuation.setter
+    def continuation(self, value: ContinuationSettings | dict[str, Any]) -> None: ...
+    @property
+    def denseOutput(self) -> DenseOutputSettings: ...
+    @denseOutput.setter
+    def denseOutput(self, value: DenseOutputSettings | dict[str, Any]) -> None: ...
     @property
     def initialConditions(self) -> InitialConditionsSettings: ...
     @initialConditions.setter

@@ -14,11 +14,6 @@ class Planned(NamedTuple):
 
 
 ITEMS = (
-    "ObjectContactConvexRoll",
-    "ObjectContactCurveCircles",
-    "ObjectContactFrictionCircleCable2D",
-    "ObjectContactSphereSphere",
-    "ObjectContactSphereTriangle",
 )
 MODULES: dict[str, Planned] = {
 }
@@ -27,9 +22,6 @@ FUNCTIONS = {
     "MainSystem.AddGeneralContact": Planned('contact of many bodies with each other', '', ()),
     "MainSystem.CreateDistanceSensor": Planned('distances from meshes, by GeneralContact', '', ()),
     "MainSystem.CreateDistanceSensorGeometry": Planned('meshes for distance sensors, by GeneralContact', '', ()),
-    "MainSystem.CreateSphereQuadContact": Planned('contact of a sphere with a quadrangle', 'use mbs.CreateCartesianSpringDamper with a user function that pushes only', ()),
-    "MainSystem.CreateSphereSphereContact": Planned('contact between spheres', 'use mbs.CreateSpringDamper with a user function that pushes only', ()),
-    "MainSystem.CreateSphereTriangleContact": Planned('contact of a sphere with a triangle', 'use mbs.CreateCartesianSpringDamper with a user function that pushes only', ()),
     "MainSystem.DeleteGeneralContact": Planned('contact of many bodies with each other', '', ()),
     "MainSystem.GetGeneralContact": Planned('contact of many bodies with each other', '', ()),
     "SolverFileData": Planned('files of a solver', '', ()),

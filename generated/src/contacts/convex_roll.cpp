@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/connector.hpp"
+#include "dalembert/items/contacts/convex_roll.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -45,6 +47,8 @@ constexpr std::array<OutputVariableType, 4> outputs{
     OutputVariableType::Torque,
 };
 
+const auto& physics = ConnectorPhysics<ObjectContactConvexRoll, ObjectContactConvexRollRecord>{};
+
 }  // namespace object_contact_convex_roll
 
 extern const ItemType object_contact_convex_roll_type;
@@ -60,7 +64,7 @@ const ItemType object_contact_convex_roll_type{
     .record = record_operations<object_contact_convex_roll::Record>(),
     .requested_node = Capability::generic_data,
     .requested_marker = Capability::position | Capability::orientation,
-    .physics = nullptr,
+    .physics = &object_contact_convex_roll::physics,
     .spec = "specs/contacts/convex_roll.toml",
 };
 

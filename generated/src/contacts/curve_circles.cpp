@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/connector.hpp"
+#include "dalembert/items/contacts/curve_circles.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -16,7 +18,7 @@ using Record = ObjectContactCurveCirclesRecord;
 
 constexpr std::array<Row, 19> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
-    {.name = "markerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.markerNumbers), .role = Role::parameter, .size = 2, .needs_assemble = true},
+    {.name = "markerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.markerNumbers), .role = Role::parameter, .needs_assemble = true},
     {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
     {.name = "circlesRadii", .storage = Storage::vector, .offset = offsetof(Record, parameters.circlesRadii), .role = Role::parameter, .unit = "m"},
     {.name = "segmentsData", .storage = Storage::matrix_container, .offset = offsetof(Record, parameters.segmentsData), .role = Role::parameter, .unit = "m"},
@@ -44,6 +46,8 @@ constexpr std::array<OutputVariableType, 3> outputs{
     OutputVariableType::ForceLocal,
 };
 
+const auto& physics = ConnectorPhysics<ObjectContactCurveCircles, ObjectContactCurveCirclesRecord>{};
+
 }  // namespace object_contact_curve_circles
 
 extern const ItemType object_contact_curve_circles_type;
@@ -59,7 +63,7 @@ const ItemType object_contact_curve_circles_type{
     .record = record_operations<object_contact_curve_circles::Record>(),
     .requested_node = Capability::generic_data,
     .requested_marker = Capability::position | Capability::orientation,
-    .physics = nullptr,
+    .physics = &object_contact_curve_circles::physics,
     .spec = "specs/contacts/curve_circles.toml",
 };
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/connector.hpp"
+#include "dalembert/items/contacts/friction_circle_cable_2d.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -41,6 +43,8 @@ constexpr std::array<OutputVariableType, 3> outputs{
     OutputVariableType::ForceLocal,
 };
 
+const auto& physics = ConnectorPhysics<ObjectContactFrictionCircleCable2D, ObjectContactFrictionCircleCable2DRecord>{};
+
 }  // namespace object_contact_friction_circle_cable_2d
 
 extern const ItemType object_contact_friction_circle_cable_2d_type;
@@ -56,7 +60,7 @@ const ItemType object_contact_friction_circle_cable_2d_type{
     .record = record_operations<object_contact_friction_circle_cable_2d::Record>(),
     .requested_node = Capability::generic_data,
     .requested_marker = Capability::none,
-    .physics = nullptr,
+    .physics = &object_contact_friction_circle_cable_2d::physics,
     .spec = "specs/contacts/friction_circle_cable_2d.toml",
 };
 

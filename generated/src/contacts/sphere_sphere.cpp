@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/connector.hpp"
+#include "dalembert/items/contacts/sphere_sphere.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -49,6 +51,8 @@ constexpr std::array<OutputVariableType, 7> outputs{
     OutputVariableType::Torque,
 };
 
+const auto& physics = ConnectorPhysics<ObjectContactSphereSphere, ObjectContactSphereSphereRecord>{};
+
 }  // namespace object_contact_sphere_sphere
 
 extern const ItemType object_contact_sphere_sphere_type;
@@ -63,8 +67,8 @@ const ItemType object_contact_sphere_sphere_type{
     .outputs = object_contact_sphere_sphere::outputs,
     .record = record_operations<object_contact_sphere_sphere::Record>(),
     .requested_node = Capability::generic_data,
-    .requested_marker = Capability::position | Capability::orientation,
-    .physics = nullptr,
+    .requested_marker = Capability::position,
+    .physics = &object_contact_sphere_sphere::physics,
     .spec = "specs/contacts/sphere_sphere.toml",
 };
 

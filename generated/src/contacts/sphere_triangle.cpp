@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/batches/connector.hpp"
+#include "dalembert/items/contacts/sphere_triangle.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -45,6 +47,8 @@ constexpr std::array<OutputVariableType, 6> outputs{
     OutputVariableType::Torque,
 };
 
+const auto& physics = ConnectorPhysics<ObjectContactSphereTriangle, ObjectContactSphereTriangleRecord>{};
+
 }  // namespace object_contact_sphere_triangle
 
 extern const ItemType object_contact_sphere_triangle_type;
@@ -59,8 +63,8 @@ const ItemType object_contact_sphere_triangle_type{
     .outputs = object_contact_sphere_triangle::outputs,
     .record = record_operations<object_contact_sphere_triangle::Record>(),
     .requested_node = Capability::generic_data,
-    .requested_marker = Capability::position | Capability::orientation,
-    .physics = nullptr,
+    .requested_marker = Capability::position,
+    .physics = &object_contact_sphere_triangle::physics,
     .spec = "specs/contacts/sphere_triangle.toml",
 };
 

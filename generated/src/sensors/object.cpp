@@ -5,7 +5,8 @@
 #include <array>
 #include <cstddef>
 
-#include "dalembert/system/physics.hpp"
+#include "dalembert/batches/sensor.hpp"
+#include "dalembert/items/sensors/object.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -30,7 +31,7 @@ constexpr std::array<std::string_view, 0> provides{};
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
-const auto& physics = SensorPhysics{};
+const auto& physics = SensorPhysicsOf<SensorObject, SensorObjectRecord>{};
 
 }  // namespace sensor_object
 

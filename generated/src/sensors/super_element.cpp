@@ -5,7 +5,8 @@
 #include <array>
 #include <cstddef>
 
-#include "dalembert/system/physics.hpp"
+#include "dalembert/batches/sensor.hpp"
+#include "dalembert/items/sensors/super_element.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -31,7 +32,7 @@ constexpr std::array<std::string_view, 0> provides{};
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
-const auto& physics = SensorPhysics{};
+const auto& physics = SensorPhysicsOf<SensorSuperElement, SensorSuperElementRecord>{};
 
 }  // namespace sensor_super_element
 

@@ -5,7 +5,8 @@
 #include <array>
 #include <cstddef>
 
-#include "dalembert/system/physics.hpp"
+#include "dalembert/batches/sensor.hpp"
+#include "dalembert/items/sensors/user_function.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -38,7 +39,7 @@ constexpr std::array<std::string_view, 0> provides{};
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 
-const auto& physics = SensorPhysics{};
+const auto& physics = SensorPhysicsOf<SensorUserFunction, SensorUserFunctionRecord>{};
 
 }  // namespace sensor_user_function
 

@@ -90,7 +90,17 @@ def match_lengths(sensorNumbers: Any, components: Any, componentsX: Any) -> list
             x_values *= len(sensors)
     if len(x_values) != len(sensors):
         raise ValueError(f"PlotSensor: componentsX has {len(x_values)} entries, but there are {len(sensors)} curves")
-    return list(zip(sensors, map(int, values), map(int, x_values), strict=True))
+    return list(zip(sensors, map(_component, values), map(_component, x_values), strict=True))
+
+
+def _component(given: Any) -> int:
+    try:
+        return operator.index(given)
+    except TypeError:
+        if isinstance(given, (float, np.floating)) and given == int(given):
+            return int(given)
+        expected = "numbers of components, 0 for the first, -1 for time, componentNorm for the norm of all"
+        raise ValueError(f"PlotSensor: components: received {given!r}, but expected {expected}") from None
 
 
 def _file_information(fileName: str, comments: str, delimiter: str) -> tuple[str, str, FloatArray]:

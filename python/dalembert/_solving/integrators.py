@@ -17,6 +17,7 @@ EXPLICIT = {
     DynamicSolverType.RK67,
     DynamicSolverType.ODE23,
     DynamicSolverType.DOPRI5,
+    DynamicSolverType.DOP853,
     DynamicSolverType.VelocityVerlet,
 }
 
@@ -25,7 +26,9 @@ def is_implicit(function: str, solverType: Any) -> bool:
     """Return whether it is an implicit method; ValueError, naming `function`, if it is no method at all."""
     if solverType not in IMPLICIT and solverType not in EXPLICIT:
         known = ", ".join(sorted(str(kind) for kind in IMPLICIT | EXPLICIT))
-        raise ValueError(f"{function}: solverType: expected one of {known}; received {solverType!r}")
+        is_name = isinstance(solverType, str) and solverType in DynamicSolverType.__members__
+        advice = f". Write DynamicSolverType.{solverType} without quotes" if is_name else ""
+        raise ValueError(f"{function}: solverType: expected one of {known}; received {solverType!r}{advice}")
     return solverType in IMPLICIT
 
 

@@ -151,6 +151,9 @@ def ComputeODE2Eigenvalues(
     lists ODE2 coordinates that are held. Complex eigenvectors without constraints are [x, lambda x].
     """
     name = "ComputeODE2Eigenvalues"
+    if not isinstance(numberOfEigenvalues, (int, np.integer)) or numberOfEigenvalues < 0:
+        expected = "a number of eigenvalues, or 0 for all"
+        raise ValueError(f"{name}: numberOfEigenvalues: received {numberOfEigenvalues!r}, but expected {expected}")
     if computeComplexEigenvalues and convert2Frequencies:
         raise ValueError(f"{name}: complex eigenvalues are no frequencies: set convert2Frequencies=False")
     if computeComplexEigenvalues and useSparseSolver:

@@ -82,6 +82,7 @@ def _solution(mbs: Any) -> list[str]:
             line += f", {it.newtonStepsCount} Newton iterations, {it.newtonJacobiCount} Jacobians"
         rejected = it.rejectedAutomaticStepSizeSteps
         lines.append(line + (f", {rejected} steps repeated" if rejected else ""))
+        lines.extend(f"  not to be trusted: {doubt}" for doubt in solver.GetDoubts())
         misfit = solver.GetRedundantConstraints()["misfit"]
         if misfit > _NOTICEABLE:
             lines.append(f"  redundant constraints contradicted each other by {misfit:.3g} of the size of the model")

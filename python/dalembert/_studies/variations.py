@@ -26,7 +26,8 @@ class VariationResults:
 
     success: whether each variation was solved, K x bool; messages: why not, '' if it was.
     warnings: what the solver would have warned of on the console, K texts, '' if there is nothing.
-    sideBySide: whether it was solved together with others in the lanes of registers, K x bool.
+    alone: why it was not solved together with others in the lanes of registers, K texts, '' if it was.
+    sideBySide: whether it was, K x bool.
     endTimes: time that was reached, K, in s.
     sensorValues: values of all sensors at the end, side by side, K x n.
     sensorHistories: with storeHistories, time and these values at every time of writing, K x rows x (1 + n); a history
@@ -36,9 +37,9 @@ class VariationResults:
     """
 
     success: NDArray[np.bool_]
-    sideBySide: NDArray[np.bool_]
     messages: list[str]
     warnings: list[str]
+    alone: list[str]
     endTimes: NDArray[np.float64]
     sensorValues: NDArray[np.float64]
     sensorHistories: NDArray[np.float64]
@@ -47,12 +48,18 @@ class VariationResults:
     _columns: dict[int, slice]
     _names: dict[str, int]
 
+    @property
+    def sideBySide(self) -> NDArray[np.bool_]:
+        """Whether each variation was solved together with others, K x bool."""
+        return np.array([not reason for reason in self.alone], dtype=bool)
+
     def __repr__(self) -> str:
         """How many variations, how many were solved, what is stored; with the first message if one failed."""
         solved, count = int(self.success.sum()), len(self.success)
+        reason = next((f" (in the way: {text})" for text in self.alone if text), "")
         parts = [
             f"{solved} of {count} solved",
-            f"{int(self.sideBySide.sum())} side by side",
+            f"{int(self.sideBySide.sum())} side by side{reason}",
             f"{len(self._columns)} sensors",
         ]
         if self.sensorHistories.size:

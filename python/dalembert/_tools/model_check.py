@@ -32,11 +32,12 @@ def findings(mbs: Any) -> list[str]:
         mbs.Assemble()
     except Exception as error:  # whatever a kernel or a user function says
         return [f"Assemble(): {error}"]
-    return [*_gaps(mbs), *_redundancy(mbs), *_magnitudes(mbs), *_unused(mbs)]
+    return [*_gaps(mbs), *_redundancy(mbs), *_magnitudes(mbs), *_self_connections(mbs), *_unused(mbs)]
 
 
 def _gaps(mbs: Any) -> Iterator[str]:
     trial = copy.copy(mbs)
+    trial.Assemble()
     try:
         found = trial.ComputeConsistentInitialConditions()
     except ValueError as error:
@@ -92,6 +93,19 @@ def _magnitudes(mbs: Any) -> Iterator[str]:
         load = mbs.GetLoad(number)
         if load["loadType"] == "MassProportional" and (g := float(np.linalg.norm(load["loadVector"]))) > 100:
             yield f"load {number} '{load['name']}' is an acceleration of {g:g} m/s^2; gravity in mm/s^2?"
+
+
+def _self_connections(mbs: Any) -> Iterator[str]:
+    """Springs, joints and the like whose markers sit in one place of one body."""
+    for number in range(mbs.systemData.NumberOfObjects()):
+        item = mbs.GetObject(number)
+        markers = [dict(mbs.GetMarker(marker)) for marker in item.get("markerNumbers", []) if int(marker) >= 0]
+        places = [repr({k: v for k, v in m.items() if k != "name" and not k.startswith("V")}) for m in markers]
+        if len(places) > 1 and len(set(places)) == 1:
+            yield (
+                f"object {number} '{item['name']}' ({item['objectType']}) joins a place with itself: its markers "
+                f"{' and '.join(repr(m['name']) for m in markers)} are alike. Did you give one body twice?"
+            )
 
 
 def _unused(mbs: Any) -> Iterator[str]:

@@ -6,7 +6,7 @@ import sys
 from collections.abc import Callable
 from typing import Any
 
-from dalembert.create import bodies, connectors, flexible, joints, loads, trees
+from dalembert.create import bodies, connectors, contacts, flexible, joints, loads, trees
 from dalembert.create._arguments import COMMON, Check, checked
 from dalembert.create._mirrors import checks_of, documentation
 
@@ -27,7 +27,7 @@ def _made(function: Callable[..., Any]) -> Callable[..., Any]:
 # What MainSystem gets, by the name of the method.
 functions: dict[str, Callable[..., Any]] = {
     name: _made(function)
-    for module in (bodies, connectors, flexible, joints, loads, trees)
+    for module in (bodies, connectors, contacts, flexible, joints, loads, trees)
     for name, function in vars(module).items()
     if name.startswith("Create")
 }

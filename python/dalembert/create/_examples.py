@@ -121,6 +121,43 @@ mbs.CreateRollingDiscPenalty(
     dryFrictionProportionalZone=0.01,
 )
 """,
+    "CreateSphereSphereContact": """
+ball = InertiaSphere(0.5, 0.1)
+first = mbs.CreateRigidBody(inertia=ball, initialVelocity=[1, 0, 0])
+second = mbs.CreateRigidBody(referencePosition=[0.3, 0, 0], inertia=ball)
+mbs.CreateSphereSphereContact(
+    bodyNumbers=[first, second],
+    spheresRadii=[0.1, 0.1],
+    contactStiffness=1e5,
+    restitutionCoefficient=0.8,
+    impactModel=2,
+    dataInitialCoordinates=[0.1, 0, 0, 0],  # the gap
+)
+""",
+    "CreateSphereTriangleContact": """
+ground = mbs.CreateGround()
+ball = mbs.CreateRigidBody(referencePosition=[0, 0, 0.3], inertia=InertiaSphere(0.5, 0.1), gravity=[0, 0, -9.81])
+mbs.CreateSphereTriangleContact(
+    bodyNumbers=[ball, ground],
+    radiusSphere=0.1,
+    trianglePoints=[[-1, -1, 0], [2, -1, 0], [-1, 2, 0]],
+    contactStiffness=1e4,
+    contactDamping=10,
+    dataInitialCoordinates=[0.2, 0, 0, 0],  # the gap
+)
+""",
+    "CreateSphereQuadContact": """
+ground = mbs.CreateGround()
+ball = mbs.CreateRigidBody(referencePosition=[0, 0, 0.3], inertia=InertiaSphere(0.5, 0.1), gravity=[0, 0, -9.81])
+mbs.CreateSphereQuadContact(
+    bodyNumbers=[ball, ground],
+    radiusSphere=0.1,
+    quadPoints=[[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]],
+    contactStiffness=1e4,
+    contactDamping=10,
+    dataInitialCoordinates=[0.2, 0, 0, 0],  # the gap
+)
+""",
     "CreateForce": """
 body = mbs.CreateRigidBody(inertia=InertiaCuboid(density=7800, sideLengths=[1, 0.1, 0.1]))
 mbs.CreateForce(bodyNumber=body, loadVector=[0, 100, 0], localPosition=[0.5, 0, 0])

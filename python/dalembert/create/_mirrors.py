@@ -87,6 +87,8 @@ TEXTS = {
     "unlimitedRotations": "True: adds a data node that counts turns",
     "coordinates": "index of the coordinate of each body, counted over its nodes; None for ground",
     "axisPosition": "centre of the disc in the frame of its body (m)",
+    "quadPoints": "four points, one after the other around the quadrangle, in the frame of the second body (m)",
+    "dataInitialCoordinates": "data at the start: gap, tangential speed, impact velocity and plastic overlap",
     "planePosition": "point of the plane in the frame of its body (m)",
 }
 _VECTOR, _MATRIX = re.compile(r"(\d+) numbers"), re.compile(r"(\d+) x \1 numbers")

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from dalembert._checks import FloatArray, IntArray, as_vector, shape_error
+from dalembert._checks import FloatArray, IntArray, as_array, as_vector, shape_error
 
 GraphicsData = dict[str, Any]
 
@@ -22,7 +22,7 @@ def triangle_list(
     edgeColor: npt.ArrayLike | None = None,
 ) -> GraphicsData:
     """Return graphicsData of the type TriangleList; colors is one RGBA colour or one per point."""
-    rgba = np.asarray(colors, dtype=float)
+    rgba = as_array("color", colors, "4 numbers, red, green, blue and opacity from 0 to 1, such as graphics.color.red")
     if rgba.ndim == 1:
         rgba = np.tile(as_vector("color", rgba, 4), len(points))
     data: GraphicsData = {"type": "TriangleList", "colors": rgba.ravel(), "points": points.ravel()}

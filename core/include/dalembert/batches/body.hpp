@@ -13,6 +13,8 @@ namespace dalembert {
 
 template <class Body, class Record, class... Nodes>
 struct BodyPhysics final : ObjectPhysics {
+  static_assert(ChecksParameters<Body>, "see core/include/dalembert/contracts/element.hpp");
+
   std::unique_ptr<Term> make_batch(std::span<const ItemType* const> nodes) const override {
     std::unique_ptr<Term> batch;
     choose(nodes, [&]<class E>() {
@@ -27,13 +29,10 @@ struct BodyPhysics final : ObjectPhysics {
     return batch;
   }
   void check_values(const void* record, const ItemLabel& item) const override {
-    if constexpr (requires(const typename Body::Parameters& p) { Body::check(p, item); })
-      Body::check(static_cast<const Record*>(record)->parameters, item);
+    Body::check(static_cast<const Record*>(record)->parameters, item);
   }
   std::string doubt(const void* record) const override {
-    if constexpr (requires(const typename Body::Parameters& p) { Body::doubt(p); })
-      return Body::doubt(static_cast<const Record*>(record)->parameters);
-    return {};
+    return Body::doubt(static_cast<const Record*>(record)->parameters);
   }
   void check(const void*, const Placement& on, const Ports&, const ItemLabel& item) const override {
     if constexpr (requires { Body::size; })
@@ -52,8 +51,10 @@ struct BodyPhysics final : ObjectPhysics {
       return std::ranges::all_of(nodes, [&](const ItemType* node) { return node->name == name; });
     };
     if constexpr (requires { Body::node_items; }) {  // on nodes of given types
+      static_assert(ElementKernel<Body>, "see core/include/dalembert/contracts/element.hpp");
       if (std::ranges::equal(nodes, Body::node_items, {}, &ItemType::name)) f.template operator()<Body>();
-    } else if constexpr (sizeof...(Nodes) == 0) {
+    } else if constexpr (sizeof...(Nodes) == 0) {  // it rests
+      static_assert(ElementKernel<Body> && Body::size == 0, "see core/include/dalembert/contracts/element.hpp");
       f.template operator()<Body>();
     } else if constexpr (requires { Body::node_counts; }) {  // on different numbers of nodes
       [&]<std::size_t... i>(std::index_sequence<i...>) {

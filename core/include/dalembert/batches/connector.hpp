@@ -10,6 +10,7 @@
 #include "dalembert/batches/many_ports.hpp"
 #include "dalembert/batches/port_sweep.hpp"
 #include "dalembert/batches/span_tangent.hpp"
+#include "dalembert/contracts/data_node.hpp"
 #include "dalembert/contracts/pair.hpp"
 #include "dalembert/model/errors.hpp"
 #include "dalembert/system/physics.hpp"
@@ -106,7 +107,7 @@ class PortBatch final : public Term {
     PostNewton result;
     if constexpr (has_update)
       for (const Entry& e : entries_) {
-        if (e.first_data < 0 || !active(e.parameters)) continue;
+        if (e.first_data < 0 || !is_active(e.parameters)) continue;
         const auto frames = read(ports, e);
         result.add(K::update(e.parameters, context(evaluation, e), frames[0], frames[1], start + e.first_data, data + e.first_data));
       }
@@ -130,7 +131,7 @@ class PortBatch final : public Term {
     S* sums = ports.forces.data();
     Context c = Context::of(evaluation, -1);
     for (const Entry& e : entries) {
-      if (!active(e.parameters)) continue;
+      if (!is_active(e.parameters)) continue;
       e.place(c, evaluation);
       const auto forces = kernel_forces<K, M, S>(e.parameters, c, {read_frame<Port>(values + e.offsets[m].value)...});
       (add_force(sums + e.offsets[m].force, 1.0, forces[m]), ...);
@@ -143,7 +144,7 @@ class PortBatch final : public Term {
     const int* slot = slots.data();
     for (const Entry& e : entries_) {
       const Columns<M> columns(ports, e.markers);
-      if (active(e.parameters)) f(e, columns, slot);
+      if (is_active(e.parameters)) f(e, columns, slot);
       slot += columns.total * columns.total;
     }
   }
@@ -173,10 +174,6 @@ class PortBatch final : public Term {
     }
   };
 
-  static bool active(const typename K::Parameters& p) {
-    if constexpr (requires { p.activeConnector; }) return p.activeConnector;
-    return true;
-  }
   static Context context(const Evaluation& evaluation, const Entry& e) {
     Context c = Context::of(evaluation, e.item);
     e.place(c, evaluation);
@@ -209,7 +206,7 @@ class PortBatch final : public Term {
   void take_law(int entry) requires SpanLawConnector<K> {
     const typename K::Parameters& p = entries_[entry].parameters;
     if (!has_closed_form(p)) spans_.drop_law(entry);
-    else spans_.set_law(entry, active(p) ? K::law(p) : spans_.no_force);
+    else spans_.set_law(entry, is_active(p) ? K::law(p) : spans_.no_force);
   }
 
   std::vector<Entry> entries_;
@@ -231,7 +228,7 @@ struct PairPhysics final : ObjectPhysics {
     if constexpr (K::data_coordinates > 0)
       if (!placement.nodes.empty() && placement.data_count != K::data_coordinates)
         refuse(ErrorKind::value, {item, "nodeNumber", "", "a node with " + std::to_string(placement.data_count) + " data coordinates",
-                                  "a NodeGenericData with numberOfDataCoordinates = " + std::to_string(K::data_coordinates), ""});
+                                  data_node_of(K::data_coordinates), ""});
   }
 };
 

@@ -140,7 +140,7 @@ class ConstraintBatch final : public Term {
 
   // Of a joint that is nothing but its table, gap and reaction come together.
   static bool by_table(const Entry& e, const Evaluation& evaluation) {
-    return active(e.parameters) && !at_rate_level(e.parameters, evaluation.rate_level);
+    return is_active(e.parameters) && !at_rate_level(e.parameters, evaluation.rate_level);
   }
   void add_tables(std::size_t begin, std::size_t end, const Evaluation& evaluation, Ports& ports, double* r) const {
     each_group(begin, end, [&]<int L>(const Group<L>& group) {
@@ -167,10 +167,6 @@ class ConstraintBatch final : public Term {
     });
   }
 
-  static bool active(const Parameters& p) {
-    if constexpr (requires { p.activeConnector; }) return p.activeConnector;
-    return true;
-  }
   static bool at_rate_level(const Parameters& p, bool rate_level) {
     if constexpr (requires { p.velocityLevel; }) return rate_level || p.velocityLevel;
     return rate_level;
@@ -185,7 +181,7 @@ class ConstraintBatch final : public Term {
   static void add_residual(const Entry& e, const EvaluationOf<S>& evaluation, PortsOf<S>& ports, S* r) {
     const S* lambda = evaluation.lambda + e.first_ae;
     S* gap = r + e.first_row;
-    if (!active(e.parameters)) {
+    if (!is_active(e.parameters)) {
       for (int k = 0; k < m; ++k) gap[k] += lambda[k];
       return;
     }
@@ -219,8 +215,8 @@ class ConstraintBatch final : public Term {
   template <class S>
   static bool add_diagonal(const Entry& e, const BlockSlots& slots, S* values) {
     for (int k = 0; k < m; ++k)
-      if (!K::constrains(e.parameters, k) || !active(e.parameters)) values[slots.diagonal[k]] += 1;
-    return active(e.parameters);
+      if (!K::constrains(e.parameters, k) || !is_active(e.parameters)) values[slots.diagonal[k]] += 1;
+    return is_active(e.parameters);
   }
 
   template <class S>
@@ -237,7 +233,7 @@ class ConstraintBatch final : public Term {
     Vec<L, m> lambda = multipliers;
     for (int k = 0; k < m; ++k)
       if (!K::constrains(p, k)) lambda[k] = 0;
-    if constexpr (requires { K::template reaction<S>(p, c, f[0], f[1], lambda); }) {
+    if constexpr (StatesReaction<K>) {
       return K::template reaction<S>(p, c, f[0], f[1], lambda);
     } else {
       return virtual_work<K, S>(p, c, f[0], f[1], lambda);
@@ -259,8 +255,7 @@ class ConstraintBatch final : public Term {
   }
 
   static bool in_closed_form(const Entry& e, const Ports& ports) {
-    if constexpr (requires { K::tabulated(e.parameters); })
-      if (!K::tabulated(e.parameters)) return false;
+    if (!K::tabulated(e.parameters)) return false;
     if constexpr (requires { e.parameters.velocityLevel; })
       if (e.parameters.velocityLevel) return false;
     return Tangent::fits(ports, e.markers);
@@ -340,6 +335,14 @@ struct PairConstraintPhysics final : ObjectPhysics {
     return std::make_unique<ConstraintBatch<K, Record>>();
   }
   int algebraic_equations(const void*, std::span<const int>) const override { return K::equations; }
+  Holding holds(const void* record) const override {
+    if constexpr (LinearConstraint<K>) {
+      const auto& p = static_cast<const Record*>(record)->parameters;
+      if (!is_active(p)) return Holding::nothing;
+      if (K::is_homogeneous(p)) return Holding::zero;
+    }
+    return Holding::unknown;
+  }
   void check(const void*, const Placement& placement, const Ports& ports, const ItemLabel& item) const override {
     check_markers<typename K::Port>(placement, ports, item);
   }

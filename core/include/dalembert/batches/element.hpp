@@ -18,7 +18,7 @@ template <class E, class Record>
 class ElementBatch : public Term {
  public:
   static constexpr int n = E::size;
-  static constexpr bool is_diagonal = requires { requires E::diagonal; };  // its tangent
+  static constexpr bool is_diagonal = E::traits.diagonal;  // its tangent
   static constexpr int slots_per_entry = is_diagonal ? n : n * n;
 
   void reserve(int entries) override { entries_.reserve(static_cast<std::size_t>(entries)); }
@@ -69,7 +69,7 @@ class ElementBatch : public Term {
                                                         : add_tangent(entries_[i], call.evaluation, call.weights, slots_of(i), call.sums);
   }
   bool has_mass() const override { return n > 0; }
-  bool constant_mass() const override { return E::constant_mass; }
+  bool constant_mass() const override { return E::traits.constant_mass; }
 
   bool motion(int entry, const Evaluation& evaluation, const Vec3<double>& local, Motion<double>& m) const override {
     const Entry& e = entries_[entry];
@@ -81,9 +81,7 @@ class ElementBatch : public Term {
     const Entry& e = entries_[entry];
     const auto x = gather<n>(evaluation, e.dofs.data());
     const OutputRequest request{variable, local, e.reference.x, evaluation.of_reference};
-    if constexpr (requires { E::output(e.parameters, Context{}, x, request, values); })
-      return E::output(e.parameters, context(evaluation, e), x, request, values);
-    return false;
+    return E::output(e.parameters, context(evaluation, e), x, request, values);
   }
 
  protected:

@@ -54,7 +54,7 @@ struct MassShape {
   static decltype(auto) point(const typename E::Parameters& p, const Vec3<double>&) { return E::Kernel::centre(p); }
   static double scale(const typename E::Parameters& p) { return E::Kernel::mass(p); }
   // What weighs the accelerations of coordinates weighs the load.
-  static constexpr bool constant_jacobian = E::constant_mass;
+  static constexpr bool constant_jacobian = E::traits.constant_mass;
   template <class S>
   static auto pull_back(const typename E::Parameters& p, const Coordinates<S, E::size>& x, const Vec3<double>&,
                         const double* g) {
@@ -71,8 +71,7 @@ class FrameMarkerBatch : public MarkerBatch {
   int value_count(const void*, const Placement&) const override { return Shape::values; }
   int force_count(const void*, const Placement&) const override { return Shape::forces; }
   int translations() const override {
-    if constexpr (requires { E::translations; }) return E::translations;
-    return 0;
+    return E::traits.translations;
   }
 
   void reserve(int entries) override { entries_.reserve(static_cast<std::size_t>(entries)); }
@@ -80,8 +79,7 @@ class FrameMarkerBatch : public MarkerBatch {
   void add(const void* local, const Placement& placement, const Ports& ports) override {
     Entry e;
     e.local = *static_cast<const Vec3<double>*>(local);
-    if constexpr (!std::is_empty_v<typename E::Parameters>)
-      take_parameters<E, OwnerRecord>(e.parameters, placement.owner, placement);
+    e.owner = owner_of(placement);
     e.marker = placement.item;
     e.node = placement.rotating_node;
     e.port = ports.offsets(placement.item);
@@ -90,8 +88,7 @@ class FrameMarkerBatch : public MarkerBatch {
   }
   void refresh(int entry, const void* local) override { entries_[entry].local = *static_cast<const Vec3<double>*>(local); }
   void refresh_owner(int entry, const void* record) override {
-    if constexpr (!std::is_empty_v<typename E::Parameters>)
-      renew_parameters<E, OwnerRecord>(entries_[entry].parameters, record);
+    if constexpr (owner_has_parameters) renew_parameters<E, OwnerRecord>(owners_[entries_[entry].owner], record);
   }
   void visit(BlockVisitor& visitor, const Ports&) const override {
     if constexpr (has_geometric)
@@ -103,7 +100,7 @@ class FrameMarkerBatch : public MarkerBatch {
       for (const Entry& e : entries_) {
         const auto x = gather<n>(evaluation, e.dofs.data());
         auto* frame = reinterpret_cast<typename Shape::template Frame<double>*>(ports.values.data() + e.port.value);
-        *frame = Shape::frame(E::template motion<double>(e.parameters, x, e.local));
+        *frame = Shape::frame(E::template motion<double>(parameters(e), x, e.local));
       }
   }
   void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const override {
@@ -121,7 +118,7 @@ class FrameMarkerBatch : public MarkerBatch {
     if constexpr (n > 0)
       for (const Entry& e : entries_) {
         const auto x = gather<n>(evaluation, e.dofs.data());
-        const auto q = Shape::template pull_back<double>(e.parameters, x, e.local, ports.forces.data() + e.port.force);
+        const auto q = Shape::template pull_back<double>(parameters(e), x, e.local, ports.forces.data() + e.port.force);
         for (int i = 0; i < n; ++i) r[e.dofs[i]] -= q[i];
       }
   }
@@ -133,7 +130,7 @@ class FrameMarkerBatch : public MarkerBatch {
       for (const Entry& e : entries_) {
         const auto x = gather<n>(evaluation, e.dofs.data());
         const double* force = ports.force(e.marker);
-        const auto q = Shape::template pull_back<Dual<n>>(e.parameters, seeded<E>(x, weights), e.local, force);
+        const auto q = Shape::template pull_back<Dual<n>>(parameters(e), seeded<E>(x, weights), e.local, force);
         for (int i = 0; i < n; ++i)
           for (int j = 0; j < n; ++j) slot.add(-q[i].d[j]);
       }
@@ -142,7 +139,7 @@ class FrameMarkerBatch : public MarkerBatch {
   bool motion(int entry, const Evaluation& evaluation, Motion<double>& m) const override {
     if constexpr (Shape::values > 0) {
       const Entry& e = entries_[entry];
-      m = E::template motion<double>(e.parameters, gather<n>(evaluation, e.dofs.data()), e.local);
+      m = E::template motion<double>(parameters(e), gather<n>(evaluation, e.dofs.data()), e.local);
       return true;
     }
     return false;
@@ -150,8 +147,8 @@ class FrameMarkerBatch : public MarkerBatch {
 
  protected:
   struct Entry {
-    [[no_unique_address]] typename E::Parameters parameters;
     Vec3<double> local;
+    std::size_t owner = 0;
     int marker = -1;
     int node = -1;  // among the rotating nodes of the ports
     PortOffsets port;
@@ -159,15 +156,32 @@ class FrameMarkerBatch : public MarkerBatch {
   };
   std::vector<Entry> entries_;
 
+  static constexpr bool owner_has_parameters = !std::is_empty_v<typename E::Parameters>;
+  const typename E::Parameters& parameters(const Entry& e) const {
+    if constexpr (owner_has_parameters) return owners_[e.owner];
+    else return no_parameters;
+  }
+
  private:
+  static constexpr std::conditional_t<owner_has_parameters, int, typename E::Parameters> no_parameters{};
+
+  // Markers on one body mostly follow each other: they share its parameters.
+  std::size_t owner_of(const Placement& placement) {
+    if constexpr (owner_has_parameters) {
+      const bool is_last = !owners_.empty() && placement.owner_number >= 0 && placement.owner_number == last_owner_;
+      last_owner_ = placement.owner_number;
+      if (!is_last) take_parameters<E, OwnerRecord>(owners_.emplace_back(), placement.owner, placement);
+      return owners_.size() - 1;
+    }
+    return 0;
+  }
   static constexpr bool has_geometric = [] {
-    if constexpr (requires { requires Shape::constant_jacobian; } || requires { requires E::constant_jacobian; }) return false;
+    if constexpr (requires { requires Shape::constant_jacobian; } || E::traits.constant_jacobian) return false;
     else return n > 0;
   }();
   // Coordinates that are components of the position: derivatives are those of the identity.
   static constexpr bool translates = [] {
-    if constexpr (requires { E::translations; }) return E::translations == n && Shape::values == PointShape<E>::values;
-    else return false;
+    return E::traits.translations == n && Shape::values == PointShape<E>::values;
   }();
   static void translate(const Entry& e, const Weights& weights, Ports& ports) {
     double *derivative = ports.derivative(e.marker), *jacobian = ports.jacobian(e.marker);
@@ -179,9 +193,9 @@ class FrameMarkerBatch : public MarkerBatch {
       jacobian[i * n + i] = 1;
     }
   }
-  static void sweep(const Entry& e, const Coordinates<double, n>& x, const Weights& weights, Ports& ports) {
+  void sweep(const Entry& e, const Coordinates<double, n>& x, const Weights& weights, Ports& ports) const {
     if constexpr (Shape::values > 0) {
-      const auto frame = Shape::frame(E::template motion<Dual<n>>(e.parameters, seeded<E>(x, weights), e.local));
+      const auto frame = Shape::frame(E::template motion<Dual<n>>(parameters(e), seeded<E>(x, weights), e.local));
       const auto* from = reinterpret_cast<const Dual<n>*>(&frame);
       double* to = ports.derivative(e.marker);
       for (int i = 0; i < Shape::values; ++i) to = std::copy(from[i].d.begin(), from[i].d.end(), to);
@@ -190,10 +204,13 @@ class FrameMarkerBatch : public MarkerBatch {
     for (int i = 0; i < Shape::forces; ++i) {
       std::array<double, Shape::forces> unit{};
       unit[i] = 1;
-      const auto q = Shape::template pull_back<double>(e.parameters, x, e.local, unit.data());
+      const auto q = Shape::template pull_back<double>(parameters(e), x, e.local, unit.data());
       jacobian = std::copy(q.x.begin(), q.x.end(), jacobian);
     }
   }
+
+  std::vector<typename E::Parameters> owners_;
+  int last_owner_ = -1;  // its number
 };
 
 }  // namespace dalembert

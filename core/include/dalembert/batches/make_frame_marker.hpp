@@ -14,13 +14,13 @@ concept RotatesWith = RotatingElement<E> && (Shape::values > 0 || RotatingBodyEl
 
 // There is no orientation: all coordinates are components of the position, or the element says so.
 template <class E>
-concept PointMotion = E::size > 0 && (requires { requires E::translations == E::size; } || requires { requires !E::oriented; });
+concept PointMotion = E::size > 0 && (E::traits.translations == E::size || !E::traits.oriented);
 
 // `OwnerRecord` is void for nodes. None where the element has no such frame.
 template <class E, class OwnerRecord>
 std::unique_ptr<MarkerBatch> make_frame_marker(FrameShape shape) {
   const auto make = [&]<template <class> class Shape>() -> std::unique_ptr<MarkerBatch> {
-    if constexpr (requires { requires E::planar; }) return std::make_unique<PlanarMarkerBatch<E, OwnerRecord, Shape>>();
+    if constexpr (E::traits.planar) return std::make_unique<PlanarMarkerBatch<E, OwnerRecord, Shape>>();
     else if constexpr (RotatesWith<Shape<E>, E>) return std::make_unique<RotatingMarkerBatch<E, OwnerRecord, Shape>>();
     else return std::make_unique<FrameMarkerBatch<E, OwnerRecord, Shape>>();
   };

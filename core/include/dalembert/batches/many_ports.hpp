@@ -75,7 +75,7 @@ class ManyPortsBatch final : public Term, public AlgebraicCoordinates {
   void residual(const Evaluation& evaluation, Ports& ports, double* r) const override {
     for (const Entry& e : entries_) {
       take_unknowns(e, evaluation);
-      if (active(e.parameters)) {
+      if (is_active(e.parameters)) {
         auto x = exchange(e, evaluation, ports, ports.forces.data());
         K::template evaluate<double>(e.parameters, context(e, evaluation), x);
       } else {
@@ -87,7 +87,7 @@ class ManyPortsBatch final : public Term, public AlgebraicCoordinates {
   void tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports, double* values) const override {
     for (const Entry& e : entries_) {
       const Context c = context(e, evaluation);
-      if (active(e.parameters)) {
+      if (is_active(e.parameters)) {
         sweep(e, c, evaluation, weights, ports, values);
       } else {
         const Block block(e, place_markers(e, 0, ports));
@@ -101,7 +101,7 @@ class ManyPortsBatch final : public Term, public AlgebraicCoordinates {
     PostNewton result;
     if constexpr (K::has_history)
       for (const Entry& e : entries_) {
-        if (!active(e.parameters)) continue;
+        if (!is_active(e.parameters)) continue;
         take_unknowns(e, evaluation);
         const auto x = exchange(e, evaluation, ports, nullptr);
         const History history{start + std::max(e.first_data, 0), data + std::max(e.first_data, 0), {lambda + std::max(e.first_ae, 0), static_cast<std::size_t>(e.algebraic)}};
@@ -117,8 +117,8 @@ class ManyPortsBatch final : public Term, public AlgebraicCoordinates {
     const Context c = context(e, evaluation);
     auto x = reading(e, evaluation, ports);
     if (variable == OutputVariableType::ConstraintEquation && e.algebraic > 0) {
-      if (active(e.parameters)) K::template evaluate<double>(e.parameters, c, x);
-      const auto& equations = active(e.parameters) ? equations_ : unknowns_;
+      if (is_active(e.parameters)) K::template evaluate<double>(e.parameters, c, x);
+      const auto& equations = is_active(e.parameters) ? equations_ : unknowns_;
       values.assign(equations.begin(), equations.begin() + e.algebraic);
       return true;
     }
@@ -155,7 +155,6 @@ class ManyPortsBatch final : public Term, public AlgebraicCoordinates {
     int unknown(int row, int column) const { return coordinates * (columns - left) + row * columns + column; }
   };
 
-  static bool active(const Parameters& p) { return p.activeConnector; }
   static Context context(const Entry& e, const Evaluation& evaluation) {
     return Context::of(evaluation, e.item, e.first_data, e.data_count);
   }

@@ -21,6 +21,7 @@ class CoordinateMarkerBatch : public MarkerBatch {
   explicit CoordinateMarkerBatch(bool totals) : totals_(totals) {}
   int value_count(const void* record, const Placement& placement) const override;
   int force_count(const void* record, const Placement& placement) const override;
+  bool shows_coordinates() const override { return true; }
   void add(const void* record, const Placement& placement, const Ports& ports) override;
   void refresh(int, const void*) override {}
   void visit(BlockVisitor&, const Ports&) const override {}

@@ -6,7 +6,8 @@
 
 namespace dalembert {
 
-template <class Record, FrameShape shape>
+// `mean_of` reads the parameters.
+template <class Record, FrameShape shape, auto mean_of>
 struct MeshMarkerPhysics : MarkerPhysics {
   static const auto& parameters(const void* record) { return static_cast<const Record*>(record)->parameters; }
 
@@ -25,7 +26,7 @@ struct MeshMarkerPhysics : MarkerPhysics {
     return object_physics(*on.owner_type).mesh_coordinates(on.owner, on, parameters(record).meshNodeNumbers);
   }
   std::unique_ptr<MarkerBatch> make_batch(const ItemType& item, std::span<const ItemType* const> nodes) const override {
-    return object_physics(item).make_mesh_marker(shape, nodes);
+    return object_physics(item).make_mesh_marker(shape, nodes, [](const void* record) { return mean_of(parameters(record)); });
   }
 
  private:

@@ -6,8 +6,6 @@
 #include <vector>
 
 #include "dalembert/contracts/frame_place.hpp"
-#include "dalembert/markers/super_element_position_parameters.hpp"
-#include "dalembert/markers/super_element_rigid_parameters.hpp"
 #include "dalembert/system/physics.hpp"
 
 namespace dalembert {
@@ -27,8 +25,7 @@ MeshNodes mesh_of_nodes(std::span<const int> numbers, const Placement& on, std::
 // Positions in Placement::dofs of the coordinates that move such nodes, each of them once.
 std::vector<int> coordinates_of_nodes(const Placement& on, std::span<const int> numbers);
 
-FramePlace mean_place(const MeshNodes& mesh, const MarkerSuperElementPositionParameters& p, int marker);
-// Refuses weighted nodes that define no rotation.
-FramePlace mean_place(const MeshNodes& mesh, const MarkerSuperElementRigidParameters& p, int marker);
+// The weighted mean position of the mesh nodes; refuses other numbers of them than before. With a rotation, which nodes have to define.
+FramePlace mean_place(const MeshNodes& mesh, const MeshMean& mean, int marker);
 
 }  // namespace dalembert

@@ -10,15 +10,15 @@
 
 namespace dalembert {
 
-// The condition of a node on its own coordinates: those from Node::unit_from on are a vector x of length one, x x - 1 = 0.
+// The condition of a node on its own coordinates: those from `unit_from` on are a vector x of length one, x x - 1 = 0.
 template <class Node>
 class UnitLengthBatch final : public Term, public UnitVectors {
  public:
-  static constexpr int n = Node::size - Node::unit_from;
+  static constexpr int n = Node::size - Node::traits.unit_from;
 
   void add(const void*, const Placement& placement, const Ports&) override {
     Entry e;
-    for (int i = 0; i < n; ++i) e.dofs[i] = placement.dofs[Node::unit_from + i];
+    for (int i = 0; i < n; ++i) e.dofs[i] = placement.dofs[Node::traits.unit_from + i];
     e.row = placement.ae_offset + placement.first_ae;
     e.first_ae = placement.first_ae;
     entries_.push_back(e);
@@ -92,7 +92,7 @@ struct MovingNodePhysics final : NodePhysics {
       check_length(p.initialCoordinates.size(), "initialCoordinates", item);
       check_length(p.initialVelocities.size(), "initialVelocities", item);
     }
-    if constexpr (requires { Node::check(p, item); }) Node::check(p, item);
+    Node::check(p, item);
   }
   Sizes sizes(const void* record) const override {
     const auto& p = static_cast<const Record*>(record)->parameters;
@@ -108,10 +108,9 @@ struct MovingNodePhysics final : NodePhysics {
     values.algebraic.assign(static_cast<std::size_t>(sizes(record).ae), 0.0);
   }
   int lie_rotation() const override {
-    if constexpr (LieKernel<Node>) return Node::lie_rotation;
-    return -1;
+    return Node::traits.lie_rotation;
   }
-  int translations() const override { return Node::translations; }
+  int translations() const override { return Node::traits.translations; }
   std::unique_ptr<Term> make_condition() const override {
     if constexpr (equations() > 0) return std::make_unique<UnitLengthBatch<Node>>();
     return nullptr;
@@ -130,8 +129,7 @@ struct MovingNodePhysics final : NodePhysics {
     return true;
   }
   bool output(const void*, OutputVariableType variable, const NodeView& view, std::vector<double>& values) const override {
-    if constexpr (requires { Node::output(variable, view, values); }) return Node::output(variable, view, values);
-    return false;
+    return Node::output(variable, view, values);
   }
 
  private:
@@ -149,7 +147,7 @@ struct MovingNodePhysics final : NodePhysics {
     values.resize(Node::size);
   }
   static constexpr int equations() {
-    return requires { Node::unit_from; } ? 1 : 0;
+    return Node::traits.unit_from >= 0 ? 1 : 0;
   }
 };
 

@@ -23,7 +23,7 @@ class PlanarMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeOf>
   }
   void pull_back(const Evaluation& evaluation, Ports& ports, double* r) const override { subtract_forces(evaluation, ports, r); }
   bool constant_pull_back() const override {
-    return !turns || std::ranges::all_of(entries_, [](const Entry& e) { return point(e)[0] == 0 && point(e)[1] == 0; });
+    return !turns || std::ranges::all_of(entries_, [this](const Entry& e) { return point(e)[0] == 0 && point(e)[1] == 0; });
   }
   void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const override {
     add_geometric(evaluation, weights, ports, values);
@@ -76,7 +76,7 @@ class PlanarMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeOf>
         if constexpr (keeps_rotation) r = kept_rotation(e, ports);
         write_planar_frame_tangent<Shape::values>(x, r, a, weights, ports.derivative(e.marker));
       }
-      write_planar_force_map<Shape::forces, n>(a, Shape::scale(e.parameters), ports.jacobian(e.marker));
+      write_planar_force_map<Shape::forces, n>(a, Shape::scale(this->parameters(e)), ports.jacobian(e.marker));
     }
   }
   template <class S>
@@ -104,25 +104,25 @@ class PlanarMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeOf>
     }
   }
 
-  static constexpr bool on_node = requires { requires E::constant_jacobian; };  // without an arm
+  static constexpr bool on_node = E::traits.constant_jacobian;  // without an arm
   static constexpr bool turns = n == 3 && !on_node;
   static constexpr bool keeps_rotation = Shape::values == 18;  // in the port
 
-  static Vec3<double> point(const Entry& e) {
+  Vec3<double> point(const Entry& e) const {
     if constexpr (on_node) return {};
-    else return Shape::point(e.parameters, e.local);
+    else return Shape::point(this->parameters(e), e.local);
   }
   template <class S>
-  static Arm<S> force(const Entry& e, const PortsOf<S>& ports) {
+  Arm<S> force(const Entry& e, const PortsOf<S>& ports) const {
     const S* f = ports.forces.data() + e.port.force;
-    return Shape::scale(e.parameters) * Arm<S>{f[0], f[1]};
+    return Shape::scale(this->parameters(e)) * Arm<S>{f[0], f[1]};
   }
   template <class S>
   static PlanarRotation<S> kept_rotation(const Entry& e, const PortsOf<S>& ports) {
     return PlanarRotation<S>::of(*reinterpret_cast<const RigidFrame<S>*>(ports.values.data() + e.port.value));
   }
   template <class S>
-  static Arm<S> arm(const Entry& e, const EvaluationOf<S>& evaluation, const PortsOf<S>& ports) {
+  Arm<S> arm(const Entry& e, const EvaluationOf<S>& evaluation, const PortsOf<S>& ports) const {
     const Vec3<double> local = point(e);
     if constexpr (!turns) return {local[0], local[1]};
     else if (local[0] == 0 && local[1] == 0) return {};

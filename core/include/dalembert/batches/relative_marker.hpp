@@ -13,6 +13,7 @@
 
 #include "dalembert/batches/inner_markers.hpp"
 #include "dalembert/batches/port_sweep.hpp"
+#include "dalembert/contracts/data_node.hpp"
 #include "dalembert/math/rotations.hpp"
 #include "dalembert/model/errors.hpp"
 
@@ -29,7 +30,7 @@ void check_relative_marker(const Parameters& p, const Placement& on, const ItemL
   if constexpr (requires { p.nodeNumber; })
     if (p.nodeNumber.valid() && on.data_count != 1)
       refuse(ErrorKind::value, {item, "nodeNumber", "", "a node with " + std::to_string(on.data_count) + " data coordinates",
-                                "a NodeGenericData with numberOfDataCoordinates = 1", ""});
+                                data_node_of(1), ""});
 }
 
 template <class K, class Record>

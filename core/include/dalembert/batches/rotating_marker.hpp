@@ -78,10 +78,10 @@ class RotatingMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeO
     in_wide_registers([&] {
       for (const Entry& e : entries_) {
         const RotationTangent<turns>& rotation = ports.template rotation<turns>(e.node);
-        const Vec3<double>& point = Shape::point(e.parameters, e.local);
+        const Vec3<double>& point = Shape::point(this->parameters(e), e.local);
         if constexpr (Shape::values > 0)
           write_frame_tangent<Shape::values, Node>(rotation, point, weights, ports.derivative(e.marker));
-        write_force_map<Shape::forces, Node>(rotation, point, Shape::scale(e.parameters), ports.jacobian(e.marker));
+        write_force_map<Shape::forces, Node>(rotation, point, Shape::scale(this->parameters(e)), ports.jacobian(e.marker));
       }
     });
   }
@@ -90,8 +90,8 @@ class RotatingMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeO
     in_wide_registers([&] {
       for (const Entry& e : entries_) {
         const double* f = ports.forces.data() + e.port.force;
-        const Vec3<double>& point = Shape::point(e.parameters, e.local);
-        const Vec3<double> force = Shape::scale(e.parameters) * load<double, 3>(f);
+        const Vec3<double>& point = Shape::point(this->parameters(e), e.local);
+        const Vec3<double> force = Shape::scale(this->parameters(e)) * load<double, 3>(f);
         Vec3<double> moment{};
         if constexpr (Shape::forces == 6) moment = load<double, 3>(f + 3);
         ports.node_loads[static_cast<std::size_t>(e.node)].add(point, force, moment);
@@ -101,7 +101,7 @@ class RotatingMarkerBatch final : public FrameMarkerBatch<E, OwnerRecord, ShapeO
   // Forces at the node itself do not turn with it.
   bool constant_pull_back() const override {
     if (apart()) return Base::constant_pull_back();
-    const auto at_node = [](const Entry& e) { return is_zero(Shape::point(e.parameters, e.local)); };
+    const auto at_node = [this](const Entry& e) { return is_zero(Shape::point(this->parameters(e), e.local)); };
     return Shape::forces == 3 && std::ranges::all_of(entries_, at_node);
   }
   void geometric(const Evaluation& evaluation, const Weights& weights, const Ports& ports, double* values) const override {

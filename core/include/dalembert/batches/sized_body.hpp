@@ -208,11 +208,11 @@ struct SizedBodyPhysics final : ObjectPhysics {
       return nullptr;
     });
   }
-  std::unique_ptr<MarkerBatch> make_mesh_marker(FrameShape shape, std::span<const ItemType* const> nodes) const override {
+  std::unique_ptr<MarkerBatch> make_mesh_marker(FrameShape shape, std::span<const ItemType* const> nodes, MeshMeanReader read) const override {
     return choose<MarkerBatch>(nodes, [&]<class B>() -> std::unique_ptr<MarkerBatch> {
       if constexpr (B::mesh != Mesh::none) switch (shape) {
-          case FrameShape::point: return make<B, PointPort, OnMesh<MarkerSuperElementPositionRecord>::Seat>(nodes);
-          case FrameShape::rigid: return make<B, RigidPort, OnMesh<MarkerSuperElementRigidRecord>::Seat>(nodes);
+          case FrameShape::point: return make<B, PointPort, MeshSeat>(nodes, read);
+          case FrameShape::rigid: return make<B, RigidPort, MeshSeat>(nodes, read);
           default: break;
         }
       return nullptr;
@@ -263,8 +263,8 @@ struct SizedBodyPhysics final : ObjectPhysics {
   static const typename Plain::Parameters& parameters(const void* record) { return static_cast<const Record*>(record)->parameters; }
 
   template <class B, class Port, template <class, class> class Seat>
-  static std::unique_ptr<MarkerBatch> make(std::span<const ItemType* const> nodes) {
-    return std::make_unique<SizedMarkerBatch<B, Record, Port, Seat>>(nodes);
+  static std::unique_ptr<MarkerBatch> make(std::span<const ItemType* const> nodes, MeshMeanReader read = nullptr) {
+    return std::make_unique<SizedMarkerBatch<B, Record, Port, Seat>>(nodes, read);
   }
   template <class Batch, class F>
   static std::unique_ptr<Batch> choose(std::span<const ItemType* const> nodes, const F& make) {

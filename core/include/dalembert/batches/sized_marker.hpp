@@ -11,12 +11,18 @@
 
 namespace dalembert {
 
+// What a seat is made for.
+struct Seating {
+  std::vector<const ItemType*> node_types;  // of the body
+  MeshMeanReader read_mean = nullptr;       // of markers on mesh nodes
+};
+
 // A point of the frame itself.
 template <class B, class OwnerRecord>
 struct LocalSeat {
   FramePlace place;
-  void sit(const void* local, const Placement&, std::span<const ItemType* const>) { refresh(local, -1); }
-  void refresh(const void* local, int) { place.rest = *static_cast<const Vec3<double>*>(local); }
+  void sit(const void* local, const Placement&, const Seating& made_for) { refresh(local, -1, made_for); }
+  void refresh(const void* local, int, const Seating&) { place.rest = *static_cast<const Vec3<double>*>(local); }
   void refresh_owner(const void*, int) {}
 };
 
@@ -24,50 +30,46 @@ struct LocalSeat {
 template <class B, class OwnerRecord>
 struct MassSeat {
   FramePlace place;
-  void sit(const void*, const Placement& on, std::span<const ItemType* const>) { refresh_owner(on.owner, on.item); }
-  void refresh(const void*, int) {}
+  void sit(const void*, const Placement& on, const Seating&) { refresh_owner(on.owner, on.item); }
+  void refresh(const void*, int, const Seating&) {}
   void refresh_owner(const void* owner, int) {
     place = B::whole_mass(static_cast<const OwnerRecord*>(owner)->parameters);
   }
 };
 
 // The weighted mean of mesh nodes.
-template <class MarkerRecord>
-struct OnMesh {
-  template <class B, class OwnerRecord>
-  struct Seat {
-    FramePlace place;
+template <class B, class OwnerRecord>
+struct MeshSeat {
+  FramePlace place;
 
-    void sit(const void* record, const Placement& on, std::span<const ItemType* const> types) {
-      weights_ = parameters(record);
-      if constexpr (B::mesh == Mesh::nodes) nodes_ = mesh_of_nodes(weights_.meshNodeNumbers, on, types);
-      coordinates_ = static_cast<int>(on.dofs.size());
-      refresh_owner(on.owner, on.item);
-    }
-    void refresh(const void* record, int marker) {
-      weights_ = parameters(record);
-      place = mean_place(nodes_, weights_, marker);
-    }
-    void refresh_owner(const void* owner, int marker) {
-      if constexpr (B::mesh == Mesh::own) take_mesh(static_cast<const OwnerRecord*>(owner)->parameters);
-      place = mean_place(nodes_, weights_, marker);
-    }
+  void sit(const void* record, const Placement& on, const Seating& made_for) {
+    mean_ = made_for.read_mean(record);
+    if constexpr (B::mesh == Mesh::nodes) nodes_ = mesh_of_nodes(mean_.nodes, on, made_for.node_types);
+    coordinates_ = static_cast<int>(on.dofs.size());
+    refresh_owner(on.owner, on.item);
+  }
+  void refresh(const void* record, int marker, const Seating& made_for) {
+    mean_ = made_for.read_mean(record);
+    place = mean_place(nodes_, mean_, marker);
+  }
+  void refresh_owner(const void* owner, int marker) {
+    if constexpr (B::mesh == Mesh::own) take_mesh(static_cast<const OwnerRecord*>(owner)->parameters);
+    place = mean_place(nodes_, mean_, marker);
+  }
 
-   private:
-    static const auto& parameters(const void* record) { return static_cast<const MarkerRecord*>(record)->parameters; }
-    void take_mesh(const typename B::Parameters& p) {
-      nodes_ = {{}, {}, coordinates_};
-      for (const int number : weights_.meshNodeNumbers) {
-        const auto node = static_cast<int>(nodes_.rest.size());
-        nodes_.rest.push_back(B::rest(p, number));
-        for (int i = frame_size<B>; i < coordinates_; ++i) nodes_.shapes.push_back({node, i, B::shape(p, number, i - frame_size<B>)});
-      }
+ private:
+  void take_mesh(const typename B::Parameters& p) {
+    nodes_ = {{}, {}, coordinates_};
+    for (const int number : mean_.nodes) {
+      const auto node = static_cast<int>(nodes_.rest.size());
+      nodes_.rest.push_back(B::rest(p, number));
+      for (int i = frame_size<B>; i < coordinates_; ++i) nodes_.shapes.push_back({node, i, B::shape(p, number, i - frame_size<B>)});
     }
+  }
 
-    std::remove_cvref_t<decltype(std::declval<MarkerRecord>().parameters)> weights_;
-    MeshNodes nodes_;
-    int coordinates_ = 0;
-  };
+  MeshMean mean_;
+  MeshNodes nodes_;
+  int coordinates_ = 0;
 };
 
 template <class B, class OwnerRecord, class Port, template <class, class> class SeatOf>
@@ -75,7 +77,7 @@ class SizedMarkerBatch final : public MarkerBatch {
   using Frame = typename B::Frame;
 
  public:
-  explicit SizedMarkerBatch(std::span<const ItemType* const> nodes) : types_(nodes.begin(), nodes.end()) {}
+  SizedMarkerBatch(std::span<const ItemType* const> nodes, MeshMeanReader read) : made_for_{{nodes.begin(), nodes.end()}, read} {}
 
   int value_count(const void*, const Placement&) const override { return Port::values; }
   int force_count(const void*, const Placement&) const override { return Port::forces; }
@@ -83,12 +85,12 @@ class SizedMarkerBatch final : public MarkerBatch {
     Entry& e = entries_.emplace_back();
     e.marker = placement.item;
     e.dofs = placement.dofs;
-    e.seat.sit(record, placement, types_);
+    e.seat.sit(record, placement, made_for_);
     vectors_.make_room(placement.dofs.size());
     forces_.resize(std::max(forces_.size(), placement.dofs.size()));
     moving_forces_.resize(forces_.size());
   }
-  void refresh(int entry, const void* record) override { entries_[entry].seat.refresh(record, entries_[entry].marker); }
+  void refresh(int entry, const void* record) override { entries_[entry].seat.refresh(record, entries_[entry].marker, made_for_); }
   void refresh_owner(int entry, const void* record) override {
     entries_[entry].seat.refresh_owner(record, entries_[entry].marker);
   }
@@ -178,7 +180,7 @@ class SizedMarkerBatch final : public MarkerBatch {
     e.seat.place.template pull_back<Frame>(x, load<double, 3>(force), moment, q);
   }
 
-  std::vector<const ItemType*> types_;
+  Seating made_for_;
   std::vector<Entry> entries_;
   mutable GatheredVectors vectors_;  // work space
   mutable std::vector<double> forces_;

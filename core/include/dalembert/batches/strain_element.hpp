@@ -51,11 +51,11 @@ struct StrainElement {
   using Constants = typename E::Constants;
   using Map = typename E::Map;
   static constexpr int size = Map::size, node_size = E::node_size, dimension = Map::dimension, numbers = dimension * Map::vectors;
-  static constexpr bool constant_mass = E::constant_mass, constant_jacobian = E::constant_jacobian, oriented = E::oriented;
-  static constexpr auto lie_rotations = [] {
-    if constexpr (requires { Map::lie_rotations; }) return Map::lie_rotations;
-    else return std::array<int, 0>{};
-  }();
+  static constexpr ElementTraits traits{.constant_mass = E::constant_mass,
+                                        .constant_jacobian = E::constant_jacobian,
+                                        .oriented = E::oriented,
+                                        .tangent = Map::derives};
+  static constexpr auto lie_rotations = Map::lie_rotations;
   template <class S>
   using Local = Vectors<S, dimension, Map::vectors>;
   template <class S>

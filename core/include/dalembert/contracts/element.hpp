@@ -2,11 +2,16 @@
 //
 // A body that stands on one node speaks of the node's motion only (BodyKernel); OnNode makes an element of it and the
 // node. An item with coordinates of its own (ANCF cable) is an element itself (ElementKernel).
+//
+// What is known of a kernel it says in its `traits`, closed forms among it: the compiler knows their names, and those that are named
+// have to be there, and no others. What a kernel does without, it says by deriving from NoCheck, NoDoubt, NoNodeOutputs or
+// NoElementOutputs. So a member that is missing, misspelt or has another signature does not compile.
 #pragma once
 
 #include <array>
 #include <concepts>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -16,6 +21,7 @@
 #include "dalembert/enums.hpp"
 #include "dalembert/frames.hpp"
 #include "dalembert/math/rotations.hpp"
+#include "dalembert/system/physics.hpp"
 
 namespace dalembert {
 
@@ -27,18 +33,60 @@ struct OutputRequest {
   bool of_reference = false;  // the reference configuration itself is asked for
 };
 
+// ---- nodes --------------------------------------------------------------------------------------------------------------
+struct NodeTraits {
+  int translations = 0;            // so many coordinates come first that are components of the position
+  bool constant_jacobian = false;  // of the motion by the coordinates
+  bool oriented = true;            // else it has a position only
+  bool planar = false;             // contracts/planar_node.hpp
+  int unit_from = -1;              // coordinates from this one on form a vector of length one
+  int lie_rotation = -1;           // three coordinates from this one on form a rotation vector, and take increments on the group
+  bool rotation_alone = false;     // `rotation` costs less than `motion`
+  bool rotation_tangent = false;   // it states the derivatives of its rotation: contracts/rotating_node.hpp
+  bool products_alone = false;     // motion and pull-back are sums and products
+};
+// Of parameters; of nodes and bodies.
+struct NoCheck {
+  static void check(const auto&, const ItemLabel&) {}
+};
+struct NoNodeOutputs {
+  static bool output(OutputVariableType, const NodeView&, std::vector<double>&) { return false; }
+};
+
 template <class N>
-concept NodeKernel = requires(const Coordinates<double, N::size>& x, const Vec3<double>& w) {
-  typename N::Parameters;
+concept RotationAlone = requires(const Coordinates<double, N::size>& x) {
+  { N::template rotation<double>(x) } -> std::same_as<Mat3<double>>;
+};
+template <class N>
+concept NodeKernel = requires(const typename N::Parameters& p, const Coordinates<double, N::size>& x, const Vec3<double>& w,
+                              const NodeView& view, const ItemLabel& item, std::vector<double>& values) {
   { N::item } -> std::convertible_to<std::string_view>;  // 'NodePoint'
-  { N::translations } -> std::convertible_to<int>;  // so many coordinates come first that are components of the position
+  requires std::same_as<decltype(N::traits), const NodeTraits>;
   { N::template motion<double>(x) } -> std::same_as<Motion<double>>;
   { N::template pull_back<double>(x, w, w) } -> std::same_as<Vec<double, N::size>>;  // force, moment about the node
+  { N::check(p, item) } -> std::same_as<void>;
+  { N::output(OutputVariableType::_None, view, values) } -> std::same_as<bool>;
+  requires N::traits.rotation_alone == RotationAlone<N>;
+  requires N::traits.rotation_tangent == RotatingNode<N>;
 };
 
 // A node whose coordinates take increments on the group: three of them form a rotation vector.
 template <class N>
-concept LieKernel = requires { { N::lie_rotation } -> std::convertible_to<int>; };
+concept LieKernel = requires { requires N::traits.lie_rotation >= 0; };
+
+// ---- bodies -------------------------------------------------------------------------------------------------------------
+struct BodyTraits {
+  bool constant_mass = false;   // in the axes of the body; the node decides about its coordinates
+  bool pure_inertia = false;    // mass times acceleration, the same in all directions, and nothing else
+  bool planar_tangent = false;  // it differentiates its residual on planar nodes: contracts/planar_node.hpp
+};
+// Of parameters that no real body has, though it can be computed.
+struct NoDoubt {
+  static std::string doubt(const auto&) { return {}; }
+};
+struct NoElementOutputs {
+  static bool output(const auto&, const Context&, const auto&, const OutputRequest&, std::vector<double>&) { return false; }
+};
 
 // A body says its inertia forces either at the frame of the node or, if they are simple in its own axes, as a RotatingBody.
 template <class B>
@@ -47,7 +95,33 @@ concept FrameBody = requires(const typename B::Parameters& p, const Context& c, 
   { B::template mass_load<double>(p, m, g) } -> std::same_as<Wrench<double>>;  // applied force of an acceleration field
 };
 template <class B>
-concept BodyKernel = (FrameBody<B> || RotatingBody<B>) && requires { { B::constant_mass } -> std::convertible_to<bool>; };
+concept ChecksParameters = requires(const typename B::Parameters& p, const ItemLabel& item) {
+  { B::check(p, item) } -> std::same_as<void>;
+  { B::doubt(p) } -> std::same_as<std::string>;
+};
+// On a node of any number of coordinates.
+template <class B, int N>
+concept OutputsOf = requires(const typename B::Parameters& p, const Context& c, const Coordinates<double, N>& x, const OutputRequest& request,
+                             std::vector<double>& values) {
+  { B::output(p, c, x, request, values) } -> std::same_as<bool>;
+};
+template <class B>
+concept BodyKernel = FrameBody<B> != RotatingBody<B> && ChecksParameters<B> && requires { requires std::same_as<decltype(B::traits), const BodyTraits>; };
+
+// ---- elements -----------------------------------------------------------------------------------------------------------
+struct ElementTraits {
+  int translations = 0;            // so many coordinates come first that are components of the position
+  bool constant_mass = false;      // of its coordinates
+  bool constant_jacobian = false;  // of the motion of its points
+  bool oriented = true;            // else its points have a position only
+  bool planar = false;             // on a planar node
+  bool pure_inertia = false;       // nothing without accelerations
+  bool diagonal = false;           // its mass matrix
+  bool tangent = false;            // it states the derivative of its residual
+};
+struct NoLieRotations {
+  static constexpr std::array<int, 0> lie_rotations{};
+};
 
 // Parameters of an element that also reads its reference coordinates, wherever it has parameters.
 template <class Given, int N>
@@ -113,11 +187,11 @@ concept LaneKernel = requires(const typename E::Parameters& p, const typename Pr
 // A residual that is a constant mass matrix times accelerations, and nothing without them. Of a body: one mass, the same in
 // all directions.
 template <class E>
-concept PureInertia = requires { requires E::pure_inertia; };
+concept PureInertia = requires { requires E::traits.pure_inertia; };
 
 // Bodies without closed forms that only doubles have: their arithmetic may be noted (math/traced.hpp).
 template <class E>
-concept TracedElement = E::size > 0 && !RotatingElement<E> && (PureInertia<E> || requires { requires E::planar; });
+concept TracedElement = E::size > 0 && !RotatingElement<E> && (PureInertia<E> || E::traits.planar);
 
 template <class E>
 concept ElementKernel = requires(const typename E::Parameters& p, const typename PreparedOf<E>::Type& constants,
@@ -126,13 +200,16 @@ concept ElementKernel = requires(const typename E::Parameters& p, const typename
   { E::template motion<double>(p, x, local) } -> std::same_as<Motion<double>>;
   { E::template pull_back<double>(p, x, local, local, local) } -> std::same_as<Vec<double, E::size>>;
   { E::template mass_load<double>(p, x, local) } -> std::same_as<Vec<double, E::size>>;
-  { E::constant_mass } -> std::convertible_to<bool>;
+  { E::lie_rotations.size() };  // where rotation vectors begin that take increments on the group
+  requires std::same_as<decltype(E::traits), const ElementTraits>;
+  requires E::traits.tangent == TangentKernel<E>;
+  requires OutputsOf<E, E::size>;
 };
 
 // The rotation alone, where a node can tell it for less than its motion.
 template <class Node, class S>
 Mat3<S> node_rotation(const Coordinates<S, Node::size>& x) {
-  if constexpr (requires { Node::template rotation<S>(x); }) {
+  if constexpr (Node::traits.rotation_alone) {
     return Node::template rotation<S>(x);
   } else {
     return Node::template motion<S>(x).rotation;
@@ -162,6 +239,13 @@ Vec<S, Node::size> pull_back_spin_wrench(const Coordinates<S, Node::size>& x, co
   }
 }
 
+// Where the coordinates of an element on this node have rotation vectors that take increments on the group.
+template <class Node>
+constexpr auto lie_rotations_of() {
+  if constexpr (LieKernel<Node>) return std::array{Node::traits.lie_rotation};
+  else return std::array<int, 0>{};
+}
+
 // A body on a node, as an element.
 template <class Body, class Node>
 struct OnNode {
@@ -169,15 +253,18 @@ struct OnNode {
   using OwnRotation = std::conditional_t<RotatingNode<Node>, Node, void>;  // whose closed forms markers may use
   using Parameters = typename Body::Parameters;
   static constexpr int size = Node::size;
-  static constexpr int translations = Node::translations;
-  static constexpr bool planar = PlanarNode<Node>;
-  static constexpr bool constant_mass = Body::constant_mass && Node::constant_jacobian;
-  static constexpr bool pure_inertia = PureInertia<Body> && Node::constant_jacobian;
-  static constexpr bool diagonal = pure_inertia && Node::translations == size;  // one mass in all directions
-  static constexpr int lie_rotation = [] {
-    if constexpr (LieKernel<Node>) return Node::lie_rotation;
-    return -1;
-  }();
+  static_assert(Node::size == 0 || NodeKernel<Node>, "see core/include/dalembert/contracts/element.hpp");
+  static_assert(OutputsOf<Body, size>, "see core/include/dalembert/contracts/element.hpp");
+  static_assert(!PlanarNode<Node> || Body::traits.planar_tangent == PlanarBody<Body, Node>, "see core/include/dalembert/contracts/planar_node.hpp");
+  static constexpr bool pure_inertia = Body::traits.pure_inertia && Node::traits.constant_jacobian;
+  static constexpr ElementTraits traits{
+      .translations = Node::traits.translations,
+      .constant_mass = Body::traits.constant_mass && Node::traits.constant_jacobian,
+      .planar = PlanarNode<Node>,
+      .pure_inertia = pure_inertia,
+      .diagonal = pure_inertia && Node::traits.translations == size,  // one mass in all directions
+      .tangent = PlanarBody<Body, Node>};
+  static constexpr auto lie_rotations = lie_rotations_of<Node>();
 
   template <class S>
   static Vec<S, size> residual(const Parameters& p, const Context& c, const Coordinates<S, size>& x) {
@@ -227,23 +314,21 @@ struct OnNode {
     }
   }
   static bool output(const Parameters& p, const Context& c, const Coordinates<double, size>& x, const OutputRequest& request,
-                     std::vector<double>& values)
-    requires requires { Body::output(p, c, x, request, values); }
-  {
+                     std::vector<double>& values) {
     return Body::output(p, c, x, request, values);
   }
 };
 
 // A body on a node without coordinates: it rests with the node.
 template <class Body, class Node>
-struct OnRestingNode {
+struct OnRestingNode : NoLieRotations, NoElementOutputs {
   using RestingNode = Node;
   struct Parameters {
     typename Body::Parameters body;
     typename Node::Parameters node;
   };
   static constexpr int size = 0;
-  static constexpr bool constant_mass = true;
+  static constexpr ElementTraits traits{.constant_mass = true};
 
   template <class S>
   static Vec<S, 0> residual(const Parameters&, const Context&, const Coordinates<S, 0>&) {
@@ -270,14 +355,11 @@ struct AtNode {
   struct Parameters {};
   using OwnRotation = std::conditional_t<RotatingNode<Node>, Node, void>;
   static constexpr int size = Node::size;
-  static constexpr int translations = Node::translations;
-  static constexpr bool planar = PlanarNode<Node>;
-  static constexpr bool constant_jacobian = Node::constant_jacobian;
-  static constexpr bool oriented = [] {
-    if constexpr (requires { Node::oriented; }) return Node::oriented;
-    return true;
-  }();
-  static constexpr int lie_rotation = OnNode<AtNode, Node>::lie_rotation;
+  static constexpr ElementTraits traits{.translations = Node::traits.translations,
+                                        .constant_jacobian = Node::traits.constant_jacobian,
+                                        .oriented = Node::traits.oriented,
+                                        .planar = PlanarNode<Node>};
+  static constexpr auto lie_rotations = lie_rotations_of<Node>();
 
   template <class S>
   static Motion<S> motion(const Parameters&, const Coordinates<S, size>& x, const Vec3<double>&) {
@@ -289,18 +371,6 @@ struct AtNode {
     return Node::template pull_back<S>(x, force, moment);
   }
 };
-
-// Where the coordinates of an element have rotation vectors that take increments on the group.
-template <class E>
-constexpr auto lie_rotations_of() {
-  if constexpr (requires { E::lie_rotations; }) {
-    return E::lie_rotations;  // of several nodes
-  } else if constexpr (requires { requires E::lie_rotation >= 0; }) {
-    return std::array{E::lie_rotation};
-  } else {
-    return std::array<int, 0>{};
-  }
-}
 
 // The coordinates of an element out of the system's vectors.
 template <int N, class S>
@@ -325,7 +395,7 @@ Coordinates<Dual<N, S>, N> seeded(const Coordinates<S, N>& x, const Weights& w) 
     s.v[i] = D::seed(x.v[i], i, w.v);
     s.a[i] = D::seed(x.a[i], i, w.a);
   }
-  for (const int r : lie_rotations_of<E>())
+  for (const int r : E::lie_rotations)
     if constexpr (std::is_same_v<S, double>) {
       const Vec3<double> rotation = segment<3>(x.q, r);
       for (int j = 0; j < 3; ++j) {

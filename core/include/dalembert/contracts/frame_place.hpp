@@ -1,8 +1,8 @@
 // A place on a body that deforms in a frame. Its displacement u and its small rotation theta are linear in the coordinates of the
-// body: constant rows, prepared once however many mesh nodes the place stands for. With the frame at p, turned by A,
+// body: constant rows, prepared once however many mesh nodes the place stands for. With the frame F at p, turned by A_0F,
 //
-//      position    p + A (rest + u)              u = translation x,      theta = rotation x
-//      rotation    A exp(theta)
+//      position    p + A_0F (rest + u)           u = translation x,      theta = rotation x
+//      rotation    A_0F exp(theta)
 //
 // A force and a moment on it go back by the same rows. Shabana, Dynamics of Multibody Systems, chapter 5; weighted nodes: as the
 // RBE3 elements of NASTRAN.
@@ -44,15 +44,16 @@ struct FramePlace {
   template <class Frame, class S>
   Motion<S> motion(const SizedCoordinates<S>& x) const {
     const Motion<S> frame = frame_motion<Frame>(x);
-    const Vec3<S> rate = frame.rotation * by(translation, x.v);
-    Motion<S> m = moved(frame, frame.rotation * (rest + by(translation, x.u)));
-    m.velocity += rate;
-    m.acceleration += frame.rotation * by(translation, x.a) + 2.0 * cross(frame.angular_velocity, rate);
+    const Mat3<S>& A_0F = frame.rotation;
+    const Vec3<S> rate_0 = A_0F * by(translation, x.v);
+    Motion<S> m = moved(frame, A_0F * (rest + by(translation, x.u)));
+    m.velocity += rate_0;
+    m.acceleration += A_0F * by(translation, x.a) + 2.0 * cross(frame.angular_velocity, rate_0);
     if (rotation.empty()) return m;
     const Vec3<S> angle = by(rotation, x.u);
     Vec3<S> turning = by(rotation, x.v);
     if (exact_rate) turning = rotation_vector_tangent(angle) * turning;
-    m.rotation = frame.rotation * (exponential_map ? rotation_vector_rotation(angle) : identity<S>() + skew(angle));
+    m.rotation = A_0F * (exponential_map ? rotation_vector_rotation(angle) : identity<S>() + skew(angle));
     m.angular_velocity += m.rotation * turning;
     return m;
   }
@@ -60,17 +61,16 @@ struct FramePlace {
   // Generalized forces of a force and a moment in global axes.
   template <class Frame, class S>
   void pull_back(const SizedCoordinates<S>& x, const Vec3<double>& force, const Vec3<double>& moment, std::span<S> q) const {
-    const Motion<S> frame = frame_motion<Frame>(x);
-    const Vec3<S> f = transposed_times(frame.rotation, force);
+    const Mat3<S> A_0F = frame_motion<Frame>(x).rotation;
     for (S& entry : q) entry = S(0);
-    add(translation, f, q);
+    add(translation, transposed_times(A_0F, force), q);
     if (!rotation.empty()) {
-      Vec3<S> m = transposed_times(frame.rotation, moment);
-      if (turns_moments) m = transposed_times(rotation_vector_tangent(by(rotation, x.u)), m);
-      add(rotation, m, q);
+      Vec3<S> moment_F = transposed_times(A_0F, moment);
+      if (turns_moments) moment_F = transposed_times(rotation_vector_tangent(by(rotation, x.u)), moment_F);
+      add(rotation, moment_F, q);
     }
     if constexpr (Frame::size > 0) {
-      const Vec3<S> arm = frame.rotation * (rest + by(translation, x.u));
+      const Vec3<S> arm = A_0F * (rest + by(translation, x.u));
       const auto whole = Frame::template pull_back<S>(x.template of_first<Frame>(), lifted_force<S>(force),
                                                       lifted_force<S>(moment) + cross(arm, force));
       for (int i = 0; i < Frame::size; ++i) q[i] += whole[i];

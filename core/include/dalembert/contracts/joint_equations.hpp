@@ -31,10 +31,10 @@ struct JointRow {
 };
 
 // A kernel without equations along axes that turn says `fixed_directions`: translations do not vary its reaction.
-// A kernel may leave single parameter sets to the sweep of dual numbers by `tabulated(p)`.
 template <class K>
 concept TabulatedJoint = requires(const typename K::Parameters& p) {
   { K::table(p) } -> std::same_as<std::array<JointEquation, K::equations>>;
+  { K::tabulated(p) } -> std::same_as<bool>;  // false: these parameters are left to the sweep of dual numbers
 };
 
 // Gaps of a table, and the forces on both frames that do the virtual work of the multipliers.
@@ -84,6 +84,7 @@ JointSums<S, static_cast<std::size_t>(M)> joint_sums(const Table& table, const R
 template <class K>
 struct JointOfTable {
   static constexpr bool is_table = true;
+  static bool tabulated(const auto&) { return true; }
 
   template <class S>
   static auto gap(const auto& p, const auto&, const RigidFrame<S>& m0, const RigidFrame<S>& m1) {

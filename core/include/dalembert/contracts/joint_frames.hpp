@@ -10,14 +10,14 @@
 
 namespace dalembert {
 
-// Axes of both joint frames, as columns in global coordinates.
+// Of the joint frames i and j on both markers, with the notation of frames.hpp: their axes are the columns.
 template <class S>
 struct JointAxes {
-  Mat3<S> first, second;
+  Mat3<S> A_0i, A_0j;
 
   template <class Parameters>
   JointAxes(const Parameters& p, const RigidFrame<S>& m0, const RigidFrame<S>& m1)
-      : first(m0.rotation * p.rotationMarker0), second(m1.rotation * p.rotationMarker1) {}
+      : A_0i(m0.rotation * p.rotationMarker0), A_0j(m1.rotation * p.rotationMarker1) {}
 };
 
 // d(a . b) for an axis a that turns with the first frame and b with the second, per unit multiplier: a moment a x b on the
@@ -35,13 +35,13 @@ bool joint_motion_output(const Parameters& p, const RigidFrame<double>& m0, cons
                          OutputVariableType variable, std::vector<double>& values) {
   const JointAxes<double> axes(p, m0, m1);
   const auto vector = [&](const Vec3<double>& v) { values.assign(v.x.begin(), v.x.end()); };
-  const auto local = [&](const Vec3<double>& v) { vector(transposed_times(axes.first, v)); };
+  const auto local = [&](const Vec3<double>& v_0) { vector(transposed_times(axes.A_0i, v_0)); };
   switch (variable) {
     case OutputVariableType::Position: vector(m0.position); return true;
     case OutputVariableType::Velocity: vector(m0.velocity); return true;
     case OutputVariableType::DisplacementLocal: local(m1.position - m0.position); return true;
     case OutputVariableType::VelocityLocal: local(m1.velocity - m0.velocity); return true;
-    case OutputVariableType::Rotation: vector(tait_bryan_angles(transpose(axes.first) * axes.second)); return true;
+    case OutputVariableType::Rotation: vector(tait_bryan_angles(transpose(axes.A_0i) * axes.A_0j)); return true;
     case OutputVariableType::AngularVelocityLocal: local(m1.angular_velocity - m0.angular_velocity); return true;
     default: return false;
   }

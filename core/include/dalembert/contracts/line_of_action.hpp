@@ -28,7 +28,8 @@ struct LineOfAction {
   }
 };
 
-inline bool coincide(const PointFrame<auto>& m0, const PointFrame<auto>& m1) {
+template <class S>
+bool coincide(const PointFrame<S>& m0, const PointFrame<S>& m1) {
   for (int i = 0; i < 3; ++i)
     if (value_of(m0.position[i]) != value_of(m1.position[i])) return false;
   return true;

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "dalembert/contracts/context.hpp"
+#include "dalembert/contracts/data_node.hpp"
 #include "dalembert/enums.hpp"
 #include "dalembert/frames.hpp"
 #include "dalembert/model/errors.hpp"
@@ -116,7 +117,7 @@ class Connections {
   void require_data(int count, const char* parameter = "nodeNumber") const {
     if (on_.data_count != count)
       refuse(parameter, "a node with " + std::to_string(on_.data_count) + " data coordinates",
-             "a NodeGenericData with numberOfDataCoordinates = " + std::to_string(count));
+             data_node_of(count));
   }
 
  private:

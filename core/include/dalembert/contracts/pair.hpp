@@ -6,9 +6,8 @@
 //
 // A connector states `forces`, a constraint its `equations` and `gap` (or `gap_rate`, if it is nonholonomic), a load `force`.
 // What a kernel does without, it says by deriving from one of the structs below: a member that is missing, misspelt or has
-// another signature does not compile. Closed forms alone are optional; without them, sweeps of dual numbers find the same numbers:
-// `tangent` and `Law` of connectors (contracts/span_forces.hpp), `gap_rate` and `reaction` (contracts/variation.hpp), `table`
-// (contracts/joint_equations.hpp) and `linear` (contracts/linear_equations.hpp) of constraints.
+// another signature does not compile. Closed forms may be left out, for sweeps of dual numbers find the same numbers; those that a
+// kernel has it names in `closed_forms`, and what is named has to be there.
 #pragma once
 
 #include <array>
@@ -16,6 +15,10 @@
 #include <vector>
 
 #include "dalembert/contracts/context.hpp"
+#include "dalembert/contracts/joint_equations.hpp"
+#include "dalembert/contracts/linear_equations.hpp"
+#include "dalembert/contracts/span_forces.hpp"
+#include "dalembert/contracts/variation.hpp"
 #include "dalembert/enums.hpp"
 #include "dalembert/frames.hpp"
 #include "dalembert/system/term.hpp"
@@ -41,6 +44,14 @@ struct NoPairOutputs {
   static bool output(const auto&, const Context&, const auto&, const auto&, OutputVariableType, std::vector<double>&) { return false; }
 };
 
+struct ConnectorForms {
+  bool tangent = false;  // contracts/span_forces.hpp
+  bool law = false;      // likewise
+};
+struct NoConnectorForms {
+  static constexpr ConnectorForms closed_forms{};
+};
+
 template <class K>
 concept PairConnectorKernel = requires(const typename K::Parameters& p, const Context& c, const typename K::Port::template Frame<double>& m,
                                        const double* start, double* data, OutputVariableType variable, std::vector<double>& values) {
@@ -50,6 +61,9 @@ concept PairConnectorKernel = requires(const typename K::Parameters& p, const Co
   { K::needs_data(p) } -> std::same_as<bool>;  // or it does without its node
   { K::update(p, c, m, m, start, data) } -> std::same_as<PostNewton>;  // data after Newton's method, from those at the start of the step
   { K::output(p, c, m, m, variable, values) } -> std::same_as<bool>;
+  requires std::same_as<decltype(K::closed_forms), const ConnectorForms>;
+  requires K::closed_forms.tangent == SpanConnector<K>;
+  requires K::closed_forms.law == SpanLawConnector<K>;
 };
 
 // ---- constraints --------------------------------------------------------------------------------------------------------
@@ -68,6 +82,16 @@ struct NoConstraintOutputs {
   }
 };
 
+struct ConstraintForms {
+  bool gap_rate = false;  // of a constraint with a gap
+  bool reaction = false;
+  bool table = false;     // contracts/joint_equations.hpp
+  bool linear = false;    // contracts/linear_equations.hpp
+};
+struct NoConstraintForms {
+  static constexpr ConstraintForms closed_forms{};
+};
+
 template <class K>
 concept PairConstraintKernel = requires(const typename K::Parameters& p, const Context& c, const typename K::Port::template Frame<double>& m,
                                         const Vec<double, K::equations>& lambda, OutputVariableType variable, std::vector<double>& values) {
@@ -75,6 +99,11 @@ concept PairConstraintKernel = requires(const typename K::Parameters& p, const C
   requires std::same_as<decltype(K::nonholonomic), const bool>;
   requires std::same_as<decltype(K::fixed_directions), const bool>;  // translations do not vary the reaction
   { K::output(p, c, m, m, lambda, variable, values) } -> std::same_as<bool>;
+  requires std::same_as<decltype(K::closed_forms), const ConstraintForms>;
+  requires (K::closed_forms.gap_rate || K::nonholonomic) == StatesGapRate<K>;
+  requires (K::closed_forms.reaction || K::nonholonomic) == StatesReaction<K>;
+  requires K::closed_forms.table == TabulatedJoint<K>;
+  requires K::closed_forms.linear == LinearConstraint<K>;
 };
 
 // ---- loads --------------------------------------------------------------------------------------------------------------

@@ -12,7 +12,7 @@
 namespace dalembert {
 
 template <class N>
-concept PlanarNode = requires { requires N::planar; } && N::translations == 2 && (N::size == 2 || N::size == 3);
+concept PlanarNode = requires { requires N::traits.planar; } && N::traits.translations == 2 && (N::size == 2 || N::size == 3);
 
 // A body on a planar node, whose residual it differentiates.
 template <class B, class N>

@@ -1,7 +1,7 @@
 // A map of elements that stand on frames (contracts/strain_points.hpp): N nodes with position and rotation, each seen from one of
 // them, the base. Rigid motion cancels there, so that any interpolation of what is left is objective.
 //
-//   d_i = R' (r_i - r),  phi_i = log(R' R_i)  of each other node i, with r and R of the base
+//   d_i = A_b0 (r_i - r_b),  phi_i = log(A_b0 A_0i)  of each other node i, seen from the base b
 //
 // M. A. Crisfield, G. Jelenic, Objectivity of strain measures in the geometrically exact three-dimensional beam theory and its
 // finite-element implementation, Proc. R. Soc. Lond. A 455 (1999). Rotations between nodes of an element stay below half a turn.
@@ -34,7 +34,7 @@ struct RelativeFrames {
   static constexpr auto lie_rotations = [] {
     std::array<int, derives ? Nodes : 0> first{};
     if constexpr (derives)
-      for (int n = 0; n < Nodes; ++n) first[n] = n * node_size + Node::lie_rotation;
+      for (int n = 0; n < Nodes; ++n) first[n] = n * node_size + Node::traits.lie_rotation;
     return first;
   }();
 
@@ -45,7 +45,7 @@ struct RelativeFrames {
 
   // Euler parameters may have drifted from unit length: their direction alone is the rotation.
   static constexpr int unit_from = [] {
-    if constexpr (requires { Node::unit_from; }) return Node::unit_from;
+    if constexpr (Node::traits.unit_from >= 0) return Node::traits.unit_from;
     return node_size;
   }();
   template <class S>
@@ -77,11 +77,11 @@ struct RelativeFrames {
   }
   template <class S>
   static Local<S> seen_from_base(const std::array<Pose<S>, Nodes>& all) {
-    const Mat3<S> back = transpose(all[base].rotation);
+    const Mat3<S> A_b0 = transpose(all[base].rotation);
     Local<S> y;
     for (int i = 0; i < others; ++i) {
-      y[2 * i] = back * (all[other(i)].position - all[base].position);
-      y[2 * i + 1] = rotation_vector_of(back * all[other(i)].rotation);
+      y[2 * i] = A_b0 * (all[other(i)].position - all[base].position);
+      y[2 * i + 1] = rotation_vector_of(A_b0 * all[other(i)].rotation);
     }
     return y;
   }
@@ -90,10 +90,10 @@ struct RelativeFrames {
     const auto y = local(k, x);
     const auto velocity = [&x](int n) { return segment<3>(x.v, n * node_size); };
     const auto spin = [&x](int n) { return spin_motion<Node, S>(of_node(x, n)).spin; };
-    const Mat3<S> back = transpose(pose(x, base).rotation);
+    const Mat3<S> A_b0 = transpose(pose(x, base).rotation);
     Local<S> rate;
     for (int i = 0; i < others; ++i) {
-      rate[2 * i] = back * (velocity(other(i)) - velocity(base)) + cross(y[2 * i], spin(base));
+      rate[2 * i] = A_b0 * (velocity(other(i)) - velocity(base)) + cross(y[2 * i], spin(base));
       rate[2 * i + 1] = inverse_tangent_map(y[2 * i + 1], spin(other(i))) - inverse_tangent_map(-y[2 * i + 1], spin(base));
     }
     return rate;
@@ -103,10 +103,10 @@ struct RelativeFrames {
   template <class S>
   using Wrenches = std::array<SpinWrench<S>, Nodes>;
   template <class S>
-  static Wrenches<S> wrenches(const Mat3<S>& base_rotation, const Local<S>& y, const Local<S>& g) {
+  static Wrenches<S> wrenches(const Mat3<S>& A_0b, const Local<S>& y, const Local<S>& g) {
     Wrenches<S> w{};
     for (int i = 0; i < others; ++i) {
-      const Vec3<S> force = base_rotation * g[2 * i], &phi = y[2 * i + 1], &m = g[2 * i + 1];
+      const Vec3<S> force = A_0b * g[2 * i], &phi = y[2 * i + 1], &m = g[2 * i + 1];
       w[other(i)].force += force;
       w[base].force -= force;
       w[other(i)].moment += inverse_tangent_map(-phi, m);
@@ -137,8 +137,8 @@ struct RelativeFrames {
     requires derives
   {
     const Local<T> y = local(k, x);
-    const Mat3<T> rotation = pose(x, base).rotation;
-    const Mat<T, rows, size> j = jacobian(rotation, y);
+    const Mat3<T> A_0b = pose(x, base).rotation;
+    const Mat<T, rows, size> j = jacobian(A_0b, y);
     Mat<T, rows, size> change = m * j;
     if (w.q != 0 && std::ranges::any_of(damping.x, [](const T& d) { return d != 0; })) {
       const auto rate = local_rate(k, seeded<RelativeFrames>(x, Weights{.q = w.q, .v = 0, .a = 0}));
@@ -146,7 +146,7 @@ struct RelativeFrames {
     }
     Mat<T, size, size> r = transpose(j) * change;
     for (int i = 0; i < others; ++i) {
-      const Mat3<T> turn = w.q * skew(g[2 * i]), turned = rotation * turn;
+      const Mat3<T> turn = w.q * skew(g[2 * i]), turned = A_0b * turn;
       add_block(r, node_size * other(i), node_size * base + 3, -1.0 * turned);
       add_block(r, node_size * base, node_size * base + 3, turned);
       const auto by_d = rows_of_vector(j, 2 * i), by_phi = rows_of_vector(j, 2 * i + 1);
@@ -160,16 +160,16 @@ struct RelativeFrames {
  private:
   // Derivatives of the local vectors by positions and own spins.
   template <class T>
-  static Mat<T, rows, size> jacobian(const Mat3<T>& rotation, const Local<T>& y) {
+  static Mat<T, rows, size> jacobian(const Mat3<T>& A_0b, const Local<T>& y) {
     Mat<T, rows, size> j{};
-    const Mat3<T> back = transpose(rotation);
+    const Mat3<T> A_b0 = transpose(A_0b);
     for (int i = 0; i < others; ++i) {
       const Vec3<T>& phi = y[2 * i + 1];
       const Mat3<T> by_spin = matrix_of<3, 3>([&](int row, int column) {
         return inverse_tangent_map(phi, Vec3<T>{T(column == 0), T(column == 1), T(column == 2)})[row];
       });
-      add_block(j, 6 * i, node_size * other(i), back);
-      add_block(j, 6 * i, node_size * base, -1.0 * back);
+      add_block(j, 6 * i, node_size * other(i), A_b0);
+      add_block(j, 6 * i, node_size * base, -1.0 * A_b0);
       add_block(j, 6 * i, node_size * base + 3, skew(y[2 * i]));
       add_block(j, 6 * i + 3, node_size * other(i) + 3, by_spin);
       add_block(j, 6 * i + 3, node_size * base + 3, -1.0 * transpose(by_spin));

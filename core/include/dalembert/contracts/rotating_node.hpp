@@ -73,7 +73,7 @@ struct RotationTangent {
 
 // Its motion and pull-back are sums and products alone: several nodes are computed at once (batches/groups.hpp).
 template <class N>
-concept NodeOfProducts = requires { requires N::products_alone; };
+concept NodeOfProducts = requires { requires N::traits.products_alone; };
 
 template <class N>
 concept RotatingNode = requires(const Coordinates<double, N::size>& x, const Vec3<double>& m, const Weights& w) {

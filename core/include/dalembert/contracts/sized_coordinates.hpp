@@ -62,7 +62,7 @@ struct SizedCoordinates {
       x.v[i] = v[i];
       x.a[i] = a[i];
     }
-    if constexpr (LieKernel<Node> && !std::is_same_v<S, double>) compose(x, Node::lie_rotation);
+    if constexpr (LieKernel<Node> && !std::is_same_v<S, double>) compose(x, Node::traits.lie_rotation);
     return x;
   }
 

@@ -115,6 +115,7 @@ concept StrainMap = requires(const K& k, const Coordinates<double, M::size>& x, 
   { M::local_rate(k, x) } -> std::same_as<Vectors<double, M::dimension, M::vectors>>;
   { M::pull_back(k, x, y) } -> std::same_as<Vec<double, M::size>>;
   { M::linear } -> std::convertible_to<bool>;
+  { M::lie_rotations.size() };  // see ElementKernel
   requires !M::linear || M::derives;
   // False: dual numbers go through the whole element, one direction per coordinate. True: the map states its derivative,
   // J'mJ + d(J')y; `m` derives forces along the weights, `damping` by rates alone.

@@ -15,6 +15,17 @@ namespace dalembert {
 template <class K>
 concept FollowsOffset = requires { { K::offsets } -> std::convertible_to<int>; };
 
+// What follows from the gap, in closed form.
+template <class K>
+concept StatesGapRate = requires(const typename K::Parameters& p, const Context& c, const typename K::Port::template Frame<double>& m) {
+  { K::template gap_rate<double>(p, c, m, m) } -> std::same_as<Vec<double, K::equations>>;
+};
+template <class K>
+concept StatesReaction = requires(const typename K::Parameters& p, const Context& c, const typename K::Port::template Frame<double>& m,
+                                  const Vec<double, K::equations>& lambda) {
+  { K::template reaction<double>(p, c, m, m, lambda) } -> std::same_as<std::array<typename K::Port::template Force<double>, 2>>;
+};
+
 template <class K, class S, class Frame>
 auto gap(const typename K::Parameters& p, const Context& c, const Frame& m0, const Frame& m1) {
   if constexpr (FollowsOffset<K>) {
@@ -72,7 +83,7 @@ ScalarFrame<T> in_motion(const ScalarFrame<S>& f) {
 // d(gap)/dt, without the accelerations of the frames.
 template <class K, class S, class Frame>
 Vec<S, K::equations> gap_rate(const typename K::Parameters& p, const Context& c, const Frame& m0, const Frame& m1) {
-  if constexpr (requires { K::template gap_rate<S>(p, c, m0, m1); }) {
+  if constexpr (StatesGapRate<K>) {
     return K::template gap_rate<S>(p, c, m0, m1);
   } else {
     using T = Dual<1, S>;

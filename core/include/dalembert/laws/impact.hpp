@@ -14,6 +14,17 @@
 
 namespace dalembert {
 
+// A power that negative numbers, which Newton's method may try as penetrations, continue in an odd way.
+template <class S>
+S odd_power(const S& x, double exponent) {
+  using std::abs;
+  using std::exp;
+  using std::log;
+  if (exponent == 1 || value_of(x) == 0) return x;
+  const S magnitude = exp(exponent * log(abs(x)));
+  return x < 0.0 ? -magnitude : magnitude;
+}
+
 struct ImpactLaw {
   double stiffness = 0, exponent = 1, damping = 0;
   double restitution_damping = 0;  // chi: the power law is multiplied by 1 + chi * rate
@@ -29,21 +40,10 @@ struct ImpactLaw {
     restitution_damping = loss / velocity;
   }
 
-  // Pressure is positive; negative penetrations, which Newton's method may try, give the odd continuation of the power law.
+  // Pressure is positive.
   template <class S>
   S pressure(const S& penetration, const S& rate) const {
-    return stiffness * power(penetration) * (1.0 + restitution_damping * rate) + damping * rate;
-  }
-
- private:
-  template <class S>
-  S power(const S& x) const {
-    using std::abs;
-    using std::exp;
-    using std::log;
-    if (exponent == 1 || value_of(x) == 0) return x;
-    const S magnitude = exp(exponent * log(abs(x)));
-    return x < 0.0 ? -magnitude : magnitude;
+    return stiffness * odd_power(penetration, exponent) * (1.0 + restitution_damping * rate) + damping * rate;
   }
 };
 

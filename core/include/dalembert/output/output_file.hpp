@@ -19,6 +19,10 @@ class OutputFile {
  public:
   // Missing folders are made.
   void open(const std::string& name, bool append, std::string_view purpose);
+  // Goes on where the file had this length; what follows there is taken off. Negative: the file is new.
+  void resume(const std::string& name, double length, std::string_view purpose);
+  // On the disk; negative if it is none that has a length, or not open.
+  double length();
   // Takes over an open file; `name` is that of messages.
   void adopt(int descriptor, const std::string& name, std::string_view purpose);
   bool is_open() const { return descriptor_ >= 0; }

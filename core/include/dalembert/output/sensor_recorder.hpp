@@ -1,6 +1,7 @@
 // Values of sensors over time: into files, one per sensor, and into memory.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -53,9 +54,11 @@ class SensorStorage {
 
 class SensorRecorder {
  public:
-  // Opens files and empties the storage, both unless data is to be appended. `rows`: how many are expected at most.
+  // Opens files and empties the storage, both unless data is to be appended. `rows`: how many are expected at most. With `lengths`, by
+  // sensor, files go on where they had these lengths, without another header.
   void open(const SimulationSettings& settings, const std::vector<SensorChannel>& channels, SensorStorage* storage,
-            double rows);
+            double rows, std::span<const double> lengths = {});
+  std::vector<double> lengths();
   bool active() const { return active_; }
   const std::vector<OutputFile>& files() const { return files_; }
   void write_headers(const RunDescription& run, System& system);

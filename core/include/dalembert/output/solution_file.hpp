@@ -21,6 +21,9 @@ struct RunDescription {
 class SolutionFile {
  public:
   void open(const SimulationSettings& settings);
+  // Goes on where the file had this length, without another header.
+  void resume(const SimulationSettings& settings, double length);
+  double length() { return file_.length(); }
   bool is_open() const { return file_.is_open(); }
   void write_header(const SimulationSettings& settings, const RunDescription& run, const Sizes& sizes);
   void write_row(const SimulationSettings& settings, const State& state);
@@ -37,7 +40,7 @@ class SolutionFile {
   void write_binary_header(const SimulationSettings& settings, const RunDescription& run, const Sizes& sizes);
 
   OutputFile file_;
-  bool is_static_ = false, binary_ = false, single_precision_ = false;
+  bool is_static_ = false, binary_ = false, single_precision_ = false, headed_ = false;
 };
 
 // What is known at the end of a run, as comment lines.

@@ -16,12 +16,15 @@ struct SolverIterationData {
   double currentStepSize = 0, currentTime = 0;
   int discontinuousIteration = 0;
   StepCount discontinuousIterationsCount = 0;
+  StepCount eventsCount = 0, eventSolutions = 0;  // events, and steps that were solved to find them
   double endTime = 0, initialStepSize = 1e-6, lastStepSize = 0, maxStepSize = 0, minStepSize = 0;
   StepCount newtonJacobiCount = 0, newtonStepsCount = 0, numberOfSteps = 0;
   int newtonSteps = 0;
   double recommendedStepSize = -1;
   StepCount rejectedAutomaticStepSizeSteps = 0, rejectedModifiedNewtonSteps = 0;
   StepCount stagnatedNewtonSteps = 0;  // Newton loops that ended because round-off, not a tolerance, was reached
+  StepCount stepsAboveTolerance = 0;  // accepted at the smallest step size, with an error above the tolerances
+  StepCount unsettledSteps = 0;       // accepted although contact or friction had not settled
   double startTime = 0;
 
   std::string to_string() const;  // the statistics shown by displayStatistics
@@ -50,6 +53,7 @@ struct SolverOutputData {
   double lastSensorsWritten = 0, lastSolutionWritten = 0;
   StepCount lastVerboseStepIndex = 0;
   int multiThreadingMode = 0, numberOfThreadsUsed = 1;
+  bool trusted = false;  // finished, and nothing known speaks against the result
   bool simulationStoppedByUser = false, simulationStoppedByUserFunction = false, simulationTimeout = false;
   int stepInformation = 0, verboseMode = 0, verboseModeFile = 0;
   bool writeToSolutionFile = false, writeToSolverFile = false;

@@ -57,7 +57,7 @@ struct Ensemble {
 
 struct VariationResult {
   bool solved = false;
-  bool side_by_side = false;           // with others, in the lanes of registers
+  std::string alone;                   // why it was not solved with others, in the lanes of registers; empty if it was
   std::string message;                 // why it was not solved
   std::string warnings;                // of its solver, one per line
   double time = 0;                     // that was reached

@@ -15,6 +15,7 @@ enum class FailureReason {
   contradiction,    // no motion fulfils all constraints
   mass_matrix,      // explicit: the mass matrix cannot be inverted
   discontinuous,    // friction or contact did not settle
+  event_chatter,    // events follow each other ever faster
   error_control,    // the estimated error stays above the tolerances at the smallest step size
   not_finite,       // a coordinate, or what an equation is made of, is infinite or not a number
   unbounded,        // the solution has grown beyond every physical quantity

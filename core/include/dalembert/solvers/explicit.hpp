@@ -30,7 +30,6 @@ class ExplicitSolver : public Solver {
   void pre_initialize() override;
   void initialize_data() override;
   void post_initialize() override;
-  void update_current_time() override;
   bool newton() override;  // one step of the method
   bool reduce_step_size() override;
   void increase_step_size() override;
@@ -38,6 +37,10 @@ class ExplicitSolver : public Solver {
 
  protected:
   void save_start_of_step() override;
+  std::vector<double> restart_numbers() const override { return {growth_limit_, static_cast<double>(steps_above_tolerance_)}; }
+  void forget() override;
+  void renew_accelerations() override;
+  KnownDerivatives complete_ends() override;
   void advise_on_growth() override;
 
  private:
@@ -65,6 +68,8 @@ class ExplicitSolver : public Solver {
   void rates(Vector& y_t);
   void eliminate(Vector& x) const;
   void find_eliminated_coordinates();
+  bool mass_couples(const std::vector<int>& coordinates);
+  bool prepare_factors();
   // ---- constraints that are no fixed coordinates (explicit_constraints.cpp) ----------------------------------------
   bool constrained_accelerations(Vector& a, std::span<double> y_t);
   bool back_onto_constraints();
@@ -73,6 +78,7 @@ class ExplicitSolver : public Solver {
   // ---- control of the step size, by the distance of two approximations ----------------------------------------------
   bool control_step_size();
   double estimated_error();
+  double distance_of(const StageWeights& approximation);
   double scaled_error(double second, double first, double old) const;
   bool hold_at_minimum();
   void diagnose_error_control();
@@ -93,7 +99,7 @@ class ExplicitSolver : public Solver {
   DynamicSolverType type_ = DynamicSolverType::ExplicitEuler;
   RungeKuttaMethod method_;
   std::vector<StageWeights> rows_;  // of the coefficients
-  StageWeights result_, second_;    // of the solution, and of the one that it is compared with
+  StageWeights result_, second_, third_;  // of the solution, and of those that it is compared with
   bool verlet_ = false, lie_ = false, constant_mass_ = false, warned_minimum_ = false;
   // What was computed at the end of a step is the first stage of the next, if nobody changes the system in between.
   bool nobody_interferes_ = false, end_known_ = false, first_stage_known_ = false;

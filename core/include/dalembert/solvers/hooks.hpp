@@ -15,12 +15,22 @@ struct MatrixEntry {
   double value;
 };
 
+// A function of the state that makes an event where it changes its sign.
+struct EventValue {
+  double value;
+  int direction;  // 1: only where it rises, -1: only where it falls, 0: both
+};
+
 struct SolverHooks {
   // False: stop after this step.
   std::function<bool(double time)> pre_step, post_step;
   // Error of the discontinuous iteration and recommended step size; negative: none.
   std::function<std::array<double, 2>(double time)> post_newton;
   std::function<void(double time, int newton_iteration, int discontinuous_iteration)> pre_newton_residual;
+  // Of the current state; as many each time.
+  std::function<std::vector<EventValue>(double time)> events;
+  // At an event, with its number, and 1 if its function rises or -1 if it falls. False: stop.
+  std::function<bool(double time, int event, int direction)> event_action;
   // Entries to add to the system matrix, for the given weights of derivatives by q, v and ODE1 coordinates.
   std::function<std::vector<MatrixEntry>(double time, double q, double v, double y)> system_jacobian;
   // True once: the Jacobian has to be computed anew (mbs.systemData or user functions asked for it).
@@ -39,7 +49,7 @@ struct SolverHooks {
 
   // Whether the user has a say in single steps.
   bool take_part_in_steps() const {
-    return pre_step || post_step || post_newton || pre_newton_residual || system_jacobian || jacobian_update_requested || show;
+    return pre_step || post_step || post_newton || events || pre_newton_residual || system_jacobian || jacobian_update_requested || show;
   }
 };
 

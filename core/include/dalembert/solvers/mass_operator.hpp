@@ -14,16 +14,19 @@ class MassOperator {
  public:
   // Forgets everything; `type` decides between dense and sparse factors of large blocks.
   void prepare(System& system, LinearSolverType type, const LinearSolverOptions& options);
-  // Mass matrix and factors of this state. Returns success or the coordinate without a pivot.
+  // Mass matrix and factors of this state. Returns success or the coordinate without a pivot; so does `solve`.
   int update(System& system, const State& state);
   // Forces become accelerations.
-  void solve(const System& system, std::span<double> x) {
-    system.solve_masses(x);
+  int solve(System& system, const State& state, std::span<double> x) {
+    if (without_matrix_ > 0) {
+      if (const int loose = system.solve_masses(state, x); loose >= 0) return loose;
+    }
     if (blocks_.empty()) {
       each_number(system, x.size(), [numbers = x.data(), factors = inverse_.data()](std::size_t i) { numbers[i] *= factors[i]; });
     } else {
       solve_blocks(x);
     }
+    return LinearSolver::success;
   }
 
  private:
@@ -46,7 +49,7 @@ class MassOperator {
   const Pattern* pattern_ = nullptr;
   LinearSolverType type_ = LinearSolverType::EXUdense;
   LinearSolverOptions options_;
-  int size_ = 0;
+  int size_ = 0, without_matrix_ = 0;  // numbers of coordinates
   std::vector<double> values_, inverse_;   // inverse_: of coordinates that stand alone, otherwise 0
   std::vector<std::size_t> diagonal_;
   std::vector<Entry> entries_;             // off the diagonal

@@ -20,6 +20,7 @@ class NewtonSolver : public Solver {
   bool newton() override;
   void free_memory() override;
   void pattern_revised() override;
+  void forget() override;
 
   // Residual of the current state; returns the number that is compared with the tolerances.
   virtual double compute_residual() = 0;
@@ -71,6 +72,7 @@ class NewtonSolver : public Solver {
   // A singular position is passed with the matrix that redundant constraints have, for one step.
   enum class Treatment { none, passing, lasting };
 
+  void forget_redundancy();
   void look_for_redundancy();
   void begin_treatment();
   void end_treatment();

@@ -7,6 +7,7 @@
 //   groups (2022), for the kinematic relations of Lie-group nodes.
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "dalembert/solvers/newton.hpp"
@@ -23,7 +24,6 @@ class SecondOrderSolver : public NewtonSolver {
   void initialize_data() override;
   void initial_conditions() override;
   void post_initialize() override;
-  void update_current_time() override;
   bool reduce_step_size() override;
   void increase_step_size() override;
   double compute_residual() override;
@@ -45,11 +45,17 @@ class SecondOrderSolver : public NewtonSolver {
   void reset_to_start_of_step() override;
   void save_start_of_step() override;
   std::span<const double> restart_values() const override { return algorithmic_; }
+  std::vector<double> restart_numbers() const override { return {accepted_step_size_, static_cast<double>(steps_above_tolerance_)}; }
+  void forget() override;
+  KnownDerivatives complete_ends() override {
+    return {it.currentStepIndex > 1 || settings().timeIntegration.generalizedAlpha.computeInitialAccelerations, it.currentStepIndex > 1};
+  }
+  void renew_accelerations() override;
 
  private:
   friend class Lockstep;
   // ---- steps together with solvers of the same model (lockstep/lockstep.hpp) ---------------------------------------
-  bool goes_in_lockstep() const;
+  std::string_view lockstep_obstacle() const;  // why it cannot take part; empty if it can
   // Notes the residual with its norm, and the Jacobian, as two parts, by the vectors q, v, a and lambda of the state.
   void trace(Trace& trace);
 
@@ -60,6 +66,8 @@ class SecondOrderSolver : public NewtonSolver {
   bool hold_at_minimum();
   void project_velocities();
 
+  // Accelerations and multipliers that fit the state; false, with a warning: there are none.
+  bool find_accelerations();
   bool newmark() const;
   double rate_factor() const final { return gamma_prime(); }
   double row_scale() const final;  // of the ODE2 equations in Newton's method

@@ -1,8 +1,10 @@
 // What all solvers share: the loop over steps with its step sizes, discontinuous iterations, output and messages.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <exception>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,7 +21,10 @@
 
 namespace dalembert {
 
+class EventWatch;
 class Model;
+class StepInterpolation;
+struct RestartData;
 
 // What surrounds a system while it is solved.
 struct SolverEnvironment {
@@ -35,8 +40,8 @@ const SolverEnvironment& no_environment();
 // that a user may replace single ones.
 class Solver {
  public:
-  Solver() = default;
-  virtual ~Solver() = default;
+  Solver();
+  virtual ~Solver();
   Solver(const Solver&) = delete;
   Solver& operator=(const Solver&) = delete;
 
@@ -51,6 +56,12 @@ class Solver {
   bool initialize();
   bool solve_steps();
   void finalize();
+  // Takes what is known of accelerations and rates at the start of the step into its state; whether they, and those at the end, are those
+  // of the motion.
+  struct KnownDerivatives {
+    bool accelerations, rates;
+  };
+  virtual KnownDerivatives complete_ends() { return {it.currentStepIndex > 1, it.currentStepIndex > 1}; }
   // What was needed for the last solution alone; `initialize` makes it anew.
   virtual void free_memory() {}
 
@@ -63,7 +74,7 @@ class Solver {
   virtual void post_initialize() {}
 
   // ---- parts of a step ---------------------------------------------------------------------------------------------
-  virtual void update_current_time() = 0;
+  virtual void update_current_time();
   virtual void initialize_step();
   virtual bool discontinuous_iteration();
   virtual bool newton() = 0;
@@ -91,6 +102,8 @@ class Solver {
 
   // Empty after success.
   std::string error_string() const;
+  // Why a solution that has finished is not to be trusted.
+  const std::vector<std::string>& doubts() const { return doubts_; }
   const Diagnosis& diagnosis() const { return diagnosis_; }
 
   LinearSolverType linear_type() const { return linear_type_; }  // of the settings, or chosen by the size of the system
@@ -119,10 +132,21 @@ class Solver {
   void search();
   virtual void pattern_revised() {}
   void save_all_but_motion();  // q, v and a are left to the caller
-  // What a restart needs besides the state.
+  // ---- going on from a restart file --------------------------------------------------------------------------------
+  bool continues() const { return continuation_ != nullptr; }
+  // What it needs besides the state: algorithmic accelerations, and some numbers more.
   virtual std::span<const double> restart_values() const { return {}; }
+  virtual std::vector<double> restart_numbers() const { return {}; }
+  const std::vector<double>& continued_values() const;
+  double continued_number(std::size_t i) const;
+  // The state has jumped: forces and accelerations have to be found anew.
+  virtual void renew_accelerations() {}
+  // After a restart file has been written: nothing that follows may depend on what is not in it.
+  virtual void forget() {}
   // At most the recommended step size, or the current one times `factor` if there is no recommendation.
   double reduced_step_size(double factor) const;
+  // Times that are closer to each other are the same.
+  double same_time() const { return std::min(1e-10, 1e-3 * it.currentStepSize); }
   // Whether the user has replaced a part of a step, which may change what the solver does.
   virtual bool has_replaced_parts() const { return false; }
   virtual int recovery_steps() const { return settings_->timeIntegration.adaptiveStepRecoverySteps; }
@@ -145,6 +169,7 @@ class Solver {
   Sizes sizes_;
   Conditions conditions_;
   Diagnosis diagnosis_;
+  std::vector<std::string> doubts_;
   bool stop_ = false;
   double initial_residual_ = 0;
 
@@ -152,6 +177,25 @@ class Solver {
   friend class Lockstep;
   void choose_linear_solver();
   void check_constraints();  // warns of initial values that do not fulfil them, or refuses these
+  // ---- going on from a restart file (continuation.cpp) -------------------------------------------------------------
+  void read_continuation();
+  void take_continuation();
+  void continue_steps();
+  bool ends_here() const { return it.currentTime >= it.endTime - 1e-6 * it.lastStepSize; }
+  RestartData restart_data();
+  // ---- output at requested times -----------------------------------------------------------------------------------
+  void write_requested();
+  double requested(double time, double period) const;
+  template <class Write>
+  void write_between(double period, Write&& write);
+  // ---- events (events.cpp) -----------------------------------------------------------------------------------------
+  void begin_to_watch_events();
+  std::vector<EventValue> event_values();
+  double look_into_step(const State& end, EventWatch& seen, double& before);
+  bool solve_again(double step_size);
+  bool end_with_event();
+  bool event_reached() const;
+  void act_on_events();
   // ---- the parts of solve_steps ------------------------------------------------------------------------------------
   void start_steps();
   bool next_step();
@@ -163,6 +207,7 @@ class Solver {
   void step_failed();
   void step_succeeded();
   void end_steps();
+  void look_back();
   // Out of the way of steps that need none of them.
   void warn_of_step_sizes();
   void announce_step();
@@ -177,6 +222,7 @@ class Solver {
   void poll();
   bool time_to_look();
   bool steps_end_silently() const;
+  void write_end_of_step();
   void print_progress(bool to_console, bool to_file);
   void wait_for_real_time();
   void summarize();
@@ -199,12 +245,21 @@ class Solver {
   SolutionFile solution_file_;
   SensorRecorder sensors_;
   OutputFile information_file_;
+  std::unique_ptr<RestartData> continuation_;  // null: from the initial values
+  std::unique_ptr<StepInterpolation> between_;
+  std::unique_ptr<EventWatch> watch_;  // null: there are no events
   std::exception_ptr unwritten_;  // the first FileError of the run
   // The clock is read every (look_mask_ + 1)-th step only, as seldom as a few milliseconds allow.
   std::uint32_t steps_taken_ = 0, look_mask_ = 0;
   double last_look_ = 0;
   double last_restart_ = 0;
   StepCount steps_since_reduction_ = 0;
+  // Steps of one size in a row; `time`: the end of the last of them.
+  struct EqualSteps {
+    double start = 0, step_size = 0, time = 0;
+    StepCount before = 0;
+  };
+  EqualSteps equal_steps_;
   bool end_reached_ = false;
   bool step_completed_ = false;  // the state is that of the end of a step, not one that is tried
   bool silent_ = false;  // while all steps are solved: nothing happens at their ends

@@ -82,9 +82,6 @@ struct LoadPlace {
   int marker = -1;
 };
 
-// What a sensor of one type measures, written into `values`.
-using SensorReader = void (*)(System&, const void* record, int sensor, ConfigurationType, std::vector<double>& values);
-
 // Values that stand in a state as they are: components of a position, displacement, velocity or acceleration in space.
 struct StateReading {
   std::vector<double> State::*from = nullptr;  // null: it does not stand there
@@ -98,7 +95,6 @@ StateReading translation_reading(const NodePlace& node, OutputVariableType varia
 
 struct SensorPlace {
   const ItemType* type = nullptr;
-  SensorReader read = nullptr;
   std::shared_ptr<const void> record;
   StateReading reading;  // if all that it measures stands in the state
 };

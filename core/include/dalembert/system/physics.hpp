@@ -4,9 +4,11 @@
 
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "dalembert/model/errors.hpp"
@@ -14,6 +16,8 @@
 #include "dalembert/system/term.hpp"
 
 namespace dalembert {
+
+class System;
 
 struct Physics {
   virtual ~Physics() = default;
@@ -69,6 +73,20 @@ struct NodePhysics : Physics {
   virtual bool output(const void* /*record*/, OutputVariableType, const NodeView&, std::vector<double>&) const { return false; }
 };
 
+// A weighted mean of mesh nodes, as the parameters of a marker state it.
+struct MeshMean {
+  enum class Rotation { none, linear, exponential, exact };  // the last one with a rate to match
+  std::vector<int> nodes;  // numbered within the body
+  std::vector<double> weights;
+  Rotation rotation = Rotation::none;
+  bool of_momentum = false;  // the rotation follows from the angular momentum of the nodes, not from squared distances
+  Vec3<double> offset{};     // of the marker in the frame, if it has a rotation
+};
+using MeshMeanReader = MeshMean (*)(const void* record);
+
+// What is known of a constraint without evaluating it: it is switched off, or keeps linear combinations of coordinates at zero.
+enum class Holding { unknown, nothing, zero };
+
 struct ObjectPhysics : Physics {
   virtual std::unique_ptr<Term> make_batch(std::span<const ItemType* const> nodes) const = 0;
   virtual std::unique_ptr<MarkerBatch> make_marker(FrameShape, std::span<const ItemType* const> /*nodes*/) const { return nullptr; }
@@ -79,16 +97,33 @@ struct ObjectPhysics : Physics {
                                             std::span<const int> /*mesh_nodes*/) const {
     return all_positions(on.dofs);
   }
-  virtual std::unique_ptr<MarkerBatch> make_mesh_marker(FrameShape, std::span<const ItemType* const> /*nodes*/) const {
+  virtual std::unique_ptr<MarkerBatch> make_mesh_marker(FrameShape, std::span<const ItemType* const> /*nodes*/, MeshMeanReader) const {
     return nullptr;
   }
   // Whether Assemble finds some of the parameters, and the record that has them too.
   virtual bool completes() const { return false; }
   virtual std::shared_ptr<const void> completed(const void* /*record*/, const Placement&, const ItemLabel& /*item*/) const { return nullptr; }
   virtual int algebraic_equations(const void* /*record*/, std::span<const int> /*marker coordinates*/) const { return 0; }
+  virtual Holding holds(const void* /*record*/) const { return Holding::unknown; }
 };
 
-struct SensorPhysics final : Physics {};
+// The item and the output variable that a sensor names.
+struct SensorSubject {
+  // Of an object that consists of several; `object` is how errors call such objects.
+  struct Link {
+    int number;
+    std::string_view object;
+  };
+  ItemKind kind = ItemKind::node;
+  int number = -1;
+  OutputVariableType variable = OutputVariableType::_None;
+  std::optional<Link> link = {};
+};
+
+struct SensorPhysics : Physics {
+  virtual void measure(System& system, const void* record, int sensor, ConfigurationType configuration, std::vector<double>& values) const = 0;
+  virtual std::optional<SensorSubject> subject(const void* record) const = 0;  // none: its values are not those of one item
+};
 
 struct LoadPhysics : Physics {
   // Follower loads read the rotation of their marker; others are content with markers that have none.

@@ -92,9 +92,8 @@ class System {
   // Of masses alone, as sparse as they are; of the size of the system. Without those of items that find accelerations without a matrix.
   const Pattern& mass_pattern();
   std::span<const int> coordinates_without_matrix();  // ascending
-  // For these coordinates: prepares a state, and returns one that nothing resists or -1; then turns forces into accelerations.
-  int factorize_masses(const State& state);
-  void solve_masses(std::span<double> x) const;
+  // At these coordinates, forces become accelerations. Returns one that nothing resists, or -1.
+  int solve_masses(const State& state, std::span<double> x);
   // M(q) alone, in the leading ode2 x ode2 block of `pattern`; everything else zero.
   void mass_matrix(const State& state, const Pattern& pattern, std::span<double> values);
   bool constant_mass_matrix() const;
@@ -111,8 +110,8 @@ class System {
   // The diagonal of the box around all markers, nodes and meshes in space, in m, as the last evaluation has left them; 1 if all is one point.
   double extent() const;
 
-  // Coordinates that the ObjectConnectorCoordinate constraints simply fix to zero or tie to ground, for explicit
-  // integrators that eliminate them; empty optional: there are constraints of another kind.
+  // Coordinates that linear constraints simply keep at zero, for explicit integrators that eliminate them; empty optional: there
+  // are other constraints.
   std::optional<std::vector<int>> fixed_coordinates() const;
 
   // Lie-group nodes: their coordinates do not add up. For those nodes q = q0 o exp(increment); all other entries of q are left alone.

@@ -88,7 +88,8 @@ struct MarkerOwner {
 struct Placement {
   int item = -1;                     // number of the object, load, ...
   const void* owner = nullptr;       // markers: record of the body or node that they sit on,
-  const ItemType* owner_type = nullptr;  // and its type
+  const ItemType* owner_type = nullptr;  // its type
+  int owner_number = -1;                 // and its number; -1: it is not known
   std::vector<MarkerOwner> owners;   // markers between bodies: all of them; empty for others
   std::vector<int> dofs;             // its nodes' ODE2 coordinates, one node after the other
   std::vector<double> reference;     // their reference values
@@ -114,7 +115,7 @@ struct Placement {
     node_records.clear();
     owner = nullptr;
     owner_type = nullptr;
-    item = first_data = first_ae = rotating_node = -1;
+    item = owner_number = first_data = first_ae = rotating_node = -1;
     selected = data_count = ae_offset = ode1_offset = 0;
   }
 };
@@ -188,6 +189,8 @@ class MarkerBatch : public Batch {
   virtual int value_count(const void* record, const Placement& placement) const = 0;
   virtual int force_count(const void* record, const Placement& placement) const = 0;
   virtual int translations() const { return 0; }  // see PortLayout
+  // Its values are those of its coordinates, one by one, and their rates.
+  virtual bool shows_coordinates() const { return false; }
 
   virtual void evaluate(const Evaluation& evaluation, Ports& ports) const = 0;
   // Derivatives and Jacobians of the ports, for the terms' tangents.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "dalembert/math/traced.hpp"
@@ -17,8 +18,8 @@ struct TracedState {
 
 class TracedEquations {
  public:
-  // Every batch can be noted, and there are no functions of the user, no coordinates of first order and no history.
-  static bool possible(const System& system);
+  // Why they cannot be noted: a batch that cannot, functions of the user, coordinates of first order or history. Empty if they can.
+  static std::string obstacle(const System& system);
   explicit TracedEquations(System& system);
 
   // As the functions of System; the tangent follows the residual of the same state if the conditions say so.

@@ -19,10 +19,8 @@ class MassSolver {
   virtual ~MassSolver() = default;
   // Whether each coordinate is that of one entry only.
   virtual bool is_separate() const = 0;
-  // For this state; returns a coordinate that nothing resists, or -1.
-  virtual int factorize_masses(const Evaluation& evaluation) const = 0;
-  // Forces become accelerations, at its coordinates.
-  virtual void solve_masses(double* x) const = 0;
+  // Forces become accelerations, at its coordinates. Returns a coordinate that nothing resists, or -1.
+  virtual int solve_masses(const Evaluation& evaluation, double* x) const = 0;
 };
 
 }  // namespace dalembert

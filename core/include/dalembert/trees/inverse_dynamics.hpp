@@ -22,26 +22,27 @@ namespace trees {
 
 // At a point from which `arm` leads to where it was.
 template <class S>
-LinkWrench<S> shifted(const LinkWrench<S>& w, const Vec3<S>& arm) {
+DALEMBERT_INLINE inline LinkWrench<S> shifted(const LinkWrench<S>& w, const Vec3<S>& arm) {
   return {w.force, w.moment + cross(arm, w.force)};
 }
 
 // What of a wrench works along the joint.
 template <class S>
-S along_joint(const TreeLink& link, const Vec3<S>& axis, const LinkWrench<S>& w) {
+DALEMBERT_INLINE inline S along_joint(const TreeLink& link, const Vec3<S>& axis, const LinkWrench<S>& w) {
   return dot(axis, link.slides ? w.force : w.moment);
 }
 
 // What moves the link as it moves.
 template <class S>
-LinkWrench<S> inertia_force(const TreeLink& link, const LinkMass<S>& mass, const LinkMotion<S>& motion) {
+DALEMBERT_INLINE inline LinkWrench<S> inertia_force(const TreeLink& link, const LinkMass<S>& mass, const LinkMotion<S>& motion) {
   return {link.mass * motion.acceleration + cross(motion.spin_rate, mass.moment) + cross(motion.spin, cross(motion.spin, mass.moment)),
           cross(mass.moment, motion.acceleration) + mass.inertia * motion.spin_rate + cross(motion.spin, mass.inertia * motion.spin)};
 }
 
 // Each wrench becomes the sum over its link and all behind; f(i, force of joint i).
 template <class S, class F>
-void sum_to_base(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<LinkWrench<S>> wrenches, const F& f) {
+DALEMBERT_INLINE inline void sum_to_base(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<LinkWrench<S>> wrenches,
+                                         const F& f) {
   for (std::size_t i = tree.links.size(); i-- > 0;) {
     const TreeLink& link = tree.links[i];
     f(i, along_joint(link, places[i].axis, wrenches[i]));

@@ -12,6 +12,8 @@
 
 #include "dalembert/frames.hpp"
 #include "dalembert/math/pack_functions.hpp"
+#include "dalembert/math/spread.hpp"
+#include "dalembert/math/tensors.hpp"
 
 namespace dalembert {
 
@@ -55,11 +57,12 @@ struct LinkMotion {
   Vec3<S> spin, spin_rate, velocity, acceleration;
 };
 
+// Recursions are inlined into what chooses the registers (math/wide_registers.hpp): called as functions they would use those of any processor.
 namespace trees {
 
 // Of all coordinates; of single states, four at a time.
 template <class S>
-void find_sines(const S* q, std::span<LinkPlace<S>> places) {
+DALEMBERT_INLINE inline void find_sines(const NumberOf<S>* q, std::span<LinkPlace<S>> places) {
   const auto keep = [](LinkPlace<S>& place, const S& sine, const S& cosine) {
     place.sine = sine;
     place.cosine = cosine;
@@ -79,17 +82,15 @@ void find_sines(const S* q, std::span<LinkPlace<S>> places) {
 }
 
 template <class S>
-void turn_about(Mat3<S>& m, int axis, const S& s, const S& c) {
+DALEMBERT_INLINE inline void turn_about(Mat3<S>& m, int axis, const S& s, const S& c) {
   const int y = (axis + 1) % 3, z = (axis + 2) % 3;
-  for (int i = 0; i < 3; ++i) {
-    const S along_y = m(i, y), along_z = m(i, z);
-    m(i, y) = c * along_y + s * along_z;
-    m(i, z) = c * along_z - s * along_y;
-  }
+  const Vec3<S> along_y = column(m, y), along_z = column(m, z);
+  set_column(m, y, c * along_y + s * along_z);
+  set_column(m, z, c * along_z - s * along_y);
 }
 
 template <class S>
-void place_links(const Tree& tree, const S* q, std::span<LinkPlace<S>> places) {
+DALEMBERT_INLINE inline void place_links(const Tree& tree, const NumberOf<S>* q, std::span<LinkPlace<S>> places) {
   find_sines(q, places);
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
     const TreeLink& link = tree.links[i];
@@ -112,23 +113,17 @@ void place_links(const Tree& tree, const S* q, std::span<LinkPlace<S>> places) {
 }
 
 template <class S>
-void place_masses(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<LinkMass<S>> masses) {
+DALEMBERT_INLINE inline void place_masses(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<LinkMass<S>> masses) {
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
     const TreeLink& link = tree.links[i];
-    const Mat3<S>& r = places[i].rotation;
-    const Mat3<S> turned = r * link.inertia;
-    masses[i].moment = r * link.moment;
-    for (int row = 0; row < 3; ++row)
-      for (int column = 0; column <= row; ++column)
-        masses[i].inertia(column, row) = masses[i].inertia(row, column) =
-            turned(row, 0) * r(column, 0) + turned(row, 1) * r(column, 1) + turned(row, 2) * r(column, 2);
+    masses[i] = {places[i].rotation * link.moment, turned(places[i].rotation, link.inertia)};
   }
 }
 
 // `base`: the acceleration of the base; minus gravity, if that is to act. Without accelerations `a` of the coordinates (null), they are zero.
 template <class S>
-void move_links(const Tree& tree, std::span<const LinkPlace<S>> places, const S* v, const S* a, const Vec3<S>& base,
-                std::span<LinkMotion<S>> motions) {
+DALEMBERT_INLINE inline void move_links(const Tree& tree, std::span<const LinkPlace<S>> places, const NumberOf<S>* v, const NumberOf<S>* a,
+                                        const Vec3<S>& base, std::span<LinkMotion<S>> motions) {
   const LinkMotion<S> rest{{}, {}, {}, base};
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
     const TreeLink& link = tree.links[i];

@@ -3,9 +3,14 @@
 #include "dalembert/markers/super_element_position_parameters.hpp"
 
 namespace dalembert {
+namespace {
+
+MeshMean mean_of(const MarkerSuperElementPositionParameters& p) { return {.nodes = p.meshNodeNumbers, .weights = p.weightingFactors}; }
+
+}  // namespace
 
 const Physics& marker_super_element_position_physics() {
-  static const MeshMarkerPhysics<MarkerSuperElementPositionRecord, FrameShape::point> physics;
+  static const MeshMarkerPhysics<MarkerSuperElementPositionRecord, FrameShape::point, mean_of> physics;
   return physics;
 }
 

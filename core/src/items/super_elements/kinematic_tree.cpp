@@ -5,6 +5,8 @@
 #include <string>
 
 #include "dalembert/batches/sized_law.hpp"
+#include "dalembert/math/aligned_vector.hpp"
+#include "dalembert/math/wide_registers.hpp"
 #include "dalembert/model/value_checks.hpp"
 #include "dalembert/system/physics.hpp"
 #include "dalembert/system/tree_term.hpp"
@@ -23,30 +25,55 @@ SizedLaw law_of(const Parameters& p) {
   return {.force_vector = &p.jointForceVector, .force_parameter = "jointForceVector", .force = p.forceUserFunction};
 }
 
-// What the recursions of one tree write, again and again.
+// Links of one tree as recursions over S leave them.
+template <class S>
+struct Links {
+  AlignedVector<LinkPlace<S>> places;
+  AlignedVector<LinkMass<S>> masses;
+  AlignedVector<LinkMotion<S>> motions;
+  AlignedVector<LinkWrench<S>> wrenches;
+  std::vector<double> placed_at;  // the coordinates that places and masses belong to
+
+  void make(std::size_t links) {
+    places.resize(links);
+    masses.resize(links);
+    motions.resize(links);
+    wrenches.resize(links);
+    placed_at.clear();
+  }
+  // A state is often asked for more than once.
+  void place(const Tree& tree, const double* q) {
+    if (std::equal(placed_at.begin(), placed_at.end(), q, q + tree.count())) return;
+    placed_at.assign(q, q + tree.count());
+    trees::place_links<S>(tree, q, places);
+    trees::place_masses<S>(tree, places, masses);
+  }
+  // Without accelerations (null), they are zero.
+  void find_inertia_forces(const Tree& tree, const double* q, const double* v, const double* a, const Vec3<double>& gravity) {
+    place(tree, q);
+    trees::move_links<S>(tree, places, v, a, Vec3<S>{} + (-gravity), motions);
+    for (std::size_t i = 0; i < tree.links.size(); ++i) wrenches[i] = trees::inertia_force(tree.links[i], masses[i], motions[i]);
+  }
+};
+
+// What the recursions of one tree write, again and again: forces and accelerations have vectors in registers.
 struct Room {
-  std::vector<LinkPlace<double>> places;
-  std::vector<double> placed_at;  // the coordinates that they belong to
-  std::vector<LinkMass<double>> masses;
-  std::vector<LinkMotion<double>> motions;
-  std::vector<LinkWrench<double>> wrenches;
+  Links<Spread> links;
+  AlignedVector<ArticulatedBody<Spread>> articulated;
+  Links<double> single;
   std::vector<CompositeBody<double>> bodies;
   std::vector<JointIncrement<double>> increments;
-  std::vector<ArticulatedBody<double>> articulated;
   std::vector<Vec3<double>> origins;
   std::vector<LinkLoad> loads;
   std::vector<double> block;
   LawOfBody::Work law;
 
-  void make(std::size_t links) {
-    places.resize(links);
-    placed_at.clear();
-    masses.resize(links);
-    motions.resize(links);
-    wrenches.resize(links);
-    bodies.resize(links);
-    increments.resize(links);
-    origins.resize(links);
+  void make(std::size_t count) {
+    links.make(count);
+    single.make(count);
+    bodies.resize(count);
+    increments.resize(count);
+    origins.resize(count);
   }
 };
 
@@ -93,39 +120,34 @@ class TreeBody {
   }
 
   void add_residual(const Evaluation& e, Room& room, double* r) const {
-    find_inertia_forces(e, room);
-    for (std::size_t i = 0; i < loads_.size(); ++i) {
-      room.wrenches[i].force -= loads_[i].force;
-      room.wrenches[i].moment -= loads_[i].couple;
-    }
-    trees::sum_to_base<double>(tree_, room.places, room.wrenches, [&](std::size_t i, double force) {
-      r[first_ + static_cast<int>(i)] += force - stiffness_[i] * (desired_[i] - q(e)[i]) - damping_[i] * (desired_rates_[i] - v(e)[i]);
-    });
+    in_wide_registers([&] { add_own_forces(e, room.links, r); });
     law_.add_forces(e, room.law, r);
   }
   void add_mass(const Evaluation& e, double factor, Room& room, SlotCursor& slot) const {
-    place(e, room);
-    trees::compose<double>(tree_, room.places, room.masses, room.bodies);
-    trees::mass_matrix<double>(tree_, room.places, room.bodies, [&](int k, int j, double m) {
+    Links<double>& links = room.single;
+    links.place(tree_, q(e));
+    trees::compose<double>(tree_, links.places, links.masses, room.bodies);
+    trees::mass_matrix<double>(tree_, links.places, room.bodies, [&](int k, int j, double m) {
       slot.add(factor * m);
       if (j != k) slot.add(factor * m);
     });
     if (law_.full()) slot.skip(count() * count());
   }
   void add_tangent(const Evaluation& e, const Weights& w, Room& room, SlotCursor& slot) const {
-    find_inertia_forces(e, room);
-    trees::sum_to_base<double>(tree_, room.places, room.wrenches, [](std::size_t, double) {});
-    trees::compose<double>(tree_, room.places, room.masses, room.motions, room.bodies);
+    Links<double>& links = room.single;
+    links.find_inertia_forces(tree_, q(e), v(e), accelerations(e), gravity_);
+    trees::sum_to_base<double>(tree_, links.places, links.wrenches, [](std::size_t, double) {});
+    trees::compose<double>(tree_, links.places, links.masses, links.motions, room.bodies);
     for (std::size_t i = 0; i < tree_.links.size(); ++i)
-      room.increments[i] = trees::increment_of(tree_.links[i], room.places[i].axis, room.motions[i], w);
+      room.increments[i] = trees::increment_of(tree_.links[i], links.places[i].axis, links.motions[i], w);
     if (!loads_.empty()) {
       room.loads = loads_;
-      trees::sum_to_base(tree_, room.places, room.loads);
+      trees::sum_to_base(tree_, links.places, room.loads);
     }
     const auto add = [&](int k, int j, double row, double column) {
       const auto behind = static_cast<std::size_t>(k), before = static_cast<std::size_t>(j);
       if (!loads_.empty()) {
-        const trees::LoadChange change = trees::load_change(tree_, room.places, room.loads, k, j);
+        const trees::LoadChange change = trees::load_change(tree_, links.places, room.loads, k, j);
         row -= w.q * change.of_behind;
         column -= w.q * change.of_before;
       }
@@ -133,28 +155,31 @@ class TreeBody {
       slot.add(row);
       if (j != k) slot.add(column);
     };
-    trees::tangent<double>(tree_, room.places, room.bodies, room.wrenches, room.increments, w, add);
+    trees::tangent<double>(tree_, links.places, room.bodies, links.wrenches, room.increments, w, add);
     if (!law_.full()) return;
     room.block.assign(tree_.links.size() * tree_.links.size(), 0.0);
     law_.add_tangent(e, w, room.law, room.block);
     for (const double entry : room.block) slot.add(entry);
   }
 
-  // Returns a coordinate that nothing resists, or -1.
-  int factorize_masses(const Evaluation& e, Room& room) const {
-    place(e, room);
+  int solve_masses(const Evaluation& e, Room& room, double* x) const {
     room.articulated.resize(tree_.links.size());
-    const int loose = trees::factorize<double>(tree_, room.places, room.masses, room.articulated);
+    int loose = -1;
+    in_wide_registers([&] {
+      Links<Spread>& links = room.links;
+      links.place(tree_, q(e));
+      loose = trees::accelerate<Spread>(tree_, links.places, links.masses, room.articulated, links.wrenches, x + first_);
+    });
     return loose < 0 ? -1 : first_ + loose;
   }
-  void solve_masses(Room& room, double* x) const { trees::solve<double>(tree_, room.places, room.articulated, room.wrenches, x + first_); }
 
   Motion<double> motion(const Evaluation& e, int link, const Vec3<double>& local, Room& room) const {
-    place(e, room);
-    trees::move_links<double>(tree_, room.places, v(e), e.a + first_, {}, room.motions);
-    trees::find_origins<double>(tree_, room.places, room.origins);
+    Links<double>& links = room.single;
+    links.place(tree_, q(e));
+    trees::move_links<double>(tree_, links.places, v(e), e.a + first_, {}, links.motions);
+    trees::find_origins<double>(tree_, links.places, room.origins);
     const auto i = static_cast<std::size_t>(link);
-    return trees::motion_at(room.places[i], room.motions[i], room.origins[i], local);
+    return trees::motion_at(links.places[i], links.motions[i], room.origins[i], local);
   }
   // Everything but inertia forces of accelerations.
   void forces(Evaluation e, std::vector<double>& values) const {
@@ -171,18 +196,18 @@ class TreeBody {
   const double* q(const Evaluation& e) const { return e.q + first_; }
   const double* v(const Evaluation& e) const { return e.v + first_; }
 
-  // A state is often asked for more than once.
-  void place(const Evaluation& e, Room& room) const {
-    const double *now = q(e), *end = now + count();
-    if (std::equal(room.placed_at.begin(), room.placed_at.end(), now, end)) return;
-    room.placed_at.assign(now, end);
-    trees::place_links<double>(tree_, now, room.places);
-    trees::place_masses<double>(tree_, room.places, room.masses);
-  }
-  void find_inertia_forces(const Evaluation& e, Room& room) const {
-    place(e, room);
-    trees::move_links<double>(tree_, room.places, v(e), e.inertia ? e.a + first_ : nullptr, -gravity_, room.motions);
-    for (std::size_t i = 0; i < tree_.links.size(); ++i) room.wrenches[i] = trees::inertia_force(tree_.links[i], room.masses[i], room.motions[i]);
+  const double* accelerations(const Evaluation& e) const { return e.inertia ? e.a + first_ : nullptr; }
+
+  // Inertia, weight, loads and controllers.
+  DALEMBERT_INLINE void add_own_forces(const Evaluation& e, Links<Spread>& links, double* r) const {
+    links.find_inertia_forces(tree_, q(e), v(e), accelerations(e), gravity_);
+    for (std::size_t i = 0; i < loads_.size(); ++i) {
+      links.wrenches[i].force -= loads_[i].force;
+      links.wrenches[i].moment -= loads_[i].couple;
+    }
+    trees::sum_to_base<Spread>(tree_, links.places, links.wrenches, [&](std::size_t i, const Spread& force) {
+      r[first_ + static_cast<int>(i)] += number(force) - stiffness_[i] * (desired_[i] - q(e)[i]) - damping_[i] * (desired_rates_[i] - v(e)[i]);
+    });
   }
 
   Tree tree_;
@@ -226,14 +251,10 @@ class KinematicTreeBatch final : public Term, public LinkedBodies, public MassSo
   bool has_mass() const override { return true; }
   bool constant_mass() const override { return false; }
   bool is_separate() const override { return !share_a_node_; }
-  int factorize_masses(const Evaluation& evaluation) const override {
-    int loose = -1;
+  int solve_masses(const Evaluation& evaluation, double* x) const override {
     for (const Entry& e : entries_)
-      if (loose < 0) loose = e.body.factorize_masses(evaluation, e.room);
-    return loose;
-  }
-  void solve_masses(double* x) const override {
-    for (const Entry& e : entries_) e.body.solve_masses(e.room, x);
+      if (const int loose = e.body.solve_masses(evaluation, e.room, x); loose >= 0) return loose;
+    return -1;
   }
 
   bool output(int entry, OutputVariableType variable, const Vec3<double>&, const Evaluation& evaluation, const Ports&,

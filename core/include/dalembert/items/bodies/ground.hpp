@@ -6,10 +6,10 @@
 
 namespace dalembert {
 
-struct ObjectGround {
+struct ObjectGround : NoCheck, NoDoubt, NoElementOutputs, NoLieRotations {
   using Parameters = ObjectGroundParameters;
   static constexpr int size = 0;
-  static constexpr bool constant_mass = true;
+  static constexpr ElementTraits traits{.constant_mass = true};
 
   template <class S>
   static Vec<S, 0> residual(const Parameters&, const Context&, const Coordinates<S, 0>&) {

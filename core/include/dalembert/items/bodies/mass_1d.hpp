@@ -6,10 +6,10 @@
 
 namespace dalembert {
 
-struct ObjectMass1D {
+struct ObjectMass1D : NoCheck, NoDoubt, NoElementOutputs, NoLieRotations {
   using Parameters = ObjectMass1DParameters;
   static constexpr int size = 1;
-  static constexpr bool constant_mass = true, pure_inertia = true;
+  static constexpr ElementTraits traits{.constant_mass = true, .pure_inertia = true};
 
   template <class S>
   static Vec<S, 1> residual(const Parameters& p, const Context&, const Coordinates<S, 1>& x) {

@@ -6,9 +6,9 @@
 
 namespace dalembert {
 
-struct ObjectMassPoint {
+struct ObjectMassPoint : NoCheck, NoDoubt, NoElementOutputs {
   using Parameters = ObjectMassPointParameters;
-  static constexpr bool constant_mass = true, pure_inertia = true;
+  static constexpr BodyTraits traits{.constant_mass = true, .pure_inertia = true};
 
   // Newton's second law; applied forces are added by the assembler.
   template <class S>

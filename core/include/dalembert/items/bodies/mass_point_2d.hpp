@@ -6,9 +6,9 @@
 
 namespace dalembert {
 
-struct ObjectMassPoint2D {
+struct ObjectMassPoint2D : NoCheck, NoDoubt, NoElementOutputs {
   using Parameters = ObjectMassPoint2DParameters;
-  static constexpr bool constant_mass = true, pure_inertia = true;
+  static constexpr BodyTraits traits{.constant_mass = true, .pure_inertia = true, .planar_tangent = true};
 
   static double mass(const Parameters& p) { return p.physicsMass; }
   static Vec3<double> centre(const Parameters&) { return {}; }

@@ -7,9 +7,9 @@
 
 namespace dalembert {
 
-struct ObjectRigidBody {
+struct ObjectRigidBody : NoElementOutputs {
   using Parameters = ObjectRigidBodyParameters;
-  static constexpr bool constant_mass = true;  // in the body frame; the node decides about its coordinates
+  static constexpr BodyTraits traits{.constant_mass = true};
 
   static void check(const Parameters& p, const ItemLabel& item) {
     check_inertia(p.physicsMass, inertia_tensor(p), p.physicsCenterOfMass, item);

@@ -7,9 +7,10 @@
 
 namespace dalembert {
 
-struct ObjectRigidBody2D {
+struct ObjectRigidBody2D : NoDoubt {
   using Parameters = ObjectRigidBody2DParameters;
-  static constexpr bool constant_mass = false;  // with an eccentric centre of mass it turns with the body
+  // With an eccentric centre of mass, the mass matrix turns with the body.
+  static constexpr BodyTraits traits{.planar_tangent = true};
 
   static void check(const Parameters& p, const ItemLabel& item) {
     check_planar_inertia(p.physicsMass, p.physicsInertia, p.physicsCenterOfMass, item);

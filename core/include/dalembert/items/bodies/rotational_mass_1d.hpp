@@ -8,10 +8,10 @@
 
 namespace dalembert {
 
-struct ObjectRotationalMass1D {
+struct ObjectRotationalMass1D : NoCheck, NoDoubt, NoLieRotations {
   using Parameters = ObjectRotationalMass1DParameters;
   static constexpr int size = 1;
-  static constexpr bool constant_mass = true, pure_inertia = true;
+  static constexpr ElementTraits traits{.constant_mass = true, .pure_inertia = true};
 
   template <class S>
   static Vec<S, 1> residual(const Parameters& p, const Context&, const Coordinates<S, 1>& x) {

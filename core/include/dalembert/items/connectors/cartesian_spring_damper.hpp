@@ -13,6 +13,7 @@ namespace dalembert {
 struct ObjectConnectorCartesianSpringDamper : NoPairHistory {
   using Parameters = ObjectConnectorCartesianSpringDamperParameters;
   using Port = PointPort;
+  static constexpr ConnectorForms closed_forms{.tangent = true};
 
   // One spring per global axis.
   template <class S>

@@ -13,6 +13,7 @@ namespace dalembert {
 struct ObjectConnectorCoordinateSpringDamper : NoPairHistory {
   using Parameters = ObjectConnectorCoordinateSpringDamperParameters;
   using Port = ScalarPort;
+  static constexpr ConnectorForms closed_forms{.tangent = true};
 
   template <class S>
   static std::array<ScalarForce<S>, 2> forces(const Parameters& p, const Context& c, const ScalarFrame<S>& m0,

@@ -10,7 +10,7 @@
 
 namespace dalembert {
 
-struct ObjectConnectorCoordinateSpringDamperExt : HasPairHistory {
+struct ObjectConnectorCoordinateSpringDamperExt : HasPairHistory, NoConnectorForms {
   using Parameters = ObjectConnectorCoordinateSpringDamperExtParameters;
   using Port = ScalarPort;
   static constexpr int data_coordinates = 3;

@@ -8,7 +8,7 @@
 
 namespace dalembert {
 
-struct ObjectConnectorGravity : NoPairHistory {
+struct ObjectConnectorGravity : NoPairHistory, NoConnectorForms {
   using Parameters = ObjectConnectorGravityParameters;
   using Port = PointPort;
 

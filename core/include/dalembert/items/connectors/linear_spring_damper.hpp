@@ -9,7 +9,7 @@
 
 namespace dalembert {
 
-struct ObjectConnectorLinearSpringDamper : NoPairHistory {
+struct ObjectConnectorLinearSpringDamper : NoPairHistory, NoConnectorForms {
   using Parameters = ObjectConnectorLinearSpringDamperParameters;
   using Port = RigidPort;
 

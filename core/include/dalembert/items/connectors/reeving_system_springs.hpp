@@ -14,7 +14,8 @@ namespace reeving {
 
 using Parameters = ObjectConnectorReevingSystemSpringsParameters;
 
-inline Vec3<double> value_of(const Vec3<auto>& v) { return {dalembert::value_of(v[0]), dalembert::value_of(v[1]), dalembert::value_of(v[2])}; }
+template <class S>
+Vec3<double> value_of(const Vec3<S>& v) { return {dalembert::value_of(v[0]), dalembert::value_of(v[1]), dalembert::value_of(v[2])}; }
 
 // A circle about its axis; a point if its radius is zero.
 template <class S>
@@ -28,7 +29,8 @@ template <class S>
 struct Contact {
   Vec3<S> cosine{}, sine{};  // contact vector: cosine * cos(angle) - sine * sin(angle)
 
-  Contact(const Contact<auto>& other)
+  template <class Other>
+  Contact(const Contact<Other>& other)
     requires std::is_same_v<S, double>
       : cosine(value_of(other.cosine)), sine(value_of(other.sine)) {}
   Contact(const Circle<S>& circle, const Vec3<S>& normal) : sine(circle.radius * normal) { cosine = cross(sine, circle.axis); }

@@ -8,7 +8,7 @@
 
 namespace dalembert {
 
-struct ObjectConnectorRigidBodySpringDamper : HasPairHistory, AlwaysNeedsData {
+struct ObjectConnectorRigidBodySpringDamper : HasPairHistory, AlwaysNeedsData, NoConnectorForms {
   using Parameters = ObjectConnectorRigidBodySpringDamperParameters;
   using Port = RigidPort;
   static constexpr int data_coordinates = any_data_coordinates;  // those that its user function wants
@@ -18,9 +18,9 @@ struct ObjectConnectorRigidBodySpringDamper : HasPairHistory, AlwaysNeedsData {
   static std::array<Wrench<S>, 2> forces(const Parameters& p, const Context& c, const RigidFrame<S>& m0, const RigidFrame<S>& m1) {
     const Relative<S> r(p, m0, m1);
     const Vec<S, 6> local = tension(p, c, r);
-    const Vec3<S> force = r.frame * segment<3>(local, 0), moment = r.frame * segment<3>(local, 3);
+    const Vec3<S> force = r.A_0c * segment<3>(local, 0), moment = r.A_0c * segment<3>(local, 3);
     Vec3<S> lever{};
-    if (p.intrinsicFormulation) lever = cross(r.frame * (0.5 * r.displacement), force);
+    if (p.intrinsicFormulation) lever = cross(r.A_0c * (0.5 * r.displacement), force);
     return {Wrench<S>{force, moment + lever}, Wrench<S>{-force, lever - moment}};
   }
 
@@ -59,27 +59,27 @@ struct ObjectConnectorRigidBodySpringDamper : HasPairHistory, AlwaysNeedsData {
  private:
   static constexpr int arguments_size = 12 + 72 + 18 + 6;
 
-  // Relative motion of the joint frames in the joint frame.
+  // Relative motion of the joint frames i and j, in the axes of a frame c: i, or half way to j.
   template <class S>
   struct Relative {
-    Mat3<S> frame;
+    Mat3<S> A_0c;
     Vec3<S> displacement, rotation, velocity, angular_velocity;
 
     Relative(const Parameters& p, const RigidFrame<S>& m0, const RigidFrame<S>& m1) {
       const JointAxes<S> axes(p, m0, m1);
-      frame = axes.first;
-      displacement = transposed_times(frame, m1.position - m0.position);
-      const Mat3<S> turn = transpose(frame) * axes.second;
+      A_0c = axes.A_0i;
+      displacement = transposed_times(A_0c, m1.position - m0.position);
+      const Mat3<S> A_ij = transpose(axes.A_0i) * axes.A_0j;
       if (p.intrinsicFormulation) {
         // Logarithm of the relative rigid body motion; the joint frame is half way along it.
-        rotation = rotation_vector_of(turn);
+        rotation = rotation_vector_of(A_ij);
         displacement = rotation_vector_rate(-rotation, displacement);
-        frame = frame * rotation_vector_rotation(0.5 * rotation);
+        A_0c = axes.A_0i * rotation_vector_rotation(0.5 * rotation);
       } else {
-        rotation = tait_bryan_angles(turn);
+        rotation = tait_bryan_angles(A_ij);
       }
-      velocity = transposed_times(frame, m1.velocity - m0.velocity);
-      angular_velocity = transposed_times(frame, m1.angular_velocity - m0.angular_velocity);
+      velocity = transposed_times(A_0c, m1.velocity - m0.velocity);
+      angular_velocity = transposed_times(A_0c, m1.angular_velocity - m0.angular_velocity);
     }
   };
 

@@ -14,6 +14,7 @@ namespace dalembert {
 struct ObjectConnectorSpringDamper : NoPairHistory {
   using Parameters = ObjectConnectorSpringDamperParameters;
   using Port = PointPort;
+  static constexpr ConnectorForms closed_forms{.tangent = true, .law = true};
 
   // Force along the line between the points, or along their relative velocity while they coincide; without either, none.
   template <class S>

@@ -10,7 +10,7 @@
 
 namespace dalembert {
 
-struct ObjectConnectorTorsionalSpringDamper : HasPairHistory, AlwaysNeedsData {
+struct ObjectConnectorTorsionalSpringDamper : HasPairHistory, AlwaysNeedsData, NoConnectorForms {
   using Parameters = ObjectConnectorTorsionalSpringDamperParameters;
   using Port = RigidPort;
   static constexpr int data_coordinates = 1;
@@ -50,9 +50,9 @@ struct ObjectConnectorTorsionalSpringDamper : HasPairHistory, AlwaysNeedsData {
     Rotation(const Parameters& p, const Context& c, const RigidFrame<S>& m0, const RigidFrame<S>& m1) {
       using std::atan2;
       const JointAxes<S> axes(p, m0, m1);
-      axis = column(axes.first, 2);
+      axis = column(axes.A_0i, 2);
       rate = dot(axis, m1.angular_velocity - m0.angular_velocity);
-      const Vec3<S> x1 = column(axes.second, 0), y1 = column(axes.second, 1), x0 = column(axes.first, 0);
+      const Vec3<S> x1 = column(axes.A_0j, 0), y1 = column(axes.A_0j, 1), x0 = column(axes.A_0i, 0);
       angle = atan2(-dot(x0, y1), dot(x0, x1));  // third Tait-Bryan angle of the relative rotation
       if (c.data != nullptr) angle = angle + 2 * std::numbers::pi * turns(c.data[0] - value_of(angle));
     }

@@ -13,6 +13,7 @@ namespace dalembert {
 struct ObjectConnectorCoordinate : ConstrainsAll, Holonomic, TurningDirections {
   using Parameters = ObjectConnectorCoordinateParameters;
   using Port = ScalarPort;
+  static constexpr ConstraintForms closed_forms{.gap_rate = true, .reaction = true, .linear = true};
   static constexpr int equations = 1;
 
   // factor q1 - q0 - offset; at velocity level the offset is a velocity.
@@ -33,6 +34,7 @@ struct ObjectConnectorCoordinate : ConstrainsAll, Holonomic, TurningDirections {
     return {ScalarForce<S>{S(-lambda[0])}, ScalarForce<S>{S(p.factorValue1 * lambda[0])}};
   }
   static std::array<LinearEquation, 1> linear(const Parameters& p) { return {LinearEquation{0, {-1, p.factorValue1}}}; }
+  static bool is_homogeneous(const Parameters& p) { return p.offset == 0 && !p.offsetUserFunction && !p.offsetUserFunction_t; }
 
   static bool output(const Parameters&, const Context&, const ScalarFrame<double>& m0, const ScalarFrame<double>& m1,
                      const Vec<double, 1>& lambda, OutputVariableType variable, std::vector<double>& values) {

@@ -12,6 +12,7 @@ namespace dalembert {
 struct ObjectConnectorDistance : ConstrainsAll, Holonomic, TurningDirections {
   using Parameters = ObjectConnectorDistanceParameters;
   using Port = PointPort;
+  static constexpr ConstraintForms closed_forms{.reaction = true};
   static constexpr int equations = 1;
 
   template <class S>

@@ -9,7 +9,7 @@
 
 namespace dalembert {
 
-struct ObjectContactCoordinate : HasPairHistory, AlwaysNeedsData, NoPairOutputs {
+struct ObjectContactCoordinate : HasPairHistory, AlwaysNeedsData, NoPairOutputs, NoConnectorForms {
   using Parameters = ObjectContactCoordinateParameters;
   using Port = ScalarPort;
   static constexpr int data_coordinates = 1;

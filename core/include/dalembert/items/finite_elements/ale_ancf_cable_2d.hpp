@@ -8,13 +8,13 @@
 namespace dalembert {
 
 // A planar cable whose material moves along the axis by the last coordinate.
-struct ObjectALEANCFCable2D {
+struct ObjectALEANCFCable2D : NoDoubt, NoLieRotations {
   using Parameters = ObjectALEANCFCable2DParameters;
   using Cable = ObjectANCFCable2D;
   using Axis = AncfCableAxis<2>;
   static constexpr std::array<std::string_view, 3> node_items{"NodePoint2DSlope1", "NodePoint2DSlope1", "NodeGenericODE2"};
   static constexpr int size = 9, way = 8;
-  static constexpr bool constant_mass = false, constant_jacobian = false, oriented = true;
+  static constexpr ElementTraits traits{};
 
   static void check(const Parameters& p, const ItemLabel& item) {
     Axis::check(p, item);

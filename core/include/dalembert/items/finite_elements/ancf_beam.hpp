@@ -7,7 +7,7 @@
 
 namespace dalembert {
 
-struct ObjectANCFBeam {
+struct ObjectANCFBeam : NoDoubt {
   using Parameters = ObjectANCFBeamParameters;
   static constexpr int size = 18, node_size = 9;
   static constexpr bool constant_mass = true, constant_jacobian = false, oriented = true;
@@ -42,7 +42,7 @@ struct ObjectANCFBeam {
   static double along(const Constants& k, const Vec3<double>& local) { return 0.5 + local[0] / k.length; }
 
   // The chord (r1 - r0) / L, and both slopes at both nodes.
-  struct Map {
+  struct Map : NoLieRotations {
     static constexpr int dimension = 3, vectors = 5, size = 18;
     static constexpr bool linear = true, derives = true;
 

@@ -9,7 +9,7 @@
 namespace dalembert {
 
 template <int D>
-struct AncfCableAxis {
+struct AncfCableAxis : NoDoubt {
   static constexpr int size = 4 * D, node_size = 2 * D;
   static constexpr bool constant_mass = true;
 
@@ -53,7 +53,7 @@ struct AncfCableAxis {
              {item, "useReducedOrderIntegration", "", std::to_string(p.useReducedOrderIntegration), "0, 1 or 2", ""});
   }
 
-  struct Map {
+  struct Map : NoLieRotations {
     static constexpr int dimension = D, vectors = 3, size = 4 * D;
     static constexpr bool linear = true, derives = true;
 

@@ -11,7 +11,7 @@
 
 namespace dalembert {
 
-struct ObjectANCFThinPlate {
+struct ObjectANCFThinPlate : NoDoubt {
   using Given = ObjectANCFThinPlateParameters;
   static constexpr int size = 36, node_size = 9;
   static constexpr bool constant_mass = true, constant_jacobian = false, oriented = false;
@@ -105,7 +105,7 @@ struct ObjectANCFThinPlate {
   static bool damped(const Constants&) { return false; }  // by strain rates
 
   // All vectors of all nodes, as they are.
-  struct Map {
+  struct Map : NoLieRotations {
     static constexpr int dimension = 3, vectors = 12, size = 36;
     static constexpr bool linear = true, derives = true;
     using K = Constants;

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-struct ObjectBeamGeometricallyExact {
+struct ObjectBeamGeometricallyExact : NoDoubt {
   using Parameters = ObjectBeamGeometricallyExactParameters;
   static constexpr int nodes = 2;
 

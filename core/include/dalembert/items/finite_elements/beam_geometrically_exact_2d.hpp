@@ -9,7 +9,7 @@
 
 namespace dalembert {
 
-struct ObjectBeamGeometricallyExact2D {
+struct ObjectBeamGeometricallyExact2D : NoDoubt {
   using Parameters = ObjectBeamGeometricallyExact2DParameters;
   static constexpr std::array node_counts{2, 3};
 
@@ -59,7 +59,7 @@ struct ObjectBeamGeometricallyExact2D {
     static double along(const Constants& k, const Vec3<double>& local) { return 0.5 + local[0] / k.length; }
 
     // The coordinates themselves, one by one.
-    struct Map {
+    struct Map : NoLieRotations {
       static constexpr int dimension = 1, size = 3 * nodes, vectors = size;
       static constexpr bool linear = true, derives = true;
       template <class S>

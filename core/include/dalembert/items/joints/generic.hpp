@@ -13,6 +13,7 @@ namespace dalembert {
 struct ObjectJointGeneric : Holonomic, TurningDirections {
   using Parameters = ObjectJointGenericParameters;
   using Port = RigidPort;
+  static constexpr ConstraintForms closed_forms{.reaction = true, .table = true};
   static constexpr int equations = 6;
   static constexpr int offsets = 6;  // prescribed motion: a displacement and Tait-Bryan angles in the first joint frame
 
@@ -27,16 +28,16 @@ struct ObjectJointGeneric : Holonomic, TurningDirections {
                        const Vec<S, 6>& offset) {
     const Axes<S> axes(p, m0, m1, offset);
     const Vec3<S> span = m1.position - m0.position;
-    const Vec3<S> along = all_translations(p) ? span : transposed_times(axes.first, span);
+    const Vec3<S> along = all_translations(p) ? span : transposed_times(axes.A_0i, span);
     Vec<S, 6> g;
     for (int i = 0; i < 3; ++i) g[i] = along[i] - offset[i];
     if (p.alternativeConstraints && locked(p) == 3) {
       // Signs as in the products of axes, which these equations approach where the frames agree.
-      const Vec3<S> turn = rotation_vector_of(transpose(axes.first) * axes.second);
+      const Vec3<S> turn = rotation_vector_of(transpose(axes.A_0i) * axes.A_0j);
       g[3] = turn[0], g[4] = -turn[1], g[5] = -turn[2];
       return g;
     }
-    for_each_product(p, [&](int row, int a, int b) { g[row] = dot(column(axes.first, a), column(axes.second, b)); });
+    for_each_product(p, [&](int row, int a, int b) { g[row] = dot(column(axes.A_0i, a), column(axes.A_0j, b)); });
     return g;
   }
 
@@ -51,12 +52,12 @@ struct ObjectJointGeneric : Holonomic, TurningDirections {
     Vec3<S> f{S(lambda[0]), S(lambda[1]), S(lambda[2])};
     Vec3<S> lever{};  // the axes of the first frame turn under the displacement
     if (!all_translations(p)) {
-      f = axes.first * f;
+      f = axes.A_0i * f;
       lever = cross(m1.position - m0.position, f);
     }
     std::array<Wrench<S>, 2> forces{Wrench<S>{.force = -f, .moment = -lever}, Wrench<S>{.force = f}};
     for_each_product(p, [&](int row, int a, int b) {
-      add_moment_of_product(column(axes.first, a), column(axes.second, b), lambda[row], forces);
+      add_moment_of_product(column(axes.A_0i, a), column(axes.A_0j, b), lambda[row], forces);
     });
     return forces;
   }
@@ -78,7 +79,7 @@ struct ObjectJointGeneric : Holonomic, TurningDirections {
                      const Vec<double, 6>& lambda, OutputVariableType variable, std::vector<double>& values) {
     if (variable == OutputVariableType::ForceLocal) {
       Vec3<double> force = segment<3>(lambda, 0);
-      if (all_translations(p)) force = transposed_times(JointAxes<double>(p, m0, m1).first, force);
+      if (all_translations(p)) force = transposed_times(JointAxes<double>(p, m0, m1).A_0i, force);
       values.assign(force.x.begin(), force.x.end());
       return true;
     }
@@ -95,7 +96,7 @@ struct ObjectJointGeneric : Holonomic, TurningDirections {
   struct Axes : JointAxes<S> {
     Axes(const Parameters& p, const RigidFrame<S>& m0, const RigidFrame<S>& m1, const Vec<S, 6>& offset)
         : JointAxes<S>(p, m0, m1) {
-      if (p.offsetUserFunction) this->first = this->first * tait_bryan_rotation(segment<3>(offset, 3));
+      if (p.offsetUserFunction) this->A_0i = this->A_0i * tait_bryan_rotation(segment<3>(offset, 3));
     }
   };
 

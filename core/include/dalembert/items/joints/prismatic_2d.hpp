@@ -10,6 +10,7 @@ namespace dalembert {
 struct ObjectJointPrismatic2D : Holonomic, TurningDirections, NoConstraintOutputs {
   using Parameters = ObjectJointPrismatic2DParameters;
   using Port = RigidPort;
+  static constexpr ConstraintForms closed_forms{.reaction = true};
   static constexpr int equations = 2;
 
   static bool constrains(const Parameters& p, int k) { return k == 0 || p.constrainRotation; }

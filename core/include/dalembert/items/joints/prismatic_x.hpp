@@ -11,6 +11,7 @@ namespace dalembert {
 struct ObjectJointPrismaticX : JointOfTable<ObjectJointPrismaticX>, ConstrainsAll, Holonomic, TurningDirections {
   using Parameters = ObjectJointPrismaticXParameters;
   using Port = RigidPort;
+  static constexpr ConstraintForms closed_forms{.reaction = true, .table = true};
   static constexpr int equations = 5;
 
   static constexpr std::array<JointRow, 5> rows{JointRow{JointEquation::Kind::along},

@@ -12,6 +12,7 @@ namespace dalembert {
 struct ObjectJointRevolute2D : ConstrainsAll, Holonomic, TurningDirections, NoConstraintOutputs {
   using Parameters = ObjectJointRevolute2DParameters;
   using Port = PointPort;
+  static constexpr ConstraintForms closed_forms{.gap_rate = true, .reaction = true, .linear = true};
   static constexpr int equations = 2;
 
   // The points coincide in the plane.
@@ -30,6 +31,7 @@ struct ObjectJointRevolute2D : ConstrainsAll, Holonomic, TurningDirections, NoCo
     return {Force<S>{-f}, Force<S>{f}};
   }
   static std::array<LinearEquation, 2> linear(const Parameters&) { return {LinearEquation{0}, LinearEquation{1}}; }
+  static bool is_homogeneous(const Parameters&) { return true; }
 };
 
 }  // namespace dalembert

@@ -11,6 +11,7 @@ namespace dalembert {
 struct ObjectJointRevoluteZ : JointOfTable<ObjectJointRevoluteZ>, ConstrainsAll, Holonomic {
   using Parameters = ObjectJointRevoluteZParameters;
   using Port = RigidPort;
+  static constexpr ConstraintForms closed_forms{.reaction = true, .table = true};
   static constexpr int equations = 5;
   static constexpr bool fixed_directions = true;  // of the translations
 
@@ -31,7 +32,7 @@ struct ObjectJointRevoluteZ : JointOfTable<ObjectJointRevoluteZ>, ConstrainsAll,
   static bool output(const Parameters& p, const Context&, const RigidFrame<double>& m0, const RigidFrame<double>& m1,
                      const Vec<double, 5>& lambda, OutputVariableType variable, std::vector<double>& values) {
     if (variable == OutputVariableType::ForceLocal) {
-      const Vec3<double> force = transposed_times(JointAxes<double>(p, m0, m1).first, segment<3>(lambda, 0));
+      const Vec3<double> force = transposed_times(JointAxes<double>(p, m0, m1).A_0i, segment<3>(lambda, 0));
       values.assign(force.x.begin(), force.x.end());
       return true;
     }

@@ -7,7 +7,7 @@
 
 namespace dalembert {
 
-struct ObjectJointRollingDisc : TurningDirections {
+struct ObjectJointRollingDisc : TurningDirections, NoConstraintForms {
   using Parameters = ObjectJointRollingDiscParameters;
   using Port = RigidPort;
   static constexpr int equations = 3;

@@ -12,6 +12,7 @@ namespace dalembert {
 struct ObjectJointSpherical : Holonomic {
   using Parameters = ObjectJointSphericalParameters;
   using Port = PointPort;
+  static constexpr ConstraintForms closed_forms{.gap_rate = true, .reaction = true, .table = true};
   static constexpr int equations = 3;
   static constexpr bool fixed_directions = true;
 
@@ -33,6 +34,7 @@ struct ObjectJointSpherical : Holonomic {
     return {Force<S>{-f}, Force<S>{f}};
   }
 
+  static bool tabulated(const Parameters&) { return true; }
   static std::array<JointEquation, 3> table(const Parameters&) {
     return {JointEquation{.first = {1, 0, 0}}, {.first = {0, 1, 0}}, {.first = {0, 0, 1}}};
   }

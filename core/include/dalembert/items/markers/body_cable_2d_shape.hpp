@@ -15,9 +15,9 @@ struct MarkerBodyCable2DShape {
   static void check_body(const Parameters&, const Placement& on, const ItemLabel& item) { CableBody<2>::check(*on.owner_type, item); }
   static Constants prepare(const Parameters&, const ItemType& body, const void* record, std::span<const double> reference) { return CableBody<2>::of(body, record, reference); }
 
-  // Positions of all points, then their velocities.
+  // Positions of all points, then their velocities; the length of a segment without strain, and the way of the material along the axis.
   static int points(const Parameters& p) { return p.numberOfSegments + 1; }
-  static int values(const Parameters& p, const Constants&) { return 4 * points(p); }
+  static int values(const Parameters& p, const Constants&) { return 4 * points(p) + 2; }
   static int forces(const Parameters& p, const Constants&) { return 2 * points(p); }
   static bool constant_pull_back(const Parameters& p) { return p.verticalOffset == 0; }
 
@@ -37,6 +37,8 @@ struct MarkerBodyCable2DShape {
       }
       for (int d = 0; d < 2; ++d) position[d] = r[d], velocity[d] = r_rate[d];
     }
+    velocity[0] = S(cable.length / p.numberOfSegments);
+    velocity[1] = cable.moves_along ? q[8] : S(0);
   }
   template <class S>
   static void pull_back(const Parameters& p, const Constants& cable, const S* q, const S* force, S* generalised) {

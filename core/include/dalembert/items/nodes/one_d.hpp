@@ -6,12 +6,11 @@
 
 namespace dalembert {
 
-struct Node1D {
+struct Node1D : NoCheck, NoNodeOutputs {
   using Parameters = Node1DParameters;
   static constexpr std::string_view item = "Node1D";
   static constexpr int size = 1;
-  static constexpr bool constant_jacobian = true;
-  static constexpr int translations = 1;
+  static constexpr NodeTraits traits{.translations = 1, .constant_jacobian = true};
 
   // The coordinate moves the point along global x.
   template <class S>

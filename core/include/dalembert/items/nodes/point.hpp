@@ -6,12 +6,11 @@
 
 namespace dalembert {
 
-struct NodePoint {
+struct NodePoint : NoCheck, NoNodeOutputs {
   using Parameters = NodePointParameters;
   static constexpr std::string_view item = "NodePoint";
   static constexpr int size = 3;
-  static constexpr bool constant_jacobian = true;
-  static constexpr int translations = 3;
+  static constexpr NodeTraits traits{.translations = 3, .constant_jacobian = true};
 
   template <class S>
   static Motion<S> motion(const Coordinates<S, size>& x) {

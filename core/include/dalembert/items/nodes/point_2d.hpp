@@ -6,13 +6,11 @@
 
 namespace dalembert {
 
-struct NodePoint2D {
+struct NodePoint2D : NoCheck, NoNodeOutputs {
   using Parameters = NodePoint2DParameters;
   static constexpr std::string_view item = "NodePoint2D";
   static constexpr int size = 2;
-  static constexpr bool constant_jacobian = true;
-  static constexpr int translations = 2;
-  static constexpr bool planar = true;
+  static constexpr NodeTraits traits{.translations = 2, .constant_jacobian = true, .planar = true};
 
   template <class S>
   static Motion<S> motion(const Coordinates<S, size>& x) {

@@ -7,12 +7,11 @@
 
 namespace dalembert {
 
-struct NodePoint2DSlope1 {
+struct NodePoint2DSlope1 : NoNodeOutputs {
   using Parameters = NodePoint2DSlope1Parameters;
   static constexpr std::string_view item = "NodePoint2DSlope1";
   static constexpr int size = 4;
-  static constexpr bool constant_jacobian = false;
-  static constexpr int translations = 2;
+  static constexpr NodeTraits traits{.translations = 2};
 
   static void check(const Parameters& p, const ItemLabel& item) {
     Vec<double, 2> slope = segment<2>(p.referenceCoordinates, 2);

@@ -6,11 +6,12 @@
 
 namespace dalembert {
 
-struct NodePointGround {
+struct NodePointGround : NoLieRotations {
   using Parameters = NodePointGroundParameters;
   using Record = NodePointGroundRecord;
   static constexpr std::string_view item = "NodePointGround";
   static constexpr int size = 0;
+  static constexpr ElementTraits traits{};
 
   template <class S>
   static Motion<S> motion(const Parameters& p, const Coordinates<S, 0>&, const Vec3<double>&) {

@@ -7,12 +7,11 @@
 
 namespace dalembert {
 
-struct NodePointSlope1 {
+struct NodePointSlope1 : NoNodeOutputs {
   using Parameters = NodePointSlope1Parameters;
   static constexpr std::string_view item = "NodePointSlope1";
   static constexpr int size = 6;
-  static constexpr bool constant_jacobian = true, oriented = false;
-  static constexpr int translations = 3;
+  static constexpr NodeTraits traits{.translations = 3, .constant_jacobian = true, .oriented = false};
 
   static void check(const Parameters& p, const ItemLabel& item) {
     Vec3<double> slope = segment<3>(p.referenceCoordinates, 3);

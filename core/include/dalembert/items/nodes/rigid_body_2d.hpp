@@ -9,13 +9,11 @@
 
 namespace dalembert {
 
-struct NodeRigidBody2D {
+struct NodeRigidBody2D : NoCheck {
   using Parameters = NodeRigidBody2DParameters;
   static constexpr std::string_view item = "NodeRigidBody2D";
   static constexpr int size = 3;
-  static constexpr bool constant_jacobian = true;
-  static constexpr int translations = 2;
-  static constexpr bool planar = true;
+  static constexpr NodeTraits traits{.translations = 2, .constant_jacobian = true, .planar = true};
 
   template <class S>
   static Motion<S> motion(const Coordinates<S, size>& x) {

@@ -7,19 +7,16 @@
 
 namespace dalembert {
 
-struct NodeRigidBodyEP {
+struct NodeRigidBodyEP : NoNodeOutputs {
   using Parameters = NodeRigidBodyEPParameters;
   static constexpr std::string_view item = "NodeRigidBodyEP";
   static constexpr int size = 7;
-  static constexpr bool constant_jacobian = false;
-  static constexpr int translations = 3;
-  static constexpr int unit_from = 3;  // Euler parameters form a unit vector
-  static constexpr bool products_alone = true;
+  static constexpr NodeTraits traits{.translations = 3, .unit_from = 3, .rotation_alone = true, .rotation_tangent = true, .products_alone = true};
 
   static void check(const Parameters& p, const ItemLabel& item) {
-    Vec<double, 4> e = segment<4>(p.referenceCoordinates, unit_from);
+    Vec<double, 4> e = segment<4>(p.referenceCoordinates, traits.unit_from);
     check_unit_length(e.x, "referenceCoordinates", "four Euler parameters, from the fourth value on", item);
-    e += segment<4>(p.initialCoordinates, unit_from);
+    e += segment<4>(p.initialCoordinates, traits.unit_from);
     check_unit_length(e.x, "initialCoordinates", "values that, added to referenceCoordinates, give four Euler parameters", item);
   }
 

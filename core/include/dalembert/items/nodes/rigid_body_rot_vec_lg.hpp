@@ -7,13 +7,11 @@
 
 namespace dalembert {
 
-struct NodeRigidBodyRotVecLG {
+struct NodeRigidBodyRotVecLG : NoCheck, NoNodeOutputs {
   using Parameters = NodeRigidBodyRotVecLGParameters;
   static constexpr std::string_view item = "NodeRigidBodyRotVecLG";
   static constexpr int size = 6;
-  static constexpr bool constant_jacobian = false;
-  static constexpr int translations = 3;
-  static constexpr int lie_rotation = 3;
+  static constexpr NodeTraits traits{.translations = 3, .lie_rotation = 3, .rotation_alone = true, .rotation_tangent = true};
 
   template <class S>
   static Mat3<S> rotation(const Coordinates<S, size>& x) {

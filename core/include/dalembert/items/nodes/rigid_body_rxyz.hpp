@@ -6,12 +6,11 @@
 
 namespace dalembert {
 
-struct NodeRigidBodyRxyz {
+struct NodeRigidBodyRxyz : NoCheck {
   using Parameters = NodeRigidBodyRxyzParameters;
   static constexpr std::string_view item = "NodeRigidBodyRxyz";
   static constexpr int size = 6;
-  static constexpr bool constant_jacobian = false;
-  static constexpr int translations = 3;
+  static constexpr NodeTraits traits{.translations = 3, .rotation_alone = true};
 
   template <class S>
   static Mat3<S> rotation(const Coordinates<S, size>& x) {

@@ -69,9 +69,9 @@ void turn_with_slopes(Motion<S>& m, const std::array<Vec3<S>, 3>& a, const std::
 }
 
 template <class Axes>
-struct NodeWithSlopes {
-  static constexpr int size = 9, translations = 3;
-  static constexpr bool constant_jacobian = false;
+struct NodeWithSlopes : NoNodeOutputs {
+  static constexpr int size = 9;
+  static constexpr NodeTraits traits{.translations = 3};
 
   static void check_slopes(const Vec<double, size>& reference, const Vec<double, size>& initial, const ItemLabel& item) {
     check_slopes(reference, "referenceCoordinates", item);

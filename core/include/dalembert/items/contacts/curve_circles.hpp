@@ -1,0 +1,206 @@
+// ObjectContactCurveCircles, specs/contacts/curve_circles.toml
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "dalembert/contacts/curve_circles_parameters.hpp"
+#include "dalembert/contracts/many_ports.hpp"
+#include "dalembert/laws/touch.hpp"
+
+namespace dalembert {
+
+struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations {
+  using Parameters = ObjectContactCurveCirclesParameters;
+
+  // Pressure and friction on the circle that the last update has found at a segment.
+  template <class S>
+  static void evaluate(const Parameters& p, const Context& c, Exchange<S>& x) {
+    for (int segment = 0; segment < segments(p); ++segment) {
+      const Data at(c.data, segment);
+      if (!at.touches(circles(p))) continue;
+      const Meeting<S> touch(p, x, segment, at.circle());
+      const Vec3<S> force = touch.direct(-force_on_curve(p, at, touch));
+      const Vec3<S> arm = touch.direct(touch.arm), span = touch.span + arm;
+      x.apply(1 + at.circle(), Wrench<S>{force, cross(arm, force)});
+      x.apply(0, Wrench<S>{-force, -cross(span, force)});
+    }
+  }
+
+  // A segment touches the circle that has entered it deepest, as long as they are pressed together. What opens or closes is an error.
+  static constexpr bool has_history = true;
+  static PostNewton update(const Parameters& p, const Context&, const Exchange<double>& x, const History& h) {
+    PostNewton verdict;
+    for (int segment = 0; segment < segments(p); ++segment) {
+      Data now(h.data, segment);
+      double* data = h.data + 3 * segment;
+      const double before = now.gap();
+      data[Data::which] = -1;
+      data[Data::distance] = std::numeric_limits<double>::max();
+      double error = 0;
+      for (int circle = 0; circle < circles(p); ++circle) {
+        const Meeting<double> touch(p, x, segment, circle);
+        if (!(touch.gap < data[Data::distance])) continue;
+        data[Data::distance] = touch.gap;
+        data[Data::slip] = touch.slip;
+        error = std::abs(p.contactDamping * touch.rate - p.contactStiffness * touch.gap);
+        if (touch.gap < 0 && touch.pressure(p) > 0) data[Data::which] = circle;
+      }
+      if ((now.gap() > 0) != (before > 0)) verdict.error = std::max(verdict.error, error);
+    }
+    return verdict;
+  }
+
+  static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable, std::vector<double>& values) {
+    const std::size_t count = static_cast<std::size_t>(circles(p));
+    std::vector<double> gaps(count, std::numeric_limits<double>::max()), rates(count), forces(2 * count);
+    for (int segment = 0; segment < segments(p); ++segment)
+      for (int circle = 0; circle < circles(p); ++circle) {
+        const std::size_t i = static_cast<std::size_t>(circle);
+        const Meeting<double> touch(p, x, segment, circle);
+        if (touch.gap < gaps[i]) gaps[i] = touch.gap, rates[i] = -touch.rate;
+        const Data at(c.data, segment);
+        if (!p.activeConnector || !at.touches(circles(p)) || at.circle() != circle) continue;
+        const Vec<double, 2> force = force_on_curve(p, at, touch);
+        forces[2 * i] -= dot(touch.normal, force);
+        forces[2 * i + 1] -= dot(touch.tangent(), force);
+      }
+    switch (variable) {
+      case OutputVariableType::DisplacementLocal: values = gaps; return true;
+      case OutputVariableType::VelocityLocal: values = rates; return true;
+      case OutputVariableType::ForceLocal: values = forces; return true;
+      default: return false;
+    }
+  }
+
+  static void check(const Parameters& p, const Connections& on) {
+    if (on.markers() < 2) on.refuse("markerNumbers", std::to_string(on.markers()) + " markers", "a marker for the curve, and one for every circle");
+    if (circles(p) != on.markers() - 1)
+      on.refuse("circlesRadii", std::to_string(circles(p)) + " radii", std::to_string(on.markers() - 1) + ", one for every circle marker");
+    for (const double radius : p.circlesRadii)
+      if (!(radius > 0)) on.refuse("circlesRadii", std::to_string(radius), "positive radii");
+    if (!p.segmentsData.dense || p.segmentsData.columns != 4 || p.segmentsData.rows == 0)
+      on.refuse("segmentsData", size(p.segmentsData), "a dense matrix with a row [x0, y0, x1, y1] per segment");
+    for (int i = 0; i < segments(p); ++i)
+      if (!(Segment(p, i).length > 0)) on.refuse("segmentsData", "row " + std::to_string(i) + " without length", "segments between different points");
+    if (!p.polynomialData.empty())
+      on.refuse("polynomialData", size(p.polynomialData), "an empty matrix: segments are straight, divide the curve into more of them");
+    if (p.contactModel > 1) on.refuse("contactModel", std::to_string(p.contactModel), "0 or 1");
+    on.require_data(3 * segments(p));
+  }
+
+ private:
+  static int segments(const Parameters& p) { return p.segmentsData.rows; }
+  static int circles(const Parameters& p) { return static_cast<int>(p.circlesRadii.size()); }
+  static std::string size(const MatrixContainer& m) {
+    return std::string(m.dense ? "a matrix" : "a sparse matrix") + " of " + std::to_string(m.rows) + " x " + std::to_string(m.columns);
+  }
+
+  // Of one segment, of the last update.
+  struct Data {
+    enum { which = 0, distance = 1, slip = 2 };
+    const double* values;
+    Data(const double* data, int segment) : values(data + 3 * segment) {}
+    int circle() const { return static_cast<int>(std::lround(values[which])); }  // -1: none
+    double gap() const { return values[distance]; }
+    double speed() const { return std::abs(values[slip]); }
+    // Users write data coordinates, too, also of circles that are not there.
+    bool touches(int circles) const { return circle() >= 0 && circle() < circles && gap() < 0; }
+  };
+
+  struct Segment {
+    Vec<double, 2> begin, along;  // along: a unit vector
+    double length;
+    Segment(const Parameters& p, int i) {
+      const double* row = p.segmentsData.values.data() + 4 * i;
+      begin = {row[0], row[1]};
+      along = {row[2] - row[0], row[3] - row[1]};
+      length = norm(along);
+      if (length > 0) along = (1 / length) * along;
+    }
+    Vec<double, 2> outward() const { return {along[1], -along[0]}; }
+  };
+
+  // A circle at a segment, in the axes of the curve.
+  template <class S>
+  struct Meeting {
+    Mat3<S> axes;
+    Vec3<S> span;               // from the marker of the curve to the centre of the circle
+    Vec<S, 2> normal{}, arm{};  // from the segment to the circle; from its centre to the point of contact
+    S gap, rate, slip;          // rate: of penetration; slip: of the circle against the curve, along the tangent
+    S extent{}, extent_rate{};  // length times penetration, or the area that both share
+
+    Meeting(const Parameters& p, const Exchange<S>& x, int segment, int circle) {
+      const RigidFrame<S>&m0 = x.template frame<RigidPort>(0), &m1 = x.template frame<RigidPort>(1 + circle);
+      const Segment at(p, segment);
+      const double radius = p.circlesRadii[static_cast<std::size_t>(circle)];
+      axes = m0.rotation * p.rotationMarker0;
+      span = m1.position - m0.position;
+      const Vec3<S> centre = transposed_times(axes, span);
+      const Vec<S, 2> from_begin{centre[0] - at.begin[0], centre[1] - at.begin[1]};
+      const S along = dot(at.along, from_begin);
+      const S place = along < 0.0 ? S(0) : along > at.length ? S(at.length) : along;
+      const Vec<S, 2> distance = from_begin - place * at.along;
+      gap = norm_or_zero(distance) - radius;
+      S depth = gap;
+      if (p.contactModel == 0) {
+        normal = dalembert::direction(distance);
+      } else {
+        normal = {S(at.outward()[0]), S(at.outward()[1])};
+        depth = dot(normal, from_begin) - radius;
+      }
+      arm = -(radius + 0.5 * depth) * normal;
+      const Vec3<S> lever = direct(arm);
+      const Vec3<S> velocity = transposed_times(axes, m1.velocity + cross(m1.angular_velocity, lever) - m0.velocity - cross(m0.angular_velocity, span + lever));
+      rate = -(normal[0] * velocity[0] + normal[1] * velocity[1]);
+      slip = tangent()[0] * velocity[0] + tangent()[1] * velocity[1];
+      if (p.contactModel == 0) {
+        extent = -(at.length * gap);
+        extent_rate = at.length * rate;
+      } else {
+        share(radius, depth + radius, -along, at.length - along);
+      }
+    }
+    Vec<S, 2> tangent() const { return {-normal[1], normal[0]}; }
+    Vec3<S> direct(const Vec<S, 2>& v) const { return axes * Vec3<S>{v[0], v[1], S(0)}; }
+    S pressure(const Parameters& p) const { return p.contactStiffness * extent + p.contactDamping * extent_rate; }
+
+   private:
+    static S norm_or_zero(const Vec<S, 2>& v) {
+      using std::sqrt;
+      const S square = dot(v, v);
+      return value_of(square) > 0 ? sqrt(square) : S(0);
+    }
+    // The area between the circle and the segment, seen from the centre: at `height` above the line, which goes from `begin` to `end`.
+    void share(double radius, const S& height, S begin, S end) {
+      using std::atan2;
+      using std::sqrt;
+      const S square = radius * radius - height * height;
+      if (!(value_of(square) > 0)) return;
+      const S half = sqrt(square);
+      if (begin < -half) begin = -half;
+      if (end > half) end = half;
+      if (!(begin < end)) return;
+      const auto under = [&](const S& s) {
+        const S rest = radius * radius - s * s;
+        const S side = value_of(rest) > 0 ? sqrt(rest) : S(0);
+        return 0.5 * (s * side + radius * radius * atan2(s, side));
+      };
+      extent = under(end) - under(begin) - height * (end - begin);
+      extent_rate = (end - begin) * rate;
+    }
+  };
+
+  // Friction grows with the slip while the speed of the last update lies in the proportional zone.
+  template <class S>
+  static Vec<S, 2> force_on_curve(const Parameters& p, const Data& data, const Meeting<S>& touch) {
+    const S pressure = touch.pressure(p);
+    const double zone = p.frictionProportionalZone;
+    const S sign = zone != 0 && data.speed() < zone ? (1 / zone) * touch.slip : touch.slip > 0.0 ? S(1) : touch.slip < 0.0 ? S(-1) : S(0);
+    return (p.dynamicFriction * pressure * sign) * touch.tangent() - pressure * touch.normal;
+  }
+};
+
+}  // namespace dalembert

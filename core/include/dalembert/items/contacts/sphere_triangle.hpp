@@ -1,0 +1,90 @@
+// ObjectContactSphereTriangle, specs/contacts/sphere_triangle.toml
+#pragma once
+
+#include <string>
+
+#include "dalembert/contacts/sphere_triangle_parameters.hpp"
+#include "dalembert/items/contacts/body_port.hpp"
+#include "dalembert/laws/touch.hpp"
+#include "dalembert/math/triangle.hpp"
+
+namespace dalembert {
+
+struct ObjectContactSphereTriangle : AllMarkersAct, NoAlgebraicEquations {
+  using Parameters = ObjectContactSphereTriangleParameters;
+
+  // Pressure and friction at the middle of the overlap, while the gap of the last update is negative.
+  template <class S>
+  static void evaluate(const Parameters& p, const Context& c, Exchange<S>& x) {
+    if (!(c.data[TouchData::gap] < 0)) return;
+    const Nearest<S> touch(p, body_frame(x, 0), x.template frame<RigidPort>(1));
+    const Vec3<S> force = force_on_first(p, c.data, touch, pressure(p, c.data, touch));
+    push(x, 0, touch.arm0, force);
+    push(x, 1, touch.arm1, -force);
+  }
+
+  // A sphere that is nearest to an edge that is left out does not touch.
+  static constexpr bool has_history = true;
+  static PostNewton update(const Parameters& p, const Context&, const Exchange<double>& x, const History& h) {
+    Nearest<double> touch(p, body_frame(x, 0), x.frame<RigidPort>(1));
+    if (!touch.feature.is_face() && !(touch.feature.edges & p.includeEdges)) touch.gap += p.radiusSphere;
+    const double speed = h.data[TouchData::speed];
+    PostNewton verdict = update_touch(p, touch, h.start, h.data);
+    if (touch.gap < 0) verdict.error += friction_error(p, pressure(p, h.data, touch), speed, h.data[TouchData::speed]);
+    return verdict;
+  }
+
+  static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable, std::vector<double>& values) {
+    const RigidFrame<double> sphere = body_frame(x, 0);
+    const Nearest<double> touch(p, sphere, x.frame<RigidPort>(1));
+    const auto vector = [&](const Vec3<double>& v) { values.assign(v.x.begin(), v.x.end()); };
+    switch (variable) {
+      case OutputVariableType::Displacement: vector(touch.span); return true;
+      case OutputVariableType::Director1: vector(touch.normal); return true;
+      default: break;
+    }
+    const bool acts = p.activeConnector && c.data[TouchData::gap] < 0;
+    const Vec3<double> force = acts ? force_on_first(p, c.data, touch, pressure(p, c.data, touch)) : Vec3<double>{};
+    return touch_output(touch, sphere.position, force, variable, values);
+  }
+
+  static void check(const Parameters& p, const Connections& on) {
+    require_body_port(on, 0, p.dynamicFriction);
+    on.require(on.gives<RigidPort>(1), 1, "markerNumbers", "a marker with an orientation, for the triangle");
+    on.require_data(TouchData::count);
+    if (!(p.radiusSphere > 0)) on.refuse("radiusSphere", std::to_string(p.radiusSphere), "a positive radius");
+    if (p.trianglePoints.size() != 3) on.refuse("trianglePoints", std::to_string(p.trianglePoints.size()) + " points", "three points");
+    if (is_zero(area_vector(corners(p)))) on.refuse("trianglePoints", "points on one line", "a triangle with an area");
+    if (p.includeEdges > 7) on.refuse("includeEdges", std::to_string(p.includeEdges), "a sum of 1, 2 and 4");
+    if (p.impactModel > 2) on.refuse("impactModel", std::to_string(p.impactModel), "0, 1 or 2");
+  }
+
+ private:
+  static Triangle corners(const Parameters& p) { return {p.trianglePoints[0], p.trianglePoints[1], p.trianglePoints[2]}; }
+
+  // The triangle rests in the frame of its marker, where the nearest point is found.
+  template <class S>
+  struct Nearest : Touch<S> {
+    TriangleFeature feature;
+    Vec3<S> span;  // from the centre of the sphere to the nearest point
+
+    Nearest(const Parameters& p, const RigidFrame<S>& sphere, const RigidFrame<S>& carrier) {
+      const Triangle triangle = corners(p);
+      const Vec3<S> centre = transposed_times(carrier.rotation, sphere.position - carrier.position);
+      feature = nearest_feature(triangle, vector_of<3>([&](int i) { return value_of(centre[i]); }));
+      span = carrier.rotation * (nearest_point(triangle, feature, centre) - centre);
+      this->normal = direction(span);
+      this->gap = dot(this->normal, span) - p.radiusSphere;
+      this->arm0 = (p.radiusSphere + 0.5 * this->gap) * this->normal;
+      this->arm1 = sphere.position + this->arm0 - carrier.position;
+      this->move(sphere, carrier);
+    }
+  };
+
+  template <class S>
+  static S pressure(const Parameters& p, const double* data, const Touch<S>& touch) {
+    return ImpactLaw(p, data[TouchData::impact]).pressure(-touch.gap, touch.penetration_rate);
+  }
+};
+
+}  // namespace dalembert

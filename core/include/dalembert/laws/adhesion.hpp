@@ -1,0 +1,40 @@
+// Adhesive elasto-plastic contact: stiffer in unloading than at first loading, with an attraction that grows with the penetration.
+//
+// Thakur, Morrissey, Sun, Chen, Ooi: Micromechanical analysis of cohesive granular materials using the discrete element method
+//   with an adhesive elasto-plastic contact model, Granular Matter 16 (2014).
+#pragma once
+
+#include <cmath>
+
+#include "dalembert/laws/impact.hpp"
+
+namespace dalembert {
+
+struct AdhesiveLaw {
+  double stiffness, exponent, plasticity, pull_off, attraction, attraction_exponent;
+
+  template <class Parameters>
+  explicit AdhesiveLaw(const Parameters& p)
+      : stiffness(p.contactStiffness),
+        exponent(p.contactStiffnessExponent),
+        plasticity(p.contactPlasticityRatio),
+        pull_off(p.constantPullOffForce),
+        attraction(p.adhesionCoefficient),
+        attraction_exponent(p.adhesionExponent) {}
+
+  // What is left of a penetration at first loading.
+  double plastic_overlap(double penetration) const { return plasticity == 0 ? 0 : std::pow(plasticity, 1 / exponent) * penetration; }
+
+  // Without plasticity, loading and unloading are one curve; attraction acts only where unloading would pull.
+  template <class S>
+  S pressure(const S& penetration, double overlap) const {
+    const S loading = stiffness * odd_power(penetration, exponent);
+    if (plasticity == 0) return loading - pull_off;
+    const S unloading = (1 / (1 - plasticity)) * (loading - stiffness * std::pow(overlap, exponent));
+    if (!(unloading < loading)) return loading - pull_off;
+    const S pulling = -(attraction * odd_power(penetration, attraction_exponent));
+    return (unloading < pulling ? pulling : unloading) - pull_off;
+  }
+};
+
+}  // namespace dalembert

@@ -1,0 +1,146 @@
+// Going on from a restart file as if the solution had not been stopped.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "dalembert/model/errors.hpp"
+#include "dalembert/output/numbers.hpp"
+#include "dalembert/output/restart_file.hpp"
+#include "dalembert/solvers/solver.hpp"
+#include "dense_output.hpp"
+#include "events.hpp"
+
+namespace dalembert {
+
+namespace {
+
+// What the loop over steps has to know, in the order of the numbers in the file. Those of the solver follow.
+enum RunNumber : std::size_t {
+  start_time, step_index, last_step_size, equal_start, equal_step_size, equal_time, equal_before, solution_written, sensors_written,
+  image_recorded, steps_since_reduction, count
+};
+
+}  // namespace
+
+Solver::Solver() = default;
+Solver::~Solver() = default;
+
+void Solver::read_continuation() {
+  continuation_.reset();
+  const std::string& name = settings_->continuation.restartFileName;
+  if (name.empty()) return;
+  auto data = std::make_unique<RestartData>(read_restart_file(name));
+  if (data->solver != this->name()) {
+    throw ModelError(ErrorKind::value, "continuation.restartFileName: '" + name + "' was written by " + data->solver + "; expected " +
+                                           this->name() + ". Go on with the solver that has begun");
+  }
+  continuation_ = std::move(data);
+}
+
+// Into the current state; files have been opened.
+void Solver::take_continuation() {
+  const std::string& name = settings_->continuation.restartFileName;
+  const RestartData& data = *continuation_;
+  require_fitting(data, current(), name);
+  if (data.run.size() != RunNumber::count + restart_numbers().size()) {
+    throw ModelError(ErrorKind::value, "restart file '" + name + "': received " + std::to_string(data.run.size()) +
+                                           " numbers about the run; expected " + std::to_string(RunNumber::count + restart_numbers().size()));
+  }
+  if (data.run[start_time] != it.startTime) {
+    throw ModelError(ErrorKind::value, "continuation.restartFileName: the solution in '" + name + "' has begun at time " +
+                                           format_number(data.run[start_time], 17) + "; received a start time of " +
+                                           format_number(it.startTime, 17) + ". Start time, end time and number of steps are those of the whole");
+  }
+  current() = data.state;
+  it.currentTime = last_restart_ = data.state.time;
+  start_of_step() = current();
+}
+
+void Solver::continue_steps() {
+  const std::vector<double>& run = continuation_->run;
+  it.currentStepSize = continuation_->step_size;
+  it.currentStepIndex = output.lastVerboseStepIndex = static_cast<StepCount>(run[step_index]);
+  it.lastStepSize = run[last_step_size];
+  equal_steps_ = {run[equal_start], run[equal_step_size], run[equal_time], static_cast<StepCount>(run[equal_before])};
+  output.lastSolutionWritten = run[solution_written];
+  output.lastSensorsWritten = run[sensors_written];
+  output.lastImageRecorded = run[image_recorded];
+  steps_since_reduction_ = static_cast<StepCount>(run[RunNumber::steps_since_reduction]);
+  if (watch_) {
+    watch_->require_as_many(continuation_->events.size() / 2 - 1);
+    watch_->take_numbers(continuation_->events);
+  }
+  if (verbose(1)) say(1, "  going on from '" + settings_->continuation.restartFileName + "' at time " + number(it.currentTime) + "\n");
+  ++it.currentStepIndex;
+  end_reached_ = ends_here();
+}
+
+RestartData Solver::restart_data() {
+  const auto as_number = [](StepCount n) { return static_cast<double>(n); };
+  const std::array<double, RunNumber::count> run{it.startTime, as_number(it.currentStepIndex), it.lastStepSize, equal_steps_.start,
+                                                 equal_steps_.step_size, equal_steps_.time, as_number(equal_steps_.before),
+                                                 output.lastSolutionWritten, output.lastSensorsWritten, output.lastImageRecorded,
+                                                 as_number(steps_since_reduction_)};
+  const std::span<const double> values = restart_values();
+  RestartData data{.solver = name(), .state = current(), .algorithmic_accelerations = {values.begin(), values.end()},
+                   .step_size = it.currentStepSize, .run = {run.begin(), run.end()}, .events = {}, .files = {solution_file_.length()}};
+  if (watch_) data.events = watch_->numbers();
+  std::ranges::copy(restart_numbers(), std::back_inserter(data.run));
+  std::ranges::copy(sensors_.lengths(), std::back_inserter(data.files));
+  return data;
+}
+
+const std::vector<double>& Solver::continued_values() const { return continuation_->algorithmic_accelerations; }
+double Solver::continued_number(std::size_t i) const { return continuation_->run[RunNumber::count + i]; }
+
+// ---- output at requested times -----------------------------------------------------------------------------------------
+
+// How many periods are over; a millionth of one does not count.
+double Solver::requested(double time, double period) const { return std::floor((time - it.startTime) / period + 1e-6); }
+
+// Calls `write` with the times that are asked for in the last step, and with its end if that is the end of all.
+template <class Write>
+void Solver::write_between(double period, Write&& write) {
+  const double end = current().time;
+  bool written = false;
+  if (period > 0) {
+    const double last = requested(end, period);
+    for (double k = requested(start_of_step().time, period) + 1; k <= last; ++k) {
+      const double time = it.startTime + k * period;
+      written = k == last && end - time < 1e-6 * period;
+      write(written ? end : time);
+    }
+  }
+  if (!written && (period <= 0 || end >= it.endTime)) write(end);
+}
+
+[[gnu::noinline]] void Solver::write_requested() {
+  const auto& s = settings_->solutionSettings;
+  const TimedPart time(timer, timer.writeSolution);
+  if (!between_) between_ = std::make_unique<StepInterpolation>();
+  const State end = current();
+  const auto [accelerations, rates] = complete_ends();
+  between_->prepare(*system_, start_of_step(), end, accelerations, rates);
+  const auto at = [&](double when) {
+    if (when == end.time) current() = end;
+    else between_->evaluate(when, current());
+  };
+  if (output.writeToSolutionFile) {
+    write_between(s.solutionWritePeriod, [&](double when) {
+      at(when);
+      solution_file_.write_row(*settings_, current());
+    });
+  }
+  current() = end;
+  if (sensors_.active()) {
+    write_between(s.sensorsWritePeriod, [&](double when) {
+      at(when);
+      sensors_.record(*system_, when);
+    });
+  }
+  current() = end;
+}
+
+}  // namespace dalembert

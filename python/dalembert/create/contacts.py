@@ -1,0 +1,204 @@
+"""Create functions of contacts of spheres with each other, with triangles and with quadrangles."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from dalembert import itemInterface as items
+from dalembert._core import MainSystem, ObjectIndex, Vector3DList
+from dalembert.create._arguments import DEFAULT_COLOR, NO_PAIR, ZERO3, Check, Connected, Vector, vector
+from dalembert.create._frames import add_end_marker, connector_ends, marker_names
+
+TRIANGLE = [np.array(corner, float) for corner in ([0, 0, 0], [1, 0, 0], [0, 1, 0])]
+QUADRANGLE = [np.array(corner, float) for corner in ([0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0])]
+
+
+def _history(mbs: MainSystem, coordinates: Vector) -> Any:
+    return mbs.AddNode(items.NodeGenericData(initialCoordinates=coordinates, numberOfDataCoordinates=len(coordinates)))
+
+
+def CreateSphereSphereContact(
+    mbs: MainSystem,
+    name: str = "",
+    bodyNumbers: Sequence[Connected] = NO_PAIR,
+    localPosition0: Vector = ZERO3,
+    localPosition1: Vector = ZERO3,
+    spheresRadii: Vector = [-1, -1],
+    isHollowSphere1: bool = False,
+    dynamicFriction: float = 0.0,
+    frictionProportionalZone: float = 1e-3,
+    contactStiffness: float = 0.0,
+    contactDamping: float = 0.0,
+    contactStiffnessExponent: float = 1,
+    constantPullOffForce: float = 0,
+    contactPlasticityRatio: float = 0,
+    adhesionCoefficient: float = 0,
+    adhesionExponent: float = 1,
+    restitutionCoefficient: float = 1,
+    minimumImpactVelocity: float = 0,
+    impactModel: int = 0,
+    dataInitialCoordinates: Vector = [0, 0, 0, 0],
+    activeConnector: bool = True,
+    bodyOrNodeList: Sequence[Connected] = NO_PAIR,
+    show: bool = False,
+    color: Vector = DEFAULT_COLOR,
+) -> ObjectIndex:
+    """Let two spheres around points of bodies or nodes touch each other; return the ObjectIndex of the contact.
+
+    With friction, bodies or nodes must have an orientation.
+    """
+    where = "CreateSphereSphereContact"
+    ends = connector_ends(where, bodyNumbers, localPosition0, localPosition1, bodyOrNodeList, NO_PAIR)
+    markers = [
+        add_end_marker(mbs, number, local, label, rigid=dynamicFriction != 0)
+        for number, local, label in zip(ends.numbers, ends.localPositions, marker_names(name), strict=True)
+    ]
+    return mbs.AddObject(
+        items.ObjectContactSphereSphere(
+            name=name,
+            markerNumbers=markers,
+            nodeNumber=_history(mbs, dataInitialCoordinates),
+            spheresRadii=spheresRadii,
+            isHollowSphere1=isHollowSphere1,
+            dynamicFriction=dynamicFriction,
+            frictionProportionalZone=frictionProportionalZone,
+            contactStiffness=contactStiffness,
+            contactDamping=contactDamping,
+            contactStiffnessExponent=contactStiffnessExponent,
+            constantPullOffForce=constantPullOffForce,
+            contactPlasticityRatio=contactPlasticityRatio,
+            adhesionCoefficient=adhesionCoefficient,
+            adhesionExponent=adhesionExponent,
+            restitutionCoefficient=restitutionCoefficient,
+            minimumImpactVelocity=minimumImpactVelocity,
+            impactModel=impactModel,
+            activeConnector=activeConnector,
+            visualization=items.VObjectContactSphereSphere(show=show, color=color),
+        )
+    )
+
+
+def CreateSphereTriangleContact(
+    mbs: MainSystem,
+    name: str = "",
+    bodyNumbers: Sequence[Connected] = NO_PAIR,
+    localPosition0: Vector = ZERO3,
+    radiusSphere: float = 0,
+    trianglePoints: Sequence[Vector] = TRIANGLE,
+    includeEdges: int = 7,
+    dynamicFriction: float = 0.0,
+    frictionProportionalZone: float = 1e-3,
+    contactStiffness: float = 0.0,
+    contactDamping: float = 0.0,
+    contactStiffnessExponent: float = 1,
+    restitutionCoefficient: float = 1,
+    minimumImpactVelocity: float = 0,
+    impactModel: int = 0,
+    dataInitialCoordinates: Vector = [0, 0, 0, 0],
+    activeConnector: bool = True,
+    bodyOrNodeList: Sequence[Connected] = NO_PAIR,
+    localPosition1: Vector = ZERO3,
+    show: bool = False,
+    color: Vector = DEFAULT_COLOR,
+) -> ObjectIndex:
+    """Let a sphere on the first body touch a triangle on the second one; return the ObjectIndex of the contact.
+
+    Points of the triangle are seen from localPosition1. With friction, the first body or node must have an orientation.
+    """
+    where = "CreateSphereTriangleContact"
+    ends = connector_ends(where, bodyNumbers, localPosition0, localPosition1, bodyOrNodeList, NO_PAIR)
+    labels = marker_names(name)
+    sphere = add_end_marker(mbs, ends.numbers[0], localPosition0, labels[0], rigid=dynamicFriction != 0)
+    carrier = add_end_marker(mbs, ends.numbers[1], localPosition1, labels[1], rigid=True)
+    return mbs.AddObject(
+        items.ObjectContactSphereTriangle(
+            name=name,
+            markerNumbers=[sphere, carrier],
+            nodeNumber=_history(mbs, dataInitialCoordinates),
+            radiusSphere=radiusSphere,
+            trianglePoints=Vector3DList([list(point) for point in trianglePoints]),
+            includeEdges=includeEdges,
+            dynamicFriction=dynamicFriction,
+            frictionProportionalZone=frictionProportionalZone,
+            contactStiffness=contactStiffness,
+            contactDamping=contactDamping,
+            contactStiffnessExponent=contactStiffnessExponent,
+            restitutionCoefficient=restitutionCoefficient,
+            minimumImpactVelocity=minimumImpactVelocity,
+            impactModel=impactModel,
+            activeConnector=activeConnector,
+            visualization=items.VObjectContactSphereTriangle(show=show, color=color),
+        )
+    )
+
+
+def CreateSphereQuadContact(
+    mbs: MainSystem,
+    name: str = "",
+    bodyNumbers: Sequence[Connected] = NO_PAIR,
+    localPosition0: Vector = ZERO3,
+    radiusSphere: float = 0,
+    quadPoints: Sequence[Vector] = QUADRANGLE,
+    includeEdges: int = 15,
+    dynamicFriction: float = 0.0,
+    frictionProportionalZone: float = 1e-3,
+    contactStiffness: float = 0.0,
+    contactDamping: float = 0.0,
+    contactStiffnessExponent: float = 1,
+    restitutionCoefficient: float = 1,
+    minimumImpactVelocity: float = 0,
+    impactModel: int = 0,
+    dataInitialCoordinates: Vector = [0, 0, 0, 0],
+    activeConnector: bool = True,
+    bodyOrNodeList: Sequence[Connected] = NO_PAIR,
+    localPosition1: Vector = ZERO3,
+    show: bool = False,
+    color: Vector = DEFAULT_COLOR,
+) -> dict[str, ObjectIndex]:
+    """Let a sphere on the first body touch a quadrangle on the second one, by two triangles.
+
+    Returns a dictionary with the ObjectIndex of both contacts, oContact0 and oContact1. The diagonal that both share
+    leads from point 1 to point 3, and is no edge; includeEdges has a bit for each side of the quadrangle.
+    """
+    where = "CreateSphereQuadContact"
+    ends = connector_ends(where, bodyNumbers, localPosition0, localPosition1, bodyOrNodeList, NO_PAIR)
+    labels = marker_names(name)
+    sphere = add_end_marker(mbs, ends.numbers[0], localPosition0, labels[0], rigid=dynamicFriction != 0)
+    carrier = add_end_marker(mbs, ends.numbers[1], localPosition1, labels[1], rigid=True)
+    sides = [bool(includeEdges & 1 << i) for i in range(4)]
+    halves = {(0, 1, 3): sides[0] + 4 * sides[3], (1, 2, 3): sides[1] + 2 * sides[2]}
+    return {
+        f"oContact{i}": CreateSphereTriangleContact(
+            mbs,
+            name=name,
+            bodyNumbers=[sphere, carrier],
+            radiusSphere=radiusSphere,
+            trianglePoints=[quadPoints[corner] for corner in corners],
+            includeEdges=edges,
+            dynamicFriction=dynamicFriction,
+            frictionProportionalZone=frictionProportionalZone,
+            contactStiffness=contactStiffness,
+            contactDamping=contactDamping,
+            contactStiffnessExponent=contactStiffnessExponent,
+            restitutionCoefficient=restitutionCoefficient,
+            minimumImpactVelocity=minimumImpactVelocity,
+            impactModel=impactModel,
+            dataInitialCoordinates=dataInitialCoordinates,
+            activeConnector=activeConnector,
+            show=show,
+            color=color,
+        )
+        for i, (corners, edges) in enumerate(halves.items())
+    }
+
+
+# What arguments must be, besides what parameters of the mirrored item and COMMON say.
+_CHECKS: dict[str, Check] = {"dataInitialCoordinates": vector(4)}
+CHECKS: dict[str, dict[str, Check]] = {
+    "CreateSphereSphereContact": _CHECKS,
+    "CreateSphereTriangleContact": _CHECKS,
+    "CreateSphereQuadContact": _CHECKS,
+}

@@ -1,0 +1,121 @@
+"""Mistakes of somebody's first models: each is answered with the item or function, the parameter, and what to do."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+import dalembert as exu
+from dalembert import graphics
+from dalembert.itemInterface import MarkerBodyPosition, MarkerBodyRigid, MassPoint, SensorBody, Torque
+from dalembert.rigidBodyUtilities import InertiaCuboid
+
+BAR = InertiaCuboid(1000, [1, 0.1, 0.1])
+Variable = exu.OutputVariableType
+
+
+class Model:
+    """Ground, a bar and a point mass, with a sensor that stores nothing."""
+
+    def __init__(self) -> None:
+        self.SC = exu.SystemContainer()
+        self.mbs: Any = self.SC.AddSystem()
+        self.ground = self.mbs.CreateGround("ground")
+        self.bar = self.mbs.CreateRigidBody("bar", [0.5, 0, 0], inertia=BAR, gravity=[0, -9.81, 0])
+        self.mass = self.mbs.CreateMassPoint("mass", [1, 0, 0], physicsMass=1)
+        self.mbs.AddSensor(SensorBody(name="way", bodyNumber="bar", outputVariableType=Variable.Position))
+
+    def solve(self, **settings: Any) -> None:
+        self.mbs.Assemble()
+        given = exu.SimulationSettings()
+        for name, value in settings.items():
+            setattr(given.timeIntegration, name, value)
+        self.mbs.SolveDynamic(given)
+
+    def with_force(self, function: Any) -> None:
+        self.mbs.CreateForce("push", "mass", [1, 0, 0], loadVectorUserFunction=function)
+        self.solve()
+
+    def measured(self, sensor: Any) -> None:
+        self.mbs.AddSensor(sensor)
+        self.mbs.Assemble()
+
+    def load_on_position_marker(self) -> None:
+        marker = self.mbs.AddMarker(MarkerBodyPosition(name="end", bodyNumber="bar"))
+        self.mbs.AddLoad(Torque(name="twist", markerNumber=marker, loadVector=[0, 0, 1]))
+        self.mbs.Assemble()
+
+    def use_after_reset(self) -> None:
+        self.mbs.Reset()
+        self.mbs.CreateForce("push", self.mass, [1, 0, 0])
+        self.mbs.Assemble()
+
+    def stored(self, component: Any) -> None:
+        self.mbs.AddSensor(
+            SensorBody(name="s", bodyNumber="bar", outputVariableType=Variable.Position, storeInternal=True)
+        )
+        self.solve()
+        self.mbs.PlotSensor("s", components=component)
+
+
+def one_argument(t: float) -> list[float]:
+    return [t, 0, 0]
+
+
+MISTAKES: list[tuple[str, Callable[[Model], Any], list[str]]] = [
+    ("gravity is a number", lambda m: m.mbs.CreateMassPoint(physicsMass=1, gravity=-9.81), ["CreateMassPoint", "'gravity'", "3 finite components", "-9.81"]),
+    ("angles for a matrix", lambda m: m.mbs.CreateRigidBody(inertia=BAR, initialRotationMatrix=[0, 0, 90]), ["'initialRotationMatrix'", "3x3 rotation matrix", "[0, 0, 90]"]),
+    ("mass for inertia", lambda m: m.mbs.CreateRigidBody(inertia=5), ["'inertia'", "InertiaCuboid(...)", "5 (int)"]),
+    ("spring to one body", lambda m: m.mbs.CreateSpringDamper(bodyNumbers=["bar"]), ["'bodyNumbers'", "list of 2"]),
+    ("negative stiffness", lambda m: m.mbs.CreateSpringDamper(bodyNumbers=["ground", "bar"], stiffness=-9), ["'stiffness'", "not negative", "-9"]),
+    ("axis without length", lambda m: m.mbs.CreateRevoluteJoint(bodyNumbers=["ground", "bar"], axis=[0, 0, 0]), ["'axis'", "not zero"]),
+    ("axis in the plane", lambda m: m.mbs.CreateRevoluteJoint(bodyNumbers=["ground", "bar"], axis=[0, 1]), ["'axis'", "3 finite components"]),
+    ("arguments in another order", lambda m: m.mbs.CreateRevoluteJoint([m.ground, m.bar], "hinge"), ["'name'", "a string"]),
+    ("hinge on a point", lambda m: (m.mbs.CreateRevoluteJoint("hinge", ["ground", "mass"], [0, 0, 0], [0, 0, 1]), m.mbs.Assemble()), ["'Marker1:hinge'", "MarkerBodyRigid", "ObjectMassPoint"]),
+    ("body that is not there", lambda m: m.mbs.CreateSpringDamper(bodyNumbers=["ground", "barr"]), ["'barr'", "Did you mean 'bar'?"]),
+    ("two of one name", lambda m: m.mbs.CreateGround("bar"), ["'name'", "'bar'", "belongs to object 1", "choose another one"]),
+    ("force on a node", lambda m: m.mbs.CreateForce("push", exu.NodeIndex(0), [1, 0, 0]), ["'bodyNumber'", "an ObjectIndex or a MarkerIndex", "NodeIndex(0)"]),
+    ("negative length", lambda m: m.mbs.CreateDistanceConstraint(bodyNumbers=["ground", "mass"], distance=-1), ["'distance'", "not negative", "-1"]),
+    ("variable in quotes", lambda m: SensorBody(bodyNumber=m.bar, outputVariableType="Position"), ["'outputVariableType'", "without quotes"]),
+    ("variable that a body has not", lambda m: m.measured(SensorBody(bodyNumber=m.mass, outputVariableType=Variable.Torque)), ["'outputVariableType'", "Torque", "'mass'", "Use one of Position"]),
+    ("outputs before Assemble", lambda m: m.mbs.systemData.GetODE2Coordinates(), ["not assembled", "Call mbs.Assemble()"]),
+    ("no steps", lambda m: m.solve(numberOfSteps=0), ["timeIntegration.numberOfSteps", "from 1"]),
+    ("time goes back", lambda m: m.solve(endTime=-1), ["timeIntegration.endTime", "not negative"]),
+    ("setting that is not there", lambda m: m.solve(tEnd=1), ["timeIntegration", "'tEnd'", "endTime"]),
+    ("settings without parentheses", lambda m: m.mbs.SolveDynamic(exu.SimulationSettings), ["simulationSettings", "Put parentheses behind the class"]),
+    ("end time for settings", lambda m: m.mbs.SolveDynamic(5), ["simulationSettings", "exu.SimulationSettings()", "5"]),
+    ("solver in quotes", lambda m: m.mbs.SolveDynamic(exu.SimulationSettings(), solverType="RK44"), ["solverType", "'RK44'", "without quotes"]),
+    ("statics of what is free", lambda m: (m.mbs.Assemble(), m.mbs.SolveStatic()), ["singular", "'Node:bar'", "what to try"]),
+    ("point without mass", lambda m: (m.mbs.CreateMassPoint("light"), m.solve()), ["singular", "'Node:light'", "what to try"]),
+    ("function of too few arguments", lambda m: m.with_force(one_argument), ["takes 1 positional argument but 3 were given", "'loadVectorUserFunction' of load 1 'push'"]),
+    ("function that returns a number", lambda m: m.with_force(lambda mbs, t, load: 3), ["'loadVectorUserFunction' of load 1 'push'", "3 (int)", "3 numbers"]),
+    ("function that returns nothing", lambda m: m.with_force(lambda mbs, t, load: None), ["load 1 'push'", "None", "3 numbers"]),
+    ("function in quotes", lambda m: m.with_force("push"), ["'loadVectorUserFunction'", "'push' (str)", "Pass the function itself"]),
+    ("marker of nothing", lambda m: (m.mbs.AddMarker(MarkerBodyRigid(name="end")), m.mbs.Assemble()), ["'end'", "'bodyNumber'", "invalid index -1", "Pass the index"]),
+    ("torque on a position", lambda m: m.load_on_position_marker(), ["load 1 'twist'", "'markerNumber'", "'end'", "Orientation", "Use another type of marker"]),
+    ("index from before", lambda m: m.use_after_reset(), ["'bodyNumber'", "expected an existing object", "Add the object first"]),
+    ("plot of what is not stored", lambda m: (m.solve(), m.mbs.PlotSensor("way")), ["'way'", "storeInternal=True"]),
+    ("fourth of three components", lambda m: m.stored(3), ["sensor 1", "components 0 to 2", "not 3"]),
+    ("component by a letter", lambda m: m.stored("x"), ["components", "'x'", "0 for the first"]),
+    ("color by its name", lambda m: graphics.Sphere(radius=1, color="red"), ["color", "'red'", "graphics.color.red"]),
+    ("edge length for three", lambda m: graphics.Brick(size=1), ["Brick: size", "3 components", "1 (int)"]),
+    ("graphics without list", lambda m: m.mbs.CreateGround(graphicsDataList=graphics.Sphere()), ["'graphicsDataList'", "list of graphics data"]),
+    ("density below zero", lambda m: InertiaCuboid(-1000, [1, 1, 1]), ["density", "not negative", "-1000"]),
+    ("arguments of inertia swapped", lambda m: InertiaCuboid([1, 1, 1], 1000), ["sideLengths", "3 components"]),
+    ("text for a number", lambda m: m.mbs.SetObjectParameter("bar", "physicsMass", "heavy"), ["object 1 'bar' (ObjectRigidBody)", "'physicsMass'", "a number (unit kg)"]),
+    ("function of a system", lambda m: exu.CreateGround(), ["'CreateGround'", "mbs.CreateGround(...)"]),
+    ("all eigenvalues", lambda m: (m.mbs.Assemble(), m.mbs.ComputeODE2Eigenvalues(numberOfEigenvalues="all")), ["numberOfEigenvalues", "'all'", "0 for all"]),
+    ("point for an index", lambda m: MassPoint(nodeNumber=[0, 0, 0]), ["ObjectMassPoint", "'nodeNumber'", "NodeIndex"]),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("wrong", "words"), [each[1:] for each in MISTAKES], ids=[each[0] for each in MISTAKES])
+def test_a_mistake_is_answered(wrong: Callable[[Model], Any], words: list[str]) -> None:
+    with np.errstate(all="ignore"), pytest.raises(Exception) as caught:
+        wrong(Model())
+    told = "\n".join([str(caught.value), *getattr(caught.value, "__notes__", [])])
+    missing = [word for word in words if word not in told]
+    assert not missing, told

@@ -1,0 +1,273 @@
+"""Solutions that go on from a restart file: the same bytes as if they had not been stopped."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from solving import Solver, new_system, settings
+from test_andrews import Squeezer
+from test_bricard import Bricard
+from test_four_bar import Bars
+
+import dalembert as exu
+from dalembert import itemInterface as eii
+
+NAME = "restart.txt"
+
+
+@pytest.fixture(autouse=True)
+def in_empty_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+
+
+# ---- models: each has a sensor with a file ------------------------------------------------------------------------------
+
+
+def watched(mbs: Any, node: int = 0) -> Any:
+    variable = exu.OutputVariableType.Coordinates
+    mbs.AddSensor(eii.SensorNode(nodeNumber=node, fileName="sensor.txt", outputVariableType=variable))
+    mbs.Assemble()
+    return mbs
+
+
+def bricard() -> Any:
+    """With a redundant equation."""
+    return watched(Bricard({}).mbs)
+
+
+def squeezer() -> Any:
+    return watched(Squeezer().mbs)
+
+
+def flat() -> Any:
+    """Starts in a singular position, and passes it again."""
+    return watched(Bars(2, angle=0, rate=-3).mbs, 1)
+
+
+def sliding() -> Any:
+    """A mass that sticks and slips on a spring, driven by a load, and a first-order equation: data, ODE1 coordinates, steps that fail."""
+    mbs = new_system()
+    node = mbs.AddNode(eii.Node1D(referenceCoordinates=[0], initialVelocities=[1]))
+    mbs.AddObject(eii.Mass1D(nodeNumber=node, physicsMass=1))
+    markers = [
+        mbs.AddMarker(eii.MarkerNodeCoordinate(nodeNumber=n, coordinate=0))
+        for n in (mbs.AddNode(eii.NodePointGround()), node)
+    ]
+    history = mbs.AddNode(eii.NodeGenericData(initialCoordinates=[1, 0, 0], numberOfDataCoordinates=3))
+    mbs.AddObject(
+        eii.ObjectConnectorCoordinateSpringDamperExt(
+            markerNumbers=markers, nodeNumber=history, stiffness=40, fDynamicFriction=2, stickingStiffness=1e4
+        )
+    )
+    first = mbs.AddNode(
+        eii.NodeGenericODE1(referenceCoordinates=[0, 0], initialCoordinates=[1, 0], numberOfODE1Coordinates=2)
+    )
+    mbs.AddObject(eii.ObjectGenericODE1(nodeNumbers=[first], systemMatrix=[[-1, 4], [-4, -1]]))
+    mbs.AddLoad(
+        eii.LoadCoordinate(
+            markerNumber=markers[1], load=3, loadUserFunction=lambda mbs, t, load: load * float(np.sin(7 * t))
+        )
+    )
+    return watched(mbs, int(node))
+
+
+def spring(damping: float = 0.3) -> Any:
+    mbs = new_system()
+    node = mbs.AddNode(eii.Node1D(referenceCoordinates=[0], initialVelocities=[1]))
+    mbs.AddObject(eii.Mass1D(nodeNumber=node, physicsMass=1.7))
+    markers = [
+        mbs.AddMarker(eii.MarkerNodeCoordinate(nodeNumber=n, coordinate=0))
+        for n in (mbs.AddNode(eii.NodePointGround()), node)
+    ]
+    mbs.AddObject(
+        eii.ObjectConnectorCoordinateSpringDamper(markerNumbers=markers, stiffness=77, damping=damping, offset=0.1)
+    )
+    return watched(mbs, int(node))
+
+
+def top() -> Any:
+    """A rotation vector that is composed on the group."""
+    mbs = new_system()
+    mbs.CreateRigidBody(
+        inertia=exu.utilities.InertiaCuboid(1000, [1, 0.1, 0.2]),
+        initialAngularVelocity=[0.2, 2, 5],
+        gravity=[0, 0, -9.81],
+        nodeType=exu.NodeType.RotationRotationVector,
+    )
+    return watched(mbs)
+
+
+def by_tolerances(s: Any) -> None:
+    s.stepSizeControl.implicitSolvers = True
+    s.timeIntegration.absoluteTolerance = s.timeIntegration.relativeTolerance = 1e-5
+    s.timeIntegration.initialStepSize = 1e-5
+
+
+def modified(s: Any) -> None:
+    s.timeIntegration.newton.useModifiedNewton = True
+
+
+def dense_output(s: Any) -> None:
+    s.denseOutput.atRequestedTimes = True
+    s.solutionSettings.solutionWritePeriod = 0.0007
+    s.solutionSettings.sensorsWritePeriod = 0.0011
+
+
+def binary(s: Any) -> None:
+    s.solutionSettings.binarySolutionFile = True
+    s.solutionSettings.outputPrecision = 17
+
+
+def stubborn(s: Any) -> None:
+    """Steps fail, and grow again."""
+    s.timeIntegration.discontinuous.maxIterations = 2
+    s.timeIntegration.discontinuous.ignoreMaxIterations = False
+    s.timeIntegration.discontinuous.iterationTolerance = 1e-5
+    s.timeIntegration.minimumStepSize = 1e-10
+    s.timeIntegration.adaptiveStepRecoverySteps = 3
+
+
+CASES: list[tuple[Callable[[], Any], Any, float, int, list[Callable[[Any], None]]]] = [
+    (bricard, Solver.GeneralizedAlpha, 0.5, 100, []),
+    (bricard, Solver.GeneralizedAlpha, 0.5, 100, [modified]),
+    (bricard, Solver.GeneralizedAlpha, 0.5, 100, [by_tolerances, dense_output]),
+    (bricard, Solver.TrapezoidalIndex2, 0.5, 100, [modified]),
+    (bricard, Solver.DOPRI5, 0.5, 10, [dense_output]),
+    (bricard, Solver.RK44, 0.5, 30, []),
+    (flat, Solver.GeneralizedAlpha, 1.0, 250, []),
+    (squeezer, Solver.GeneralizedAlpha, 0.02, 20, [by_tolerances]),
+    (squeezer, Solver.TrapezoidalIndex2, 0.02, 100, [by_tolerances, dense_output]),
+    (squeezer, Solver.DOP853, 0.02, 20, [dense_output, binary]),
+    (sliding, Solver.GeneralizedAlpha, 2.0, 300, []),
+    (sliding, Solver.GeneralizedAlpha, 2.0, 300, [stubborn]),
+    (sliding, Solver.TrapezoidalIndex2, 2.0, 300, [modified, binary]),
+    (sliding, Solver.RK44, 2.0, 3000, []),
+    (top, Solver.GeneralizedAlpha, 1.0, 77, [dense_output]),
+    (top, Solver.RK67, 1.0, 77, [dense_output]),
+    *((spring, kind, 1.0, 177, []) for kind in (Solver.ExplicitEuler, Solver.ExplicitMidpoint, Solver.RK33)),
+    *((spring, kind, 1.0, 177, []) for kind in (Solver.ODE23, Solver.VelocityVerlet)),
+]
+
+
+def settings_of(end: float, steps: int, changes: list[Callable[[Any], None]]) -> Any:
+    """A restart file after 0.6 of the time, and one at the end: the first of them is the one that is kept."""
+    s = settings(end, steps)
+    s.solutionSettings.writeSolutionToFile = True
+    s.solutionSettings.coordinatesSolutionFileName = "solution.txt"
+    s.solutionSettings.solutionWritePeriod = s.solutionSettings.sensorsWritePeriod = end / 50
+    s.solutionSettings.outputPrecision = 16
+    s.solutionSettings.exportAccelerations = s.solutionSettings.exportAlgebraicCoordinates = True
+    s.solutionSettings.writeFileFooter = False
+    s.solutionSettings.writeRestartFile = True
+    s.solutionSettings.restartFileName = NAME
+    s.solutionSettings.restartWritePeriod = 0.6 * end
+    for change in changes:
+        change(s)
+    return s
+
+
+def written() -> dict[str, bytes]:
+    return {path.name: path.read_bytes() for path in Path().glob("*.txt")}
+
+
+def test_id(case: Any) -> str:
+    model, solver, _, _, changes = case
+    return "-".join([model.__name__, solver.name, *(change.__name__ for change in changes)])
+
+
+test_id.__test__ = False  # type: ignore[attr-defined]
+
+
+@pytest.mark.parametrize("case", CASES, ids=test_id)
+def test_the_same_bytes(case: Any) -> None:
+    model, solver, end, steps, changes = case
+    s = settings_of(end, steps, changes)
+    model().SolveDynamic(s, solverType=solver)
+    whole = written()
+    assert set(whole) == {"solution.txt", "sensor.txt", NAME}
+    os.replace(NAME + ".bck", "middle.txt")
+    for name in ("solution.txt", "sensor.txt"):  # as if it had gone on elsewhere
+        content = Path(name).read_bytes()
+        Path(name).write_bytes(content[: int(0.9 * len(content))] + b"something else" * 40)
+    Path(NAME).unlink()
+    s.continuation.restartFileName = "middle.txt"
+    model().SolveDynamic(s, solverType=solver)
+    Path("middle.txt").unlink()
+    assert written() == whole
+
+
+def test_static_solutions_go_on() -> None:
+    def cable() -> Any:
+        mbs = new_system()
+        cable = exu.utilities.Cable2D(physicsMassPerLength=1, physicsBendingStiffness=1, physicsAxialStiffness=1e4)
+        made = exu.utilities.GenerateStraightLineANCFCable2D(
+            mbs, [0, 0, 0], [2, 0, 0], 8, cable, fixedConstraintsNode0=[1, 1, 0, 1]
+        )
+        tip = mbs.AddMarker(eii.MarkerNodePosition(nodeNumber=made[0][-1]))
+        mbs.AddLoad(eii.LoadForceVector(markerNumber=tip, loadVector=[0, -1, 0]))
+        return watched(mbs, int(made[0][-1]))
+
+    s = settings_of(1, 1, [])
+    s.staticSolver.numberOfLoadSteps = 7
+    cable().SolveStatic(s)
+    whole = written()
+    os.replace(NAME + ".bck", "middle.txt")
+    s.continuation.restartFileName = "middle.txt"
+    cable().SolveStatic(s)
+    Path("middle.txt").unlink()
+    assert written() == whole
+
+
+SCRIPT = """
+import os, sys
+sys.path[:0] = {path!r}
+from test_continuation import *
+mbs, s = squeezer(), settings_of(0.02, 200, [])
+s.solutionSettings.restartWritePeriod = 0.003
+s.continuation.restartFileName = {begin!r}
+if {killed}:
+    mbs.SetPostStepUserFunction(lambda mbs, t: t < 0.0137 or os._exit(9))
+mbs.SolveDynamic(s)
+"""
+
+
+def test_a_process_that_dies(tmp_path: Path) -> None:
+    """Between two restart files; nothing but the time of the start, in comments, tells one from the other."""
+    results = []
+    for folder, runs in (("whole", [("", False)]), ("twice", [("", True), (NAME, False)])):
+        place = tmp_path / folder
+        place.mkdir()
+        for begin, killed in runs:
+            script = SCRIPT.format(path=sys.path, begin=begin, killed=killed)
+            done = subprocess.run([sys.executable, "-c", script], cwd=place, capture_output=True, timeout=100)
+            assert done.returncode == (9 if killed else 0), done.stderr.decode()
+        texts = [(place / name).read_text() for name in ("solution.txt", "sensor.txt", NAME)]
+        results.append([line for text in texts for line in text.splitlines() if "simulation started" not in line])
+    assert len(results[0]) > 100
+    assert [line for line in results[0] if not line.startswith(("time", "files"))] == [
+        line for line in results[1] if not line.startswith(("time", "files"))
+    ]
+
+
+def test_another_solver_is_refused() -> None:
+    s = settings_of(1, 20, [])
+    spring().SolveDynamic(s)
+    s.continuation.restartFileName = NAME
+    with pytest.raises(ValueError, match=r"was written by implicit .*; expected explicit time integration \(RK44\)"):
+        spring().SolveDynamic(s, solverType=Solver.RK44)
+    s.timeIntegration.startTime = 0.5
+    with pytest.raises(ValueError, match="has begun at time 0; received a start time of 0.5"):
+        spring().SolveDynamic(s)
+    s.timeIntegration.startTime = 0
+    with pytest.raises(ValueError, match="numbers of coordinates are not those of this system"):
+        flat().SolveDynamic(s)
+    Path("solution.txt").write_text("too short")
+    with pytest.raises(ValueError, match=r"solution.txt': expected at least \d+ bytes"):
+        spring().SolveDynamic(s)

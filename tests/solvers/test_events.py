@@ -1,0 +1,186 @@
+"""Steps that end where functions of the state change their sign, and what is done there."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from oscillators import dynamic_settings, mass
+
+import dalembert as exu
+from dalembert.itemInterface import ObjectConnectorCoordinateSpringDamper
+from dalembert.solver import SolverError
+
+Solver = exu.DynamicSolverType
+Current = exu.ConfigurationType.Current
+GRAVITY = 9.81
+STIFFNESS, DAMPING, HEIGHT = 1e5, 50.0, 0.5
+AFTER_TWO_SECONDS = 0.0074473638  # pieces of exact motion, twelve digits
+
+
+class Ball:
+    """1 kg that falls; `touches` tells whether the floor is felt."""
+
+    def __init__(self, height: float = HEIGHT) -> None:
+        self.model = mass(position=height, speed=0, physics_mass=1)
+        self.model.load(-GRAVITY)
+        self.mbs, self.touches, self.events = self.model.mbs, False, 0
+
+    def state(self) -> tuple[float, float]:
+        return self.model.position, self.model.speed
+
+    def floor(self) -> None:
+        """Contact begins at zero height on the way down, and ends when the floor would pull."""
+
+        def force(mbs: Any, t: float, item: int, u: float, v: float, *parameters: float) -> float:
+            return STIFFNESS * u + DAMPING * v if self.touches else 0.0
+
+        def values(mbs: Any, t: float) -> list[tuple[float, int]]:
+            u, v = self.state()
+            return [(1.0, -1), (STIFFNESS * u + DAMPING * v, 1)] if self.touches else [(u, -1), (-1.0, 1)]
+
+        def switch(mbs: Any, t: float, event: int, direction: int) -> bool:
+            assert (event, direction) == ((1, 1) if self.touches else (0, -1))
+            self.touches, self.events = not self.touches, self.events + 1
+            return True
+
+        self.mbs.AddObject(
+            ObjectConnectorCoordinateSpringDamper(
+                markerNumbers=[self.model.ground, self.model.marker], springForceUserFunction=force
+            )
+        )
+        self.mbs.SetEventsUserFunction(values)
+        self.mbs.SetEventActionUserFunction(switch)
+        self.mbs.Assemble()
+
+    def hard_floor(self, restitution: float) -> None:
+        def bounce(mbs: Any, t: float, event: int, direction: int) -> bool:
+            self.events += 1
+            mbs.systemData.SetODE2Coordinates_t([-restitution * self.model.speed], configuration=Current)
+            return True
+
+        self.mbs.SetEventsUserFunction(lambda mbs, t: [(self.model.position, -1)])
+        self.mbs.SetEventActionUserFunction(bounce)
+        self.mbs.Assemble()
+
+    def solve(self, end: float, steps: int, solver: Any = Solver.GeneralizedAlpha, **options: Any) -> Any:
+        settings = dynamic_settings(end, steps)
+        settings.timeIntegration.generalizedAlpha.spectralRadius = 0.8
+        for name, value in options.items():
+            setattr(settings.timeIntegration, name, value)
+        self.mbs.SolveDynamic(settings, solverType=solver)
+        return self.mbs.sys["dynamicSolver"].it
+
+
+def ball_on_floor(steps: int) -> tuple[float, Any]:
+    ball = Ball()
+    ball.floor()
+    it = ball.solve(2, steps)
+    assert it.currentTime == 2 and it.eventsCount == ball.events > 4
+    return abs(ball.model.position - AFTER_TWO_SECONDS), it
+
+
+def test_second_order_although_forces_jump() -> None:
+    """Acceptance number P8: contact with a damper, whose force jumps where it begins."""
+    steps = [2000, 4000, 8000, 16000]
+    results = [ball_on_floor(n) for n in steps]
+    errors = [error for error, _ in results]
+    for coarse, fine in zip(errors[:-1], errors[1:], strict=True):
+        assert np.log2(coarse / fine) == pytest.approx(2, abs=0.2)
+    error, it = results[-1]
+    assert error < 3e-4
+    assert it.currentStepIndex - 1 + it.eventSolutions - it.eventsCount <= 1.01 * steps[-1]
+
+
+@pytest.mark.parametrize(
+    "solver", [Solver.GeneralizedAlpha, Solver.RK44, Solver.VelocityVerlet, Solver.DOPRI5], ids=str
+)
+@pytest.mark.parametrize("steps", [15, 150])
+def test_impacts(solver: Any, steps: int) -> None:
+    """Three impacts in 1.5 s; parabolas between them are exact for all methods."""
+    ball = Ball()
+    ball.hard_floor(0.8)
+    it = ball.solve(1.5, steps, solver, automaticStepSize=True)
+    time, speed = np.sqrt(2 * HEIGHT / GRAVITY), 0.8 * np.sqrt(2 * HEIGHT * GRAVITY)
+    while time + 2 * speed / GRAVITY < 1.5:
+        time, speed = time + 2 * speed / GRAVITY, 0.8 * speed
+    rest = 1.5 - time
+    assert ball.events == it.eventsCount == 3
+    assert ball.model.position == pytest.approx(speed * rest - GRAVITY * rest**2 / 2, abs=1e-10)
+
+
+def test_steps_with_error_control_find_events() -> None:
+    ball = Ball()
+    ball.floor()
+    ball.solve(2, 20, Solver.DOP853, automaticStepSize=True, absoluteTolerance=1e-12, relativeTolerance=1e-12)
+    assert ball.model.position == pytest.approx(AFTER_TWO_SECONDS, abs=1e-8)
+
+
+def test_directions_and_the_end() -> None:
+    """x = cos t: falling zeros at pi/2 + 2 pi n; the action ends the solution at the second one."""
+    times: list[float] = []
+
+    def act(mbs: Any, t: float, event: int, direction: int) -> bool:
+        times.append(t)
+        assert (event, direction) == (0, -1)
+        return len(times) < 2
+
+    model = mass(position=1, speed=0, physics_mass=1)
+    model.mbs.AddObject(ObjectConnectorCoordinateSpringDamper(markerNumbers=[model.ground, model.marker], stiffness=1))
+    model.mbs.SetEventsUserFunction(lambda mbs, t: [(model.position, -1)])
+    model.mbs.SetEventActionUserFunction(act)
+    model.mbs.Assemble()
+    model.mbs.SolveDynamic(dynamic_settings(20, 200), solverType=Solver.RK67)
+    assert times == pytest.approx([np.pi / 2, 5 * np.pi / 2], abs=1e-6)
+    assert model.mbs.systemData.GetTime() == times[-1]
+    assert abs(model.position) < 1e-10
+
+
+def test_two_signs_within_a_step() -> None:
+    """A parabola that dips below zero between the ends of a step of 1 s."""
+    times: list[float] = []
+    model = mass(position=0.1, speed=-1, physics_mass=1)
+    model.load(2)
+    model.mbs.SetEventsUserFunction(lambda mbs, t: [model.position])
+    model.mbs.SetEventActionUserFunction(lambda mbs, t, event, direction: times.append(t) is None)
+    model.mbs.Assemble()
+    model.mbs.SolveDynamic(dynamic_settings(1, 1), solverType=Solver.RK44)
+    assert times == pytest.approx([(1 - np.sqrt(0.6)) / 2, (1 + np.sqrt(0.6)) / 2], abs=1e-9)
+
+
+def test_events_without_action_only_end_steps() -> None:
+    model = mass(position=0, speed=1, physics_mass=1)
+    model.mbs.SetEventsUserFunction(lambda mbs, t: [t - 0.123, model.position - 0.777])
+    model.mbs.Assemble()
+    settings = dynamic_settings(1, 10)
+    settings.solutionSettings.sensorsWritePeriod = 0
+    model.mbs.SolveDynamic(settings)
+    assert model.position == pytest.approx(1, abs=1e-12)
+    for event in (0.123, 0.777):
+        assert np.abs(model.table()[:, 0] - event).min() < 1e-10
+
+
+def test_ever_faster_events_end_with_an_error() -> None:
+    ball = Ball()
+    ball.hard_floor(0.5)
+    with pytest.raises(SolverError, match="event 0 of mbs.EventsUserFunction") as caught:
+        ball.solve(3, 100)
+    assert caught.value.reason == "eventChatter"
+
+
+@pytest.mark.parametrize("result", [None, "text", 3, [(1, 2, 3)]])
+def test_wrong_values_are_refused(result: Any) -> None:
+    model = mass()
+    model.mbs.SetEventsUserFunction(lambda mbs, t: result)
+    model.mbs.Assemble()
+    with pytest.raises(ValueError, match=r"EventsUserFunction.*expected a list of numbers, or of pairs"):
+        model.mbs.SolveDynamic(dynamic_settings(1, 10))
+
+
+def test_the_number_of_events_stays() -> None:
+    model = mass()
+    model.mbs.SetEventsUserFunction(lambda mbs, t: [1.0] * (1 if t == 0 else 2))
+    model.mbs.Assemble()
+    with pytest.raises(ValueError, match="received 2 values; expected 1, as at the start"):
+        model.mbs.SolveDynamic(dynamic_settings(1, 10))
