@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any
@@ -16,6 +18,17 @@ def _defaults() -> Any:
     return _core.VisualizationSettings()
 
 
+@lru_cache
+def _default(path: str) -> Any:
+    return _below(_defaults(), path)
+
+
+def _below(settings: Any, path: str) -> Any:
+    for name in path.split("."):
+        settings = getattr(settings, name)
+    return settings
+
+
 @dataclass
 class Looks:
     """Settings, and the size of the scene: lengths that nobody has chosen are in proportion to it."""
@@ -24,20 +37,28 @@ class Looks:
     size: float = 1.0
     crowd: int = 0  # how many objects there are
     _windings: dict[int, int] = field(default_factory=dict)  # by number of the spring
+    _kept: dict[str, Any] | None = None
+
+    @contextmanager
+    def kept(self) -> Iterator[None]:
+        """Ask for every setting once, as long as one scene is made."""
+        self._kept = {}
+        try:
+            yield
+        finally:
+            self._kept = None
 
     def setting(self, path: str) -> Any:
         """Return a setting, such as connectors.defaultSize."""
-        value = self.settings
-        for name in path.split("."):
-            value = getattr(value, name)
-        return value
+        if self._kept is None:
+            return _below(self.settings, path)
+        if path not in self._kept:
+            self._kept[path] = _below(self.settings, path)
+        return self._kept[path]
 
     def is_default(self, path: str) -> bool:
         """Return whether a setting has its default."""
-        value = _defaults()
-        for name in path.split("."):
-            value = getattr(value, name)
-        return bool(value == self.setting(path))
+        return bool(_default(path) == self.setting(path))
 
     def length(self, path: str, part: float) -> float:
         """Return a length of the settings; as long as nobody has set it, a part of the scene."""

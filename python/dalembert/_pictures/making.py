@@ -46,6 +46,10 @@ class SceneMaker:
 
     def scene(self, configuration: ConfigurationType | None = None) -> Scene:
         """Return the scene in a configuration: what is visualized, or the reference if nothing is assembled."""
+        with self.looks.kept():
+            return self._scene(configuration)
+
+    def _scene(self, configuration: ConfigurationType | None) -> Scene:
         assembled = _is_assembled(self.mbs)
         if configuration is None:
             configuration = ConfigurationType.Visualization

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -31,8 +32,8 @@ class Places:
             value = getattr(self.mbs, method)(int(number), variable, *arguments, self.configuration)
         except (RuntimeError, ValueError, NotImplementedError, IndexError):
             return None
-        array = np.atleast_1d(np.asarray(value, float))
-        return array if np.isfinite(array).all() else None
+        array = np.asarray(value, float).reshape(-1)
+        return array if math.isfinite(array @ array) else None
 
     def node(self, number: int) -> FloatArray | None:
         """Return the position of a node; that of its body if it has none itself."""
