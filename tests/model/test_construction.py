@@ -115,8 +115,9 @@ def test_arrays_of_attributes_write_through() -> None:
 
 
 def test_lists_are_copied() -> None:
-    spring = exu.SpringDamper(markerNumbers=[1, 2])
-    spring.markerNumbers.append(3)
+    markers = [1, 2]
+    spring = exu.SpringDamper(markerNumbers=markers)
+    markers.append(3)
     assert spring.markerNumbers == [1, 2]
     graphics: list[dict[str, Any]] = []
     body = exu.MassPoint(visualization=exu.VMassPoint(graphicsData=graphics))

@@ -17,6 +17,7 @@ from codegen.model import Item, Parameter
 from dalembert import create
 from dalembert import itemInterface as items
 from dalembert.create._mirrors import MIRRORS, mirrored
+from dalembert.create.contacts import TRIANGLE
 
 ITEMS = load(Path(__file__).parents[2]).items
 # Defaults that the reference has otherwise than those of the item: the function finds a value, or has another habit.
@@ -28,6 +29,9 @@ OTHER_DEFAULTS = {
     ("CreateKinematicTree", "linkTorques"): None,
     ("CreateFFRFReducedOrderObject", "name"): inspect.Parameter.empty,
     ("CreateFFRFReducedOrderObject", "color"): [0, 1, 0, 1],
+    ("CreateSphereQuadContact", "includeEdges"): 15,
+    ("CreateSphereTriangleContact", "trianglePoints"): TRIANGLE,
+    **{(f"CreateSphere{other}Contact", "color"): [-1, -1, -1, -1] for other in ("Sphere", "Triangle", "Quad")},
 }
 
 
@@ -88,7 +92,7 @@ def test_other_defaults_are_others() -> None:
     for (name, argument), default in OTHER_DEFAULTS.items():
         classes = [getattr(items, prefix + MIRRORS[name][0])() for prefix in ("", "V")]
         of_item = next(getattr(cls, argument) for cls in classes if hasattr(cls, argument))
-        assert inspect.signature(create.functions[name]).parameters[argument].default == default
+        np.testing.assert_equal(inspect.signature(create.functions[name]).parameters[argument].default, default)
         assert not np.array_equal(of_item, default)
 
 

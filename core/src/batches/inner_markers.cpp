@@ -5,7 +5,7 @@
 namespace dalembert {
 
 int InnerMarkers::add(const ItemType& node, FrameShape shape, const void* record, std::span<const int> dofs) {
-  return add({&node, record, {}, {}, static_cast<int>(dofs.size())}, shape, dofs, {});
+  return add({&node, record, {}, {}, {}, static_cast<int>(dofs.size())}, shape, dofs, {});
 }
 
 int InnerMarkers::add(const MarkerOwner& owner, FrameShape shape, std::span<const int> dofs, const Vec3<double>& local) {
@@ -24,6 +24,7 @@ int InnerMarkers::add(const MarkerOwner& owner, FrameShape shape, std::span<cons
   p.owner = owner.record;
   p.owner_type = owner.type;
   p.node_records = owner.node_records;
+  p.reference = owner.reference;
   p.dofs.assign(dofs.begin(), dofs.end());
   ports.append(group->batch->value_count(&local, p), group->batch->force_count(&local, p), p.dofs);
   group->batch->add(&local, p, ports);

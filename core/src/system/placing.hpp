@@ -78,6 +78,7 @@ class Placing {
     if (node >= 0) p.nodes.push_back(node);
     on_its_nodes();
     if (objects.size() < 2) return p;
+    auto reference = p.reference.begin();
     for (const int o : objects) {
       const ObjectPlace& object = parts_.objects[o];
       const auto below = object.nodes.of(parts_.references);
@@ -86,6 +87,8 @@ class Placing {
         owner.node_records.push_back(parts_.nodes[n].record.get());
         owner.dofs += parts_.nodes[n].sizes.ode2;
       }
+      owner.reference.assign(reference, reference + owner.dofs);
+      reference += owner.dofs;
     }
     return p;
   }

@@ -14,6 +14,7 @@ class Planned(NamedTuple):
 
 
 ITEMS = (
+    "NodeGenericAE",
 )
 MODULES: dict[str, Planned] = {
 }

@@ -9,9 +9,6 @@
 
 namespace dalembert {
 
-// By hand: it has as many coordinates as its parameters say
-const Physics& node_generic_ae_physics();
-
 // Named, for several of these files may be compiled at once.
 namespace node_generic_ae {
 
@@ -31,8 +28,6 @@ constexpr std::array<OutputVariableType, 1> outputs{
     OutputVariableType::Coordinates,
 };
 
-const auto& physics = node_generic_ae_physics();
-
 }  // namespace node_generic_ae
 
 extern const ItemType node_generic_ae_type;
@@ -48,7 +43,7 @@ const ItemType node_generic_ae_type{
     .record = record_operations<node_generic_ae::Record>(),
     .requested_node = Capability::none,
     .requested_marker = Capability::none,
-    .physics = &node_generic_ae::physics,
+    .physics = nullptr,
     .spec = "specs/nodes/generic_ae.toml",
 };
 

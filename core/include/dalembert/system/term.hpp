@@ -81,6 +81,7 @@ struct MarkerOwner {
   const void* record = nullptr;
   std::vector<const ItemType*> nodes;  // types of a body's nodes
   std::vector<const void*> node_records;
+  std::vector<double> reference;       // values of its coordinates
   int dofs = 0;                        // how many of Placement::dofs are its own
 };
 
