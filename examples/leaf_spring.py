@@ -54,9 +54,7 @@ start = 2 * load[1] / lift[1] - load[2] / lift[2]  # without load, from two smal
 print(f"stiffness without load: {start / 1e3:.3f} kN/m, curved bar {theory / 1e3:.3f} kN/m")
 last = (load[-1] - load[-2]) / (lift[-1] - lift[-2])
 raised, spread = 1e3 * lift[-1], 1e3 * apart[-1, 1]
-print(
-    f"with {axle_load / 1e3:.0f} kN: axle up {raised:.1f} mm, eyes apart {spread:.1f} mm, {last / 1e3:.1f} kN/m"
-)
+print(f"with {axle_load / 1e3:.0f} kN: axle up {raised:.1f} mm, eyes apart {spread:.1f} mm, {last / 1e3:.1f} kN/m")
 
 SC = mbs.GetSystemContainer()
 SC.visualizationSettings.nodes.show = SC.visualizationSettings.markers.show = False
