@@ -2,7 +2,7 @@
 
 The rope is a chain of cable elements with little mass and hardly any stiffness in bending, pulled straight by the load.
 While the trolley accelerates, rope and load swing about a line that leans back; how far they swing when it runs on
-depends on how long it took. A pendulum with all of its mass at the end swings by 2 a / g |sin(omega T / 2)|.
+depends on how long it took. A pendulum with all of its mass at the end swings by ``2 a / g |sin(omega T / 2)|``.
 """
 
 import numpy as np
