@@ -65,6 +65,20 @@ def test_views_of_coordinates_follow(solver: Any) -> None:
     assert [view.tolist() for view in views] == [read().tolist() for read in readers]
 
 
+@pytest.mark.parametrize("solver", [Solver.RK44, Solver.DOPRI5, Solver.GeneralizedAlpha])
+def test_views_follow_where_joints_are_kept(solver: Any) -> None:
+    mbs = exu.SystemContainer().AddSystem()
+    ground = mbs.CreateGround()
+    mass = mbs.CreateMassPoint(referencePosition=[1, 0, 0], physicsMass=1, gravity=[0, -9.81, 0])
+    mbs.CreateDistanceConstraint(bodyNumbers=[ground, mass])
+    mbs.Assemble()
+    readers = (mbs.systemData.GetODE2Coordinates, mbs.systemData.GetODE2Coordinates_t)
+    views = [read(copy=False) for read in readers]
+    mbs.SolveDynamic(dynamic_settings(0.1, 10), solverType=solver)
+    assert [view.tolist() for view in views] == [read().tolist() for read in readers]
+    assert views[0][1] == pytest.approx(-0.049, rel=0.01)  # falls by g t^2 / 2 at first
+
+
 @pytest.mark.parametrize(("solver", "order", "steps"), ORDERS, ids=[str(row[0]).split(".")[1] for row in ORDERS])
 def test_order_of_convergence(solver: Any, order: int, steps: int) -> None:
     # The leap-frog method takes velocities of half steps into damping forces, which costs it an order: no damping there.

@@ -254,8 +254,8 @@ bool ConstrainedMotion::project(System& system, State& state, const Conditions& 
     for (std::size_t i = 0; i < still.v.size(); ++i) still.v[i] += step[i];
   });
   if (redundant_.in_use()) largest_misfit_ = std::max(largest_misfit_, of_positions);
-  state.q = std::move(still.q);
-  state.v = std::move(still.v);
+  state.q = still.q;  // in place: Python and other threads have views of these numbers
+  state.v = still.v;
   const double limit = redundant_.in_use() ? std::max(accepted, settings_.largestMisfit) : accepted;
   return std::max(of_positions, of_velocities) <= limit;
 }
