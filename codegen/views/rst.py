@@ -151,7 +151,7 @@ def partners(item: Item, items: tuple[Item, ...], kind: str) -> list[Item]:
     if kind == "node" and item.nodes:
         return [other for other in items if other.name in item.nodes]
     wanted = set(item.requested_nodes if kind == "node" else item.requested_markers)
-    found = [other for other in items if wanted and other.kind == kind and wanted <= set(other.provides)]
+    found = [other for other in items if wanted and other.kind == kind and wanted <= set(other.provisions)]
     return [other for other in found if "Ground" not in other.provides] if kind == "node" else found
 
 

@@ -73,9 +73,8 @@ def made(pair: Iterable[End]) -> Pair:
 
 
 def shape(marker: str) -> set[str]:
-    """What a marker passes on, of what connectors ask for; coordinates are nothing besides."""
-    provides = set(ITEMS[marker].provides) & SHAPES
-    return {"Coordinate"} if "Coordinate" in provides else provides
+    """What a marker passes on, of what connectors ask for."""
+    return set(ITEMS[marker].provisions) & SHAPES
 
 
 def shared(pair: Pair) -> set[str]:

@@ -37,24 +37,14 @@ std::vector<std::string_view> names_of(Capability capabilities) {
   return names;
 }
 
-// A marker on a coordinate gives this coordinate alone: the interface lists the frames, too, that some of them measure it between.
-bool is_of_frames(std::string_view what) { return what == "Position" || what == "Orientation"; }
-
-std::vector<std::string_view> provisions_of(const ItemType& type) {
-  std::vector<std::string_view> words(type.provides.begin(), type.provides.end());
-  if (provides(type, "Coordinate")) std::erase_if(words, is_of_frames);
-  return words;
-}
-
 // What item types provide, looked up once per type.
 class Provisions {
  public:
   Capability of(const ItemType& type) {
     const auto [found, is_new] = known_.try_emplace(&type, Capability::none);
     if (!is_new) return found->second;
-    const auto words = provisions_of(type);
     for (const CapabilityName& entry : capability_names)
-      if (std::ranges::find(words, entry.name) != words.end()) found->second = found->second | entry.capability;
+      if (provides(type, entry.name)) found->second = found->second | entry.capability;
     return found->second;
   }
 
@@ -124,7 +114,7 @@ class Checker {
     if (target == ItemKind::node) requested = type.requested_node;
     if (target == ItemKind::marker) requested = type.requested_marker;
     if (requested != Capability::none && !meets(provisions_.of(found), requested)) {
-      complain(row, model_.describe(target, value) + ", which provides " + join(provisions_of(found)),
+      complain(row, model_.describe(target, value) + ", which provides " + join({found.provides.begin(), found.provides.end()}),
                with_article(kind_name(target)) + " that provides " + join(names_of(requested)),
                "Use another type of " + std::string(kind_name(target)) + " here");
     }

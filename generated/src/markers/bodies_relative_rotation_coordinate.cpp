@@ -28,7 +28,7 @@ constexpr std::array<Row, 8> rows{{
 }};
 
 constexpr std::array<std::string_view, 0> short_names{};
-constexpr std::array<std::string_view, 6> provides{"Node", "Object", "Body", "Position", "Orientation", "Coordinate"};
+constexpr std::array<std::string_view, 4> provides{"Node", "Object", "Body", "Coordinate"};
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 

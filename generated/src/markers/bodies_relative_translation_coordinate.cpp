@@ -27,7 +27,7 @@ constexpr std::array<Row, 7> rows{{
 }};
 
 constexpr std::array<std::string_view, 0> short_names{};
-constexpr std::array<std::string_view, 5> provides{"Object", "Body", "Position", "Orientation", "Coordinate"};
+constexpr std::array<std::string_view, 3> provides{"Object", "Body", "Coordinate"};
 constexpr std::array<OutputVariableType, 0> outputs{
 };
 

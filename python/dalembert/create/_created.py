@@ -16,6 +16,7 @@ class CreatedObject(ObjectIndex):
     loads: those on these markers of a body, its weight among them.
     """
 
+    __slots__ = ("_mbs",)  # many are made: no dictionary each
     _mbs: Any
 
     @property
