@@ -337,7 +337,7 @@ class Item:
 
     @property
     def provisions(self) -> tuple[str, ...]:
-        """What others can stand on: a marker that gives a coordinate gives none of the frames that it is measured between."""
+        """What others can stand on: a marker of a coordinate gives none of the frames that it is measured between."""
         frames = {"Position", "Orientation"} if self.kind == "marker" and "Coordinate" in self.provides else set()
         return tuple(word for word in self.provides if word not in frames)
 

@@ -35,6 +35,7 @@ class MainSystem : public std::enable_shared_from_this<MainSystem> {
   bool interactive = false;
   std::atomic<bool> stop_requested = false, jacobian_update_requested = false;  // also by other threads than the solver's
   std::weak_ptr<SystemContainer> container;
+  std::shared_ptr<py::object> visualization_settings;  // of its container, which may be gone
   // Whoever reads the configuration Visualization wishes that a solver renews it; nobody pays for what nobody looks at.
   std::atomic<bool> look_wanted = false;
   Tap tap;  // of viewers

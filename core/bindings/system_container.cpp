@@ -16,7 +16,7 @@ py::object new_visualization_settings() {
 
 std::shared_ptr<SystemContainer> new_container() {
   auto container = std::make_shared<SystemContainer>();
-  container->visualization_settings = new_visualization_settings();
+  container->visualization_settings = std::make_shared<py::object>(new_visualization_settings());
   container->renderer->container = container;
   return container;
 }
@@ -27,7 +27,7 @@ py::dict container_dictionary(const SystemContainer& container) {
   py::list systems;
   for (const auto& system : container.systems) systems.append(py::cast(system).attr("GetDictionary")());
   result["systems"] = systems;
-  const py::object& settings = container.visualization_settings;
+  const py::object& settings = *container.visualization_settings;
   if (py::hasattr(settings, "GetDictionary")) result["visualizationSettings"] = settings.attr("GetDictionary")();
   result["renderState"] = container.renderer->state.attr("copy")();
   return result;
@@ -47,7 +47,7 @@ void set_container_dictionary(SystemContainer& container, const py::dict& data) 
   }
   container.reset();
   for (const auto& system : systems) container.append(system);
-  const py::object& settings = container.visualization_settings;
+  const py::object& settings = *container.visualization_settings;
   if (data.contains("visualizationSettings") && py::hasattr(settings, "SetDictionary"))
     settings.attr("SetDictionary")(data["visualizationSettings"]);
   if (data.contains("renderState")) container.renderer->state = data["renderState"].attr("copy")();
@@ -68,7 +68,7 @@ void SystemContainer::require_idle(const char* call) const {
 
 void SystemContainer::reset() {
   systems.clear();
-  visualization_settings = new_visualization_settings();
+  visualization_settings = std::make_shared<py::object>(new_visualization_settings());
   renderer->state = py::dict();
 }
 
@@ -84,6 +84,7 @@ int SystemContainer::append(const std::shared_ptr<MainSystem>& system) {
                               "Append a new MainSystem(), or a copy of this one made by copy.copy(mbs)."});
   }
   system->container = weak_from_this();
+  system->visualization_settings = visualization_settings;
   systems.push_back(system);
   return static_cast<int>(systems.size()) - 1;
 }
@@ -114,8 +115,9 @@ void register_system_container(py::module_& module) {
   container.def("GetSystem", &SystemContainer::system, py::arg("systemNumber"), "The system with that number.");
   container.def("GetDictionary", &container_dictionary, "All systems and settings as one dictionary.");
   container.def("SetDictionary", &set_container_dictionary, py::arg("systemDict"), "Replace everything by what GetDictionary() gave.");
-  container.def_readwrite("visualizationSettings", &SystemContainer::visualization_settings,
-                          "How systems are drawn.");
+  container.def_property(
+      "visualizationSettings", [](const SystemContainer& c) { return *c.visualization_settings; },
+      [](SystemContainer& c, py::object settings) { *c.visualization_settings = std::move(settings); }, "How systems are drawn.");
   container.def_readonly("renderer", &SystemContainer::renderer, "Makes pictures of the systems.");
   container.def("__repr__", &container_repr);
   container.def(py::pickle([](const SystemContainer& c) { return container_dictionary(c); },
@@ -130,6 +132,7 @@ void register_system_container(py::module_& module) {
       [](MainSystem& main) {
         if (auto owner = main.container.lock()) return owner;
         auto made = new_container();  // the system was made without one, or its container is gone
+        if (main.visualization_settings) made->visualization_settings = main.visualization_settings;
         made->append(main.shared_from_this());
         return made;
       },

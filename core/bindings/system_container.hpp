@@ -23,7 +23,7 @@ class Renderer {
 class SystemContainer : public std::enable_shared_from_this<SystemContainer> {
  public:
   std::vector<std::shared_ptr<MainSystem>> systems;
-  py::object visualization_settings;
+  std::shared_ptr<py::object> visualization_settings;  // its systems have them, too
   std::shared_ptr<Renderer> renderer = std::make_shared<Renderer>();  // its methods are attached in Python
 
   void require_idle(const char* call) const;  // of all systems

@@ -32,6 +32,7 @@ AGREEMENT = {  # relative difference of compared values, and how many there are
         2e-4,
         4,
     ),  # the gripper is 0.3 mm off, as torques are constant for 2 ms; work is summed by trapezoids
+    "quadruped": (2e-3, 1),  # the gait is periodic to a part in a thousand after five periods
     "robot_arm": (1e-5, 4),  # constraints hold to Newton's tolerance; work is summed by trapezoids of 1 ms
     "parameter_study": (5e-4, 2),  # rounding of four digits; the maximum lies between two steps of 1 ms
     "hydraulic_crane": (1e-3, 2),  # speed of the piston to four digits; the load creeps while it is lifted

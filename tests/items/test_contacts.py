@@ -86,6 +86,7 @@ def test_impact_of_hertz() -> None:
     body = ball(mbs, [-0.1, 0, 0.101], [0, 0, -1])
     k = 1e7
     contact = mbs.CreateSphereQuadContact(
+        name="floor",
         bodyNumbers=[body, ground],
         radiusSphere=RADIUS,
         quadPoints=[[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]],
@@ -93,6 +94,7 @@ def test_impact_of_hertz() -> None:
         contactStiffnessExponent=1.5,
         dataInitialCoordinates=OPEN,
     )
+    assert [mbs.GetObject(number)["name"] for number in contact.values()] == ["floor0", "floor1"]
     sensors = [
         mbs.AddSensor(
             exu.SensorObject(

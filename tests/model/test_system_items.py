@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pickle
 import re
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -257,6 +258,18 @@ def test_containers() -> None:
     assert same(other.GetSystem(0).GetDictionary(), mbs.GetDictionary())
     container.Reset()
     assert container.NumberOfSystems() == 0
+
+
+@pytest.mark.parametrize("make", [lambda: exu.SystemContainer().AddSystem(), exu.MainSystem])
+def test_settings_of_pictures_outlive_the_container(make: Callable[[], exu.MainSystem]) -> None:
+    """A model that keeps its system alone has one set of settings, which pictures take."""
+    mbs = make()
+    mbs.GetSystemContainer().visualizationSettings.nodes.show = False
+    assert not mbs.GetSystemContainer().visualizationSettings.nodes.show
+    container = mbs.GetSystemContainer()
+    container.visualizationSettings = exu.VisualizationSettings()
+    del container
+    assert mbs.GetSystemContainer().visualizationSettings.nodes.show
 
 
 def test_summary(mbs: exu.MainSystem) -> None:

@@ -160,8 +160,9 @@ def CreateSphereQuadContact(
 ) -> dict[str, ObjectIndex]:
     """Let a sphere on the first body touch a quadrangle on the second one, by two triangles.
 
-    Returns a dictionary with the ObjectIndex of both contacts, oContact0 and oContact1. The diagonal that both share
-    leads from point 1 to point 3, and is no edge; includeEdges has a bit for each side of the quadrangle.
+    Returns a dictionary with the ObjectIndex of both contacts, oContact0 and oContact1, whose names end with 0 and 1.
+    The diagonal that both share leads from point 1 to point 3, and is no edge; includeEdges has a bit for each side of
+    the quadrangle.
     """
     where = "CreateSphereQuadContact"
     ends = connector_ends(where, bodyNumbers, localPosition0, localPosition1, bodyOrNodeList, NO_PAIR)
@@ -173,7 +174,7 @@ def CreateSphereQuadContact(
     return {
         f"oContact{i}": CreateSphereTriangleContact(
             mbs,
-            name=name,
+            name=f"{name}{i}" if name else "",
             bodyNumbers=[sphere, carrier],
             radiusSphere=radiusSphere,
             trianglePoints=[quadPoints[corner] for corner in corners],
