@@ -142,7 +142,7 @@ void note_choice(const SettingsView& view, const Row& row) {
 // Write a dictionary into a copy, so that an error leaves the settings as they were. What says who has chosen comes after the choice.
 void merge(const SettingsView& view, const py::dict& values) {
   std::vector<std::pair<py::handle, py::handle>> entries(values.begin(), values.end());
-  std::ranges::stable_partition(entries, [](const auto& entry) { return !py::isinstance<py::dict>(entry.second); });
+  std::stable_partition(entries.begin(), entries.end(), [](const auto& entry) { return !py::isinstance<py::dict>(entry.second); });
   for (const auto& [key, value] : entries) {
     if (!py::isinstance<py::str>(key))
       refuse(ErrorKind::type, {.item = view.title(),

@@ -299,13 +299,13 @@ void register_numbers(Data& data) {
 }
 
 void register_sizes(Data& data, const py::object& current) {
-  for (const auto& [name, member] : {std::pair{"ODE2Size", &State::q},
-                                     {"ODE1Size", &State::y},
-                                     {"AEsize", &State::lambda},
-                                     {"DataSize", &State::data}})
+  for (const auto& size : {std::pair{"ODE2Size", &State::q},
+                           {"ODE1Size", &State::y},
+                           {"AEsize", &State::lambda},
+                           {"DataSize", &State::data}})
     data.def(
-        name,
-        [name = std::string(name), member](const SystemData& self, const py::object& where) {
+        size.first,
+        [name = std::string(size.first), member = size.second](const SystemData& self, const py::object& where) {
           const System& system = at_rest(self, name);
           return size_of(system, coordinates_of(member), read_configuration(where, name));
         },

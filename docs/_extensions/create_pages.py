@@ -50,6 +50,7 @@ def page(name: str, function: Any, create: ModuleType, examples: dict[str, str])
             ".. list-table::\n   :header-rows: 1\n   :class: rows\n",
             "   * - name\n     - type\n     - default\n     - description",
             "".join(map(row, mirrors.arguments(plain, create.checks(plain)))),
+            f".. _create-example-{name}:\n",
             f"{heading('Example', '-')}\nBefore it, ``mbs`` is an empty system.\n\n.. code-block:: python\n",
             indent(mirrors.EXAMPLES[name].strip(), "   "),
             f"\n{heading('See also', '-')}" if used else "",

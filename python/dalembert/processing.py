@@ -3,7 +3,6 @@
 # ruff: noqa: B006  (the interface has these defaults; they are never written to)
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
@@ -15,7 +14,6 @@ from dalembert._studies.execution import (
     FailedEvaluation,
     Function,
     GetVersionPlatformString,
-    ParameterSet,
     ProcessParameterList,
     WriteToFile,
     check_names,
@@ -23,6 +21,7 @@ from dalembert._studies.execution import (
     write,
 )
 from dalembert._studies.genetic import GeneticOptimization
+from dalembert._studies.minimize import Minimize
 from dalembert._studies.sensitivity import ComputeSensitivities, PlotSensitivityResults
 from dalembert._studies.varied_model import FailedVariation, VariedModel
 
@@ -138,116 +137,6 @@ def ParameterVariation(
         numberOfThreads=numberOfThreads, resultsFile=resultsFile, parameters=parameters, **kwargs,
     )  # fmt: skip
     return [columns, results]
-
-
-class _Objective:
-    """An objective function of a vector: named, within bounds, its values kept for the report of iterations."""
-
-    def __init__(self, function: Function, names: Sequence[str], bounds: Any, index: bool) -> None:
-        self.function, self.names, self.bounds, self.index = function, names, bounds, index
-        self.evaluations = 0
-        self._known: dict[bytes, Any] = {}
-
-    def inside(self, x: Any) -> np.ndarray:
-        """Return the point within bounds next to x."""
-        return np.array(x, dtype=float) if self.bounds is None else np.clip(x, *self.bounds)
-
-    def named(self, x: Any) -> ParameterSet:
-        parameters: ParameterSet = dict(zip(self.names, self.inside(x).tolist(), strict=True))
-        if self.index:
-            parameters["computationIndex"] = self.evaluations
-        return parameters
-
-    def __call__(self, x: Any) -> Any:
-        value = self.function(self.named(x))
-        self.evaluations += 1
-        self._known[self.inside(x).tobytes()] = value
-        return value
-
-    def value(self, x: Any) -> Any:
-        """Return the value at x, evaluated only if it is not known."""
-        key = self.inside(x).tobytes()
-        return self._known[key] if key in self._known else self(x)
-
-
-def _bounds(parameters: Mapping[str, Any]) -> np.ndarray:
-    """Return lower and upper bounds, 2 x n."""
-    for name, given in parameters.items():
-        if np.ndim(given) != 1 or len(given) != 2:
-            raise ValueError(f"Minimize: {name!r} must have bounds (begin, end), not {given!r}")
-    return np.sort(np.array(list(parameters.values()), dtype=float), axis=1).T
-
-
-def Minimize(
-    objectiveFunction: Function,
-    parameters: Mapping[str, Any],
-    initialGuess: Sequence[float] = [],
-    method: str = "Nelder-Mead",
-    tol: float | None = 1e-4,
-    options: Mapping[str, Any] = {},
-    enforceBounds: bool = True,
-    debugMode: bool = False,
-    showProgress: bool = True,
-    addComputationIndex: bool = False,
-    storeFunctionValues: bool = True,
-    **kwargs: Any,
-) -> list[Any]:
-    """Minimize with scipy.optimize.minimize; return [best parameters, best value, parameters, values].
-
-    objectiveFunction: gets a dictionary of parameters and returns a number.
-    parameters: bounds (begin, end) per name; enforceBounds moves parameters to them, useScipyBounds=True (kwargs)
-        passes them to the method instead. initialGuess: default is the middle of the bounds.
-    method, tol, options: see scipy. The last two results hold, for each iteration, a list per name and the value of
-        the objective (storeFunctionValues=False: no values).
-    addComputationIndex: adds 'computationIndex', the number of the evaluation.
-    kwargs: resultsFile (a row per iteration), useScipyBounds.
-    """
-    from scipy import optimize  # type: ignore[import-untyped,unused-ignore]
-
-    check_names("Minimize", kwargs, {"resultsFile", "useScipyBounds"})
-    if not parameters:
-        raise ValueError("Minimize: parameters must not be empty")
-    names, bounds = list(parameters), _bounds(parameters)
-    scipy_bounds = kwargs.get("useScipyBounds", False)
-    start = np.array(initialGuess, dtype=float) if len(initialGuess) else bounds.mean(axis=0)
-    if start.shape != (len(names),):
-        raise ValueError(f"Minimize: initialGuess must have {len(names)} entries, not {start.size}")
-    objective = _Objective(
-        objectiveFunction, names, bounds if enforceBounds and not scipy_bounds else None, addComputationIndex
-    )
-    file, file_type = kwargs.get("resultsFile", ""), f"optimization using scipy.optimize.minimize(method={method})"
-    iterations = options.get("maxiter", 200 * len(names))
-    history: dict[str, list[float]] = {name: [] for name in names}
-    values: list[Any] = []
-    begin = time.monotonic()
-    shown = begin - 10
-
-    def report(x: Any, last: bool = False) -> None:
-        nonlocal shown
-        point = objective.named(x)
-        for name in names:
-            history[name].append(point[name])
-        done, now = len(history[names[0]]), time.monotonic()
-        value = None
-        if storeFunctionValues or file:
-            value = objective.value(x)
-            values.append(value)
-            WriteToFile(file, parameters, [point], [value], done - 1, done == 1, file_type)
-        if showProgress and (last or now - shown > 1):
-            shown, spent = now, now - begin
-            loss = "" if value is None else f", loss: {value:.3g}"
-            remaining = spent / done * (iterations - done)
-            write(f"iteration {done} / {iterations}, time = {spent:.2f} s / {remaining:.2f} s{loss}")
-
-    result = optimize.minimize(
-        objective, start, method=method, tol=tol, options=dict(options), callback=lambda x, *_: report(np.copy(x)),
-        bounds=list(zip(*bounds, strict=True)) if scipy_bounds else None,
-    )  # fmt: skip
-    report(result["x"], last=True)
-    if debugMode:
-        write(result)
-    best = dict(zip(names, objective.inside(result["x"]).tolist(), strict=True))
-    return [best, result["fun"], history, values]
 
 
 def PlotOptimizationResults2D(

@@ -59,13 +59,25 @@ def test_pages_build_without_warnings(root: Path, tmp_path: Path, specs: Specs) 
     shutil.copytree(root / "generated/docs", tmp_path / "src")
     (tmp_path / "src/conf.py").write_text(CONF)
     elsewhere = ["compiled-functions", *(f"example-{path.stem}" for path in root.glob("examples/*.py"))]
-    elsewhere += {f"create-{name}" for item in specs.items for name in item.create_functions}
+    made = {name for item in specs.items for name in item.create_functions}
+    elsewhere += [f"create-{what}{name}" for name in made for what in ("", "example-")]
     titles = (f"\n.. _{label}:\n\n{label}\n{'-' * len(label)}\n" for label in elsewhere)
     (tmp_path / "src/index.rst").write_text(INDEX + "".join(titles))
     warnings = tmp_path / "warnings.txt"
     arguments = ["-q", "-b", "dummy", "-w", str(warnings), str(tmp_path / "src"), str(tmp_path / "out")]
     assert main(arguments) == 0
     assert not warnings.exists() or warnings.read_text() == ""
+
+
+def test_pages_lead_to_what_uses_an_item(root: Path, specs: Specs) -> None:
+    """Each item has an example of its own; its Create functions are named, and their examples linked."""
+    for item in specs.items:
+        folder = "/".join(item.path.split("/")[-2:]).removesuffix(".toml")
+        page = (root / "generated/docs/items" / f"{folder}.rst").read_text()
+        assert ("\nMini example\n" in page) == (item.name != "NodeGenericAE"), item.name  # which is planned
+        for name in item.create_functions:
+            assert f":ref:`mbs.{name}(...) <create-{name}>`" in page, item.name
+            assert f":ref:`mbs.{name}(...) <create-example-{name}>`" in page.split("\nSee also\n")[1], item.name
 
 
 def test_stubs_are_valid_python(root: Path, specs: Specs) -> None:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import os
 import sys
+from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -244,6 +247,100 @@ def test_minimize_keeps_bounds() -> None:
         processing.Minimize(objective, {"x": 2})
 
 
+class Counting(ThreadPoolExecutor):
+    """Threads that tell how many evaluations they were given at once."""
+
+    def __init__(self) -> None:
+        super().__init__(2)
+        self.sizes: list[int] = []
+
+    def map(self, function: Any, *sets: Any, **options: Any) -> Any:
+        self.sizes.append(len(sets[0]))
+        return super().map(function, *sets, **options)
+
+
+def valley(parameters: dict[str, Any]) -> float:
+    """Rosenbrock's function and a parabola: the minimum, 0, is at (1, 1, -1)."""
+    a, b, c = parameters["a"], parameters["b"], parameters["c"]
+    return float((a - 1) ** 2 + 10 * (b - a**2) ** 2 + (c + 1) ** 2)
+
+
+VALLEY = {"a": (-2, 2), "b": (-1, 3), "c": (-3, 3)}
+
+
+@pytest.mark.parametrize("method", ["L-BFGS-B", "BFGS", "CG", "SLSQP", "TNC", "trust-constr", "Newton-CG"])
+def test_differences_of_gradients_are_evaluated_together(method: str) -> None:
+    search = {"method": method, "tol": 1e-8, "useScipyBounds": method == "TNC", "showProgress": False}
+    with Counting() as workers:
+        best, value, columns, values = processing.Minimize(valley, VALLEY, useMultiProcessing=workers, **search)
+    assert list(best.values()) == pytest.approx([1, 1, -1], abs=2e-3) and value == values[-1] < 1e-6
+    three_steps = (
+        3 if method in ("SLSQP", "trust-constr") else 4
+    )  # with the value at the point, which others need anyway
+    assert set(workers.sizes[:-1]) <= {1, three_steps} and workers.sizes.count(three_steps) > 4
+    alone = processing.Minimize(valley, VALLEY, **search)
+    assert alone[0] == pytest.approx(best, abs=2e-3)
+    if method != "Newton-CG":  # whose differences are those of this package, whoever evaluates them
+        assert len(alone[3]) == pytest.approx(len(values), abs=3)
+
+
+def test_a_generation_is_evaluated_together() -> None:
+    search = {"method": "differential_evolution", "options": {"seed": 3, "popsize": 5, "maxiter": 12}}
+    with Counting() as workers:
+        best, value, columns, values = processing.Minimize(
+            valley, VALLEY, useMultiProcessing=workers, showProgress=False, **search
+        )
+    assert workers.sizes == [15] * 13 and len(values) == 13 and value == min(values) < 0.5
+    assert all(low <= x <= high for name, (low, high) in VALLEY.items() for x in columns[name])
+    assert processing.Minimize(valley, VALLEY, showProgress=False, **search)[0] == best
+
+
+def evaluated_in(folder: Path, parameters: dict[str, Any]) -> float:
+    """The function above; each evaluation leaves a file named by its number and its process."""
+    (folder / f"{parameters['computationIndex']}-{os.getpid()}").touch()
+    return valley(parameters)
+
+
+def test_processes_stay_for_a_whole_search(tmp_path: Path) -> None:
+    best, *_ = processing.Minimize(
+        partial(evaluated_in, tmp_path), VALLEY, method="L-BFGS-B", tol=1e-8, addComputationIndex=True,
+        useMultiProcessing=True, numberOfThreads=2, showProgress=False,
+    )  # fmt: skip
+    assert list(best.values()) == pytest.approx([1, 1, -1], abs=2e-3)
+    numbers, processes = zip(*(path.name.split("-") for path in tmp_path.iterdir()), strict=True)
+    assert sorted(map(int, numbers)) == list(range(len(numbers)))
+    workers = set(processes) - {str(os.getpid())}
+    assert 1 <= len(workers) <= 2
+
+
+def test_differences_stay_within_bounds() -> None:
+    """The minimum is at the upper bound of one parameter and at the lower one of the other."""
+    evaluated: list[tuple[float, float]] = []
+
+    def objective(p: dict[str, Any]) -> float:
+        evaluated.append((p["x"], p["y"]))
+        return p["y"] - p["x"]
+
+    for scipy_bounds in (False, True):
+        best, *_ = processing.Minimize(
+            objective, {"x": (2, 5), "y": (0, 1)}, initialGuess=[5, 0.5], method="L-BFGS-B",
+            useMultiProcessing="threads", useScipyBounds=scipy_bounds, showProgress=False,
+        )  # fmt: skip
+        assert best == pytest.approx({"x": 5, "y": 0}, abs=1e-6)
+    x, y = np.array(evaluated).T
+    assert x.min() >= 2 and 5 - 1e-7 < x.max() <= 5 and y.min() >= 0 and y.max() <= 1
+    backwards = x[x < 5].max()
+    assert backwards == pytest.approx(5 - 1e-8, abs=1e-12)
+
+
+def test_what_has_no_effect_is_told() -> None:
+    with pytest.warns(UserWarning, match=r"method 'Nelder-Mead' chooses each point by the value of the last one"):
+        best, *_ = processing.Minimize(bumpy, RANGES, useMultiProcessing=True, showProgress=False)
+    assert best["b"] == pytest.approx(-0.2, abs=1e-4)
+    with pytest.raises(ValueError, match="useMultiProcessing: received 'cores', but expected a bool"):
+        processing.Minimize(bumpy, RANGES, method="BFGS", useMultiProcessing="cores", showProgress=False)
+
+
 # ---- sensitivities -----------------------------------------------------------------------------------------------
 def test_sensitivities_are_differences() -> None:
     sets, reference, table, sensitivity = processing.ComputeSensitivities(
@@ -336,9 +433,8 @@ def test_failures_are_kept_with_their_messages(workers: Any) -> None:
 
 
 def test_workers_are_one_argument() -> None:
-    with pytest.raises(
-        ValueError, match="received 'process', but expected a bool, 'processes', 'threads' or a Dask client"
-    ):
+    expected = "a bool, 'processes', 'threads', a Dask client or an Executor of concurrent.futures"
+    with pytest.raises(ValueError, match=f"received 'process', but expected {expected}"):
         processing.ProcessParameterList(noted, [{"a": 1}], "process")
     with LocalCluster(n_workers=1, processes=False, dashboard_address=None) as cluster, Client(cluster) as client:
         assert processing.ProcessParameterList(bumpy_a, [{"a": 1}], client) == [np.sin(1)]

@@ -84,6 +84,15 @@ def test_all_studies_solve_it_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
     assert best["k"] == pytest.approx(20, rel=1e-2) and sizes[1:] == [60] * 8
     best, *_ = processing.Minimize(to_goal, {"k": (5, 40)}, tol=1e-8, showProgress=False)
     assert best["k"] == pytest.approx(20, rel=1e-4)
+    sizes.clear()
+    search = {"options": {"eps": 1e-4}, "tol": 1e-14, "showProgress": False}
+    best, *_ = processing.Minimize(to_goal, {"k": (5, 40)}, method="L-BFGS-B", **search)
+    assert best["k"] == pytest.approx(20, rel=1e-4) and sizes[0] == 2 and max(sizes) == 2
+    sizes.clear()
+    search = {"options": {"seed": 1, "maxiter": 10}, "showProgress": False}
+    best, *_ = processing.Minimize(to_goal, {"k": (5, 40)}, method="differential_evolution", **search)
+    assert best["k"] == pytest.approx(20, rel=1e-2) and len(sizes) == 11
+    assert sizes[0] == 15 and min(sizes) > 5  # points at a bound come again
     found = differential_evolution(lambda x: to_goal.Values({"k": x[0]}), [(5, 40)], vectorized=True, seed=1)
     assert found.x[0] == pytest.approx(20, rel=1e-4)
 

@@ -10,13 +10,6 @@
 
 namespace dalembert {
 
-namespace {
-
-// Up to this size a search costs no more than the kernels take to start.
-constexpr int tiny = 3;
-
-}  // namespace
-
 DenseLu::DenseLu(int size, const LinearSolverOptions& options)
     : size_(size), length_(padded(size)),
       largest_inverse_(options.pivot_threshold > 0 ? 1 / options.pivot_threshold : std::numeric_limits<double>::infinity()),
@@ -33,15 +26,11 @@ DenseLu::DenseLu(int size, const LinearSolverOptions& options)
   searched_ = failed == success;
   list_.reset();
   listed_ = false;
-  if (size_ <= tiny) {
-    searched_ = false;
-  } else if (searched_) {
-    factorize_whole(values);  // with the same rounding as later ones
-  }
+  if (searched_ && size_ > tiny) factorize_whole(values);  // with the same rounding as later ones
   return failed;
 }
 
-bool DenseLu::may_be_listed() const { return size_ > tiny && size_ <= EliminationList::largest_size; }
+bool DenseLu::may_be_listed() const { return size_ <= EliminationList::largest_size; }
 
 [[gnu::noinline]] void DenseLu::list_operations(std::span<const double> values) {
   listed_ = true;
@@ -73,8 +62,27 @@ double DenseLu::factorize_repeated(std::span<const double> values) {
   return kernels_.factorize(factors_.data(), size_, length_, inverse_pivot_.data());
 }
 
+// As the search does it, in the order of rows that it has found.
+double DenseLu::factorize_tiny(const double* values) {
+  const int n = size_;
+  double growth = 0;
+  for (int j = 0; j < n; ++j)
+    for (int k = 0; k < n; ++k) column(j)[k] = values[j * n + row_of_step_[k]];
+  for (int k = 0; k < n; ++k) {
+    double* const c = column(k);
+    const double inverse = inverse_pivot_[k] = 1 / c[k];
+    for (int i = k + 1; i < n; ++i) {
+      c[i] *= inverse;
+      growth = std::max(growth, std::abs(c[i]));
+    }
+    for (int j = k + 1; j < n; ++j)
+      for (int i = k + 1; i < n; ++i) column(j)[i] -= column(j)[k] * c[i];
+  }
+  return growth;
+}
+
 bool DenseLu::repeat(std::span<const double> values) {
-  const double growth = factorize_repeated(values);
+  const double growth = size_ <= tiny ? factorize_tiny(values.data()) : factorize_repeated(values);
   const auto usable = [&](double inverse) { return std::abs(inverse) < largest_inverse_; };
   return growth <= largest_growth && std::all_of(inverse_pivot_.begin(), inverse_pivot_.begin() + size_, usable);
 }
@@ -122,13 +130,13 @@ void DenseLu::solve(std::span<double> x) {
   copy_numbers(w, x.size(), x.data());
 }
 
+// The operations of a list (substitute_listed).
 void DenseLu::solve_tiny(double* x) {
-  for (int k = 0; k < size_; ++k) {
-    for (int i = k + 1; i < size_; ++i) x[i] -= x[k] * column(k)[i];
-  }
+  for (int k = 0; k < size_; ++k)
+    for (int i = k + 1; i < size_; ++i) x[i] -= column(k)[i] * x[k];
   for (int k = size_ - 1; k >= 0; --k) {
+    for (int i = 0; i < k; ++i) x[i] -= column(k)[i] * inverse_pivot_[k] * x[k];
     x[k] *= inverse_pivot_[k];
-    for (int i = 0; i < k; ++i) x[i] -= x[k] * column(k)[i];
   }
 }
 

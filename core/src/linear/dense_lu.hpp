@@ -23,6 +23,8 @@ class DenseLu final : public LinearSolver {
   std::span<const int> listed_rows() const override { return row_of_step_; }
   double largest_inverse() const override { return largest_inverse_; }
 
+  // Up to this size, the kernels would take longer to start than to compute: nothing is fused, whatever the processor can.
+  static constexpr int tiny = 3;
   // No entry of L is larger if each pivot is the largest entry of its column.
   static constexpr double largest_growth = 1 + 4 * std::numeric_limits<double>::epsilon();
 
@@ -32,6 +34,7 @@ class DenseLu final : public LinearSolver {
   void list_operations(std::span<const double> values);
   double factorize_repeated(std::span<const double> values);
   double factorize_whole(std::span<const double> values);
+  double factorize_tiny(const double* values);
   double* column(int j) { return factors_.data() + static_cast<std::size_t>(j) * static_cast<std::size_t>(length_); }
   void exchange_rows(int i, int j);
   void solve_tiny(double* x);

@@ -8,13 +8,23 @@
 
 namespace dalembert {
 
+namespace {
+
+// In the registers in which DenseLu computes factors of this size.
+template <class Loop>
+void in_registers_for(int size, const Loop& loop) {
+  size <= DenseLu::tiny ? run_in_any_registers(loop) : in_block_registers(loop);
+}
+
+}  // namespace
+
 LaneFactors::LaneFactors(std::span<const int> row_of_step, std::span<const char> occupied)
     : row_of_step_(row_of_step.begin(), row_of_step.end()), list_(row_of_step, occupied),
       factors_(static_cast<std::size_t>(list_.entries + list_.size)), next_(factors_.size()),
       work_(static_cast<std::size_t>(list_.size)) {}
 
 void LaneFactors::eliminate() {
-  in_block_registers([&] { growth_ = eliminate_listed(list_, next_.data(), next_.data() + list_.entries); });
+  in_registers_for(list_.size, [&] { growth_ = eliminate_listed(list_, next_.data(), next_.data() + list_.entries); });
 }
 
 void LaneFactors::take(std::span<const bool> wanted) {
@@ -29,10 +39,8 @@ bool LaneFactors::usable(int lane, double largest_inverse) const {
   return std::all_of(inverse, factors_.end(), [&](const LaneBlock& x) { return std::abs(x[lane]) < largest_inverse; });
 }
 
-const std::vector<LaneBlock>& LaneFactors::solve(const std::vector<LaneBlock>& right_hand_sides) {
-  for (std::size_t k = 0; k < work_.size(); ++k) work_[k] = right_hand_sides[static_cast<std::size_t>(row_of_step_[k])];
-  in_block_registers([&] { substitute_listed(list_, factors_.data(), factors_.data() + list_.entries, work_.data()); });
-  return work_;
+void LaneFactors::substitute() {
+  in_registers_for(list_.size, [&] { substitute_listed(list_, factors_.data(), factors_.data() + list_.entries, work_.data()); });
 }
 
 }  // namespace dalembert

@@ -25,11 +25,17 @@ class LaneFactors {
   }
   // Of the last factorization: whether DenseLu would keep these pivots, none of which has a reciprocal of this size.
   bool usable(int lane, double largest_inverse) const;
-  // The solutions for these right-hand sides, until the next call.
-  const std::vector<LaneBlock>& solve(const std::vector<LaneBlock>& right_hand_sides);
+  // The solutions for the right-hand sides with the entries `value(k)`, until the next call.
+  template <class F>
+  const std::vector<LaneBlock>& solve(F&& value) {
+    for (std::size_t k = 0; k < work_.size(); ++k) work_[k] = value(row_of_step_[k]);
+    substitute();
+    return work_;
+  }
 
  private:
   void eliminate();
+  void substitute();
   void take(std::span<const bool> wanted);
 
   std::vector<int> row_of_step_;

@@ -280,6 +280,14 @@ DALEMBERT_INLINE inline void LaneProgram::execute(const Run* run, const Run* end
   }
 }
 
+// Put together in registers: blocks that are stored lane by lane could be loaded only after all of these stores are done.
+void LaneProgram::read(std::span<const Places> inputs) {
+  in_block_registers([&] {
+    LaneBlock* to = memory_.data();
+    for (const Places& from : inputs) *to++ = LaneBlock::of_each([&](int lane) { return *from[static_cast<std::size_t>(lane)]; });
+  });
+}
+
 void LaneProgram::run(int part) {
   const Part& begin = parts_[static_cast<std::size_t>(part)];
   const Part& end = parts_[static_cast<std::size_t>(part) + 1];

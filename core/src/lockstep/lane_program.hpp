@@ -36,7 +36,8 @@ class LaneProgram {
   LaneProgram(const Trace& trace, const ConstantClasses& classes);
 
   void set_constants(int lane, std::span<const double> constants);
-  LaneBlock& input(int i) { return memory_[static_cast<std::size_t>(i)]; }
+  using Places = std::array<const double*, block_lanes>;
+  void read(std::span<const Places> inputs);
   // After the part of the trace that it belongs to has run; until an earlier part runs again.
   const LaneBlock& output(int k) const { return memory_[outputs_[static_cast<std::size_t>(k)]]; }
   // Always zero, in all computations.

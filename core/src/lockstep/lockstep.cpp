@@ -9,14 +9,14 @@ namespace dalembert {
 
 namespace {
 
-// Calls f(number, vector) for the vectors of a state that noted equations depend on, one after the other.
+constexpr double nothing = 0;  // what an empty lane computes with
+
+// Calls f(number, place) for the numbers of a state that noted equations depend on.
 template <class F>
 void each_input(const State& state, F&& f) {
-  int first = 0;
-  for (const auto* part : {&state.q, &state.v, &state.a, &state.lambda}) {
-    f(first, *part);
-    first += static_cast<int>(part->size());
-  }
+  std::size_t k = 0;
+  for (const auto* part : {&state.q, &state.v, &state.a, &state.lambda})
+    for (const double& x : *part) f(k++, &x);
 }
 
 }  // namespace
@@ -70,11 +70,16 @@ void Lockstep::compile() {
 
 std::vector<bool> Lockstep::solve_steps(std::span<SecondOrderSolver* const> solvers) {
   lanes_ = {};
-  right_hand_sides_.resize(static_cast<std::size_t>(solvers.front()->sizes().total()));
+  inputs_.clear();
+  unknowns_ = solvers.front()->sizes().total();
   for (std::size_t i = 0; i < solvers.size(); ++i) {
     Lane& lane = lanes_[i];
     lane.solver = solvers[i];
     lane.solver->start_steps();
+    each_input(lane.solver->current(), [&](std::size_t k, const double* x) {
+      if (k == inputs_.size()) inputs_.emplace_back().fill(&nothing);
+      inputs_[k][i] = x;
+    });
     lane.here = note(lane);
   }
   compile();
@@ -137,23 +142,15 @@ void Lockstep::iterate(const Lanes& lanes) {
   });
 }
 
+// States of lanes that do not iterate any more are what they were, and so are their residuals.
 void Lockstep::find_residuals(const Lanes& lanes) {
-  each(lanes, [&](int i, Lane& lane) {
-    each_input(lane.solver->current(), [&](int first, const std::vector<double>& part) {
-      LaneBlock* to = &program_.input(first);
-      for (const double x : part) (to++)->at(i) = x;
-    });
-  });
+  program_.read(inputs_);
   program_.run(0);
-  each(lanes, [&](int i, Lane& lane) {
-    const std::span<double> r = lane.solver->residual();
-    for (std::size_t k = 0; k < r.size(); ++k) r[k] = program_.output(static_cast<int>(k))[i];
-    lane.norm = program_.output(static_cast<int>(r.size()))[i];
-  });
+  each(lanes, [&](int i, Lane& lane) { lane.norm = program_.output(unknowns_)[i]; });
 }
 
 // The residual and its norm come before it.
-int Lockstep::matrix_output(int k) const { return static_cast<int>(right_hand_sides_.size()) + 1 + k; }
+int Lockstep::matrix_output(int k) const { return unknowns_ + 1 + k; }
 
 // Pivots of the last factorization are tried, and searched again for where DenseLu would do so.
 void Lockstep::renew_factors(const Lanes& lanes) {
@@ -173,6 +170,8 @@ void Lockstep::renew_factors(const Lanes& lanes) {
 
 void Lockstep::search_pivots(int i) {
   Lane& lane = lanes_[static_cast<std::size_t>(i)];
+  const std::span<double> residual = lane.solver->residual();  // where constraints that follow from others look for contradictions
+  for (std::size_t k = 0; k < residual.size(); ++k) residual[k] = program_.output(static_cast<int>(k))[i];
   const std::span<double> values = lane.solver->jacobian_values();
   for (std::size_t k = 0; k < values.size(); ++k) values[k] = program_.output(matrix_output(static_cast<int>(k)))[i];
   lane.here = lane.solver->factorize() && !lane.solver->redundant_constraints().in_use();
@@ -206,14 +205,10 @@ void Lockstep::correct_motion(const Lanes& lanes) {
 }
 
 void Lockstep::find_increments(const Lanes& lanes) {
-  each(lanes, [&](int i, Lane& lane) {
-    const std::span<const double> r = lane.solver->residual();
-    for (std::size_t k = 0; k < r.size(); ++k) right_hand_sides_[k].at(i) = r[k];
-  });
   for (const auto& factors : factors_) {
     const Lanes mine = which(lanes, [&](Lane& lane) { return lane.factors == factors.get(); });
     if (std::ranges::none_of(mine, [](bool x) { return x; })) continue;
-    const std::vector<LaneBlock>& x = factors->solve(right_hand_sides_);
+    const std::vector<LaneBlock>& x = factors->solve([this](int k) -> const LaneBlock& { return program_.output(k); });
     each(mine, [&](int i, Lane& lane) {
       const std::span<double> increment = lane.solver->increment();
       for (std::size_t k = 0; k < increment.size(); ++k) increment[k] = x[k][i];

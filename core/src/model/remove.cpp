@@ -18,7 +18,7 @@ std::vector<int> referenced(const Item& item, ItemKind kind) {
       if (number >= 0) found.push_back(number);
   }
   std::ranges::sort(found, std::greater<>{});
-  found.erase(std::ranges::unique(found).begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
 }
 

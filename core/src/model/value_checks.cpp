@@ -94,11 +94,11 @@ Verdict judge_inertia(double mass, const Mat3<double>& about_reference, const Ve
       about_centre(i, j) += mass * (centre[i] * centre[j] - (i == j ? dot(centre, centre) : 0));
       scale = std::max(scale, std::abs(about_reference(i, j)));
     }
-  const auto [least, middle, largest] = eigenvalues(about_centre);
+  const std::array<double, 3> moment = eigenvalues(about_centre);
   const std::string about = "a principal moment about the center of mass is ";
-  const auto moments = [&] { return ": they are " + number(least) + ", " + number(middle) + " and " + number(largest); };
-  if (least < -digits_typed * scale) return {Fit::wrong, about + "negative" + moments()};
-  if (least + middle < largest - digits_typed * scale)
+  const auto moments = [&] { return ": they are " + number(moment[0]) + ", " + number(moment[1]) + " and " + number(moment[2]); };
+  if (moment[0] < -digits_typed * scale) return {Fit::wrong, about + "negative" + moments()};
+  if (moment[0] + moment[1] < moment[2] - digits_typed * scale)
     return {Fit::doubtful, about + "larger than the sum of the others, which no body has" + moments()};
   return {};
 }

@@ -378,7 +378,7 @@ std::string_view SecondOrderSolver::lockstep_obstacle() const {
   if (wants_differences(newton_settings.numericalDifferentiation) || s.timeIntegration.computeLoadsJacobian != 0)
     return "derivatives by differences";
   if (discontinuous.iterationTolerance < 0) return "a negative discontinuous.iterationTolerance";
-  if (!linear_->may_be_listed()) return "the linear solver, or a number of unknowns that is not from 4 to 32";
+  if (!linear_->may_be_listed()) return "the linear solver, or more than 32 unknowns";
   return {};
 }
 

@@ -95,8 +95,8 @@ void SystemParts::find_masses_without_matrix() {
     const auto* solver = dynamic_cast<const MassSolver*>(term.get());
     if (solver != nullptr && solver->is_separate()) without_matrix.push_back(term.get());
   }
-  for (const auto& [first, second] : counter.shared)
-    std::erase_if(without_matrix, [&](const Term* term) { return term == first || term == second; });
+  for (const auto& pair : counter.shared)
+    std::erase_if(without_matrix, [&](const Term* term) { return term == pair.first || term == pair.second; });
   for (const Term* term : without_matrix) mass_solvers.push_back(dynamic_cast<const MassSolver*>(term));
   for (std::size_t i = 0; i < counter.users.size(); ++i)
     if (counter.users[i] != nullptr && is_without_matrix(*counter.users[i])) coordinates_without_matrix.push_back(static_cast<int>(i));

@@ -193,7 +193,8 @@ void System::body_output(int object, Variable variable, std::array<double, 3> lo
   NumberList list(parts.free_numbers);
   const std::vector<int>& dofs = list.numbers;
   parts.list_coordinates(place, Coordinates::ode2, list.numbers);
-  const auto& [batch, entry] = place.member;
+  const auto batch = place.member.batch;
+  const int entry = place.member.entry;
   std::optional<PortsFor> ports;
   if (place.markers.count > 0) ports.emplace(parts, configuration);
   const Evaluation e = parts.output_evaluation(state, dofs);
@@ -219,8 +220,8 @@ void System::link_output(int object, Variable variable, int link, std::array<dou
                          Values& values) {
   SystemParts& parts = *parts_;
   const ObjectPlace& place = parts.objects.at(static_cast<std::size_t>(object));
-  const auto& [batch, entry] = place.member;
-  const auto* bodies = dynamic_cast<const LinkedBodies*>(batch);
+  const auto* bodies = dynamic_cast<const LinkedBodies*>(place.member.batch);
+  const int entry = place.member.entry;
   const int count = bodies == nullptr ? 0 : bodies->links(entry);
   if (link < 0 || link >= count)
     refuse(ErrorKind::value, {parts.describe(ItemKind::object, object), "linkNumber", "", std::to_string(link),

@@ -82,7 +82,10 @@ class Placing {
     for (const int o : objects) {
       const ObjectPlace& object = parts_.objects[o];
       const auto below = object.nodes.of(parts_.references);
-      MarkerOwner& owner = p.owners.emplace_back(object.type, object.record.get(), node_types(below));
+      MarkerOwner& owner = p.owners.emplace_back();
+      owner.type = object.type;
+      owner.record = object.record.get();
+      owner.nodes = node_types(below);
       for (const int n : below) {
         owner.node_records.push_back(parts_.nodes[n].record.get());
         owner.dofs += parts_.nodes[n].sizes.ode2;

@@ -11,7 +11,8 @@ import sys
 import time
 import warnings
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from contextlib import ExitStack
+from concurrent.futures import Executor
+from contextlib import ExitStack, contextmanager
 from numbers import Real
 from typing import Any, NamedTuple
 
@@ -242,12 +243,17 @@ def _on_cluster(function: Function, sets: Sequence[ParameterSet], cluster: Any) 
     if _is_client(cluster):
         yield from (future.result() for future in cluster.map(function, sets, pure=False))
         return
+    with ExitStack() as stack:
+        client = _client_of(cluster, stack)
+        yield from (future.result() for future in client.map(function, sets, pure=False))
+
+
+def _client_of(cluster: Any, stack: ExitStack) -> Any:
+    """Return a Dask client of the scheduler at an address, or of hosts reached by ssh, until the stack is left."""
     from dask.distributed import Client, SSHCluster
 
-    with ExitStack() as stack:
-        address = cluster[0] if len(cluster) == 1 else stack.enter_context(SSHCluster(list(cluster)))
-        client = stack.enter_context(Client(address))
-        yield from (future.result() for future in client.map(function, sets, pure=False))
+    address = cluster[0] if len(cluster) == 1 else stack.enter_context(SSHCluster(list(cluster)))
+    return stack.enter_context(Client(address))
 
 
 def _installed(module: str, purpose: str) -> bool:
@@ -267,9 +273,11 @@ def _choose(
         return function.in_portions(sets, threads), "SolveVariations"
     if _is_client(parallel):
         parallel, cluster = True, parallel
+    if isinstance(parallel, Executor):
+        return parallel.map(function, sets), type(parallel).__name__
     if isinstance(parallel, str):
         if parallel not in ("threads", "processes"):
-            expected = "a bool, 'processes', 'threads' or a Dask client"
+            expected = "a bool, 'processes', 'threads', a Dask client or an Executor of concurrent.futures"
             raise ValueError(f"useMultiProcessing: received {parallel!r}, but expected {expected}")
         if parallel == "threads":
             n = number_of_threads(threads)
@@ -342,7 +350,8 @@ def ProcessParameterList(
     showProgress, numberOfThreads (default: all), resultsFile (written row by row), parameters (ranges, for the header
     of that file), useMPI (mpi4py). useDispyWebMonitor is accepted and has no effect.
 
-    useMultiProcessing may also be 'threads', for functions that spend their time in solvers, or a Dask client.
+    useMultiProcessing may also be 'threads', for functions that spend their time in solvers, a Dask client, or an
+    Executor of concurrent.futures.
     restart: values that the resultsFile already has are not evaluated again; they have to be numbers. keepFailures: an
     exception becomes a FailedEvaluation in its place: a float that is not a number, with the text as its message.
     """
@@ -367,6 +376,32 @@ def ProcessParameterList(
         values.append(value)
         WriteToFile(file, parameters, [parameterList[i]], [value], i, i == 0, "parameter variation", mode)
     return values
+
+
+@contextmanager
+def kept_workers(
+    useMultiProcessing: Any = False,
+    clusterHostNames: Any = [],
+    numberOfThreads: int | None = None,
+    useMPI: bool = False,
+) -> Iterator[Callable[[Function, Sequence[ParameterSet]], list[Any]]]:
+    """Yield a function that evaluates another one for one list of sets after the other, on workers that stay."""
+    from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+
+    with ExitStack() as stack:
+        kept: Any = useMultiProcessing
+        if kept and useMPI and _installed("mpi4py.futures", "useMPI"):
+            from mpi4py.futures import MPIPoolExecutor
+
+            kept = stack.enter_context(MPIPoolExecutor())
+        elif kept and _is_client(clusterHostNames):
+            kept = clusterHostNames
+        elif kept and len(clusterHostNames) > 0 and _installed("dask.distributed", "clusterHostNames"):
+            kept = _client_of(clusterHostNames, stack)
+        elif kept is True or kept in ("processes", "threads"):
+            pool = ThreadPoolExecutor if kept == "threads" else ProcessPoolExecutor
+            kept = stack.enter_context(pool(number_of_threads(numberOfThreads)))
+        yield lambda function, sets: ProcessParameterList(function, sets, kept, numberOfThreads=numberOfThreads)
 
 
 # How a study meets failures, and its own end.
