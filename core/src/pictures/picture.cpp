@@ -20,7 +20,6 @@ Point unit(Point a) { return 1 / std::sqrt(std::max(dot(a, a), 1e-30f)) * a; }
 Paint operator*(float s, Paint p) { return {s * p.r, s * p.g, s * p.b, s * p.a}; }
 Paint operator+(Paint p, Paint q) { return {p.r + q.r, p.g + q.g, p.b + q.b, p.a + q.a}; }
 Paint operator-(Paint p, Paint q) { return {p.r - q.r, p.g - q.g, p.b - q.b, p.a - q.a}; }
-bool same(Paint p, Paint q) { return p.r == q.r && p.g == q.g && p.b == q.b; }
 bool same(Point a, Point b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
 std::uint32_t byte(float value) { return static_cast<std::uint32_t>(std::clamp(value, 0.0f, 1.0f) * 255 + 0.5f); }
@@ -42,8 +41,10 @@ Point unpacked(std::uint32_t normal) {
 // The first sample whose middle is at or behind `x`, within 0 and `end`.
 int first_sample(float x, int end) { return static_cast<int>(std::clamp(std::ceil(x - 0.5f), 0.0f, static_cast<float>(end))); }
 
+}  // namespace
+
 // Where an edge crosses a row. Its end points come in one order, so that neighbours agree on every sample between them.
-struct Edge {
+struct Picture::Edge {
   Edge(Point a, Point b) {
     if (std::pair(b.y, b.x) < std::pair(a.y, a.x)) std::swap(a, b);
     begin = a.y, end = b.y, x = a.x;
@@ -53,6 +54,8 @@ struct Edge {
   float at(float row) const { return x + (row - begin) * slope; }
   float begin, end, x, slope;
 };
+
+namespace {
 
 // A quantity that is linear over a triangle: its value in the middle of sample 0, 0, and its steps.
 template <class T>
@@ -185,6 +188,19 @@ void Picture::clipped(std::array<Corner, 3> corners, std::int32_t item) {
   for (std::size_t i = 2; i < polygon.size(); ++i) add({project(polygon[0]), project(polygon[i - 1]), project(polygon[i])}, item);
 }
 
+// The samples of a row between the edges of a triangle: the first one, and the one after the last.
+std::pair<int, int> Picture::span(std::span<const Edge, 3> edges, int row) const {
+  const float middle = static_cast<float>(row) + 0.5f;
+  float left = std::numeric_limits<float>::infinity(), right = -left;
+  for (const Edge& edge : edges) {
+    if (!edge.crosses(middle)) continue;
+    left = std::min(left, edge.at(middle));
+    right = std::max(right, edge.at(middle));
+  }
+  if (left > right) return {0, 0};
+  return {first_sample(left, columns_), first_sample(right, columns_)};
+}
+
 // Rows and columns of samples whose middle is inside: write(row, first column, last column + 1).
 template <class Write>
 void Picture::fill(const std::array<Vertex, 3>& v, Write&& write) const {
@@ -192,16 +208,50 @@ void Picture::fill(const std::array<Vertex, 3>& v, Write&& write) const {
   const auto [low, high] = std::minmax({v[0].place.y, v[1].place.y, v[2].place.y});
   const int end = first_sample(high, rows_);
   for (int row = first_sample(low, rows_); row < end; ++row) {
-    const float middle = static_cast<float>(row) + 0.5f;
-    float left = std::numeric_limits<float>::infinity(), right = -left;
-    for (const Edge& edge : edges) {
-      if (!edge.crosses(middle)) continue;
-      left = std::min(left, edge.at(middle));
-      right = std::max(right, edge.at(middle));
-    }
-    if (left > right) continue;
-    const int begin = first_sample(left, columns_), stop = first_sample(right, columns_);
+    const auto [begin, stop] = span(edges, row);
     if (begin < stop) write(row, begin, stop);
+  }
+}
+
+// The samples of a triangle, pixel by pixel. Those that it wins in a pixel are shaded at once, in their middle, which is inside of it:
+// shade(x, y) gives color and normal.
+template <class Shade>
+void Picture::cover(const std::array<Vertex, 3>& v, std::int32_t item, Shade&& shade) {
+  const Plan plan(v[0].place, v[1].place, v[2].place);
+  const auto near = plan.linear(v[0].place.z, v[1].place.z, v[2].place.z);
+  const Edge edges[] = {{v[0].place, v[1].place}, {v[1].place, v[2].place}, {v[2].place, v[0].place}};
+  const auto [low, high] = std::minmax({v[0].place.y, v[1].place.y, v[2].place.y});
+  const int end = first_sample(high, rows_);
+  std::array<std::size_t, 64> won;  // at most eight samples in each direction
+  std::array<int, 8> begins, ends;
+  for (int row = first_sample(low, rows_); row < end;) {
+    const int first = row, stop = std::min(row - row % samples_ + samples_, end);
+    int left = columns_, right = 0;
+    for (; row < stop; ++row) {
+      const auto [b, e] = span(edges, row);
+      begins[static_cast<std::size_t>(row - first)] = b, ends[static_cast<std::size_t>(row - first)] = e;
+      if (b < e) left = std::min(left, b), right = std::max(right, e);
+    }
+    for (int column = left - left % samples_; column < right; column += samples_) {
+      std::size_t count = 0;
+      int x_sum = 0, y_sum = 0;
+      for (int y = first; y < stop; ++y) {
+        const auto j = static_cast<std::size_t>(y - first);
+        const std::size_t start = static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_);
+        const int last = std::min(column + samples_, ends[j]);
+        for (int x = std::max(column, begins[j]); x < last; ++x) {
+          const float n = near.at(static_cast<float>(x), static_cast<float>(y));
+          const std::size_t k = start + static_cast<std::size_t>(x);
+          if (n <= depth_[k]) continue;
+          depth_[k] = n, item_[k] = item;
+          won[count++] = k, x_sum += x, y_sum += y;
+        }
+      }
+      if (count == 0) continue;
+      const float part = 1 / static_cast<float>(count);
+      const auto [color, normal] = shade(part * static_cast<float>(x_sum), part * static_cast<float>(y_sum));
+      for (std::size_t i = 0; i < count; ++i) color_[won[i]] = color, normal_[won[i]] = normal;
+    }
   }
 }
 
@@ -211,36 +261,24 @@ void Picture::add(const std::array<Vertex, 3>& v, std::int32_t item) {
     if (opacity > 0.001f) sheets_.push_back({v, v[0].place.z + v[1].place.z + v[2].place.z, item});
     return;
   }
-  const Plan plan(v[0].place, v[1].place, v[2].place);
-  const auto near = plan.linear(v[0].place.z, v[1].place.z, v[2].place.z);
-  const bool one_normal = same(v[0].normal, v[1].normal) && same(v[0].normal, v[2].normal);
-  const bool one_paint = same(v[0].paint, v[1].paint) && same(v[0].paint, v[2].paint);
-  if (one_normal && one_paint) {
-    const std::uint32_t normal = packed(v[0].normal), color = packed(1 / v[0].weight * v[0].paint) | to_be_lit;
-    fill(v, [&](int row, int begin, int end) {
-      const std::size_t start = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
-      for (int x = begin; x < end; ++x) {
-        const float n = near.at(static_cast<float>(x), static_cast<float>(row));
-        const std::size_t k = start + static_cast<std::size_t>(x);
-        if (n <= depth_[k]) continue;
-        depth_[k] = n, color_[k] = color, normal_[k] = normal, item_[k] = item;
-      }
-    });
+  const auto color_of = [](const Vertex& corner) { return packed(1 / corner.weight * corner.paint) | to_be_lit; };
+  const std::uint32_t paint = color_of(v[0]);
+  const bool one_paint = color_of(v[1]) == paint && color_of(v[2]) == paint;
+  if (same(v[0].normal, v[1].normal) && same(v[0].normal, v[2].normal) && one_paint) {
+    const std::uint32_t normal = packed(v[0].normal);
+    cover(v, item, [&](float, float) { return std::pair(paint, normal); });
     return;
   }
+  const Plan plan(v[0].place, v[1].place, v[2].place);
   const auto normals = plan.linear(v[0].normal, v[1].normal, v[2].normal);
+  if (one_paint) {
+    cover(v, item, [&](float x, float y) { return std::pair(paint, packed(normals.at(x, y))); });
+    return;
+  }
   const auto paints = plan.linear(v[0].paint, v[1].paint, v[2].paint);
   const auto weights = plan.linear(v[0].weight, v[1].weight, v[2].weight);
-  fill(v, [&](int row, int begin, int end) {
-    const std::size_t start = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
-    for (int x = begin; x < end; ++x) {
-      const float fx = static_cast<float>(x), fy = static_cast<float>(row), n = near.at(fx, fy);
-      const std::size_t k = start + static_cast<std::size_t>(x);
-      if (n <= depth_[k]) continue;
-      depth_[k] = n, item_[k] = item;
-      color_[k] = packed(1 / weights.at(fx, fy) * paints.at(fx, fy)) | to_be_lit;
-      normal_[k] = packed(normals.at(fx, fy));
-    }
+  cover(v, item, [&](float x, float y) {
+    return std::pair(packed(1 / weights.at(x, y) * paints.at(x, y)) | to_be_lit, packed(normals.at(x, y)));
   });
 }
 
@@ -340,27 +378,35 @@ float Picture::strength(float nx, float ny, float nz, float& shine) const {
   return bright;
 }
 
-void Picture::light_row(std::size_t begin) {
+// All samples of a row of pixels; side by side, many have one color and normal.
+void Picture::light(int pixel_row) {
   std::uint32_t last_color = 0, last_normal = 0, last = 0;
-  for (std::size_t k = begin; k < begin + static_cast<std::size_t>(columns_); ++k) {
-    const std::uint32_t color = color_[k];
-    if (color < to_be_lit) continue;
-    if (color != last_color || normal_[k] != last_normal) {
-      const Point n = unpacked(normal_[k]);
-      float shine = 0;
-      const float bright = strength(n.x, n.y, n.z, shine);
-      const auto channel = [&](int shift) { return bright * static_cast<float>(color >> shift & 255) / 255 + shine; };
-      last = packed(Paint{channel(0), channel(8), channel(16), 1});
-      last_color = color, last_normal = normal_[k];
+  for (int column = 0; column < columns_; column += samples_) {
+    for (int j = 0; j < samples_; ++j) {
+      const std::size_t start = static_cast<std::size_t>(pixel_row * samples_ + j) * static_cast<std::size_t>(columns_);
+      for (int i = 0; i < samples_; ++i) {
+        const std::size_t k = start + static_cast<std::size_t>(column + i);
+        const std::uint32_t color = color_[k];
+        if (color < to_be_lit) continue;
+        if (color != last_color || normal_[k] != last_normal) {
+          const Point n = unpacked(normal_[k]);
+          float shine = 0;
+          const float bright = strength(n.x, n.y, n.z, shine);
+          const auto channel = [&](int shift) { return bright * static_cast<float>(color >> shift & 255) / 255 + shine; };
+          last = packed(Paint{channel(0), channel(8), channel(16), 1});
+          last_color = color, last_normal = normal_[k];
+        }
+        color_[k] = last;
+      }
     }
-    color_[k] = last;
   }
 }
 
 // Darken the rim of what stands before something else of another item, half a pixel wide, so that parts of one color can be told apart.
-void Picture::outline() {
+void Picture::outline(int pixel_row) {
   const int reach = std::max(1, samples_ / 2 + samples_ % 2);
-  for (int row = reach; row + reach < rows_; ++row) {
+  const int stop = std::min((pixel_row + 1) * samples_, rows_ - reach);
+  for (int row = std::max(pixel_row * samples_, reach); row < stop; ++row) {
     for (int column = reach; column + reach < columns_; ++column) {
       const std::size_t k = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
       if (color_[k] < to_be_lit) continue;
@@ -403,8 +449,7 @@ void Picture::blend(const Sheet& sheet) {
 }
 
 std::vector<std::uint8_t> Picture::develop() {
-  outline();
-  for (int row = 0; row < rows_; ++row) light_row(static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_));
+  for (int row = 0; row < height_; ++row) outline(row), light(row);
   std::ranges::stable_sort(sheets_, {}, &Sheet::nearness);
   for (const Sheet& sheet : sheets_) blend(sheet);
   sheets_.clear();

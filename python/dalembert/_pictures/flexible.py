@@ -201,6 +201,12 @@ class MeshBodies:
         """Return the positions of the mesh nodes."""
         count = len(np.asarray(item.get("referencePositions", [])).ravel()) // 3 or len(item["nodeNumbers"])
         factor = float(pen.looks.setting("bodies.deformationScaleFactor"))
+        points = pen.places.mesh_outputs(number, OutputVariableType.Position)
+        if points is not None:
+            if factor != 1:
+                change = pen.places.mesh_outputs(number, OutputVariableType.Displacement)
+                points = points if change is None else points + (factor - 1) * change
+            return points
         found = []
         for node in range(count):
             place = pen.places.mesh_output(number, OutputVariableType.Position, node)
@@ -217,6 +223,9 @@ class MeshBodies:
     def _values(self, pen: Pen, colors: Contour, number: int, count: int) -> FloatArray | None:
         if not colors.active:
             return None
+        known = pen.places.mesh_outputs(number, colors.variable)
+        if known is not None and len(known) == count:
+            return colors.numbers(known)
         return np.array([colors.number(pen.places.mesh_output(number, colors.variable, node)) for node in range(count)])
 
 

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from dalembert import _core
 from dalembert._checks import FloatArray
 from dalembert._core import ConfigurationType
 from dalembert._pictures import connectors, flexible, symbols, traces
@@ -42,37 +43,68 @@ class SceneMaker:
         self.mbs, self.looks = mbs, Looks(settings)
         self.bodies, self.meshes = Bodies(mbs), flexible.MeshBodies(mbs)
         self.trees = Trees(mbs)
+        self.source: Any = None  # of the places of all items, once the system is assembled
         self._sized = False
 
     def scene(self, configuration: ConfigurationType | None = None) -> Scene:
         """Return the scene in a configuration: what is visualized, or the reference if nothing is assembled."""
         with self.looks.kept():
-            return self._scene(configuration)
+            return self.draw(configuration)[0]
 
-    def _scene(self, configuration: ConfigurationType | None) -> Scene:
-        assembled = _is_assembled(self.mbs)
+    def is_assembled(self) -> bool:
+        """Return whether outputs can be asked for in all configurations."""
+        try:
+            self.mbs.systemData.GetODE2Coordinates(ConfigurationType.Visualization)
+        except RuntimeError:
+            return False
+        return True
+
+    def places(self, configuration: ConfigurationType) -> Places:
+        """Return where everything is, in an assembled system."""
+        if self.source is None:
+            self.source = _core._ScenePlaces(self.mbs)
+        return Places(self.mbs, configuration, self.source)
+
+    def draw(self, configuration: ConfigurationType | None) -> tuple[Scene, Pen | None]:
+        """Return a scene, and the pen that knows what sticks to what; None if that is of no use."""
+        assembled = self.is_assembled()
         if configuration is None:
             configuration = ConfigurationType.Visualization
         if not assembled:
             configuration = ConfigurationType.Reference
-        places = Places(self.mbs, configuration)
+        places = self.places(configuration) if assembled else Places(self.mbs, configuration)
         if not self._sized:
             self._find_size(places)
             self._sized = True
-        scene = Scene()
-        scene.time = float(self.mbs.systemData.GetTime(configuration)) if assembled else 0.0
         self.looks.crowd = self._count("Object")
+        scene = Scene()
         pen, colors = Pen(scene, places, self.looks), Contour(self.looks)
         for kind in KINDS:
             self._draw_kind(pen, colors, kind)
+        self._trace = len(scene.items)
         pen.take(DrawnItem("Trace", 0, "", ""))
+        self._finish(pen, colors)
+        return scene, None if highlight(scene, self.looks) else pen
+
+    def draw_again(self, scene: Scene, places: Places, chosen: list[int]) -> None:
+        """Draw some items of a scene whose list of items is there, and what is drawn anew in each scene."""
+        pen, colors = Pen(scene, places, self.looks), Contour(self.looks)
+        for number in chosen:
+            if number != self._trace:
+                pen.go_on(number)
+                self._draw_item(pen, colors, scene.items[number])
+        pen.go_on(self._trace)
+        self._finish(pen, colors)
+
+    def _finish(self, pen: Pen, colors: Contour) -> None:
+        """Draw what belongs to no item, and find time and range of the colors."""
+        scene = pen.scene
+        scene.time = float(self.mbs.systemData.GetTime(pen.places.configuration)) if pen.places.source else 0.0
         traces.draw(pen, scene.time)
         if self.looks.setting("view0.scene.drawWorldBasis"):
             pen.frame(np.zeros(3), np.eye(3), self.looks.length("view0.scene.worldBasisSize", 0.2))
-        highlight(scene, self.looks)
         scene.value_name = colors.name
         scene.value_range = colors.range(scene.values())
-        return scene
 
     def _find_size(self, places: Places) -> None:
         """Let the size be that of bodies, of the places of nodes and of what connectors join, without symbols."""
@@ -106,8 +138,26 @@ class SceneMaker:
                 continue
             pen.take(DrawnItem(kind, number, item[f"{kind.lower()}Type"], item["name"]))
             self._draw(pen, colors, kind, number, item)
-            if group.showNumbers and (place := self._label_place(pen.places, kind, number, item)) is not None:
-                pen.label(place, f"{kind[0]}{number}")
+            if group.showNumbers:
+                self._number(pen, kind, number, item)
+
+    def _draw_item(self, pen: Pen, colors: Contour, drawn: DrawnItem) -> None:
+        """Draw one item."""
+        kind, number = drawn.kind, drawn.number
+        item = pen.places.item(kind, number)
+        self._draw(pen, colors, kind, number, item)
+        if self.looks.setting(self._group(kind, item)).showNumbers:
+            self._number(pen, kind, number, item)
+
+    def _number(self, pen: Pen, kind: str, number: int, item: dict[str, Any]) -> None:
+        """Write the number of an item where it is."""
+        if (place := self._label_place(pen.places, kind, number, item)) is None:
+            return
+        owner, which = (kind, number) if kind in ("Node", "Object") else pen.places.seat(item.get("markerNumber", number))
+        known = pen.places.rows(owner)
+        same = known is not None and np.array_equal(known[which, :, 3], place)
+        pen.stick(owner if same else "", which, turns=False)
+        pen.label(place, f"{kind[0]}{number}")
 
     @staticmethod
     def _label_place(places: Places, kind: str, number: int, item: dict[str, Any]) -> FloatArray | None:
@@ -148,13 +198,16 @@ class SceneMaker:
             self.trees.draw(pen, number, item)
 
 
-def highlight(scene: Scene, looks: Looks) -> None:
-    """Give the item that interactive.highlightItemIndex names its color, and all others that of the others."""
+def highlight(scene: Scene, looks: Looks) -> bool:
+    """Give the item that interactive.highlightItemIndex names its color, and all others that of the others.
+
+    Return whether it names one.
+    """
     number = int(looks.setting("interactive.highlightItemIndex"))
     kind = looks.setting("interactive.highlightItemType").name
     chosen = [i for i, item in enumerate(scene.items) if item.kind == kind and item.number == number]
     if number < 0 or not chosen:
-        return
+        return False
     bright = rgba(looks.setting("interactive.advanced.highlightColor"))
     others = rgba(looks.setting("interactive.advanced.highlightOtherColor"))
     pick = dict.fromkeys(chosen, (*bright[:3], 1.0))
@@ -164,12 +217,4 @@ def highlight(scene: Scene, looks: Looks) -> None:
     for center, radius, _, item in spheres:
         faint.go_on(item)
         faint.sphere(center, radius, pick.get(item, others))
-
-
-def _is_assembled(mbs: Any) -> bool:
-    """Return whether outputs can be asked for in all configurations."""
-    try:
-        mbs.systemData.GetODE2Coordinates(ConfigurationType.Visualization)
-    except RuntimeError:
-        return False
     return True

@@ -12,6 +12,7 @@ from dalembert import _core
 from dalembert._checks import FloatArray
 from dalembert._pictures import camera, films, painting
 from dalembert._pictures.camera import Camera
+from dalembert._pictures.flow import Flow
 from dalembert._pictures.making import SceneMaker
 from dalembert._pictures.painting import Image
 from dalembert._pictures.places import Places
@@ -25,7 +26,7 @@ def joined(scenes: list[Scene]) -> Scene:
     """Return one scene of those of several systems."""
     if len(scenes) == 1:
         return scenes[0]
-    whole = Scene()
+    whole, scenes = Scene(), [scene.unbound() for scene in scenes]
     for number, scene in enumerate(scenes):
         start = len(whole.items)
         whole.items += [replace(item, system=number) for item in scene.items]
@@ -52,6 +53,7 @@ class Studio:
         if systems is None:
             systems = [container.GetSystem(i) for i in range(container.NumberOfSystems())]
         self.makers = [SceneMaker(mbs, self.settings) for mbs in systems]
+        self._flows: list[Flow] = []
 
     def margin(self) -> float:
         """Return how much larger an image is than what it shows."""
@@ -84,6 +86,16 @@ class Studio:
     def scene(self, configuration: Any = None) -> Scene:
         """Return the scene of all systems."""
         return joined([maker.scene(configuration) for maker in self.makers]) if self.makers else Scene()
+
+    def flow(self) -> Scene:
+        """Return the scene of what is visualized; what keeps its shape is moved, not drawn again."""
+        if len(self._flows) != len(self.makers):
+            self._flows = [Flow(maker) for maker in self.makers]
+        return joined([flow.scene() for flow in self._flows]) if self._flows else Scene()
+
+    def settings_changed(self) -> None:
+        """Let flow() draw everything again."""
+        self._flows = []
 
     def camera(self, scene: Scene, number: int = 0, size: tuple[int, int] | None = None) -> Camera:
         """Return the camera of the render state; what that does not say follows from the settings and the scene."""

@@ -22,6 +22,7 @@ def node(pen: Pen, colors: Contour, number: int, item: Item) -> None:
         return
     radius = 0.5 * pen.looks.draw_size(item, "nodes.defaultSize", 0.02)
     color = pen.looks.color(item, "nodes.defaultColor")
+    pen.stick("Node", number)
     pen.sphere(place, radius, color)
     if pen.looks.setting("nodes.showBasis"):
         rotation = pen.places.node_rotation(number)
@@ -34,7 +35,9 @@ def marker(pen: Pen, number: int, item: Item) -> None:
         return
     size = pen.looks.length("markers.defaultSize", 0.009)
     color = pen.looks.color(item, "markers.defaultColor")
+    pen.stick(*pen.places.seat(number), turns=pen.places.stands("Marker", number))
     pen.box(place, pen.places.marker_rotation(number), 3 * [size], color)
+    pen.stick()
     if item.get("VshowMarkerNodes") and "meshNodeNumbers" in item:
         for mesh_node in item["meshNodeNumbers"]:
             point = pen.places.mesh_output(item["bodyNumber"], OutputVariableType.Position, mesh_node)
@@ -59,6 +62,7 @@ def load(pen: Pen, number: int, item: Item) -> None:
     else:
         size = strength * float(pen.looks.setting("loads.loadSizeFactor"))
     radius = pen.looks.length("loads.defaultRadius", 0.003)
+    pen.stick(*pen.places.seat(marker_number), turns=bool(item.get("bodyFixed")))
     if turns:
         pen.turning_arrow(place, vector, 0.5 * size, color)
     else:
@@ -86,6 +90,10 @@ def sensor(pen: Pen, number: int, item: Item) -> None:
     if (place := _sensor_place(pen, item)) is None:
         return
     size = pen.looks.length("sensors.defaultSize", 0.012)
+    if "markerNumber" in item:
+        pen.stick(*pen.places.seat(item["markerNumber"]), turns=False)
+    elif "nodeNumber" in item and "meshNodeNumber" not in item:
+        pen.stick("Node", item["nodeNumber"], turns=False)
     diamond = frame_along(np.array([1.0, 1, 1]))
     pen.box(place, diamond, 3 * [0.8 * size], pen.looks.color(item, "sensors.defaultColor"))
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace dalembert {
@@ -87,6 +88,7 @@ class Picture {
     Point eye, normal;
     Paint paint;
   };
+  struct Edge;
   struct Sheet {  // a transparent triangle that waits for what is behind it
     std::array<Vertex, 3> corners;
     float nearness;
@@ -101,10 +103,13 @@ class Picture {
   void add(const std::array<Vertex, 3>& corners, std::int32_t item);
   template <class Write>
   void fill(const std::array<Vertex, 3>& v, Write&& write) const;
+  template <class Shade>
+  void cover(const std::array<Vertex, 3>& v, std::int32_t item, Shade&& shade);
+  std::pair<int, int> span(std::span<const Edge, 3> edges, int row) const;
   template <class Write>
   void walk(Point a, Point b, float half, Write&& write) const;
-  void outline();
-  void light_row(std::size_t begin);
+  void outline(int pixel_row);
+  void light(int pixel_row);
   void blend(const Sheet& sheet);
   float strength(float nx, float ny, float nz, float& shine) const;
 
