@@ -25,6 +25,8 @@ class Bodies:
 
     def shapes(self, pen: Pen, number: int, item: Item) -> list[graphics_data.Shape]:
         """Return the shapes of a body, and those that its user function gives for this picture."""
+        if number in self._shapes and not callable(item.get("VgraphicsDataUserFunction")):
+            return self._shapes[number]
         owner = f"object {number} '{item['name']}'"
         default = rgba(pen.looks.setting("bodies.defaultColor"))
         if number not in self._shapes:

@@ -37,7 +37,7 @@ class Frames:
             for turns, name in ((True, kind), (False, f"{kind}Place")):
                 chosen = np.flatnonzero(kinds == name)
                 if len(chosen):
-                    self._parts.append((kind, turns, chosen, numbers[chosen, 0]))
+                    self._parts.append((kind, turns, _range(chosen), _range(numbers[chosen, 0])))
         self._spans = np.flatnonzero(kinds == "Span")
         self._ends = numbers[self._spans]
         self._lengths: FloatArray | None = None
@@ -45,13 +45,13 @@ class Frames:
     def rows(self, places: Places) -> FloatArray | None:
         """Return all frames (n x 3 x 4); None if one is not there any more, or a span has become another one."""
         rows = np.empty((self._count, 3, 4))
-        rows[:, :, :3] = np.eye(3)
         for kind, turns, chosen, numbers in self._parts:
             found = places.rows(kind)
             assert found is not None
             if turns:
                 rows[chosen] = found[numbers]
             else:
+                rows[chosen, :, :3] = np.eye(3)
                 rows[chosen, :, 3] = found[numbers, :, 3]
         if len(self._spans):
             found = places.rows("Marker")
@@ -64,6 +64,13 @@ class Frames:
                 return None
             rows[self._spans] = _along(begin, axes, lengths)
         return rows if np.isfinite(rows.sum()) else None
+
+
+def _range(numbers: IntArray) -> Any:
+    """Return a slice if numbers follow each other: it is read without an index."""
+    first, last = int(numbers[0]), int(numbers[-1])
+    same = last - first == len(numbers) - 1 and bool((np.diff(numbers) == 1).all())
+    return slice(first, last + 1) if same else numbers
 
 
 def _along(begin: FloatArray, axes: FloatArray, lengths: FloatArray) -> FloatArray:

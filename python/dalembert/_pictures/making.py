@@ -111,17 +111,20 @@ class SceneMaker:
         self.looks.size = TINY
         rough = Scene()
         pen = Pen(rough, places, self.looks)
-        for kind in ("Node", "Object"):
-            for number in range(self._count(kind)):
-                item = places.item(kind, number)
-                found = [places.node(number)] if kind == "Node" else []
-                if kind == "Object" and item.get("Vshow", True):
-                    pen.take(DrawnItem(kind, number, item["objectType"], ""))
-                    self._draw_body(pen, Contour(self.looks), number, item)
-                    if "RollingDisc" not in item["objectType"]:  # the ground below them is anywhere
-                        found = [places.marker(marker) for marker in item.get("markerNumbers", [])]
+        colors = Contour(self.looks)
+        nodes = [place for n in range(self._count("Node")) if (place := places.node(n)) is not None]
+        pen.take(DrawnItem("Object", -1, "", ""))
+        pen.line(nodes, (0.0, 0.0, 0.0, 1.0))
+        for number in range(self._count("Object")):
+            item = places.item("Object", number)
+            if not item.get("Vshow", True):
+                continue
+            pen.take(DrawnItem("Object", number, item["objectType"], ""))
+            self._draw_body(pen, colors, number, item)
+            if "RollingDisc" not in item["objectType"] and "markerNumbers" in item:  # the ground below them is anywhere
+                joined = [place for m in item["markerNumbers"] if (place := places.marker(m)) is not None]
                 pen.take(DrawnItem("Object", -1, "", ""))
-                pen.line([place for place in found if place is not None], (0.0, 0.0, 0.0, 1.0))
+                pen.line(joined, (0.0, 0.0, 0.0, 1.0))
         box = rough.box()
         size = 0.0 if box is None else float(np.linalg.norm(box[1] - box[0]))
         self.looks.size = size if size > 100 * TINY else 1.0

@@ -37,7 +37,8 @@ class Pen:
     def __init__(self, scene: Scene, places: Places, looks: Looks) -> None:
         self.scene, self.places, self.looks = scene, places, looks
         self.tiles = max(int(looks.setting("general.cylinderTiling")), 3)
-        self._item = self._frame = -1
+        self._item = -1
+        self._key: tuple[str, int, int] | None = None
         self.frames: dict[tuple[str, int, int], int] = {}  # to which parts stick, and their numbers
         self.stuck = Stuck()
 
@@ -46,27 +47,26 @@ class Pen:
 
         Without `turns`, it moves with the item and does not turn with it.
         """
-        self._frame = -1
-        if kind and (self.places.turns if turns else self.places.stands)(kind, number):
-            self._stick((kind if turns else f"{kind}Place", int(number), -1))
+        there = bool(kind) and (self.places.turns if turns else self.places.stands)(kind, number)
+        self._key = (kind if turns else f"{kind}Place", int(number), -1) if there else None
 
     def stick_between(self, begin: int, end: int) -> None:
         """Let what is drawn from now on reach from one marker to another."""
-        self._frame = -1
-        if self.places.stands("Marker", begin) and self.places.stands("Marker", end):
-            self._stick(("Span", int(begin), int(end)))
+        there = self.places.stands("Marker", begin) and self.places.stands("Marker", end)
+        self._key = ("Span", int(begin), int(end)) if there else None
 
-    def _stick(self, key: tuple[str, int, int]) -> None:
-        self._frame = self.frames.setdefault(key, len(self.frames))
+    def _frame(self) -> int:
+        """Return the number of the frame to which things stick now."""
+        return -1 if self._key is None else self.frames.setdefault(self._key, len(self.frames))
 
     def take(self, item: DrawnItem) -> None:
         """Draw from now on in the name of this item."""
         self.scene.items.append(item)
-        self._item, self._frame = len(self.scene.items) - 1, -1
+        self._item, self._key = len(self.scene.items) - 1, None
 
     def go_on(self, item: int) -> None:
         """Draw from now on in the name of an item that the scene has already."""
-        self._item, self._frame = item, -1
+        self._item, self._key = item, None
 
     def mesh(
         self,
@@ -81,7 +81,7 @@ class Pen:
         self.scene.instances.append(
             Instance(mesh, np.eye(3) if matrix is None else matrix, where, color, self._item, values)
         )
-        self.stuck.instances.append(self._frame)
+        self.stuck.instances.append(self._frame())
 
     def sphere(self, center: FloatArray, radius: float, color: Rgba) -> None:
         """Add a sphere; those that are seen through are meshes."""
@@ -91,12 +91,12 @@ class Pen:
             self.mesh(meshes.ball(16), center, radius * np.eye(3), color)
         else:
             self.scene.spheres.append((np.asarray(center, float), float(radius), color, self._item))
-            self.stuck.spheres.append(self._frame)
+            self.stuck.spheres.append(self._frame())
 
     def line(self, points: Any, color: Rgba, width: float = 0.0) -> None:
         """Add a line through points; width in pixels, 0: that of the settings."""
         self.scene.lines.append((meshes.rows(points, 3), color, width, self._item))
-        self.stuck.lines.append(self._frame)
+        self.stuck.lines.append(self._frame())
 
     def cylinder(self, begin: FloatArray, end: FloatArray, radius: float, color: Rgba, inner: float = 0.0) -> None:
         """Add a cylinder between two points; inner: radius of a hole, as part of the radius."""
@@ -154,4 +154,4 @@ class Pen:
         """Add a text."""
         color = rgba(self.looks.setting("general.textColor")) if color is None else color
         self.scene.labels.append(Label(np.asarray(place, float), text, color, size))
-        self.stuck.labels.append((self._item, self._frame))
+        self.stuck.labels.append((self._item, self._frame()))

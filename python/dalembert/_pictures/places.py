@@ -35,26 +35,27 @@ class Places:
             return None
         if kind not in self._rows:
             self._rows[kind] = self.source.rows(KINDS.index(kind), self.configuration)
-            known = np.isfinite(self._rows[kind])
-            self._places[kind] = known[:, :, 3].all(axis=1).tolist()
-            self._turns[kind] = known.all(axis=(1, 2)).tolist()
         return self._rows[kind]
-
-    def _place(self, kind: str, number: int) -> FloatArray | None:
-        rows = self.rows(kind)
-        return None if rows is None or not self._places[kind][number] else rows[number, :, 3]
-
-    def _turn(self, kind: str, number: int) -> FloatArray | None:
-        rows = self.rows(kind)
-        return None if rows is None or not self._turns[kind][number] else rows[number, :, :3]
 
     def turns(self, kind: str, number: int) -> bool:
         """Return whether rows() has position and rotation of an item."""
-        return self.rows(kind) is not None and self._turns[kind][int(number)]
+        return self.stands(kind, number) and self._turns[kind][int(number)]
 
     def stands(self, kind: str, number: int) -> bool:
         """Return whether rows() has the position of an item."""
-        return self.rows(kind) is not None and self._places[kind][int(number)]
+        if kind not in self._places:
+            if (rows := self.rows(kind)) is None:
+                return False
+            known = np.isfinite(rows)
+            self._places[kind] = known[:, :, 3].all(axis=1).tolist()
+            self._turns[kind] = known.all(axis=(1, 2)).tolist()
+        return self._places[kind][int(number)]
+
+    def _place(self, kind: str, number: int) -> FloatArray | None:
+        return self._rows[kind][number, :, 3] if self.stands(kind, number) else None
+
+    def _turn(self, kind: str, number: int) -> FloatArray | None:
+        return self._rows[kind][number, :, :3] if self.turns(kind, number) else None
 
     def item(self, kind: str, number: int) -> dict[str, Any]:
         """Return the parameters of an item; they are asked for once."""
