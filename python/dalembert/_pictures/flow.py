@@ -1,7 +1,7 @@
 """Scenes one after the other, of which all that keeps its shape is moved as arrays, and the rest drawn again.
 
-Drawing code says to which frame of an item its parts stick (Pen.stick): that of a node, an object or a marker, its place
-alone, or the span between two markers. The first scene is drawn item by item; from then on, parts that stick are
+Drawing code says to which frame of an item its parts stick (Pen.stick): that of a node, an object or a marker, its
+place alone, or the span between two markers. The first scene is drawn item by item; from then on, parts that stick are
 products of two arrays: where their frames are, from one call per kind of items, and where they stand in them.
 """
 
@@ -133,7 +133,7 @@ class Flow:
         inverse[:, :3], inverse[:, 3, 3] = rows, 1
         inverse = np.ascontiguousarray(np.linalg.inv(inverse)[:, :3])
 
-        def local(index: Any, parts: Any) -> tuple[IntArray, FloatArray]:
+        def local(index: Any, parts: Any) -> tuple[Any, FloatArray]:
             numbers = np.array(index, np.int32)
             return numbers, np.asarray(_core._place(inverse, numbers, np.array(parts, float)))
 
@@ -190,5 +190,3 @@ def _points(points: Any) -> FloatArray:
     if len(points):
         rows[:, :, 3] = points
     return rows
-
-

@@ -39,8 +39,10 @@ class SceneMaker:
     Sizes that follow from the size of the system are those of the first scene, so that nothing breathes in a film.
     """
 
-    def __init__(self, mbs: Any, settings: Any) -> None:
-        self.mbs, self.looks = mbs, Looks(settings)
+    def __init__(self, mbs: Any, settings: Any, number: int = 0) -> None:
+        """`number`: that of the system in its container."""
+        self.mbs, self.looks, self.number = mbs, Looks(settings), number
+        self._range: tuple[float, float] | None = None  # of the colors of the last scene
         self.bodies, self.meshes = Bodies(mbs), flexible.MeshBodies(mbs)
         self.trees = Trees(mbs)
         self.source: Any = None  # of the places of all items, once the system is assembled
@@ -84,7 +86,11 @@ class SceneMaker:
         self._trace = len(scene.items)
         pen.take(DrawnItem("Trace", 0, "", ""))
         self._finish(pen, colors)
-        return scene, None if highlight(scene, self.looks) else pen
+        whole = add_normals(pen) or add_box(pen)
+        return scene, None if self._highlights() and highlight(scene, self.looks) or whole else pen
+
+    def _highlights(self) -> bool:
+        return int(self.looks.setting("interactive.highlightMbsNumber")) == self.number
 
     def draw_again(self, scene: Scene, places: Places, chosen: list[int]) -> None:
         """Draw some items of a scene whose list of items is there, and what is drawn anew in each scene."""
@@ -100,11 +106,15 @@ class SceneMaker:
         """Draw what belongs to no item, and find time and range of the colors."""
         scene = pen.scene
         scene.time = float(self.mbs.systemData.GetTime(pen.places.configuration)) if pen.places.source else 0.0
-        traces.draw(pen, scene.time)
+        if int(self.looks.setting("sensors.traces.sensorsMbsNumber")) == self.number:
+            traces.draw(pen, scene.time)
         if self.looks.setting("view0.scene.drawWorldBasis"):
             pen.frame(np.zeros(3), np.eye(3), self.looks.length("view0.scene.worldBasisSize", 0.2))
         scene.value_name = colors.name
         scene.value_range = colors.range(scene.values())
+        if self._range is not None and not self.looks.setting("contour.reduceRange"):
+            scene.value_range = min(scene.value_range[0], self._range[0]), max(scene.value_range[1], self._range[1])
+        self._range = scene.value_range if colors.active else None
 
     def _find_size(self, places: Places) -> None:
         """Let the size be that of bodies, of the places of nodes and of what connectors join, without symbols."""
@@ -156,7 +166,9 @@ class SceneMaker:
         """Write the number of an item where it is."""
         if (place := self._label_place(pen.places, kind, number, item)) is None:
             return
-        owner, which = (kind, number) if kind in ("Node", "Object") else pen.places.seat(item.get("markerNumber", number))
+        owner, which = (
+            (kind, number) if kind in ("Node", "Object") else pen.places.seat(item.get("markerNumber", number))
+        )
         known = pen.places.rows(owner)
         same = known is not None and np.array_equal(known[which, :, 3], place)
         pen.stick(owner if same else "", which, turns=False)
@@ -199,6 +211,42 @@ class SceneMaker:
             self.meshes.draw(pen, colors, number, item)
         elif name == "KinematicTree":
             self.trees.draw(pen, number, item)
+
+
+def add_normals(pen: Pen) -> bool:
+    """Draw normals of faces and at their corners, as openGL.drawFaceNormals and drawVertexNormals say."""
+    gl = pen.looks.setting("openGL")
+    length = pen.looks.length("openGL.drawNormalsLength", 0.03)
+    parts = list(pen.scene.instances) if gl.drawFaceNormals or gl.drawVertexNormals else []
+    for part in parts:
+        points = part.mesh.points @ part.matrix.T + part.place
+        a, b, c = (points[part.mesh.triangles[:, k]] for k in range(3))
+        normals = np.cross(b - a, c - a)
+        normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
+        pen.go_on(part.item)
+        if gl.drawFaceNormals:
+            for middle, normal in zip((a + b + c) / 3, normals, strict=True):
+                pen.line([middle, middle + length * normal], rgba(gl.advanced.faceNormalsColor))
+        if gl.drawVertexNormals:
+            own = part.mesh.normals @ np.linalg.pinv(part.matrix) if part.mesh.normals is not None else None
+            for k, corner in enumerate((a, b, c)):
+                turned = normals if own is None else own[part.mesh.triangles[:, k]]
+                turned = turned / np.maximum(np.linalg.norm(turned, axis=1, keepdims=True), 1e-300)
+                for point, normal in zip(corner, turned, strict=True):
+                    pen.line([point, point + length * normal], rgba(gl.advanced.vertexNormalsColor))
+    return bool(parts)
+
+
+def add_box(pen: Pen) -> bool:
+    """Draw the box that an automatic zoom uses, as openGL.advanced.showBoundingBox says."""
+    box = pen.scene.box() if pen.looks.setting("openGL.advanced.showBoundingBox") else None
+    if box is None:
+        return False
+    pen.go_on(-1)
+    corner = np.array([[box[i, 0], box[j, 1], box[k, 2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)])
+    for a, b in ((a, a | bit) for bit in (1, 2, 4) for a in range(8) if not a & bit):
+        pen.line(corner[[a, b]], (0.3, 0.3, 0.3, 1.0))
+    return True
 
 
 def highlight(scene: Scene, looks: Looks) -> bool:

@@ -147,8 +147,10 @@ class Pen:
 
     def frame(self, origin: FloatArray, rotation: FloatArray, size: float) -> None:
         """Add the three axes of a frame: red, green, blue."""
+        tiles, self.tiles = self.tiles, max(int(self.looks.setting("general.axesTiling")), 3)
         for axis, color in zip(rotation.T, (RED, GREEN, BLUE), strict=True):
             self.arrow(origin, size * axis, 0.03 * size, color)
+        self.tiles = tiles
 
     def label(self, place: FloatArray, text: str, color: Rgba | None = None, size: float = 0.0) -> None:
         """Add a text."""

@@ -47,8 +47,8 @@ class Places:
             if (rows := self.rows(kind)) is None:
                 return False
             known = np.isfinite(rows)
-            self._places[kind] = known[:, :, 3].all(axis=1).tolist()
-            self._turns[kind] = known.all(axis=(1, 2)).tolist()
+            self._places[kind] = [bool(flag) for flag in np.all(known[:, :, 3], axis=1)]
+            self._turns[kind] = [bool(flag) for flag in np.all(known, axis=(1, 2))]
         return self._places[kind][int(number)]
 
     def _place(self, kind: str, number: int) -> FloatArray | None:
@@ -143,7 +143,7 @@ class Places:
         return ("Object", int(parameters["bodyNumbers"][0])) if "bodyNumbers" in parameters else ("", -1)
 
     def seat(self, marker: int) -> tuple[str, int]:
-        """Return with which item a marker moves: itself, or what it is on if it stands for coordinates or for a mass."""
+        """Return with which item a marker moves: itself, or what it is on if it stands for coordinates or a mass."""
         return ("Marker", int(marker)) if self.stands("Marker", marker) else self._owner(marker)
 
     def marker_rotation(self, number: int) -> FloatArray:

@@ -50,7 +50,10 @@ class Label:
 
 @dataclass(eq=False)
 class Herd:
-    """A mesh at many places: x = rows @ (point, 1). Arrays of items are those of the scene before if nothing else is drawn."""
+    """A mesh at many places: x = rows @ (point, 1).
+
+    The array of items is the same object in all scenes as long as only places change.
+    """
 
     mesh: Mesh
     color: Rgba | None
@@ -195,7 +198,9 @@ class _Crowd:
 
 def faces(scene: Scene, smooth: bool, color_of: dict[int, FloatArray]) -> Faces | None:
     """Return the triangles of all meshes with normals, or of those without; color_of: colors of single instances."""
-    crowds = [_Crowd.of_herd(h) for h in scene.herds if (h.mesh.normals is not None) == smooth and len(h.mesh.triangles)]
+    crowds = [
+        _Crowd.of_herd(h) for h in scene.herds if (h.mesh.normals is not None) == smooth and len(h.mesh.triangles)
+    ]
     groups: dict[int, list[tuple[int, Instance]]] = defaultdict(list)
     for number, instance in enumerate(scene.instances):
         if (instance.mesh.normals is not None) == smooth and len(instance.mesh.triangles):

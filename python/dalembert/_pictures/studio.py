@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import lru_cache
+from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
@@ -52,8 +54,9 @@ class Studio:
         self.settings = container.visualizationSettings
         if systems is None:
             systems = [container.GetSystem(i) for i in range(container.NumberOfSystems())]
-        self.makers = [SceneMaker(mbs, self.settings) for mbs in systems]
+        self.makers = [SceneMaker(mbs, self.settings, number) for number, mbs in enumerate(systems)]
         self._flows: list[Flow] = []
+        tell_settings_without_effect(self.settings)
 
     def margin(self) -> float:
         """Return how much larger an image is than what it shows."""
@@ -139,6 +142,36 @@ class Studio:
             return np.full((height, width, 3), 255, np.uint8)
         scene = self.scene()
         return self.image(scene, self.camera(scene, number), number)
+
+
+@lru_cache(maxsize=1)
+def settings_without_effect() -> dict[str, tuple[Any, str]]:
+    """Return defaults and reasons of the settings that change nothing that is drawn here, by their paths."""
+    found = {}
+
+    def visit(entries: dict[str, Any], path: str) -> None:
+        for name, entry in entries.items():
+            if "itemIdentifier" not in entry:
+                visit(entry, f"{path}{name}.")
+            elif "no effect: " in entry["description"]:
+                found[path + name] = entry["value"], entry["description"].rpartition("no effect: ")[2].rstrip(")")
+
+    visit(_core.VisualizationSettings().GetDictionaryWithTypeInfo(), "")
+    return found
+
+
+_told: set[str] = set()
+
+
+def tell_settings_without_effect(settings: Any) -> None:
+    """Print a notice for settings that are not at their defaults and have no effect, once for each of them."""
+    news: dict[str, list[str]] = {}
+    for path, (default, reason) in settings_without_effect().items():
+        if path not in _told and not np.array_equal(attrgetter(path)(settings), default):
+            _told.add(path)
+            news.setdefault(reason, []).append(path)
+    for reason, paths in news.items():
+        _core.Print(f"WARNING: visualizationSettings: no effect of {', '.join(paths)}: {reason}")
 
 
 def save_next(export: Any, image: Image) -> Path:

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 
 from dalembert._checks import FloatArray
-from dalembert._core import OutputVariableType
-from dalembert._pictures import trees
+from dalembert._core import ConfigurationType, OutputVariableType
+from dalembert._pictures import meshes, trees
 from dalembert._pictures.contour import Contour
 from dalembert._pictures.pen import Pen
 from dalembert._pictures.places import frame_along
@@ -23,10 +23,32 @@ def node(pen: Pen, colors: Contour, number: int, item: Item) -> None:
     radius = 0.5 * pen.looks.draw_size(item, "nodes.defaultSize", 0.02)
     color = pen.looks.color(item, "nodes.defaultColor")
     pen.stick("Node", number)
-    pen.sphere(place, radius, color)
+    value = pen.places.node_output(number, colors.variable) if colors.active else None
+    if value is not None and radius > 0 and pen.looks.setting("contour.nodesColored"):
+        ball = meshes.ball(8)
+        pen.mesh(ball, place, radius * np.eye(3), None, np.full(len(ball.points), colors.number(value)))
+    else:
+        pen.sphere(place, radius, color)
+    if pen.looks.setting("nodes.showNodalSlopes") and "Slope" in item["nodeType"]:
+        _slopes(pen, number, item, place)
     if pen.looks.setting("nodes.showBasis"):
         rotation = pen.places.node_rotation(number)
         pen.frame(place, np.eye(3) if rotation is None else rotation, pen.looks.length("nodes.basisSize", 0.1))
+
+
+def _slopes(pen: Pen, number: int, item: Item, place: FloatArray) -> None:
+    """Draw the slope vectors of a node; a slope of 1 is as long as the axes of nodes."""
+    pen.stick()
+    changes = pen.places.node_output(number, OutputVariableType.Coordinates)
+    total = np.asarray(item["referenceCoordinates"], float)
+    if changes is not None and pen.places.configuration != ConfigurationType.Reference:
+        total = total + changes
+    size = 2 if "2D" in item["nodeType"] else 3
+    for slope in total[size:].reshape(-1, size):
+        vector = np.zeros(3)
+        vector[:size] = slope
+        length = pen.looks.length("nodes.basisSize", 0.1)
+        pen.arrow(place, length * vector, 0.02 * length, pen.looks.color(item, "nodes.defaultColor"))
 
 
 def marker(pen: Pen, number: int, item: Item) -> None:
