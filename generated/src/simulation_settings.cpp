@@ -153,9 +153,8 @@ constexpr std::array<Row, 27> SolutionSettings_rows{{
     {.name = "writeRestartFile", .storage = Storage::boolean, .offset = offsetof(SolutionSettings, writeRestartFile), .role = Role::parameter},
     {.name = "writeSolutionToFile", .storage = Storage::boolean, .offset = offsetof(SolutionSettings, writeSolutionToFile), .role = Role::parameter},
 }};
-constexpr std::array<SettingRule, 2> SolutionSettings_rules{{
+constexpr std::array<SettingRule, 1> SolutionSettings_rules{{
     {.name = "outputPrecision", .lower = 1.0, .upper = 17.0, .words = "from 1 to 17"},
-    {.name = "recordImagesInterval", .no_effect = "there is no render window yet that could save images"},
 }};
 constexpr SettingsGroup SolutionSettings_group{"SolutionSettings", SolutionSettings_rows, {}, SolutionSettings_rules};
 
@@ -278,10 +277,9 @@ constexpr std::array<Row, 7> SimulationSettings_rows{{
     {.name = "outputPrecision", .storage = Storage::integer, .offset = offsetof(SimulationSettings, outputPrecision), .role = Role::parameter, .check = Check::non_negative},
     {.name = "pauseAfterEachStep", .storage = Storage::boolean, .offset = offsetof(SimulationSettings, pauseAfterEachStep), .role = Role::parameter},
 }};
-constexpr std::array<SettingRule, 3> SimulationSettings_rules{{
+constexpr std::array<SettingRule, 2> SimulationSettings_rules{{
     {.name = "displayGlobalTimers", .no_effect = "there are no global timers; displayComputationTime shows where time goes"},
     {.name = "outputPrecision", .lower = 1.0, .upper = 17.0, .words = "from 1 to 17"},
-    {.name = "pauseAfterEachStep", .no_effect = "there is no render window yet whose space bar could be waited for; a PostStep user function may wait"},
 }};
 constexpr std::array<SettingsChild, 11> SimulationSettings_children{{
     {"continuation", &ContinuationSettings_group, offsetof(SimulationSettings, continuation)},

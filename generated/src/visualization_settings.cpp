@@ -21,7 +21,13 @@ constexpr std::array<Row, 11> VSettingsViewCamera_rows{{
     {.name = "trackMarkerPosition", .storage = Storage::vector3, .offset = offsetof(VSettingsViewCamera, trackMarkerPosition), .role = Role::parameter, .unit = "1"},
     {.name = "useRaytracer", .storage = Storage::boolean, .offset = offsetof(VSettingsViewCamera, useRaytracer), .role = Role::parameter},
 }};
-constexpr SettingsGroup VSettingsViewCamera_group{"VSettingsViewCamera", VSettingsViewCamera_rows, {}};
+constexpr std::array<SettingRule, 4> VSettingsViewCamera_rules{{
+    {.name = "cameraPosition", .no_effect = "the view follows from its center, rotation and zoom"},
+    {.name = "modelCentricView", .no_effect = "views always turn about their center"},
+    {.name = "nearFarPlaneOffset", .no_effect = "nothing is too near or too far away to be drawn"},
+    {.name = "useRaytracer", .no_effect = "there is no ray tracer"},
+}};
+constexpr SettingsGroup VSettingsViewCamera_group{"VSettingsViewCamera", VSettingsViewCamera_rows, {}, VSettingsViewCamera_rules};
 
 constexpr std::array<Row, 9> VSettingsViewScene_rows{{
     {.name = "drawCoordinateSystem", .storage = Storage::integer, .offset = offsetof(VSettingsViewScene, drawCoordinateSystem), .role = Role::parameter, .check = Check::non_negative},
@@ -47,7 +53,15 @@ constexpr std::array<Row, 9> VSettingsViewWindow_rows{{
     {.name = "showRenderStateInfo", .storage = Storage::boolean, .offset = offsetof(VSettingsViewWindow, showRenderStateInfo), .role = Role::parameter},
     {.name = "showWindow", .storage = Storage::boolean, .offset = offsetof(VSettingsViewWindow, showWindow), .role = Role::parameter},
 }};
-constexpr SettingsGroup VSettingsViewWindow_group{"VSettingsViewWindow", VSettingsViewWindow_rows, {}};
+constexpr std::array<SettingRule, 6> VSettingsViewWindow_rules{{
+    {.name = "alwaysOnTop", .no_effect = "pages are in windows of the browser, with its mouse"},
+    {.name = "lockModelView", .no_effect = "pages are in windows of the browser, with its mouse"},
+    {.name = "maximize", .no_effect = "pages are in windows of the browser, with its mouse"},
+    {.name = "showMouseCoordinates", .no_effect = "pages are in windows of the browser, with its mouse"},
+    {.name = "showRenderStateInfo", .no_effect = "pages are in windows of the browser, with its mouse"},
+    {.name = "showWindow", .no_effect = "pages are in windows of the browser, with its mouse"},
+}};
+constexpr SettingsGroup VSettingsViewWindow_group{"VSettingsViewWindow", VSettingsViewWindow_rows, {}, VSettingsViewWindow_rules};
 
 constexpr std::array<Row, 0> VSettingsView_rows{{
 }};
@@ -70,7 +84,15 @@ constexpr std::array<Row, 10> VSettingsLight_rows{{
     {.name = "specular", .storage = Storage::real, .offset = offsetof(VSettingsLight, specular), .role = Role::parameter, .unit = "1"},
     {.name = "useCameraFrame", .storage = Storage::boolean, .offset = offsetof(VSettingsLight, useCameraFrame), .role = Role::parameter},
 }};
-constexpr SettingsGroup VSettingsLight_group{"VSettingsLight", VSettingsLight_rows, {}};
+constexpr std::array<SettingRule, 6> VSettingsLight_rules{{
+    {.name = "constantAttenuation", .no_effect = "lights turn with the viewer, and neither fade nor cast shadows"},
+    {.name = "lightRadius", .no_effect = "lights turn with the viewer, and neither fade nor cast shadows"},
+    {.name = "linearAttenuation", .no_effect = "lights turn with the viewer, and neither fade nor cast shadows"},
+    {.name = "quadraticAttenuation", .no_effect = "lights turn with the viewer, and neither fade nor cast shadows"},
+    {.name = "shadow", .no_effect = "lights turn with the viewer, and neither fade nor cast shadows"},
+    {.name = "useCameraFrame", .no_effect = "lights turn with the viewer, and neither fade nor cast shadows"},
+}};
+constexpr SettingsGroup VSettingsLight_group{"VSettingsLight", VSettingsLight_rows, {}, VSettingsLight_rules};
 
 constexpr std::array<Row, 8> VSettingsMaterial_rows{{
     {.name = "alpha", .storage = Storage::real, .offset = offsetof(VSettingsMaterial, alpha), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
@@ -82,7 +104,17 @@ constexpr std::array<Row, 8> VSettingsMaterial_rows{{
     {.name = "shininess", .storage = Storage::real, .offset = offsetof(VSettingsMaterial, shininess), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
     {.name = "specular", .storage = Storage::vector3, .offset = offsetof(VSettingsMaterial, specular), .role = Role::parameter, .unit = "1"},
 }};
-constexpr SettingsGroup VSettingsMaterial_group{"VSettingsMaterial", VSettingsMaterial_rows, {}};
+constexpr std::array<SettingRule, 8> VSettingsMaterial_rules{{
+    {.name = "alpha", .no_effect = "there is no ray tracer"},
+    {.name = "baseColor", .no_effect = "there is no ray tracer"},
+    {.name = "emission", .no_effect = "there is no ray tracer"},
+    {.name = "ior", .no_effect = "there is no ray tracer"},
+    {.name = "name", .no_effect = "there is no ray tracer"},
+    {.name = "reflectivity", .no_effect = "there is no ray tracer"},
+    {.name = "shininess", .no_effect = "there is no ray tracer"},
+    {.name = "specular", .no_effect = "there is no ray tracer"},
+}};
+constexpr SettingsGroup VSettingsMaterial_group{"VSettingsMaterial", VSettingsMaterial_rows, {}, VSettingsMaterial_rules};
 
 constexpr std::array<Row, 9> VSettingsNodes_rows{{
     {.name = "basisSize", .storage = Storage::real, .offset = offsetof(VSettingsNodes, basisSize), .role = Role::parameter, .unit = "m"},
@@ -95,7 +127,11 @@ constexpr std::array<Row, 9> VSettingsNodes_rows{{
     {.name = "showNumbers", .storage = Storage::boolean, .offset = offsetof(VSettingsNodes, showNumbers), .role = Role::parameter},
     {.name = "tiling", .storage = Storage::integer, .offset = offsetof(VSettingsNodes, tiling), .role = Role::parameter, .check = Check::positive},
 }};
-constexpr SettingsGroup VSettingsNodes_group{"VSettingsNodes", VSettingsNodes_rows, {}};
+constexpr std::array<SettingRule, 2> VSettingsNodes_rules{{
+    {.name = "drawNodesAsPoint", .no_effect = "nodes are balls"},
+    {.name = "tiling", .no_effect = "spheres are round"},
+}};
+constexpr SettingsGroup VSettingsNodes_group{"VSettingsNodes", VSettingsNodes_rows, {}, VSettingsNodes_rules};
 
 constexpr std::array<Row, 10> VSettingsBodiesBeams_rows{{
     {.name = "axialTiling", .storage = Storage::integer, .offset = offsetof(VSettingsBodiesBeams, axialTiling), .role = Role::parameter, .check = Check::positive},
@@ -109,7 +145,11 @@ constexpr std::array<Row, 10> VSettingsBodiesBeams_rows{{
     {.name = "drawVerticalValues", .storage = Storage::boolean, .offset = offsetof(VSettingsBodiesBeams, drawVerticalValues), .role = Role::parameter},
     {.name = "reducedAxialInterploation", .storage = Storage::boolean, .offset = offsetof(VSettingsBodiesBeams, reducedAxialInterploation), .role = Role::parameter},
 }};
-constexpr SettingsGroup VSettingsBodiesBeams_group{"VSettingsBodiesBeams", VSettingsBodiesBeams_rows, {}};
+constexpr std::array<SettingRule, 2> VSettingsBodiesBeams_rules{{
+    {.name = "crossSectionFilled", .no_effect = "cross sections are solid"},
+    {.name = "reducedAxialInterploation", .no_effect = "numbers along a beam are those of its points"},
+}};
+constexpr SettingsGroup VSettingsBodiesBeams_group{"VSettingsBodiesBeams", VSettingsBodiesBeams_rows, {}, VSettingsBodiesBeams_rules};
 
 constexpr std::array<Row, 4> VSettingsBodiesKinematicTree_rows{{
     {.name = "frameSize", .storage = Storage::real, .offset = offsetof(VSettingsBodiesKinematicTree, frameSize), .role = Role::parameter, .unit = "m"},
@@ -132,12 +172,15 @@ constexpr std::array<Row, 5> VSettingsBodies_rows{{
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(VSettingsBodies, show), .role = Role::parameter},
     {.name = "showNumbers", .storage = Storage::boolean, .offset = offsetof(VSettingsBodies, showNumbers), .role = Role::parameter},
 }};
+constexpr std::array<SettingRule, 1> VSettingsBodies_rules{{
+    {.name = "defaultSize", .no_effect = "bodies without shapes are drawn as large as their markers say"},
+}};
 constexpr std::array<SettingsChild, 3> VSettingsBodies_children{{
     {"beams", &VSettingsBodiesBeams_group, offsetof(VSettingsBodies, beams)},
     {"kinematicTree", &VSettingsBodiesKinematicTree_group, offsetof(VSettingsBodies, kinematicTree)},
     {"shells", &VSettingsBodiesShells_group, offsetof(VSettingsBodies, shells)},
 }};
-constexpr SettingsGroup VSettingsBodies_group{"VSettingsBodies", VSettingsBodies_rows, VSettingsBodies_children};
+constexpr SettingsGroup VSettingsBodies_group{"VSettingsBodies", VSettingsBodies_rows, VSettingsBodies_children, VSettingsBodies_rules};
 
 constexpr std::array<Row, 10> VSettingsConnectors_rows{{
     {.name = "contactPointsDefaultSize", .storage = Storage::real, .offset = offsetof(VSettingsConnectors, contactPointsDefaultSize), .role = Role::parameter, .unit = "m"},
@@ -151,7 +194,12 @@ constexpr std::array<Row, 10> VSettingsConnectors_rows{{
     {.name = "showNumbers", .storage = Storage::boolean, .offset = offsetof(VSettingsConnectors, showNumbers), .role = Role::parameter},
     {.name = "springNumberOfWindings", .storage = Storage::integer, .offset = offsetof(VSettingsConnectors, springNumberOfWindings), .role = Role::parameter, .check = Check::positive},
 }};
-constexpr SettingsGroup VSettingsConnectors_group{"VSettingsConnectors", VSettingsConnectors_rows, {}};
+constexpr std::array<SettingRule, 3> VSettingsConnectors_rules{{
+    {.name = "contactPointsDefaultSize", .no_effect = "contacts are drawn as the shapes that touch"},
+    {.name = "jointAxesRadius", .no_effect = "the axes of frames have the proportions of all frames"},
+    {.name = "showContact", .no_effect = "contacts are drawn as the shapes that touch"},
+}};
+constexpr SettingsGroup VSettingsConnectors_group{"VSettingsConnectors", VSettingsConnectors_rows, {}, VSettingsConnectors_rules};
 
 constexpr std::array<Row, 5> VSettingsMarkers_rows{{
     {.name = "defaultColor", .storage = Storage::vector4, .offset = offsetof(VSettingsMarkers, defaultColor), .role = Role::parameter, .unit = "1"},
@@ -160,7 +208,10 @@ constexpr std::array<Row, 5> VSettingsMarkers_rows{{
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(VSettingsMarkers, show), .role = Role::parameter},
     {.name = "showNumbers", .storage = Storage::boolean, .offset = offsetof(VSettingsMarkers, showNumbers), .role = Role::parameter},
 }};
-constexpr SettingsGroup VSettingsMarkers_group{"VSettingsMarkers", VSettingsMarkers_rows, {}};
+constexpr std::array<SettingRule, 1> VSettingsMarkers_rules{{
+    {.name = "drawSimplified", .no_effect = "markers are cubes"},
+}};
+constexpr SettingsGroup VSettingsMarkers_group{"VSettingsMarkers", VSettingsMarkers_rows, {}, VSettingsMarkers_rules};
 
 constexpr std::array<Row, 9> VSettingsLoads_rows{{
     {.name = "defaultColor", .storage = Storage::vector4, .offset = offsetof(VSettingsLoads, defaultColor), .role = Role::parameter, .unit = "1"},
@@ -173,7 +224,11 @@ constexpr std::array<Row, 9> VSettingsLoads_rows{{
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(VSettingsLoads, show), .role = Role::parameter},
     {.name = "showNumbers", .storage = Storage::boolean, .offset = offsetof(VSettingsLoads, showNumbers), .role = Role::parameter},
 }};
-constexpr SettingsGroup VSettingsLoads_group{"VSettingsLoads", VSettingsLoads_rows, {}};
+constexpr std::array<SettingRule, 2> VSettingsLoads_rules{{
+    {.name = "drawSimplified", .no_effect = "loads are arrows"},
+    {.name = "drawWithUserFunction", .no_effect = "loads are drawn as they are given"},
+}};
+constexpr SettingsGroup VSettingsLoads_group{"VSettingsLoads", VSettingsLoads_rows, {}, VSettingsLoads_rules};
 
 constexpr std::array<Row, 18> VSettingsSensorsTraces_rows{{
     {.name = "lineWidth", .storage = Storage::real, .offset = offsetof(VSettingsSensorsTraces, lineWidth), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
@@ -204,10 +259,13 @@ constexpr std::array<Row, 5> VSettingsSensors_rows{{
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(VSettingsSensors, show), .role = Role::parameter},
     {.name = "showNumbers", .storage = Storage::boolean, .offset = offsetof(VSettingsSensors, showNumbers), .role = Role::parameter},
 }};
+constexpr std::array<SettingRule, 1> VSettingsSensors_rules{{
+    {.name = "drawSimplified", .no_effect = "sensors are cubes"},
+}};
 constexpr std::array<SettingsChild, 1> VSettingsSensors_children{{
     {"traces", &VSettingsSensorsTraces_group, offsetof(VSettingsSensors, traces)},
 }};
-constexpr SettingsGroup VSettingsSensors_group{"VSettingsSensors", VSettingsSensors_rows, VSettingsSensors_children};
+constexpr SettingsGroup VSettingsSensors_group{"VSettingsSensors", VSettingsSensors_rows, VSettingsSensors_children, VSettingsSensors_rules};
 
 constexpr std::array<Row, 10> VSettingsContourAdvanced_rows{{
     {.name = "colorBarPrecision", .storage = Storage::integer, .offset = offsetof(VSettingsContourAdvanced, colorBarPrecision), .role = Role::parameter, .check = Check::positive},
@@ -258,7 +316,26 @@ constexpr std::array<Row, 17> VSettingsContact_rows{{
     {.name = "tilingCurves", .storage = Storage::integer, .offset = offsetof(VSettingsContact, tilingCurves), .role = Role::parameter, .check = Check::positive},
     {.name = "tilingSpheres", .storage = Storage::integer, .offset = offsetof(VSettingsContact, tilingSpheres), .role = Role::parameter, .check = Check::positive},
 }};
-constexpr SettingsGroup VSettingsContact_group{"VSettingsContact", VSettingsContact_rows, {}};
+constexpr std::array<SettingRule, 17> VSettingsContact_rules{{
+    {.name = "colorBoundingBoxes", .no_effect = "there is no general contact"},
+    {.name = "colorSearchTree", .no_effect = "there is no general contact"},
+    {.name = "colorSpheres", .no_effect = "there is no general contact"},
+    {.name = "colorTori", .no_effect = "there is no general contact"},
+    {.name = "colorTriangles", .no_effect = "there is no general contact"},
+    {.name = "contactForcesFactor", .no_effect = "there is no general contact"},
+    {.name = "contactPointsDefaultSize", .no_effect = "there is no general contact"},
+    {.name = "showBoundingBoxes", .no_effect = "there is no general contact"},
+    {.name = "showContactForces", .no_effect = "there is no general contact"},
+    {.name = "showContactForcesValues", .no_effect = "there is no general contact"},
+    {.name = "showSearchTree", .no_effect = "there is no general contact"},
+    {.name = "showSearchTreeCells", .no_effect = "there is no general contact"},
+    {.name = "showSpheres", .no_effect = "there is no general contact"},
+    {.name = "showTori", .no_effect = "there is no general contact"},
+    {.name = "showTriangles", .no_effect = "there is no general contact"},
+    {.name = "tilingCurves", .no_effect = "there is no general contact"},
+    {.name = "tilingSpheres", .no_effect = "there is no general contact"},
+}};
+constexpr SettingsGroup VSettingsContact_group{"VSettingsContact", VSettingsContact_rows, {}, VSettingsContact_rules};
 
 constexpr std::array<Row, 18> VSettingsOpenGLAdvanced_rows{{
     {.name = "clippingPlaneColor", .storage = Storage::vector4, .offset = offsetof(VSettingsOpenGLAdvanced, clippingPlaneColor), .role = Role::parameter, .unit = "1"},
@@ -280,7 +357,19 @@ constexpr std::array<Row, 18> VSettingsOpenGLAdvanced_rows{{
     {.name = "textLineWidth", .storage = Storage::real, .offset = offsetof(VSettingsOpenGLAdvanced, textLineWidth), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
     {.name = "vertexNormalsColor", .storage = Storage::vector4, .offset = offsetof(VSettingsOpenGLAdvanced, vertexNormalsColor), .role = Role::parameter, .unit = "1"},
 }};
-constexpr SettingsGroup VSettingsOpenGLAdvanced_group{"VSettingsOpenGLAdvanced", VSettingsOpenGLAdvanced_rows, {}};
+constexpr std::array<SettingRule, 10> VSettingsOpenGLAdvanced_rules{{
+    {.name = "clippingPlaneColor", .no_effect = "what a clipping plane cuts stays open"},
+    {.name = "depthSorting", .no_effect = "what is seen through is always sorted"},
+    {.name = "initialMaxSceneSize", .no_effect = "the size is found from what is drawn"},
+    {.name = "lightModelLocalViewer", .no_effect = "highlights are those of a viewer far away"},
+    {.name = "lightModelTwoSide", .no_effect = "both sides of faces are always lit"},
+    {.name = "lineSmooth", .no_effect = "lines are always smooth"},
+    {.name = "polygonOffset", .no_effect = "lines on faces are seen anyway"},
+    {.name = "shadowPolygonOffset", .no_effect = "there are no shadows"},
+    {.name = "textLineSmooth", .no_effect = "texts are drawn with a font of outlines"},
+    {.name = "textLineWidth", .no_effect = "texts are drawn with a font of outlines"},
+}};
+constexpr SettingsGroup VSettingsOpenGLAdvanced_group{"VSettingsOpenGLAdvanced", VSettingsOpenGLAdvanced_rows, {}, VSettingsOpenGLAdvanced_rules};
 
 constexpr std::array<Row, 11> VSettingsOpenGL_rows{{
     {.name = "drawFaceNormals", .storage = Storage::boolean, .offset = offsetof(VSettingsOpenGL, drawFaceNormals), .role = Role::parameter},
@@ -295,6 +384,9 @@ constexpr std::array<Row, 11> VSettingsOpenGL_rows{{
     {.name = "multiSampling", .storage = Storage::integer, .offset = offsetof(VSettingsOpenGL, multiSampling), .role = Role::parameter, .check = Check::positive},
     {.name = "zMaxSceneFactor", .storage = Storage::real, .offset = offsetof(VSettingsOpenGL, zMaxSceneFactor), .role = Role::parameter, .check = Check::positive, .unit = "1"},
 }};
+constexpr std::array<SettingRule, 1> VSettingsOpenGL_rules{{
+    {.name = "zMaxSceneFactor", .no_effect = "nothing is too far away to be drawn"},
+}};
 constexpr std::array<SettingsChild, 5> VSettingsOpenGL_children{{
     {"advanced", &VSettingsOpenGLAdvanced_group, offsetof(VSettingsOpenGL, advanced)},
     {"light0", &VSettingsLight_group, offsetof(VSettingsOpenGL, light0)},
@@ -302,7 +394,7 @@ constexpr std::array<SettingsChild, 5> VSettingsOpenGL_children{{
     {"light2", &VSettingsLight_group, offsetof(VSettingsOpenGL, light2)},
     {"light3", &VSettingsLight_group, offsetof(VSettingsOpenGL, light3)},
 }};
-constexpr SettingsGroup VSettingsOpenGL_group{"VSettingsOpenGL", VSettingsOpenGL_rows, VSettingsOpenGL_children};
+constexpr SettingsGroup VSettingsOpenGL_group{"VSettingsOpenGL", VSettingsOpenGL_rows, VSettingsOpenGL_children, VSettingsOpenGL_rules};
 
 constexpr std::array<Row, 7> VSettingsRaytracerAdvanced_rows{{
     {.name = "backgroundColorReflections", .storage = Storage::vector4, .offset = offsetof(VSettingsRaytracerAdvanced, backgroundColorReflections), .role = Role::parameter, .unit = "1"},
@@ -313,7 +405,16 @@ constexpr std::array<Row, 7> VSettingsRaytracerAdvanced_rows{{
     {.name = "tilesPerThread", .storage = Storage::integer, .offset = offsetof(VSettingsRaytracerAdvanced, tilesPerThread), .role = Role::parameter, .check = Check::positive},
     {.name = "zBiasLines", .storage = Storage::real, .offset = offsetof(VSettingsRaytracerAdvanced, zBiasLines), .role = Role::parameter, .unit = "1"},
 }};
-constexpr SettingsGroup VSettingsRaytracerAdvanced_group{"VSettingsRaytracerAdvanced", VSettingsRaytracerAdvanced_rows, {}};
+constexpr std::array<SettingRule, 7> VSettingsRaytracerAdvanced_rules{{
+    {.name = "backgroundColorReflections", .no_effect = "there is no ray tracer"},
+    {.name = "searchTreeFactor", .no_effect = "there is no ray tracer"},
+    {.name = "shadowScalingFactor", .no_effect = "there is no ray tracer"},
+    {.name = "shadowSmoothingSteps", .no_effect = "there is no ray tracer"},
+    {.name = "showText", .no_effect = "there is no ray tracer"},
+    {.name = "tilesPerThread", .no_effect = "there is no ray tracer"},
+    {.name = "zBiasLines", .no_effect = "there is no ray tracer"},
+}};
+constexpr SettingsGroup VSettingsRaytracerAdvanced_group{"VSettingsRaytracerAdvanced", VSettingsRaytracerAdvanced_rows, {}, VSettingsRaytracerAdvanced_rules};
 
 constexpr std::array<Row, 10> VSettingsRaytracer_rows{{
     {.name = "globalFogColor", .storage = Storage::vector4, .offset = offsetof(VSettingsRaytracer, globalFogColor), .role = Role::parameter, .unit = "1"},
@@ -326,6 +427,18 @@ constexpr std::array<Row, 10> VSettingsRaytracer_rows{{
     {.name = "multiSampling", .storage = Storage::integer, .offset = offsetof(VSettingsRaytracer, multiSampling), .role = Role::parameter, .check = Check::positive},
     {.name = "numberOfThreads", .storage = Storage::integer, .offset = offsetof(VSettingsRaytracer, numberOfThreads), .role = Role::parameter, .check = Check::positive},
     {.name = "verbose", .storage = Storage::integer, .offset = offsetof(VSettingsRaytracer, verbose), .role = Role::parameter, .check = Check::non_negative},
+}};
+constexpr std::array<SettingRule, 10> VSettingsRaytracer_rules{{
+    {.name = "globalFogColor", .no_effect = "there is no ray tracer"},
+    {.name = "globalFogDensity", .no_effect = "there is no ray tracer"},
+    {.name = "imageSizeFactor", .no_effect = "there is no ray tracer"},
+    {.name = "keepWindowActive", .no_effect = "there is no ray tracer"},
+    {.name = "lightRadiusVariations", .no_effect = "there is no ray tracer"},
+    {.name = "maxReflectionDepth", .no_effect = "there is no ray tracer"},
+    {.name = "maxTransparencyDepth", .no_effect = "there is no ray tracer"},
+    {.name = "multiSampling", .no_effect = "there is no ray tracer"},
+    {.name = "numberOfThreads", .no_effect = "there is no ray tracer"},
+    {.name = "verbose", .no_effect = "there is no ray tracer"},
 }};
 constexpr std::array<SettingsChild, 11> VSettingsRaytracer_children{{
     {"advanced", &VSettingsRaytracerAdvanced_group, offsetof(VSettingsRaytracer, advanced)},
@@ -340,7 +453,7 @@ constexpr std::array<SettingsChild, 11> VSettingsRaytracer_children{{
     {"material8", &VSettingsMaterial_group, offsetof(VSettingsRaytracer, material8)},
     {"material9", &VSettingsMaterial_group, offsetof(VSettingsRaytracer, material9)},
 }};
-constexpr SettingsGroup VSettingsRaytracer_group{"VSettingsRaytracer", VSettingsRaytracer_rows, VSettingsRaytracer_children};
+constexpr SettingsGroup VSettingsRaytracer_group{"VSettingsRaytracer", VSettingsRaytracer_rows, VSettingsRaytracer_children, VSettingsRaytracer_rules};
 
 constexpr std::array<Row, 33> VSettingsGeneral_rows{{
     {.name = "autoFitScene", .storage = Storage::boolean, .offset = offsetof(VSettingsGeneral, autoFitScene), .role = Role::parameter},
@@ -377,7 +490,28 @@ constexpr std::array<Row, 33> VSettingsGeneral_rows{{
     {.name = "useWindowsDisplayScaleFactor", .storage = Storage::boolean, .offset = offsetof(VSettingsGeneral, useWindowsDisplayScaleFactor), .role = Role::parameter},
     {.name = "zoomAllUseBoundingBox", .storage = Storage::boolean, .offset = offsetof(VSettingsGeneral, zoomAllUseBoundingBox), .role = Role::parameter},
 }};
-constexpr SettingsGroup VSettingsGeneral_group{"VSettingsGeneral", VSettingsGeneral_rows, {}};
+constexpr std::array<SettingRule, 19> VSettingsGeneral_rules{{
+    {.name = "boundingBoxZoomAllOffset", .no_effect = "the space around a system is a part of its size"},
+    {.name = "circleTiling", .no_effect = "circles have 32 segments"},
+    {.name = "limitWindowToScreenSize", .no_effect = "pages are in windows of the browser, with its mouse"},
+    {.name = "linuxDisplayScaleFactor", .no_effect = "pages are in windows of the browser, with its mouse"},
+    {.name = "minSceneSize", .no_effect = "sizes are parts of the system, however small it is"},
+    {.name = "pointSize", .no_effect = "nodes are balls, in proportion to the scene"},
+    {.name = "reallyQuitTimeLimit", .no_effect = "pages are in windows of the browser, with its mouse"},
+    {.name = "rendererStartupTimeout", .no_effect = "pages are in windows of the browser, with its mouse"},
+    {.name = "showHelpOnStartup", .no_effect = "pages are in windows of the browser, with its mouse"},
+    {.name = "showSolutionInformation", .no_effect = "pages are in windows of the browser, with its mouse"},
+    {.name = "showSolverInformation", .no_effect = "pages are in windows of the browser, with its mouse"},
+    {.name = "sphereTiling", .no_effect = "spheres are round"},
+    {.name = "textAlwaysInFront", .no_effect = "texts are always in front"},
+    {.name = "textOffsetFactor", .no_effect = "texts stand beside their points, by pixels"},
+    {.name = "threadSafeGraphicsUpdate", .no_effect = "what is drawn is always a copy"},
+    {.name = "useBitmapText", .no_effect = "texts are drawn with a font of outlines"},
+    {.name = "useMultiThreadedRendering", .no_effect = "pages are in windows of the browser, with its mouse"},
+    {.name = "useWindowsDisplayScaleFactor", .no_effect = "pages are in windows of the browser, with its mouse"},
+    {.name = "zoomAllUseBoundingBox", .no_effect = "zooming to all always uses the box around everything"},
+}};
+constexpr SettingsGroup VSettingsGeneral_group{"VSettingsGeneral", VSettingsGeneral_rows, {}, VSettingsGeneral_rules};
 
 constexpr std::array<Row, 14> VSettingsInteractiveAdvanced_rows{{
     {.name = "highlightColor", .storage = Storage::vector4, .offset = offsetof(VSettingsInteractiveAdvanced, highlightColor), .role = Role::parameter, .unit = "1"},
@@ -395,7 +529,13 @@ constexpr std::array<Row, 14> VSettingsInteractiveAdvanced_rows{{
     {.name = "selectionRightMouseGraphicsData", .storage = Storage::boolean, .offset = offsetof(VSettingsInteractiveAdvanced, selectionRightMouseGraphicsData), .role = Role::parameter},
     {.name = "zoomStepFactor", .storage = Storage::real, .offset = offsetof(VSettingsInteractiveAdvanced, zoomStepFactor), .role = Role::parameter, .unit = "1"},
 }};
-constexpr SettingsGroup VSettingsInteractiveAdvanced_group{"VSettingsInteractiveAdvanced", VSettingsInteractiveAdvanced_rows, {}};
+constexpr std::array<SettingRule, 4> VSettingsInteractiveAdvanced_rules{{
+    {.name = "joystickScaleRotation", .no_effect = "pages are in windows of the browser, with its mouse"},
+    {.name = "joystickScaleTranslation", .no_effect = "pages are in windows of the browser, with its mouse"},
+    {.name = "mouseMoveRotationFactor", .no_effect = "pages are in windows of the browser, with its mouse"},
+    {.name = "selectionRightMouse", .no_effect = "a click with either button shows the same"},
+}};
+constexpr SettingsGroup VSettingsInteractiveAdvanced_group{"VSettingsInteractiveAdvanced", VSettingsInteractiveAdvanced_rows, {}, VSettingsInteractiveAdvanced_rules};
 
 constexpr std::array<Row, 4> VSettingsInteractiveOpenVR_rows{{
     {.name = "actionManifestFileName", .storage = Storage::text, .offset = offsetof(VSettingsInteractiveOpenVR, actionManifestFileName), .role = Role::parameter},
@@ -403,7 +543,13 @@ constexpr std::array<Row, 4> VSettingsInteractiveOpenVR_rows{{
     {.name = "logLevel", .storage = Storage::integer, .offset = offsetof(VSettingsInteractiveOpenVR, logLevel), .role = Role::parameter},
     {.name = "showCompanionWindow", .storage = Storage::boolean, .offset = offsetof(VSettingsInteractiveOpenVR, showCompanionWindow), .role = Role::parameter},
 }};
-constexpr SettingsGroup VSettingsInteractiveOpenVR_group{"VSettingsInteractiveOpenVR", VSettingsInteractiveOpenVR_rows, {}};
+constexpr std::array<SettingRule, 4> VSettingsInteractiveOpenVR_rules{{
+    {.name = "actionManifestFileName", .no_effect = "pages are in windows of the browser, with its mouse"},
+    {.name = "enable", .no_effect = "pages are in windows of the browser, with its mouse"},
+    {.name = "logLevel", .no_effect = "pages are in windows of the browser, with its mouse"},
+    {.name = "showCompanionWindow", .no_effect = "pages are in windows of the browser, with its mouse"},
+}};
+constexpr SettingsGroup VSettingsInteractiveOpenVR_group{"VSettingsInteractiveOpenVR", VSettingsInteractiveOpenVR_rows, {}, VSettingsInteractiveOpenVR_rules};
 
 constexpr std::array<Row, 8> VSettingsInteractive_rows{{
     {.name = "autoRotateModelView", .storage = Storage::boolean, .offset = offsetof(VSettingsInteractive, autoRotateModelView), .role = Role::parameter},
@@ -415,11 +561,17 @@ constexpr std::array<Row, 8> VSettingsInteractive_rows{{
     {.name = "logMouseCoordinates", .storage = Storage::boolean, .offset = offsetof(VSettingsInteractive, logMouseCoordinates), .role = Role::parameter},
     {.name = "useJoystickInput", .storage = Storage::boolean, .offset = offsetof(VSettingsInteractive, useJoystickInput), .role = Role::parameter},
 }};
+constexpr std::array<SettingRule, 4> VSettingsInteractive_rules{{
+    {.name = "autoRotateModelView", .no_effect = "pages are in windows of the browser, with its mouse"},
+    {.name = "autoRotationVelocity", .no_effect = "pages are in windows of the browser, with its mouse"},
+    {.name = "logMouseCoordinates", .no_effect = "pages are in windows of the browser, with its mouse"},
+    {.name = "useJoystickInput", .no_effect = "pages are in windows of the browser, with its mouse"},
+}};
 constexpr std::array<SettingsChild, 2> VSettingsInteractive_children{{
     {"advanced", &VSettingsInteractiveAdvanced_group, offsetof(VSettingsInteractive, advanced)},
     {"openVR", &VSettingsInteractiveOpenVR_group, offsetof(VSettingsInteractive, openVR)},
 }};
-constexpr SettingsGroup VSettingsInteractive_group{"VSettingsInteractive", VSettingsInteractive_rows, VSettingsInteractive_children};
+constexpr SettingsGroup VSettingsInteractive_group{"VSettingsInteractive", VSettingsInteractive_rows, VSettingsInteractive_children, VSettingsInteractive_rules};
 
 constexpr std::array<Row, 5> VSettingsDialogs_rows{{
     {.name = "alphaTransparency", .storage = Storage::real, .offset = offsetof(VSettingsDialogs, alphaTransparency), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
@@ -428,7 +580,14 @@ constexpr std::array<Row, 5> VSettingsDialogs_rows{{
     {.name = "multiThreadedDialogs", .storage = Storage::boolean, .offset = offsetof(VSettingsDialogs, multiThreadedDialogs), .role = Role::parameter},
     {.name = "openTreeView", .storage = Storage::boolean, .offset = offsetof(VSettingsDialogs, openTreeView), .role = Role::parameter},
 }};
-constexpr SettingsGroup VSettingsDialogs_group{"VSettingsDialogs", VSettingsDialogs_rows, {}};
+constexpr std::array<SettingRule, 5> VSettingsDialogs_rules{{
+    {.name = "alphaTransparency", .no_effect = "pages are in windows of the browser, with its mouse"},
+    {.name = "alwaysTopmost", .no_effect = "pages are in windows of the browser, with its mouse"},
+    {.name = "fontScalingMacOS", .no_effect = "pages are in windows of the browser, with its mouse"},
+    {.name = "multiThreadedDialogs", .no_effect = "pages are in windows of the browser, with its mouse"},
+    {.name = "openTreeView", .no_effect = "pages are in windows of the browser, with its mouse"},
+}};
+constexpr SettingsGroup VSettingsDialogs_group{"VSettingsDialogs", VSettingsDialogs_rows, {}, VSettingsDialogs_rules};
 
 constexpr std::array<Row, 11> VSettingsExportImages_rows{{
     {.name = "heightAlignment", .storage = Storage::integer, .offset = offsetof(VSettingsExportImages, heightAlignment), .role = Role::parameter, .check = Check::positive},
@@ -443,7 +602,14 @@ constexpr std::array<Row, 11> VSettingsExportImages_rows{{
     {.name = "saveImageTimeOut", .storage = Storage::integer, .offset = offsetof(VSettingsExportImages, saveImageTimeOut), .role = Role::parameter, .check = Check::positive},
     {.name = "widthAlignment", .storage = Storage::integer, .offset = offsetof(VSettingsExportImages, widthAlignment), .role = Role::parameter, .check = Check::positive},
 }};
-constexpr SettingsGroup VSettingsExportImages_group{"VSettingsExportImages", VSettingsExportImages_rows, {}};
+constexpr std::array<SettingRule, 5> VSettingsExportImages_rules{{
+    {.name = "saveImageAsTextCircles", .no_effect = "images are saved as PNG"},
+    {.name = "saveImageAsTextLines", .no_effect = "images are saved as PNG"},
+    {.name = "saveImageAsTextTexts", .no_effect = "images are saved as PNG"},
+    {.name = "saveImageAsTextTriangles", .no_effect = "images are saved as PNG"},
+    {.name = "saveImageTimeOut", .no_effect = "pages are in windows of the browser, with its mouse"},
+}};
+constexpr SettingsGroup VSettingsExportImages_group{"VSettingsExportImages", VSettingsExportImages_rows, {}, VSettingsExportImages_rules};
 
 constexpr std::array<Row, 0> VisualizationSettings_rows{{
 }};

@@ -18,8 +18,10 @@ from dalembert._core_types import Array, Matrix, MatrixLike, Vector
 from dalembert._geometry.inertia import RigidBodyInertia
 from dalembert._io import model_files as model_files
 from dalembert._pictures import draw as draw
+from dalembert._pictures import glb as glb
 from dalembert._pictures import html as html
 from dalembert._pictures import shortcuts as shortcuts
+from dalembert._pictures import vtu as vtu
 from dalembert._plots import system_graph as system_graph
 from dalembert._solving import buckling as buckling
 from dalembert._solving import consistent as consistent
@@ -285,7 +287,9 @@ class MainSystem(_Bound):
     Load = model_files.Load
     PlotSensor = plot.PlotSensor
     Save = model_files.Save
+    SaveGLB = glb.SaveGLB
     SaveHTML = html.SaveHTML
+    SaveVTU = vtu.SaveVTU
     SolutionViewer = interactive.SolutionViewer
     ComputeLinearizedSystem = linearized.ComputeLinearizedSystem
     ComputeODE2Eigenvalues = linearized.ComputeODE2Eigenvalues

@@ -10,7 +10,9 @@ from dalembert._core import MainSystem, Renderer, SystemContainer
 from dalembert._io import model_files, pickling
 from dalembert._pictures import renderer, shortcuts
 from dalembert._pictures.draw import Draw, DrawSolution
+from dalembert._pictures.glb import SaveGLB
 from dalembert._pictures.html import SaveHTML
+from dalembert._pictures.vtu import SaveVTU
 from dalembert._plots.repr_html import _repr_html_
 from dalembert._plots.system_graph import DrawSystemGraph
 from dalembert._solving.buckling import ComputeBucklingLoads
@@ -49,7 +51,9 @@ methods: dict[str, Callable[..., Any]] = (
             model_files.Save,
             PlotSensor,
             Report,
+            SaveGLB,
             SaveHTML,
+            SaveVTU,
             SolutionViewer,
             pickling.GetDictionary,
             pickling.__copy__,

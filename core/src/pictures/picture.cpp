@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::uint32_t to_be_lit = 0xff000000u;
 constexpr std::size_t shine_steps = 1024;
+constexpr int alike = 1600;  // of 32767: a twentieth of a radian where a surface faces the viewer
 
 Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
@@ -20,7 +21,6 @@ Point unit(Point a) { return 1 / std::sqrt(std::max(dot(a, a), 1e-30f)) * a; }
 Paint operator*(float s, Paint p) { return {s * p.r, s * p.g, s * p.b, s * p.a}; }
 Paint operator+(Paint p, Paint q) { return {p.r + q.r, p.g + q.g, p.b + q.b, p.a + q.a}; }
 Paint operator-(Paint p, Paint q) { return {p.r - q.r, p.g - q.g, p.b - q.b, p.a - q.a}; }
-bool same(Paint p, Paint q) { return p.r == q.r && p.g == q.g && p.b == q.b; }
 bool same(Point a, Point b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
 std::uint32_t byte(float value) { return static_cast<std::uint32_t>(std::clamp(value, 0.0f, 1.0f) * 255 + 0.5f); }
@@ -42,8 +42,10 @@ Point unpacked(std::uint32_t normal) {
 // The first sample whose middle is at or behind `x`, within 0 and `end`.
 int first_sample(float x, int end) { return static_cast<int>(std::clamp(std::ceil(x - 0.5f), 0.0f, static_cast<float>(end))); }
 
+}  // namespace
+
 // Where an edge crosses a row. Its end points come in one order, so that neighbours agree on every sample between them.
-struct Edge {
+struct Picture::Edge {
   Edge(Point a, Point b) {
     if (std::pair(b.y, b.x) < std::pair(a.y, a.x)) std::swap(a, b);
     begin = a.y, end = b.y, x = a.x;
@@ -54,6 +56,8 @@ struct Edge {
   float begin, end, x, slope;
 };
 
+namespace {
+
 // A quantity that is linear over a triangle: its value in the middle of sample 0, 0, and its steps.
 template <class T>
 struct Linear {
@@ -61,7 +65,9 @@ struct Linear {
   T at(float x, float y) const { return value + x * dx + y * dy; }
 };
 
-class Plan {
+}  // namespace
+
+class Picture::Plan {
  public:
   Plan(Point a, Point b, Point c)
       : a_(a), x1_(b.x - a.x), y1_(b.y - a.y), x2_(c.x - a.x), y2_(c.y - a.y) {
@@ -80,16 +86,14 @@ class Plan {
   float x1_, y1_, x2_, y2_, scale_;
 };
 
-}  // namespace
-
 Picture::Picture(int width, int height, int samples, const Camera& camera, const Lighting& lighting)
     : width_(width), height_(height), samples_(samples), columns_(width * samples), rows_(height * samples),
       scale_(static_cast<float>(camera.scale * samples)), perspective_(static_cast<float>(camera.perspective)), view_(camera.view),
       lighting_(lighting), shine_(shine_steps + 1) {
   const auto size = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
   depth_.assign(size, -std::numeric_limits<float>::infinity());
-  color_.assign(size, 0xffffffu);
-  normal_.resize(size);
+  color_ = std::make_unique_for_overwrite<std::uint32_t[]>(size);
+  normal_ = std::make_unique_for_overwrite<std::uint32_t[]>(size);  // read where something was drawn
   item_.assign(size, -1);
   for (const Light& light : lighting_.lights) halves_.push_back(unit(light.direction + Point{0, 0, -1}));
   for (std::size_t i = 0; i <= shine_steps; ++i)
@@ -98,10 +102,15 @@ Picture::Picture(int width, int height, int samples, const Camera& camera, const
 }
 
 void Picture::background(const Paint& top, const Paint& bottom) {
+  has_background_ = true;
   for (int row = 0; row < rows_; ++row) {
     const float part = static_cast<float>(row / samples_) / static_cast<float>(std::max(height_ - 1, 1));
-    std::fill_n(color_.begin() + static_cast<std::ptrdiff_t>(row) * columns_, columns_, packed(top + part * (bottom - top)));
+    std::fill_n(color_.get() + static_cast<std::ptrdiff_t>(row) * columns_, columns_, packed(top + part * (bottom - top)));
   }
+}
+
+void Picture::begin() {
+  if (!has_background_) background({1, 1, 1, 1}, {1, 1, 1, 1});
 }
 
 void Picture::clip(const Plane& plane) { planes_.push_back(plane); }
@@ -130,6 +139,7 @@ Picture::Vertex Picture::project(const Corner& corner) const {
 }
 
 void Picture::triangles(const Mesh& mesh) {
+  begin();
   const std::size_t n = mesh.points.size() / 3;
   std::vector<Corner> corners(n);
   std::vector<Vertex> vertices(n);
@@ -185,6 +195,19 @@ void Picture::clipped(std::array<Corner, 3> corners, std::int32_t item) {
   for (std::size_t i = 2; i < polygon.size(); ++i) add({project(polygon[0]), project(polygon[i - 1]), project(polygon[i])}, item);
 }
 
+// The samples of a row between the edges of a triangle: the first one, and the one after the last.
+std::pair<int, int> Picture::span(std::span<const Edge, 3> edges, int row) const {
+  const float middle = static_cast<float>(row) + 0.5f;
+  float left = std::numeric_limits<float>::infinity(), right = -left;
+  for (const Edge& edge : edges) {
+    if (!edge.crosses(middle)) continue;
+    left = std::min(left, edge.at(middle));
+    right = std::max(right, edge.at(middle));
+  }
+  if (left > right) return {0, 0};
+  return {first_sample(left, columns_), first_sample(right, columns_)};
+}
+
 // Rows and columns of samples whose middle is inside: write(row, first column, last column + 1).
 template <class Write>
 void Picture::fill(const std::array<Vertex, 3>& v, Write&& write) const {
@@ -192,16 +215,49 @@ void Picture::fill(const std::array<Vertex, 3>& v, Write&& write) const {
   const auto [low, high] = std::minmax({v[0].place.y, v[1].place.y, v[2].place.y});
   const int end = first_sample(high, rows_);
   for (int row = first_sample(low, rows_); row < end; ++row) {
-    const float middle = static_cast<float>(row) + 0.5f;
-    float left = std::numeric_limits<float>::infinity(), right = -left;
-    for (const Edge& edge : edges) {
-      if (!edge.crosses(middle)) continue;
-      left = std::min(left, edge.at(middle));
-      right = std::max(right, edge.at(middle));
-    }
-    if (left > right) continue;
-    const int begin = first_sample(left, columns_), stop = first_sample(right, columns_);
+    const auto [begin, stop] = span(edges, row);
     if (begin < stop) write(row, begin, stop);
+  }
+}
+
+// The samples of a triangle, pixel by pixel. Those that it wins in a pixel are shaded at once, in their middle, which is inside of it:
+// shade(x, y) gives color and normal.
+template <class Shade>
+void Picture::cover(const std::array<Vertex, 3>& v, const Plan& plan, std::int32_t item, Shade&& shade) {
+  const auto near = plan.linear(v[0].place.z, v[1].place.z, v[2].place.z);
+  const Edge edges[] = {{v[0].place, v[1].place}, {v[1].place, v[2].place}, {v[2].place, v[0].place}};
+  const auto [low, high] = std::minmax({v[0].place.y, v[1].place.y, v[2].place.y});
+  const int end = first_sample(high, rows_);
+  std::array<std::size_t, 64> won;  // at most eight samples in each direction
+  std::array<int, 8> begins, ends;
+  for (int row = first_sample(low, rows_); row < end;) {
+    const int first = row, stop = std::min(row - row % samples_ + samples_, end);
+    int left = columns_, right = 0;
+    for (; row < stop; ++row) {
+      const auto [b, e] = span(edges, row);
+      begins[static_cast<std::size_t>(row - first)] = b, ends[static_cast<std::size_t>(row - first)] = e;
+      if (b < e) left = std::min(left, b), right = std::max(right, e);
+    }
+    for (int column = left - left % samples_; column < right; column += samples_) {
+      std::size_t count = 0;
+      int x_sum = 0, y_sum = 0;
+      for (int y = first; y < stop; ++y) {
+        const auto j = static_cast<std::size_t>(y - first);
+        const std::size_t start = static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_);
+        const int last = std::min(column + samples_, ends[j]);
+        for (int x = std::max(column, begins[j]); x < last; ++x) {
+          const float n = near.at(static_cast<float>(x), static_cast<float>(y));
+          const std::size_t k = start + static_cast<std::size_t>(x);
+          if (n <= depth_[k]) continue;
+          depth_[k] = n, item_[k] = item;
+          won[count++] = k, x_sum += x, y_sum += y;
+        }
+      }
+      if (count == 0) continue;
+      const float part = 1 / static_cast<float>(count);
+      const auto [color, normal] = shade(part * static_cast<float>(x_sum), part * static_cast<float>(y_sum));
+      for (std::size_t i = 0; i < count; ++i) color_[won[i]] = color, normal_[won[i]] = normal;
+    }
   }
 }
 
@@ -212,41 +268,30 @@ void Picture::add(const std::array<Vertex, 3>& v, std::int32_t item) {
     return;
   }
   const Plan plan(v[0].place, v[1].place, v[2].place);
-  const auto near = plan.linear(v[0].place.z, v[1].place.z, v[2].place.z);
-  const bool one_normal = same(v[0].normal, v[1].normal) && same(v[0].normal, v[2].normal);
-  const bool one_paint = same(v[0].paint, v[1].paint) && same(v[0].paint, v[2].paint);
-  if (one_normal && one_paint) {
-    const std::uint32_t normal = packed(v[0].normal), color = packed(1 / v[0].weight * v[0].paint) | to_be_lit;
-    fill(v, [&](int row, int begin, int end) {
-      const std::size_t start = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
-      for (int x = begin; x < end; ++x) {
-        const float n = near.at(static_cast<float>(x), static_cast<float>(row));
-        const std::size_t k = start + static_cast<std::size_t>(x);
-        if (n <= depth_[k]) continue;
-        depth_[k] = n, color_[k] = color, normal_[k] = normal, item_[k] = item;
-      }
-    });
+  const auto color_of = [](const Vertex& corner) { return packed(1 / corner.weight * corner.paint) | to_be_lit; };
+  const std::uint32_t paint = color_of(v[0]);
+  const bool one_paint = color_of(v[1]) == paint && color_of(v[2]) == paint;
+  if (same(v[0].normal, v[1].normal) && same(v[0].normal, v[2].normal) && one_paint) {
+    const std::uint32_t normal = packed(v[0].normal);
+    cover(v, plan, item, [&](float, float) { return std::pair(paint, normal); });
     return;
   }
   const auto normals = plan.linear(v[0].normal, v[1].normal, v[2].normal);
+  if (one_paint) {
+    cover(v, plan, item, [&](float x, float y) { return std::pair(paint, packed(normals.at(x, y))); });
+    return;
+  }
   const auto paints = plan.linear(v[0].paint, v[1].paint, v[2].paint);
   const auto weights = plan.linear(v[0].weight, v[1].weight, v[2].weight);
-  fill(v, [&](int row, int begin, int end) {
-    const std::size_t start = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
-    for (int x = begin; x < end; ++x) {
-      const float fx = static_cast<float>(x), fy = static_cast<float>(row), n = near.at(fx, fy);
-      const std::size_t k = start + static_cast<std::size_t>(x);
-      if (n <= depth_[k]) continue;
-      depth_[k] = n, item_[k] = item;
-      color_[k] = packed(1 / weights.at(fx, fy) * paints.at(fx, fy)) | to_be_lit;
-      normal_[k] = packed(normals.at(fx, fy));
-    }
+  cover(v, plan, item, [&](float x, float y) {
+    return std::pair(packed(1 / weights.at(x, y) * paints.at(x, y)) | to_be_lit, packed(normals.at(x, y)));
   });
 }
 
 // Discs with the depth and the normals of spheres; in perspective, their outline is that of a sphere seen along its own axis.
 void Picture::spheres(std::span<const double> centers, std::span<const double> radii, std::span<const float> colors,
                       std::span<const std::int32_t> items) {
+  begin();
   for (std::size_t i = 0; i < radii.size(); ++i) {
     const auto r = static_cast<float>(radii[i]);
     const Point c = to_eye(centers.data() + 3 * i);
@@ -297,6 +342,7 @@ void Picture::walk(Point a, Point b, float half, Write&& write) const {
 
 void Picture::lines(std::span<const double> segments, std::span<const float> colors, double width, double lift,
                     std::span<const std::int32_t> items) {
+  begin();
   const float half = 0.5f * std::max(static_cast<float>(width * samples_), 1.0f);
   for (std::size_t i = 0; i < segments.size() / 6; ++i) {
     std::array<Point, 2> ends{to_eye(segments.data() + 6 * i), to_eye(segments.data() + 6 * i + 3)};
@@ -340,27 +386,65 @@ float Picture::strength(float nx, float ny, float nz, float& shine) const {
   return bright;
 }
 
-void Picture::light_row(std::size_t begin) {
-  std::uint32_t last_color = 0, last_normal = 0, last = 0;
-  for (std::size_t k = begin; k < begin + static_cast<std::size_t>(columns_); ++k) {
-    const std::uint32_t color = color_[k];
-    if (color < to_be_lit) continue;
-    if (color != last_color || normal_[k] != last_normal) {
-      const Point n = unpacked(normal_[k]);
-      float shine = 0;
-      const float bright = strength(n.x, n.y, n.z, shine);
-      const auto channel = [&](int shift) { return bright * static_cast<float>(color >> shift & 255) / 255 + shine; };
-      last = packed(Paint{channel(0), channel(8), channel(16), 1});
-      last_color = color, last_normal = normal_[k];
+// Whether all samples of a pixel are to be lit, and their normals differ so little that one light will do for all of them; they have the
+// mean of their colors and normals then.
+bool Picture::join(std::size_t first) {
+  std::uint32_t even = 0, odd = 0;
+  int x = 0, y = 0;
+  const auto component = [](std::uint32_t v) { return static_cast<int>(static_cast<std::int16_t>(static_cast<std::uint16_t>(v))); };
+  const int x0 = component(normal_[first] & 0xffff), y0 = component(normal_[first] >> 16);
+  for (int j = 0; j < samples_; ++j) {
+    for (int i = 0; i < samples_; ++i) {
+      const std::size_t k = first + static_cast<std::size_t>(j * columns_ + i);
+      if (color_[k] < to_be_lit) return false;
+      const int nx = component(normal_[k] & 0xffff), ny = component(normal_[k] >> 16);
+      if (std::abs(nx - x0) > alike || std::abs(ny - y0) > alike) return false;
+      x += nx, y += ny;
+      even += color_[k] & 0xff00ffu, odd += color_[k] >> 8 & 255;
     }
-    color_[k] = last;
+  }
+  const auto count = static_cast<std::uint32_t>(samples_ * samples_);
+  const auto mean = [n = samples_ * samples_](int sum) { return static_cast<std::uint32_t>(static_cast<std::uint16_t>(static_cast<std::int16_t>(sum / n))); };
+  const std::uint32_t color = (((even & 0xffff) + count / 2) / count) | (((odd + count / 2) / count) << 8) | ((((even >> 16) + count / 2) / count) << 16);
+  color_[first] = color | to_be_lit;
+  normal_[first] = mean(x) | mean(y) << 16;
+  return true;
+}
+
+// All samples of a row of pixels; side by side, many have one color and normal.
+void Picture::light(int pixel_row) {
+  const auto lit = [&](std::uint32_t color, std::uint32_t normal) {
+    const Point n = unpacked(normal);
+    float shine = 0;
+    const float bright = strength(n.x, n.y, n.z, shine);
+    const auto channel = [&](int shift) { return bright * static_cast<float>(color >> shift & 255) / 255 + shine; };
+    return packed(Paint{channel(0), channel(8), channel(16), 1});
+  };
+  std::uint32_t last_color = 0, last_normal = 0, last = 0;
+  for (int column = 0; column < columns_; column += samples_) {
+    const std::size_t first = static_cast<std::size_t>(pixel_row * samples_) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+    const bool is_one = join(first);
+    for (int j = 0; j < samples_; ++j) {
+      for (int i = 0; i < samples_; ++i) {
+        const std::size_t k = first + static_cast<std::size_t>(j * columns_ + i);
+        const std::uint32_t color = is_one ? color_[first] : color_[k], normal = is_one ? normal_[first] : normal_[k];
+        if (is_one && i + j > 0) {
+          color_[k] = last;
+          continue;
+        }
+        if (color < to_be_lit) continue;
+        if (color != last_color || normal != last_normal) last = lit(color, normal), last_color = color, last_normal = normal;
+        color_[k] = last;
+      }
+    }
   }
 }
 
 // Darken the rim of what stands before something else of another item, half a pixel wide, so that parts of one color can be told apart.
-void Picture::outline() {
+void Picture::outline(int pixel_row) {
   const int reach = std::max(1, samples_ / 2 + samples_ % 2);
-  for (int row = reach; row + reach < rows_; ++row) {
+  const int stop = std::min((pixel_row + 1) * samples_, rows_ - reach);
+  for (int row = std::max(pixel_row * samples_, reach); row < stop; ++row) {
     for (int column = reach; column + reach < columns_; ++column) {
       const std::size_t k = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
       if (color_[k] < to_be_lit) continue;
@@ -403,8 +487,8 @@ void Picture::blend(const Sheet& sheet) {
 }
 
 std::vector<std::uint8_t> Picture::develop() {
-  outline();
-  for (int row = 0; row < rows_; ++row) light_row(static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_));
+  begin();
+  for (int row = 0; row < height_; ++row) outline(row), light(row);
   std::ranges::stable_sort(sheets_, {}, &Sheet::nearness);
   for (const Sheet& sheet : sheets_) blend(sheet);
   sheets_.clear();
@@ -416,7 +500,7 @@ std::vector<std::uint8_t> Picture::develop() {
     for (std::size_t x = 0; x < width; ++x) {
       std::uint32_t even = 0, odd = 0;  // red and blue side by side, green
       for (std::size_t j = 0; j < s; ++j) {
-        const std::uint32_t* row = color_.data() + (y * s + j) * width * s + x * s;
+        const std::uint32_t* row = color_.get() + (y * s + j) * width * s + x * s;
         for (std::size_t i = 0; i < s; ++i) even += row[i] & 0xff00ffu, odd += row[i] >> 8 & 255;
       }
       std::uint8_t* pixel = image.data() + 3 * (y * width + x);

@@ -66,6 +66,15 @@ Evaluation SystemParts::output_evaluation(const State& state, std::span<const in
   return e;
 }
 
+Evaluation SystemParts::output_evaluation(const State& state, std::vector<double>& totals) {
+  const std::vector<double>& reference = this->state(ConfigurationType::Reference).q;
+  Evaluation e = view_of(*this, state, {});
+  totals.resize(total.size());
+  each_number(total.size(), [q = totals.data(), from = reference.data(), u = e.u](std::size_t i) { q[i] = from[i] + u[i]; });
+  e.q = totals.data();
+  return e;
+}
+
 Evaluation SystemParts::output_evaluation(const State& state) {
   const Evaluation e = output_view(*this, state);
   const double* reference = this->state(ConfigurationType::Reference).q.data();

@@ -203,7 +203,7 @@ class SolutionSettings(_Settings):
     outputPrecision: int
     """number of significant digits in solution and sensor files [from 1 to 17]; default: 10"""
     recordImagesInterval: float
-    """simulated time between two images of the main view that are saved while the solver runs; negative: no images [s]; no effect: there is no render window yet that could save images; default: -1.0"""
+    """simulated time between two images of the main view that are saved while the solver runs; negative: no images [s]; default: -1.0"""
     restartFileName: str
     """restart file, with its path; it takes the place of the one before when it is complete and on the disk, and the one before is kept under the same name with .bck behind; default: 'restartFile.txt'"""
     restartWritePeriod: float
@@ -421,7 +421,7 @@ class SimulationSettings(_Settings):
     outputPrecision: int
     """number of significant digits in texts on the console [from 1 to 17]; default: 6"""
     pauseAfterEachStep: bool
-    """wait for the space bar in the renderer after each step; no effect: there is no render window yet whose space bar could be waited for; a PostStep user function may wait; default: False"""
+    """wait for the space bar in the renderer after each step; default: False"""
     @property
     def continuation(self) -> ContinuationSettings: ...
     @continuation.setter
@@ -474,7 +474,7 @@ class VSettingsViewCamera(_Settings):
 
     @property
     def cameraPosition(self) -> list[float]:
-        """shift of the camera, in the frame of the view; relative to the tracked marker if there is one [3; m]; default: [0.0, 0.0, 0.0]"""
+        """shift of the camera, in the frame of the view; relative to the tracked marker if there is one [3; m]; no effect: the view follows from its center, rotation and zoom; default: [0.0, 0.0, 0.0]"""
     @cameraPosition.setter
     def cameraPosition(self, value: ArrayLike) -> None: ...
     clippingPlaneDistance: float
@@ -485,10 +485,10 @@ class VSettingsViewCamera(_Settings):
     @clippingPlaneNormal.setter
     def clippingPlaneNormal(self, value: ArrayLike) -> None: ...
     modelCentricView: bool
-    """true: zooming and rotating move the model and the camera sees all of it; false: the camera moves through the model; default: True"""
+    """true: zooming and rotating move the model and the camera sees all of it; false: the camera moves through the model; no effect: views always turn about their center; default: True"""
     @property
     def nearFarPlaneOffset(self) -> list[float]:
-        """nearest and farthest visible distance (m), and a number that is 1 to use them and 0 to compute them from the size of the scene [3; various]; default: [0.0, 0.0, 0.0]"""
+        """nearest and farthest visible distance (m), and a number that is 1 to use them and 0 to compute them from the size of the scene [3; various]; no effect: nothing is too near or too far away to be drawn; default: [0.0, 0.0, 0.0]"""
     @nearFarPlaneOffset.setter
     def nearFarPlaneOffset(self, value: ArrayLike) -> None: ...
     perspective: float
@@ -508,7 +508,7 @@ class VSettingsViewCamera(_Settings):
     @trackMarkerPosition.setter
     def trackMarkerPosition(self, value: ArrayLike) -> None: ...
     useRaytracer: bool
-    """true: software ray tracer; false: OpenGL; default: False"""
+    """true: software ray tracer; false: OpenGL; no effect: there is no ray tracer; default: False"""
     def __init__(self) -> None: ...
 
 @final
@@ -540,13 +540,13 @@ class VSettingsViewWindow(_Settings):
     """window of a view"""
 
     alwaysOnTop: bool
-    """the window stays above other windows; default: False"""
+    """the window stays above other windows; no effect: pages are in windows of the browser, with its mouse; default: False"""
     globalFontSize: float
     """size of the font, about in pixels [1]; default: 12.0"""
     lockModelView: bool
-    """mouse and keys do not change the view; default: False"""
+    """mouse and keys do not change the view; no effect: pages are in windows of the browser, with its mouse; default: False"""
     maximize: bool
-    """open the window in full size; default: False"""
+    """open the window in full size; no effect: pages are in windows of the browser, with its mouse; default: False"""
     @property
     def renderWindowSize(self) -> list[int]:
         """width and height of the window at the start, in pixels [2]; default: [1024, 768]"""
@@ -555,11 +555,11 @@ class VSettingsViewWindow(_Settings):
     showComputationInfo: bool
     """show version, solver and other information in the window; default: True"""
     showMouseCoordinates: bool
-    """show the position of the mouse in the model and its distance from the last click; default: False"""
+    """show the position of the mouse in the model and its distance from the last click; no effect: pages are in windows of the browser, with its mouse; default: False"""
     showRenderStateInfo: bool
-    """show zoom, center and rotation of the view; default: False"""
+    """show zoom, center and rotation of the view; no effect: pages are in windows of the browser, with its mouse; default: False"""
     showWindow: bool
-    """true: the window is shown at the start; false: it starts as an icon; default: True"""
+    """true: the window is shown at the start; false: it starts as an icon; no effect: pages are in windows of the browser, with its mouse; default: True"""
     def __init__(self) -> None: ...
 
 @final
@@ -585,28 +585,28 @@ class VSettingsLight(_Settings):
     """one light"""
 
     constantAttenuation: float
-    """constant term of the attenuation, whose inverse weakens the light; of lights with a position only [1]; default: 1.0"""
+    """constant term of the attenuation, whose inverse weakens the light; of lights with a position only [1]; no effect: lights turn with the viewer, and neither fade nor cast shadows; default: 1.0"""
     diffuse: float
     """strength of the light that is scattered by faces [1]; default: 0.5"""
     enable: bool
     """switch the light on; default: True"""
     lightRadius: float
-    """radius of the light for soft shadows, of the ray tracer only [m]; default: 0.1"""
+    """radius of the light for soft shadows, of the ray tracer only [m]; no effect: lights turn with the viewer, and neither fade nor cast shadows; default: 0.1"""
     linearAttenuation: float
-    """term of the attenuation that grows with the distance; of lights with a position only [1/m]; default: 0.0"""
+    """term of the attenuation that grows with the distance; of lights with a position only [1/m]; no effect: lights turn with the viewer, and neither fade nor cast shadows; default: 0.0"""
     @property
     def position(self) -> list[float]:
         """position of the light if the fourth number is 1; direction towards a light at infinity if it is 0 [4; m]; default: [2.0, 2.0, 10.0, 0.0]"""
     @position.setter
     def position(self, value: ArrayLike) -> None: ...
     quadraticAttenuation: float
-    """term of the attenuation that grows with the square of the distance; of lights with a position only [1/m^2]; default: 0.0"""
+    """term of the attenuation that grows with the square of the distance; of lights with a position only [1/m^2]; no effect: lights turn with the viewer, and neither fade nor cast shadows; default: 0.0"""
     shadow: float
-    """strength of the shadows of this light, from 0 (none) to 1; shadows cost rendering time [1]; default: 0.0"""
+    """strength of the shadows of this light, from 0 (none) to 1; shadows cost rendering time [1]; no effect: lights turn with the viewer, and neither fade nor cast shadows; default: 0.0"""
     specular: float
     """strength of highlights [1]; default: 0.5"""
     useCameraFrame: bool
-    """true: position and direction are fixed to the camera; false: to the model; default: False"""
+    """true: position and direction are fixed to the camera; false: to the model; no effect: lights turn with the viewer, and neither fade nor cast shadows; default: False"""
     def __init__(self) -> None: ...
 
 @final
@@ -614,28 +614,28 @@ class VSettingsMaterial(_Settings):
     """one material of the ray tracer"""
 
     alpha: float
-    """opacity, from 0 to 1 [1]; default: 1.0"""
+    """opacity, from 0 to 1 [1]; no effect: there is no ray tracer; default: 1.0"""
     @property
     def baseColor(self) -> list[float]:
-        """red, green and blue of faces without a color of their own [3; 1]; default: [0.4, 0.4, 0.9]"""
+        """red, green and blue of faces without a color of their own [3; 1]; no effect: there is no ray tracer; default: [0.4, 0.4, 0.9]"""
     @baseColor.setter
     def baseColor(self, value: ArrayLike) -> None: ...
     @property
     def emission(self) -> list[float]:
-        """red, green and blue of light that the material emits [3; 1]; default: [0.0, 0.0, 0.0]"""
+        """red, green and blue of light that the material emits [3; 1]; no effect: there is no ray tracer; default: [0.0, 0.0, 0.0]"""
     @emission.setter
     def emission(self, value: ArrayLike) -> None: ...
     ior: float
-    """index of refraction of transparent materials; 1: none [1]; default: 1.0"""
+    """index of refraction of transparent materials; 1: none [1]; no effect: there is no ray tracer; default: 1.0"""
     name: str
-    """name of the material; default: 'default'"""
+    """name of the material; no effect: there is no ray tracer; default: 'default'"""
     reflectivity: float
-    """share of light that is reflected, from 0 (rough) to 1 (mirror); costs rendering time [1]; default: 0.0"""
+    """share of light that is reflected, from 0 (rough) to 1 (mirror); costs rendering time [1]; no effect: there is no ray tracer; default: 0.0"""
     shininess: float
-    """sharpness of highlights; below 5 dull, above 50 glossy [1]; default: 32.0"""
+    """sharpness of highlights; below 5 dull, above 50 glossy [1]; no effect: there is no ray tracer; default: 32.0"""
     @property
     def specular(self) -> list[float]:
-        """red, green and blue of highlights [3; 1]; default: [0.6, 0.6, 0.6]"""
+        """red, green and blue of highlights [3; 1]; no effect: there is no ray tracer; default: [0.6, 0.6, 0.6]"""
     @specular.setter
     def specular(self, value: ArrayLike) -> None: ...
     def __init__(self) -> None: ...
@@ -654,7 +654,7 @@ class VSettingsNodes(_Settings):
     defaultSize: float
     """size of nodes without a size of their own; negative: chosen from the size of the scene [m]; default: -1.0"""
     drawNodesAsPoint: bool
-    """true: nodes are points of the size ``general.pointSize`` and frames are lines, which is fast; false: spheres or circles; default: True"""
+    """true: nodes are points of the size ``general.pointSize`` and frames are lines, which is fast; false: spheres or circles; no effect: nodes are balls; default: True"""
     show: bool
     """draw nodes; default: True"""
     showBasis: bool
@@ -664,7 +664,7 @@ class VSettingsNodes(_Settings):
     showNumbers: bool
     """draw the numbers of nodes; default: False"""
     tiling: int
-    """number of segments of a node that is drawn as a sphere; circles have four times as many; default: 4"""
+    """number of segments of a node that is drawn as a sphere; circles have four times as many; no effect: spheres are round; default: 4"""
     def __init__(self) -> None: ...
 
 @final
@@ -674,7 +674,7 @@ class VSettingsBodiesBeams(_Settings):
     axialTiling: int
     """number of segments along the axis of a beam element; default: 8"""
     crossSectionFilled: bool
-    """true: cross sections are solid, if the element can do so; false: wire frame; default: True"""
+    """true: cross sections are solid, if the element can do so; false: wire frame; no effect: cross sections are solid; default: True"""
     crossSectionTiling: int
     """number of faces over the height of a beam that is drawn flat; default: 4"""
     drawVertical: bool
@@ -693,7 +693,7 @@ class VSettingsBodiesBeams(_Settings):
     drawVerticalValues: bool
     """write values at the lines of the diagram; they are interpolated ones; default: False"""
     reducedAxialInterploation: bool
-    """true: contour variables are interpolated along the axis with a lower order, which hides oscillations; false: as the element does; default: True"""
+    """true: contour variables are interpolated along the axis with a lower order, which hides oscillations; false: as the element does; no effect: numbers along a beam are those of its points; default: True"""
     def __init__(self) -> None: ...
 
 @final
@@ -731,7 +731,7 @@ class VSettingsBodies(_Settings):
     def defaultColor(self, value: ArrayLike) -> None: ...
     @property
     def defaultSize(self) -> list[float]:
-        """edge lengths in x, y and z of the block that stands for a body without shapes [3; m]; default: [1.0, 1.0, 1.0]"""
+        """edge lengths in x, y and z of the block that stands for a body without shapes [3; m]; no effect: bodies without shapes are drawn as large as their markers say; default: [1.0, 1.0, 1.0]"""
     @defaultSize.setter
     def defaultSize(self, value: ArrayLike) -> None: ...
     deformationScaleFactor: float
@@ -759,7 +759,7 @@ class VSettingsConnectors(_Settings):
     """drawing of connectors, joints and constraints"""
 
     contactPointsDefaultSize: float
-    """size of contact points; without effect, see ``contact.contactPointsDefaultSize`` [m]; default: 0.02"""
+    """size of contact points; without effect, see ``contact.contactPointsDefaultSize`` [m]; no effect: contacts are drawn as the shapes that touch; default: 0.02"""
     @property
     def defaultColor(self) -> list[float]:
         """red, green, blue and opacity of connectors without a color of their own, each from 0 to 1 [4; 1]; default: [0.2, 0.2, 1.0, 1.0]"""
@@ -770,11 +770,11 @@ class VSettingsConnectors(_Settings):
     jointAxesLength: float
     """length of joint axes [m]; default: 0.2"""
     jointAxesRadius: float
-    """radius of joint axes [m]; default: 0.02"""
+    """radius of joint axes [m]; no effect: the axes of frames have the proportions of all frames; default: 0.02"""
     show: bool
     """draw connectors; default: True"""
     showContact: bool
-    """draw contact points and lines of contacts between circles and cables; default: False"""
+    """draw contact points and lines of contacts between circles and cables; no effect: contacts are drawn as the shapes that touch; default: False"""
     showJointAxes: bool
     """draw the axes of joints in space; default: False"""
     showNumbers: bool
@@ -795,7 +795,7 @@ class VSettingsMarkers(_Settings):
     defaultSize: float
     """size of markers without a size of their own; negative: chosen from the size of the scene [m]; default: -1.0"""
     drawSimplified: bool
-    """draw markers with simple symbols; default: True"""
+    """draw markers with simple symbols; no effect: markers are cubes; default: True"""
     show: bool
     """draw markers; default: True"""
     showNumbers: bool
@@ -816,9 +816,9 @@ class VSettingsLoads(_Settings):
     defaultSize: float
     """size of loads without a size of their own; negative: chosen from the size of the scene [m]; default: 0.2"""
     drawSimplified: bool
-    """draw loads with simple symbols; default: True"""
+    """draw loads with simple symbols; no effect: loads are arrows; default: True"""
     drawWithUserFunction: bool
-    """true: loads with user functions are drawn with their current value; needs ``fixedLoadSize`` false to show more than the direction; default: True"""
+    """true: loads with user functions are drawn with their current value; needs ``fixedLoadSize`` false to show more than the direction; no effect: loads are drawn as they are given; default: True"""
     fixedLoadSize: bool
     """true: arrows of loads have the same length; false: the length is proportional to the load; default: True"""
     loadSizeFactor: float
@@ -895,7 +895,7 @@ class VSettingsSensors(_Settings):
     defaultSize: float
     """size of sensors without a size of their own; negative: chosen from the size of the scene [m]; default: -1.0"""
     drawSimplified: bool
-    """draw sensors with simple symbols; default: True"""
+    """draw sensors with simple symbols; no effect: sensors are cubes; default: True"""
     show: bool
     """draw sensors; default: True"""
     showNumbers: bool
@@ -987,53 +987,53 @@ class VSettingsContact(_Settings):
 
     @property
     def colorBoundingBoxes(self) -> list[float]:
-        """red, green, blue and opacity of bounding boxes, each from 0 to 1 [4; 1]; default: [0.9, 0.1, 0.1, 1.0]"""
+        """red, green, blue and opacity of bounding boxes, each from 0 to 1 [4; 1]; no effect: there is no general contact; default: [0.9, 0.1, 0.1, 1.0]"""
     @colorBoundingBoxes.setter
     def colorBoundingBoxes(self, value: ArrayLike) -> None: ...
     @property
     def colorSearchTree(self) -> list[float]:
-        """red, green, blue and opacity of the search tree, each from 0 to 1 [4; 1]; default: [0.1, 0.1, 0.9, 1.0]"""
+        """red, green, blue and opacity of the search tree, each from 0 to 1 [4; 1]; no effect: there is no general contact; default: [0.1, 0.1, 0.9, 1.0]"""
     @colorSearchTree.setter
     def colorSearchTree(self, value: ArrayLike) -> None: ...
     @property
     def colorSpheres(self) -> list[float]:
-        """red, green, blue and opacity of contact spheres, each from 0 to 1 [4; 1]; default: [0.8, 0.5, 0.2, 1.0]"""
+        """red, green, blue and opacity of contact spheres, each from 0 to 1 [4; 1]; no effect: there is no general contact; default: [0.8, 0.5, 0.2, 1.0]"""
     @colorSpheres.setter
     def colorSpheres(self, value: ArrayLike) -> None: ...
     @property
     def colorTori(self) -> list[float]:
-        """red, green, blue and opacity of contact tori, each from 0 to 1 [4; 1]; default: [0.8, 0.2, 0.8, 1.0]"""
+        """red, green, blue and opacity of contact tori, each from 0 to 1 [4; 1]; no effect: there is no general contact; default: [0.8, 0.2, 0.8, 1.0]"""
     @colorTori.setter
     def colorTori(self, value: ArrayLike) -> None: ...
     @property
     def colorTriangles(self) -> list[float]:
-        """red, green, blue and opacity of contact triangles, each from 0 to 1 [4; 1]; default: [0.5, 0.5, 0.5, 1.0]"""
+        """red, green, blue and opacity of contact triangles, each from 0 to 1 [4; 1]; no effect: there is no general contact; default: [0.5, 0.5, 0.5, 1.0]"""
     @colorTriangles.setter
     def colorTriangles(self, value: ArrayLike) -> None: ...
     contactForcesFactor: float
-    """length of a contact force in the drawing per newton [m/N]; default: 0.001"""
+    """length of a contact force in the drawing per newton [m/N]; no effect: there is no general contact; default: 0.001"""
     contactPointsDefaultSize: float
-    """size of contact points; negative: chosen from the size of the scene [m]; default: 0.001"""
+    """size of contact points; negative: chosen from the size of the scene [m]; no effect: there is no general contact; default: 0.001"""
     showBoundingBoxes: bool
-    """draw the bounding boxes of contact partners; slow if there are many; default: False"""
+    """draw the bounding boxes of contact partners; slow if there are many; no effect: there is no general contact; default: False"""
     showContactForces: bool
-    """draw contact forces, of contacts that support it; default: False"""
+    """draw contact forces, of contacts that support it; no effect: there is no general contact; default: False"""
     showContactForcesValues: bool
-    """write the values of contact forces that are drawn; default: False"""
+    """write the values of contact forces that are drawn; no effect: there is no general contact; default: False"""
     showSearchTree: bool
-    """draw the outer box of the search tree; default: False"""
+    """draw the outer box of the search tree; no effect: there is no general contact; default: False"""
     showSearchTreeCells: bool
-    """draw all cells of the search tree, the redder the more partners they hold; slow if there are many; default: False"""
+    """draw all cells of the search tree, the redder the more partners they hold; slow if there are many; no effect: there is no general contact; default: False"""
     showSpheres: bool
-    """draw contact spheres; default: False"""
+    """draw contact spheres; no effect: there is no general contact; default: False"""
     showTori: bool
-    """draw contact tori; default: False"""
+    """draw contact tori; no effect: there is no general contact; default: False"""
     showTriangles: bool
-    """draw contact triangles; default: False"""
+    """draw contact triangles; no effect: there is no general contact; default: False"""
     tilingCurves: int
-    """number of segments of contact curves; default: 8"""
+    """number of segments of contact curves; no effect: there is no general contact; default: 8"""
     tilingSpheres: int
-    """number of segments of contact spheres; default: 4"""
+    """number of segments of contact spheres; no effect: there is no general contact; default: 4"""
     def __init__(self) -> None: ...
 
 @final
@@ -1042,11 +1042,11 @@ class VSettingsOpenGLAdvanced(_Settings):
 
     @property
     def clippingPlaneColor(self) -> list[float]:
-        """red, green and blue of cut faces at a clipping plane; the fourth number chooses the color: 0 nothing is drawn, 1 this color, 2 the color of the body [4; 1]; default: [0.7, 0.5, 0.5, 0.0]"""
+        """red, green and blue of cut faces at a clipping plane; the fourth number chooses the color: 0 nothing is drawn, 1 this color, 2 the color of the body [4; 1]; no effect: what a clipping plane cuts stays open; default: [0.7, 0.5, 0.5, 0.0]"""
     @clippingPlaneColor.setter
     def clippingPlaneColor(self, value: ArrayLike) -> None: ...
     depthSorting: bool
-    """true: faces are sorted by depth, so that transparent ones are drawn correctly, at more cost; default: False"""
+    """true: faces are sorted by depth, so that transparent ones are drawn correctly, at more cost; no effect: what is seen through is always sorted; default: False"""
     enableLighting: bool
     """true: faces are lit; false: plain colors; default: True"""
     @property
@@ -1060,7 +1060,7 @@ class VSettingsOpenGLAdvanced(_Settings):
     @initialCenterPoint.setter
     def initialCenterPoint(self, value: ArrayLike) -> None: ...
     initialMaxSceneSize: float
-    """size of the scene at the start; only without ``general.autoFitScene`` [m]; default: 1.0"""
+    """size of the scene at the start; only without ``general.autoFitScene`` [m]; no effect: the size is found from what is drawn; default: 1.0"""
     @property
     def initialModelRotation(self) -> list[list[float]]:
         """rotation matrix of the view at the start; only with a model centric view [3 x 3; 1]; default: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]"""
@@ -1069,23 +1069,23 @@ class VSettingsOpenGLAdvanced(_Settings):
     initialZoom: float
     """zoom at the start; only without ``general.autoFitScene`` [1]; default: 1.0"""
     lightModelLocalViewer: bool
-    """true: highlights are computed with the position of the camera; false: with the direction of view only; default: False"""
+    """true: highlights are computed with the position of the camera; false: with the direction of view only; no effect: highlights are those of a viewer far away; default: False"""
     lightModelTwoSide: bool
-    """light the back of faces too; default: False"""
+    """light the back of faces too; no effect: both sides of faces are always lit; default: False"""
     lineSmooth: bool
-    """smooth lines; default: True"""
+    """smooth lines; no effect: lines are always smooth; default: True"""
     polygonOffset: float
-    """shift of faces away from the viewer, so that lines on them stay visible [1]; default: 0.05"""
+    """shift of faces away from the viewer, so that lines on them stay visible [1]; no effect: lines on faces are seen anyway; default: 0.05"""
     shadeModelSmooth: bool
     """true: shading is interpolated between the corners of faces; false: one shade per face; default: True"""
     shadowPolygonOffset: float
-    """shift of shadows against artifacts; smaller for large scenes, larger for thin bodies [1]; default: 0.1"""
+    """shift of shadows against artifacts; smaller for large scenes, larger for thin bodies [1]; no effect: there are no shadows; default: 0.1"""
     showBoundingBox: bool
     """draw the bounding box of the scene that zooming to all uses; default: False"""
     textLineSmooth: bool
-    """smooth the lines of text; default: False"""
+    """smooth the lines of text; no effect: texts are drawn with a font of outlines; default: False"""
     textLineWidth: float
-    """width of the lines of text in pixels [1]; default: 1.0"""
+    """width of the lines of text in pixels [1]; no effect: texts are drawn with a font of outlines; default: 1.0"""
     @property
     def vertexNormalsColor(self) -> list[float]:
         """red, green, blue and opacity of normals at the corners of faces, each from 0 to 1 [4; 1]; default: [0.8, 0.2, 0.2, 1.0]"""
@@ -1127,7 +1127,7 @@ class VSettingsOpenGL(_Settings):
     multiSampling: int
     """number of samples per pixel against jagged edges: 1 for none, 2, 4, 8 or 16; set it before the renderer starts; default: 1"""
     zMaxSceneFactor: float
-    """depth of the visible space relative to the size of the scene; too small cuts near and far parts off, too large makes faces flicker [1]; default: 2.0"""
+    """depth of the visible space relative to the size of the scene; too small cuts near and far parts off, too large makes faces flicker [1]; no effect: nothing is too far away to be drawn; default: 2.0"""
     @property
     def advanced(self) -> VSettingsOpenGLAdvanced: ...
     @advanced.setter
@@ -1156,21 +1156,21 @@ class VSettingsRaytracerAdvanced(_Settings):
 
     @property
     def backgroundColorReflections(self) -> list[float]:
-        """red, green, blue and opacity that reflected rays see where they leave the scene [4; 1]; default: [0.4, 0.4, 0.4, 1.0]"""
+        """red, green, blue and opacity that reflected rays see where they leave the scene [4; 1]; no effect: there is no ray tracer; default: [0.4, 0.4, 0.4, 1.0]"""
     @backgroundColorReflections.setter
     def backgroundColorReflections(self, value: ArrayLike) -> None: ...
     searchTreeFactor: int
-    """factor of the number of cells of the search tree, from 1 to 128, for scenes with unevenly distributed faces; default: 1"""
+    """factor of the number of cells of the search tree, from 1 to 128, for scenes with unevenly distributed faces; no effect: there is no ray tracer; default: 1"""
     shadowScalingFactor: int
-    """factor by which the map of soft shadows is coarser than the image, from 0 to 16; 0: shadows are sampled as the image is; default: 3"""
+    """factor by which the map of soft shadows is coarser than the image, from 0 to 16; 0: shadows are sampled as the image is; no effect: there is no ray tracer; default: 3"""
     shadowSmoothingSteps: int
-    """number of smoothing steps of the map of soft shadows, from 0 to 32; default: 3"""
+    """number of smoothing steps of the map of soft shadows, from 0 to 32; no effect: there is no ray tracer; default: 3"""
     showText: bool
-    """true: texts are part of the image; false: no text; default: True"""
+    """true: texts are part of the image; false: no text; no effect: there is no ray tracer; default: True"""
     tilesPerThread: int
-    """number of parts of the image per thread, for an even load; default: 12"""
+    """number of parts of the image per thread, for an even load; no effect: there is no ray tracer; default: 12"""
     zBiasLines: float
-    """shift of lines towards the viewer relative to the size of the scene, so that lines on faces are visible [1]; default: 0.001"""
+    """shift of lines towards the viewer relative to the size of the scene, so that lines on faces are visible [1]; no effect: there is no ray tracer; default: 0.001"""
     def __init__(self) -> None: ...
 
 @final
@@ -1179,27 +1179,27 @@ class VSettingsRaytracer(_Settings):
 
     @property
     def globalFogColor(self) -> list[float]:
-        """red, green, blue and opacity of fog, each from 0 to 1 [4; 1]; default: [0.5, 0.5, 0.5, 1.0]"""
+        """red, green, blue and opacity of fog, each from 0 to 1 [4; 1]; no effect: there is no ray tracer; default: [0.5, 0.5, 0.5, 1.0]"""
     @globalFogColor.setter
     def globalFogColor(self, value: ArrayLike) -> None: ...
     globalFogDensity: float
-    """density of fog relative to the size of the scene; 0: no fog [1]; default: 0.0"""
+    """density of fog relative to the size of the scene; 0: no fog [1]; no effect: there is no ray tracer; default: 0.0"""
     imageSizeFactor: int
-    """factor by which the image is smaller than the window, from 1 to 16, for fast previews; default: 1"""
+    """factor by which the image is smaller than the window, from 1 to 16, for fast previews; no effect: there is no ray tracer; default: 1"""
     keepWindowActive: bool
-    """true: the window is kept responsive during long renderings; default: False"""
+    """true: the window is kept responsive during long renderings; no effect: there is no ray tracer; default: False"""
     lightRadiusVariations: int
-    """number of positions on a light that are sampled for soft shadows, from 1 (hard shadows) to 256; squares of integers look worst; default: 1"""
+    """number of positions on a light that are sampled for soft shadows, from 1 (hard shadows) to 256; squares of integers look worst; no effect: there is no ray tracer; default: 1"""
     maxReflectionDepth: int
-    """number of reflections that a ray follows, 32 at most; default: 2"""
+    """number of reflections that a ray follows, 32 at most; no effect: there is no ray tracer; default: 2"""
     maxTransparencyDepth: int
-    """number of transparent faces that a ray passes, 32 at most; default: 2"""
+    """number of transparent faces that a ray passes, 32 at most; no effect: there is no ray tracer; default: 2"""
     multiSampling: int
-    """number of samples per pixel in each direction, from 1 to 4; the cost grows with its square; default: 1"""
+    """number of samples per pixel in each direction, from 1 to 4; the cost grows with its square; no effect: there is no ray tracer; default: 1"""
     numberOfThreads: int
-    """number of threads, 256 at most; default: 8"""
+    """number of threads, 256 at most; no effect: there is no ray tracer; default: 8"""
     verbose: int
-    """amount of output on rendering: 0 none, 1 times and counters, 2 or more details; default: 0"""
+    """amount of output on rendering: 0 none, 1 times and counters, 2 or more details; no effect: there is no ray tracer; default: 0"""
     @property
     def advanced(self) -> VSettingsRaytracerAdvanced: ...
     @advanced.setter
@@ -1267,9 +1267,9 @@ class VSettingsGeneral(_Settings):
     boundingBoxZoomAllFactor: float
     """space around the bounding box after zooming to all, as a factor of its size [1]; default: 1.2"""
     boundingBoxZoomAllOffset: float
-    """smallest size of the bounding box when zooming to all [m]; default: 0.01"""
+    """smallest size of the bounding box when zooming to all [m]; no effect: the space around a system is a part of its size; default: 0.01"""
     circleTiling: int
-    """number of segments of circles; at least 2 are drawn; default: 16"""
+    """number of segments of circles; at least 2 are drawn; no effect: circles have 32 segments; default: 16"""
     coordinateSystemSize: float
     """size of the coordinate system in the corner, relative to the font size [1]; default: 5.0"""
     cylinderTiling: int
@@ -1277,33 +1277,33 @@ class VSettingsGeneral(_Settings):
     graphicsUpdateInterval: float
     """real time between two updates of the drawing while a solver runs [s]; default: 0.1"""
     limitWindowToScreenSize: bool
-    """true: windows are not larger than the screen; false: larger windows are allowed; default: True"""
+    """true: windows are not larger than the screen; false: larger windows are allowed; no effect: pages are in windows of the browser, with its mouse; default: True"""
     linuxDisplayScaleFactor: float
-    """factor of fonts in windows and dialogs on Linux [1]; default: 1.0"""
+    """factor of fonts in windows and dialogs on Linux [1]; no effect: pages are in windows of the browser, with its mouse; default: 1.0"""
     minSceneSize: float
-    """smallest size of the scene, for models without extension; positive [m]; default: 0.1"""
+    """smallest size of the scene, for models without extension; positive [m]; no effect: sizes are parts of the system, however small it is; default: 0.1"""
     pointSize: float
-    """size of points [m]; default: 0.01"""
+    """size of points [m]; no effect: nodes are balls, in proportion to the scene; default: 0.01"""
     reallyQuitTimeLimit: float
-    """duration of a computation from which on closing the window asks for confirmation; 0: always [s]; default: 900.0"""
+    """duration of a computation from which on closing the window asks for confirmation; 0: always [s]; no effect: pages are in windows of the browser, with its mouse; default: 900.0"""
     rendererPrecision: int
     """number of significant digits in the render window, 16 at most; default: 4"""
     rendererStartupTimeout: int
-    """time in milliseconds that a start of the renderer may take; default: 2500"""
+    """time in milliseconds that a start of the renderer may take; no effect: pages are in windows of the browser, with its mouse; default: 2500"""
     renderWindowString: str
     """text that is shown in the render window; default: ''"""
     showHelpOnStartup: int
-    """seconds for which help is shown when the renderer starts; 0: none; default: 5"""
+    """seconds for which help is shown when the renderer starts; 0: none; no effect: pages are in windows of the browser, with its mouse; default: 5"""
     showSolutionInformation: bool
-    """show the text of ``solutionSettings.solutionInformation``; default: True"""
+    """show the text of ``solutionSettings.solutionInformation``; no effect: pages are in windows of the browser, with its mouse; default: True"""
     showSolverInformation: bool
-    """show name and state of the solver; default: True"""
+    """show name and state of the solver; no effect: pages are in windows of the browser, with its mouse; default: True"""
     showSolverTime: bool
     """show the simulated time; default: True"""
     sphereTiling: int
-    """number of segments of spheres; at least 2 are drawn; default: 6"""
+    """number of segments of spheres; at least 2 are drawn; no effect: spheres are round; default: 6"""
     textAlwaysInFront: bool
-    """true: texts of items are drawn in front of everything; false: faces can hide them; default: True"""
+    """true: texts of items are drawn in front of everything; false: faces can hide them; no effect: texts are always in front; default: True"""
     @property
     def textColor(self) -> list[float]:
         """red, green, blue and opacity of texts of the window, each from 0 to 1 [4; 1]; default: [0.0, 0.0, 0.0, 1.0]"""
@@ -1312,19 +1312,19 @@ class VSettingsGeneral(_Settings):
     textHasBackground: bool
     """draw a background behind texts of items; default: False"""
     textOffsetFactor: float
-    """shift of texts of items towards the viewer relative to the size of the scene; only without ``textAlwaysInFront`` [1]; default: 0.005"""
+    """shift of texts of items towards the viewer relative to the size of the scene; only without ``textAlwaysInFront`` [1]; no effect: texts stand beside their points, by pixels; default: 0.005"""
     threadSafeGraphicsUpdate: bool
-    """true: the state that is drawn is copied under a lock; false: faster, but pictures may mix two states; default: True"""
+    """true: the state that is drawn is copied under a lock; false: faster, but pictures may mix two states; no effect: what is drawn is always a copy; default: True"""
     useBitmapText: bool
-    """true: texts are drawn from bitmaps; false: from lines; default: True"""
+    """true: texts are drawn from bitmaps; false: from lines; no effect: texts are drawn with a font of outlines; default: True"""
     useGradientBackground: bool
     """draw the background with a vertical gradient; default: False"""
     useMultiThreadedRendering: bool
-    """true: the renderer runs in a thread of its own; false: in the thread of the solver; set it before the renderer starts; default: True"""
+    """true: the renderer runs in a thread of its own; false: in the thread of the solver; set it before the renderer starts; no effect: pages are in windows of the browser, with its mouse; default: True"""
     useWindowsDisplayScaleFactor: bool
-    """scale fonts with the display scaling of Windows; default: True"""
+    """scale fonts with the display scaling of Windows; no effect: pages are in windows of the browser, with its mouse; default: True"""
     zoomAllUseBoundingBox: bool
-    """true: zooming to all uses the exact bounding box of the scene, without perspective; false: an estimate; default: True"""
+    """true: zooming to all uses the exact bounding box of the scene, without perspective; false: an estimate; no effect: zooming to all always uses the box around everything; default: True"""
     def __init__(self) -> None: ...
 
 @final
@@ -1342,15 +1342,15 @@ class VSettingsInteractiveAdvanced(_Settings):
     @highlightOtherColor.setter
     def highlightOtherColor(self, value: ArrayLike) -> None: ...
     joystickScaleRotation: float
-    """factor of joystick rotations [1]; default: 200.0"""
+    """factor of joystick rotations [1]; no effect: pages are in windows of the browser, with its mouse; default: 200.0"""
     joystickScaleTranslation: float
-    """factor of joystick translations [1]; default: 6.0"""
+    """factor of joystick translations [1]; no effect: pages are in windows of the browser, with its mouse; default: 6.0"""
     keypressRotationStep: float
     """rotation of the view per key press [deg]; default: 5.0"""
     keypressTranslationStep: float
     """translation of the view per key press, relative to the window [1]; default: 0.1"""
     mouseMoveRotationFactor: float
-    """rotation of the view per pixel of mouse movement [deg]; default: 1.0"""
+    """rotation of the view per pixel of mouse movement [deg]; no effect: pages are in windows of the browser, with its mouse; default: 1.0"""
     pauseWithSpacebar: bool
     """the space bar pauses and continues a computation; default: True"""
     selectionHighlights: bool
@@ -1360,7 +1360,7 @@ class VSettingsInteractiveAdvanced(_Settings):
     selectionLeftMouseItemTypes: int
     """kinds of items that a left click selects, a sum of 1 nodes, 2 objects, 4 markers, 8 loads, 16 sensors; default: 31"""
     selectionRightMouse: bool
-    """a right click shows all parameters of an item; default: True"""
+    """a right click shows all parameters of an item; no effect: a click with either button shows the same; default: True"""
     selectionRightMouseGraphicsData: bool
     """a right click shows the graphics data as well, which may be long; default: False"""
     zoomStepFactor: float
@@ -1372,13 +1372,13 @@ class VSettingsInteractiveOpenVR(_Settings):
     """virtual reality by OpenVR"""
 
     actionManifestFileName: str
-    """absolute path of the file with the actions of the devices; default: 'C:/openVRactionsManifest.json'"""
+    """absolute path of the file with the actions of the devices; no effect: pages are in windows of the browser, with its mouse; default: 'C:/openVRactionsManifest.json'"""
     enable: bool
-    """use OpenVR, if the package is built with it; default: False"""
+    """use OpenVR, if the package is built with it; no effect: pages are in windows of the browser, with its mouse; default: False"""
     logLevel: int
-    """amount of output: -1 none, 0 errors, 1 warnings, 2 information, 3 for debugging; default: 1"""
+    """amount of output: -1 none, 0 errors, 1 warnings, 2 information, 3 for debugging; no effect: pages are in windows of the browser, with its mouse; default: 1"""
     showCompanionWindow: bool
-    """show the views of both eyes in a window; default: True"""
+    """show the views of both eyes in a window; no effect: pages are in windows of the browser, with its mouse; default: True"""
     def __init__(self) -> None: ...
 
 @final
@@ -1386,10 +1386,10 @@ class VSettingsInteractive(_Settings):
     """interaction with the render window"""
 
     autoRotateModelView: bool
-    """rotate the view by itself; default: False"""
+    """rotate the view by itself; no effect: pages are in windows of the browser, with its mouse; default: False"""
     @property
     def autoRotationVelocity(self) -> list[float]:
-        """angular velocity of the rotating view [3; rad/s]; default: [0.0, 0.0, 1.047198]"""
+        """angular velocity of the rotating view [3; rad/s]; no effect: pages are in windows of the browser, with its mouse; default: [0.0, 0.0, 1.047198]"""
     @autoRotationVelocity.setter
     def autoRotationVelocity(self, value: ArrayLike) -> None: ...
     highlightItemIndex: int
@@ -1401,9 +1401,9 @@ class VSettingsInteractive(_Settings):
     ignoreKeys: bool
     """true: keys, except for escape and F2, are left to the key press user function; default: False"""
     logMouseCoordinates: bool
-    """write mouse coordinates to the console as well, if they are shown; default: True"""
+    """write mouse coordinates to the console as well, if they are shown; no effect: pages are in windows of the browser, with its mouse; default: True"""
     useJoystickInput: bool
-    """move and rotate the view with a six-axis joystick, if there is one; default: True"""
+    """move and rotate the view with a six-axis joystick, if there is one; no effect: pages are in windows of the browser, with its mouse; default: True"""
     @property
     def advanced(self) -> VSettingsInteractiveAdvanced: ...
     @advanced.setter
@@ -1419,15 +1419,15 @@ class VSettingsDialogs(_Settings):
     """dialogs"""
 
     alphaTransparency: float
-    """opacity of dialogs, from 0 to 1 [1]; default: 0.94"""
+    """opacity of dialogs, from 0 to 1 [1]; no effect: pages are in windows of the browser, with its mouse; default: 0.94"""
     alwaysTopmost: bool
-    """dialogs stay above other windows; default: True"""
+    """dialogs stay above other windows; no effect: pages are in windows of the browser, with its mouse; default: True"""
     fontScalingMacOS: float
-    """factor of fonts in dialogs on macOS [1]; default: 1.35"""
+    """factor of fonts in dialogs on macOS [1]; no effect: pages are in windows of the browser, with its mouse; default: 1.35"""
     multiThreadedDialogs: bool
-    """true: the render window follows changes while a dialog is open; false: when it is closed; default: True"""
+    """true: the render window follows changes while a dialog is open; false: when it is closed; no effect: pages are in windows of the browser, with its mouse; default: True"""
     openTreeView: bool
-    """open all branches of the dialog of visualization settings; default: False"""
+    """open all branches of the dialog of visualization settings; no effect: pages are in windows of the browser, with its mouse; default: False"""
     def __init__(self) -> None: ...
 
 @final
@@ -1437,13 +1437,13 @@ class VSettingsExportImages(_Settings):
     heightAlignment: int
     """the height of an image is a multiple of this number of pixels; 2 suits video encoders; default: 2"""
     saveImageAsTextCircles: bool
-    """write circles, in the format TXT; default: True"""
+    """write circles, in the format TXT; no effect: images are saved as PNG; default: True"""
     saveImageAsTextLines: bool
-    """write lines, in the format TXT; default: True"""
+    """write lines, in the format TXT; no effect: images are saved as PNG; default: True"""
     saveImageAsTextTexts: bool
-    """write texts, in the format TXT; default: False"""
+    """write texts, in the format TXT; no effect: images are saved as PNG; default: False"""
     saveImageAsTextTriangles: bool
-    """write triangles, in the format TXT; default: False"""
+    """write triangles, in the format TXT; no effect: images are saved as PNG; default: False"""
     saveImageFileCounter: int
     """number of the next image; increased with each image; default: 0"""
     saveImageFileName: str
@@ -1453,7 +1453,7 @@ class VSettingsExportImages(_Settings):
     saveImageSingleFile: bool
     """true: the file name has no number, so that a new image replaces the one before; false: numbered files; default: False"""
     saveImageTimeOut: int
-    """time in milliseconds that saving an image may take; default: 5000"""
+    """time in milliseconds that saving an image may take; no effect: pages are in windows of the browser, with its mouse; default: 5000"""
     widthAlignment: int
     """the width of an image is a multiple of this number of pixels; 4 suits video encoders; default: 4"""
     def __init__(self) -> None: ...

@@ -19,7 +19,7 @@ from dalembert._checks import FloatArray
 from dalembert._pictures import contour
 from dalembert._pictures.camera import Camera
 from dalembert._pictures.looks import Looks
-from dalembert._pictures.meshes import Mesh, sharp_edges
+from dalembert._pictures.meshes import Mesh, Rgba, sharp_edges
 from dalembert._pictures.scene import Instance, Scene
 
 Key = tuple[int, int]  # item, and how manieth of its parts
@@ -61,6 +61,7 @@ class Stage:
         self.number = 0  # of the whole scene
         self.items: list[list[Any]] = []  # of the scene: kind, number, type, name, number of the system
         self._layout: Any = None
+        self._kept: Any = None
         self._meshes: dict[Key, Mesh] = {}
         self._deforming: set[Key] = set()
         self._first: list[npt.NDArray[Any] | None] = []
@@ -76,6 +77,8 @@ class Stage:
         parts = self._parts(scene)
         rigid, deformed = self._sorted(parts)
         layout = (
+            [(id(herd.mesh), herd.color, id(herd.items)) for herd in scene.herds],
+            [id(part) for part in (scene.balls.items, scene.threads.items)],
             [(id(group[0][1].mesh), group[0][1].color, [key for key, _ in group]) for group in rigid],
             [(key, part.mesh.points.shape, part.mesh.triangles.shape, part.color) for key, part in deformed],
             [(color, item) for _, _, color, item in scene.spheres],
@@ -88,6 +91,7 @@ class Stage:
         if layout != self._layout:
             self.number += 1
             self._layout, self._first, self._moved = layout, moving.parts, set()
+            self._kept = (list(scene.herds), scene.balls, scene.threads)  # as long as they are known by their id
             self.items = [[item.kind, item.number, item.type_name, item.name, item.system] for item in scene.items]
         head["scene"] = self.number
         items = self.items
@@ -129,6 +133,8 @@ class Stage:
     ) -> tuple[Arrays, dict[str, Any]]:
         """Return where everything is."""
         arrays = Arrays()
+        for herd in scene.herds:
+            arrays.add("f4", herd.rows)
         for group in rigid:
             rows = np.empty((len(group), 3, 4))
             rows[:, :, :3] = [part.matrix for _, part in group]
@@ -138,9 +144,11 @@ class Stage:
             arrays.add("f4", part.mesh.points @ part.matrix.T + part.place)
             if part.values is not None:
                 arrays.shades(contour.colors(looks, part.values, scene.value_range)[:, :3])
-        arrays.add("f4", [[*center, radius] for center, radius, _, _ in scene.spheres])
-        arrays.add("f4", np.concatenate([np.zeros((0, 3)), *(points for points, *_ in scene.lines)]))
-        arrays.add("u4", [len(points) for points, *_ in scene.lines])
+        balls, threads = scene.balls, scene.threads
+        loose = np.array([[*center, radius] for center, radius, _, _ in scene.spheres]).reshape(-1, 4)
+        arrays.add("f4", np.concatenate([np.column_stack([balls.centers, balls.radii]), loose]))
+        arrays.add("f4", np.concatenate([threads.points, *(points for points, *_ in scene.lines)]))
+        arrays.add("u4", np.concatenate([threads.counts, np.array([len(line[0]) for line in scene.lines], int)]))
         arrays.add("f4", [label.place for label in scene.labels])
         head: dict[str, Any] = {"kind": "frame", "time": scene.time, "range": list(scene.value_range)}
         return arrays, head
@@ -166,22 +174,23 @@ def _whole(
     """Return all that is drawn."""
     arrays = Arrays()
     arrays.parts = list(moving.parts)
-    meshes = []
+    meshes = [_shape(arrays, herd.mesh, herd.color) | {"items": herd.items.tolist()} for herd in scene.herds]
     for group in rigid:
-        meshes.append(_shape(arrays, group[0][1]) | {"items": [key[0] for key, _ in group]})
+        meshes.append(_shape(arrays, group[0][1].mesh, group[0][1].color) | {"items": [key[0] for key, _ in group]})
     for key, part in deformed:
-        entry = _shape(arrays, part) | {"items": [key[0]], "deforms": True}
+        entry = _shape(arrays, part.mesh, part.color) | {"items": [key[0]], "deforms": True}
         meshes.append(entry | {"shaded": part.values is not None})
+    balls, threads = scene.balls, scene.threads
     head = {
         **words,
         "meshes": meshes,
         "spheres": {
-            "colors": arrays.shades([color[:3] for _, _, color, _ in scene.spheres]),
-            "items": [item for *_, item in scene.spheres],
+            "colors": arrays.shades([*balls.colors[:, :3], *(color[:3] for _, _, color, _ in scene.spheres)]),
+            "items": [*balls.items.tolist(), *(item for *_, item in scene.spheres)],
         },
         "lines": {
-            "colors": arrays.shades([color[:3] for _, color, _, _ in scene.lines]),
-            "items": [item for *_, item in scene.lines],
+            "colors": arrays.shades([color[:3] for color in [*threads.colors, *(line[1] for line in scene.lines)]]),
+            "items": [*threads.items.tolist(), *(item for *_, item in scene.lines)],
         },
         "labels": [[label.text, list(label.color)] for label in scene.labels],
         "camera": {
@@ -193,17 +202,16 @@ def _whole(
     return arrays.message(head)
 
 
-def _shape(arrays: Arrays, part: Instance) -> dict[str, Any]:
+def _shape(arrays: Arrays, mesh: Mesh, color: Rgba | None) -> dict[str, Any]:
     """Return a mesh that is not placed yet."""
-    mesh = part.mesh
-    colors = mesh.colors if part.color is None and mesh.colors is not None else None
+    colors = mesh.colors if color is None and mesh.colors is not None else None
     entry: dict[str, Any] = {
         "points": arrays.add("f4", mesh.points),
         "triangles": arrays.add("u4", mesh.triangles),
         "edges": arrays.add("u4", mesh.edges if len(mesh.edges) else sharp_edges(mesh)),
         "marked": bool(len(mesh.edges)),
         "normals": None if mesh.normals is None else arrays.add("f4", mesh.normals),
-        "color": list(part.color or (0.5, 0.5, 0.5, 1.0)),
+        "color": list(color or (0.5, 0.5, 0.5, 1.0)),
     }
     if colors is not None and len(colors):
         if (colors == colors[0]).all():

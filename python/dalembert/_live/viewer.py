@@ -200,9 +200,11 @@ class Viewer:
         self._check_now_and_then()
         if not news and not self._dirty:
             return
-        self._dirty = False
         assert self.studio is not None
-        scene = self.studio.scene()
+        if self._dirty:
+            self.studio.settings_changed()
+        self._dirty = False
+        scene = self.studio.flow()
         studio = self.studio
 
         def camera() -> Camera:

@@ -20,15 +20,18 @@ class Bodies:
     def __init__(self, mbs: Any) -> None:
         self.mbs = mbs
         self._shapes: dict[int, list[graphics_data.Shape]] = {}
+        self._known: graphics_data.Known = {}
         self._markers: dict[int, list[int]] | None = None
 
     def shapes(self, pen: Pen, number: int, item: Item) -> list[graphics_data.Shape]:
         """Return the shapes of a body, and those that its user function gives for this picture."""
+        if number in self._shapes and not callable(item.get("VgraphicsDataUserFunction")):
+            return self._shapes[number]
         owner = f"object {number} '{item['name']}'"
         default = rgba(pen.looks.setting("bodies.defaultColor"))
         if number not in self._shapes:
             data = self.mbs.GetObject(number, True)
-            self._shapes[number] = graphics_data.shapes(data.get("VgraphicsData") or [], default, owner)
+            self._shapes[number] = graphics_data.shapes(data.get("VgraphicsData") or [], default, owner, self._known)
         return self._shapes[number] + user_shapes(self.mbs, number, item, default, owner)
 
     def draw(self, pen: Pen, colors: Contour, number: int, item: Item) -> None:
@@ -38,6 +41,8 @@ class Bodies:
             return
         rotation = pen.places.body_rotation(number)
         rotation = np.eye(3) if rotation is None else rotation
+        if not callable(item.get("VgraphicsDataUserFunction")):
+            pen.stick("Object", number)
         if shapes := self.shapes(pen, number, item):
             graphics_data.draw(pen, shapes, place, rotation, contour.of_body(pen, colors, number))
         elif item["objectType"] != "Ground":

@@ -42,6 +42,7 @@ def spring(pen: Pen, item: Item) -> None:
     size, color = _look(pen, item, 0.07)
     ends = _ends(pen, item)
     if len(ends) == 2 and np.linalg.norm(ends[1] - ends[0]) > 1e-3 * pen.looks.size:
+        pen.stick_between(*item["markerNumbers"])
         pen.spring(ends[0], ends[1], 0.5 * size, color)
     elif ends:
         pen.sphere(ends[0], 0.25 * size, color)
@@ -69,12 +70,14 @@ def torsional_spring(pen: Pen, item: Item) -> None:
         angle = 6 * np.pi * s
         coil = np.stack([s * np.cos(angle), s * np.sin(angle), 0 * s], 1) * (0.5 * size)
         mesh = meshes.swept(coil, 0.03 * size, 6)
+        pen.stick("Marker", item["markerNumbers"][0])
         pen.mesh(mesh, ends[0], _joint_frame(pen, item), color)
 
 
 def bushing(pen: Pen, item: Item) -> None:
     """A helix, and the frame in which stiffness counts."""
     spring(pen, item)
+    pen.stick("Marker", item["markerNumbers"][0])
     if pen.looks.setting("connectors.showJointAxes") and (ends := _ends(pen, item)):
         pen.frame(ends[0], _joint_frame(pen, item), pen.looks.length("connectors.jointAxesLength", 0.08))
 
@@ -84,6 +87,7 @@ def rod(pen: Pen, item: Item) -> None:
     size, color = _look(pen, item)
     ends = _ends(pen, item)
     if len(ends) == 2 and np.linalg.norm(ends[1] - ends[0]) > 1e-6 * pen.looks.size:
+        pen.stick_between(*item["markerNumbers"])
         pen.cylinder(ends[0], ends[1], 0.12 * size, color)
     elif ends:
         pen.box(ends[0], np.eye(3), 3 * [0.3 * size], color)
@@ -127,6 +131,7 @@ def gravity(pen: Pen, item: Item) -> None:
     """A line between the two masses."""
     ends = _ends(pen, item)
     if len(ends) == 2:
+        pen.stick_between(*item["markerNumbers"])
         pen.line(ends, _look(pen, item)[1])
 
 
@@ -178,6 +183,7 @@ def disc(pen: Pen, item: Item) -> None:
     if (center := pen.places.marker(item["markerNumbers"][1])) is None:
         return
     rotation = pen.places.marker_rotation(item["markerNumbers"][1])
+    pen.stick("Marker", item["markerNumbers"][1])
     axis = rotation @ np.asarray(item.get("discAxis", (1, 0, 0)), float)
     axis = axis / max(float(np.linalg.norm(axis)), 1e-300)
     radius, color = float(item["discRadius"]), pen.looks.color(item, "connectors.defaultColor")
@@ -201,6 +207,7 @@ def _axes_size(pen: Pen, item: Item, name: str) -> tuple[float, float]:
 def revolute(pen: Pen, item: Item) -> None:
     """A cylinder along the axis of rotation."""
     if ends := _ends(pen, item):
+        pen.stick("Marker", item["markerNumbers"][0])
         radius, length = _axes_size(pen, item, "axis")
         axis = 0.5 * length * _joint_frame(pen, item)[:, 2]
         pen.cylinder(ends[0] - axis, ends[0] + axis, radius, pen.looks.color(item, "connectors.defaultColor"))
@@ -223,6 +230,7 @@ def generic_joint(pen: Pen, item: Item) -> None:
     radius, length = _axes_size(pen, item, "axes")
     color, frame = pen.looks.color(item, "connectors.defaultColor"), _joint_frame(pen, item)
     constrained = list(item["constrainedAxes"])
+    pen.stick("Marker", item["markerNumbers"][0])
     if all(constrained):
         pen.box(ends[0], frame, 3 * [2 * radius], color)
         return
@@ -240,6 +248,7 @@ def generic_joint(pen: Pen, item: Item) -> None:
 def spherical(pen: Pen, item: Item) -> None:
     """A ball."""
     if ends := _ends(pen, item):
+        pen.stick("Marker", item["markerNumbers"][0], turns=False)
         radius = pen.looks.item_length(float(item["VjointRadius"]), 0.1, 0.02)
         pen.sphere(ends[0], radius, pen.looks.color(item, "connectors.defaultColor"))
 
@@ -247,6 +256,7 @@ def spherical(pen: Pen, item: Item) -> None:
 def planar_revolute(pen: Pen, item: Item) -> None:
     """A pin along z."""
     if ends := _ends(pen, item):
+        pen.stick("Marker", item["markerNumbers"][0], turns=False)
         size, color = _look(pen, item, 0.03)
         pen.cylinder(ends[0] - [0, 0, 0.5 * size], ends[0] + [0, 0, 0.5 * size], 0.5 * size, color)
 

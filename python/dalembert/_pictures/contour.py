@@ -35,6 +35,12 @@ class Contour:
             return float(np.linalg.norm(output))
         return float(output[self.component]) if self.component < len(output) else 0.0
 
+    def numbers(self, outputs: FloatArray) -> FloatArray:
+        """Return the number of each row of outputs."""
+        if self.component < 0:
+            return np.linalg.norm(outputs, axis=1)
+        return outputs[:, self.component] if self.component < outputs.shape[1] else np.zeros(len(outputs))
+
     def range(self, values: FloatArray) -> tuple[float, float]:
         """Return the smallest and the largest number on the bar of colors."""
         if not self.looks.setting("contour.automaticRange") or len(values) == 0:

@@ -53,11 +53,33 @@ def _values(pen: Pen, colors: Contour, number: int, stations: FloatArray, repeat
     return np.repeat(numbers, repeat)
 
 
+def _diagram(pen: Pen, colors: Contour, number: int, stations: FloatArray, axis: FloatArray) -> None:
+    """Draw the numbers along a beam as lines normal to its axis, as bodies.beams.drawVertical says."""
+    beams = pen.looks.setting("bodies.beams")
+    numbers = _values(pen, colors, number, stations, 1)
+    if not beams.drawVertical or numbers is None:
+        return
+    tangents = np.gradient(axis, axis=0)
+    flat = np.ptp(axis[:, 2]) <= 1e-9 * pen.looks.size
+    sides = [np.array([-t[1], t[0], 0.0]) if flat else frame_along(t)[:, 0] for t in np.asarray(tangents)]
+    across = np.array(sides)
+    across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-300)
+    heights = float(beams.drawVerticalFactor) * (numbers + float(beams.drawVerticalOffset))
+    ends, color = axis + heights[:, None] * across, rgba(beams.drawVerticalColor)
+    pen.line(ends, color)
+    for begin, end, value in zip(axis, ends, numbers, strict=True):
+        if beams.drawVerticalLines:
+            pen.line([begin, end], color)
+        if beams.drawVerticalValues:
+            pen.label(end, f"{value:.4g}", color)
+
+
 def planar_beam(pen: Pen, colors: Contour, number: int, item: Item) -> None:
     """A band of the height that is to be drawn, in the plane of the beam; a line if that is zero."""
     stations = _beam_stations(pen, item)
     if (axis := _axis(pen, number, stations)) is None:
         return
+    _diagram(pen, colors, number, stations, axis)
     height, color = float(item["VdrawHeight"]), pen.looks.color(item, "bodies.defaultColor")
     if height <= 0 and not colors.active:
         pen.line(axis, color, LINE_WIDTH)
@@ -78,6 +100,7 @@ def cable(pen: Pen, colors: Contour, number: int, item: Item) -> None:
     stations = _beam_stations(pen, item)
     if (axis := _axis(pen, number, stations)) is None:
         return
+    _diagram(pen, colors, number, stations, axis)
     radius, color = float(item.get("Vradius", 0.0)), pen.looks.color(item, "bodies.defaultColor")
     if radius <= 0 and not colors.active:
         pen.line(axis, color, LINE_WIDTH)
@@ -95,6 +118,7 @@ def beam(pen: Pen, colors: Contour, number: int, item: Item) -> None:
     if section is None or axis is None:
         cable(pen, colors, number, item)
         return
+    _diagram(pen, colors, number, stations, axis)
     frames = [_beam_frame(pen, number, axis, i, float(x)) for i, x in enumerate(stations)]
     outline = np.vstack([section, section[:1]])
     sections = [
@@ -147,17 +171,34 @@ def _tait_bryan(angles: FloatArray) -> FloatArray:
 
 
 def plate(pen: Pen, colors: Contour, number: int, item: Item) -> None:
-    """The middle surface of a plate between its four nodes."""
+    """A plate between its four nodes, with its thickness unless bodies.shells.drawSolid is off."""
     nodes = [pen.places.node_output(n, OutputVariableType.Position) for n in item["nodeNumbers"]]
     places = [place for place in nodes if place is not None]
     if len(places) == 4:
         values = None
         if colors.active:
             values = np.array([colors.number(pen.places.node_output(n, colors.variable)) for n in item["nodeNumbers"]])
-        mesh = Mesh(
-            np.array(places), np.array([[0, 1, 2], [0, 2, 3]]), edges=np.array([[0, 1], [1, 2], [2, 3], [3, 0]])
-        )
-        pen.mesh(mesh, color=pen.looks.color(item, "bodies.defaultColor"), values=values)
+        corners, color = np.array(places), pen.looks.color(item, "bodies.defaultColor")
+        thickness = np.resize(np.asarray(item.get("physicsThickness") or [0.0], float), 4)
+        thickness = thickness * float(pen.looks.setting("bodies.shells.thicknessFactor"))
+        if pen.looks.setting("bodies.shells.drawSolid") and thickness.any():
+            pen.mesh(_slab(corners, thickness), color=color, values=None if values is None else np.tile(values, 2))
+        else:
+            mesh = Mesh(corners, np.array([[0, 1, 2], [0, 2, 3]]), edges=np.array([[0, 1], [1, 2], [2, 3], [3, 0]]))
+            pen.mesh(mesh, color=color, values=values)
+
+
+def _slab(corners: FloatArray, thickness: FloatArray) -> Mesh:
+    """Return a quadrangle with a thickness at each corner; normals are those of the sides that meet there."""
+    before, after = np.roll(corners, 1, axis=0) - corners, np.roll(corners, -1, axis=0) - corners
+    normals = np.cross(after, before)
+    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
+    half = 0.5 * thickness[:, None] * normals
+    upper, lower = [[0, 1, 2], [0, 2, 3]], [[4, 6, 5], [4, 7, 6]]
+    rim = [[a, a + 4, b] for a, b in ((0, 1), (1, 2), (2, 3), (3, 0))]
+    rim += [[b, a + 4, b + 4] for a, b in ((0, 1), (1, 2), (2, 3), (3, 0))]
+    edges = [[a, (a + 1) % 4] for a in range(4)]
+    return Mesh(np.concatenate([corners + half, corners - half]), np.array(upper + lower + rim), edges=np.array(edges))
 
 
 class MeshBodies:
@@ -201,6 +242,12 @@ class MeshBodies:
         """Return the positions of the mesh nodes."""
         count = len(np.asarray(item.get("referencePositions", [])).ravel()) // 3 or len(item["nodeNumbers"])
         factor = float(pen.looks.setting("bodies.deformationScaleFactor"))
+        points = pen.places.mesh_outputs(number, OutputVariableType.Position)
+        if points is not None:
+            if factor != 1:
+                change = pen.places.mesh_outputs(number, OutputVariableType.Displacement)
+                points = points if change is None else points + (factor - 1) * change
+            return points
         found = []
         for node in range(count):
             place = pen.places.mesh_output(number, OutputVariableType.Position, node)
@@ -217,6 +264,9 @@ class MeshBodies:
     def _values(self, pen: Pen, colors: Contour, number: int, count: int) -> FloatArray | None:
         if not colors.active:
             return None
+        known = pen.places.mesh_outputs(number, colors.variable)
+        if known is not None and len(known) == count:
+            return colors.numbers(known)
         return np.array([colors.number(pen.places.mesh_output(number, colors.variable, node)) for node in range(count)])
 
 

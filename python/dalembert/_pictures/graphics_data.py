@@ -15,15 +15,26 @@ from dalembert._pictures.places import frame_along
 Shape = tuple[str, Any, Any]  # kind, what, and its color or size
 
 
-def shapes(data: Any, default: Rgba, owner: str) -> list[Shape]:
-    """Return shapes of a list of graphics data; ValueError that names the owner for what cannot be drawn."""
-    return [_shape(entry, default, f"{owner}: graphicsData[{number}]") for number, entry in enumerate(data)]
+Known = dict[tuple[bytes, ...], Mesh]  # meshes by what they are made of
 
 
-def _shape(entry: dict[str, Any], default: Rgba, where: str) -> Shape:
+def shapes(data: Any, default: Rgba, owner: str, known: Known | None = None) -> list[Shape]:
+    """Return shapes of a list of graphics data; ValueError that names the owner for what cannot be drawn.
+
+    What is equal to a mesh that is `known` becomes the same mesh.
+    """
+    known = {} if known is None else known
+    return [_shape(entry, default, f"{owner}: graphicsData[{number}]", known) for number, entry in enumerate(data)]
+
+
+def _shape(entry: dict[str, Any], default: Rgba, where: str, known: Known) -> Shape:
     kind = entry.get("type")
     if kind == "TriangleList":
-        return "mesh", _mesh(entry, default, where), None
+        parts = ("points", "triangles", "colors", "normals", "edges", "edgeColor")
+        key = tuple(np.asarray(entry.get(part, ()), float).tobytes() for part in parts)
+        if key not in known:
+            known[key] = _mesh(entry, default, where)
+        return "mesh", known[key], None
     color = rgba(entry.get("color", (-1, -1, -1, 1)), default)
     if kind == "Line":
         return "line", rows(entry["data"], 3), color
@@ -45,8 +56,8 @@ def _mesh(entry: dict[str, Any], default: Rgba, where: str) -> Mesh:
         raise ValueError(f"{where}: 'triangles': expected numbers of points, 0 to {len(points) - 1}, received {wrong}")
     colors = np.asarray(entry.get("colors", []), float)
     colors = rows(colors, 4) if colors.size == 4 * len(points) else np.tile(np.array(default), (len(points), 1))
-    unique, which = np.unique(colors, axis=0, return_inverse=True)
-    if np.any(unique < 0) or np.any(unique[:, 3] > 1):
+    if len(colors) and (colors.min() < 0 or colors[:, 3].max() > 1):
+        unique, which = np.unique(colors, axis=0, return_inverse=True)
         colors = np.array([rgba(color, default) for color in unique])[which.ravel()]
     normals = rows(entry["normals"], 3) if len(entry.get("normals", [])) == points.size else None
     if normals is not None and not normals.any(axis=1).all():

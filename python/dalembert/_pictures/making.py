@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from dalembert import _core
 from dalembert._checks import FloatArray
 from dalembert._core import ConfigurationType
 from dalembert._pictures import connectors, flexible, symbols, traces
@@ -38,58 +39,102 @@ class SceneMaker:
     Sizes that follow from the size of the system are those of the first scene, so that nothing breathes in a film.
     """
 
-    def __init__(self, mbs: Any, settings: Any) -> None:
-        self.mbs, self.looks = mbs, Looks(settings)
+    def __init__(self, mbs: Any, settings: Any, number: int = 0) -> None:
+        """`number`: that of the system in its container."""
+        self.mbs, self.looks, self.number = mbs, Looks(settings), number
+        self._range: tuple[float, float] | None = None  # of the colors of the last scene
         self.bodies, self.meshes = Bodies(mbs), flexible.MeshBodies(mbs)
         self.trees = Trees(mbs)
+        self.source: Any = None  # of the places of all items, once the system is assembled
         self._sized = False
 
     def scene(self, configuration: ConfigurationType | None = None) -> Scene:
         """Return the scene in a configuration: what is visualized, or the reference if nothing is assembled."""
         with self.looks.kept():
-            return self._scene(configuration)
+            return self.draw(configuration)[0]
 
-    def _scene(self, configuration: ConfigurationType | None) -> Scene:
-        assembled = _is_assembled(self.mbs)
+    def is_assembled(self) -> bool:
+        """Return whether outputs can be asked for in all configurations."""
+        try:
+            self.mbs.systemData.GetODE2Coordinates(ConfigurationType.Visualization)
+        except RuntimeError:
+            return False
+        return True
+
+    def places(self, configuration: ConfigurationType) -> Places:
+        """Return where everything is, in an assembled system."""
+        if self.source is None:
+            self.source = _core._ScenePlaces(self.mbs)
+        return Places(self.mbs, configuration, self.source)
+
+    def draw(self, configuration: ConfigurationType | None) -> tuple[Scene, Pen | None]:
+        """Return a scene, and the pen that knows what sticks to what; None if that is of no use."""
+        assembled = self.is_assembled()
         if configuration is None:
             configuration = ConfigurationType.Visualization
         if not assembled:
             configuration = ConfigurationType.Reference
-        places = Places(self.mbs, configuration)
+        places = self.places(configuration) if assembled else Places(self.mbs, configuration)
         if not self._sized:
             self._find_size(places)
             self._sized = True
-        scene = Scene()
-        scene.time = float(self.mbs.systemData.GetTime(configuration)) if assembled else 0.0
         self.looks.crowd = self._count("Object")
+        scene = Scene()
         pen, colors = Pen(scene, places, self.looks), Contour(self.looks)
         for kind in KINDS:
             self._draw_kind(pen, colors, kind)
+        self._trace = len(scene.items)
         pen.take(DrawnItem("Trace", 0, "", ""))
-        traces.draw(pen, scene.time)
+        self._finish(pen, colors)
+        whole = add_normals(pen) or add_box(pen)
+        return scene, None if self._highlights() and highlight(scene, self.looks) or whole else pen
+
+    def _highlights(self) -> bool:
+        return int(self.looks.setting("interactive.highlightMbsNumber")) == self.number
+
+    def draw_again(self, scene: Scene, places: Places, chosen: list[int]) -> None:
+        """Draw some items of a scene whose list of items is there, and what is drawn anew in each scene."""
+        pen, colors = Pen(scene, places, self.looks), Contour(self.looks)
+        for number in chosen:
+            if number != self._trace:
+                pen.go_on(number)
+                self._draw_item(pen, colors, scene.items[number])
+        pen.go_on(self._trace)
+        self._finish(pen, colors)
+
+    def _finish(self, pen: Pen, colors: Contour) -> None:
+        """Draw what belongs to no item, and find time and range of the colors."""
+        scene = pen.scene
+        scene.time = float(self.mbs.systemData.GetTime(pen.places.configuration)) if pen.places.source else 0.0
+        if int(self.looks.setting("sensors.traces.sensorsMbsNumber")) == self.number:
+            traces.draw(pen, scene.time)
         if self.looks.setting("view0.scene.drawWorldBasis"):
             pen.frame(np.zeros(3), np.eye(3), self.looks.length("view0.scene.worldBasisSize", 0.2))
-        highlight(scene, self.looks)
         scene.value_name = colors.name
         scene.value_range = colors.range(scene.values())
-        return scene
+        if self._range is not None and not self.looks.setting("contour.reduceRange"):
+            scene.value_range = min(scene.value_range[0], self._range[0]), max(scene.value_range[1], self._range[1])
+        self._range = scene.value_range if colors.active else None
 
     def _find_size(self, places: Places) -> None:
         """Let the size be that of bodies, of the places of nodes and of what connectors join, without symbols."""
         self.looks.size = TINY
         rough = Scene()
         pen = Pen(rough, places, self.looks)
-        for kind in ("Node", "Object"):
-            for number in range(self._count(kind)):
-                item = places.item(kind, number)
-                found = [places.node(number)] if kind == "Node" else []
-                if kind == "Object" and item.get("Vshow", True):
-                    pen.take(DrawnItem(kind, number, item["objectType"], ""))
-                    self._draw_body(pen, Contour(self.looks), number, item)
-                    if "RollingDisc" not in item["objectType"]:  # the ground below them is anywhere
-                        found = [places.marker(marker) for marker in item.get("markerNumbers", [])]
+        colors = Contour(self.looks)
+        nodes = [place for n in range(self._count("Node")) if (place := places.node(n)) is not None]
+        pen.take(DrawnItem("Object", -1, "", ""))
+        pen.line(nodes, (0.0, 0.0, 0.0, 1.0))
+        for number in range(self._count("Object")):
+            item = places.item("Object", number)
+            if not item.get("Vshow", True):
+                continue
+            pen.take(DrawnItem("Object", number, item["objectType"], ""))
+            self._draw_body(pen, colors, number, item)
+            if "RollingDisc" not in item["objectType"] and "markerNumbers" in item:  # the ground below them is anywhere
+                joined = [place for m in item["markerNumbers"] if (place := places.marker(m)) is not None]
                 pen.take(DrawnItem("Object", -1, "", ""))
-                pen.line([place for place in found if place is not None], (0.0, 0.0, 0.0, 1.0))
+                pen.line(joined, (0.0, 0.0, 0.0, 1.0))
         box = rough.box()
         size = 0.0 if box is None else float(np.linalg.norm(box[1] - box[0]))
         self.looks.size = size if size > 100 * TINY else 1.0
@@ -106,8 +151,28 @@ class SceneMaker:
                 continue
             pen.take(DrawnItem(kind, number, item[f"{kind.lower()}Type"], item["name"]))
             self._draw(pen, colors, kind, number, item)
-            if group.showNumbers and (place := self._label_place(pen.places, kind, number, item)) is not None:
-                pen.label(place, f"{kind[0]}{number}")
+            if group.showNumbers:
+                self._number(pen, kind, number, item)
+
+    def _draw_item(self, pen: Pen, colors: Contour, drawn: DrawnItem) -> None:
+        """Draw one item."""
+        kind, number = drawn.kind, drawn.number
+        item = pen.places.item(kind, number)
+        self._draw(pen, colors, kind, number, item)
+        if self.looks.setting(self._group(kind, item)).showNumbers:
+            self._number(pen, kind, number, item)
+
+    def _number(self, pen: Pen, kind: str, number: int, item: dict[str, Any]) -> None:
+        """Write the number of an item where it is."""
+        if (place := self._label_place(pen.places, kind, number, item)) is None:
+            return
+        owner, which = (
+            (kind, number) if kind in ("Node", "Object") else pen.places.seat(item.get("markerNumber", number))
+        )
+        known = pen.places.rows(owner)
+        same = known is not None and np.array_equal(known[which, :, 3], place)
+        pen.stick(owner if same else "", which, turns=False)
+        pen.label(place, f"{kind[0]}{number}")
 
     @staticmethod
     def _label_place(places: Places, kind: str, number: int, item: dict[str, Any]) -> FloatArray | None:
@@ -148,13 +213,52 @@ class SceneMaker:
             self.trees.draw(pen, number, item)
 
 
-def highlight(scene: Scene, looks: Looks) -> None:
-    """Give the item that interactive.highlightItemIndex names its color, and all others that of the others."""
+def add_normals(pen: Pen) -> bool:
+    """Draw normals of faces and at their corners, as openGL.drawFaceNormals and drawVertexNormals say."""
+    gl = pen.looks.setting("openGL")
+    length = pen.looks.length("openGL.drawNormalsLength", 0.03)
+    parts = list(pen.scene.instances) if gl.drawFaceNormals or gl.drawVertexNormals else []
+    for part in parts:
+        points = part.mesh.points @ part.matrix.T + part.place
+        a, b, c = (points[part.mesh.triangles[:, k]] for k in range(3))
+        normals = np.cross(b - a, c - a)
+        normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
+        pen.go_on(part.item)
+        if gl.drawFaceNormals:
+            for middle, normal in zip((a + b + c) / 3, normals, strict=True):
+                pen.line([middle, middle + length * normal], rgba(gl.advanced.faceNormalsColor))
+        if gl.drawVertexNormals:
+            own = part.mesh.normals @ np.linalg.pinv(part.matrix) if part.mesh.normals is not None else None
+            for k, corner in enumerate((a, b, c)):
+                turned = normals if own is None else own[part.mesh.triangles[:, k]]
+                turned = turned / np.maximum(np.linalg.norm(turned, axis=1, keepdims=True), 1e-300)
+                for point, normal in zip(corner, turned, strict=True):
+                    pen.line([point, point + length * normal], rgba(gl.advanced.vertexNormalsColor))
+    return bool(parts)
+
+
+def add_box(pen: Pen) -> bool:
+    """Draw the box that an automatic zoom uses, as openGL.advanced.showBoundingBox says."""
+    box = pen.scene.box() if pen.looks.setting("openGL.advanced.showBoundingBox") else None
+    if box is None:
+        return False
+    pen.go_on(-1)
+    corner = np.array([[box[i, 0], box[j, 1], box[k, 2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)])
+    for a, b in ((a, a | bit) for bit in (1, 2, 4) for a in range(8) if not a & bit):
+        pen.line(corner[[a, b]], (0.3, 0.3, 0.3, 1.0))
+    return True
+
+
+def highlight(scene: Scene, looks: Looks) -> bool:
+    """Give the item that interactive.highlightItemIndex names its color, and all others that of the others.
+
+    Return whether it names one.
+    """
     number = int(looks.setting("interactive.highlightItemIndex"))
     kind = looks.setting("interactive.highlightItemType").name
     chosen = [i for i, item in enumerate(scene.items) if item.kind == kind and item.number == number]
     if number < 0 or not chosen:
-        return
+        return False
     bright = rgba(looks.setting("interactive.advanced.highlightColor"))
     others = rgba(looks.setting("interactive.advanced.highlightOtherColor"))
     pick = dict.fromkeys(chosen, (*bright[:3], 1.0))
@@ -164,12 +268,4 @@ def highlight(scene: Scene, looks: Looks) -> None:
     for center, radius, _, item in spheres:
         faint.go_on(item)
         faint.sphere(center, radius, pick.get(item, others))
-
-
-def _is_assembled(mbs: Any) -> bool:
-    """Return whether outputs can be asked for in all configurations."""
-    try:
-        mbs.systemData.GetODE2Coordinates(ConfigurationType.Visualization)
-    except RuntimeError:
-        return False
     return True

@@ -114,6 +114,9 @@ def _draw_faces(picture: Any, found: Faces, looks: Looks, view: Any) -> None:
 
 
 def _draw_spheres(picture: Any, scene: Scene) -> None:
+    if len(scene.balls.items):
+        balls = scene.balls
+        picture.spheres(balls.centers, balls.radii, balls.colors, balls.items)
     if scene.spheres:
         centers, radii, colors, numbers = zip(*scene.spheres, strict=True)
         picture.spheres(np.array(centers), np.array(radii), np.array(colors), np.array(numbers))
@@ -123,7 +126,7 @@ def _draw_lines(picture: Any, scene: Scene, camera: Camera, looks: Looks, sharp:
     """Draw lines, all of one width at a time, and edges of meshes."""
     usual, lift = float(looks.setting("openGL.lineWidth")), LIFT * camera.zoom
     groups: dict[float, list[tuple[FloatArray, Any, int]]] = {}
-    for points, color, width, item in scene.lines:
+    for points, color, width, item in scene.unbound().lines if len(scene.threads.items) else scene.lines:
         if len(points) > 1:
             segments = np.concatenate([points[:-1], points[1:]], axis=1)
             groups.setdefault(width or usual, []).append((segments, color, item))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -20,6 +21,16 @@ CROWD = (100, 500, 2000)
 QUALITY = ((16, 8), (12, 5), (8, 3))
 
 
+@dataclass
+class Stuck:
+    """To which frames the parts of a scene stick, in their order; -1: none."""
+
+    instances: list[int] = field(default_factory=list)
+    spheres: list[int] = field(default_factory=list)
+    lines: list[int] = field(default_factory=list)
+    labels: list[tuple[int, int]] = field(default_factory=list)  # of which item, and the frame
+
+
 class Pen:
     """Adds to a scene; knows where things are and how large they should look."""
 
@@ -27,15 +38,35 @@ class Pen:
         self.scene, self.places, self.looks = scene, places, looks
         self.tiles = max(int(looks.setting("general.cylinderTiling")), 3)
         self._item = -1
+        self._key: tuple[str, int, int] | None = None
+        self.frames: dict[tuple[str, int, int], int] = {}  # to which parts stick, and their numbers
+        self.stuck = Stuck()
+
+    def stick(self, kind: str = "", number: int = -1, turns: bool = True) -> None:
+        """Let what is drawn from now on keep its place in the frame of an item; without a kind, or a frame, in none.
+
+        Without `turns`, it moves with the item and does not turn with it.
+        """
+        there = bool(kind) and (self.places.turns if turns else self.places.stands)(kind, number)
+        self._key = (kind if turns else f"{kind}Place", int(number), -1) if there else None
+
+    def stick_between(self, begin: int, end: int) -> None:
+        """Let what is drawn from now on reach from one marker to another."""
+        there = self.places.stands("Marker", begin) and self.places.stands("Marker", end)
+        self._key = ("Span", int(begin), int(end)) if there else None
+
+    def _frame(self) -> int:
+        """Return the number of the frame to which things stick now."""
+        return -1 if self._key is None else self.frames.setdefault(self._key, len(self.frames))
 
     def take(self, item: DrawnItem) -> None:
         """Draw from now on in the name of this item."""
         self.scene.items.append(item)
-        self._item = len(self.scene.items) - 1
+        self._item, self._key = len(self.scene.items) - 1, None
 
     def go_on(self, item: int) -> None:
         """Draw from now on in the name of an item that the scene has already."""
-        self._item = item
+        self._item, self._key = item, None
 
     def mesh(
         self,
@@ -50,6 +81,7 @@ class Pen:
         self.scene.instances.append(
             Instance(mesh, np.eye(3) if matrix is None else matrix, where, color, self._item, values)
         )
+        self.stuck.instances.append(self._frame())
 
     def sphere(self, center: FloatArray, radius: float, color: Rgba) -> None:
         """Add a sphere; those that are seen through are meshes."""
@@ -59,10 +91,12 @@ class Pen:
             self.mesh(meshes.ball(16), center, radius * np.eye(3), color)
         else:
             self.scene.spheres.append((np.asarray(center, float), float(radius), color, self._item))
+            self.stuck.spheres.append(self._frame())
 
     def line(self, points: Any, color: Rgba, width: float = 0.0) -> None:
         """Add a line through points; width in pixels, 0: that of the settings."""
         self.scene.lines.append((meshes.rows(points, 3), color, width, self._item))
+        self.stuck.lines.append(self._frame())
 
     def cylinder(self, begin: FloatArray, end: FloatArray, radius: float, color: Rgba, inner: float = 0.0) -> None:
         """Add a cylinder between two points; inner: radius of a hole, as part of the radius."""
@@ -113,10 +147,13 @@ class Pen:
 
     def frame(self, origin: FloatArray, rotation: FloatArray, size: float) -> None:
         """Add the three axes of a frame: red, green, blue."""
+        tiles, self.tiles = self.tiles, max(int(self.looks.setting("general.axesTiling")), 3)
         for axis, color in zip(rotation.T, (RED, GREEN, BLUE), strict=True):
             self.arrow(origin, size * axis, 0.03 * size, color)
+        self.tiles = tiles
 
     def label(self, place: FloatArray, text: str, color: Rgba | None = None, size: float = 0.0) -> None:
         """Add a text."""
         color = rgba(self.looks.setting("general.textColor")) if color is None else color
         self.scene.labels.append(Label(np.asarray(place, float), text, color, size))
+        self.stuck.labels.append((self._item, self._frame()))

@@ -10,15 +10,52 @@ import numpy as np
 from dalembert._checks import FloatArray
 from dalembert._core import ConfigurationType, OutputVariableType
 
+KINDS = ("Node", "Object", "Marker")
+ORIGIN = (0.0, 0.0, 0.0)
 Position, RotationMatrix = OutputVariableType.Position, OutputVariableType.RotationMatrix
 
 
 class Places:
     """Asks a system for outputs; None where an item has no place, or no orientation."""
 
-    def __init__(self, mbs: Any, configuration: ConfigurationType) -> None:
-        self.mbs, self.configuration = mbs, configuration
+    def __init__(self, mbs: Any, configuration: ConfigurationType, source: Any = None) -> None:
+        """`source`, a _ScenePlaces of an assembled system, tells where all items of a kind are at once."""
+        self.mbs, self.configuration, self.source = mbs, configuration, source
         self.items: dict[tuple[str, int], dict[str, Any]] = {}
+        self._rows: dict[str, FloatArray] = {}
+        self._places: dict[str, list[bool]] = {}
+        self._turns: dict[str, list[bool]] = {}
+
+    def rows(self, kind: str) -> FloatArray | None:
+        """Return rotation and position (n x 3 x 4) of all nodes, objects or markers, nan where there is none.
+
+        None if the system does not tell: it is not assembled.
+        """
+        if self.source is None:
+            return None
+        if kind not in self._rows:
+            self._rows[kind] = self.source.rows(KINDS.index(kind), self.configuration)
+        return self._rows[kind]
+
+    def turns(self, kind: str, number: int) -> bool:
+        """Return whether rows() has position and rotation of an item."""
+        return self.stands(kind, number) and self._turns[kind][int(number)]
+
+    def stands(self, kind: str, number: int) -> bool:
+        """Return whether rows() has the position of an item."""
+        if kind not in self._places:
+            if (rows := self.rows(kind)) is None:
+                return False
+            known = np.isfinite(rows)
+            self._places[kind] = [bool(flag) for flag in np.all(known[:, :, 3], axis=1)]
+            self._turns[kind] = [bool(flag) for flag in np.all(known, axis=(1, 2))]
+        return self._places[kind][int(number)]
+
+    def _place(self, kind: str, number: int) -> FloatArray | None:
+        return self._rows[kind][number, :, 3] if self.stands(kind, number) else None
+
+    def _turn(self, kind: str, number: int) -> FloatArray | None:
+        return self._rows[kind][number, :, :3] if self.turns(kind, number) else None
 
     def item(self, kind: str, number: int) -> dict[str, Any]:
         """Return the parameters of an item; they are asked for once."""
@@ -37,7 +74,9 @@ class Places:
 
     def node(self, number: int) -> FloatArray | None:
         """Return the position of a node; that of its body if it has none itself."""
-        place = self._asked("GetNodeOutput", number, Position)
+        place = self._place("Node", int(number))
+        if place is None:
+            place = self._asked("GetNodeOutput", number, Position)
         if place is not None:
             return place
         body = self._bodies_of_nodes().get(int(number))
@@ -45,17 +84,23 @@ class Places:
 
     def node_rotation(self, number: int) -> FloatArray | None:
         """Return the rotation matrix of a node."""
+        if (known := self._turn("Node", int(number))) is not None:
+            return known
         return _matrix(self._asked("GetNodeOutput", number, RotationMatrix))
 
-    def body(self, number: int, local: Any = (0.0, 0.0, 0.0)) -> FloatArray | None:
+    def body(self, number: int, local: Any = ORIGIN) -> FloatArray | None:
         """Return the position of a point of a body."""
+        if local is ORIGIN and (known := self._place("Object", int(number))) is not None:
+            return known
         return self._asked("GetObjectOutputBody", number, Position, np.asarray(local, float))
 
-    def body_rotation(self, number: int, local: Any = (0.0, 0.0, 0.0)) -> FloatArray | None:
+    def body_rotation(self, number: int, local: Any = ORIGIN) -> FloatArray | None:
         """Return the rotation matrix of a body at one of its points."""
+        if local is ORIGIN and (known := self._turn("Object", int(number))) is not None:
+            return known
         return _matrix(self._asked("GetObjectOutputBody", number, RotationMatrix, np.asarray(local, float)))
 
-    def body_output(self, number: int, variable: Any, local: Any = (0.0, 0.0, 0.0)) -> FloatArray | None:
+    def body_output(self, number: int, variable: Any, local: Any = ORIGIN) -> FloatArray | None:
         """Return any output of a body at one of its points."""
         return self._asked("GetObjectOutputBody", number, variable, np.asarray(local, float))
 
@@ -63,26 +108,50 @@ class Places:
         """Return an output of a super element at a mesh node."""
         return self._asked("GetObjectOutputSuperElement", number, variable, int(mesh_node))
 
+    def mesh_outputs(self, number: int, variable: Any) -> FloatArray | None:
+        """Return an output of all mesh nodes of a super element, row by row; None if it has none of its own."""
+        if self.source is None:
+            return None
+        found = self.source.mesh(int(number), variable, self.configuration)
+        return None if found is None else np.asarray(found)
+
     def node_output(self, number: int, variable: Any) -> FloatArray | None:
         """Return any output of a node."""
         return self._asked("GetNodeOutput", number, variable)
 
     def marker(self, number: int) -> FloatArray | None:
         """Return the position of a marker; that of its node or body if it stands for coordinates."""
-        place = self._asked("GetMarkerOutput", number, Position)
+        if self.rows("Marker") is not None:
+            place = self._place("Marker", int(number))
+        else:
+            place = self._asked("GetMarkerOutput", number, Position)
         if place is not None and len(place) == 3:
             return place
-        marker = self.item("Marker", number)
-        if "nodeNumber" in marker:
-            return self.node(marker["nodeNumber"])
+        kind, owner = self._owner(number)
+        if kind == "Node":
+            return self.node(owner)
+        return self.object(owner) if kind == "Object" else None
+
+    def _owner(self, marker: int) -> tuple[str, int]:
+        """Return what a marker is on."""
+        parameters = self.item("Marker", marker)
+        if "nodeNumber" in parameters:
+            return "Node", int(parameters["nodeNumber"])
         for name in ("bodyNumber", "objectNumber"):
-            if name in marker:
-                return self.object(marker[name])
-        return self.body(marker["bodyNumbers"][0]) if "bodyNumbers" in marker else None
+            if name in parameters:
+                return "Object", int(parameters[name])
+        return ("Object", int(parameters["bodyNumbers"][0])) if "bodyNumbers" in parameters else ("", -1)
+
+    def seat(self, marker: int) -> tuple[str, int]:
+        """Return with which item a marker moves: itself, or what it is on if it stands for coordinates or a mass."""
+        return ("Marker", int(marker)) if self.stands("Marker", marker) else self._owner(marker)
 
     def marker_rotation(self, number: int) -> FloatArray:
         """Return the rotation matrix of a marker; no rotation if it has no orientation."""
-        matrix = _matrix(self._asked("GetMarkerOutput", number, RotationMatrix))
+        if self.rows("Marker") is not None:
+            matrix = self._turn("Marker", int(number))
+        else:
+            matrix = _matrix(self._asked("GetMarkerOutput", number, RotationMatrix))
         return np.eye(3) if matrix is None else matrix
 
     def object(self, number: int) -> FloatArray | None:
@@ -116,8 +185,9 @@ def _matrix(values: FloatArray | None) -> FloatArray | None:
 
 def frame_along(axis: FloatArray, across: FloatArray | None = None) -> FloatArray:
     """Return a rotation matrix whose third column is along an axis; its first one is near `across`, if given."""
-    z = axis / max(float(np.linalg.norm(axis)), 1e-300)
+    z = np.asarray(axis, float) / max(math.sqrt(axis @ axis), 1e-300)
     x = np.eye(3)[np.argmin(np.abs(z))] if across is None or abs(across @ z) > 0.999 else across
     x = x - (x @ z) * z
-    x = x / np.linalg.norm(x)
-    return np.stack([x, np.cross(z, x), z], axis=1)
+    x = x / math.sqrt(x @ x)
+    (a, b, c), (d, e, f) = z.tolist(), x.tolist()
+    return np.array([[d, b * f - c * e, a], [e, c * d - a * f, b], [f, a * e - b * d, c]])

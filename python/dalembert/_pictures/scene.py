@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
+import numpy.typing as npt
 
 from dalembert._checks import FloatArray, IntArray
 from dalembert._pictures.meshes import Mesh, Rgba, extremes, sharp_edges
@@ -48,9 +48,46 @@ class Label:
     shift: tuple[float, float] = (0.0, 0.0)
 
 
+@dataclass(eq=False)
+class Herd:
+    """A mesh at many places: x = rows @ (point, 1).
+
+    The array of items is the same object in all scenes as long as only places change.
+    """
+
+    mesh: Mesh
+    color: Rgba | None
+    items: IntArray  # n
+    rows: FloatArray  # n x 3 x 4
+
+
+@dataclass(eq=False)
+class Balls:
+    """Many spheres."""
+
+    centers: FloatArray = field(default_factory=lambda: np.zeros((0, 3)))
+    radii: FloatArray = field(default_factory=lambda: np.zeros(0))
+    colors: FloatArray = field(default_factory=lambda: np.zeros((0, 4)))
+    items: IntArray = field(default_factory=lambda: np.zeros(0, int))
+
+
+@dataclass(eq=False)
+class Threads:
+    """Many lines: the points of one after those of the other, and how many each has."""
+
+    points: FloatArray = field(default_factory=lambda: np.zeros((0, 3)))
+    counts: IntArray = field(default_factory=lambda: np.zeros(0, int))
+    colors: list[Rgba] = field(default_factory=list)
+    widths: list[float] = field(default_factory=list)  # pixels
+    items: IntArray = field(default_factory=lambda: np.zeros(0, int))
+
+
 @dataclass
 class Scene:
-    """Meshes, spheres, lines and texts; `item` is a position in the list of items."""
+    """Meshes, spheres, lines and texts; `item` is a position in the list of items.
+
+    What is moved as arrays (flow.py) is in herds, balls and threads, everything else in lists.
+    """
 
     items: list[DrawnItem] = field(default_factory=list)
     instances: list[Instance] = field(default_factory=list)
@@ -59,35 +96,69 @@ class Scene:
         default_factory=list
     )  # points, color, width in pixels, item
     labels: list[Label] = field(default_factory=list)
+    herds: list[Herd] = field(default_factory=list)
+    balls: Balls = field(default_factory=Balls)
+    threads: Threads = field(default_factory=Threads)
     time: float = 0.0
     information: list[str] = field(default_factory=list)  # for the corner of the picture
     value_name: str = ""  # what the values are; "" if there are none
     value_range: tuple[float, float] = (0.0, 1.0)
+
+    def unbound(self) -> Scene:
+        """Return the same scene with everything in lists, for what treats parts one by one."""
+        balls, threads = self.balls, self.threads
+        whole = replace(self, herds=[], balls=Balls(), threads=Threads())
+        whole.instances = [
+            Instance(herd.mesh, rows[:, :3], rows[:, 3], herd.color, int(item))
+            for herd in self.herds
+            for rows, item in zip(herd.rows, herd.items, strict=True)
+        ] + self.instances
+        whole.spheres = [
+            (center, float(radius), (float(r), float(g), float(b), float(a)), int(item))
+            for center, radius, (r, g, b, a), item in zip(
+                balls.centers, balls.radii, balls.colors, balls.items, strict=True
+            )
+        ] + self.spheres
+        parts = np.split(threads.points, np.cumsum(threads.counts)[:-1]) if len(threads.counts) else []
+        whole.lines = [
+            (points, color, width, int(item))
+            for points, color, width, item in zip(parts, threads.colors, threads.widths, threads.items, strict=True)
+        ] + self.lines
+        return whole
 
     def box(self) -> FloatArray | None:
         """Return the smallest and largest coordinates of what is drawn; None if there is nothing.
 
         Symbols of nodes, markers and sensors count only where there is nothing else, ground unless it is wide.
         """
-        kinds = [(item.kind in ("Object", "Load", "Trace")) + (item.type_name == "Ground") for item in self.items]
-        moving = self._corners(lambda item: item < 0 or kinds[item] == 1)
-        objects = self._corners(lambda item: item < 0 or kinds[item] > 0)
+        counted = [(item.kind in ("Object", "Load", "Trace")) + (item.type_name == "Ground") for item in self.items]
+        kinds = np.array([*counted, 1])  # the last one is of what belongs to no item, -1
+        moving, objects = self._corners(kinds == 1), self._corners(kinds > 0)
         if moving is None or objects is None:
-            return self._corners(lambda item: True) if objects is None else objects
+            return self._corners(kinds >= 0) if objects is None else objects
         wide = np.linalg.norm(objects[1] - objects[0]) > WIDE * np.linalg.norm(moving[1] - moving[0])
         return moving if wide else objects
 
     def box_of(self, objects: list[int]) -> FloatArray | None:
         """Return the same for these objects alone."""
-        chosen = [item.kind == "Object" and item.number in objects for item in self.items]
-        return self._corners(lambda item: chosen[item])
+        return self._corners(
+            np.array([*(item.kind == "Object" and item.number in objects for item in self.items), False])
+        )
 
-    def _corners(self, counts: Callable[[int], bool]) -> FloatArray | None:
-        parts = [extremes(i.mesh) @ i.matrix.T + i.place for i in self.instances if counts(i.item)]
-        parts += [points for points, _, _, item in self.lines if counts(item)]
+    def _corners(self, counts: npt.NDArray[np.bool_]) -> FloatArray | None:
+        """Return the smallest and the largest coordinates of those items that count."""
+        parts = [extremes(i.mesh) @ i.matrix.T + i.place for i in self.instances if counts[i.item]]
+        parts += [points for points, _, _, item in self.lines if counts[item]]
         for center, radius, _, item in self.spheres:
-            if counts(item):
+            if counts[item]:
                 parts.append(np.array([center - radius, center + radius]))
+        for herd in self.herds:
+            rows = herd.rows[counts[herd.items]]
+            parts.append((extremes(herd.mesh) @ rows[:, :, :3].transpose(0, 2, 1) + rows[:, None, :, 3]).reshape(-1, 3))
+        balls, threads = self.balls, self.threads
+        chosen = counts[balls.items]
+        parts += [balls.centers[chosen] + sign * balls.radii[chosen, None] for sign in (-1, 1)]
+        parts.append(threads.points[np.repeat(counts[threads.items], threads.counts)])
         points = np.concatenate([np.zeros((0, 3)), *parts])
         points = points[np.isfinite(points).all(axis=1)]
         return np.array([points.min(axis=0), points.max(axis=0)]) if len(points) else None
@@ -109,29 +180,56 @@ class Faces:
     items: IntArray
 
 
+@dataclass
+class _Crowd:
+    """A mesh at many places, with the colors of all points."""
+
+    mesh: Mesh
+    matrices: FloatArray
+    places: FloatArray
+    colors: FloatArray
+    items: IntArray
+
+    @staticmethod
+    def of_herd(herd: Herd) -> _Crowd:
+        colors = np.tile(_colors(herd.mesh, herd.color), (len(herd.items), 1))
+        return _Crowd(herd.mesh, herd.rows[:, :, :3], herd.rows[:, :, 3], colors, herd.items)
+
+
 def faces(scene: Scene, smooth: bool, color_of: dict[int, FloatArray]) -> Faces | None:
     """Return the triangles of all meshes with normals, or of those without; color_of: colors of single instances."""
+    crowds = [
+        _Crowd.of_herd(h) for h in scene.herds if (h.mesh.normals is not None) == smooth and len(h.mesh.triangles)
+    ]
     groups: dict[int, list[tuple[int, Instance]]] = defaultdict(list)
     for number, instance in enumerate(scene.instances):
         if (instance.mesh.normals is not None) == smooth and len(instance.mesh.triangles):
             groups[id(instance.mesh)].append((number, instance))
-    if not groups:
+    for group in groups.values():
+        colored = [color_of[n] if n in color_of else _colors(i.mesh, i.color) for n, i in group]
+        crowds.append(
+            _Crowd(
+                group[0][1].mesh,
+                np.array([instance.matrix for _, instance in group]),
+                np.array([instance.place for _, instance in group]),
+                np.concatenate(colored),
+                np.array([instance.item for _, instance in group]),
+            )
+        )
+    if not crowds:
         return None
     points, normals, colors, triangles, items = [], [], [], [], []
     start = 0
-    for group in groups.values():
-        mesh = group[0][1].mesh
-        matrices = np.array([instance.matrix for _, instance in group])
-        places = np.array([instance.place for _, instance in group])
-        points.append((np.einsum("nij,kj->nki", matrices, mesh.points) + places[:, None]).reshape(-1, 3))
+    for crowd in crowds:
+        mesh, many = crowd.mesh, len(crowd.items)
+        points.append((mesh.points @ crowd.matrices.transpose(0, 2, 1) + crowd.places[:, None]).reshape(-1, 3))
         if mesh.normals is not None:
-            normals.append(np.einsum("nij,kj->nki", _cofactors(matrices), mesh.normals).reshape(-1, 3))
-        colors += [color_of.get(number, _colors(instance)) for number, instance in group]
-        count = len(mesh.points)
-        starts = start + count * np.arange(len(group))
+            normals.append((mesh.normals @ _cofactors(crowd.matrices).transpose(0, 2, 1)).reshape(-1, 3))
+        colors.append(crowd.colors)
+        starts = start + len(mesh.points) * np.arange(many)
         triangles.append((mesh.triangles[None] + starts[:, None, None]).reshape(-1, 3))
-        items.append(np.repeat([instance.item for _, instance in group], len(mesh.triangles)))
-        start += count * len(group)
+        items.append(np.repeat(crowd.items, len(mesh.triangles)))
+        start += len(mesh.points) * many
     return Faces(
         np.concatenate(points),
         np.concatenate(normals) if smooth else None,
@@ -148,10 +246,10 @@ def _cofactors(m: FloatArray) -> FloatArray:
     return turned / np.maximum(np.linalg.norm(turned, axis=(1, 2), keepdims=True), 1e-300)
 
 
-def _colors(instance: Instance) -> FloatArray:
-    if instance.color is None and instance.mesh.colors is not None:
-        return instance.mesh.colors
-    return np.tile(np.array(instance.color or (0.5, 0.5, 0.5, 1.0)), (len(instance.mesh.points), 1))
+def _colors(mesh: Mesh, color: Rgba | None) -> FloatArray:
+    if color is None and mesh.colors is not None:
+        return mesh.colors
+    return np.tile(np.array(color or (0.5, 0.5, 0.5, 1.0)), (len(mesh.points), 1))
 
 
 def mesh_edges(scene: Scene, sharp: Rgba | None = None) -> list[tuple[FloatArray, Rgba, int]]:
@@ -160,7 +258,7 @@ def mesh_edges(scene: Scene, sharp: Rgba | None = None) -> list[tuple[FloatArray
     With a color for them, edges where faces meet at an angle are among them.
     """
     result = []
-    for instance in scene.instances:
+    for instance in scene.unbound().instances if scene.herds else scene.instances:
         mesh = instance.mesh
         wanted = [(mesh.edges, mesh.edge_color)]
         if sharp is not None and len(mesh.triangles) and not len(mesh.edges):

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import lru_cache
+from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +14,7 @@ from dalembert import _core
 from dalembert._checks import FloatArray
 from dalembert._pictures import camera, films, painting
 from dalembert._pictures.camera import Camera
+from dalembert._pictures.flow import Flow
 from dalembert._pictures.making import SceneMaker
 from dalembert._pictures.painting import Image
 from dalembert._pictures.places import Places
@@ -25,7 +28,7 @@ def joined(scenes: list[Scene]) -> Scene:
     """Return one scene of those of several systems."""
     if len(scenes) == 1:
         return scenes[0]
-    whole = Scene()
+    whole, scenes = Scene(), [scene.unbound() for scene in scenes]
     for number, scene in enumerate(scenes):
         start = len(whole.items)
         whole.items += [replace(item, system=number) for item in scene.items]
@@ -51,7 +54,9 @@ class Studio:
         self.settings = container.visualizationSettings
         if systems is None:
             systems = [container.GetSystem(i) for i in range(container.NumberOfSystems())]
-        self.makers = [SceneMaker(mbs, self.settings) for mbs in systems]
+        self.makers = [SceneMaker(mbs, self.settings, number) for number, mbs in enumerate(systems)]
+        self._flows: list[Flow] = []
+        tell_settings_without_effect(self.settings)
 
     def margin(self) -> float:
         """Return how much larger an image is than what it shows."""
@@ -84,6 +89,16 @@ class Studio:
     def scene(self, configuration: Any = None) -> Scene:
         """Return the scene of all systems."""
         return joined([maker.scene(configuration) for maker in self.makers]) if self.makers else Scene()
+
+    def flow(self) -> Scene:
+        """Return the scene of what is visualized; what keeps its shape is moved, not drawn again."""
+        if len(self._flows) != len(self.makers):
+            self._flows = [Flow(maker) for maker in self.makers]
+        return joined([flow.scene() for flow in self._flows]) if self._flows else Scene()
+
+    def settings_changed(self) -> None:
+        """Let flow() draw everything again."""
+        self._flows = []
 
     def camera(self, scene: Scene, number: int = 0, size: tuple[int, int] | None = None) -> Camera:
         """Return the camera of the render state; what that does not say follows from the settings and the scene."""
@@ -127,6 +142,36 @@ class Studio:
             return np.full((height, width, 3), 255, np.uint8)
         scene = self.scene()
         return self.image(scene, self.camera(scene, number), number)
+
+
+@lru_cache(maxsize=1)
+def settings_without_effect() -> dict[str, tuple[Any, str]]:
+    """Return defaults and reasons of the settings that change nothing that is drawn here, by their paths."""
+    found = {}
+
+    def visit(entries: dict[str, Any], path: str) -> None:
+        for name, entry in entries.items():
+            if "itemIdentifier" not in entry:
+                visit(entry, f"{path}{name}.")
+            elif "no effect: " in entry["description"]:
+                found[path + name] = entry["value"], entry["description"].rpartition("no effect: ")[2].rstrip(")")
+
+    visit(_core.VisualizationSettings().GetDictionaryWithTypeInfo(), "")
+    return found
+
+
+_told: set[str] = set()
+
+
+def tell_settings_without_effect(settings: Any) -> None:
+    """Print a notice for settings that are not at their defaults and have no effect, once for each of them."""
+    news: dict[str, list[str]] = {}
+    for path, (default, reason) in settings_without_effect().items():
+        if path not in _told and not np.array_equal(attrgetter(path)(settings), default):
+            _told.add(path)
+            news.setdefault(reason, []).append(path)
+    for reason, paths in news.items():
+        _core.Print(f"WARNING: visualizationSettings: no effect of {', '.join(paths)}: {reason}")
 
 
 def save_next(export: Any, image: Image) -> Path:

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 
 from dalembert._checks import FloatArray
-from dalembert._core import OutputVariableType
-from dalembert._pictures import trees
+from dalembert._core import ConfigurationType, OutputVariableType
+from dalembert._pictures import meshes, trees
 from dalembert._pictures.contour import Contour
 from dalembert._pictures.pen import Pen
 from dalembert._pictures.places import frame_along
@@ -22,10 +22,33 @@ def node(pen: Pen, colors: Contour, number: int, item: Item) -> None:
         return
     radius = 0.5 * pen.looks.draw_size(item, "nodes.defaultSize", 0.02)
     color = pen.looks.color(item, "nodes.defaultColor")
-    pen.sphere(place, radius, color)
+    pen.stick("Node", number)
+    value = pen.places.node_output(number, colors.variable) if colors.active else None
+    if value is not None and radius > 0 and pen.looks.setting("contour.nodesColored"):
+        ball = meshes.ball(8)
+        pen.mesh(ball, place, radius * np.eye(3), None, np.full(len(ball.points), colors.number(value)))
+    else:
+        pen.sphere(place, radius, color)
+    if pen.looks.setting("nodes.showNodalSlopes") and "Slope" in item["nodeType"]:
+        _slopes(pen, number, item, place)
     if pen.looks.setting("nodes.showBasis"):
         rotation = pen.places.node_rotation(number)
         pen.frame(place, np.eye(3) if rotation is None else rotation, pen.looks.length("nodes.basisSize", 0.1))
+
+
+def _slopes(pen: Pen, number: int, item: Item, place: FloatArray) -> None:
+    """Draw the slope vectors of a node; a slope of 1 is as long as the axes of nodes."""
+    pen.stick()
+    changes = pen.places.node_output(number, OutputVariableType.Coordinates)
+    total = np.asarray(item["referenceCoordinates"], float)
+    if changes is not None and pen.places.configuration != ConfigurationType.Reference:
+        total = total + changes
+    size = 2 if "2D" in item["nodeType"] else 3
+    for slope in total[size:].reshape(-1, size):
+        vector = np.zeros(3)
+        vector[:size] = slope
+        length = pen.looks.length("nodes.basisSize", 0.1)
+        pen.arrow(place, length * vector, 0.02 * length, pen.looks.color(item, "nodes.defaultColor"))
 
 
 def marker(pen: Pen, number: int, item: Item) -> None:
@@ -34,7 +57,9 @@ def marker(pen: Pen, number: int, item: Item) -> None:
         return
     size = pen.looks.length("markers.defaultSize", 0.009)
     color = pen.looks.color(item, "markers.defaultColor")
+    pen.stick(*pen.places.seat(number), turns=pen.places.stands("Marker", number))
     pen.box(place, pen.places.marker_rotation(number), 3 * [size], color)
+    pen.stick()
     if item.get("VshowMarkerNodes") and "meshNodeNumbers" in item:
         for mesh_node in item["meshNodeNumbers"]:
             point = pen.places.mesh_output(item["bodyNumber"], OutputVariableType.Position, mesh_node)
@@ -59,6 +84,7 @@ def load(pen: Pen, number: int, item: Item) -> None:
     else:
         size = strength * float(pen.looks.setting("loads.loadSizeFactor"))
     radius = pen.looks.length("loads.defaultRadius", 0.003)
+    pen.stick(*pen.places.seat(marker_number), turns=bool(item.get("bodyFixed")))
     if turns:
         pen.turning_arrow(place, vector, 0.5 * size, color)
     else:
@@ -86,6 +112,10 @@ def sensor(pen: Pen, number: int, item: Item) -> None:
     if (place := _sensor_place(pen, item)) is None:
         return
     size = pen.looks.length("sensors.defaultSize", 0.012)
+    if "markerNumber" in item:
+        pen.stick(*pen.places.seat(item["markerNumber"]), turns=False)
+    elif "nodeNumber" in item and "meshNodeNumber" not in item:
+        pen.stick("Node", item["nodeNumber"], turns=False)
     diamond = frame_along(np.array([1.0, 1, 1]))
     pen.box(place, diamond, 3 * [0.8 * size], pen.looks.color(item, "sensors.defaultColor"))
 

@@ -43,7 +43,7 @@ def draw(pen: Pen, item: Item, data: list[list[graphics_data.Shape]]) -> None:
     frames = link_frames(pen, item)
     color, joint = pen.looks.color(item, "bodies.defaultColor"), rgba(pen.looks.setting("connectors.defaultColor"))
     thick, size = 0.008 * pen.looks.size, pen.looks.length("connectors.jointAxesLength", 0.04)
-    base = np.asarray(item["baseOffset"], float)
+    base, settings = np.asarray(item["baseOffset"], float), pen.looks.setting("bodies.kinematicTree")
     for link, (place, rotation) in enumerate(frames):
         if data and item["VshowLinks"] and link < len(data):
             graphics_data.draw(pen, data[link], place, rotation)
@@ -53,8 +53,13 @@ def draw(pen: Pen, item: Item, data: list[list[graphics_data.Shape]]) -> None:
         if item["VshowJoints"] and not data:
             half = 0.5 * size * rotation[:, _axis(item, link)]
             pen.cylinder(place - half, place + half, 1.6 * thick, joint)
-        if pen.looks.setting("bodies.kinematicTree.showJointFrames") and not data:
+        if settings.showJointFrames and not data:
             pen.frame(place, rotation, pen.looks.length("bodies.kinematicTree.frameSize", 0.06))
+        if settings.showCOMframes:
+            center = place + rotation @ np.asarray(item["linkCOMs"][link], float)
+            pen.frame(center, rotation, pen.looks.length("bodies.kinematicTree.frameSize", 0.06))
+        if settings.showFramesNumbers:
+            pen.label(place, f"{item['name']}: {link}")
 
 
 def link_frames(pen: Pen, item: Item) -> list[tuple[FloatArray, FloatArray]]:

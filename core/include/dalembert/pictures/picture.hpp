@@ -5,7 +5,9 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace dalembert {
@@ -87,6 +89,8 @@ class Picture {
     Point eye, normal;
     Paint paint;
   };
+  struct Edge;
+  class Plan;
   struct Sheet {  // a transparent triangle that waits for what is behind it
     std::array<Vertex, 3> corners;
     float nearness;
@@ -97,14 +101,19 @@ class Picture {
   Point turned(const double* v) const;
   Vertex project(const Corner& corner) const;
   float nearness(float z, float weight) const { return perspective_ > 0 ? weight : -z; }
+  void begin();
   void clipped(std::array<Corner, 3> corners, std::int32_t item);
   void add(const std::array<Vertex, 3>& corners, std::int32_t item);
   template <class Write>
   void fill(const std::array<Vertex, 3>& v, Write&& write) const;
+  template <class Shade>
+  void cover(const std::array<Vertex, 3>& v, const Plan& plan, std::int32_t item, Shade&& shade);
+  std::pair<int, int> span(std::span<const Edge, 3> edges, int row) const;
   template <class Write>
   void walk(Point a, Point b, float half, Write&& write) const;
-  void outline();
-  void light_row(std::size_t begin);
+  void outline(int pixel_row);
+  bool join(std::size_t first);
+  void light(int pixel_row);
   void blend(const Sheet& sheet);
   float strength(float nx, float ny, float nz, float& shine) const;
 
@@ -116,9 +125,10 @@ class Picture {
   std::vector<float> shine_;         // power of the cosine, in a table
   std::vector<Plane> planes_;
   std::vector<float> depth_;         // nearness of each sample
-  std::vector<std::uint32_t> color_; // bytes r, g, b, and 255 if it is to be lit
-  std::vector<std::uint32_t> normal_;  // x and y of the unit normal towards the viewer, two bytes each
+  std::unique_ptr<std::uint32_t[]> color_;  // bytes r, g, b, and 255 if it is to be lit
+  std::unique_ptr<std::uint32_t[]> normal_;  // x and y of the unit normal towards the viewer, two bytes each
   std::vector<std::int32_t> item_;
+  bool has_background_ = false;
   std::vector<Sheet> sheets_;
 };
 

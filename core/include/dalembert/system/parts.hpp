@@ -230,6 +230,7 @@ struct SystemParts {
   Evaluation evaluation(const State& state, const Conditions& conditions);
   Evaluation output_evaluation(const State& state);
   Evaluation output_evaluation(const State& state, std::span<const int> dofs);  // q at these coordinates only
+  Evaluation output_evaluation(const State& state, std::vector<double>& totals);  // q in memory of the caller
   void update_ports(const Evaluation& e);
   void evaluate_resting(const Evaluation& e);
   void evaluate_constant_loads();

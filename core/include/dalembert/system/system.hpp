@@ -18,6 +18,7 @@
 #include "dalembert/system/evaluation.hpp"
 #include "dalembert/system/pattern.hpp"
 #include "dalembert/system/regions.hpp"
+#include "dalembert/reflection/storage.hpp"
 #include "dalembert/system/state.hpp"
 
 namespace dalembert {
@@ -169,6 +170,14 @@ class System {
   void link_output(int object, OutputVariableType variable, int link, std::array<double, 3> local, ConfigurationType configuration,
                    Values& values);
   void marker_output(int marker, OutputVariableType variable, ConfigurationType configuration, Values& values);
+  // What pictures ask for: where all items of a kind are, the rows of rotation and position (3 x 4) of each, in one go. NaN: an item
+  // has no place, or no orientation. The memory is that of the caller; nothing that solvers use is touched.
+  struct Poses {
+    Values rows, totals;
+  };
+  void poses(ItemKind kind, ConfigurationType configuration, Poses& poses) const;
+  // An output variable of all mesh nodes of a super element, one after the other; returns how many nodes, 0: they do not have it.
+  int mesh_output(int object, OutputVariableType variable, ConfigurationType configuration, Values& totals, Values& values) const;
   void load_values(int load, double time, Values& values);
   void sensor_values(int sensor, ConfigurationType configuration, Values& values);
   // While one lives, outputs of several items share the frames of markers, until the state may have changed.

@@ -1,0 +1,103 @@
+// Where items are, for pictures: arrays of all items of a kind in one call, with memory of their own.
+#include <pybind11/numpy.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "conversion.hpp"
+#include "item_arguments.hpp"
+#include "main_system.hpp"
+#include "python_errors.hpp"
+#include "system_container.hpp"
+
+namespace dalembert {
+namespace {
+
+template <class T>
+using Numbers = py::array_t<T, py::array::c_style | py::array::forcecast>;
+
+// Asks one system; all of it needs the lock of the interpreter.
+class ScenePlaces {
+ public:
+  explicit ScenePlaces(std::shared_ptr<MainSystem> main) : main_(std::move(main)) { changed(); }
+
+  py::array rows(int kind, const py::object& configuration) {
+    if (kind < 0 || kind >= item_kinds) throw py::value_error("_ScenePlaces.rows(...): kind: expected 0 to 4");
+    system("rows").poses(static_cast<ItemKind>(kind), read(configuration), poses_);
+    return new_array({static_cast<py::ssize_t>(poses_.rows.size() / 12), 3, 4}, poses_.rows.data());
+  }
+  // None: the object has no mesh nodes of its own, or they do not have this output.
+  py::object mesh(int object, const py::object& variable, const py::object& configuration) {
+    if (object < 0 || object >= main_->model.count(ItemKind::object)) throw py::index_error("_ScenePlaces.mesh(...): there is no such object");
+    const auto asked = static_cast<OutputVariableType>(Enumeration::number(variable.ptr()));
+    const int count = system("mesh").mesh_output(object, asked, read(configuration), poses_.totals, values_);
+    if (count == 0) return py::none();
+    return new_array({count, static_cast<py::ssize_t>(values_.size()) / count}, values_.data());
+  }
+  // Whether items have come, gone or other parameters since the last call: a change replaces records.
+  bool changed() {
+    bool result = false;
+    for (int k = 0; k < item_kinds; ++k) {
+      const auto kind = static_cast<ItemKind>(k);
+      auto& known = records_[static_cast<std::size_t>(k)];
+      const auto count = static_cast<std::size_t>(main_->model.count(kind));
+      result = result || known.size() != count;
+      known.resize(count);
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto& record = main_->model.item(kind, static_cast<int>(i)).record;
+        if (known[i] == record) continue;
+        known[i] = record;
+        result = true;
+      }
+    }
+    return result;
+  }
+
+ private:
+  System& system(const char* method) { return main_->assembled(method); }
+  ConfigurationType read(const py::object& value) {
+    const ConfigurationType configuration = configuration_argument(value, [] { return std::string("_ScenePlaces(...)"); });
+    if (configuration == ConfigurationType::Visualization) main_->look_wanted = true;
+    return configuration;
+  }
+
+  const std::shared_ptr<MainSystem> main_;
+  System::Poses poses_;
+  std::vector<double> values_;
+  std::array<std::vector<std::shared_ptr<const void>>, item_kinds> records_;
+};
+
+// The rows (3 x 4) of frames[index] times local, for each of them.
+py::array place(const Numbers<double>& frames, const Numbers<std::int32_t>& index, const Numbers<double>& local) {
+  const auto n = static_cast<std::size_t>(index.size()), count = static_cast<std::size_t>(frames.size()) / 12;
+  if (static_cast<std::size_t>(local.size()) != 12 * n) throw py::value_error("_place: local: expected 12 numbers for each index");
+  for (const std::int32_t i : std::span(index.data(), n))
+    if (i < 0 || static_cast<std::size_t>(i) >= count) throw py::index_error("_place: index: there is no frame " + std::to_string(i));
+  py::array_t<double> result({static_cast<py::ssize_t>(n), py::ssize_t{3}, py::ssize_t{4}});
+  double* to = result.mutable_data();
+  for (std::size_t k = 0; k < n; ++k, to += 12) {
+    const double* f = frames.data() + 12 * static_cast<std::size_t>(index.data()[k]);
+    const double* x = local.data() + 12 * k;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 4; ++j)
+        to[4 * i + j] = f[4 * i] * x[j] + f[4 * i + 1] * x[4 + j] + f[4 * i + 2] * x[8 + j] + (j == 3 ? f[4 * i + 3] : 0.0);
+  }
+  return result;
+}
+
+}  // namespace
+
+void register_scene_places(py::module_& module) {
+  py::class_<ScenePlaces>(module, "_ScenePlaces", "Where the items of a system are, all of one kind at once.")
+      .def(py::init<std::shared_ptr<MainSystem>>(), py::arg("mbs"))
+      .def("rows", &ScenePlaces::rows, py::arg("kind"), py::arg("configuration"),
+           "Rotation and position (n x 3 x 4) of all nodes (0), objects (1) or markers (2); nan where there is none.")
+      .def("mesh", &ScenePlaces::mesh, py::arg("objectNumber"), py::arg("variableType"), py::arg("configuration"),
+           "An output of all mesh nodes of a super element, row by row; None if it has none of its own.")
+      .def("changed", &ScenePlaces::changed, "Whether items have other parameters than at the last call.");
+  module.def("_place", &place, py::arg("frames"), py::arg("index"), py::arg("local"),
+             "The rows (n x 3 x 4) of what stands locally in one of the frames.");
+}
+
+}  // namespace dalembert

@@ -1,0 +1,163 @@
+"""Motions as files of other programs, read back by readers that know nothing of this package."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree
+
+import meshio
+import numpy as np
+import pygltflib
+import pytest
+from scipy.spatial.transform import Rotation
+
+import dalembert as exu
+import dalembert.itemInterface as items
+import dalembert.utilities
+from dalembert import graphics
+from dalembert._pictures.motion import Motion
+
+SIZES = {5126: ("<f4", 4), 5125: ("<u4", 4), 5121: ("u1", 1)}
+WIDTHS = {"SCALAR": 1, "VEC3": 3, "VEC4": 4}
+
+
+def array(file: Any, number: int) -> Any:
+    """The numbers of an accessor."""
+    accessor = file.accessors[number]
+    view, (kind, size) = file.bufferViews[accessor.bufferView], SIZES[accessor.componentType]
+    width = WIDTHS[accessor.type]
+    assert view.byteOffset % 4 == 0 and view.byteLength == accessor.count * width * size
+    data = file.binary_blob()[view.byteOffset : view.byteOffset + view.byteLength]
+    values = np.frombuffer(data, kind).reshape(-1, width)
+    if accessor.min:
+        assert values.min(axis=0) == pytest.approx(accessor.min) and values.max(axis=0) == pytest.approx(accessor.max)
+    return values
+
+
+@pytest.fixture
+def spinning(SC: Any, mbs: Any) -> Any:
+    """A brick that flies and turns, a spring to ground and a cable that bends."""
+    SC.visualizationSettings.loads.show = False
+    ground = mbs.CreateGround()
+    brick = mbs.CreateRigidBody(
+        referencePosition=[1, 0, 0],
+        inertia=exu.utilities.InertiaCuboid(1000, [0.4, 0.2, 0.1]),
+        initialVelocity=[1, 0.5, 0],
+        initialAngularVelocity=[0.3, 4, 1],
+        graphicsDataList=[graphics.Brick(size=[0.4, 0.2, 0.1], color=[0.5, 0.25, 1, 1])],
+    )
+    mbs.SetObjectParameter(brick, "name", "brick <&>")
+    mbs.CreateSpringDamper(bodyNumbers=[ground, brick], stiffness=20)
+    nodes = [mbs.AddNode(items.NodePoint2DSlope1(referenceCoordinates=[x, -1, 1, 0])) for x in (0, 1)]
+    mbs.AddObject(
+        items.ObjectANCFCable2D(
+            nodeNumbers=nodes,
+            physicsLength=1,
+            physicsMassPerLength=1,
+            physicsBendingStiffness=1,
+            physicsAxialStiffness=100,
+            visualization={"drawHeight": 0.05},
+        )
+    )
+    for coordinate in (0, 1, 3):
+        marker = mbs.AddMarker(items.MarkerNodeCoordinate(nodeNumber=nodes[0], coordinate=coordinate))
+        rest = mbs.AddMarker(items.MarkerNodeCoordinate(nodeNumber=mbs.AddNode(items.NodePointGround()), coordinate=0))
+        mbs.AddObject(items.ObjectConnectorCoordinate(markerNumbers=[rest, marker]))
+    tip = mbs.AddMarker(items.MarkerNodePosition(nodeNumber=nodes[1]))
+    mbs.AddLoad(items.LoadForceVector(markerNumber=tip, loadVector=[0, -1, 0]))
+    mbs.Assemble()
+    settings = exu.SimulationSettings()
+    settings.timeIntegration.numberOfSteps, settings.timeIntegration.endTime = 100, 1
+    settings.solutionSettings.solutionWritePeriod = 0.01
+    settings.timeIntegration.verboseMode = 0
+    mbs.SolveDynamic(settings)
+    return mbs
+
+
+def test_glb_has_the_motion(spinning: Any) -> None:
+    spinning.SaveGLB("motion.glb", framesPerSecond=10)
+    file = pygltflib.GLTF2().load("motion.glb")
+    assert file.asset.version == "2.0"
+    motion = Motion(spinning, "test", None, 10, 1.0, None, (64, 48))
+    assert array(file, file.animations[0].samplers[0].input).ravel() == pytest.approx(np.arange(11) / 10)
+    [number] = [n for n, node in enumerate(file.nodes) if node.name == "brick <&>.1"]
+    assert file.nodes[number].extras == {"kind": "Object", "number": 1, "type": "RigidBody"}
+    found = {}
+    for channel in file.animations[0].channels:
+        if channel.target.node == number:
+            found[channel.target.path] = array(file, file.animations[0].samplers[channel.sampler].output)
+    assert set(found) == {"translation", "rotation"}
+    for frame, scene in enumerate(motion.scenes):
+        [part] = [i for i in scene.instances if scene.items[i.item].name == "brick <&>"]
+        assert found["translation"][frame] == pytest.approx(part.place, abs=1e-6)
+        assert Rotation.from_quat(found["rotation"][frame]).as_matrix() == pytest.approx(part.matrix, abs=1e-6)
+    shape = file.meshes[file.nodes[number].mesh].primitives[0]
+    corners = array(file, shape.attributes.POSITION)
+    assert np.abs(corners).max(axis=0) == pytest.approx([0.2, 0.1, 0.05])
+    a, b, c = (corners[array(file, shape.indices).ravel()[k::3]] for k in range(3))
+    areas = 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    assert areas.sum() == pytest.approx(2 * (0.4 * 0.2 + 0.2 * 0.1 + 0.4 * 0.1))
+    color = file.materials[shape.material].pbrMetallicRoughness.baseColorFactor
+    assert color == pytest.approx([0.214041, 0.050876, 1, 1], abs=1e-5)  # of 0.5, 0.25 and 1 by the formula of sRGB
+
+
+def test_glb_has_what_is_deformed(spinning: Any) -> None:
+    spinning.SaveGLB("motion.glb", framesPerSecond=10)
+    file = pygltflib.GLTF2().load("motion.glb")
+    motion = Motion(spinning, "test", None, 10, 1.0, None, (64, 48))
+    [number] = [n for n, node in enumerate(file.nodes) if (node.extras or {}).get("type") == "ANCFCable2D"]
+    mesh = file.meshes[file.nodes[number].mesh]
+    [sampler] = [c.sampler for c in file.animations[0].channels if c.target.node == number]
+    weights = array(file, file.animations[0].samplers[sampler].output).reshape(11, -1)
+    rest = array(file, mesh.primitives[0].attributes.POSITION)
+    targets = [array(file, target["POSITION"]) for target in mesh.primitives[0].targets]
+    for frame, scene in enumerate(motion.scenes):
+        [part] = [i for i in scene.instances if scene.items[i.item].type_name == "ANCFCable2D"]
+        points = rest + sum(w * t for w, t in zip(weights[frame], targets, strict=True))
+        drawn = part.mesh.points[part.mesh.triangles].reshape(-1, 3)
+        assert points == pytest.approx(drawn, abs=1e-6)
+
+
+def test_glb_of_a_system_at_rest(mbs: Any) -> None:
+    mbs.CreateGround(graphicsDataList=[graphics.Sphere(radius=0.5)])
+    mbs.SaveGLB("still.glb")
+    file = pygltflib.GLTF2().load("still.glb")
+    assert not file.animations and len(file.nodes) == 2
+    assert file.nodes[0].rotation == pytest.approx([-np.sqrt(0.5), 0, 0, np.sqrt(0.5)])  # z becomes y
+
+
+def test_vtu_has_the_motion(SC: Any, spinning: Any) -> None:
+    contour = SC.visualizationSettings.contour
+    contour.outputVariable, contour.outputVariableComponent = exu.OutputVariableType.Displacement, -1
+    spinning.SaveVTU("out/motion.pvd", framesPerSecond=10)
+    entries = ElementTree.parse("out/motion.pvd").getroot().findall("Collection/DataSet")
+    motion = Motion(spinning, "test", None, 10, 1.0, None, (64, 48))
+    assert [float(e.attrib["timestep"]) for e in entries] == pytest.approx([s.time for s in motion.scenes])
+    for entry, scene in zip(entries, motion.scenes, strict=True):
+        grid = meshio.read(Path("out", entry.attrib["file"]))
+        [part] = [i for i in scene.instances if scene.items[i.item].type_name == "ANCFCable2D"]
+        number = scene.items[part.item].number
+        points, values = [], []
+        for block, kinds, owners in zip(grid.cells, grid.cell_data["kind"], grid.cell_data["item"], strict=True):
+            chosen = (np.ravel(kinds) == 1) & (np.ravel(owners) == number)
+            points.append(grid.points[block.data[chosen]].reshape(-1, 3))
+            values.append(grid.point_data["Displacement, norm"][block.data[chosen]].ravel())
+        assert part.values is not None
+        drawn = part.mesh.triangles
+        assert np.concatenate(points) == pytest.approx(part.mesh.points[drawn].reshape(-1, 3), abs=1e-14)
+        assert np.concatenate(values) == pytest.approx(part.values[drawn].ravel(), abs=1e-14)
+
+
+def test_vtu_of_one_state(spinning: Any) -> None:
+    spinning.SaveVTU("now.vtu")
+    grid = meshio.read("now.vtu")
+    scene = Motion(spinning, "test", None, 10, 1.0, None, (64, 48)).scenes[-1]
+    assert sum(len(block.data) for block in grid.cells if block.type == "triangle") >= sum(
+        len(i.mesh.triangles) for i in scene.instances
+    )
+
+
+def test_other_names_are_refused(mbs: Any) -> None:
+    with pytest.raises(ValueError, match="expected a name that ends with .pvd or .vtu, received 'motion.vtk'"):
+        mbs.SaveVTU("motion.vtk")

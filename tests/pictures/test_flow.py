@@ -1,0 +1,152 @@
+"""What is moved as arrays is where it would be if it was drawn again."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from typing import Any
+
+import numpy as np
+import pytest
+from test_items import READY, run
+
+import dalembert as exu
+from dalembert import _core, graphics
+from dalembert._pictures.flow import Flow
+from dalembert._pictures.making import SceneMaker
+from dalembert._pictures.places import Places
+from dalembert._pictures.scene import Scene
+
+Shown = exu.ConfigurationType.Visualization
+
+
+def move(mbs: Any, seed: int) -> None:
+    """Bring the system to another state: some that no solver would find, but small enough for all items."""
+    rng = np.random.default_rng(seed)
+    q = np.array(mbs.systemData.GetODE2Coordinates(exu.ConfigurationType.Initial), float)
+    q += 0.05 * rng.uniform(-1, 1, q.shape)
+    for node in range(mbs.systemData.NumberOfNodes()):
+        parameters = mbs.GetNode(node)
+        if parameters["nodeType"] == "RigidBodyEP":  # Euler parameters have the length 1
+            part = slice(mbs.GetNodeODE2Index(node) + 3, mbs.GetNodeODE2Index(node) + 7)
+            reference = np.asarray(parameters["referenceCoordinates"], float)[3:]
+            q[part] = (q[part] + reference) / np.linalg.norm(q[part] + reference) - reference
+    mbs.systemData.SetODE2Coordinates(q, Shown)
+
+
+def points(scene: Scene) -> dict[str, list[Any]]:
+    """Corners of meshes, spheres, lines and labels by item, in an order that does not depend on how they were drawn."""
+    whole, found = scene.unbound(), defaultdict(list)
+    name = [f"{i.kind}{i.number}" for i in whole.items]
+    for part in whole.instances:
+        color = part.color if part.mesh.colors is None else part.mesh.colors[0]
+        if part.mesh.colors is None:  # a symbol, which may be turned about its own axis
+            shape = [*part.matrix[:, 2], *(part.matrix @ part.matrix.T).ravel(), *part.place]
+        else:
+            shape = (part.mesh.points[[0, len(part.mesh.points) // 3, -1]] @ part.matrix.T + part.place).ravel()
+        found[name[part.item]].append([*shape, *color])
+    for center, radius, color, item in whole.spheres:
+        found[name[item]].append([*center, radius, *color])
+    for line, color, width, item in whole.lines:
+        found[name[item]].append([*line.ravel(), width, *color])
+    found["labels"] += [[*label.place, len(label.text)] for label in whole.labels]
+    return {key: sorted(np.round(np.asarray(row, float), 12).tolist() for row in rows) for key, rows in found.items()}
+
+
+def assert_same(moved: Scene, drawn: Scene, size: float, turning: bool) -> None:
+    a, b = points(moved), points(drawn)
+    assert a.keys() == b.keys()
+    for key, rows in a.items():
+        if turning and key.startswith("Load"):
+            continue  # an arrow around an axis begins anywhere
+        assert len(rows) == len(b[key]), key
+        for one, other in zip(rows, b[key], strict=True):
+            assert np.asarray(one) == pytest.approx(np.asarray(other), abs=1e-9 * size, rel=1e-9), key
+
+
+@pytest.mark.parametrize("item", READY, ids=lambda item: item.name)
+def test_moved_scenes_are_as_drawn_ones(item: Any) -> None:
+    SC, mbs = run(item)
+    for kind in ("nodes", "markers", "loads", "bodies", "connectors"):
+        getattr(SC.visualizationSettings, kind).showNumbers = True
+    SC.visualizationSettings.nodes.showBasis = True
+    maker = SceneMaker(mbs, SC.visualizationSettings)
+    if not maker.is_assembled():
+        mbs.Assemble()
+    flow = Flow(maker)
+    for seed in range(3):
+        move(mbs, seed)
+        assert_same(flow.scene(), maker.scene(), maker.looks.size, "Torque" in item.name)
+
+
+@pytest.mark.parametrize("item", READY, ids=lambda item: item.name)
+def test_places_of_all_items_are_those_of_each(item: Any) -> None:
+    _, mbs = run(item)
+    mbs.Assemble()
+    move(mbs, 4)
+    together, alone = Places(mbs, Shown, _core._ScenePlaces(mbs)), Places(mbs, Shown)
+    for kind in ("Node", "Object", "Marker"):
+        for number in range(getattr(mbs.systemData, f"NumberOf{kind}s")()):
+            ways = [kind.lower()] if kind != "Object" else ["body", "object"]
+            for name in [*ways, *(f"{way}_rotation" for way in ways if way != "object")]:
+                one, other = getattr(together, name)(number), getattr(alone, name)(number)
+                assert (one is None) == (other is None), (kind, number, name)
+                assert one is None or one == pytest.approx(other, abs=1e-14, rel=1e-14), (kind, number, name)
+
+
+def bricks(mbs: Any, count: int) -> None:
+    shape = [graphics.Brick(size=[0.3, 0.2, 0.1])]
+    inertia = exu.utilities.InertiaCuboid(1000, [0.3, 0.2, 0.1])
+    for i in range(count):
+        body = mbs.CreateRigidBody(
+            referencePosition=[i % 10, i // 10, 0], inertia=inertia, gravity=[0, 0, -9.81], graphicsDataList=shape
+        )
+        node = mbs.GetObject(body)["nodeNumber"]
+        mbs.SetNodeParameter(node, "Vshow", True)
+        mbs.SetNodeParameter(node, "VdrawSize", 0.1)
+
+
+def test_equal_bodies_are_one_herd(SC: Any, mbs: Any) -> None:
+    bricks(mbs, 30)
+    mbs.Assemble()
+    scene = Flow(SceneMaker(mbs, SC.visualizationSettings)).scene()
+    assert not scene.instances and not scene.spheres and not scene.lines
+    assert [len(herd.items) for herd in scene.herds if herd.color is None] == [30]
+    assert len(scene.balls.items) == 30  # nodes
+
+
+def test_changes_of_items_are_seen(SC: Any, mbs: Any) -> None:
+    bricks(mbs, 3)
+    mbs.Assemble()
+    maker = SceneMaker(mbs, SC.visualizationSettings)
+    flow = Flow(maker)
+    flow.scene()
+    mbs.SetNodeParameter(1, "Vshow", False)
+    assert len(flow.scene().balls.items) == 2
+    mbs.SetNodeParameter(1, "Vshow", True)
+    mbs.SetNodeParameter(1, "VdrawSize", 0.7)
+    assert sorted(flow.scene().balls.radii)[-1] == pytest.approx(0.35)
+
+
+def test_boxes_are_those_of_drawn_scenes(SC: Any, mbs: Any) -> None:
+    bricks(mbs, 12)
+    mbs.Assemble()
+    maker = SceneMaker(mbs, SC.visualizationSettings)
+    moved, drawn = Flow(maker).scene(), maker.scene()
+    assert moved.box() == pytest.approx(drawn.box(), abs=1e-12)
+    assert moved.box_of([3]) == pytest.approx(drawn.box_of([3]), abs=1e-12)
+
+
+def test_springs_that_become_much_longer_are_drawn_again(SC: Any, mbs: Any) -> None:
+    ground = mbs.CreateGround()
+    mass = mbs.CreateMassPoint(referencePosition=[1, 0, 0], physicsMass=1)
+    mbs.CreateSpringDamper(bodyNumbers=[ground, mass], stiffness=1)
+    mbs.Assemble()
+    maker = SceneMaker(mbs, SC.visualizationSettings)
+    flow = Flow(maker)
+    flow.scene()
+    for x in (0.5, 1.5, 5.0, -0.9, 0.2):
+        mbs.systemData.SetODE2Coordinates([x, 0, 0], Shown)
+        moved, drawn = flow.scene().unbound(), maker.scene()
+        springs = [[i for i in s.instances if len(i.mesh.points) > 300] for s in (moved, drawn)]
+        assert len(springs[0]) == len(springs[1]) == 1
+        assert springs[0][0].matrix[:, 2] == pytest.approx(springs[1][0].matrix[:, 2], abs=1e-12)
