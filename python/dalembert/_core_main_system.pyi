@@ -26,6 +26,7 @@ from dalembert._plots import system_graph as system_graph
 from dalembert._solving import buckling as buckling
 from dalembert._solving import consistent as consistent
 from dalembert._solving import energies as energies
+from dalembert._solving import inspection as inspection
 from dalembert._solving import linearized as linearized
 from dalembert._solving import report as report
 from dalembert._studies import variations as variations
@@ -300,4 +301,5 @@ class MainSystem(_Bound):
     ComputeBucklingLoads = buckling.ComputeBucklingLoads
     ComputeConsistentInitialConditions = consistent.ComputeConsistentInitialConditions
     ComputeEnergies = energies.ComputeEnergies
+    InspectSolution = inspection.InspectSolution
     Report = report.Report

@@ -18,6 +18,7 @@ from dalembert._plots.system_graph import DrawSystemGraph
 from dalembert._solving.buckling import ComputeBucklingLoads
 from dalembert._solving.consistent import ComputeConsistentInitialConditions
 from dalembert._solving.energies import ComputeEnergies
+from dalembert._solving.inspection import InspectSolution
 from dalembert._solving.report import Report
 from dalembert._studies.variations import SolveVariations
 from dalembert.create._distance_sensor import CreateDistanceSensor, CreateDistanceSensorGeometry
@@ -47,6 +48,7 @@ methods: dict[str, Callable[..., Any]] = (
             Draw,
             DrawSolution,
             DrawSystemGraph,
+            InspectSolution,
             model_files.Load,
             model_files.Save,
             PlotSensor,

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from dalembert._core import testing
-from dalembert._solving.energies import ComputeEnergies
+from dalembert._solving.energies import ComputeEnergies, TotalMass
 from dalembert._solving.linearized import ComputeSystemDegreeOfFreedom
 from dalembert._solving.quiet import assemble_if_needed
 
@@ -34,7 +34,7 @@ def _counts(mbs: Any) -> list[str]:
     )
     freedom = ComputeSystemDegreeOfFreedom(mbs)
     lines = [
-        f"items: {items}; size {testing.extent(mbs):.3g} m",
+        f"items: {items}; size {testing.extent(mbs):.3g} m, mass {TotalMass(mbs):.6g} kg",
         "coordinates: {nODE2} of second order, {nODE1} of first order; {nAE} algebraic equations".format(**freedom),
         "degrees of freedom: {degreeOfFreedom}; redundant constraint equations: {redundantConstraints}".format(
             **freedom
