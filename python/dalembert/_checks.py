@@ -9,6 +9,7 @@ import numpy.typing as npt
 
 from dalembert._core import _problem_of
 
+ComplexArray = npt.NDArray[np.complex128]
 FloatArray = npt.NDArray[np.float64]
 IntArray = npt.NDArray[np.int64]
 

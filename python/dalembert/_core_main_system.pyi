@@ -29,6 +29,7 @@ from dalembert._solving import energies as energies
 from dalembert._solving import inspection as inspection
 from dalembert._solving import linearized as linearized
 from dalembert._solving import report as report
+from dalembert._solving import vibrations as vibrations
 from dalembert._studies import variations as variations
 from dalembert.create import _distance_sensor as distance_sensor
 from dalembert.create import _robot as robot
@@ -301,5 +302,6 @@ class MainSystem(_Bound):
     ComputeBucklingLoads = buckling.ComputeBucklingLoads
     ComputeConsistentInitialConditions = consistent.ComputeConsistentInitialConditions
     ComputeEnergies = energies.ComputeEnergies
+    ComputeVibrationModes = vibrations.ComputeVibrationModes
     InspectSolution = inspection.InspectSolution
     Report = report.Report

@@ -20,6 +20,7 @@ from dalembert._solving.consistent import ComputeConsistentInitialConditions
 from dalembert._solving.energies import ComputeEnergies
 from dalembert._solving.inspection import InspectSolution
 from dalembert._solving.report import Report
+from dalembert._solving.vibrations import ComputeVibrationModes
 from dalembert._studies.variations import SolveVariations
 from dalembert.create._distance_sensor import CreateDistanceSensor, CreateDistanceSensorGeometry
 from dalembert.create._interface import (  # noqa: F401
@@ -42,6 +43,7 @@ methods: dict[str, Callable[..., Any]] = (
             ComputeBucklingLoads,
             ComputeConsistentInitialConditions,
             ComputeEnergies,
+            ComputeVibrationModes,
             CreateDistanceSensor,
             CreateDistanceSensorGeometry,
             CreateRobot,

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-import scipy.linalg
 from rods import Rod, section
+from scipy.spatial.transform import Rotation
 from solving import Variable, new_system, settings
 
 import dalembert as exu
-from dalembert._core import testing
 
 # Of the tip, against the line that rotates rigidly: along it, across it, and the rotation of the section; by an element of degree 10.
 SPUN = {
@@ -86,41 +85,23 @@ FLAP = {
 }
 
 
+def rotating_beam(
+    elements: int, node: type = exu.NodeRigidBodyRotVecLG, turn: np.ndarray | None = None
+) -> exu.MainSystem:
+    """Clamped at the origin, along the first axis of `turn`."""
+    turn, slim = np.eye(3) if turn is None else turn, 1e-6
+    rod = Rod(node)
+    rod.add_leg(np.zeros(3), turn, 1.0, elements, section([1e7, 1e7, 1e7, 1, 1, 1], 1.0, [2 * slim, slim, slim]))
+    rod.join(rod.ground, rod.marker(rod.nodes[0]), turn)
+    return rod.mbs
+
+
 def rotating_frequencies(elements: int, speed: float) -> np.ndarray:
-    """Small motions x of a beam that rotates about z, seen in its own axes. With the spin w, coordinates move by T x, where rates are
-    x_t + W x and accelerations x_tt + 2 W x_t + W^2 x for translations, x_tt + W x_t for rotations, which are in axes of the nodes."""
-    slim = 1e-6
-    of = section([1e7, 1e7, 1e7, 1, 1, 1], 1.0, [2 * slim, slim, slim])
-    rod = Rod()
-    nodes = rod.add_leg(np.zeros(3), np.eye(3), 1.0, elements, of)
-    mbs = rod.mbs
-    for node in nodes:
-        x = mbs.GetNodeOutput(node, Variable.Position, exu.ConfigurationType.Reference)[0]
-        # the pull of the centrifugal force, speed^2 (1 - x^2) / 2, stretches the beam
-        stretch = speed**2 * (x - x**3 / 3) / 2 / 1e7
-        mbs.SetNodeParameter(node, "initialCoordinates", [stretch, 0, 0, 0, 0, 0])
-    mbs.Assemble()
-    state = testing.State(mbs)
-    n = len(nodes)
-    for i in range(n):
-        place = i / (n - 1) + state.q[6 * i]
-        for name, values in (("v", [0, speed * place, 0, 0, 0, speed]), ("a", [-(speed**2) * place, 0, 0, 0, 0, 0])):
-            numbers = np.array(getattr(state, name))
-            numbers[6 * i : 6 * i + 6] = values
-            setattr(state, name, numbers)
-    k, d, m = (
-        np.array(testing.tangent(mbs, state, cq=float(i == 0), cv=float(i == 1), ca=float(i == 2))) for i in range(3)
-    )
-    spin = np.kron(np.eye(2 * n), speed * np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 0]]))
-    is_translation = np.kron(np.eye(n), np.diag([1.0, 1, 1, 0, 0, 0]))
-    gyroscopic = d + m @ spin @ (np.eye(6 * n) + is_translation)
-    stiffness = k + d @ spin + m @ spin @ spin @ is_translation
-    free = slice(6, None)
-    a, b, c = stiffness[free, free], gyroscopic[free, free], m[free, free]
-    lower = scipy.linalg.solve(c, np.hstack([-a, -b]), assume_a="pos")
-    values = scipy.linalg.eigvals(np.vstack([np.eye(len(a), 2 * len(a), len(a)), lower]))
-    assert np.abs(values.real).max() < 1e-6 * np.abs(values.imag).max()
-    return np.sort(values.imag[values.imag > 1e-3])
+    found = rotating_beam(elements).ComputeVibrationModes(4, [0, 0, speed])
+    assert np.abs(found.eigenvalues.real).max() < 1e-6 * np.abs(found.eigenvalues).max()
+    stretch = speed**2 / 3 / 1e7  # by the pull speed^2 (1 - x^2) / 2
+    assert found.coordinates[6 * elements] == pytest.approx(stretch, rel=1 / elements**2)
+    return found.eigenvalues.imag
 
 
 @pytest.mark.parametrize("speed", list(FLAP))
@@ -131,6 +112,16 @@ def test_frequencies_of_a_rotating_beam(speed: int) -> None:
     coarse, fine = (rotating_frequencies(n, speed)[:4] for n in (8, 16))
     assert np.log2((coarse - wanted) / (fine - wanted)) == pytest.approx(2 * np.ones(4), abs=0.2)
     assert (4 * fine - coarse) / 3 == pytest.approx(wanted, rel=5e-4)
+
+
+@pytest.mark.parametrize("node", [exu.NodeRigidBodyRotVecLG, exu.NodeRigidBodyEP])
+def test_rotation_about_any_axis(node: type) -> None:
+    """Neither the direction of the axis nor the parameters of the rotation show; nodes with unit quaternions have constraints."""
+    turn = Rotation.from_rotvec([0.3, -0.8, 1.1]).as_matrix()
+    turned = rotating_beam(6, node, turn).ComputeVibrationModes(4, turn[:, 2] * 5)
+    wanted = rotating_beam(6).ComputeVibrationModes(4, [0, 0, 5])
+    # rounding: extensions of 1e-6 carry the pull, and stiffnesses differ by 1e7
+    assert turned.eigenvalues.imag == pytest.approx(wanted.eigenvalues.imag, rel=1e-7)
 
 
 def test_steady_extension() -> None:

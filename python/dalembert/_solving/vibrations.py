@@ -1,0 +1,295 @@
+"""Small motions about a preloaded or steadily rotating state: complex modes with gyroscopic terms and constraints."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from dalembert._checks import ComplexArray, FloatArray
+from dalembert._core import ConfigurationType, testing
+from dalembert._solving.diagnosis import SolverError
+from dalembert._solving.quiet import assemble_if_needed
+
+_NAME = "ComputeVibrationModes"
+_DENSE = 600  # numbers of the first order system up to which all eigenvalues are computed
+_SHIFT = 1e-5  # of the largest frequency: rigid motions are no singularity, and the lowest frequencies come first
+_ITERATIONS = 30
+_BALANCE = 1e-10  # residual, relative to the largest one that Newton's method has met
+_ROUND_OFF = 1e3 * np.finfo(float).eps
+_INFINITE = 1e-12  # inverse eigenvalues that belong to constraints and to coordinates without mass
+_VECTORS = {"Point": 3, "PointSlope1": 3, "PointSlope12": 3, "PointSlope23": 3, "Point2D": 2, "Point2DSlope1": 2}
+
+
+@dataclass(frozen=True)
+class VibrationModes:
+    """What ComputeVibrationModes found, the lowest frequencies first.
+
+    eigenvalues: complex lambda (1/s) of motions exp(lambda t), one of each conjugate pair, with imaginary part >= 0.
+    frequencies: imaginary parts in Hz, in the rotating frame.
+    dampingRatios: - Re(lambda) / |lambda|; negative ones grow. 0 for lambda = 0.
+    modes: complex ODE2 motions, one column per eigenvalue; the entry of largest magnitude is 1. Of Lie-group nodes,
+        rotations are small rotation vectors in the axes of the node.
+    coordinates: ODE2 coordinates of the state about which the system vibrates.
+    """
+
+    eigenvalues: ComplexArray
+    frequencies: FloatArray
+    dampingRatios: FloatArray
+    modes: ComplexArray
+    coordinates: FloatArray
+
+
+def _error(reason: str, problem: str, advice: str) -> SolverError:
+    return SolverError(f"{_NAME}: {problem}", advice, reason=reason, solverName=_NAME, advice=[advice])
+
+
+def _cross(w: FloatArray) -> FloatArray:
+    return np.array([[0, -w[2], w[1]], [w[2], 0, -w[0]], [-w[1], w[0], 0]])
+
+
+class _Rotation:
+    """Velocities V and accelerations A of all coordinates if everything rotates; they change with the coordinates.
+
+    A state seen from the rotating frame moves by x: rates are V + V' x + x_t, accelerations A + A' x + 2 V' x_t + x_tt.
+    On Lie-group rotations, which are increments in the axes of the node, accelerations are x_tt + V' x_t.
+    """
+
+    def __init__(self, mbs: Any, speed: FloatArray, center: FloatArray) -> None:
+        self.mbs, self.speed, self.center = mbs, speed, center
+        self.reference = np.array(mbs.systemData.GetODE2Coordinates(ConfigurationType.Reference))
+        self.nodes = [
+            (mbs.GetNode(node)["nodeType"], np.array(numbers))
+            for node in range(mbs.systemData.NumberOfNodes())
+            if (numbers := mbs.systemData.GetNodeLTGODE2(node))
+        ]
+        self.rotates = bool(speed.any())
+        if self.rotates:
+            self._check()
+
+    def _check(self) -> None:
+        known = {*_VECTORS, "RigidBody2D", "RigidBodyEP", "RigidBodyRotVecLG"}
+        planar = bool(self.speed[:2].any())
+        received = f"{_NAME}: angularVelocity: received {self.speed.tolist()} with"
+        for number in range(self.mbs.systemData.NumberOfObjects()):
+            item = self.mbs.GetObject(number)
+            if item["objectType"] == "FFRF":
+                raise ValueError(
+                    f"{received} object {number} (FFRF), whose coordinates are relative to a frame; expected finite "
+                    "elements or rigid bodies"
+                )
+        for node in range(self.mbs.systemData.NumberOfNodes()):
+            if not self.mbs.systemData.GetNodeLTGODE2(node):
+                continue
+            kind = self.mbs.GetNode(node)["nodeType"]
+            if kind not in known:
+                raise ValueError(
+                    f"{received} node {node} ({kind}), whose rotation with the frame is not defined; expected nodes of "
+                    + ", ".join(sorted(known))
+                )
+            if planar and kind in ("Point2D", "Point2DSlope1", "RigidBody2D"):
+                raise ValueError(
+                    f"{received} node {node} ({kind}), which stays in its plane; expected a rotation about z"
+                )
+
+    def blocks(self, q: FloatArray) -> Any:
+        """Yield, of each part of a node, its coordinates, V, V', A, A', and the factor of V' x_t in accelerations."""
+        spin = _cross(self.speed)
+        total = self.reference + q
+        for kind, numbers in self.nodes:
+            size = _VECTORS.get(kind, 2 if kind == "RigidBody2D" else 3)
+            turn = spin[:size, :size]
+            count = len(numbers) // size if kind in _VECTORS else 1
+            for i in range(count):
+                part = numbers[i * size : (i + 1) * size]
+                vector = total[part] - (self.center[:size] if i == 0 else 0)
+                yield part, turn @ vector, turn, turn @ turn @ vector, turn @ turn, 2
+            if kind == "RigidBody2D":
+                yield numbers[2:], self.speed[2:], np.zeros((1, 1)), np.zeros(1), np.zeros((1, 1)), 2
+            if kind == "RigidBodyEP":
+                w = self.speed / 2
+                turn = np.block([[np.zeros((1, 1)), -w[None, :]], [w[:, None], _cross(w)]])
+                yield numbers[3:], turn @ total[numbers[3:]], turn, turn @ turn @ total[numbers[3:]], turn @ turn, 2
+            if kind == "RigidBodyRotVecLG":
+                from scipy.spatial.transform import Rotation
+
+                local = Rotation.from_rotvec(total[numbers[3:]]).as_matrix().T @ self.speed
+                yield numbers[3:], local, _cross(local), np.zeros(3), np.zeros((3, 3)), 1
+
+    def apply(self, state: Any) -> tuple[Any, Any, Any]:
+        """Give the state V and A; return V', A', and what x_t is multiplied by in accelerations."""
+        from scipy.sparse import csr_array
+
+        n = len(state.q)
+        if not self.rotates:
+            state.v = state.a = np.zeros(n)
+            none = csr_array((n, n))
+            return none, none, none
+        v, a = np.zeros(n), np.zeros(n)
+        entries: list[list[FloatArray]] = [[], [], []]
+        rows, columns = [], []
+        for part, v_part, v_by, a_part, a_by, factor in self.blocks(np.array(state.q)):
+            v[part], a[part] = v_part, a_part
+            rows.append(np.repeat(part, len(part)))
+            columns.append(np.tile(part, len(part)))
+            for values, block in zip(entries, (v_by, a_by, factor * v_by), strict=True):
+                values.append(block.ravel())
+        state.v, state.a = v, a
+        places = (np.concatenate(rows), np.concatenate(columns))
+        by = [csr_array((np.concatenate(values), places), shape=(n, n)) for values in entries]
+        return by[0], by[1], by[2]
+
+
+def _square(entries: Any, size: int) -> Any:
+    from scipy.sparse import csr_array
+
+    rows, columns, values = entries
+    return csr_array((values, (rows, columns)), shape=(size, size))
+
+
+def _matrices(mbs: Any, state: Any, rotation: _Rotation) -> tuple[Any, Any, Any]:
+    """Return M and G of the ODE2 coordinates, and K with the constraints, as seen from the rotating frame."""
+    from scipy.sparse import block_diag, csr_array
+
+    n, size = len(state.q), len(state.q) + len(state.lam)
+    v_by, a_by, rates = rotation.apply(state)
+    saddle = _square(testing.tangent_entries(mbs, state, cq=1, cv=0), size)
+    D = _square(testing.tangent_entries(mbs, state, cq=0, cv=1), size)[:n, :n]
+    M = _square(testing.mass_entries(mbs, state), size)[:n, :n]
+    more = D @ v_by + M @ a_by
+    K = saddle + block_diag([more, csr_array((size - n, size - n))], format="csr") if size > n else saddle + more
+    return M, D + M @ rates, K
+
+
+def _start(mbs: Any) -> Any:
+    data, initial, state = mbs.systemData, ConfigurationType.Initial, testing.State(mbs)
+    if len(state.y) > 0:
+        raise ValueError(f"{_NAME}: expected a system without ODE1 coordinates, received {len(state.y)} of them")
+    state.q, state.data = data.GetODE2Coordinates(initial), data.GetDataCoordinates(initial)
+    state.t, state.lam = data.GetTime(initial), np.zeros(len(state.lam))
+    return state
+
+
+def _factors(matrix: Any) -> Any:
+    from scipy.sparse.linalg import splu
+
+    try:
+        return splu(matrix.tocsc())
+    except RuntimeError as error:
+        advice = "mbs.ComputeSystemDegreeOfFreedom() names redundant constraints; coordinates need stiffness or mass"
+        raise _error("singularMatrix", f"the matrix of small motions is singular ({error})", advice) from error
+
+
+def _shifted(M: Any, G: Any, K: Any, shift: float) -> Any:
+    """Return K + s G + s^2 M with the constraints below."""
+    from scipy.sparse import block_diag, csr_array
+
+    rest = K.shape[0] - M.shape[0]
+    more = shift * G + shift**2 * M
+    return K + (block_diag([more, csr_array((rest, rest))], format="csr") if rest else more)
+
+
+def _shift_of(M: Any, K: Any) -> float:
+    mass, stiffness = M.diagonal(), np.abs(K.diagonal()[: M.shape[0]])
+    heavy = mass > 0
+    if not heavy.any():
+        raise _error("massMatrix", "no coordinate has mass", "give the bodies mass")
+    highest = float(np.sqrt((stiffness[heavy] / mass[heavy]).max()))
+    return _SHIFT * highest if highest > 0 else 1.0
+
+
+def _find_balance(mbs: Any, state: Any, rotation: _Rotation) -> None:
+    """Move the state to where all forces, those of the rotation among them, are in balance."""
+    n, largest, before = len(state.q), 0.0, np.inf
+    for _ in range(_ITERATIONS):
+        M, G, K = _matrices(mbs, state, rotation)
+        residual = np.asarray(testing.residual(mbs, state))
+        size = float(np.linalg.norm(residual))
+        magnitudes = np.abs(np.concatenate([rotation.reference + state.q, state.lam]))
+        round_off = _ROUND_OFF * float(np.linalg.norm(abs(K) @ magnitudes))
+        largest = max(largest, size)
+        if not np.isfinite(size):
+            break
+        if size <= _BALANCE * largest or (size <= round_off and size > before / 2):
+            return
+        before = size
+        # rigid motions, which nothing resists, stay as they are
+        increment = -_factors(_shifted(M, G * 0, K, _shift_of(M, K))).solve(residual)
+        state.q = testing.compose(mbs, state, increment[:n])
+        state.lam = np.asarray(state.lam) + increment[n:]
+    advice = (
+        "start closer to the equilibrium: mbs.SolveStatic(..., updateInitialValues=True), or a lower angularVelocity "
+        "with updateInitialValues=True first"
+    )
+    raise _error("newton", f"no balance of forces after {_ITERATIONS} iterations (residual {size:.3g})", advice)
+
+
+def _eigenpairs(M: Any, G: Any, K: Any, count: int) -> tuple[ComplexArray, ComplexArray]:
+    """Return lambda and x of lambda^2 M x + lambda G x + K x + C^T mu = 0, C x = 0, those nearest to zero first."""
+    from scipy.sparse.linalg import LinearOperator, eigs
+
+    n, size = M.shape[0], K.shape[0]
+    shift = _shift_of(M, K)
+    factors = _factors(_shifted(M, G, K, shift))
+    damped = G + shift * M
+
+    def inverse(y: FloatArray) -> FloatArray:
+        y = y.reshape(2 * n, -1)
+        right = np.zeros((size, y.shape[1]))
+        right[:n] = -(M @ y[n:]) - damped @ y[:n]
+        x = factors.solve(right)[:n]
+        return np.vstack([x, shift * x + y[:n]])
+
+    wanted = 2 * count + 4
+    if 2 * n <= max(_DENSE, wanted + 2):
+        inverses, vectors = np.linalg.eig(inverse(np.eye(2 * n)))
+    else:
+        operator = LinearOperator((2 * n, 2 * n), matvec=lambda y: inverse(y).ravel(), dtype=float)
+        # what starts in the range of the operator fulfils the constraints
+        first = inverse(np.random.default_rng(1).normal(size=2 * n)).ravel()
+        inverses, vectors = eigs(operator, k=wanted, v0=first)
+    finite = np.abs(inverses) > _INFINITE * np.abs(inverses).max()
+    return shift + 1 / inverses[finite], vectors[:n, finite]
+
+
+def ComputeVibrationModes(
+    mbs: Any,
+    numberOfModes: int = 10,
+    angularVelocity: Any = (0.0, 0.0, 0.0),
+    center: Any = (0.0, 0.0, 0.0),
+    updateInitialValues: bool = False,
+    autoAssemble: bool = True,
+) -> VibrationModes:
+    """Return the lowest complex modes of small motions about the equilibrium next to the initial state.
+
+    All forces count at their full values: preloads, gyroscopic and centrifugal forces, damping, and geometric terms of
+    forces in bodies, connectors and constraints. With an angularVelocity (rad/s, global axes) about center (m), the
+    whole model, with ground and the directions of loads, is seen from a frame that rotates: its steady state is found
+    by Newton's method from the initial state, and motions are those relative to the frame. Dampers between bodies and
+    ground see the speed of the rotation. updateInitialValues makes that state the initial one. Matrices are sparse:
+    the time grows with the number of modes and, nearly linearly, with the size of the system.
+    """
+    speed, middle = np.asarray(angularVelocity, dtype=float), np.asarray(center, dtype=float)
+    for name, vector in (("angularVelocity", speed), ("center", middle)):
+        if vector.shape != (3,) or not np.isfinite(vector).all():
+            raise ValueError(f"{_NAME}: {name}: expected 3 finite numbers, received {vector.tolist()}")
+    if numberOfModes < 1:
+        raise ValueError(f"{_NAME}: numberOfModes: expected a positive number, received {numberOfModes}")
+    assemble_if_needed(_NAME, mbs, autoAssemble)
+    state = _start(mbs)
+    rotation = _Rotation(mbs, speed, middle)
+    _find_balance(mbs, state, rotation)
+    M, G, K = _matrices(mbs, state, rotation)
+    values, vectors = _eigenpairs(M, G, K, numberOfModes)
+    upper = values.imag >= 0
+    values, vectors = values[upper], vectors[:, upper]
+    order = np.argsort(np.abs(values))[:numberOfModes]
+    values, vectors = values[order], vectors[:, order]
+    places = np.argmax(np.abs(vectors), axis=0)
+    vectors = vectors / vectors[places, np.arange(len(values))]
+    sizes = np.abs(values)
+    damping = np.divide(-values.real, sizes, out=np.zeros(len(values)), where=sizes > 0)
+    if updateInitialValues:
+        mbs.systemData.SetODE2Coordinates(state.q, ConfigurationType.Initial)
+    return VibrationModes(values, values.imag / (2 * np.pi), damping, vectors, np.array(state.q))
