@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "tests/models"))
+sys.path.extend(str(Path(__file__).parents[1] / folder) for folder in ("", "tests/models", "tests/items"))
 
 import test_andrews as andrews
 import test_bicycle as bicycle
@@ -23,6 +23,7 @@ import test_bricard as bricard
 import test_four_bar as four_bar
 import test_governor as governor
 import test_heavy_top as heavy_top
+import test_kinematic_tree as kinematic_tree
 import test_pendulum as pendulum
 import test_spatial_slider_crank as slider_crank
 from solving import Variable, settings
@@ -36,6 +37,7 @@ class Case(NamedTuple):
     end: float  # s
     coarsest: int  # number of steps
     error: Callable[[int], Any]
+    order: int = 2  # of the method
 
 
 def pendulum_error(steps: int) -> Any:
@@ -77,6 +79,16 @@ def bricard_error(steps: int) -> Any:
     return bricard.final({5: 0}, 1.0, steps) - bricard.third_corners()[1.0]
 
 
+def chain_error(steps: int) -> Any:
+    tip = kinematic_tree.tip_of_chain(0.0, 0.5, steps, kinematic_tree.Solver.RK44)
+    return tip - kinematic_tree.TIP_OF_CHAIN[0.0, 0.5]
+
+
+def branched_tree_error(steps: int) -> Any:
+    found = kinematic_tree.motion_of_branched_tree(1.0, steps, kinematic_tree.Solver.GeneralizedAlpha)
+    return found - kinematic_tree.MOTION_OF_BRANCHED[1.0]
+
+
 TOP = ("position (m)", "angular velocity (rad/s)", "force of the joint (N)")
 NODES = (("Euler parameters", "NodeRigidBodyEP", ""), ("rotation vectors", "NodeRigidBodyRotVecLG", "default"))
 CASES = (
@@ -87,6 +99,8 @@ CASES = (
     Case("A05 governor, 1 s", "height (m)", 1.0, 250, governor_error),
     Case("Spatial slider-crank, 1 s", "position (m)", 1.0, 500, slider_crank_error),
     Case("Bicycle at 5 m/s", "capsize eigenvalue (1/s)", 0.06, 60, capsize_error),
+    Case("Kinematic tree: chain of ten rods, 0.5 s, RK44", "position (m)", 0.5, 25, chain_error, 4),
+    Case("Kinematic tree of six branched links, 1 s", "coordinates (rad, m)", 1.0, 250, branched_tree_error),
     *(
         Case(f"Heavy top, 1 s, {name}", quantity, 1.0, 1000, top_error(node, scheme, k))
         for name, node, scheme in NODES
