@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import copy
 import pickle
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from test_general_contact import CUBE, CUBE_FACES, EXPLICIT, World, grid_mesh
+from test_general_contact import CUBE, CUBE_FACES, EXPLICIT, IMPLICIT, World, grid_mesh
 
 import dalembert as exu
 from dalembert import itemInterface as eii
@@ -212,6 +213,35 @@ def test_copies_go_on_like_the_system(copied: Any) -> None:
     assert other.mbs.systemData.GetODE2Coordinates_t()[2] == pytest.approx(1, abs=1e-3)
     world.solve(0.2, 500, EXPLICIT)
     assert world.mbs.systemData.GetODE2Coordinates_t()[2] == -1
+
+
+def test_variations_have_the_contact() -> None:
+    """Three drops with other speeds, each on a thread with a copy of the model, are those of the system itself, bit for bit."""
+    world = bouncing()
+    sensor = world.mbs.AddSensor(
+        eii.SensorNode(nodeNumber=0, outputVariableType=exu.OutputVariableType.Velocity, storeInternal=True)
+    )
+    world.mbs.Assemble()
+    settings = exu.SimulationSettings()
+    settings.solutionSettings.writeSolutionToFile = False
+    settings.timeIntegration.numberOfSteps, settings.timeIntegration.endTime = 500, 0.2
+    speeds = np.array([[0, 0, -1.0], [0, 0, -2.0], [0, 0, -3.0]])
+    for solver in (EXPLICIT, IMPLICIT):
+        results = world.mbs.SolveVariations(
+            initialCoordinates={"ODE2_t": speeds}, simulationSettings=settings, sensors=[sensor], solverType=solver
+        )
+        for speed, found in zip(speeds, results.sensorValues, strict=True):
+            world.mbs.systemData.SetODE2Coordinates_t(speed, exu.ConfigurationType.Initial)
+            world.mbs.SolveDynamic(settings, solverType=solver)
+            np.testing.assert_array_equal(found, world.mbs.systemData.GetODE2Coordinates_t())
+            assert found[2] == pytest.approx(-speed[2], abs=2e-2)
+
+
+def test_model_files_refuse_what_they_would_leave_out(tmp_path: Path) -> None:
+    world = bouncing()
+    with pytest.raises(NotImplementedError, match="GeneralContact, and the system has 1.*pickle"):
+        world.mbs.Save(tmp_path / "model.json")
+    assert not any(tmp_path.iterdir())
 
 
 def test_deleting_and_resetting() -> None:
