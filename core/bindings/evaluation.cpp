@@ -273,6 +273,9 @@ void register_system_terms(py::module_& module) {
       py::arg("mbs"), py::arg("markers"), py::arg("radii"), py::arg("lower"), py::arg("upper"), py::kw_only(), py::arg("margin"),
       py::arg("stiffness"), py::arg("restitution") = 1.0, py::arg("all_pairs") = false,
       "Contact of spheres at markers of points with each other and with the walls of a box, until the next Assemble(): a prototype.");
+  module.def(
+      "search", [](MainSystem& main, const EvaluationState& s) { return checked(main, s, "search").search(s.state, s.conditions); }, py::arg("mbs"), py::arg("state"),
+      "Let terms that are no items look for what acts in a state; returns whether the sparse pattern is another one.");
   module.def("pattern_revisions", [](MainSystem& main) { return main.assembled("pattern_revisions").pattern_revisions(); }, py::arg("mbs"),
              "How often the sparse pattern of the system matrix has been made anew.");
 }

@@ -84,7 +84,6 @@ void register_state(Class& main_system) {
       "Delete all items, user functions and variables.");
   main_system.def("_RequireIdle", [](const MainSystem& main, const std::string& method) { require_idle(main, "mbs." + method + "(...)"); },
                   py::arg("method"), "Refuse a call of the method while the system is being solved.");
-  main_system.def("NumberOfGeneralContacts", [](const MainSystem&) { return 0; }, "0: GeneralContact is planned.");
   main_system.def("__repr__", [](const MainSystem& main) { return system_summary(main); });
 }
 
@@ -229,6 +228,7 @@ py::dict system_dictionary(const MainSystem& main) {
     }
     result[list_key(kind)] = list;
   }
+  if (!main.model.term_sources().empty()) result["generalContactList"] = general_contact_dictionaries(main);
   py::dict functions, settings;
   for (const std::string name : system_functions) {
     const py::object function = main.user_function(name);
@@ -256,6 +256,10 @@ void set_system_dictionary(MainSystem& main, const py::dict& data) {
       item.record = bind_user_functions(*item.type, std::move(item.record), main);
       model.add(std::move(item));
     }
+  }
+  if (data.contains("generalContactList")) {
+    for (const py::handle entry : data["generalContactList"])
+      model.add(general_contact_from(py::reinterpret_borrow<py::dict>(entry), "SetDictionary(...), generalContactList[" + std::to_string(model.term_sources().size()) + "]"));
   }
   const auto entries = [&](const char* key) {
     return data.contains(key) && py::isinstance<py::dict>(data[key]) ? copy_of(data[key]) : py::dict();
@@ -303,6 +307,7 @@ void register_main_system(py::module_& module) {
   register_functions(main_system);
   register_state(main_system);
   register_rendering(main_system);
+  register_general_contacts(main_system);
   register_main_system_items(main_system);
   register_main_system_assembled(main_system);
 }

@@ -27,6 +27,7 @@ PYBIND11_MODULE(_core, module) {
   register_items(module);
   register_main_system(module);
   register_system_data(module);
+  register_general_contact(module);
   register_system_container(module);
   register_solvers(module);
   register_ensemble(module);

@@ -1331,7 +1331,7 @@ constexpr std::array<std::string_view, 17> ObjectContactSphereTriangle_rows{
     "red, green, blue and opacity of the drawn shapes",
 };
 constexpr std::array<OutputText, 6> ObjectContactSphereTriangle_outputs{{
-    {"Position", 3, "m", "global contact point, in the middle of the overlap or gap"},
+    {"Position", 3, "m", "global contact point: the point of the triangle that is nearest to marker m0"},
     {"Displacement", 3, "m", "global vector from marker m0 to the nearest point of the triangle"},
     {"DisplacementLocal", 1, "m", "gap, negative in contact"},
     {"Director1", 3, "1", "unit vector from marker m0 to the nearest point of the triangle"},

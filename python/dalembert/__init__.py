@@ -22,10 +22,8 @@ from dalembert import _planned
 from dalembert._tools import completion as _completion
 from dalembert._core import *
 from dalembert._planned import (
-    GeneralContact as GeneralContact,
     SolverFileData as SolverFileData,
     SolverLocalData as SolverLocalData,
-    VisuGeneralContact as VisuGeneralContact,
 )
 from dalembert._version import (
     RequireVersion as RequireVersion,
@@ -124,7 +122,6 @@ else:
         "ComputeLinearizedSystem",
         "ComputeODE2Eigenvalues",
         "ComputeSystemDegreeOfFreedom",
-        "GeneralContact",
         "ModelFileError",
         "RequireVersion",
         "SolveDynamic",
@@ -133,7 +130,6 @@ else:
         "SolverFileData",
         "SolverLocalData",
         "SolverSuccess",
-        "VisuGeneralContact",
         "__version__",
         "interface_version",
         *[name for name in vars(_core) if not name.startswith("_")],

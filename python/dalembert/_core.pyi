@@ -11,6 +11,7 @@ from dalembert._core_base import *
 from dalembert._core_base import _Bound, _Index, _NotMade
 from dalembert._core_containers import *
 from dalembert._core_enums import *
+from dalembert._core_general_contact import *
 from dalembert._core_items import *
 from dalembert._core_main_system import *
 from dalembert._core_settings import *

@@ -13,7 +13,7 @@ from typing import Any, NoReturn
 
 from dalembert._planned_table import FUNCTIONS, MODULES, Planned
 
-__all__ = ["GeneralContact", "SolverFileData", "SolverLocalData", "VisuGeneralContact"]
+__all__ = ["SolverFileData", "SolverLocalData"]
 
 _PACKAGE = "dalembert"
 
@@ -68,14 +68,6 @@ if not any(type(finder).__qualname__ == _Finder.__qualname__ for finder in sys.m
 class _PlannedClass:
     def __init__(self, *args: Any, **kwargs: Any) -> NoReturn:
         refuse(type(self).__name__)
-
-
-class GeneralContact(_PlannedClass):
-    """Contact of many spheres, triangles and cables with each other; planned."""
-
-
-class VisuGeneralContact(_PlannedClass):
-    """How GeneralContact is drawn; planned."""
 
 
 class SolverFileData(_PlannedClass):

@@ -178,6 +178,59 @@ def test_ball_rolls_over_an_inner_edge() -> None:
     assert end[0] + end[1] < 0 < 0.3 + 0.2  # it has crossed
 
 
+@pytest.mark.parametrize("corners", [4, 8])
+def test_ball_rests_on_what_is_left_out(corners: int) -> None:
+    """Exactly above an edge, or a corner, of coplanar triangles, all of which leave it out, as deep as on a face."""
+    mbs = new_system()
+    body, ground = ball(mbs, [0, 0, RADIUS - SINK], gravity=[0, 0, -G]), mbs.CreateGround()
+    angle = 2 * np.pi * np.arange(corners) / corners
+    fan = 2 * np.array([np.cos(angle), np.sin(angle), 0 * angle]).T
+    if corners == 4:
+        triangles, left_out = [[fan[0], fan[1], fan[2]], [fan[2], fan[3], fan[0]]], 3
+    else:
+        triangles, left_out = [[[0, 0, 0], a, b] for a, b in zip(fan, np.roll(fan, -1, axis=0), strict=True)], 2
+    for triangle in triangles:
+        mbs.CreateSphereTriangleContact(
+            bodyNumbers=[body, ground], radiusSphere=RADIUS, trianglePoints=triangle, includeEdges=left_out,
+            contactStiffness=1e5, dataInitialCoordinates=[-SINK, 0, 0, 0],
+        )  # fmt: skip
+    solve(mbs, 0.05, 100)
+    assert output(mbs, body, "Position")[2] == pytest.approx(RADIUS - SINK, abs=1e-9 * RADIUS)
+
+
+@pytest.mark.parametrize("kind", ["sphere", "triangle"])
+def test_damping_does_not_pull(kind: str) -> None:
+    """m d'' = -max(0, k d + c d'): the contact ends when the force does, with exp(-z (pi - 2 asin z) / sqrt(1 - z^2)) of the speed."""
+    mbs, k, share = new_system(), 1e5, 0.3
+    body = ball(mbs, [0, 0, RADIUS + 1e-4], [0, 0, -1])
+    damping = 2 * share * np.sqrt(k * MASS)
+    common = {"contactStiffness": k, "contactDamping": damping, "dataInitialCoordinates": [1e-4, 0, 0, 0]}
+    bodies = [body, mbs.CreateGround(referencePosition=[0, 0, -1 if kind == "sphere" else 0])]
+    if kind == "sphere":
+        mbs.CreateSphereSphereContact(bodyNumbers=bodies, spheresRadii=[RADIUS, 1.0], **common)
+    else:
+        corners = [[-1, -1, 0], [2, -1, 0], [-1, 2, 0]]
+        mbs.CreateSphereTriangleContact(bodyNumbers=bodies, radiusSphere=RADIUS, trianglePoints=corners, **common)
+    solve(mbs, 0.015, 6000)
+    speed = np.exp(-share * (np.pi - 2 * np.arcsin(share)) / np.sqrt(1 - share**2))
+    assert output(mbs, body, "Velocity")[2] == pytest.approx(speed, abs=2e-3)  # exp(-pi z / sqrt(1 - z^2)) is 0.37
+
+
+def test_slip_is_that_of_the_nearest_point() -> None:
+    """A ball whose lowest point over the surface rests, sunk into it as deep as it is, feels no friction; force and slip meet there."""
+    mbs, depth, spin = new_system(), 0.02, 3.0
+    velocity = [spin * (RADIUS - depth), 0, 0]
+    body = ball(mbs, [0, 0, RADIUS - depth], velocity, initialAngularVelocity=[0, spin, 0])
+    contact = mbs.CreateSphereTriangleContact(
+        bodyNumbers=[body, mbs.CreateGround()], radiusSphere=RADIUS, trianglePoints=[[-1, -1, 0], [2, -1, 0], [-1, 2, 0]],
+        contactStiffness=1e4, dynamicFriction=0.5, frictionProportionalZone=1.0, dataInitialCoordinates=[-depth, 0, 0, 0],
+    )  # fmt: skip
+    mbs.Assemble()
+    value = lambda name: mbs.GetObjectOutput(contact, getattr(exu.OutputVariableType, name))  # noqa: E731
+    np.testing.assert_allclose(value("Force"), [0, 0, 1e4 * depth], atol=1e-12)
+    np.testing.assert_allclose(value("Position"), [0, 0, 0], atol=1e-15)
+
+
 def test_cradle() -> None:
     """With gaps between equal balls, each impact hands the velocity on."""
     mbs = new_system()

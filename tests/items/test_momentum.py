@@ -50,7 +50,11 @@ def check_balance(variant: Variant, moments: bool) -> None:
     scene = variant.build(seed=21, closed=closed)
     s = in_touch(scene, scene.state())
     s.lam = np.random.default_rng(22).uniform(0.5, 1.5, len(s.lam))
-    wrenches = scene.wrenches(effect(scene, s))
+    forces = effect(scene, s)
+    if not forces.any():  # bodies separate so fast that there is no pressure: the other way round there is
+        s.v = -np.asarray(s.v)
+        forces = effect(scene, s)
+    wrenches = scene.wrenches(forces)
     positions = np.array([motion.position for _, _, motion in scene.nodes])
     scale = np.abs(wrenches).max()
     assert scale > 0.01

@@ -234,6 +234,7 @@ void Model::check() const {
     const ItemKind kind = static_cast<ItemKind>(k);
     for (int i = 0; i < count(kind); ++i) Checker(*this, provisions, kind, i).run();
   }
+  for (std::size_t i = 0; i < term_sources_.size(); ++i) term_sources_[i]->check(*this, term_name(i));
 }
 
 void Model::check(std::span<const ItemReference> some) const {

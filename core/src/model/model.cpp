@@ -194,6 +194,21 @@ void Model::add_load_dependencies(int load, std::span<const int> coordinates) {
     if (std::ranges::find(known, i) == known.end()) known.push_back(i);
 }
 
+void Model::add(std::shared_ptr<SystemTermSource> source) {
+  term_sources_.push_back(std::move(source));
+  term_source_changed();
+}
+
+void Model::remove_term_source(std::size_t number) {
+  term_sources_.erase(term_sources_.begin() + static_cast<std::ptrdiff_t>(number));
+  term_source_changed();
+}
+
+void Model::term_source_changed() {
+  ++structure_changes_;
+  ++equation_changes_;
+}
+
 void Model::note_structure_change(ItemKind kind) {
   ++structure_changes_;
   if (kind != ItemKind::sensor) ++equation_changes_;

@@ -71,6 +71,7 @@ std::vector<std::string> Model::remove(ItemKind kind, int number, bool with_depe
   std::vector<std::string> lost;
   shift_references(kind, number, lost);
   shift_load_dependencies(kind, number);
+  for (std::size_t i = 0; i < term_sources_.size(); ++i) term_sources_[i]->shift_references(kind, number, term_name(i), lost);
   if (!with_dependents) return lost;
 
   const auto take_along = [&](ItemKind dependent) {

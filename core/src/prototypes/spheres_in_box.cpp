@@ -76,7 +76,7 @@ std::vector<SpheresInBox::Pair> SpheresInBox::within(double distance, const Port
   return found;
 }
 
-bool SpheresInBox::search(const Ports& ports) {
+bool SpheresInBox::search(const Evaluation&, const Ports& ports) {
   std::vector<Pair> found;
   if (p_.all_pairs) {
     for (int i = 0; i < spheres(); ++i)

@@ -71,7 +71,7 @@ void ExplicitSolver::pre_initialize() {
   third_ = that_count(method_.b_third);
   warned_minimum_ = end_known_ = first_stage_known_ = searching_ = false;
   steps_above_tolerance_ = 0;
-  conditions_ = {.rate_level = false, .inertia = true};
+  conditions_ = {.rate_level = false, .inertia = true, .direct = true};
 }
 
 void ExplicitSolver::initialize_data() {
@@ -102,7 +102,7 @@ void ExplicitSolver::post_initialize() {
     std::fill(now.lambda.begin(), now.lambda.end(), 0.0);
   }
   if (!prepare_factors()) return;
-  nobody_interferes_ = !system().has_discontinuities() && !hooks().pre_step && !hooks().post_step && !hooks().post_newton && !hooks().events;
+  nobody_interferes_ = !system().has_discontinuities(conditions_) && !hooks().pre_step && !hooks().post_step && !hooks().post_newton && !hooks().events;
   if (verlet_ && !continues() && !accelerations(now.a)) return;
   begin_to_watch();
   if (continues()) {

@@ -435,7 +435,7 @@ double Solver::post_newton() {
     error = std::abs(user_error);
     if (step_size >= 0) it.recommendedStepSize = step_size;
   }
-  if (system_->has_discontinuities()) {
+  if (system_->has_discontinuities(conditions_)) {
     const TimedPart time(timer, timer.postNewton);
     const Discontinuity verdict = system_->post_newton(current(), conditions_);
     error += verdict.error;

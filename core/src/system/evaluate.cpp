@@ -33,6 +33,7 @@ DALEMBERT_INLINE inline Evaluation view_of(const SystemParts& parts, const State
           .step_size = conditions.step_size,
           .rate_level = conditions.rate_level,
           .inertia = conditions.inertia,
+          .direct = conditions.direct,
           .of_reference = rests};
 }
 
@@ -255,6 +256,7 @@ void System::right_hand_sides(const State& state, const Conditions& conditions, 
   const std::span<double> residual(parts.work.data(), static_cast<std::size_t>(sizes_.total()));
   Evaluation e = view_of(parts, state, conditions);
   e.inertia = false;
+  e.direct = true;
   e.lambda = residual.data() + residual.size();  // zeros
   find_residual(parts, e, residual.data());
   each_number(*this, rhs.size(), [to = rhs.data(), from = residual.data()](std::size_t i) { to[i] = -from[i]; });
@@ -323,7 +325,7 @@ Discontinuity System::post_newton(State& state, const Conditions& conditions) {
   evaluated_ = nullptr;
   SystemParts& parts = *parts_;
   PostNewton verdict;
-  if (!parts.has_history) return {};
+  if (!has_discontinuities(conditions)) return {};
   const Evaluation e = parts.evaluation(state, conditions);
   parts.update_ports(e);
   const double* start = parts.state(ConfigurationType::StartOfStep).data.data();

@@ -34,6 +34,10 @@ void System::assemble(const Model& model, const Division& division) {
   assembled_ = true;
   late_ = nullptr;
   searches_ = false;
+  for (std::size_t i = 0; i < model.term_sources().size(); ++i) {
+    add(model.term_sources()[i]->make_term(parts_->ports, model.term_name(i)));
+    parts_->system_terms.back()->enter(*this, model);
+  }
   ++version_;
 }
 
@@ -43,6 +47,7 @@ void System::use_threads(int count) {
   if (count == threads()) return;
   parts.workers.reset();
   if (count > 1) parts.workers = std::make_unique<Workers>(count);
+  for (SystemTerm* term : parts.system_terms) term->use_workers(parts.workers.get());
 }
 int System::threads() const { return parts_->workers ? parts_->workers->count() : 1; }
 
@@ -184,7 +189,9 @@ bool System::constant_mass_matrix() const { return parts_->constant_mass; }
 bool System::has_lie_nodes() const { return !parts_->lie_blocks.empty(); }
 std::span<const System::LieBlock> System::lie_blocks() const { return parts_->lie_blocks; }
 std::span<const double> System::static_signs() const { return parts_->static_signs; }
-bool System::has_discontinuities() const { return parts_->has_history; }
+bool System::has_discontinuities(const Conditions& conditions) const {
+  return parts_->has_history || (parts_->has_direct_history && !conditions.direct);
+}
 
 namespace {
 

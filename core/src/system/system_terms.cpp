@@ -30,7 +30,8 @@ void System::add(std::unique_ptr<SystemTerm> term) {
   sort_loads(parts);
   parts.plan.resting_evaluated = false;
   parts.plan.regions[Regions::whole].terms.push_back(term.get());
-  parts.has_history = parts.has_history || term->has_history();
+  bool& has_history = term->direct() ? parts.has_direct_history : parts.has_history;
+  has_history = has_history || term->has_history();
   parts.system_terms.push_back(term.get());
   parts.terms.push_back(std::move(term));
   parts.bound = nullptr;
@@ -41,10 +42,14 @@ void System::add(std::unique_ptr<SystemTerm> term) {
 
 bool System::search(const State& state, const Conditions& conditions) {
   SystemParts& parts = *parts_;
+  const auto rests = [&](const SystemTerm* term) { return conditions.direct && term->direct(); };
+  if (std::ranges::all_of(parts.system_terms, rests)) return false;
   evaluated_ = nullptr;
-  parts.update_ports(parts.evaluation(state, conditions));
+  const Evaluation e = parts.evaluation(state, conditions);
+  parts.update_ports(e);
   bool changed = false;
-  for (SystemTerm* term : parts.system_terms) changed |= term->search(parts.ports);
+  for (SystemTerm* term : parts.system_terms)
+    if (!rests(term)) changed |= term->search(e, parts.ports);
   if (!changed) return false;
   parts.bound = nullptr;
   if (parts.sparse_patterns.empty()) return false;
@@ -54,6 +59,34 @@ bool System::search(const State& state, const Conditions& conditions) {
   parts.sparse_patterns.back() = parts.make_sparse_pattern();  // in its place: a solver at work keeps a pointer to it
   ++pattern_revisions_;
   return true;
+}
+
+SystemTerm& System::term(int number) { return *parts_->system_terms[static_cast<std::size_t>(number)]; }
+
+const Ports& System::current_ports() {
+  SystemParts& parts = *parts_;
+  const State& now = state(ConfigurationType::Current);
+  if (parts.evaluating || (parts.recording && parts.recorded == &now)) return parts.ports;
+  evaluated_ = nullptr;
+  parts.update_ports(parts.output_evaluation(now));
+  parts.recorded = &now;
+  return parts.ports;
+}
+
+void System::forces_of_term(int number, std::span<double> forces) {
+  SystemParts& parts = *parts_;
+  evaluated_ = nullptr;
+  Evaluation e = parts.evaluation(state(ConfigurationType::Current), {});
+  e.direct = true;
+  parts.update_ports(e);
+  parts.ports.clear_forces();
+  std::vector<double> r(static_cast<std::size_t>(sizes_.total()));
+  term(number).residual(e, parts.ports, r.data());
+  for (const RegionPlan& region : parts.plan.regions) {
+    for (const MarkerBatch* batch : region.pulled) batch->pull_back(e, parts.ports, r.data());
+    for (const RotatingNodeBatch* nodes : region.nodes) nodes->pull_back(e, parts.ports, r.data());
+  }
+  for (std::size_t i = 0; i < forces.size(); ++i) forces[i] = -r[i];
 }
 
 void System::keep_history() {

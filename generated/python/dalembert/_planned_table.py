@@ -19,13 +19,6 @@ ITEMS = (
 MODULES: dict[str, Planned] = {
 }
 FUNCTIONS = {
-    "GeneralContact": Planned('contact of many spheres, triangles and cables with each other', 'a few contacts may be springs with user functions that push only, such as ObjectConnectorSpringDamper', ()),
-    "MainSystem.AddGeneralContact": Planned('contact of many bodies with each other', '', ()),
-    "MainSystem.CreateDistanceSensor": Planned('distances from meshes, by GeneralContact', '', ()),
-    "MainSystem.CreateDistanceSensorGeometry": Planned('meshes for distance sensors, by GeneralContact', '', ()),
-    "MainSystem.DeleteGeneralContact": Planned('contact of many bodies with each other', '', ()),
-    "MainSystem.GetGeneralContact": Planned('contact of many bodies with each other', '', ()),
     "SolverFileData": Planned('files of a solver', '', ()),
     "SolverLocalData": Planned('vectors and matrices of a solver', 'the state of the system is in mbs.systemData, and solvers have GetSystemJacobian and GetSystemMassMatrix', ()),
-    "VisuGeneralContact": Planned('how GeneralContact is drawn', '', ()),
 }

@@ -84,8 +84,14 @@ def Save(
     All items are written with what differs from their defaults, exactly. Arrays with more than 1000 entries go into a
     file beside, with the ending .npz. User functions are written by module and name; functions of the main program are
     refused unless sourceOfFunctions, which writes their code. mbs.variables are written as far as they are numbers,
-    texts, lists and arrays; the state of a solver, and mbs.sys, are not.
+    texts, lists and arrays; the state of a solver, and mbs.sys, are not. Models with GeneralContact are refused with a
+    NotImplementedError.
     """
+    if count := mbs.NumberOfGeneralContacts():
+        raise NotImplementedError(
+            f"mbs.Save(...): files have no place for GeneralContact, and the system has {count}; "
+            "use pickle, or copy.deepcopy, which take all of the system along"
+        )
     path = Path(fileName)
     encoder = Encoder(sourceOfFunctions)
     place = _Place("mbs.Save(...)")

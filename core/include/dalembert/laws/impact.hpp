@@ -25,6 +25,14 @@ S odd_power(const S& x, double exponent) {
   return x < 0.0 ? -magnitude : magnitude;
 }
 
+// Losses hold back bodies that separate, but never pull at them; below zero is only what the force is without losses: attraction, or
+// a penetration that Newton's method tries as negative.
+template <class S>
+S without_pull(const S& force, const S& lossless) {
+  if (!(force < 0.0) || !(force < lossless)) return force;
+  return lossless < 0.0 ? lossless : S(0);
+}
+
 struct ImpactLaw {
   double stiffness = 0, exponent = 1, damping = 0;
   double restitution_damping = 0;  // chi: the power law is multiplied by 1 + chi * rate
@@ -43,7 +51,8 @@ struct ImpactLaw {
   // Pressure is positive.
   template <class S>
   S pressure(const S& penetration, const S& rate) const {
-    return stiffness * odd_power(penetration, exponent) * (1.0 + restitution_damping * rate) + damping * rate;
+    const S elastic = stiffness * odd_power(penetration, exponent);
+    return without_pull<S>(elastic * (1.0 + restitution_damping * rate) + damping * rate, elastic);
   }
 };
 

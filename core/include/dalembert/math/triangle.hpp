@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <numbers>
 
 #include "dalembert/math/dual.hpp"
 #include "dalembert/math/fixed.hpp"
@@ -33,6 +35,25 @@ inline TriangleFeature nearest_feature(const Triangle& t, const Vec3<double>& po
   if (d5 * d2 - d1 * d6 <= 0 && d2 >= 0 && d6 <= 0) return edge(2);
   if (d3 * d6 - d5 * d4 <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) return edge(1);
   return {};
+}
+
+// The edges whose lines are so near to a point, as bits.
+inline int edges_near(const Triangle& t, const Vec3<double>& point, double distance) {
+  int edges = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3<double> line = t[(i + 1) % 3] - t[i];
+    if (norm(cross(line, point - t[i])) <= distance * norm(line)) edges |= 1 << i;
+  }
+  return edges;
+}
+
+// Of a small circle in the plane of a triangle, about a point on these edges: the part inside of the triangle.
+inline double share_at(const Triangle& t, int edges) {
+  if (edges == 0) return 1;
+  if (edges == 1 || edges == 2 || edges == 4) return 0.5;
+  const std::size_t corner = edges == 3 ? 1 : edges == 6 ? 2 : 0;
+  const Vec3<double> ab = t[(corner + 1) % 3] - t[corner], ac = t[(corner + 2) % 3] - t[corner];
+  return std::atan2(norm(cross(ab, ac)), dot(ab, ac)) / (2 * std::numbers::pi);
 }
 
 // Twice the area, as a vector along the normal.

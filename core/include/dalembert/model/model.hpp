@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "dalembert/model/item.hpp"
+#include "dalembert/model/term_source.hpp"
 
 namespace dalembert {
 
@@ -63,6 +65,13 @@ class Model {
   void add_load_dependencies(int load, std::span<const int> coordinates);
   const std::map<int, std::vector<int>>& load_dependencies() const { return load_dependencies_; }
 
+  // What makes terms of the assembled system besides items. Whoever changes one says so, as far as another Assemble is needed.
+  std::span<const std::shared_ptr<SystemTermSource>> term_sources() const { return term_sources_; }
+  static std::string term_name(std::size_t number) { return "GeneralContact " + std::to_string(number); }
+  void add(std::shared_ptr<SystemTermSource> source);
+  void remove_term_source(std::size_t number);
+  void term_source_changed();
+
   // What is doubtful about items, though it can be computed: a sentence on the first of them, and how many there are; empty: nothing.
   std::string doubt() const;
   // Refuse a model that cannot be assembled: indices, types of nodes and markers, array lengths. Throws ModelError.
@@ -90,6 +99,7 @@ class Model {
   std::array<std::unordered_map<std::string, int>, item_kinds> numbers_;
   Titles titles_;
   std::map<int, std::vector<int>> load_dependencies_;
+  std::vector<std::shared_ptr<SystemTermSource>> term_sources_;  // shared by copies of the model
   std::vector<ItemReference> changes_;                                    // the last of the value changes
   std::uint64_t structure_changes_ = 0, equation_changes_ = 0, value_changes_ = 0;
 };

@@ -26,7 +26,7 @@ class SpheresInBox final : public SystemTerm {
   explicit SpheresInBox(const SpheresInBoxParameters& parameters) : p_(parameters) {}
 
   std::span<const int> markers() const override { return p_.markers; }
-  bool search(const Ports& ports) override;
+  bool search(const Evaluation& evaluation, const Ports& ports) override;
   void keep() override { pairs_.keep(); }
   void restore() override { pairs_.restore(); }
 

@@ -22,6 +22,7 @@ struct EvaluationOf {
   double step_size = 0;
   bool rate_level = false;         // constraints as time derivatives of their gaps (index 2)
   bool inertia = true;             // false: static, accelerations and velocities play no part
+  bool direct = false;             // explicit integration: forces follow from this state alone, nothing is held from a search
   bool same_state = false;         // as in the evaluation before
   bool of_reference = false;       // of the reference configuration, for outputs
 };

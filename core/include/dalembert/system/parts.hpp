@@ -194,7 +194,8 @@ struct SystemParts {
   Ports ports;
   std::vector<double> static_signs;  // of the algebraic variables
   bool constant_mass = true;
-  bool has_history = false;
+  bool has_history = false;         // of items, and of terms that explicit integration searches for as well
+  bool has_direct_history = false;  // of terms that it does not
 
   using States = std::array<State, 6>;  // by ConfigurationType
   std::shared_ptr<States> kept_states = std::make_shared<States>();  // views from outside keep them

@@ -24,6 +24,7 @@
 namespace dalembert {
 
 class Model;
+class Ports;
 class SystemTerm;
 class Workers;
 struct SystemParts;  // batches and index tables; dalembert/system/parts.hpp
@@ -35,6 +36,7 @@ struct Conditions {
   bool rate_level = false;
   bool inertia = true;
   bool loads = true;
+  bool direct = false;  // explicit integration: no step is iterated, and nothing has to be held for that
   int load_dependencies = 0;      // tangent: of the values of loads on coordinates: 0 none, 1 positions, 2 velocities as well
   bool follows_residual = false;  // tangent: the last call was `residual`, of this state: forces on markers are in place
 };
@@ -138,13 +140,19 @@ class System {
   bool search(const State& state, const Conditions& conditions);
   bool searches() const { return searches_; }  // whether there are any
   int pattern_revisions() const { return pattern_revisions_; }
+  // By the order in which the sources of the model make them.
+  SystemTerm& term(int number);
+  // Generalised forces of one of them alone, in the current state; sizes().ode2 entries.
+  void forces_of_term(int number, std::span<double> forces);
+  // Frames of markers in the current state, for questions to such terms.
+  const Ports& current_ports();
   // History of such terms, which is no part of a state: a step begins, or begins again.
   void keep_history();
   void restore_history();
 
   // Update data coordinates after a converged Newton loop (friction, contact, post-Newton user functions of items).
   Discontinuity post_newton(State& state, const Conditions& conditions);
-  bool has_discontinuities() const;
+  bool has_discontinuities(const Conditions& conditions = {}) const;
 
   // Which items act on a row of the system vector, for diagnoses: "object 3 'joint' (JointRevoluteZ), equation 2".
   std::string describe_row(int row) const;

@@ -21,12 +21,22 @@
 
 namespace dalembert {
 
+class Model;
+class System;
+class Workers;
+
 class SystemTerm : public Term {
  public:
   // All that it may ever act on.
   virtual std::span<const int> markers() const = 0;
+  // Once, in the system that it acts in: where the coordinates are of objects that it reads without markers.
+  virtual void enter(const System&, const Model&) {}
+  // Explicit integration needs neither search nor history of it: without these it finds what acts in each evaluation.
+  virtual bool direct() const { return false; }
   // Looks for what acts from now on, by the frames in the ports. True: that has changed.
-  virtual bool search(const Ports& ports) = 0;
+  virtual bool search(const Evaluation& evaluation, const Ports& ports) = 0;
+  // Threads that may help it, until others are given; null: none.
+  virtual void use_workers(Workers*) {}
   // History: remembered as it is at the begin of a step, and set back to that.
   virtual void keep() {}
   virtual void restore() {}

@@ -18,7 +18,8 @@ struct ObjectContactCircleCable2D : AllMarkersAct, NoAlgebraicEquations, NoOutpu
       if (c.data[i] > 0) continue;
       const CircleOnCable<S> touch = nearest(p, x, i);
       const S rate = dot(touch.direction, touch.velocity);
-      const Vec<S, 2> force = (p.contactStiffness * touch.gap + p.contactDamping * rate) * touch.direction;
+      const S elastic = -(p.contactStiffness * touch.gap);
+      const Vec<S, 2> force = -without_pull<S>(elastic - p.contactDamping * rate, elastic) * touch.direction;
       x.apply(circle, force);
       const std::span<S> on_cable = x.forces(cable);
       for (int d = 0; d < 2; ++d) {

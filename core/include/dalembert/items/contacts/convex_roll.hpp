@@ -130,7 +130,8 @@ struct ObjectContactConvexRoll : AllMarkersAct, NoAlgebraicEquations {
 
   template <class S>
   static Vec3<S> force_on_roll(const Parameters& p, const Touch<S>& touch) {
-    const S pressure = -(p.contactStiffness * touch.gap) + p.contactDamping * touch.penetration_rate;
+    const S elastic = -(p.contactStiffness * touch.gap);
+    const S pressure = without_pull<S>(elastic + p.contactDamping * touch.penetration_rate, elastic);
     const StribeckCurve curve{p.dynamicFriction, p.staticFrictionOffset, p.viscousFriction, p.exponentialDecayStatic, p.frictionProportionalZone};
     const Vec3<S> along = direction(touch.slip);
     return pressure * (touch.normal - curve(dot(along, touch.slip)) * along);

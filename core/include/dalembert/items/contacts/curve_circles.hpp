@@ -165,7 +165,10 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations {
     }
     Vec<S, 2> tangent() const { return {-normal[1], normal[0]}; }
     Vec3<S> direct(const Vec<S, 2>& v) const { return axes * Vec3<S>{v[0], v[1], S(0)}; }
-    S pressure(const Parameters& p) const { return p.contactStiffness * extent + p.contactDamping * extent_rate; }
+    S pressure(const Parameters& p) const {
+      const S elastic = p.contactStiffness * extent;
+      return without_pull<S>(elastic + p.contactDamping * extent_rate, elastic);
+    }
 
    private:
     static S norm_or_zero(const Vec<S, 2>& v) {

@@ -113,7 +113,8 @@ struct ObjectContactFrictionCircleCable2D : AllMarkersAct, NoAlgebraicEquations 
 
   template <class S>
   static S normal_force(const Parameters& p, const Touching<S>& touch) {
-    return p.contactStiffness * touch.gap + p.contactDamping * touch.away;
+    const S elastic = -(p.contactStiffness * touch.gap);
+    return -without_pull<S>(elastic - p.contactDamping * touch.away, elastic);
   }
   // From the last sticking position, less whole turns.
   template <class S>

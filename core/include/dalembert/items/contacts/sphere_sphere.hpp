@@ -77,7 +77,8 @@ struct ObjectContactSphereSphere : AllMarkersAct, NoAlgebraicEquations {
   template <class S>
   static S pressure(const Parameters& p, const double* data, const Touch<S>& touch) {
     if (p.impactModel != 0) return ImpactLaw(p, data[TouchData::impact]).pressure(-touch.gap, touch.penetration_rate);
-    return AdhesiveLaw(p).pressure(-touch.gap, data[TouchData::overlap]) + p.contactDamping * touch.penetration_rate;
+    const S lossless = AdhesiveLaw(p).pressure(-touch.gap, data[TouchData::overlap]);
+    return without_pull<S>(lossless + p.contactDamping * touch.penetration_rate, lossless);
   }
 };
 

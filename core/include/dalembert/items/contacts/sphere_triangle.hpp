@@ -13,7 +13,7 @@ namespace dalembert {
 struct ObjectContactSphereTriangle : AllMarkersAct, NoAlgebraicEquations {
   using Parameters = ObjectContactSphereTriangleParameters;
 
-  // Pressure and friction at the middle of the overlap, while the gap of the last update is negative.
+  // Pressure and friction at the nearest point of the triangle, while the gap of the last update is negative.
   template <class S>
   static void evaluate(const Parameters& p, const Context& c, Exchange<S>& x) {
     if (!(c.data[TouchData::gap] < 0)) return;
@@ -23,11 +23,11 @@ struct ObjectContactSphereTriangle : AllMarkersAct, NoAlgebraicEquations {
     push(x, 1, touch.arm1, -force);
   }
 
-  // A sphere that is nearest to an edge that is left out does not touch.
+  // A sphere that is nearest to an edge that is left out does not touch, unless its centre is above that edge, on the border of the face.
   static constexpr bool has_history = true;
   static PostNewton update(const Parameters& p, const Context&, const Exchange<double>& x, const History& h) {
     Nearest<double> touch(p, body_frame(x, 0), x.frame<RigidPort>(1));
-    if (!touch.feature.is_face() && !(touch.feature.edges & p.includeEdges)) touch.gap += p.radiusSphere;
+    if (touch.share == 0) touch.gap += p.radiusSphere;
     const double speed = h.data[TouchData::speed];
     PostNewton verdict = update_touch(p, touch, h.start, h.data);
     if (touch.gap < 0) verdict.error += friction_error(p, pressure(p, h.data, touch), speed, h.data[TouchData::speed]);
@@ -66,24 +66,38 @@ struct ObjectContactSphereTriangle : AllMarkersAct, NoAlgebraicEquations {
   template <class S>
   struct Nearest : Touch<S> {
     TriangleFeature feature;
-    Vec3<S> span;  // from the centre of the sphere to the nearest point
+    Vec3<S> span;      // from the centre of the sphere to the nearest point
+    double share = 1;  // of the force: above edges that are left out, all triangles around them carry a part; 0: none there
 
     Nearest(const Parameters& p, const RigidFrame<S>& sphere, const RigidFrame<S>& carrier) {
       const Triangle triangle = corners(p);
       const Vec3<S> centre = transposed_times(carrier.rotation, sphere.position - carrier.position);
       feature = nearest_feature(triangle, vector_of<3>([&](int i) { return value_of(centre[i]); }));
-      span = carrier.rotation * (nearest_point(triangle, feature, centre) - centre);
+      const Vec3<S> point = nearest_point(triangle, feature, centre), local = point - centre;
+      if (!(feature.edges & p.includeEdges)) {
+        const double rounding = 1e-12 * p.radiusSphere;
+        const int left_out = ~p.includeEdges & edges_near(triangle, vector_of<3>([&](int i) { return value_of(point[i]); }), rounding);
+        share = feature.is_face() || is_above(triangle, local, rounding) ? share_at(triangle, left_out) : 0;
+      }
+      span = carrier.rotation * local;
       this->normal = direction(span);
       this->gap = dot(this->normal, span) - p.radiusSphere;
-      this->arm0 = (p.radiusSphere + 0.5 * this->gap) * this->normal;
+      this->arm0 = span;
       this->arm1 = sphere.position + this->arm0 - carrier.position;
       this->move(sphere, carrier);
     }
   };
 
   template <class S>
-  static S pressure(const Parameters& p, const double* data, const Touch<S>& touch) {
-    return ImpactLaw(p, data[TouchData::impact]).pressure(-touch.gap, touch.penetration_rate);
+  static bool is_above(const Triangle& triangle, const Vec3<S>& span, double rounding) {
+    const Vec3<double> area = area_vector(triangle), to = vector_of<3>([&](int i) { return value_of(span[i]); });
+    return norm(cross(area, to)) <= rounding * norm(area);
+  }
+
+  // During an iteration, a sphere that touches stays in contact wherever it moves.
+  template <class S>
+  static S pressure(const Parameters& p, const double* data, const Nearest<S>& touch) {
+    return (touch.share > 0 ? touch.share : 1) * ImpactLaw(p, data[TouchData::impact]).pressure(-touch.gap, touch.penetration_rate);
   }
 };
 

@@ -1,0 +1,76 @@
+// What general contact knows before anything is assembled: spheres and triangles at markers, their surfaces, and how they are treated.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "dalembert/math/triangle.hpp"
+#include "dalembert/model/term_source.hpp"
+
+namespace dalembert {
+
+struct ContactSurface {
+  double stiffness = 0, damping = 0;
+  int material = 0;  // row and column of the coefficients of friction
+};
+struct ContactSphere {
+  int marker = -1;
+  double radius = 0;
+  ContactSurface surface;
+};
+// Triangles rest in the frame of a marker.
+struct ContactCarrier {
+  int marker = -1;
+  ContactSurface surface;
+};
+// An element of a planar cable, which is as thick as twice the half height.
+struct ContactCable {
+  int object = -1;
+  double half_height = 0;
+  ContactSurface surface;
+};
+struct ContactTriangle {
+  int carrier = 0;
+  Triangle points;
+};
+
+// All that two surfaces make together.
+struct ContactPairing {
+  double stiffness, damping, friction;
+};
+
+class ContactSet final : public SystemTermSource {
+ public:
+  std::vector<ContactSphere> spheres;
+  std::vector<ContactCable> cables;
+  std::vector<ContactCarrier> carriers;
+  std::vector<ContactTriangle> triangles;  // those of one carrier may be anywhere among them
+  std::vector<double> friction;            // of pairs of materials, by rows
+  int materials = 0;
+  double proportional_zone = 1e-3;        // m/s
+  double nearest_relative_distance = 1e-10;  // of a centre from a triangle, in radii: what is nearer has no direction
+  bool active = true, spheres_touch = true;
+  std::uint64_t shapes = 0;  // counts changes of radii and triangles: who keeps anything made of them looks here
+
+  ContactPairing pairing(const ContactSurface& a, const ContactSurface& b) const {
+    const double stiffness = a.stiffness * b.stiffness / (a.stiffness + b.stiffness);
+    return {stiffness, a.damping + b.damping, friction[static_cast<std::size_t>(a.material * materials + b.material)]};
+  }
+  // Settings of the interface that change nothing here; kept to be read again.
+  std::map<std::string, double> without_effect;
+  std::array<int, 3> cells{};              // of a search tree; nothing depends on it
+  std::array<double, 6> box{0, 0, 0, -1, -1, -1};  // lower and upper corner, likewise; empty: none was given
+
+  // Global numbers: spheres, then cables, then triangles.
+  int first_cable() const { return static_cast<int>(spheres.size()); }
+  int first_triangle() const { return first_cable() + static_cast<int>(cables.size()); }
+
+  std::unique_ptr<SystemTerm> make_term(const Ports& ports, const std::string& name) const override;
+  void check(const Model& model, const std::string& name) const override;
+  void shift_references(ItemKind kind, int removed, const std::string& name, std::vector<std::string>& lost) override;
+};
+
+}  // namespace dalembert

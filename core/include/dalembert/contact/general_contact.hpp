@@ -1,0 +1,193 @@
+// Contact of everything in a ContactSet with everything else there: spheres with each other and with triangles.
+//
+//   list    pairs that are near each other: good until something has moved farther than the skin
+//   touch   pairs that overlap now and push: found from the list
+//   hold    what touched at the last search: the contacts of an implicit step, whose entries have slots
+//
+// Explicit integration asks for the forces of what touches; implicit solvers hold what touches during Newton's method, and iterate if
+// something has begun or ended to touch.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+#include "dalembert/contact/contact_set.hpp"
+#include "dalembert/contact/planar_cable.hpp"
+#include "dalembert/contact/sphere_neighbours.hpp"
+#include "dalembert/contact/triangle_tree.hpp"
+#include "dalembert/system/system_term.hpp"
+#include "dalembert/system/workers.hpp"
+
+namespace dalembert {
+
+struct HeldContact {
+  int sphere = -1, other = -1;  // global number of a sphere with a larger number, of a cable, or of a triangle
+  bool sticks = true;           // the slip was in the proportional zone
+  Stretch1D along = {};         // of a cable: where it is in the circle
+};
+
+// What a line meets first.
+struct LineHit {
+  double distance = 0, velocity = 0;  // from the start, and of the surface, along the line
+  int sphere = -1, cable = -1, triangle = -1;  // -1: none of this kind
+};
+struct Line {
+  Vec3<double> start, direction;  // of length one
+  double nearest = 0, farthest = 0;
+  double radius = 0;              // of a cylinder around it, for spheres
+  bool spheres = true, cables = true, triangles = true;
+};
+
+class GeneralContact final : public SystemTerm {
+ public:
+  GeneralContact(std::shared_ptr<const ContactSet> set, const Ports& ports);
+
+  std::span<const int> markers() const override { return markers_; }
+  bool direct() const override { return true; }
+  void use_workers(Workers* workers) override { workers_ = workers; }
+  void enter(const System& system, const Model& model) override;
+  bool search(const Evaluation& evaluation, const Ports& ports) override;
+  void visit(BlockVisitor& visitor, const Ports& ports) const override;
+  void residual(const Evaluation& evaluation, Ports& ports, double* r) const override;
+  void tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports, double* values) const override;
+  PostNewton post_newton(const Evaluation& evaluation, const Ports& ports, const double* start, double* data, double* lambda) override;
+  bool has_history() const override { return true; }
+
+  // ---- questions, by frames in the ports ----
+  // What touched at the last search, Newton iteration or `update`.
+  const std::vector<HeldContact>& touching() const { return touching_; }
+  void update(const Ports& ports);
+  LineHit first_hit(const Line& line, const Ports& ports) const;
+  struct Items {
+    std::vector<int> spheres, cables, triangles;
+  };
+  Items items_in(const Box& box, const Ports& ports) const;
+  RigidFrame<double> frame_of(int marker, const Ports& ports) const;
+
+ private:
+  // Where a sphere and another thing meet.
+  template <class S>
+  struct Meeting {
+    Vec3<S> normal, arm0, arm1;  // from the sphere to the other; from the markers to the common point of action
+    S gap;
+  };
+  // Blocks of the tangent: a sphere with another, or with the carrier of triangles.
+  struct Block {
+    enum class With { sphere, cable, carrier };
+    int sphere = -1, marker1 = -1;  // no marker: a cable
+    With with = With::sphere;
+    int number = -1;  // of the other sphere, of the cable, of the carrier
+    std::size_t first_slot = 0;
+    auto key() const { return std::tuple(sphere, with, number); }
+  };
+
+  int spheres() const { return static_cast<int>(set_->spheres.size()); }
+  const ContactSphere& sphere(int i) const { return set_->spheres[static_cast<std::size_t>(i)]; }
+  const ContactTriangle& triangle(int i) const { return set_->triangles[static_cast<std::size_t>(i)]; }
+  const ContactCarrier& carrier(int i) const { return set_->carriers[static_cast<std::size_t>(i)]; }
+  bool turns(int sphere) const { return turns_[static_cast<std::size_t>(sphere)] != 0; }
+
+  struct Found {
+    int triangle = -1, rank = 0;  // 0: face, 1: edge, 2: corner
+    Vec3<double> point;           // in the frame of the carrier
+  };
+  // Spheres that follow each other: threads share chunks, which depend on the number of spheres alone, and so does the order of sums.
+  struct Chunk {
+    int begin = 0, end = 0;
+    struct Far {
+      int marker;
+      bool turns;
+      Vec3<double> force, moment;
+    };
+    std::vector<Far> far;  // what acts on others than spheres of the chunk
+    std::vector<Found> found, kept;
+  };
+  template <class F>
+  void each_chunk(const F& f) const;
+
+  void take_places(const Ports& ports) const;
+  void follow(const Ports& ports) const;
+  void renew_lists(const Ports& ports) const;
+  void renew_shapes() const;
+  double moved(const Ports& ports) const;
+  void touching_triangles(int sphere, const Ports& ports, Chunk& chunk) const;
+  template <class F>
+  void each_touch(const Ports& ports, Chunk& chunk, F&& f) const;
+
+  template <class S>
+  Meeting<S> meet_sphere(int sphere, int other, const Vec3<S>& p0, const Vec3<S>& p1) const;
+  template <class S>
+  Meeting<S> meet_triangle(int sphere, int triangle, const Vec3<S>& p0, const RigidFrame<S>& frame) const;
+  template <class S>
+  Vec3<S> force(const ContactPairing& pairing, const Meeting<S>& at, const Vec3<S>& velocity, std::optional<bool> sticks) const;
+  ContactPairing pairing_of(const HeldContact& contact) const;
+  Vec3<double> velocity_at(int marker, bool turns, const Vec3<double>& arm, const Ports& ports) const;
+  struct Partner {
+    int marker;
+    bool turns;
+  };
+  Partner partner_of(const HeldContact& contact) const;
+  Meeting<double> meet(const HeldContact& contact, const Ports& ports) const;
+  void add_contact(const HeldContact& contact, Ports& ports, std::optional<bool> sticks, Chunk& chunk) const;
+  void add_pairs_without_friction(int sphere, Ports& ports, Chunk& chunk) const;
+  bool touches(const HeldContact& contact, const Ports& ports, bool& sticks) const;
+  void find(const Ports& ports, std::vector<HeldContact>& found) const;
+
+  // Cables, whose coordinates are read and written without markers.
+  struct CableNow {
+    std::array<double, 8> q{}, v{};
+    Box box;
+  };
+  template <class S>
+  struct CableForces {
+    Wrench<S> on_circle{};
+    std::array<S, 8> on_cable{};
+    double pressure = 0, slip = 0;  // the mean one without being cut at zero; the largest
+  };
+  bool is_cable(const HeldContact& c) const { return c.other >= set_->first_cable() && c.other < set_->first_triangle(); }
+  void take_cables(const double* q, const double* v) const;
+  void take_cables_of_system() const;
+  template <class F>
+  void each_cable_near(double distance, F&& f) const;
+  void find_cable_touches(std::vector<HeldContact>& found) const;
+  ContactPairing cable_pairing(const HeldContact& contact) const;
+  template <class S>
+  CableForces<S> cable_forces(const HeldContact& contact, const RigidFrame<S>& circle, const std::array<S, 8>& q, const std::array<S, 8>& v,
+                              std::optional<bool> sticks) const;
+  void add_cable(const HeldContact& contact, Ports& ports, std::optional<bool> sticks, double* r) const;
+  void add_cable_tangent(const HeldContact& contact, const Block& block, const Weights& weights, const Ports& ports, double* values) const;
+  const Block& block_of(const HeldContact& contact) const;
+  void list_blocks(const Ports& ports);
+
+  std::shared_ptr<const ContactSet> set_;
+  std::vector<int> markers_;
+  std::vector<char> turns_;  // whether the marker of a sphere has a rotation
+  bool shares_markers_ = false;  // several spheres leave their forces at one marker: nobody else may at the same time
+  std::vector<HeldContact> held_;
+  std::vector<Block> blocks_;
+  std::vector<std::pair<int, int>> cables_in_blocks_;  // spheres and cables that have been near
+  std::vector<CableShape> cables_;
+  const System* system_ = nullptr;
+  mutable std::vector<CableNow> cables_now_;
+  mutable std::vector<HeldContact> cable_touches_;
+  std::uint64_t blocks_of_list_ = 0;
+
+  // Kept from one evaluation to the next: they decide what is looked at, never what it gives.
+  mutable std::uint64_t shapes_ = ~std::uint64_t{0}, lists_ = 0;
+  mutable std::vector<TriangleTree> trees_;
+  mutable std::vector<Triangle> local_;  // corners of all triangles
+  mutable std::vector<SphereAt> at_, at_list_;
+  mutable std::vector<RigidFrame<double>> carriers_at_list_;
+  mutable SphereNeighbours neighbours_;
+  mutable std::vector<std::size_t> first_triangle_;
+  mutable std::vector<int> near_triangles_;
+  mutable double skin_ = 0;
+  mutable int since_list_ = 0;
+  mutable std::vector<Chunk> chunks_;
+  Workers* workers_ = nullptr;
+  std::vector<HeldContact> touching_;
+};
+
+}  // namespace dalembert

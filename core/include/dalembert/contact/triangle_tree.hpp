@@ -1,0 +1,87 @@
+// Triangles that rest in one frame, in boxes within boxes: which of them are near a point, and which one a line meets.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "dalembert/math/triangle.hpp"
+
+namespace dalembert {
+
+struct Box {
+  Vec3<double> lower{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  Vec3<double> upper{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+
+  void add(const Vec3<double>& point) {
+    for (int i = 0; i < 3; ++i) {
+      lower[i] = std::min(lower[i], point[i]);
+      upper[i] = std::max(upper[i], point[i]);
+    }
+  }
+  bool overlaps(const Box& other) const {
+    for (int i = 0; i < 3; ++i)
+      if (lower[i] > other.upper[i] || upper[i] < other.lower[i]) return false;
+    return true;
+  }
+  double square_distance(const Vec3<double>& point) const {
+    double square = 0;
+    for (int i = 0; i < 3; ++i) {
+      const double outside = std::max({lower[i] - point[i], point[i] - upper[i], 0.0});
+      square += outside * outside;
+    }
+    return square;
+  }
+};
+
+class TriangleTree {
+ public:
+  // Entries are numbers in `all`.
+  void build(std::span<const int> entries, const std::vector<Triangle>& all);
+  bool empty() const { return nodes_.empty(); }
+  const Box& box() const { return nodes_.front().box; }
+
+  // Calls f(entry) for all with a box within `distance` of the point, in any order.
+  template <class F>
+  void each_near(const Vec3<double>& point, double distance, F&& f) const {
+    each([&](const Box& box) { return box.square_distance(point) <= distance * distance; }, f);
+  }
+  // Calls f(entry) for all with a box that the line start + s * direction, from <= s <= to(), may pass; `to` may fall meanwhile.
+  template <class To, class F>
+  void each_along(const Vec3<double>& start, const Vec3<double>& direction, double from, const To& to, F&& f) const {
+    each([&](const Box& box) { return passes(box, start, direction, from, to()); }, f);
+  }
+
+ private:
+  struct Node {
+    Box box;
+    int first = 0, count = 0;  // of a leaf, its entries; count 0: children are the next node and number `first`
+  };
+  template <class Wanted, class F>
+  void each(const Wanted& wanted, F&& f) const {
+    if (nodes_.empty()) return;
+    std::array<int, 64> stack;
+    int depth = 0;
+    stack[0] = 0;
+    while (depth >= 0) {
+      const int at = stack[static_cast<std::size_t>(depth--)];
+      const Node& node = nodes_[static_cast<std::size_t>(at)];
+      if (!wanted(node.box)) continue;
+      if (node.count == 0) {
+        stack[static_cast<std::size_t>(++depth)] = node.first;
+        stack[static_cast<std::size_t>(++depth)] = at + 1;
+        continue;
+      }
+      for (int i = node.first; i < node.first + node.count; ++i) f(entries_[static_cast<std::size_t>(i)]);
+    }
+  }
+  static bool passes(const Box& box, const Vec3<double>& start, const Vec3<double>& direction, double from, double to);
+  void split(int first, int count, const std::vector<Triangle>& all);
+
+  std::vector<Node> nodes_;
+  std::vector<int> entries_;
+};
+
+}  // namespace dalembert

@@ -1,0 +1,389 @@
+"""General contact of spheres and triangles: forces against plain sums, motions against closed forms."""
+
+from __future__ import annotations
+
+import itertools
+from typing import Any
+
+import numpy as np
+import pytest
+
+import dalembert as exu
+from dalembert import itemInterface as eii
+from dalembert._core import testing
+from dalembert.utilities import InertiaSphere, RotationMatrixX, RotationMatrixY
+
+G = 9.81
+IMPLICIT, EXPLICIT = exu.DynamicSolverType.GeneralizedAlpha, exu.DynamicSolverType.RK44
+
+
+class World:
+    """A system with one general contact."""
+
+    def __init__(self, friction: Any = 0.0, zone: float = 1e-3) -> None:
+        self.mbs = exu.SystemContainer().AddSystem()
+        self.contact = self.mbs.AddGeneralContact()
+        self.contact.SetFrictionPairings(np.atleast_2d(friction))
+        self.contact.frictionProportionalZone = zone
+        self.ground = self.mbs.AddMarker(eii.MarkerBodyRigid(bodyNumber=self.mbs.CreateGround()))
+
+    def point(
+        self, position: Any, velocity: Any = (0, 0, 0), mass: float = 1.0, radius: float = 0.1, **surface: Any
+    ) -> Any:
+        body = self.mbs.CreateMassPoint(
+            referencePosition=list(position), initialVelocity=list(velocity), physicsMass=mass
+        )
+        self.sphere(self.mbs.AddMarker(eii.MarkerBodyPosition(bodyNumber=body)), radius, **surface)
+        return body
+
+    def ball(
+        self, position: Any, velocity: Any = (0, 0, 0), spin: Any = (0, 0, 0), mass: float = 1.0, radius: float = 0.1,
+        gravity: Any = (0, 0, 0), surface: dict[str, Any] = {},
+    ) -> Any:  # fmt: skip
+        body = self.mbs.CreateRigidBody(
+            referencePosition=list(position), initialVelocity=list(velocity), initialAngularVelocity=list(spin),
+            inertia=InertiaSphere(mass, radius), gravity=list(gravity), nodeType=exu.NodeType.RotationRotationVector,
+        )  # fmt: skip
+        self.sphere(self.mbs.AddMarker(eii.MarkerBodyRigid(bodyNumber=body)), radius, **surface)
+        return body
+
+    def sphere(
+        self, marker: Any, radius: float, stiffness: float = 2e4, damping: float = 0.0, material: int = 0
+    ) -> int:
+        return self.contact.AddSphereWithMarker(marker, radius, stiffness, damping, material)
+
+    def mesh(
+        self, points: Any, triangles: Any, marker: Any = None, stiffness: float = 2e4, damping: float = 0.0,
+        material: int = 0,
+    ) -> int:  # fmt: skip
+        marker = self.ground if marker is None else marker
+        return self.contact.AddTrianglesRigidBodyBased(marker, stiffness, damping, material, points, triangles)
+
+    def solve(self, end: float, steps: int, solver: Any = IMPLICIT, threads: int = 1) -> None:
+        if not self.mbs.systemIsConsistent:
+            self.mbs.Assemble()
+        settings = exu.SimulationSettings()
+        settings.solutionSettings.writeSolutionToFile = False
+        settings.parallel.numberOfThreads = threads
+        time = settings.timeIntegration
+        time.endTime, time.numberOfSteps, time.verboseMode = end, steps, 0
+        time.generalizedAlpha.spectralRadius = 1
+        time.discontinuous.iterationTolerance, time.discontinuous.maxIterations = 0.1, 10
+        self.mbs.SolveDynamic(settings, solverType=solver)
+
+    def output(self, body: Any, name: str) -> np.ndarray:
+        return np.asarray(self.mbs.GetObjectOutputBody(body, getattr(exu.OutputVariableType, name), [0, 0, 0]))
+
+
+def grid_mesh(size: float, count: int, height: Any = lambda x, y: 0 * x) -> tuple[np.ndarray, np.ndarray]:
+    """Points of a square grid around the origin, and two triangles per cell with normals upwards."""
+    axis = np.linspace(-size, size, count + 1)
+    x, y = np.meshgrid(axis, axis, indexing="ij")
+    corner = np.add.outer(np.arange(count) * (count + 1), np.arange(count)).ravel()
+    lower = np.stack([corner, corner + count + 1, corner + count + 2], axis=1)
+    upper = np.stack([corner, corner + count + 2, corner + 1], axis=1)
+    return np.stack([x, y, height(x, y)], axis=-1).reshape(-1, 3), np.concatenate([lower, upper])
+
+
+# ---- forces ----------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("largest", [0.05, 2.0])
+def test_forces_of_a_cloud_are_the_sum_over_all_pairs(largest: float) -> None:
+    """Radii that differ by a factor of 80 too: whatever the search does, no pair is missed or counted twice."""
+    rng, world = np.random.default_rng(3), World()
+    n = 300
+    x, v = rng.uniform(-0.4, 0.4, (n, 3)), rng.uniform(-1, 1, (n, 3))
+    r = rng.uniform(0.025, 0.05, n)
+    x[:4], r[:4] = rng.uniform(-3, 3, (4, 3)), largest
+    k, d = rng.uniform(1e3, 2e3, n), rng.uniform(0, 3, n)
+    for i in range(n):
+        world.point(x[i], v[i], radius=r[i], stiffness=k[i], damping=d[i])
+    world.mbs.Assemble()
+    expected, touching = np.zeros((n, 3)), 0
+    for i, j in itertools.combinations(range(n), 2):
+        span = x[j] - x[i]
+        distance = np.linalg.norm(span)
+        pressure = -(
+            k[i] * k[j] / (k[i] + k[j]) * (distance - r[i] - r[j]) + (d[i] + d[j]) * span @ (v[j] - v[i]) / distance
+        )
+        if distance < r[i] + r[j] and pressure > 0:
+            touching += 1
+            expected[[i, j]] += np.outer([-1, 1], pressure / distance * span)
+    forces = world.contact.GetSystemODE2RhsContactForces().reshape(n, 3)
+    assert touching > 100
+    np.testing.assert_allclose(forces, expected, rtol=0, atol=1e-11 * np.abs(expected).max())
+    world.contact.UpdateContacts(world.mbs)
+    counts = world.contact.GetActiveContacts(exu.ContactTypeIndex.IndexSpheresMarkerBased, -1)
+    assert counts.sum() == touching
+
+
+CUBE = np.array(list(itertools.product([-1.0, 1.0], repeat=3)))
+CUBE_FACES = np.array(
+    [[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1], [2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]]
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "place",
+    [(0.2, 0.3, 1), (1, 0.3, 1), (-1, 1, 0.2), (1, 1, 1), (-1, 1, -1), (0.5, 0.5, 1), (0.5, -0.5, 1), (0, 1, 0), (1.0 - 1e-13, 1, 0.4)],
+)  # fmt: skip
+def test_a_ball_at_a_cube_is_pushed_once(place: tuple[float, float, float]) -> None:
+    """On faces, edges, corners and diagonals of faces, the force is that of the nearest point, however many triangles meet there."""
+    world, depth, radius, stiffness = World(), 0.01, 0.1, 2e4
+    outwards = np.where(np.abs(place) >= 1 - 1e-9, np.sign(place), 0.0)
+    outwards /= np.linalg.norm(outwards)
+    turn = RotationMatrixX(0.4) @ RotationMatrixY(0.7)
+    shift = np.array([0.3, -0.2, 0.5])
+    cube = world.mbs.CreateGround(referencePosition=list(shift), referenceRotationMatrix=turn)
+    marker = world.mbs.AddMarker(eii.MarkerBodyRigid(bodyNumber=cube))
+    world.point(shift + turn @ (place + (radius - depth) * outwards), radius=radius)
+    world.mesh(CUBE, CUBE_FACES, marker)
+    world.mbs.Assemble()
+    force = world.contact.GetSystemODE2RhsContactForces()
+    np.testing.assert_allclose(force, turn @ outwards * depth * stiffness / 2, atol=1e-9 * stiffness * depth)
+
+
+def test_a_ball_in_a_groove_is_pushed_from_both_sides() -> None:
+    world, depth = World(), 0.01
+    points = [[-1, -1, 1], [-1, 1, 1], [0, -1, 0], [0, 1, 0], [1, -1, 1], [1, 1, 1]]
+    world.mesh(points, [[0, 2, 3], [0, 3, 1], [2, 4, 5], [2, 5, 3]])
+    world.point([0, 0.1, np.sqrt(2) * (0.1 - depth)])
+    world.mbs.Assemble()
+    force = world.contact.GetSystemODE2RhsContactForces()
+    np.testing.assert_allclose(force, [0, 0, np.sqrt(2) * depth * 1e4], atol=1e-8)
+
+
+def test_action_is_reaction() -> None:
+    """Balls and a rigid body with triangles, in random motion, with friction: neither momentum nor moment is left over."""
+    rng, world = np.random.default_rng(5), World(friction=0.4, zone=0.3)
+    bodies = [world.ball(rng.uniform(-0.2, 0.2, 3), rng.uniform(-1, 1, 3), rng.uniform(-9, 9, 3)) for _ in range(12)]
+    plate = world.mbs.CreateRigidBody(
+        referencePosition=[0, 0, -0.1], initialAngularVelocity=[1, 2, 3], inertia=InertiaSphere(2, 0.5),
+        referenceRotationMatrix=RotationMatrixX(0.3), nodeType=exu.NodeType.RotationRotationVector,
+    )  # fmt: skip
+    marker = world.mbs.AddMarker(eii.MarkerBodyRigid(bodyNumber=plate, localPosition=[0.1, 0.2, 0]))
+    world.mesh(*grid_mesh(0.5, 4), marker)
+    world.mbs.Assemble()
+    data = world.mbs.systemData
+    forces = world.contact.GetSystemODE2RhsContactForces()
+    total, moment, mesh_force = np.zeros(3), np.zeros(3), np.zeros(3)
+    for body in [*bodies, plate]:
+        own = forces[data.GetObjectLTGODE2(body)]
+        total += own[:3]
+        # At the reference rotation, coordinates of the rotation vector are conjugate to moments in the axes of the body.
+        rotation = world.output(body, "RotationMatrix").reshape(3, 3)
+        moment += np.cross(world.output(body, "Position"), own[:3]) + rotation @ own[3:]
+        mesh_force = own[:3]
+    assert np.abs(mesh_force).max() > 10
+    scale = np.abs(forces).max()
+    np.testing.assert_allclose(total, 0, atol=1e-12 * scale)
+    np.testing.assert_allclose(moment, 0, atol=1e-12 * scale)
+
+
+@pytest.mark.parametrize("friction", [0.0, 0.4])
+@pytest.mark.parametrize("weights", [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0)])
+def test_tangent_is_the_derivative_of_the_residual(friction: float, weights: tuple[float, float, float]) -> None:
+    rng, world = np.random.default_rng(7), World(friction=friction, zone=0.5)
+    for i in range(6):
+        make = world.ball if i % 2 or friction else world.point
+        make(rng.uniform(-0.12, 0.12, 3), rng.uniform(-1, 1, 3))
+    plate = world.mbs.CreateRigidBody(
+        referencePosition=[0, 0, -0.1], initialAngularVelocity=[1, 2, 3], inertia=InertiaSphere(2, 0.5)
+    )
+    world.mesh(*grid_mesh(0.5, 3), world.mbs.AddMarker(eii.MarkerBodyRigid(bodyNumber=plate)))
+    world.mbs.Assemble()
+    s = testing.State(world.mbs)
+    testing.search(world.mbs, s)
+    without = testing.tangent(world.mbs, s, cq=weights[0], cv=weights[1])
+    world.contact.isActive = False
+    without = without - testing.tangent(world.mbs, s, cq=weights[0], cv=weights[1])
+    world.contact.isActive = True
+
+    def contact_part(state: testing.State) -> np.ndarray:
+        world.contact.isActive = True
+        force = testing.residual(world.mbs, state)
+        world.contact.isActive = False
+        force = force - testing.residual(world.mbs, state)
+        world.contact.isActive = True
+        return force
+
+    h, n = 1e-7, len(s.q)
+    for j in range(n):
+        ends = []
+        for sign in (1, -1):
+            other = s.copy()
+            vector = np.array(other.q if weights[0] else other.v)
+            vector[j] += sign * h
+            if weights[0]:
+                other.q = vector
+            else:
+                other.v = vector
+            ends.append(contact_part(other))
+        slope = (ends[0] - ends[1]) / (2 * h)
+        np.testing.assert_allclose(without[: len(slope), j], slope, atol=2e-5 * max(1, np.abs(without).max()))
+
+
+# ---- motions ---------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("solver", [EXPLICIT, IMPLICIT, exu.DynamicSolverType.VelocityVerlet])
+@pytest.mark.parametrize("share", [0.0, 0.3])
+def test_impact_of_two_balls(solver: Any, share: float) -> None:
+    """Springs in series, dampers side by side: the contact of a reduced mass lasts until the force vanishes, see the laws of impact."""
+    world, stiffness = World(), 2e4
+    damping = 2 * share * np.sqrt(stiffness / 2 * 0.75)
+    first = world.point([0, 0, 0], [1, 0, 0], mass=1, stiffness=stiffness, damping=damping / 2)
+    second = world.point([0.201, 0, 0], mass=3, stiffness=stiffness, damping=damping / 2)
+    world.solve(0.05, 5000, solver)
+    e = np.exp(-share * (np.pi - 2 * np.arcsin(share)) / np.sqrt(1 - share**2))
+    assert world.output(first, "Velocity")[0] == pytest.approx((1 - 3 * e) / 4, abs=2e-3)
+    assert world.output(second, "Velocity")[0] == pytest.approx((1 + e) / 4, abs=2e-3)
+
+
+def test_time_of_contact() -> None:
+    """Half a swing of the reduced mass, in which the ball goes back and forth."""
+    world, k, m = World(), 2e4, 0.5
+    body = world.point([0, 0, 0.1], [0, 0, -1], mass=m, stiffness=k)
+    world.mesh([[-1, -1, 0], [2, -1, 0], [-1, 2, 0]], [[0, 1, 2]], stiffness=k)
+    duration = np.pi * np.sqrt(m / (k / 2))
+    world.solve(duration / 2, 400, EXPLICIT)
+    assert world.output(body, "Position")[2] == pytest.approx(0.1 - np.sqrt(m / (k / 2)), rel=1e-8)
+    world = World()
+    body = world.point([0, 0, 0.1], [0, 0, -1], mass=m, stiffness=k)
+    world.mesh([[-1, -1, 0], [2, -1, 0], [-1, 2, 0]], [[0, 1, 2]], stiffness=k)
+    world.solve(2 * duration, 800, EXPLICIT)
+    assert world.output(body, "Velocity")[2] == pytest.approx(1, abs=1e-6)
+    assert world.output(body, "Position")[2] == pytest.approx(0.1 + duration, abs=1e-6)
+
+
+def cloud(friction: float, seed: int = 1, **options: Any) -> tuple[World, list[Any]]:
+    world, rng = World(friction=friction, zone=0.02), np.random.default_rng(seed)
+    places = 0.22 * np.array(list(itertools.product(range(4), repeat=3))) + rng.uniform(-0.005, 0.005, (64, 3))
+    make = world.ball if friction else world.point
+    return world, [make(p, 2 * (0.33 - p) + rng.uniform(-1, 1, 3), **options) for p in places]
+
+
+@pytest.mark.parametrize("friction", [0.0, 0.3])
+def test_momentum_of_a_cloud(friction: float) -> None:
+    """Linear momentum to rounding, angular momentum and, without friction, energy as the method of fourth order keeps them."""
+    world, bodies = cloud(friction)
+    world.mbs.Assemble()
+
+    def totals() -> np.ndarray:
+        result = np.zeros(7)
+        for body in bodies:
+            x, v = world.output(body, "Position"), world.output(body, "Velocity")
+            result[:3] += v
+            result[3:6] += np.cross(x, v)
+            if friction:
+                result[3:6] += 0.4 * 0.1**2 * world.output(body, "AngularVelocity")
+            result[6] += v @ v / 2
+        return result
+
+    before = totals()
+    world.solve(0.6, 6000, EXPLICIT)
+    after = totals()
+    np.testing.assert_allclose(after[:3], before[:3], atol=1e-11)
+    np.testing.assert_allclose(after[3:6], before[3:6], atol=1e-7)
+    if not friction:  # the cloud has flown apart again
+        assert after[6] == pytest.approx(before[6], rel=1e-5)
+    else:
+        assert after[6] < 0.95 * before[6]
+
+
+def test_implicit_and_explicit_integration_agree() -> None:
+    states = []
+    for solver, steps in ((EXPLICIT, 2000), (IMPLICIT, 4000)):
+        world, bodies = cloud(0.3)
+        world.solve(0.06, steps, solver)
+        states.append([np.concatenate([world.output(b, "Position"), world.output(b, "Velocity")]) for b in bodies])
+    change = np.abs(np.array(states[0]) - states[1])
+    assert change[:, :3].max() < 1e-4
+    assert change[:, 3:].max() < 2e-2
+
+
+@pytest.mark.parametrize("solver", [EXPLICIT, IMPLICIT])
+def test_any_number_of_threads_gives_the_same_bytes(solver: Any) -> None:
+    results = []
+    for threads in (1, 2):
+        world, _ = cloud(0.3)
+        world.solve(0.05, 200, solver, threads)
+        data = world.mbs.systemData
+        results.append(data.GetODE2Coordinates().tobytes() + data.GetODE2Coordinates_t().tobytes())
+    assert results[0] == results[1]
+
+
+def test_the_list_of_pairs_does_not_show() -> None:
+    """A system that looked for pairs elsewhere before goes on as one that did not, bit for bit."""
+    fresh, _ = cloud(0.0)
+    fresh.solve(0.1, 500, EXPLICIT)
+    used, _ = cloud(0.0)
+    used.mbs.Assemble()
+    data = used.mbs.systemData
+    start = data.GetODE2Coordinates()
+    for shift in (0.013, 0.05, 0.2):
+        data.SetODE2Coordinates(start * 0 + shift * np.arange(len(start)))
+        used.contact.UpdateContacts(used.mbs)
+    data.SetODE2Coordinates(start)
+    used.solve(0.1, 500, EXPLICIT)
+    assert data.GetODE2Coordinates().tobytes() == fresh.mbs.systemData.GetODE2Coordinates().tobytes()
+
+
+@pytest.mark.parametrize("direction", [(1, 0), (1, 1), (-1, 1), (0.83, -0.37)])
+def test_ball_rolls_over_a_mesh_as_over_a_plane(direction: tuple[float, float]) -> None:
+    """Along edges, through corners, and across: it keeps its height to 1e-6 radii, and its speed."""
+    radius, k, mass = 0.1, 2e4, 1.0
+    sink = mass * G / (k / 2)
+    along = np.array([*direction, 0]) / np.linalg.norm(direction)
+    world = World(friction=0.5)
+    spin = np.cross([0, 0, 1], along) / (radius - sink)
+    body = world.ball([0, 0, radius - sink], along, spin, mass, radius, [0, 0, -G])
+    world.mesh(*grid_mesh(1.0, 40), stiffness=k)
+    sensor = world.mbs.AddSensor(
+        eii.SensorBody(bodyNumber=body, outputVariableType=exu.OutputVariableType.Position, storeInternal=True)
+    )
+    world.solve(0.5, 4000, EXPLICIT)
+    height = world.mbs.GetSensorStoredData(sensor)[:, 3]
+    assert np.abs(height - (radius - sink)).max() < 1e-6 * radius
+    np.testing.assert_allclose(world.output(body, "Velocity"), along, atol=1e-6)
+
+
+@pytest.mark.parametrize("solver", [EXPLICIT, IMPLICIT])
+@pytest.mark.parametrize(("mu", "rolls"), [(0.5, True), (0.05, False)])
+def test_ball_on_an_incline(mu: float, rolls: bool, solver: Any) -> None:
+    """It rolls where friction is large enough, with the radius that is left of the sunken ball; otherwise it slips."""
+    slope, end, k = 0.4, 0.3, 2e4
+    sink = G * np.cos(slope) / (k / 2)
+    world = World(friction=mu, zone=1e-3)
+    surface = {"stiffness": k, "damping": 20.0}
+    gravity = [G * np.sin(slope), 0, -G * np.cos(slope)]
+    body = world.ball([-1, 0.02, 0.1 - sink], gravity=gravity, surface=surface)
+    world.mesh(*grid_mesh(2.0, 7), stiffness=k)
+    world.solve(end, 3000, solver)
+    inertia = 0.4 * (0.1 / (0.1 - sink)) ** 2
+    rate = G * np.sin(slope) / (1 + inertia) if rolls else G * (np.sin(slope) - mu * np.cos(slope))
+    assert world.output(body, "Velocity")[0] == pytest.approx(rate * end, abs=5e-4)
+
+
+def test_materials_make_pairs() -> None:
+    """A sliding ball is slowed by the coefficient of its own material and that of the ground."""
+    world = World(friction=[[0.0, 0.2], [0.2, 0.7]])
+    body = world.ball([0, 0, 0.1 - G / 1e4], [2, 0, 0], gravity=[0, 0, -G], surface={"material": 1})
+    world.mesh(*grid_mesh(2.0, 5), material=0)
+    world.solve(0.1, 1000, EXPLICIT)
+    assert world.output(body, "Velocity")[0] == pytest.approx(2 - 0.2 * G * 0.1, abs=1e-4)
+
+
+def test_several_contacts_in_one_system() -> None:
+    """Spheres meet those of the same contact alone; without it, they pass."""
+    for shared in (True, False):
+        world = World()
+        first = world.point([0, 0, 0], [1, 0, 0])
+        if not shared:
+            world.contact = world.mbs.AddGeneralContact()
+            world.contact.SetFrictionPairings(np.zeros((1, 1)))
+        world.point([0.25, 0, 0])
+        assert world.mbs.NumberOfGeneralContacts() == (1 if shared else 2)
+        world.solve(0.2, 2000, EXPLICIT)
+        assert world.output(first, "Velocity")[0] == pytest.approx(0 if shared else 1, abs=1e-3)
