@@ -277,9 +277,10 @@ constexpr std::array<Row, 7> SimulationSettings_rows{{
     {.name = "outputPrecision", .storage = Storage::integer, .offset = offsetof(SimulationSettings, outputPrecision), .role = Role::parameter, .check = Check::non_negative},
     {.name = "pauseAfterEachStep", .storage = Storage::boolean, .offset = offsetof(SimulationSettings, pauseAfterEachStep), .role = Role::parameter},
 }};
-constexpr std::array<SettingRule, 2> SimulationSettings_rules{{
+constexpr std::array<SettingRule, 3> SimulationSettings_rules{{
     {.name = "displayGlobalTimers", .no_effect = "there are no global timers; displayComputationTime shows where time goes"},
     {.name = "outputPrecision", .lower = 1.0, .upper = 17.0, .words = "from 1 to 17"},
+    {.name = "pauseAfterEachStep", .no_effect = "solvers wait where space is pressed on the page; a PostStep user function may wait"},
 }};
 constexpr std::array<SettingsChild, 11> SimulationSettings_children{{
     {"continuation", &ContinuationSettings_group, offsetof(SimulationSettings, continuation)},

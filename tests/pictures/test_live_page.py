@@ -29,7 +29,7 @@ from dalembert._live.viewer import Viewer, viewer_of
 from dalembert._pictures.camera import Camera
 from dalembert._pictures.looks import Looks
 from dalembert._pictures.meshes import Mesh
-from dalembert._pictures.scene import DrawnItem, Instance, Label, Scene
+from dalembert._pictures.scene import DrawnItem, Herd, Instance, Label, Scene
 from dalembert.utilities import InertiaCuboid
 
 FOLDER = Path(exu.__file__).resolve().parent / "_pictures/page"
@@ -341,22 +341,53 @@ def test_another_color_is_another_scene() -> None:
     assert unpacked(messages(stage, scene)[0])[0]["scene"] == 2
 
 
+def golden() -> list[bytes]:
+    """The messages of tests/pictures/golden: a scene with parts of all kinds, and what follows when they move."""
+    stage, sent = Stage(), []
+    herd_items, rows = np.array([0]), np.arange(12.0).reshape(1, 3, 4)
+    for number, shift in enumerate((0.0, 2.0)):
+        scene = moved_scene(shift)
+        scene.herds = [Herd(TRIANGLE, (0, 1, 1, 0.5), herd_items, rows + shift)]
+        scene.value_name, scene.value_range = "Displacement, norm", (0.0, 0.5 + shift)
+        sent.append(messages(stage, scene)[number])
+    return sent
+
+
+GOLDEN = [Path(__file__).parent / "golden" / name for name in ("scene.bin", "frame.bin")]
+
+
+def test_messages_are_those_that_pages_were_made_for() -> None:
+    """Bytes that are stored: who changes them changes what saved messages and other readers rely on."""
+    assert golden() == [path.read_bytes() for path in GOLDEN]
+
+
+def test_stored_messages_say_what_was_written() -> None:
+    (head, arrays), (after, moved) = (unpacked(path.read_bytes()) for path in GOLDEN)
+    assert (head["kind"], after["kind"], after["scene"], after["time"]) == ("scene", "frame", head["scene"], 2.0)
+    assert after["range"] == [0.0, 2.5]
+    assert [mesh["items"] for mesh in head["meshes"]] == [[0], [0]]
+    assert [mesh["color"] for mesh in head["meshes"]] == [[0, 1, 1, 0.5], [1, 0, 0, 1]]
+    np.testing.assert_array_equal(arrays[0], np.arange(12))
+    np.testing.assert_array_equal(moved[0], np.arange(2, 14))
+    np.testing.assert_array_equal(moved[1], [1, 0, 0, 2, 0, 1, 0, 0, 0, 0, 1, 0])
+    np.testing.assert_array_equal(moved[3], [0, 0, 0, 1, 1, 2])
+    assert [moved[k] is None for k in (2, 4, 5)] == [True, True, True]  # the sphere, counts of points, the text
+
+
 def test_javascript_reads_the_same_messages() -> None:
     node = shutil.which("node")
     if node is None:
         pytest.skip("node is not installed")
-    stage = Stage()
-    sent = [messages(stage, moved_scene())[0], messages(stage, moved_scene(2))[1]]
     Path("read.mjs").write_text(
         f"import {{ message }} from {json.dumps((FOLDER / 'data.js').as_uri())};\n"
         "import { readFileSync } from 'node:fs';\n"
-        "const read = [0, 1].map((i) => message(Uint8Array.from(readFileSync(`message${i}`)).buffer));\n"
+        f"const names = {json.dumps([str(path) for path in GOLDEN])};\n"
+        "const read = names.map((name) => message(Uint8Array.from(readFileSync(name)).buffer));\n"
         "console.log(JSON.stringify(read.map(({ head, arrays }) => [head, arrays.map((a) => a && Array.from(a))])));\n"
     )
-    for number, data in enumerate(sent):
-        Path(f"message{number}").write_bytes(data)
     done = subprocess.run([node, "--no-warnings", "read.mjs"], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
+    sent = [path.read_bytes() for path in GOLDEN]
     expected = [[head, [None if a is None else a.tolist() for a in arrays]] for head, arrays in map(unpacked, sent)]
     assert json.loads(done.stdout) == expected
 

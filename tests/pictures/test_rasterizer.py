@@ -186,6 +186,42 @@ def test_sheets_are_blended_from_the_back_to_the_front() -> None:
         assert (red, green) == (pytest.approx(64, abs=1), pytest.approx(128, abs=1))
 
 
+def curved(p: Any, tiles: int = 12) -> None:
+    """A part of a sphere as a smooth mesh with colors that change."""
+    x, y = np.meshgrid(np.linspace(-1, 1, tiles), np.linspace(-1, 1, tiles))
+    points = np.stack([x, y, np.sqrt(4 - x**2 - y**2)], -1).reshape(-1, 3)
+    colors = np.stack([0.5 + 0.3 * x, 0.5 + 0.3 * y, 0.5 + 0 * x, 1 + 0 * x], -1).reshape(-1, 4)
+    index = np.arange(tiles * tiles).reshape(tiles, tiles)
+    a, b, c, d = (k.ravel() for k in (index[:-1, :-1], index[:-1, 1:], index[1:, 1:], index[1:, :-1]))
+    triangles = np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)])
+    p.triangles(points, points / 2, colors, triangles, np.zeros(len(triangles)))
+
+
+@pytest.mark.parametrize("samples", [2, 3, 4])
+def test_shading_does_not_depend_on_the_number_of_samples(samples: int) -> None:
+    """Samples of one pixel share a color and a light; it is that of its middle."""
+    lights = [([0.0, 0.3, -0.95], 0.5, 0.4)]
+    images = []
+    for n in (1, samples):
+        p = picture(samples=n, lights=lights)
+        curved(p)
+        images.append(p.develop()[55:145, 55:145].astype(int))
+    assert np.abs(images[0] - images[1]).max() <= 2
+    assert np.ptp(images[0]) > 60
+
+
+def test_faces_that_meet_in_a_pixel_are_lit_by_themselves() -> None:
+    """A roof with its ridge in the middle of a pixel: half of its samples have the brightness of each side."""
+    p = picture(samples=2, lights=[([0.8, 0.0, -0.6], 0.6, 0.0)], width=201)
+    for side in (-1.0, 1.0):
+        points = [[0, -1, 1], [0, 1, 1], [side, 1, 0], [side, -1, 0]]
+        p.triangles(points, None, [GREY] * 4, [[0, 1, 2], [0, 2, 3]], [0, 0])
+    row = p.develop()[100, :, 0].astype(int)
+    dark, bright = row[80], row[120]
+    assert bright - dark > 40
+    assert row[100] == pytest.approx((dark + bright) / 2, abs=1)
+
+
 def test_rims_of_items_are_darker() -> None:
     p = picture(samples=2)
     square(p, -1, -1, 1, 1, z=0.0, item=0)

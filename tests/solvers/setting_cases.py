@@ -146,6 +146,7 @@ SOLUTION: dict[str, Case] = {
     "flushFilesDOF": Case(1, during("coordinatesSolution.txt"), models.watched, FILES),
     "flushFilesImmediately": Case(True, during("coordinatesSolution.txt"), models.watched, FILES),
     "outputPrecision": Case(3, solution, given=FILES),
+    "recordImagesInterval": Case(0.5, names),
     "restartFileName": Case("other.txt", names, given=RESTART),
     "restartWritePeriod": Case(0.1, during("restartFile.txt"), models.watched, RESTART),
     "sensorsAppendToFile": Case(True, sensor, times=2),

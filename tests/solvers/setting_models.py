@@ -41,7 +41,8 @@ class Run(NamedTuple):
 
 
 def _files() -> dict[str, str]:
-    texts = {path.name: path.read_bytes().decode(errors="replace") for path in Path().iterdir()}
+    paths = [path for path in Path().rglob("*") if path.is_file()]
+    texts = {str(path): path.read_bytes().decode(errors="replace") for path in paths}
     return {name: re.sub(r"(started|finished).*|cpuTime=[^,]*", "", text) for name, text in texts.items()}
 
 

@@ -421,7 +421,7 @@ class SimulationSettings(_Settings):
     outputPrecision: int
     """number of significant digits in texts on the console [from 1 to 17]; default: 6"""
     pauseAfterEachStep: bool
-    """wait for the space bar in the renderer after each step; default: False"""
+    """wait for the space bar in the renderer after each step; no effect: solvers wait where space is pressed on the page; a PostStep user function may wait; default: False"""
     @property
     def continuation(self) -> ContinuationSettings: ...
     @continuation.setter

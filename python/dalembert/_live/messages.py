@@ -78,7 +78,7 @@ class Stage:
         rigid, deformed = self._sorted(parts)
         layout = (
             [(id(herd.mesh), herd.color, id(herd.items)) for herd in scene.herds],
-            [id(part) for part in (scene.balls.items, scene.threads.items)],
+            [id(part) if len(part) else None for part in (scene.balls.items, scene.threads.items)],
             [(id(group[0][1].mesh), group[0][1].color, [key for key, _ in group]) for group in rigid],
             [(key, part.mesh.points.shape, part.mesh.triangles.shape, part.color) for key, part in deformed],
             [(color, item) for _, _, color, item in scene.spheres],
