@@ -66,6 +66,7 @@ void register_iteration(py::module_& module) {
       .add("eventsCount", &T::eventsCount)
       .add("eventSolutions", &T::eventSolutions)
       .add("lastStepSize", &T::lastStepSize)
+      .add("singularPositionSteps", &T::singularPositionSteps)
       .add("stepsAboveTolerance", &T::stepsAboveTolerance)
       .add("unsettledSteps", &T::unsettledSteps)
       .add("maxStepSize", &T::maxStepSize)
@@ -180,7 +181,7 @@ py::dict diagnosis_dictionary(const Diagnosis& d) {
                   "residual"_a = d.residual, "relativeResidual"_a = d.relative_residual,
                   "relativeTolerance"_a = d.tolerance_relative, "absoluteTolerance"_a = d.tolerance_absolute, "values"_a = values,
                   "sources"_a = d.sources, "causingRow"_a = d.singular_row, "causingItems"_a = d.singular_items,
-                  "dependentEquations"_a = d.dependent, "advice"_a = d.advice);
+                  "dependentEquations"_a = d.dependent, "freeDirections"_a = d.free, "advice"_a = d.advice);
 }
 
 py::dict redundancy_dictionary(const RedundantConstraints& redundant, const System& system) {

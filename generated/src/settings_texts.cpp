@@ -656,7 +656,7 @@ constexpr std::array<std::string_view, 12> DynamicSolverType_values{
     "explicit Runge-Kutta method of Bogacki and Shampine, order 3 with error estimate of order 2 and automatic step size",
     "explicit Runge-Kutta method of Dormand and Prince, order 5 with error estimate of order 4 and automatic step size",
     "explicit Runge-Kutta method of Verner, order 6 with error estimate of order 5 and automatic step size",
-    "explicit, second order for coordinates of second order equations, one evaluation per step; for particles and contact",
+    "explicit, second order (first where forces depend on velocities), one evaluation per step; for particles and contact",
     "explicit Runge-Kutta method of Dormand and Prince, order 8 with error estimates of orders 5 and 3 and automatic step size; for tight tolerances",
 };
 

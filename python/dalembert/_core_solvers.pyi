@@ -29,6 +29,7 @@ class SolverIterationData(_Bound):
     endTime: float
     initialStepSize: float
     lastStepSize: float
+    singularPositionSteps: int
     stepsAboveTolerance: int
     unsettledSteps: int
     eventsCount: int

@@ -23,12 +23,9 @@ def beam_tip(solver: Any, steps: int) -> np.ndarray:
     return np.asarray(mbs.GetNodeOutput(nodes[-1], Variable.Displacement))
 
 
-def test_a_beam_falls_as_with_implicit_solvers() -> None:
+@pytest.mark.parametrize(("solver", "steps"), [(Solver.RK44, 1000), (Solver.VelocityVerlet, 4000)])
+def test_a_beam_falls_as_with_implicit_solvers(solver: Any, steps: int) -> None:
+    """Masses of fixed coordinates, left out, would cost 3 cm of 25."""
     wanted = beam_tip(Solver.TrapezoidalIndex2, 4000)
     assert np.linalg.norm(wanted) > 0.1
-    assert beam_tip(Solver.RK44, 1000) == pytest.approx(wanted, abs=2e-5)
-
-
-def test_methods_that_cannot_say_so(capfd: Any) -> None:
-    beam_tip(Solver.VelocityVerlet, 4000)
-    assert "masses couple coordinates that are fixed with others" in capfd.readouterr().out
+    assert beam_tip(solver, steps) == pytest.approx(wanted, abs=2e-5)

@@ -33,7 +33,7 @@ def parallelogram(loops: int, times: list[float]) -> np.ndarray:
 
 class Bars:
     def __init__(self, loops: int, angle: float = np.pi / 2, rate: float = -1) -> None:
-        self.mbs = new_system()
+        self.mbs, self.loops = new_system(), loops
         ground = self.mbs.AddObject(exu.ObjectGround())
         along, across = np.array([np.cos(angle), np.sin(angle)]), np.array([-np.sin(angle), np.cos(angle)])
         links = [self.bar([*([i, 0] + along / 2), angle], [*(rate * across / 2), rate]) for i in range(loops + 1)]

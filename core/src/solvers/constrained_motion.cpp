@@ -110,6 +110,7 @@ void ConstrainedMotion::look_for_redundancy(System& system, const State& state, 
   examined_ = true;
   const bool regular = singular == LinearSolver::success;
   if (system.sizes().ae == 0 || !settings_.treat || options_.ignore_singular) return;
+  if (regular && RedundantConstraints::evidently_none(system, *pattern_, matrix_)) return;
   if (!redundant_.measure(system, *pattern_, matrix_, settings_.momentLength, 1) || (regular && !redundant_.suspected(*factors_)) ||
       !redundant_.find(*pattern_, matrix_, RedundantConstraints::counting_eps, type_, options_) || (regular && redundant_.count() == 0)) {
     return;

@@ -28,15 +28,15 @@ void equilibrate(Eigen::MatrixXd& a) {
   for (Eigen::Index j = 0; j < a.cols(); ++j) a.col(j) *= inverse(a.col(j).cwiseAbs().maxCoeff());
 }
 
-}  // namespace
-
-std::vector<int> dependent_equations(const Pattern& pattern, std::span<const double> values) {
+// Rows of those vectors that the matrix, or its transpose, takes to zero.
+std::vector<int> rows_of_kernel(const Pattern& pattern, std::span<const double> values, bool transposed) {
   std::vector<int> rows;
   if (pattern.size() > largest_size) return rows;
   Eigen::MatrixXd a = dense(pattern, values);
   if (!a.allFinite()) return rows;
   equilibrate(a);
-  Eigen::FullPivLU<Eigen::MatrixXd> lu(a.transpose());
+  if (transposed) a.transposeInPlace();
+  Eigen::FullPivLU<Eigen::MatrixXd> lu(a);
   lu.setThreshold(negligible_pivot);
   if (lu.isInvertible()) return rows;
   Eigen::MatrixXd combinations = lu.kernel();
@@ -46,5 +46,11 @@ std::vector<int> dependent_equations(const Pattern& pattern, std::span<const dou
   }
   return rows;
 }
+
+}  // namespace
+
+std::vector<int> dependent_equations(const Pattern& pattern, std::span<const double> values) { return rows_of_kernel(pattern, values, true); }
+
+std::vector<int> free_unknowns(const Pattern& pattern, std::span<const double> values) { return rows_of_kernel(pattern, values, false); }
 
 }  // namespace dalembert

@@ -12,4 +12,7 @@ namespace dalembert {
 // for a dense elimination with full pivoting.
 std::vector<int> dependent_equations(const Pattern& pattern, std::span<const double> values);
 
+// Unknowns that can change together without a change of the right-hand side; empty under the same conditions.
+std::vector<int> free_unknowns(const Pattern& pattern, std::span<const double> values);
+
 }  // namespace dalembert

@@ -13,15 +13,18 @@ struct Words {
 };
 
 // In the order of FailureReason.
-constexpr std::array<Words, 11> words{{
+constexpr std::array<Words, 14> words{{
     {"", "no failure", ""},
     {"newton", "Newton's method did not converge", "largest residuals"},
     {"singularMatrix", "the system matrix is singular", ""},
+    {"freeDirection", "the system matrix is singular: something can move without inertia or stiffness", ""},
     {"contradictoryConstraints", "constraints contradict each other", "what the closest fit leaves open"},
     {"massMatrix", "the mass matrix is singular", ""},
     {"discontinuousIteration", "the discontinuous iteration (contact, friction) did not settle", ""},
     {"eventChatter", "events follow each other ever faster", ""},
     {"errorControl", "the error stays above the tolerances at the smallest step size", "largest errors, in units of the tolerances"},
+    {"singularPosition", "the mechanism does not get away from a singular position, in which it could go on in more ways than one", ""},
+    {"toleranceBelowRoundOff", "the tolerances are below round-off", "largest errors, in units of the tolerances"},
     {"notFinite", "a value is not finite", "not finite"},
     {"unbounded", "the solution grows without bound", "largest values"},
     {"timeLimit", "the time limit is reached", ""},
@@ -68,6 +71,7 @@ std::string Diagnosis::text() const {
     if (!singular_items.empty()) t += ": " + singular_items;
   }
   add_list(t, reason == FailureReason::contradiction ? "apart, if all others are fulfilled" : "equations that depend on each other", dependent);
+  add_list(t, "what can move freely", free);
   std::vector<std::string> lines;
   for (const NamedValue& v : values) lines.push_back(line_of(v));
   add_list(t, words_of(reason).values, lines);

@@ -1,6 +1,7 @@
 // Explicit solvers: step sizes from an estimated error. Hairer, Norsett, Wanner I, section II.4.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "dalembert/output/numbers.hpp"
 #include "dalembert/solvers/explicit.hpp"
@@ -58,11 +59,13 @@ bool ExplicitSolver::control_step_size() {
   const double error = it.automaticStepSizeError == 0 ? 1e-12 : it.automaticStepSizeError;
   const double h = it.currentStepSize;
   const double optimal = h * std::pow(1 / error, 1.0 / method_.order);
+  if (optimal < h && passes_singular_position(error)) return !(conv.stopNewton = stays_in_singular_position());
   if (optimal < h && h <= it.minStepSize) return hold_at_minimum();
   const double largest = std::min(it.maxStepSize, h * s.stepSizeMaxIncrease);
   it.currentStepSize = std::min(largest, std::max(it.minStepSize, s.stepSizeSafety * optimal));
   steps_above_tolerance_ = 0;
   if (!(optimal < h)) return true;
+  if (sizes_.ae > 0 && it.currentStepSize < aside * h && steps_aside()) it.currentStepSize = aside * h;
   ++it.rejectedAutomaticStepSizeSteps;
   return false;
 }
@@ -85,7 +88,16 @@ bool ExplicitSolver::control_step_size() {
 }
 
 void ExplicitSolver::diagnose_error_control() {
-  Diagnosis& d = diagnose(FailureReason::error_control);
+  const auto& tolerances = settings().timeIntegration;
+  const State& reference = system().state(ConfigurationType::Reference);
+  double noise = 0;  // of coordinates, in units of the tolerances
+  for (std::size_t i = 0; i < current().q.size(); ++i) {
+    const double q = std::abs(current().q[i]);
+    noise = std::max(noise, std::numeric_limits<double>::epsilon() * (q + std::abs(reference.q[i])) /
+                                (tolerances.absoluteTolerance + tolerances.relativeTolerance * q));
+  }
+  const bool below_round_off = noise > 0.1;
+  Diagnosis& d = diagnose(below_round_off ? FailureReason::round_off : FailureReason::error_control);
   const State &now = current(), &start = start_of_step();
   const auto add_errors = [&](Vector second, const Vector& first, const Vector& old, const char* vector, int first_row) {
     for (std::size_t i = 0; i < second.size(); ++i) second[i] = std::abs(scaled_error(second[i], first[i], old[i]));
@@ -94,6 +106,10 @@ void ExplicitSolver::diagnose_error_control() {
   add_errors(second_q_, now.q, start.q, "ODE2", 0);
   add_errors(second_v_, now.v, start.v, "ODE2_t", 0);
   add_errors(second_y_, now.y, start.y, "ODE1", sizes_.ode2);
+  if (below_round_off) {
+    d.advice = {"ask for larger errors (timeIntegration.relativeTolerance, absoluteTolerance): coordinates have no more digits"};
+    return;
+  }
   d.advice = {"look for what jumps at the items named above: contact, friction, user functions that are not continuous",
               "use an implicit solver (exu.DynamicSolverType.GeneralizedAlpha) if they are stiff",
               "allow larger errors (timeIntegration.relativeTolerance, absoluteTolerance), or smaller steps "

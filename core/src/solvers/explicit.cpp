@@ -144,7 +144,8 @@ Solver::KnownDerivatives ExplicitSolver::complete_ends() {
   return {settings().timeIntegration.explicitIntegration.computeEndOfStepAccelerations, true};
 }
 
-// Constraints that fix one coordinate are kept by setting it back to zero; others by their multipliers.
+// Constraints that fix one coordinate are kept by setting it back to zero; others by their multipliers, and so are those where masses
+// couple the coordinate with others: what holds the one accelerates the other.
 void ExplicitSolver::find_eliminated_coordinates() {
   eliminated_.clear();
   constrained_ = false;
@@ -154,25 +155,17 @@ void ExplicitSolver::find_eliminated_coordinates() {
     return;
   }
   auto fixed = system().fixed_coordinates();
-  const bool couples = fixed && mass_couples(*fixed);
-  if (couples && verlet_) {
-    warn(name() + ": masses couple coordinates that are fixed with others, which this method leaves out; use a Runge-Kutta method, for example "
-                  "exu.DynamicSolverType.DOPRI5, which takes the forces at fixed coordinates into account");
-  }
-  constrained_ = !fixed || (couples && !verlet_);
-  if (!constrained_) {
-    eliminated_ = std::move(*fixed);
-    return;
-  }
-  if (verlet_) {
+  if (!fixed && verlet_) {
     throw ModelError(ErrorKind::value,
                      name() + ": the system has constraints that this method cannot eliminate; only CoordinateConstraint between a "
                      "node's coordinate and a ground node is possible. Use a Runge-Kutta method, for example "
                      "exu.DynamicSolverType.DOPRI5, which keeps all constraints, or an implicit solver");
   }
+  constrained_ = !fixed || mass_couples(*fixed);
+  if (fixed && (verlet_ || !constrained_)) eliminated_ = std::move(*fixed);
 }
 
-// Masses that couple these coordinates with others: what holds the one accelerates the other, so that it cannot be left out.
+// Whether masses couple these coordinates with others.
 bool ExplicitSolver::mass_couples(const std::vector<int>& coordinates) {
   std::vector<char> among(static_cast<std::size_t>(sizes_.total()), 0);
   for (const int i : coordinates) among[static_cast<std::size_t>(i)] = 1;

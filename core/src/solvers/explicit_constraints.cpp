@@ -36,7 +36,7 @@ bool ExplicitSolver::back_onto_constraints() {
   conv.newtonConverged = false;
   if (it.automaticStepSize && it.currentStepSize > it.minStepSize) {
     ++it.rejectedAutomaticStepSizeSteps;
-    it.currentStepSize = std::max(it.minStepSize, much_smaller * it.currentStepSize);
+    it.currentStepSize = std::max(it.minStepSize, (steps_aside() ? aside : much_smaller) * it.currentStepSize);
     return false;
   }
   conv.stopNewton = true;

@@ -4,6 +4,7 @@
 //   Nonlinear Dynamics 12 (2017), for changes of the step size: algorithmic accelerations belong to a time of their own.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "dalembert/output/numbers.hpp"
 #include "dalembert/solvers/constrained_motion.hpp"
@@ -54,13 +55,41 @@ double SecondOrderSolver::estimated_error() {
   return std::sqrt(sum / static_cast<double>(std::max(1, 2 * sizes_.ode2 + sizes_.ode1)));
 }
 
+// Positions have round-off, of which the formulas make accelerations. Smaller steps make it larger.
+double SecondOrderSolver::noise_of_estimates() {
+  if (sizes_.ae == 0) return 0;
+  const auto& s = settings().timeIntegration;
+  double speed = 0;
+  for (const double v : current().v) speed = std::max(speed, std::abs(v));
+  const double noise = std::numeric_limits<double>::epsilon() * system().extent() / (newmark_beta * it.currentStepSize);
+  return std::abs(newmark_beta + 0.5 * (alpha_m - alpha_f) - 1.0 / 6) * noise / (s.absoluteTolerance + s.relativeTolerance * speed);
+}
+
+// False, always.
+[[gnu::noinline]] bool SecondOrderSolver::give_up_at_round_off() {
+  Diagnosis& d = diagnose(FailureReason::round_off);
+  const auto& s = settings().timeIntegration;
+  d.advice = {"ask for larger errors: with the steps that timeIntegration.absoluteTolerance=" + format_number(s.absoluteTolerance) + " and relativeTolerance=" +
+                  format_number(s.relativeTolerance) + " take, round-off of positions alone is more",
+              "use a method of higher order, whose steps are larger (exu.DynamicSolverType.DOP853)"};
+  return false;
+}
+
 // False: the step has to be repeated, or the solver gives up.
 bool SecondOrderSolver::control_step_size() {
   const TimedPart time(timer, timer.errorEstimator);
   const auto& s = settings().timeIntegration;
   const double h = it.currentStepSize, error = it.automaticStepSizeError = estimated_error();
   const double wanted = s.stepSizeSafety * std::cbrt(1 / std::max(error, 1e-12));
-  if (!(error <= 1)) {
+  const bool passes = !(error <= 1) && passes_singular_position(error);
+  if (passes && stays_in_singular_position()) return false;
+  if (!(error <= 1) && !passes) {
+    if (noise_of_estimates() > 1) return give_up_at_round_off();
+    if (singular_position_step_ > renewed_after_) {  // noise of accelerations lasts, without numerical damping for ever
+      renewed_after_ = it.currentStepIndex;
+      ++it.rejectedAutomaticStepSizeSteps;
+      return !(rejected_ = renews_ = true);
+    }
     if (h <= it.minStepSize) {
       if (!hold_at_minimum()) return false;
     } else {
@@ -74,7 +103,7 @@ bool SecondOrderSolver::control_step_size() {
   }
   accepted_step_size_ = h;
   project_velocities();
-  const double factor = std::clamp(wanted, smallest_factor, s.stepSizeMaxIncrease);
+  const double factor = passes ? 1 : std::clamp(wanted, smallest_factor, s.stepSizeMaxIncrease);
   double next = factor > 1 && factor < not_worth_it ? h : h * factor;
   next = std::clamp(next, it.minStepSize, std::max(it.minStepSize, it.maxStepSize));
   const double rest = it.endTime - it.currentTime;

@@ -377,9 +377,13 @@ void NewtonSolver::restart() {
   if (contradiction_) return report_contradiction();
   if (!all_finite(jacobian_) || loop_.lost) return report_not_finite();
   if (conv.linearSolverFailed) {
-    diagnose(FailureReason::singular_matrix);
-    if (settings().linearSolverSettings.showCausingItems)
+    std::vector<int> free = free_unknowns(*pattern_, jacobian_);
+    std::erase_if(free, [this](int row) { return row >= sizes_.first_ae(); });
+    diagnose(free.empty() ? FailureReason::singular_matrix : FailureReason::free_direction);
+    if (settings().linearSolverSettings.showCausingItems) {
+      diagnosis_.free = describe_equations(system(), free);
       diagnosis_.dependent = describe_equations(system(), dependent_equations(*pattern_, jacobian_));
+    }
     return;
   }
   diagnose(FailureReason::newton, unscaled_residual());

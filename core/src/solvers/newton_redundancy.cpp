@@ -28,6 +28,7 @@ void NewtonSolver::forget_redundancy() {
   const auto& s = settings().redundantConstraints;
   examined_ = true;
   if (sizes_.ae == 0 || !s.treat || settings().linearSolverSettings.ignoreSingularJacobian || redundant_.in_use()) return;
+  if (!conv.linearSolverFailed && RedundantConstraints::evidently_none(system(), *pattern_, jacobian_)) return;
   if (!redundant_.measure(system(), *pattern_, jacobian_, s.momentLength, rate_factor())) return;
   if (!conv.linearSolverFailed && !redundant_.suspected(*linear_)) return;
   if (!redundant_.find(*pattern_, jacobian_, counting_eps, linear_type(), linear_options())) return;
@@ -43,6 +44,7 @@ void NewtonSolver::begin_treatment() {
     if (!announced_) announce_redundancy();
     announced_ = true;
   } else {
+    passing_singular_position();
     plain_ = std::move(linear_);
   }
   treated_since_ = it.currentStepIndex;
@@ -107,6 +109,13 @@ void NewtonSolver::end_treatment() {
   conv.jacobianUpdateRequested = true;
   reset_to_start_of_step();
   return true;
+}
+
+// Of the last matrix.
+bool NewtonSolver::near_singular_position() {
+  const auto& s = settings().redundantConstraints;
+  return sizes_.ae > 0 && !redundant_.in_use() && redundant_.measure(system(), *pattern_, jacobian_, s.momentLength, rate_factor()) &&
+         redundant_.much_weaker(*linear_);
 }
 
 // What the increment would leave open shows in its multipliers. The part that no motion closes would make them larger in each

@@ -165,7 +165,8 @@ void Solver::look_back() {
   const auto steps = [](StepCount n) { return std::to_string(n) + (n == 1 ? " step" : " steps"); };
   if (it.stepsAboveTolerance > 0) {
     doubts_.push_back("errors above the tolerances in " + steps(it.stepsAboveTolerance) +
-                      " of the smallest size: look for jumps, or lower timeIntegration.minimumStepSize");
+                      ": look for jumps, or lower timeIntegration.minimumStepSize; a mechanism that "
+                      "passes a singular position cannot be computed more accurately there");
   }
   if (it.unsettledSteps > 0) {
     doubts_.push_back("contact or friction that has not settled in " + steps(it.unsettledSteps) +

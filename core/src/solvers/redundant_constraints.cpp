@@ -15,7 +15,7 @@ namespace {
 // Entries of the diagonal that are so much smaller than others of an equation belong to motions without inertia.
 constexpr double no_inertia = 1e-10;
 // Equations whose combinations are so much weaker than the equations themselves are worth a closer look.
-constexpr double suspicious_growth = 1e9;
+constexpr double suspicious_growth = 1e8;
 // The filter is applied again as long as it would take more than this off multipliers that forces come from.
 constexpr double harmless_share = 1e-7;
 constexpr int most_passes = 3;
@@ -37,6 +37,62 @@ double mean_of_logarithms(const std::vector<double>& numbers) {
 }
 
 }  // namespace
+
+namespace {
+
+// An equation is independent of others if this share of what it states, in the metric of the diagonal, is a coordinate of its own.
+constexpr double own_share = 1e-3;
+
+// f(coordinate, share) for the entries of G^T in the column of an equation.
+template <class F>
+void each_share(const Pattern& pattern, std::span<const double> values, std::span<const double> diagonal, int column, F&& f) {
+  const int ode2 = static_cast<int>(diagonal.size());
+  const ColumnRange range = column_range(pattern, column, ode2);
+  for (std::size_t slot = range.begin; slot < range.middle; ++slot) {
+    if (values[slot] == 0) continue;
+    const int row = pattern.is_dense() ? static_cast<int>(slot - range.begin) : pattern.row_index()[slot];
+    f(row, diagonal[static_cast<std::size_t>(row)] > 0 ? values[slot] * values[slot] / diagonal[static_cast<std::size_t>(row)] : 0);
+  }
+}
+
+}  // namespace
+
+// Equations are taken away one by one, each at a coordinate that it alone acts on, which may leave others alone with theirs.
+bool RedundantConstraints::evidently_none(const System& system, const Pattern& pattern, std::span<const double> values) {
+  const Sizes& s = system.sizes();
+  const auto n = static_cast<std::size_t>(s.ae), coordinates = static_cast<std::size_t>(s.ode2);
+  std::vector<double> diagonal(coordinates, 0.0), total(n, 0.0);
+  std::vector<int> count(coordinates, 0), sum(coordinates, 0), alone;  // equations that act on a coordinate, and the sum of their numbers
+  const auto each = [&](int k, auto&& f) { each_share(pattern, values, diagonal, s.first_ae() + k, f); };
+  for (int k = 0; k < s.ae; ++k) {
+    each(k, [&](int j, double) {
+      if (count[j]++ == 0) diagonal[j] = std::abs(values[static_cast<std::size_t>(pattern.slot(j, j))]);
+      sum[j] += k;
+    });
+  }
+  for (int k = 0; k < s.ae; ++k) each(k, [&](int, double share) { total[static_cast<std::size_t>(k)] += share; });
+  for (int j = 0; j < s.ode2; ++j)
+    if (count[j] == 1) alone.push_back(j);
+  std::vector<char> taken(n, 0);
+  while (!alone.empty()) {
+    const int j = alone.back(), k = sum[j];
+    alone.pop_back();
+    if (count[j] != 1) continue;
+    bool own = false;
+    each(k, [&](int i, double share) { own |= i == j && share >= own_share * total[static_cast<std::size_t>(k)] && share > 0; });
+    if (!own) continue;
+    taken[static_cast<std::size_t>(k)] = 1;
+    each(k, [&](int i, double) {
+      sum[i] -= k;
+      if (--count[i] == 1) alone.push_back(i);
+    });
+  }
+  for (const System::EquationOwner& owner : system.equation_owners()) {
+    for (int k = owner.first; k < owner.first + owner.count && !owner.of_node; ++k)
+      if (taken[static_cast<std::size_t>(k)] == 0 && system.constrains_motion(k)) return false;
+  }
+  return true;
+}
 
 bool RedundantConstraints::measure(System& system, const Pattern& pattern, std::span<const double> values, double moment_length,
                                    double rate_factor) {
@@ -121,8 +177,9 @@ void RedundantConstraints::apply(LinearSolver& factors, double eps, std::span<do
     multipliers[k] = multiplier_[k] ? x_[static_cast<std::size_t>(first_ae_) + k] : 0;
 }
 
-// Without eps the operator is S^-1 D, which makes large what forces hardly come from.
-bool RedundantConstraints::suspected(LinearSolver& factors) {
+// Without eps the operator is S^-1 D, which makes large what forces hardly come from. The factors of a matrix that is singular but for
+// round-off show it at once: combinations that vanish have a share in the mixture.
+double RedundantConstraints::growth(LinearSolver& factors) {
   std::mt19937 random(1);
   std::vector<double> lambda(weight_.size(), 0.0);
   for (const int k : rows_) lambda[k] = static_cast<double>(random()) / 2147483648.0 - 1;
@@ -131,14 +188,15 @@ bool RedundantConstraints::suspected(LinearSolver& factors) {
     for (const int k : rows_) sum += weight_[k] * lambda[k] * lambda[k];
     return std::sqrt(sum);
   };
-  for (int i = 0; i < 2; ++i) {
-    const double before = size();
-    apply(factors, 1, lambda);
-    const double growth = size() / before;
-    if (!(growth < suspicious_growth)) return true;
-    for (double& x : lambda) x /= growth;
-  }
-  return false;
+  const double before = size();
+  apply(factors, 1, lambda);
+  return size() / before;
+}
+
+bool RedundantConstraints::suspected(LinearSolver& factors) {
+  const double now = growth(factors);
+  if (usual_growth_ == 0) usual_growth_ = now;
+  return !(now < suspicious_growth);
 }
 
 std::vector<int> RedundantConstraints::equations() const {

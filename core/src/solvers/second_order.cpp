@@ -103,7 +103,8 @@ void SecondOrderSolver::initialize_data() {
   previous_q_.assign(lie_ ? n : 0, 0.0);
   accepted_step_size_ = 0;
   driven_.clear();
-  rejected_ = warned_minimum_ = false;
+  rejected_ = warned_minimum_ = renews_ = false;
+  renewed_after_ = -2;
   steps_above_tolerance_ = 0;
 }
 
@@ -115,6 +116,8 @@ void SecondOrderSolver::initial_conditions() {
     algorithmic_ = continued_values();
     accepted_step_size_ = continued_number(0);
     steps_above_tolerance_ = static_cast<int>(continued_number(1));
+    singular_position_step_ = static_cast<StepCount>(continued_number(2));
+    renewed_after_ = static_cast<StepCount>(continued_number(3));
     return;
   }
   std::fill(now.lambda.begin(), now.lambda.end(), 0.0);
@@ -168,6 +171,11 @@ void SecondOrderSolver::post_initialize() {
 bool SecondOrderSolver::reduce_step_size() {
   it.currentTime = current().time;
   algorithmic_ = algorithmic_at_start_;
+  if (std::exchange(renews_, false)) {
+    renew_accelerations();
+    start_of_step().a = current().a;
+    algorithmic_at_start_ = algorithmic_;
+  }
   if (std::exchange(rejected_, false)) return true;  // the error control has chosen a step size
   if (!(it.currentStepSize > it.minStepSize)) return false;
   it.currentStepSize = reduced_step_size(settings().timeIntegration.adaptiveStepDecrease);

@@ -127,6 +127,8 @@ void Solver::choose_linear_solver() {
 void Solver::initialize_data() {
   conv = SolverConvergenceData();
   it = SolverIterationData();
+  singular_position_step_ = aside_step_ = -2;
+  passing_steps_ = 0;
   conv.errorCoordinateFactor =
       newton_settings.weightTolerancePerCoordinate ? std::sqrt(static_cast<double>(sizes_.total())) : 1.0;
   if (system_->searches()) system_->search(initial(), conditions_);
@@ -280,8 +282,10 @@ void Solver::begin_step() {
 [[gnu::noinline]] void Solver::step_failed() {
   current() = start_of_step();
   if (system_->searches()) system_->restore_history();
-  // No step mends a singular matrix, or joints that do not fit.
-  const bool beyond_repair = conv.linearSolverFailed || diagnosis_.reason == FailureReason::contradiction;
+  // No step mends a singular matrix, joints that do not fit, round-off, or a singular position that is not left.
+  const FailureReason reason = diagnosis_.reason;
+  const bool beyond_repair = conv.linearSolverFailed || reason == FailureReason::contradiction || reason == FailureReason::round_off ||
+                             reason == FailureReason::singular_position;
   const bool may_be_reduced = !beyond_repair && (it.adaptiveStep || it.automaticStepSize);
   if (!may_be_reduced || !reduce_step_size()) {
     conv.stepReductionFailed = true;

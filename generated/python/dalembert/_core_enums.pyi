@@ -87,7 +87,7 @@ class DynamicSolverType(IntEnum):
     DVERK6 = 10
     """explicit Runge-Kutta method of Verner, order 6 with error estimate of order 5 and automatic step size"""
     VelocityVerlet = 11
-    """explicit, second order for coordinates of second order equations, one evaluation per step; for particles and contact"""
+    """explicit, second order (first where forces depend on velocities), one evaluation per step; for particles and contact"""
     DOP853 = 12
     """explicit Runge-Kutta method of Dormand and Prince, order 8 with error estimates of orders 5 and 3 and automatic step size; for tight tolerances"""
 

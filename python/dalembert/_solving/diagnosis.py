@@ -21,8 +21,9 @@ _ITEMS = re.compile(r"^(\s*(?:no pivot for unknown \d+|rows [\d, ]+|equation \d+
 class SolverError(ValueError):
     """A solver that gave up. Its text is the whole diagnosis with advice; its parts are attributes.
 
-    reason: 'newton', 'singularMatrix', 'contradictoryConstraints', 'massMatrix', 'discontinuousIteration',
-        'errorControl', 'notFinite', 'unbounded' or 'timeLimit'.
+    reason: 'newton', 'singularMatrix', 'freeDirection', 'contradictoryConstraints', 'massMatrix',
+        'discontinuousIteration', 'eventChatter', 'errorControl', 'singularPosition', 'toleranceBelowRoundOff',
+        'notFinite', 'unbounded' or 'timeLimit'.
     solverName, stepIndex, time (s), stepSize (s), loadFactor: where it happened; step 0 is the start.
     newtonSteps, residual, relativeResidual, relativeTolerance, absoluteTolerance: the last iteration, and what it is
         compared with; of discontinuous iterations if they did not settle.
@@ -31,6 +32,7 @@ class SolverError(ValueError):
     sources: items that give values that are not finite.
     causingRow (-1: none), causingItems, dependentEquations: the unknown without a pivot, and equations of which a
         combination vanishes; of contradictory constraints, how far each item is apart if all others are fulfilled.
+    freeDirections: coordinates that can move together without inertia, stiffness or constraint, item by item.
     advice: what to try, one sentence each.
     message, diagnosis: the parts of the text. solver: the compiled solver, None after copying or pickling.
     """
@@ -51,6 +53,7 @@ class SolverError(ValueError):
     causingRow: int = -1
     causingItems: str = ""
     dependentEquations: Sequence[str] = ()
+    freeDirections: Sequence[str] = ()
     advice: Sequence[str] = ()
 
     def __init__(self, message: str, diagnosis: str = "", solver: Any = None, **parts: Any) -> None:

@@ -82,6 +82,8 @@ def _solution(mbs: Any) -> list[str]:
             line += f", {it.newtonStepsCount} Newton iterations, {it.newtonJacobiCount} Jacobians"
         rejected = it.rejectedAutomaticStepSizeSteps
         lines.append(line + (f", {rejected} steps repeated" if rejected else ""))
+        if it.singularPositionSteps:
+            lines.append(f"  singular positions were passed in {it.singularPositionSteps} steps")
         lines.extend(f"  not to be trusted: {doubt}" for doubt in solver.GetDoubts())
         misfit = solver.GetRedundantConstraints()["misfit"]
         if misfit > _NOTICEABLE:

@@ -24,6 +24,8 @@ class ConstrainedMotion {
   // Moves the state by the smallest changes, in the metric of the masses, that close gaps and end their rates, with the factors at
   // hand. False: they do not get small enough.
   bool project(System& system, State& state, const Conditions& conditions);
+  // With the factors at hand, see RedundantConstraints::much_weaker.
+  bool near_singular_position() { return !redundant_.in_use() && !redundant_.rows().empty() && redundant_.much_weaker(*factors_); }
   const RedundantConstraints& redundant() const { return redundant_; }
   double largest_misfit() const { return largest_misfit_; }  // that projections have left
 

@@ -23,8 +23,9 @@ struct SolverIterationData {
   double recommendedStepSize = -1;
   StepCount rejectedAutomaticStepSizeSteps = 0, rejectedModifiedNewtonSteps = 0;
   StepCount stagnatedNewtonSteps = 0;  // Newton loops that ended because round-off, not a tolerance, was reached
-  StepCount stepsAboveTolerance = 0;  // accepted at the smallest step size, with an error above the tolerances
+  StepCount stepsAboveTolerance = 0;  // accepted with an error above the tolerances, at the smallest step size or a singular position
   StepCount unsettledSteps = 0;       // accepted although contact or friction had not settled
+  StepCount singularPositionSteps = 0;  // that passed a singular position
   double startTime = 0;
 
   std::string to_string() const;  // the statistics shown by displayStatistics

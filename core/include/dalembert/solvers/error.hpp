@@ -12,11 +12,14 @@ enum class FailureReason {
   none,
   newton,           // no convergence, and the step could not be made smaller
   singular_matrix,  // the system matrix cannot be factorized
+  free_direction,   // because coordinates can move without inertia, stiffness or constraint
   contradiction,    // no motion fulfils all constraints
   mass_matrix,      // explicit: the mass matrix cannot be inverted
   discontinuous,    // friction or contact did not settle
   event_chatter,    // events follow each other ever faster
   error_control,    // the estimated error stays above the tolerances at the smallest step size
+  singular_position,  // it is not left: the mechanism could go on in more ways than one
+  round_off,        // tolerances ask for more than numbers have
   not_finite,       // a coordinate, or what an equation is made of, is infinite or not a number
   unbounded,        // the solution has grown beyond every physical quantity
   time_limit        // exudyn.special.solver.timeout
@@ -43,6 +46,7 @@ struct Diagnosis {
   int singular_row = -1;
   std::string singular_items;
   std::vector<std::string> dependent;  // equations of which a combination vanishes, item by item
+  std::vector<std::string> free;       // coordinates that can move without anything in their way, item by item
   std::vector<std::string> advice;     // what to try, one sentence each
 
   bool failed() const { return reason != FailureReason::none; }

@@ -40,6 +40,7 @@ class ExplicitSolver : public Solver {
   std::vector<double> restart_numbers() const override { return {growth_limit_, static_cast<double>(steps_above_tolerance_)}; }
   void forget() override;
   void renew_accelerations() override;
+  bool near_singular_position() override { return constrained_ && motion_.near_singular_position(); }
   KnownDerivatives complete_ends() override;
   void advise_on_growth() override;
 

@@ -48,6 +48,7 @@ class NewtonSolver : public Solver {
     if constexpr (std::is_same_v<S, double>) return sqrt(sum_of_squares(system(), residual)) / conv.errorCoordinateFactor;
     else return sqrt(sum_of_squares<S>(residual)) / conv.errorCoordinateFactor;
   }
+  bool near_singular_position() override;
   // Make the factors of the matrix in `jacobian_`; false, with the flags set, if it is singular.
   bool factorize();
 

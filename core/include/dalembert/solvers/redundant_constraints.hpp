@@ -6,6 +6,7 @@
 // equations that vanish, and takes off multipliers what makes them larger than need be.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <vector>
@@ -29,11 +30,18 @@ class RedundantConstraints {
   };
 
   // ---- what constraints are like -------------------------------------------------------------------------------------
+  // Whether none can be redundant, since each equation in turn has a coordinate that no other acts on. Reads entries of constraints
+  // only.
+  static bool evidently_none(const System& system, const Pattern& pattern, std::span<const double> values);
   // Finds D for a matrix: one number for all forces, and the same by the square of a length for all moments. Rows of constraints of
   // velocities are multiplied by `rate_factor` in the matrix. False: no equation could be redundant.
   bool measure(System& system, const Pattern& pattern, std::span<const double> values, double moment_length, double rate_factor);
-  // Whether some may be redundant, as far as the factors of the matrix tell: two solutions.
+  // By how much multipliers outgrow what they state, for a mixture of all; inverse to the weakest of the constraints. One solution.
+  double growth(LinearSolver& factors);
+  // Whether some may be redundant, as far as the factors of the matrix tell.
   bool suspected(LinearSolver& factors);
+  // Whether multipliers outgrow what they state by far more than when they were `suspected` for the first time.
+  bool much_weaker(LinearSolver& factors) { return growth(factors) > weaker_by * std::max(usual_growth_, smallest_growth); }
   // Finds the combinations that vanish; factorizes the matrix with this eps. False: it is singular for other reasons as well.
   bool find(const Pattern& pattern, std::span<const double> values, double eps, LinearSolverType type, LinearSolverOptions options);
   int count() const { return count_; }
@@ -77,6 +85,9 @@ class RedundantConstraints {
   std::span<const int> rows() const { return rows_; }
 
  private:
+  // A singular position takes the weakest constraint to zero; elsewhere it changes by less than this.
+  static constexpr double weaker_by = 100, smallest_growth = 100;
+
   double row_factor(int equation) const { return of_rate_[static_cast<std::size_t>(equation)] ? rate_factor_ : 1; }
   // P with another eps, for all equations with a weight.
   void apply(LinearSolver& factors, double eps, std::span<double> multipliers);
@@ -93,6 +104,7 @@ class RedundantConstraints {
   std::vector<int> rows_;            // equations with a weight
   double rate_factor_ = 1, eps_ = 0, weakest_ = 0;
   double rest_ = 0;                  // the largest eigenvalue of P that is not one
+  double usual_growth_ = 0;          // where the constraints were looked at first
   int count_ = 0;
   std::vector<double> combinations_;  // one after the other, orthonormal in sqrt(D) lambda, by rows_
   std::vector<double> x_, idle_;

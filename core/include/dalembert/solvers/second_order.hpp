@@ -45,7 +45,10 @@ class SecondOrderSolver : public NewtonSolver {
   void reset_to_start_of_step() override;
   void save_start_of_step() override;
   std::span<const double> restart_values() const override { return algorithmic_; }
-  std::vector<double> restart_numbers() const override { return {accepted_step_size_, static_cast<double>(steps_above_tolerance_)}; }
+  std::vector<double> restart_numbers() const override {
+    return {accepted_step_size_, static_cast<double>(steps_above_tolerance_), static_cast<double>(singular_position_step_),
+            static_cast<double>(renewed_after_)};
+  }
   void forget() override;
   KnownDerivatives complete_ends() override {
     return {it.currentStepIndex > 1 || settings().timeIntegration.generalizedAlpha.computeInitialAccelerations, it.currentStepIndex > 1};
@@ -63,6 +66,8 @@ class SecondOrderSolver : public NewtonSolver {
   void move_algorithmic_accelerations();
   bool control_step_size();
   double estimated_error();
+  double noise_of_estimates();  // in units of the tolerances
+  bool give_up_at_round_off();
   bool hold_at_minimum();
   void project_velocities();
 
@@ -94,6 +99,8 @@ class SecondOrderSolver : public NewtonSolver {
   bool lie_ = false, simplified_lie_ = false;
   double accepted_step_size_ = 0;   // to which the algorithmic accelerations at the start belong; zero: to any
   bool rejected_ = false, warned_minimum_ = false;
+  bool renews_ = false;             // accelerations are found anew before the step is repeated
+  StepCount renewed_after_ = -2;    // step
   int steps_above_tolerance_ = 0;   // in a row, at the smallest step size
   std::vector<char> driven_;        // equations whose gaps are prescribed in time
 };

@@ -139,6 +139,18 @@ class Solver {
   virtual std::vector<double> restart_numbers() const { return {}; }
   const std::vector<double>& continued_values() const;
   double continued_number(std::size_t i) const;
+  // ---- control of the step size: singular positions (singular_positions.cpp) ----------------------------------------
+  // Whether the constraints of this step nearly depend on each other, as they did not at the start.
+  virtual bool near_singular_position() { return false; }
+  // Whether a step is kept although its error, in units of the tolerances, has been estimated to be above them.
+  bool passes_singular_position(double error);
+  void passing_singular_position();  // counts and tells it
+  // Whether so many steps have passed it that none will be the last; with the diagnosis.
+  bool stays_in_singular_position();
+  // Whether a step that is lost beside such a position is to be tried with another size that is not much smaller: a few times.
+  bool steps_aside();
+  static constexpr double aside = 0.7;  // this part of it
+  StepCount singular_position_step_ = -2;  // the last one that passed it
   // The state has jumped: forces and accelerations have to be found anew.
   virtual void renew_accelerations() {}
   // After a restart file has been written: nothing that follows may depend on what is not in it.
@@ -254,6 +266,8 @@ class Solver {
   double last_look_ = 0;
   double last_restart_ = 0;
   StepCount steps_since_reduction_ = 0;
+  StepCount aside_step_ = -2;
+  int times_aside_ = 0, passing_steps_ = 0;  // the latter with few others in between
   // Steps of one size in a row; `time`: the end of the last of them.
   struct EqualSteps {
     double start = 0, step_size = 0, time = 0;

@@ -1,0 +1,62 @@
+// Mechanisms that pass positions in which they could go on in more ways than one, such as a four-bar that lies flat.
+//
+// Velocities decide where they go, and do not jump. Accelerations and multipliers have noise there, which grows as steps become smaller:
+// estimated errors are made of it, and a step that ends in the very place does not know where to go on. So steps stay large.
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "dalembert/solvers/solver.hpp"
+#include "dalembert/system/large_vectors.hpp"
+
+namespace dalembert {
+
+namespace {
+
+constexpr double largest_turn = 0.1;     // of the velocities in a step, relative to their size
+constexpr double most_noise = 1e4;       // in units of the tolerances
+constexpr double not_to_be_trusted = 100;
+
+}  // namespace
+
+[[gnu::noinline]] bool Solver::passes_singular_position(double error) {
+  if (sizes_.ae == 0 || !(error <= most_noise)) return false;
+  const State &now = current(), &start = start_of_step();
+  double turn = 0, speed = 0;
+  for (std::size_t i = 0; i < now.v.size(); ++i) {
+    turn += (now.v[i] - start.v[i]) * (now.v[i] - start.v[i]);
+    speed += start.v[i] * start.v[i];
+  }
+  if (!(turn <= largest_turn * largest_turn * speed) || !near_singular_position()) return false;
+  passing_singular_position();
+  if (error > not_to_be_trusted) ++it.stepsAboveTolerance;
+  return true;
+}
+
+[[gnu::noinline]] bool Solver::steps_aside() {
+  constexpr int most_times = 6;
+  if (std::exchange(aside_step_, it.currentStepIndex) != it.currentStepIndex) times_aside_ = 0;
+  return times_aside_ < most_times && near_singular_position() && ++times_aside_ > 0;
+}
+
+[[gnu::noinline]] bool Solver::stays_in_singular_position() {
+  constexpr int most_steps = 1000;
+  if (passing_steps_ < most_steps) return false;
+  passing_steps_ = 0;
+  diagnose(FailureReason::singular_position).advice = {
+      "use larger steps, which lead beyond it: larger tolerances, or equal steps (timeIntegration.automaticStepSize=False)",
+      "keep the constraints of positions (exu.DynamicSolverType.GeneralizedAlpha): gaps blur where the mechanism can go"};
+  return true;
+}
+
+[[gnu::noinline]] void Solver::passing_singular_position() {
+  const StepCount last = std::exchange(singular_position_step_, it.currentStepIndex);
+  if (last == it.currentStepIndex) return;
+  constexpr StepCount few = 10;
+  passing_steps_ = last + few < it.currentStepIndex ? 1 : passing_steps_ + 1;
+  ++it.singularPositionSteps;
+  if (verbose(1) && last + 1 != it.currentStepIndex)
+    say(1, "  passing a singular position, where the mechanism could go on in more ways than one" + position_text() + "\n");
+}
+
+}  // namespace dalembert

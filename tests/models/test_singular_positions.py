@@ -1,0 +1,77 @@
+"""Four-bars that pass their flat position with steps by tolerances: on the branch that velocities take, or with a word."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from solving import Solver, Variable, settings
+from test_four_bar import Bars, parallelogram
+
+from dalembert.solver import SolverError
+
+END = 5.0
+
+
+def by_tolerance(tolerance: float) -> Any:
+    s = settings(END, 50)
+    s.timeIntegration.absoluteTolerance = s.timeIntegration.relativeTolerance = tolerance
+    s.timeIntegration.automaticStepSize = s.stepSizeControl.implicitSolvers = True
+    return s
+
+
+def error_of(bars: Bars) -> float:
+    return float(np.linalg.norm(bars.tip_output(Variable.Position) - parallelogram(bars.loops, [END])[0][:2]))
+
+
+@pytest.mark.parametrize("loops", [1, 2, 5])
+@pytest.mark.parametrize(
+    ("solver", "tolerance", "most"),
+    [
+        # Second order: errors of some 6 rad are 2 tolerance^(2/3), four times as large with numerical damping.
+        (Solver.GeneralizedAlpha, 1e-6, 5e-4),
+        (Solver.GeneralizedAlpha, 1e-7, 5e-5),
+        (Solver.TrapezoidalIndex2, 1e-6, 4e-4),
+        # Of higher order: ten to a hundred times the tolerance per second, and what 1e-11 of differences leave beside the flat position.
+        (Solver.ODE23, 1e-6, 5e-4),
+        (Solver.DOPRI5, 1e-8, 1e-6),
+        (Solver.DOP853, 1e-8, 1e-6),
+    ],
+)
+def test_the_flat_position_is_passed(solver: Any, tolerance: float, most: float, loops: int) -> None:
+    bars = Bars(loops)
+    bars.mbs.SolveDynamic(by_tolerance(tolerance), solverType=solver)
+    assert error_of(bars) < most
+    assert bars.mbs.sys["dynamicSolver"].output.trusted
+
+
+@pytest.mark.parametrize("loops", [1, 2, 5])
+@pytest.mark.parametrize(
+    ("solver", "tolerance"),
+    [
+        *((Solver.TrapezoidalIndex2, tolerance) for tolerance in (1e-7, 1e-8)),
+        *((Solver.ODE23, tolerance) for tolerance in (1e-8, 1e-10)),
+        (Solver.DOPRI5, 1e-10),
+        (Solver.DOP853, 1e-10),
+    ],
+)
+def test_no_other_branch_without_a_word(solver: Any, tolerance: float, loops: int) -> None:
+    """Steps as small as these end beside the flat position, or in it."""
+    bars = Bars(loops)
+    try:
+        bars.mbs.SolveDynamic(by_tolerance(tolerance), solverType=solver)
+    except SolverError as error:
+        assert error.reason in ("errorControl", "newton", "singularPosition")
+        return
+    solver = bars.mbs.sys["dynamicSolver"]
+    assert error_of(bars) < 1e-3 or (not solver.output.trusted and len(solver.GetDoubts()) > 0)
+
+
+def test_steps_that_pass_it_are_told(capfd: Any) -> None:
+    bars, s = Bars(2), by_tolerance(1e-7)
+    s.timeIntegration.verboseMode = 1
+    bars.mbs.SolveDynamic(s)
+    steps = bars.mbs.sys["dynamicSolver"].it.singularPositionSteps
+    assert 0 < steps < 100 and "passing a singular position" in capfd.readouterr().out
+    assert f"singular positions were passed in {steps} steps" in bars.mbs.Report()
