@@ -22,7 +22,7 @@ class SolverError(ValueError):
     """A solver that gave up. Its text is the whole diagnosis with advice; its parts are attributes.
 
     reason: 'newton', 'singularMatrix', 'contradictoryConstraints', 'massMatrix', 'discontinuousIteration',
-        'errorControl', 'notFinite', 'unbounded' or 'timeLimit'.
+        'errorControl', 'notFinite', 'unbounded', 'pathTooLong' or 'timeLimit'.
     solverName, stepIndex, time (s), stepSize (s), loadFactor: where it happened; step 0 is the start.
     newtonSteps, residual, relativeResidual, relativeTolerance, absoluteTolerance: the last iteration, and what it is
         compared with; of discontinuous iterations if they did not settle.
