@@ -365,6 +365,16 @@ void register_explicit(py::module_& module) {
   }
 }
 
+py::list singular_points_of(const StaticWrapper& w) {
+  using namespace py::literals;
+  w.require_own_thread("GetSingularPoints");
+  py::list points;
+  for (const SingularPoint& point : w.singular_points())
+    points.append(py::dict("step"_a = point.step, "loadFactor"_a = point.load_factor, "type"_a = point.limit ? "limit" : "bifurcation",
+                           "mode"_a = vector_array(point.mode)));
+  return points;
+}
+
 }  // namespace
 
 void register_solvers(py::module_& module) {
@@ -375,6 +385,9 @@ void register_solvers(py::module_& module) {
   register_redundancy(c);
   c.def_property_readonly("loadStepGeometricFactor", [](const StaticWrapper& w) { return w.geometric_factor(); },
                           "Ratio of consecutive loads with loadStepGeometric.");
+  c.def("GetSingularPoints", &singular_points_of,
+        "Points of the last path of equilibria (staticSolver.arcLength) at which the matrix is singular, one dictionary each: step, loadFactor, "
+        "type ('limit': the load turns; 'bifurcation': a branch begins), and mode, the null vector of ODE2 coordinates with 1 as its largest entry.");
   register_implicit(module);
   register_explicit(module);
 }

@@ -114,6 +114,16 @@ constexpr std::array<std::string_view, 27> SolutionSettings_rows{
     "write the solution file",
 };
 
+constexpr std::array<std::string_view, 7> StaticSolverArcLengthSettings_rows{
+    "true: each step has a length, the norm of the displacements of second order coordinates, and the load factor follows; the path ends at load factor 1 or at ``lowestLoadFactor``. The first step is as long as the displacements of one load step of ``numberOfLoadSteps``, and none changes the load by much more than such a step does. Solution and sensors are written after every step, with the quasi-time that belongs to the load",
+    "largest coordinate of the step along the null vector of the matrix by which the path leaves the first bifurcation point, positive or negative: two sides of a branch; 0: bifurcation points are passed",
+    "number of Newton iterations that steps are meant to take: longer steps follow those that took fewer, shorter steps those that took more",
+    "largest length of a step, the norm of the displacements of all second order coordinates; 0: no bound",
+    "load factor below which the path ends as well, where it turns back so far",
+    "number of steps after which a path that has met neither of its ends is an error",
+    "true: look for steps in which an eigenvalue of the matrix changes its sign, and end a step at the point where it does; a few eigenvalues next to zero are followed",
+};
+
 constexpr std::array<std::string_view, 18> StaticSolverSettings_rows{
     "true: a load step that fails is repeated with a smaller step; false: it is an error",
     "factor of the step size when a step has failed",
@@ -561,7 +571,7 @@ constexpr std::array<std::string_view, 11> VSettingsExportImages_rows{
     "the width of an image is a multiple of this number of pixels; 4 suits video encoders",
 };
 
-constexpr std::array<SettingsText, 47> settings{{
+constexpr std::array<SettingsText, 48> settings{{
     {"NewtonNumericalDifferentiationSettings", "Jacobians by numerical differentiation", NewtonNumericalDifferentiationSettings_rows},
     {"NewtonSettings", "Newton's method for the nonlinear equations of a step", NewtonSettings_rows},
     {"DiscontinuousSettings", "iterations for contact, friction and other discontinuous states, after Newton's method has converged", DiscontinuousSettings_rows},
@@ -573,6 +583,7 @@ constexpr std::array<SettingsText, 47> settings{{
     {"ParallelSettings", "computation with several threads", ParallelSettings_rows},
     {"RedundantConstraintsSettings", "constraint equations that follow from others, such as those of the second hinge of a door", RedundantConstraintsSettings_rows},
     {"SolutionSettings", "what is written to files, and how often", SolutionSettings_rows},
+    {"StaticSolverArcLengthSettings", "following a path of equilibria by its length instead of the load, over limit points and onto branches", StaticSolverArcLengthSettings_rows},
     {"StaticSolverSettings", "static solver: equilibrium under loads that are increased in steps", StaticSolverSettings_rows},
     {"StepSizeControlSettings", "which solvers choose their step sizes by an estimated error", StepSizeControlSettings_rows},
     {"TimeIntegrationExplicitIntegrationSettings", "explicit integrators", TimeIntegrationExplicitIntegrationSettings_rows},

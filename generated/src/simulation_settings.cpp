@@ -158,6 +158,22 @@ constexpr std::array<SettingRule, 1> SolutionSettings_rules{{
 }};
 constexpr SettingsGroup SolutionSettings_group{"SolutionSettings", SolutionSettings_rows, {}, SolutionSettings_rules};
 
+constexpr std::array<Row, 7> StaticSolverArcLengthSettings_rows{{
+    {.name = "active", .storage = Storage::boolean, .offset = offsetof(StaticSolverArcLengthSettings, active), .role = Role::parameter},
+    {.name = "branchStep", .storage = Storage::real, .offset = offsetof(StaticSolverArcLengthSettings, branchStep), .role = Role::parameter, .unit = "various"},
+    {.name = "desiredIterations", .storage = Storage::integer, .offset = offsetof(StaticSolverArcLengthSettings, desiredIterations), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "largestStep", .storage = Storage::real, .offset = offsetof(StaticSolverArcLengthSettings, largestStep), .role = Role::parameter, .check = Check::non_negative, .unit = "various"},
+    {.name = "lowestLoadFactor", .storage = Storage::real, .offset = offsetof(StaticSolverArcLengthSettings, lowestLoadFactor), .role = Role::parameter, .unit = "1"},
+    {.name = "maximumSteps", .storage = Storage::integer, .offset = offsetof(StaticSolverArcLengthSettings, maximumSteps), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "singularPoints", .storage = Storage::boolean, .offset = offsetof(StaticSolverArcLengthSettings, singularPoints), .role = Role::parameter},
+}};
+constexpr std::array<SettingRule, 3> StaticSolverArcLengthSettings_rules{{
+    {.name = "desiredIterations", .lower = 1.0, .words = "at least 1"},
+    {.name = "lowestLoadFactor", .upper = 0.0, .words = "at most 0"},
+    {.name = "maximumSteps", .lower = 1.0, .words = "at least 1"},
+}};
+constexpr SettingsGroup StaticSolverArcLengthSettings_group{"StaticSolverArcLengthSettings", StaticSolverArcLengthSettings_rows, {}, StaticSolverArcLengthSettings_rules};
+
 constexpr std::array<Row, 18> StaticSolverSettings_rows{{
     {.name = "adaptiveStep", .storage = Storage::boolean, .offset = offsetof(StaticSolverSettings, adaptiveStep), .role = Role::parameter},
     {.name = "adaptiveStepDecrease", .storage = Storage::real, .offset = offsetof(StaticSolverSettings, adaptiveStepDecrease), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
@@ -183,7 +199,8 @@ constexpr std::array<SettingRule, 3> StaticSolverSettings_rules{{
     {.name = "adaptiveStepIncrease", .lower = 1.0, .words = "at least 1"},
     {.name = "loadStepGeometricRange", .lower = 1.0, .lower_open = true, .words = "greater than 1"},
 }};
-constexpr std::array<SettingsChild, 2> StaticSolverSettings_children{{
+constexpr std::array<SettingsChild, 3> StaticSolverSettings_children{{
+    {"arcLength", &StaticSolverArcLengthSettings_group, offsetof(StaticSolverSettings, arcLength)},
     {"discontinuous", &DiscontinuousSettings_group, offsetof(StaticSolverSettings, discontinuous)},
     {"newton", &NewtonSettings_group, offsetof(StaticSolverSettings, newton)},
 }};

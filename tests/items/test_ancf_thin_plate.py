@@ -91,6 +91,62 @@ def test_frequencies_of_a_free_square() -> None:
     assert found[6:11] == pytest.approx([13.468, 19.596, 24.270, 34.801, 34.801], rel=8e-3)
 
 
+def square(n: int, support: str, poisson: float = 0.3) -> Plate:
+    """Side 1 m, thickness 1 cm; edges do not move, and do not turn if they are clamped."""
+    plate = Plate(n, n, 1.0, 1.0, 0.01, 1e9, poisson)
+    for j, row in enumerate(plate.nodes):
+        for i, node in enumerate(row):
+            held: set[int] = set()
+            at_x, at_y = i in (0, n), j in (0, n)
+            if support == "cantilever":
+                held = {0, 1, 2, 5, 6, 7, 8} if i == 0 else set()
+            else:
+                held |= {3, 4, 5} if at_y else set()  # the slope along the edge
+                held |= {6, 7, 8} if at_x else set()
+                held |= {0, 1, 2} if at_x or at_y else set()
+                held |= {5, 8} if support == "clamped" and held else set()
+            plate.fix(node, *sorted(held))
+    return plate
+
+
+# w a^2 sqrt(rho h / D): closed form; products of Legendre polynomials with twelve digits; A. W. Leissa, 1969.
+LEISSA = {
+    "supported": [19.7392088, 49.3480220, 49.3480220, 78.9568352],
+    "clamped": [35.985191, 73.393846, 73.393846, 108.216502],
+    "cantilever": [3.4710, 8.5062, 21.284, 27.1987],
+}
+
+
+@pytest.mark.parametrize("support", list(LEISSA))
+def test_frequencies_of_a_square(support: str) -> None:
+    """Slopes do not fit between elements: errors fall with the square of their size, less where a clamped edge meets a free one."""
+    rigidity = 1e9 * 0.01**3 / 12 / (1 - 0.3**2)
+    coarse, fine = (
+        square(n, support).mbs.ComputeVibrationModes(4).eigenvalues.imag * np.sqrt(0.01 / rigidity) for n in (5, 10)
+    )
+    wanted = np.array(LEISSA[support])
+    errors = [np.linalg.norm(found / wanted - 1) for found in (coarse, fine)]
+    assert errors[1] < 0.05
+    assert np.log2(errors[0] / errors[1]) == pytest.approx(1.85, abs=0.4)
+    assert (4 * fine - coarse) / 3 == pytest.approx(wanted, rel=7e-3)
+
+
+@pytest.mark.parametrize(("support", "wanted"), [("supported", 0.943815), ("clamped", 0.584601)])
+def test_large_deflection_of_a_square(support: str, wanted: float) -> None:
+    """w / h in the middle under the pressure 50 E h^4 / a^4, edges immovable: T. von Karman's equations, by series to six digits."""
+    pressure, found = 50 * 1e9 * 0.01**4, []
+    for n in (6, 12):
+        plate = square(n, support)
+        for element in plate.elements:
+            mass = plate.mbs.AddMarker(exu.MarkerBodyMass(bodyNumber=element))
+            plate.mbs.AddLoad(exu.LoadMassProportional(markerNumber=mass, loadVector=[0, 0, pressure / 0.01]))
+        plate.solve_static(4)
+        found.append(plate.mbs.GetNodeOutput(plate.nodes[n // 2][n // 2], Variable.Displacement)[2] / 0.01)
+    errors = np.array(found) / wanted - 1
+    assert errors[0] / errors[1] == pytest.approx(3.7, abs=0.9)  # with the square of the element size
+    assert (4 * found[1] - found[0]) / 3 == pytest.approx(wanted, rel=2e-3)
+
+
 @pytest.mark.parametrize("across", [False, True], ids=["along x", "along y"])
 def test_clamped_strip_bends_like_a_beam(across: bool) -> None:
     """Without lateral contraction, tip deflection and stress at the root are those of a beam; the side that is stretched has tension."""

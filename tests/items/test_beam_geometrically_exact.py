@@ -181,9 +181,15 @@ def test_bathe_bend(kind: str, force: float) -> None:
 # Tip displacements in mm (axial, in the stiff and in the soft direction) of the Princeton beam, 0.508 m long, by load in N and its angle
 # from the stiff direction: solutions of the rod's differential equations, to all digits.
 PRINCETON = {
+    (8.896, 0): (-0.1355343, 10.7135971, 0),
     (8.896, 30): (-7.6599334, 10.1455436, 79.4516879),
+    (8.896, 45): (-14.3877697, 8.8873962, 109.0358771),
     (8.896, 60): (-20.4710889, 6.6532875, 129.9170624),
+    (8.896, 90): (-26.0216815, 0, 146.2530396),
+    (13.345, 0): (-0.3047078, 16.0624258, 0),
+    (13.345, 30): (-17.1614704, 16.7752345, 117.8959888),
     (13.345, 45): (-30.3580555, 15.3398470, 156.5803966),
+    (13.345, 60): (-41.2025865, 11.7146494, 181.9132980),
     (13.345, 90): (-50.4013592, 0, 200.6848179),
 }
 

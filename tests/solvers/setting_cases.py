@@ -223,9 +223,17 @@ SHARED: dict[str, Case] = {
     f"{DIFFERENCES}relativeEpsilon": Case(1e-2, state, models.nonlinear, BY_DIFFERENCES),
 }
 
+ALONG = {"arcLength.active": True, "numberOfLoadSteps": 20}
 STATIC: dict[str, Case] = {
     "computeLoadsJacobian": Case(False, iterations, models.following_load),
     "constrainODE1coordinates": Case(False, state, models.everything),
+    "arcLength.active": Case(True, times, models.truss),
+    "arcLength.branchStep": Case(0.1, motion, models.steep_truss, {**ALONG, "arcLength.lowestLoadFactor": 0.0}),
+    "arcLength.desiredIterations": Case(2, steps, models.truss, ALONG),
+    "arcLength.largestStep": Case(0.05, steps, models.truss, ALONG),
+    "arcLength.lowestLoadFactor": Case(0.0, times, models.truss, ALONG),
+    "arcLength.maximumSteps": Case(3, solved, models.truss, ALONG),
+    "arcLength.singularPoints": Case(False, times, models.truss, ALONG),
     "loadStepDuration": Case(2.0, times),
     "loadStepGeometric": Case(True, times),
     "loadStepGeometricRange": Case(10.0, times, given={"loadStepGeometric": True}),

@@ -306,6 +306,29 @@ def pendulum(length: float = 1, rate: float = 0) -> Any:
     return mbs
 
 
+def truss(height: float = 0.5, load: float = 200.0) -> Any:
+    """Two springs that meet above the line between their supports, in a plane, and a load that presses them through."""
+    mbs = exu.SystemContainer().AddSystem()
+    node = mbs.AddNode(exu.NodePoint2D(referenceCoordinates=[0, height]))
+    mbs.AddObject(exu.ObjectMassPoint2D(nodeNumber=node, physicsMass=1))
+    apex = mbs.AddMarker(exu.MarkerNodePosition(nodeNumber=node))
+    for x in (-1, 1):
+        support = mbs.AddMarker(
+            exu.MarkerBodyPosition(bodyNumber=mbs.AddObject(exu.ObjectGround(referencePosition=[x, 0, 0])))
+        )
+        bar = {"stiffness": 1000, "referenceLength": float(np.hypot(1, height))}
+        mbs.AddObject(exu.ObjectConnectorSpringDamper(markerNumbers=[support, apex], **bar))
+    mbs.AddLoad(exu.LoadForceVector(markerNumber=apex, loadVector=[0, -load, 0]))
+    mbs.AddSensor(SensorNode(nodeNumber=node, storeInternal=True, outputVariableType=Variable.Position))
+    mbs.Assemble()
+    return mbs
+
+
+def steep_truss() -> Any:
+    """Its apex sways aside before it snaps through."""
+    return truss(3.0, 3000.0)
+
+
 def open_pendulum() -> Any:
     return pendulum(length=1.05)
 

@@ -13,7 +13,7 @@ struct Words {
 };
 
 // In the order of FailureReason.
-constexpr std::array<Words, 14> words{{
+constexpr std::array<Words, 15> words{{
     {"", "no failure", ""},
     {"newton", "Newton's method did not converge", "largest residuals"},
     {"singularMatrix", "the system matrix is singular", ""},
@@ -27,6 +27,7 @@ constexpr std::array<Words, 14> words{{
     {"toleranceBelowRoundOff", "the tolerances are below round-off", "largest errors, in units of the tolerances"},
     {"notFinite", "a value is not finite", "not finite"},
     {"unbounded", "the solution grows without bound", "largest values"},
+    {"pathTooLong", "the path of equilibria has not met one of its ends", ""},
     {"timeLimit", "the time limit is reached", ""},
 }};
 

@@ -154,7 +154,7 @@ void NewtonSolver::begin_newton() {
 }
 
 void NewtonSolver::judge_start(double residual) {
-  loop_.initial_residual = residual;
+  loop_.initial_residual = std::max(residual, least_initial_residual_);
   conv.stopNewton = loop_.lost = !(residual < unbounded);
   if (newton_settings.newtonResidualMode == 1) loop_.initial_residual = 2 * newton_settings.relativeTolerance;
   if (loop_.initial_residual <= newton_settings.absoluteTolerance) {

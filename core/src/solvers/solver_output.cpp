@@ -141,6 +141,7 @@ void Solver::finish_step(bool write) {
 
 void Solver::write_end_of_step() {
   const bool last = std::abs(current().time - it.endTime) <= same_time();  // the last step is always written
+  if (writes_each_step()) output.lastSolutionWritten = output.lastSensorsWritten = current().time;
   if (output.writeToSolutionFile) {
     if (last) output.lastSolutionWritten = it.endTime - it.currentStepSize;
     write_coordinates();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "arc_length.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
 
 namespace dalembert {
@@ -24,10 +25,12 @@ void StaticSolver::initial_conditions() {
     it.numberOfSteps = 2;
   }
   geometric_factor_ = it.numberOfSteps > 1 ? std::pow(s.loadStepGeometricRange, 1.0 / static_cast<double>(it.numberOfSteps - 1)) : 1.0;
+  begin_path();
 }
 
 // Load steps of equal size, or such that each load is a multiple of the last.
 void StaticSolver::update_current_time() {
+  if (path_) return begin_path_step();
   const auto& s = settings().staticSolver;
   const double duration = s.loadStepDuration, tolerance = time_tolerance * duration;
   double time = it.currentTime - it.startTime;
@@ -42,6 +45,11 @@ void StaticSolver::update_current_time() {
   conditions_.load_factor = s.useLoadFactor ? load_factor() : 1.0;
 }
 
+void StaticSolver::set_quasi_time(double time) {
+  it.currentTime = current().time = time;
+  conditions_.load_factor = settings().staticSolver.useLoadFactor ? load_factor() : 1.0;
+}
+
 bool StaticSolver::reduce_step_size() {
   it.currentTime = current().time;
   if (!(it.currentStepSize > it.minStepSize)) return false;
@@ -50,6 +58,7 @@ bool StaticSolver::reduce_step_size() {
 }
 
 void StaticSolver::increase_step_size() {
+  if (path_) return;  // the next step has got its length already
   it.currentStepSize = std::min(it.maxStepSize, settings().staticSolver.adaptiveStepIncrease * it.currentStepSize);
 }
 
@@ -97,23 +106,27 @@ double StaticSolver::compute_residual() {
 }
 
 void StaticSolver::compute_update(bool initial) {
+  if (path_ && initial) return predict_on_path();
+  if (path_ && !path_->end_known) return correct_on_path();
   if (initial) return;
+  for (double& number : increment_) number = -number;
+  move(increment_);
+  for (double& number : increment_) number = -number;
+}
+
+void StaticSolver::move(std::span<const double> step) {
   State& now = current();
+  const auto ode2 = static_cast<std::size_t>(sizes_.ode2);
   if (system().has_lie_nodes()) {
-    std::vector<double> before = now.q, step(now.q.size());
-    for (std::size_t i = 0; i < step.size(); ++i) {
-      step[i] = -increment_[i];
-      now.q[i] += step[i];
-    }
-    system().compose(before, step, now.q);
+    const std::vector<double> before = now.q, own(step.begin(), step.begin() + sizes_.ode2);
+    for (std::size_t i = 0; i < ode2; ++i) now.q[i] += own[i];
+    system().compose(before, own, now.q);
   } else {
-    for (std::size_t i = 0; i < now.q.size(); ++i) now.q[i] -= increment_[i];
+    for (std::size_t i = 0; i < ode2; ++i) now.q[i] += step[i];
   }
-  for (std::size_t i = 0; i < now.y.size(); ++i) now.y[i] -= increment_[static_cast<std::size_t>(sizes_.ode2) + i];
+  for (std::size_t i = 0; i < now.y.size(); ++i) now.y[i] += step[ode2 + i];
   const std::span<const double> signs = system().static_signs();
-  for (std::size_t i = 0; i < now.lambda.size(); ++i) {
-    now.lambda[i] -= signs[i] * increment_[static_cast<std::size_t>(sizes_.first_ae()) + i];
-  }
+  for (std::size_t i = 0; i < now.lambda.size(); ++i) now.lambda[i] += signs[i] * step[static_cast<std::size_t>(sizes_.first_ae()) + i];
 }
 
 void StaticSolver::compute_jacobian() {

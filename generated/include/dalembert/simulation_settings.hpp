@@ -127,6 +127,17 @@ struct SolutionSettings {
   bool writeSolutionToFile = true;
 };
 
+// following a path of equilibria by its length instead of the load, over limit points and onto branches
+struct StaticSolverArcLengthSettings {
+  bool active = false;
+  double branchStep = 0.0;
+  int desiredIterations = 4;
+  double largestStep = 0.0;
+  double lowestLoadFactor = -1.0;
+  int maximumSteps = 1000;
+  bool singularPoints = true;
+};
+
 // static solver: equilibrium under loads that are increased in steps
 struct StaticSolverSettings {
   bool adaptiveStep = true;
@@ -147,6 +158,7 @@ struct StaticSolverSettings {
   bool useLoadFactor = true;
   int verboseMode = 1;
   int verboseModeFile = 0;
+  StaticSolverArcLengthSettings arcLength{};
   DiscontinuousSettings discontinuous{};
   NewtonSettings newton{};
 };

@@ -237,6 +237,26 @@ class SolutionSettings(_Settings):
     def __init__(self) -> None: ...
 
 @final
+class StaticSolverArcLengthSettings(_Settings):
+    """following a path of equilibria by its length instead of the load, over limit points and onto branches"""
+
+    active: bool
+    """true: each step has a length, the norm of the displacements of second order coordinates, and the load factor follows; the path ends at load factor 1 or at ``lowestLoadFactor``. The first step is as long as the displacements of one load step of ``numberOfLoadSteps``, and none changes the load by much more than such a step does. Solution and sensors are written after every step, with the quasi-time that belongs to the load; default: False"""
+    branchStep: float
+    """largest coordinate of the step along the null vector of the matrix by which the path leaves the first bifurcation point, positive or negative: two sides of a branch; 0: bifurcation points are passed [various]; default: 0.0"""
+    desiredIterations: int
+    """number of Newton iterations that steps are meant to take: longer steps follow those that took fewer, shorter steps those that took more [at least 1]; default: 4"""
+    largestStep: float
+    """largest length of a step, the norm of the displacements of all second order coordinates; 0: no bound [various]; default: 0.0"""
+    lowestLoadFactor: float
+    """load factor below which the path ends as well, where it turns back so far [1; at most 0]; default: -1.0"""
+    maximumSteps: int
+    """number of steps after which a path that has met neither of its ends is an error [at least 1]; default: 1000"""
+    singularPoints: bool
+    """true: look for steps in which an eigenvalue of the matrix changes its sign, and end a step at the point where it does; a few eigenvalues next to zero are followed; default: True"""
+    def __init__(self) -> None: ...
+
+@final
 class StaticSolverSettings(_Settings):
     """static solver: equilibrium under loads that are increased in steps"""
 
@@ -276,6 +296,10 @@ class StaticSolverSettings(_Settings):
     """amount of output: 0 none, 1 now and then a line, 2 a line per step, 3 with the solution, 4 with mass matrix and Jacobian, 5 with the inverse of the Jacobian; on the console; default: 1"""
     verboseModeFile: int
     """amount of output: 0 none, 1 now and then a line, 2 a line per step, 3 with the solution, 4 with mass matrix and Jacobian, 5 with the inverse of the Jacobian; in the solver information file; default: 0"""
+    @property
+    def arcLength(self) -> StaticSolverArcLengthSettings: ...
+    @arcLength.setter
+    def arcLength(self, value: StaticSolverArcLengthSettings | dict[str, Any]) -> None: ...
     @property
     def discontinuous(self) -> DiscontinuousSettings: ...
     @discontinuous.setter

@@ -23,7 +23,7 @@ class SolverError(ValueError):
 
     reason: 'newton', 'singularMatrix', 'freeDirection', 'contradictoryConstraints', 'massMatrix',
         'discontinuousIteration', 'eventChatter', 'errorControl', 'singularPosition', 'toleranceBelowRoundOff',
-        'notFinite', 'unbounded' or 'timeLimit'.
+        'notFinite', 'unbounded', 'pathTooLong' or 'timeLimit'.
     solverName, stepIndex, time (s), stepSize (s), loadFactor: where it happened; step 0 is the start.
     newtonSteps, residual, relativeResidual, relativeTolerance, absoluteTolerance: the last iteration, and what it is
         compared with; of discontinuous iterations if they did not settle.

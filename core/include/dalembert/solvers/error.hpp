@@ -22,6 +22,7 @@ enum class FailureReason {
   round_off,        // tolerances ask for more than numbers have
   not_finite,       // a coordinate, or what an equation is made of, is infinite or not a number
   unbounded,        // the solution has grown beyond every physical quantity
+  path_length,      // staticSolver.arcLength.maximumSteps
   time_limit        // exudyn.special.solver.timeout
 };
 std::string_view name_of(FailureReason reason);  // as users read it: "singularMatrix"

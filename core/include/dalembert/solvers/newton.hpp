@@ -52,9 +52,13 @@ class NewtonSolver : public Solver {
   // Make the factors of the matrix in `jacobian_`; false, with the flags set, if it is singular.
   bool factorize();
 
+  // Of the last loop, without those that round-off has kept from making the residual smaller.
+  int useful_iterations() const { return it.newtonSteps - loop_.idle; }
+
   const Pattern* pattern_ = nullptr;
   std::unique_ptr<LinearSolver> linear_;
   std::vector<double> residual_, increment_, jacobian_;
+  double least_initial_residual_ = 0;  // tolerances are relative to no less
   bool full_newton_ = true;  // a new Jacobian in every iteration
 
  private:

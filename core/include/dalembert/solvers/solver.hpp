@@ -174,6 +174,10 @@ class Solver {
   void diagnose_not_finite(std::span<const double> residual = {});
   // Adds the largest of the numbers, with the items of their rows; the list stays short and begins with the largest.
   void add_largest(std::vector<NamedValue>& list, std::span<const double> numbers, const char* vector, int first_row) const;
+  // Whether the step that has been solved is the last one.
+  virtual bool ends_here() const { return it.currentTime >= it.endTime - 1e-6 * it.lastStepSize; }
+  // Times that may fall leave no other choice.
+  virtual bool writes_each_step() const { return false; }
   virtual void advise_on_growth();  // adds what to do about it
   // Asks the hooks whether to stop; called where a few milliseconds may have passed.
   void poll_interrupt();
@@ -193,7 +197,6 @@ class Solver {
   void read_continuation();
   void take_continuation();
   void continue_steps();
-  bool ends_here() const { return it.currentTime >= it.endTime - 1e-6 * it.lastStepSize; }
   RestartData restart_data();
   // ---- output at requested times -----------------------------------------------------------------------------------
   void write_requested();

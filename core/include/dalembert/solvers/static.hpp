@@ -1,14 +1,27 @@
 // Static equilibrium by Newton's method under a load that grows in steps.
 #pragma once
 
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "dalembert/solvers/newton.hpp"
 
 namespace dalembert {
 
+// Where the matrix of a path of equilibria is singular.
+struct SingularPoint {
+  StepCount step;
+  double load_factor;
+  bool limit;                // the load turns; otherwise a branch begins
+  std::vector<double> mode;  // null vector of ODE2 coordinates, its largest entry is 1
+};
+
 class StaticSolver : public NewtonSolver {
  public:
+  StaticSolver();
+  ~StaticSolver() override;
+
   bool is_static() const override { return true; }
   std::string name() const override { return "nonlinear static solver"; }
   double load_factor() const override;
@@ -21,19 +34,62 @@ class StaticSolver : public NewtonSolver {
   double compute_residual() override;
   void compute_update(bool initial) override;
   void compute_jacobian() override;
+  bool discontinuous_iteration() override;
+  // Of the last solution, with staticSolver.arcLength.
+  const std::vector<SingularPoint>& singular_points() const { return singular_points_; }
   double geometric_factor() const { return geometric_factor_; }  // of consecutive loads, with loadStepGeometric
 
  protected:
   int recovery_steps() const override { return settings().staticSolver.adaptiveStepRecoverySteps; }
   int recovery_iterations() const override { return settings().staticSolver.adaptiveStepRecoveryIterations; }
 
+  bool ends_here() const override;
+  bool writes_each_step() const override;
+
  private:
   double stabilizer() const;
   void compute_mass_matrix();
   void turn_multipliers();
+  // Adds an increment of all unknowns to the state.
+  void move(std::span<const double> step);
+  void set_quasi_time(double time);
+
+  // ---- paths by their length (arc_length.cpp) ----------------------------------------------------------------------
+  struct Path;
+  struct PathTangent {
+    std::vector<double> direction;  // of all unknowns; its ODE2 part has norm 1
+    double rate = 0;                // of the quasi-time, per length
+    double load = 0;                // norm of the residual, per quasi-time
+  };
+  struct Crossing {
+    bool found = false;
+    double before = 0, after = 0;  // eigenvalues
+    std::vector<double> mode;
+  };
+  void begin_path();
+  void begin_path_step();
+  void predict_on_path();
+  void correct_on_path();
+  bool find_first_tangent();
+  PathTangent path_tangent();
+  std::vector<double> residual_by_quasi_time();
+  std::span<const double> displacements(std::span<const double> unknowns) const;
+  bool solve_step_again();
+  bool end_path_at(double time);
+  void prepare_next_step(const Crossing& crossing, double length);
+  bool factorize_at_end();
+  void find_modes();
+  Crossing find_crossing() const;
+  bool go_to_singular_point(const Crossing& crossing);
+  void pass_singular_point(const Crossing& crossing);
+  void leave_bifurcation(std::span<const double> mode);
+  void orient(PathTangent& tangent) const;
+  double next_length() const;
 
   double geometric_factor_ = 1;
   std::vector<double> mass_;
+  std::unique_ptr<Path> path_;  // null: steps of the load
+  std::vector<SingularPoint> singular_points_;
 };
 
 }  // namespace dalembert
