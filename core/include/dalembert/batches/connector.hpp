@@ -1,9 +1,10 @@
 // Connectors and loads: kernels that turn the frames of their markers into forces on them.
 #pragma once
 
+#include <algorithm>
 #include <concepts>
+#include <functional>
 #include <memory>
-#include <ranges>
 #include <utility>
 
 #include "dalembert/batches/span_laws.hpp"
@@ -68,10 +69,10 @@ class PortBatch final : public Term {
   void residual(const Evaluation& evaluation, Ports& ports, double*) const override {
     if constexpr (SpanLawConnector<K>) {
       spans_.add_forces(ports.values.data(), ports.forces.data());
-      const auto by_kernel = spans_.without_law() | std::views::transform([this](int entry) -> const Entry& { return entries_[entry]; });
-      add_forces_of(by_kernel, evaluation, ports, std::make_index_sequence<M>());
+      const auto by_number = [this](int entry) -> const Entry& { return entries_[entry]; };
+      add_forces_of(spans_.without_law(), by_number, evaluation, ports, std::make_index_sequence<M>());
     } else {
-      add_forces_of(entries_, evaluation, ports, std::make_index_sequence<M>());
+      add_forces_of(entries_, std::identity(), evaluation, ports, std::make_index_sequence<M>());
     }
   }
   void tangent(const Evaluation& evaluation, const Weights&, Ports& ports, double* values) const override {
@@ -96,7 +97,7 @@ class PortBatch final : public Term {
   void trace(const TracedCall& call) const override {
     if constexpr (is_traced) {
       if (call.function == TracedCall::Function::residual)
-        return add_forces_of(entries_, call.evaluation, call.ports, std::make_index_sequence<M>());
+        return add_forces_of(entries_, std::identity(), call.evaluation, call.ports, std::make_index_sequence<M>());
       if constexpr (!is_constant)
         each_block(call.ports, [&](const Entry& e, const Columns<M>&, const int* slot) { add_in_closed_form(e, call.ports, slot, call.sums); });
     }
@@ -126,11 +127,13 @@ class PortBatch final : public Term {
  private:
   // Markers are spelt out, not looped over, so that frames and forces stay in registers.
   template <class S, std::size_t... m>
-  static void add_forces_of(const auto& entries, const EvaluationOf<S>& evaluation, PortsOf<S>& ports, std::index_sequence<m...>) {
+  static void add_forces_of(const auto& which, const auto& entry_of, const EvaluationOf<S>& evaluation, PortsOf<S>& ports,
+                            std::index_sequence<m...>) {
     const S* values = ports.values.data();
     S* sums = ports.forces.data();
     Context c = Context::of(evaluation, -1);
-    for (const Entry& e : entries) {
+    for (const auto& each : which) {
+      const Entry& e = entry_of(each);
       if (!is_active(e.parameters)) continue;
       e.place(c, evaluation);
       const auto forces = kernel_forces<K, M, S>(e.parameters, c, {read_frame<Port>(values + e.offsets[m].value)...});

@@ -83,14 +83,13 @@ class ConstraintBatch final : public Term {
     if constexpr (LinearConstraint<K>) return add_linear_blocks(evaluation, weights, ports, values);
     const double scale = row_scale(weights);
     each_block(ports, values, [&](const Entry& e, const Columns<2>& columns, const BlockSlots& blocks) {
-      const auto [gap_slots, multiplier_slots, force_slots, diagonal] = blocks;
       if constexpr (TabulatedJoint<K>)
         if (!evaluation.rate_level && weights.q != 0 && in_closed_form(e, ports)) {
-          in_wide_registers([&] { closed_form(e, evaluation, weights, ports, gap_slots, values); });
+          in_wide_registers([&] { closed_form(e, evaluation, weights, ports, blocks.gaps, values); });
           return;
         }
       const Context c = Context::of(evaluation, e.item);
-      multiplier_columns(e, c, ports, columns, multiplier_slots, values);
+      multiplier_columns(e, c, ports, columns, blocks.multipliers, values);
       const Vec<double, m> lambda = load<double, m>(evaluation.lambda + e.first_ae);
       for (int first = 0; first < columns.total; first += sweep_width) {
         Frames<SweepDual> frames;
@@ -99,9 +98,9 @@ class ConstraintBatch final : public Term {
         const int count = std::min(sweep_width, columns.total - first);
         for (int k = 0; k < m; ++k)
           if (K::constrains(e.parameters, k))
-            for (int j = 0; j < count; ++j) values[gap_slots[k * columns.total + first + j]] += scale * g[k].d[j];
+            for (int j = 0; j < count; ++j) values[blocks.gaps[k * columns.total + first + j]] += scale * g[k].d[j];
         const auto forces = reaction<SweepDual>(e.parameters, c, frames, lambda);
-        scatter_forces<Port, 2>(ports, e.markers, columns, first, 1.0, forces, force_slots, values);
+        scatter_forces<Port, 2>(ports, e.markers, columns, first, 1.0, forces, blocks.forces, values);
       }
     });
   }
@@ -285,16 +284,18 @@ class ConstraintBatch final : public Term {
     const Columns<2> columns(ports, e.markers);
     const auto equations = K::linear(e.parameters);
     for (int k = 0; k < m; ++k) {
-      const auto& [component, factor] = equations[static_cast<std::size_t>(k)];
+      const LinearEquation& equation = equations[static_cast<std::size_t>(k)];
+      const int component = equation.component;
       for (int i = 0; i < 2; ++i) {
         const auto [n, translations] = std::pair(ports.ports[e.markers[i]].n, ports.ports[e.markers[i]].translations);
+        const double factor = equation.factor[i];
         const int* gap = slots + k * columns.total + columns.offset[i];
         const int* multiplier = gap + m * columns.total;
         const S* derivative = ports.derivative(e.markers[i]) + (component + (rate ? Port::forces : 0)) * n;
         const S* jacobian = ports.jacobian(e.markers[i]) + component * n;
         const auto add = [&](int j) {
-          values[gap[j]] += row_scale * factor[i] * derivative[j];
-          values[multiplier[j]] += factor[i] * jacobian[j];
+          values[gap[j]] += row_scale * factor * derivative[j];
+          values[multiplier[j]] += factor * jacobian[j];
         };
         if (component < translations) add(component);
         for (int j = translations; j < n; ++j) add(j);

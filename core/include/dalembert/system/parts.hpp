@@ -261,8 +261,9 @@ struct SystemParts {
  private:
   template <class F>
   [[gnu::noinline]] void each_of_several_regions(F f) const {
-    for (const auto& [regions, is_shared] : plan.sizes) {
-      if (workers && is_shared && regions.size() > 1) {
+    for (const auto& size : plan.sizes) {
+      const auto& regions = size.regions;
+      if (workers && size.is_shared && regions.size() > 1) {
         workers->run(static_cast<int>(regions.size()), [&](int i) { f(regions[static_cast<std::size_t>(i)]); });
       } else {
         for (const RegionPlan& region : regions) f(region);
