@@ -146,6 +146,9 @@ else:
         if text := _planned.module_text(name):
             raise AttributeError(text)
         hint = f"; it is a method of a system: mbs.{name}(...)" if hasattr(_core.MainSystem, name) else ""
+        from dalembert._tools.missing_names import nearest
+
+        hint = hint or ("" if name.startswith("_") else nearest(name, __dir__()))
         raise AttributeError(f"module 'dalembert' has no attribute '{name}'{hint}")
 
     def __dir__() -> list[str]:

@@ -35,6 +35,17 @@ def as_array(name: str, value: Any, expected: str = "an array of numbers") -> Fl
         raise shape_error(name, expected, value) from None
 
 
+def as_number(name: str, value: Any, negative: bool = True) -> float:
+    """Convert to a finite float, which is not negative if that is asked for; ValueError otherwise, for texts too."""
+    expected = "a finite number" if negative else "a finite number that is not negative"
+    if isinstance(value, (str, bytes)) or np.ndim(value) != 0:
+        raise shape_error(name, expected, value)
+    number = float(as_array(name, value, expected))
+    if not np.isfinite(number) or (number < 0 and not negative):
+        raise shape_error(name, expected, value)
+    return number
+
+
 def as_vector(name: str, value: Any, size: int | None = None) -> FloatArray:
     """Convert to a 1D float array, of the given size if there is one; ValueError otherwise."""
     expected = "a vector of numbers" if size is None else f"a vector with {size} components"

@@ -22,6 +22,7 @@ from dalembert._solving.inspection import InspectSolution
 from dalembert._solving.report import Report
 from dalembert._solving.vibrations import ComputeVibrationModes
 from dalembert._studies.variations import SolveVariations
+from dalembert._tools import missing_names
 from dalembert.create._distance_sensor import CreateDistanceSensor, CreateDistanceSensorGeometry
 from dalembert.create._interface import (  # noqa: F401
     GetMarkersPosRot,
@@ -80,6 +81,8 @@ for _name, _method in methods.items():
 for _class, _functions in ((Renderer, renderer.METHODS), (SystemContainer, shortcuts.METHODS)):
     for _function in _functions:
         setattr(_class, _function.__name__, _function)
+
+missing_names.explain()
 
 # Functions of the module, MainSystemCreateGround(mbs, ...) and so on.
 globals().update({f"MainSystem{name}": function for name, function in methods.items() if name.startswith("Create")})

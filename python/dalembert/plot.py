@@ -3,6 +3,7 @@
 # ruff: noqa: B006  (the interface has these defaults; they are never written to)
 from __future__ import annotations
 
+import inspect
 from collections.abc import Mapping, Sequence
 from types import SimpleNamespace
 from typing import Any
@@ -25,6 +26,7 @@ from dalembert._plots.sensor_curves import (
     per_curve,
     shift_list,
 )
+from dalembert._tools.missing_names import nearest
 from dalembert.advancedUtilities import PlotLineCode
 
 __all__ = [
@@ -195,7 +197,8 @@ def PlotSensor(
     unknown = sorted(set(kwargs) - _EXTRA_ARGUMENTS)
     if unknown:
         raise ValueError(
-            f"PlotSensor: unknown argument {unknown[0]!r}; further arguments are {sorted(_EXTRA_ARGUMENTS)}"
+            f"PlotSensor: unknown argument {unknown[0]!r}"
+            + (nearest(unknown[0], inspect.signature(PlotSensor).parameters) or f"; further arguments are {sorted(_EXTRA_ARGUMENTS)}")
         )
     style = {name: _default(name, value) for name, value in locals().items() if name in _ORIGINAL_DEFAULTS}
     if is_list(mbs):

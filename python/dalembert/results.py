@@ -60,6 +60,8 @@ def _measured(mbs: Any, sensors: Sequence[Any] | None, continuousAngles: bool, w
                 f"{where}: sensor {number} '{information['name']}' keeps no data: give it storeInternal=True"
             )
         data = np.atleast_2d(mbs.GetSensorStoredData(number))
+        if data.size == 0:
+            raise ValueError(f"{where}: sensor {number} '{information['name']}' has stored nothing yet: solve first")
         variable = variable_of(mbs, information)
         values = continuous(variable, data[:, 1:]) if continuousAngles else data[:, 1:]
         components = [component_name(variable, i, values.shape[1]) for i in range(values.shape[1])]

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any
+import functools
+import inspect
+from collections.abc import Callable
+from typing import Any, ParamSpec
 
 from dalembert import _core
 from dalembert._core import ConfigurationType, DynamicSolverType, SimulationSettings
@@ -10,6 +13,7 @@ from dalembert._solving.diagnosis import CheckSolverInfoStatistics, SolverError,
 from dalembert._solving.integrators import is_implicit, trapezoidal_rule
 from dalembert._solving.linearized import ComputeLinearizedSystem, ComputeODE2Eigenvalues, ComputeSystemDegreeOfFreedom
 from dalembert._solving.quiet import DeactivateWritingOfSolvers, RestoreSimulationSettings, assemble_if_needed
+from dalembert._tools.missing_names import nearest, paths_of_setting
 
 __all__ = [
     "CheckSolverInfoStatistics",
@@ -64,6 +68,26 @@ def _settings(function: str, given: Any) -> SimulationSettings:
     raise TypeError(f"{function}: simulationSettings: received {given!r}, but expected {expected}")
 
 
+_Arguments = ParamSpec("_Arguments")
+
+
+def _knows_settings(solve: Callable[_Arguments, bool]) -> Callable[_Arguments, bool]:
+    """Let a function tell where settings belong that are given as its arguments."""
+    names = set(inspect.signature(solve).parameters)
+
+    @functools.wraps(solve)
+    def call(*arguments: _Arguments.args, **options: _Arguments.kwargs) -> bool:
+        if unknown := next((name for name in options if name not in names), None):
+            group = "staticSolver" if solve.__name__ == "SolveStatic" else "timeIntegration"
+            paths = sorted(paths_of_setting(unknown), key=lambda path: not path.startswith(group))
+            hint = f"; it is a setting: simulationSettings.{paths[0]}" if paths else nearest(unknown, names)
+            raise TypeError(f"{solve.__name__}: unknown argument '{unknown}'{hint}")
+        return solve(*arguments, **options)
+
+    return call
+
+
+@_knows_settings
 def SolveStatic(
     mbs: Any,
     simulationSettings: SimulationSettings | None = None,
@@ -90,6 +114,7 @@ def SolveStatic(
     return success
 
 
+@_knows_settings
 def SolveDynamic(
     mbs: Any,
     simulationSettings: SimulationSettings | None = None,

@@ -9,9 +9,11 @@ import numpy as np
 import pytest
 
 import dalembert as exu
-from dalembert import graphics
+from dalembert import graphics, processing
 from dalembert.itemInterface import MarkerBodyPosition, MarkerBodyRigid, MassPoint, SensorBody, Torque
-from dalembert.rigidBodyUtilities import InertiaCuboid
+from dalembert.results import SensorsToPandas
+from dalembert.rigidBodyUtilities import InertiaCuboid, InertiaMassPoint, InertiaRodX, InertiaSphere
+from dalembert.robotics import Robot
 
 BAR = InertiaCuboid(1000, [1, 0.1, 0.1])
 Variable = exu.OutputVariableType
@@ -47,6 +49,13 @@ class Model:
         marker = self.mbs.AddMarker(MarkerBodyPosition(name="end", bodyNumber="bar"))
         self.mbs.AddLoad(Torque(name="twist", markerNumber=marker, loadVector=[0, 0, 1]))
         self.mbs.Assemble()
+
+    def table(self) -> Any:
+        self.mbs.AddSensor(
+            SensorBody(name="s", bodyNumber="bar", outputVariableType=Variable.Position, storeInternal=True)
+        )
+        self.mbs.Assemble()
+        return SensorsToPandas(self.mbs, ["s"])
 
     def use_after_reset(self) -> None:
         self.mbs.Reset()
@@ -108,6 +117,33 @@ MISTAKES: list[tuple[str, Callable[[Model], Any], list[str]]] = [
     ("text for a number", lambda m: m.mbs.SetObjectParameter("bar", "physicsMass", "heavy"), ["object 1 'bar' (ObjectRigidBody)", "'physicsMass'", "a number (unit kg)"]),
     ("function of a system", lambda m: exu.CreateGround(), ["'CreateGround'", "mbs.CreateGround(...)"]),
     ("all eigenvalues", lambda m: (m.mbs.Assemble(), m.mbs.ComputeODE2Eigenvalues(numberOfEigenvalues="all")), ["numberOfEigenvalues", "'all'", "0 for all"]),
+    ("settings as arguments", lambda m: m.mbs.SolveDynamic(endTime=1), ["SolveDynamic", "'endTime'", "simulationSettings.timeIntegration.endTime"]),
+    ("load steps as argument", lambda m: m.mbs.SolveStatic(numberOfLoadSteps=3), ["SolveStatic", "simulationSettings.staticSolver.numberOfLoadSteps"]),
+    ("solver by another name", lambda m: m.mbs.SolveDynamic(solvertype=1), ["SolveDynamic", "'solvertype'", "Did you mean 'solverType'?"]),
+    ("variable misspelt", lambda m: Variable.Postion, ["OutputVariableType", "'Postion'", "Did you mean 'Position'?"]),
+    ("class misspelt", lambda m: exu.SimulationSetings(), ["'SimulationSetings'", "Did you mean 'SimulationSettings'?"]),
+    ("method misspelt", lambda m: m.mbs.CreateMasPoint(), ["MainSystem", "'CreateMasPoint'", "Did you mean 'CreateMassPoint'?"]),
+    ("system of a system", lambda m: m.mbs.AddSystem(), ["'AddSystem'", "a system container: SC.AddSystem"]),
+    ("container assembled", lambda m: m.SC.Assemble(), ["'Assemble'", "a system: mbs.Assemble"]),
+    ("data asked of the system", lambda m: m.mbs.GetODE2Coordinates(), ["'GetODE2Coordinates'", "mbs.systemData.GetODE2Coordinates"]),
+    ("data misspelt", lambda m: m.mbs.systemData.GetODE2Coordinate(), ["SystemData", "Did you mean 'GetODE2Coordinates'?"]),
+    ("radius as text", lambda m: InertiaSphere(mass=1, radius="0.1"), ["InertiaSphere: radius", "a finite number", "'0.1' (str)"]),
+    ("mass as text", lambda m: InertiaMassPoint("1"), ["InertiaMassPoint: mass", "a finite number", "'1' (str)"]),
+    ("mass in brackets", lambda m: InertiaRodX(mass=[1], length=1), ["InertiaRodX: mass", "a finite number", "[1] (list)"]),
+    ("cylinder without axis", lambda m: graphics.Cylinder(vAxis=[0, 0, 0]), ["Cylinder: vAxis", "non-zero length"]),
+    ("arrow without length", lambda m: graphics.Arrow([0, 0, 0], [0, 0, 0], 0.1), ["Arrow: vAxis", "non-zero length"]),
+    ("sphere below zero", lambda m: graphics.Sphere(radius=-1), ["Sphere: radius", "not negative", "-1"]),
+    ("side below zero", lambda m: graphics.Brick(size=[1, -1, 1]), ["Brick: size", "not negative", "[1, -1, 1]"]),
+    ("outline of two points", lambda m: graphics.SolidExtrusion([[0, 0], [1, 0]], [[0, 1]], 1), ["SolidExtrusion: vertices", "at least 3 points"]),
+    ("length as text", lambda m: graphics.Basis(length="a"), ["Basis: length", "a finite number", "'a' (str)"]),
+    ("number as text", lambda m: graphics.Text(text=5), ["Text: text", "a string", "5 (int)"]),
+    ("component for components", lambda m: m.mbs.PlotSensor("way", component=1), ["PlotSensor", "'component'", "Did you mean 'components'?"]),
+    ("table of what is not solved", lambda m: m.table(), ["sensor 1 's'", "solve first"]),
+    ("file for a solution", lambda m: (m.solve(), m.mbs.SolutionViewer("motion.txt")), ["SolutionViewer: solution", "LoadSolutionFile(fileName)", "'motion.txt'"]),
+    ("link by its name", lambda m: Robot().AddLink("link"), ["Robot.AddLink", "'link'", "RobotLink(...)"]),
+    ("several objectives", lambda m: processing.Minimize(lambda p: [1, 2], {"a": (0, 1)}, showProgress=False), ["Minimize: objectiveFunction", "[1, 2]", "a number"]),
+    ("number for a function", lambda m: processing.ParameterVariation(3, {"a": (0, 1, 2)}), ["parameterFunction", "3", "a function"]),
+    ("number for an objective", lambda m: processing.Minimize(3, {"a": (0, 1)}), ["Minimize: objectiveFunction", "3", "a function"]),
     ("point for an index", lambda m: MassPoint(nodeNumber=[0, 0, 0]), ["ObjectMassPoint", "'nodeNumber'", "NodeIndex"]),
 ]  # fmt: skip
 

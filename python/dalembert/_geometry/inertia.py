@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from dalembert._checks import FloatArray, as_array, as_matrix, as_rotation, as_transformation, as_vector, shape_error
+from dalembert._checks import FloatArray, as_matrix, as_number, as_rotation, as_transformation, as_vector, shape_error
 from dalembert._geometry.rotations import Skew
 from dalembert._geometry.transformations import HT0, HTtranslate, InertiaTensor2Inertia6D
 
@@ -235,9 +235,8 @@ class RigidBodyInertia:
 def _not_negative(where: str, **values: Any) -> None:
     """Refuse what no shape has: a density, mass, length or radius that is negative or no finite number."""
     for name, value in values.items():
-        number = as_array(f"{where}: {name}", value, "a number")
-        if not (np.isfinite(number).all() and (number >= 0.0).all()):
-            raise shape_error(f"{where}: {name}", "a finite number that is not negative", value)
+        for number in value if isinstance(value, np.ndarray) and value.ndim == 1 else [value]:
+            as_number(f"{where}: {name}", number, negative=False)
 
 
 class InertiaCuboid(RigidBodyInertia):

@@ -361,6 +361,8 @@ def ProcessParameterList(
     values: list[Any] = []
     if kwargs.get("restart", False):
         values += known_values(file, parameterList)
+    if not callable(parameterFunction):
+        raise TypeError(f"parameterFunction: received {parameterFunction!r}, but expected a function of a dictionary")
     keeps = kwargs.get("keepFailures", False)
     at_once = hasattr(parameterFunction, "in_portions")
     function = _KeepingFailures(parameterFunction) if keeps and not at_once else parameterFunction

@@ -53,6 +53,8 @@ class _Objective:
         return self._keep(x, self.function(self.named(x)))
 
     def _keep(self, x: Any, value: Any) -> Any:
+        if np.ndim(value) != 0:
+            raise TypeError(f"Minimize: objectiveFunction returned {value!r}, but expected a number")
         self.evaluations += 1
         self._known[self.inside(x).tobytes()] = value
         return value
@@ -173,6 +175,8 @@ def Minimize(
         )
         workers = {}
     together = bool(workers.get("useMultiProcessing")) or hasattr(objectiveFunction, "in_portions")
+    if not callable(objectiveFunction):
+        raise TypeError(f"Minimize: objectiveFunction: received {objectiveFunction!r}, but expected a function")
     with kept_workers(**workers) as evaluate:
         inner = bounds if enforceBounds and not scipy_bounds else None
         objective = _Objective(objectiveFunction, names, inner, addComputationIndex, evaluate)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy.typing as npt
 
-from dalembert._checks import as_points, as_vector
+from dalembert._checks import as_points, as_vector, shape_error
 from dalembert.graphics._mesh import GraphicsData
 
 
@@ -29,6 +29,8 @@ def Text(
     offset: npt.ArrayLike = [0.0, 0.0],
 ) -> GraphicsData:
     """Return a text at a 3D point; fontSize 0 is the default size, offset shifts the text by parts of its size."""
+    if not isinstance(text, str):
+        raise shape_error("Text: text", "a string", text)
     return {
         "type": "Text",
         "color": as_vector("color", color, 4).copy(),

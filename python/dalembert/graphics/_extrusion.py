@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from dalembert import graphicsDataUtilities as outlines
-from dalembert._checks import as_matrix, as_points, as_vector, unit_vector
+from dalembert._checks import as_matrix, as_points, as_vector, shape_error, unit_vector
 from dalembert._geometry.rotations import GramSchmidt, RotationMatrix2D, RotationMatrixZ
 from dalembert.graphics._mesh import GraphicsData, triangle_list, unit_rows
 from dalembert.graphics._revolution import SolidOfRevolution
@@ -37,6 +37,8 @@ def SolidExtrusion(
     addEdges = 2 also draws the edges along the mantle.
     """
     outline = as_points("SolidExtrusion: vertices", vertices, 2)
+    if len(outline) < 3:
+        raise shape_error("SolidExtrusion: vertices", "at least 3 points of an outline", vertices)
     pairs = np.asarray(segments, dtype=int).reshape(-1, 2)
     A = as_matrix("SolidExtrusion: rot", rot, (3, 3))
     relative = as_matrix("SolidExtrusion: relRot", relRot, (3, 3))

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from dalembert._checks import FloatArray, as_matrix, as_points, as_vector, shape_error
+from dalembert._checks import FloatArray, as_matrix, as_number, as_points, as_vector, shape_error, unit_vector
 from dalembert._geometry.rotations import ComputeOrthonormalBasisVectors
 from dalembert._geometry.transformations import HT2rotationMatrix, HT2translation
 from dalembert.graphics._elements import Text
@@ -104,6 +104,7 @@ def Arrow(
 
     The length of the head is headStretch times its radius.
     """
+    unit_vector("Arrow: vAxis", vAxis)
     L = float(np.linalg.norm(as_vector("Arrow: vAxis", vAxis, 3)))
     head = radius * headFactor
     neck = L - headStretch * head
@@ -127,7 +128,7 @@ def Basis(
     """
     no_unknown("graphics.Basis", kwargs, ("radius", "labels"))
     p = as_vector("Basis: origin", origin, 3)
-    axes = length * as_matrix("Basis: rotationMatrix", rotationMatrix, (3, 3)).T
+    axes = as_number("Basis: length", length) * as_matrix("Basis: rotationMatrix", rotationMatrix, (3, 3)).T
     radius = kwargs.get("radius", 0.01 * length)
     x, y, z = (
         Arrow(p, axis, radius, rgba, headFactor, headStretch, nTiles) for axis, rgba in zip(axes, colors, strict=True)

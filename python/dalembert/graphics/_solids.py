@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from dalembert._checks import FloatArray, as_points, as_vector, shape_error, unit_vector
+from dalembert._checks import FloatArray, as_number, as_points, as_vector, shape_error, unit_vector
 from dalembert._geometry.rotations import ComputeOrthonormalBasisVectors, RotationVector2RotationMatrix
 from dalembert.graphics._mesh import (
     GraphicsData,
@@ -70,6 +70,7 @@ def Sphere(
     the number of circles drawn on a full sphere.
     """
     nTiles = at_least("graphics.Sphere", nTiles, 2)
+    radius = as_number("Sphere: radius", radius, negative=False)
     if not -0.5 * pi <= majorAngleMin < majorAngleMax <= 0.5 * pi:
         received = [majorAngleMin, majorAngleMax]
         raise shape_error("Sphere: majorAngleMin, majorAngleMax", "increasing angles in [-pi/2, pi/2]", received)
@@ -210,6 +211,8 @@ def Brick(
     """
     center = as_vector("Brick: centerPoint", centerPoint, 3)
     half = 0.5 * as_vector("Brick: size", size, 3)
+    if (half < 0).any():
+        raise shape_error("Brick: size", "side lengths that are not negative", size)
     if roundness == 0:
         (x0, y0, z0), (x1, y1, z1) = center - half, center + half
         return BrickXYZ(x0, y0, z0, x1, y1, z1, color, addNormals, addEdges, edgeColor, addFaces)
@@ -251,6 +254,8 @@ def Cylinder(
     no_unknown("graphics.Cylinder", kwargs, ("alternatingColor",))
     nTiles = at_least("graphics.Cylinder", nTiles, 3)
     axis = as_vector("Cylinder: vAxis", vAxis, 3)
+    unit_vector("Cylinder: vAxis", axis)
+    radius = as_number("Cylinder: radius", radius, negative=False)
     if radiusInner is not None:
         L = float(np.linalg.norm(axis))
         contour = [[0, radius], [L, radius], [L, radiusInner], [0, radiusInner], [0, radius]]

@@ -63,6 +63,8 @@ class Robot:
 
     def AddLink(self, robotLink: RobotLink) -> int:
         """Add a copy of a link, and return its index; its parent must have been added before."""
+        if not isinstance(robotLink, RobotLink):
+            raise TypeError(f"Robot.AddLink: robotLink: received {robotLink!r}, but expected a RobotLink(...)")
         link, i = deepcopy(robotLink), len(self.links)
         for what, name in (("name", link.name), ("jointName", link.jointName)):
             if name and any(name == getattr(other, what) for other in self.links):
