@@ -174,7 +174,7 @@ def test_load_steps_without_convergence(adaptive: bool) -> None:
     model.mbs.Assemble()
     with pytest.raises(SolverError) as caught:
         model.mbs.SolveStatic(with_load_steps(10, adaptive))
-    assert caught.value.reason in ("newton", "singularMatrix", "notFinite", "unbounded")
+    assert caught.value.reason in ("newton", "singularMatrix", "freeDirection", "notFinite", "unbounded")
     assert 0.25 < model.mbs.systemData.GetTime() < 0.36
     assert 10 * (model.position - 0.3) == pytest.approx(10 * model.mbs.systemData.GetTime(), rel=1e-9)
 
