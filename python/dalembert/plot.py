@@ -198,7 +198,10 @@ def PlotSensor(
     if unknown:
         raise ValueError(
             f"PlotSensor: unknown argument {unknown[0]!r}"
-            + (nearest(unknown[0], inspect.signature(PlotSensor).parameters) or f"; further arguments are {sorted(_EXTRA_ARGUMENTS)}")
+            + (
+                nearest(unknown[0], inspect.signature(PlotSensor).parameters)
+                or f"; further arguments are {sorted(_EXTRA_ARGUMENTS)}"
+            )
         )
     style = {name: _default(name, value) for name, value in locals().items() if name in _ORIGINAL_DEFAULTS}
     if is_list(mbs):

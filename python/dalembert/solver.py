@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 import inspect
 from collections.abc import Callable
-from typing import Any, ParamSpec
+from typing import TYPE_CHECKING, Any
 
 from dalembert import _core
 from dalembert._core import ConfigurationType, DynamicSolverType, SimulationSettings
@@ -68,15 +68,12 @@ def _settings(function: str, given: Any) -> SimulationSettings:
     raise TypeError(f"{function}: simulationSettings: received {given!r}, but expected {expected}")
 
 
-_Arguments = ParamSpec("_Arguments")
-
-
-def _knows_settings(solve: Callable[_Arguments, bool]) -> Callable[_Arguments, bool]:
+def _knows_settings(solve: Callable[..., bool]) -> Callable[..., bool]:
     """Let a function tell where settings belong that are given as its arguments."""
     names = set(inspect.signature(solve).parameters)
 
     @functools.wraps(solve)
-    def call(*arguments: _Arguments.args, **options: _Arguments.kwargs) -> bool:
+    def call(*arguments: Any, **options: Any) -> bool:
         if unknown := next((name for name in options if name not in names), None):
             group = "staticSolver" if solve.__name__ == "SolveStatic" else "timeIntegration"
             paths = sorted(paths_of_setting(unknown), key=lambda path: not path.startswith(group))
@@ -87,7 +84,6 @@ def _knows_settings(solve: Callable[_Arguments, bool]) -> Callable[_Arguments, b
     return call
 
 
-@_knows_settings
 def SolveStatic(
     mbs: Any,
     simulationSettings: SimulationSettings | None = None,
@@ -114,7 +110,6 @@ def SolveStatic(
     return success
 
 
-@_knows_settings
 def SolveDynamic(
     mbs: Any,
     simulationSettings: SimulationSettings | None = None,
@@ -160,3 +155,7 @@ def SolveDynamic(
 def SolverSuccess(solverStructure: Any) -> list[Any]:
     """Return [whether the solver finished, its error text] of a solver such as mbs.sys['dynamicSolver']."""
     return [solverStructure.output.finishedSuccessfully, solverStructure.GetErrorString()]
+
+
+if not TYPE_CHECKING:  # which finds misspelt arguments by itself
+    SolveStatic, SolveDynamic = _knows_settings(SolveStatic), _knows_settings(SolveDynamic)
