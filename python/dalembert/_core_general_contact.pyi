@@ -85,22 +85,22 @@ class GeneralContact(_Bound):
         direction: ArrayLike = ...,
         minDistance: float = -1e-7,
         maxDistance: float = 1e7,
-        asDictionary: Literal[False] = False,
-        cylinderRadius: float = 0,
-        typeIndex: ContactTypeIndex | None = None,
-    ) -> float: ...
-    @overload
-    def ShortestDistanceAlongLine(
-        self,
-        pStart: ArrayLike = ...,
-        direction: ArrayLike = ...,
-        minDistance: float = -1e-7,
-        maxDistance: float = 1e7,
         *,
         asDictionary: Literal[True],
         cylinderRadius: float = 0,
         typeIndex: ContactTypeIndex | None = None,
     ) -> dict[str, Any]: ...
+    @overload
+    def ShortestDistanceAlongLine(
+        self,
+        pStart: ArrayLike = [0.0, 0.0, 0.0],
+        direction: ArrayLike = [1.0, 0.0, 0.0],
+        minDistance: float = -1e-7,
+        maxDistance: float = 1e7,
+        asDictionary: Literal[False] = False,
+        cylinderRadius: float = 0,
+        typeIndex: ContactTypeIndex | None = None,
+    ) -> float: ...
     def UpdateContacts(self, mainSystem: MainSystem) -> None: ...
     def GetActiveContacts(self, typeIndex: ContactTypeIndex, itemIndex: int) -> Indices: ...
     def GetSystemODE2RhsContactForces(self, copy: bool = False) -> Array: ...

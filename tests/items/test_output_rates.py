@@ -211,10 +211,17 @@ def test_force_on_the_second_body(variant: Variant) -> None:
         scene.mbs.SetObjectParameter(scene.target[1], "rollingFrictionViscous", 0)
     s = in_touch(scene, scene.state())
     s.lam = np.random.default_rng(76).normal(size=len(s.lam))
-    show(scene, s)
-    told = read_all(scene, "Object", scene.target[1], ITEMS[variant.item])
     name = ON_SECOND_BODY[variant.item].removeprefix("-")
-    force = told["RotationMatrix"].reshape(3, 3) @ told[name] if name.endswith("Local") else told[name]
+
+    def force_told() -> np.ndarray:
+        show(scene, s)
+        told = read_all(scene, "Object", scene.target[1], ITEMS[variant.item])
+        return told["RotationMatrix"].reshape(3, 3) @ told[name] if name.endswith("Local") else told[name]
+
+    force = force_told()
+    if not force.any():  # bodies separate so fast that there is no pressure: the other way round there is
+        s.v = -np.asarray(s.v)
+        force = force_told()
     assert np.linalg.norm(force) > 0.01
     sign = (-1 if ON_SECOND_BODY[variant.item].startswith("-") else 1) * (-1 if is_ground(variant.pairs[1][1]) else 1)
     close(-scene.wrenches(effect(scene, s))[-1, :3], sign * force, variant.item, 1e-12)

@@ -274,10 +274,8 @@ def test_differences_of_gradients_are_evaluated_together(method: str) -> None:
     with Counting() as workers:
         best, value, columns, values = processing.Minimize(valley, VALLEY, useMultiProcessing=workers, **search)
     assert list(best.values()) == pytest.approx([1, 1, -1], abs=2e-3) and value == values[-1] < 1e-6
-    three_steps = (
-        3 if method in ("SLSQP", "trust-constr") else 4
-    )  # with the value at the point, which others need anyway
-    assert set(workers.sizes[:-1]) <= {1, three_steps} and workers.sizes.count(three_steps) > 4
+    together = [size for size in workers.sizes if size in (3, 4)]  # the steps; with the point, if it is not known yet
+    assert set(workers.sizes[:-1]) <= {1, 3, 4} and len(together) > 4
     alone = processing.Minimize(valley, VALLEY, **search)
     assert alone[0] == pytest.approx(best, abs=2e-3)
     if method != "Newton-CG":  # whose differences are those of this package, whoever evaluates them
@@ -290,7 +288,8 @@ def test_a_generation_is_evaluated_together() -> None:
         best, value, columns, values = processing.Minimize(
             valley, VALLEY, useMultiProcessing=workers, showProgress=False, **search
         )
-    assert workers.sizes == [15] * 13 and len(values) == 13 and value == min(values) < 0.5
+    assert len(workers.sizes) == len(values) == 13 and value == min(values) < 0.5
+    assert min(workers.sizes) > 12 and max(workers.sizes) == 15  # a member that is known already is not computed again
     assert all(low <= x <= high for name, (low, high) in VALLEY.items() for x in columns[name])
     assert processing.Minimize(valley, VALLEY, showProgress=False, **search)[0] == best
 
