@@ -140,6 +140,7 @@ def control(mbs, t):
     return True
 
 
+control(mbs, 0)  # initial accelerations are those with drives
 mbs.SetPreStepUserFunction(control)
 settings = exu.SimulationSettings()
 settings.solutionSettings.writeSolutionToFile = False
@@ -166,7 +167,13 @@ mbs.PlotSensor(
     fileName="quadruped_forces.png",
     closeAll=True,
 )
-mbs.PlotSensor([way] * 3, components=[0, 1, 2], yLabel="position of the trunk (m)", fileName="quadruped_way.png")
+mbs.PlotSensor(
+    [way] * 3,
+    components=[0, 1, 2],
+    labels=["x", "y", "z"],
+    yLabel="position of the trunk (m)",
+    fileName="quadruped_way.png",
+)
 shown = mbs.GetSystemContainer().visualizationSettings
 shown.nodes.show = shown.markers.show = shown.loads.show = shown.connectors.show = shown.sensors.show = False
 mbs.Draw(fileName="quadruped_picture.png")
