@@ -19,7 +19,7 @@ constexpr std::uint64_t mixing_factor = 0x9E3779B97F4A7C15u;  // of hashes
 // eliminated, with the vertices they have made neighbours of each other.
 class QuotientGraph {
  public:
-  QuotientGraph(const Pattern& pattern, std::span<const double> values);
+  QuotientGraph(const Pattern& pattern, const std::vector<bool>& at_hand);
   EliminationOrder order();
 
  private:
@@ -81,9 +81,9 @@ class QuotientGraph {
   EliminationOrder order_;
 };
 
-QuotientGraph::QuotientGraph(const Pattern& pattern, std::span<const double> values)
+QuotientGraph::QuotientGraph(const Pattern& pattern, const std::vector<bool>& at_hand)
     : size_(pattern.size()), next_member_(size_, -1), group_(size_), first_(2 * static_cast<std::size_t>(size_) + 1, -1), left_(size_) {
-  group_equal_columns(pattern, pivots_at_hand(pattern, values));
+  group_equal_columns(pattern, at_hand);
   const auto count = nodes_.size();
   mark_.assign(count, 0);
   outside_.assign(count, 0);
@@ -341,8 +341,8 @@ std::vector<bool> pivots_at_hand(const Pattern& pattern, std::span<const double>
   return at_hand;
 }
 
-EliminationOrder minimum_degree_order(const Pattern& pattern, std::span<const double> values) {
-  return QuotientGraph(pattern, values).order();
+EliminationOrder minimum_degree_order(const Pattern& pattern, const std::vector<bool>& at_hand) {
+  return QuotientGraph(pattern, at_hand).order();
 }
 
 }  // namespace dalembert

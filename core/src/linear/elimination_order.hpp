@@ -15,8 +15,8 @@ std::vector<bool> pivots_at_hand(const Pattern& pattern, std::span<const double>
 // Entry k is the unknown that is eliminated k-th.
 using EliminationOrder = std::vector<int>;
 
-// Approximate minimum degree, for a symmetric pattern with zeros on the diagonal of `values`: such an unknown (a multiplier)
-// waits until enough unknowns with a diagonal entry have been eliminated around it to give it a pivot.
-EliminationOrder minimum_degree_order(const Pattern& pattern, std::span<const double> values);
+// Approximate minimum degree, for a symmetric pattern. An unknown without a pivot at hand (a multiplier) waits until enough unknowns
+// with one have been eliminated around it.
+EliminationOrder minimum_degree_order(const Pattern& pattern, const std::vector<bool>& at_hand);
 
 }  // namespace dalembert

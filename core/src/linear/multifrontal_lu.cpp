@@ -4,8 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "elimination_order.hpp"
-#include "tree_rotation.hpp"
+#include "elimination_tree.hpp"
 
 namespace dalembert {
 
@@ -45,18 +44,15 @@ int MultifrontalLu::start_again(std::span<const double> given) {
     for (const int j : options_.tiny_diagonal) pivots_alone[static_cast<std::size_t>(pattern_.slot(j, j))] = 0;
   }
   const std::span<const double> structure = pivots_alone.empty() ? values : pivots_alone;
-  if (tree_.empty()) {
-    const EliminationOrder order = minimum_degree_order(pattern_, structure);
-    tree_ = balanced(assembly_tree(pattern_, order), pivots_at_hand(pattern_, structure));
-  }
+  if (!tree_) tree_ = elimination_tree(pattern_, structure);
   scaling_ = balance(pattern_, structure);
   // Without multipliers there is in general nothing to search.
   planned_ = !options_.ignore_singular && std::ranges::none_of(scaling_.multiplier, [](char m) { return m != 0; }) &&
-             adopt(pivots_in_order(tree_), values, given) && growth_ <= harmless_growth && regular();
+             adopt(pivots_in_order(*tree_), values, given) && growth_ <= harmless_growth && regular();
   if (planned_) return success;
   int singular = success;
   for (const double ratio : smallest_ratios) {
-    PivotSearch search = search_pivots(pattern_, tree_, values, scaling_, ratio, options_, kernels_);
+    PivotSearch search = search_pivots(pattern_, *tree_, values, scaling_, ratio, options_, kernels_);
     singular = search.singular_column;
     if (singular != success) continue;
     planned_ = true;

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "assembly_tree.hpp"
@@ -76,7 +77,7 @@ class MultifrontalLu final : public LinearSolver {
   Scaling scaling_;
   std::array<double, 3> scales_ = {};  // of entries in the row of a multiplier, in the column of one, in both
   int pivot_slots_ = 0;  // behind them are unknowns without pivot, only if singular matrices are allowed
-  std::vector<FrontStructure> tree_;
+  std::shared_ptr<const std::vector<FrontStructure>> tree_;
   std::vector<Front> fronts_;
   std::vector<Entry> entries_;
   std::vector<int> children_;

@@ -43,7 +43,7 @@ class Places {
 void MultifrontalLu::plan(std::vector<PivotedFront> fronts) {
   std::vector<std::vector<int>> children(fronts.size());
   for (int f = 0; f < static_cast<int>(fronts.size()); ++f) {
-    if (tree_[f].parent >= 0) children[tree_[f].parent].push_back(f);
+    if ((*tree_)[f].parent >= 0) children[(*tree_)[f].parent].push_back(f);
   }
   sort_updates(fronts, children);
   place_factors(fronts);
@@ -123,7 +123,7 @@ std::vector<int> MultifrontalLu::number_slots(const std::vector<PivotedFront>& f
   pivot_slots_ = static_cast<int>(row_of_slot_.size());
   inverse_pivot_.assign(row_of_slot_.size(), 0.0);
   for (std::size_t f = 0; f < fronts.size(); ++f) {
-    if (tree_[f].parent >= 0) continue;
+    if ((*tree_)[f].parent >= 0) continue;
     for (std::size_t k = static_cast<std::size_t>(fronts[f].pivots); k < fronts[f].rows.size(); ++k) {
       add(fronts[f].rows[k], fronts[f].columns[k]);
     }
@@ -172,7 +172,7 @@ class MultifrontalLu::RunsOfEntries {
 };
 
 void MultifrontalLu::place_entries(const std::vector<PivotedFront>& fronts) {
-  const FrontEntries all(pattern_, tree_);
+  const FrontEntries all(pattern_, *tree_);
   std::vector<int> row_place(static_cast<std::size_t>(size_)), column_place(row_place);
   RunsOfEntries runs(size_);
   std::array<std::vector<Entry>, 3> by_scale;
@@ -251,7 +251,7 @@ void MultifrontalLu::place_columns() {
       places.release(child.columns + static_cast<std::size_t>(child.length) * child.pivots);
     }
     places.release(front.columns, front.columns + panel);
-    const bool left_out = tree_[&front - fronts_.data()].parent < 0 && front.updates > 0;
+    const bool left_out = (*tree_)[&front - fronts_.data()].parent < 0 && front.updates > 0;
     if (left_out) places.release(front.columns + panel);
   }
   columns_ = NumberStorage(places.size() + front_slack);

@@ -188,7 +188,7 @@ std::vector<std::string> NewtonSolver::describe_misfit() const {
       }
     }
     if (worst >= 0)
-      lines.push_back(owner.item + ", equation " + std::to_string(worst - owner.first) + ": " + format_number(misfit_[static_cast<std::size_t>(worst)]));
+      lines.push_back(system().describe(owner) + ", equation " + std::to_string(worst - owner.first) + ": " + format_number(misfit_[static_cast<std::size_t>(worst)]));
   }
   return lines;
 }

@@ -142,7 +142,7 @@ bool SecondOrderSolver::find_accelerations() {
   const auto& l = settings().linearSolverSettings;
   const InitialAccelerations found =
       dalembert::initial_accelerations(system(), now, conditions_, linear_type(),
-                                       {.pivot_threshold = l.pivotThreshold, .ignore_singular = l.ignoreSingularJacobian},
+                                       {.pivot_threshold = l.pivotThreshold, .ignore_singular = l.ignoreSingularJacobian, .unsettled_matrices = 1},
                                        settings().redundantConstraints);
   if (found.singular_row != LinearSolver::success) {
     warn("initial accelerations are set to zero: mass matrix and constraints are singular at unknown " +
@@ -151,6 +151,7 @@ bool SecondOrderSolver::find_accelerations() {
   }
   now.a = found.a;  // in place: views stay valid
   now.lambda = found.lambda;
+  if (found.independent_constraints) constraints_are_independent();
   return true;
 }
 

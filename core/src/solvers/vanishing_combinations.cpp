@@ -85,7 +85,7 @@ std::vector<RedundantConstraints::Item> RedundantConstraints::items(const System
   std::vector<Item> found;
   if (count_ == 0) return found;
   const Eigen::Map<const Block> all(combinations_.data(), static_cast<Eigen::Index>(rows_.size()), count_);
-  for (System::EquationOwner& owner : system.equation_owners()) {
+  for (const System::EquationOwner& owner : system.equation_owners()) {
     const auto begin = std::ranges::lower_bound(rows_, owner.first), end = std::ranges::lower_bound(rows_, owner.first + owner.count);
     if (begin == end) continue;
     const Block part = all.middleRows(begin - rows_.begin(), end - begin);
@@ -93,7 +93,7 @@ std::vector<RedundantConstraints::Item> RedundantConstraints::items(const System
     const Eigen::SelfAdjointEigenSolver<Block> shares(part * part.transpose(), Eigen::EigenvaluesOnly);
     const auto rank = std::ranges::count_if(shares.eigenvalues(), [](double x) { return x > removable_share; });
     const auto acting = std::count(acting_.begin() + owner.first, acting_.begin() + owner.first + owner.count, 1);
-    found.push_back({owner.number, std::move(owner.item), owner.first, owner.count, static_cast<int>(acting), static_cast<int>(rank)});
+    found.push_back({owner.number, system.describe(owner), owner.first, owner.count, static_cast<int>(acting), static_cast<int>(rank)});
   }
   return found;
 }

@@ -272,14 +272,17 @@ std::string System::describe_row(int row) const {
 std::vector<System::EquationOwner> System::equation_owners() const {
   const SystemParts& parts = *parts_;
   std::vector<EquationOwner> owners;
-  const auto add = [&](ItemKind kind, std::size_t i, int first, int count) {
-    const int number = static_cast<int>(i);
-    if (first >= 0 && count > 0) owners.push_back({kind == ItemKind::node, number, first, count, parts.describe(kind, number)});
+  const auto add = [&](bool of_node, std::size_t i, int first, int count) {
+    if (first >= 0 && count > 0) owners.push_back({of_node, static_cast<int>(i), first, count});
   };
-  for (std::size_t i = 0; i < parts.nodes.size(); ++i) add(ItemKind::node, i, parts.nodes[i].ae, parts.nodes[i].sizes.ae);
-  for (std::size_t i = 0; i < parts.objects.size(); ++i) add(ItemKind::object, i, parts.objects[i].first_ae, parts.objects[i].equations);
+  for (std::size_t i = 0; i < parts.nodes.size(); ++i) add(true, i, parts.nodes[i].ae, parts.nodes[i].sizes.ae);
+  for (std::size_t i = 0; i < parts.objects.size(); ++i) add(false, i, parts.objects[i].first_ae, parts.objects[i].equations);
   std::ranges::sort(owners, {}, &EquationOwner::first);
   return owners;
+}
+
+std::string System::describe(const EquationOwner& owner) const {
+  return parts_->describe(owner.of_node ? ItemKind::node : ItemKind::object, owner.number);
 }
 
 }  // namespace dalembert

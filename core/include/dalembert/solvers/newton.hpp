@@ -49,6 +49,7 @@ class NewtonSolver : public Solver {
     else return sqrt(sum_of_squares<S>(residual)) / conv.errorCoordinateFactor;
   }
   bool near_singular_position() override;
+  void constraints_are_independent() { examined_ = true; }  // as another matrix with them has shown
   // Make the factors of the matrix in `jacobian_`; false, with the flags set, if it is singular.
   bool factorize();
 

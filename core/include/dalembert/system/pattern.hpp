@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -48,6 +49,14 @@ class Couplings {
   std::vector<int> unknowns_;
   std::vector<Block> blocks_;
   bool open_ = false;  // the last block has one row, and columns may follow
+};
+
+struct FrontStructure;
+
+// How a pattern is eliminated, by the unknowns that bring a pivot (linear/elimination_tree.hpp).
+struct EliminationTree {
+  std::vector<bool> at_hand;
+  std::shared_ptr<const std::vector<FrontStructure>> fronts;
 };
 
 class Pattern {
@@ -96,9 +105,13 @@ class Pattern {
   std::span<const int> column_start() const { return column_start_; }
   std::span<const int> row_index() const { return row_index_; }
 
+  // Found by one linear solver, kept for the next: as its system, a pattern is at the service of one at a time.
+  std::vector<EliminationTree>& known_trees() const { return known_trees_; }
+
  private:
   int size_ = 0;
   std::vector<int> column_start_, row_index_;  // empty when dense
+  mutable std::vector<EliminationTree> known_trees_;
 };
 
 }  // namespace dalembert

@@ -162,9 +162,9 @@ class System {
     bool of_node;  // otherwise of an object
     int number;
     int first, count;  // equations
-    std::string item;  // "object 3 'joint' (JointRevoluteZ)"
   };
   std::vector<EquationOwner> equation_owners() const;
+  std::string describe(const EquationOwner& owner) const;  // "object 3 'joint' (JointRevoluteZ)"
 
   // ---- results: written into `values`, whose memory is used again ----------------------------------------------
   using Values = std::vector<double>;
