@@ -47,8 +47,14 @@ double slow_real(PyObject* value) {
 
 bool read_plain_list(PyObject* const* items, std::span<double> out) {
   for (std::size_t i = 0; i < out.size(); ++i) {
-    if (!PyFloat_CheckExact(items[i])) return false;
-    out[i] = PyFloat_AS_DOUBLE(items[i]);
+    if (PyFloat_CheckExact(items[i])) {
+      out[i] = PyFloat_AS_DOUBLE(items[i]);
+      continue;
+    }
+    int overflow = 0;
+    const long long whole = PyLong_CheckExact(items[i]) ? PyLong_AsLongLongAndOverflow(items[i], &overflow) : 0;
+    if (!PyLong_CheckExact(items[i]) || overflow != 0) return false;
+    out[i] = static_cast<double>(whole);
   }
   return true;
 }
@@ -77,7 +83,7 @@ PyObject* is_plain_vector(PyObject*, PyObject* const* arguments, Py_ssize_t coun
 void register_plain_vectors(py::module_& module) {
   static PyMethodDef definition{"_is_plain_vector", reinterpret_cast<PyCFunction>(reinterpret_cast<void*>(is_plain_vector)), METH_FASTCALL,
                                 "_is_plain_vector(value, size, /)\n--\n\nWhether the value is a list or tuple of so many finite "
-                                "floats, or an array of them."};
+                                "floats or integers, or an array of floats."};
   module.add_object("_is_plain_vector", py::reinterpret_steal<py::object>(PyCFunction_New(&definition, nullptr)));
 }
 

@@ -7,6 +7,7 @@ import functools
 import inspect
 from collections.abc import Callable, Sequence
 from math import isfinite
+from sys import float_info
 from typing import Any, Literal, NamedTuple, NoReturn
 
 import numpy as np
@@ -42,8 +43,11 @@ class Check(NamedTuple):
 
 
 def _is_number(value: Any) -> bool:
-    if type(value) is float:
+    kind = type(value)
+    if kind is float:
         return isfinite(value)
+    if kind is int:
+        return -float_info.max <= value <= float_info.max
     return isinstance(value, (int, float, np.integer, np.floating)) and bool(np.isfinite(value))
 
 
