@@ -50,7 +50,7 @@ void GeneralContact::take_cables_of_system() const {
 void GeneralContact::find_cable_touches(std::vector<HeldContact>& found) const {
   found.clear();
   each_cable_near(0, [&](int i, int c) {
-    const SphereAt& s = at_[static_cast<std::size_t>(i)];
+    const SphereAt& s = pairs_.at[static_cast<std::size_t>(i)];
     const auto number = static_cast<std::size_t>(c);
     std::array<Stretch1D, 4> stretches;
     const int n = stretches_within(cables_[number], cables_now_[number].q, {s.x, s.y}, s.radius + set_->cables[number].half_height, stretches);

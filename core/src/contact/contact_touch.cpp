@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dalembert/model/errors.hpp"
 #include "meetings.hpp"
 
 namespace dalembert {
@@ -11,40 +12,50 @@ namespace dalembert {
 
 // Faces that a sphere dips into, and edges and corners of which no triangle around has a point that is nearer. Triangles touch from
 // their positive side alone. What meets in one point counts once: at an inner edge of a smooth surface, for one of its triangles.
-void GeneralContact::touching_triangles(int number, const Ports& ports, Chunk& chunk) const {
+void GeneralContact::touching_triangles(int number, Chunk& chunk) const {
   std::vector<Found>& found = chunk.found;
   found.clear();
   const auto begin = first_triangle_[static_cast<std::size_t>(number)], end = first_triangle_[static_cast<std::size_t>(number) + 1];
-  const SphereAt& s = at_[static_cast<std::size_t>(number)];
+  const SphereAt& s = pairs_.at[static_cast<std::size_t>(number)];
+  const double least = set_->nearest_relative_distance * s.radius;
   int known = -1;
   Vec3<double> centre;
-  if (begin == end) return;
   for (std::size_t k = begin; k < end; ++k) {
     const int t = near_triangles_[k], carrier = triangle(t).carrier;
     if (carrier != known) {
-      centre = into(frame_of(this->carrier(carrier).marker, ports), {s.x, s.y, s.z});
+      centre = into(carriers_now_[static_cast<std::size_t>(carrier)], {s.x, s.y, s.z});
       known = carrier;
     }
-    const Triangle& corners = local_[static_cast<std::size_t>(t)];
-    const Vec3<double> area = area_vector(corners);
-    const double above = dot(area, centre - corners[0]);
-    if (!(above > 0) || above * above > s.radius * s.radius * dot(area, area)) continue;
-    const TriangleFeature feature = nearest_feature(corners, centre);
-    const Vec3<double> point = nearest_point(corners, feature, centre);
-    const double square = dot(point - centre, point - centre), least = set_->nearest_relative_distance * s.radius;
-    if (square < s.radius * s.radius && square > 0 && square >= least * least) found.push_back({t, feature.is_face() ? 0 : feature.is_edge() ? 1 : 2, point});
+    const Facet& facet = facets_[static_cast<std::size_t>(t)];
+    const double height = facet.height(centre);
+    if (!(height > 0) || height > s.radius) continue;
+    const double within = facet.within_edges(centre);
+    if (within < 0 && within * within + height * height > s.radius * s.radius) continue;
+    Found one{t, 0, centre - height * facet.normal, -facet.normal, height};
+    if (!(within > 0)) {
+      const Triangle& corners = local_[static_cast<std::size_t>(t)];
+      const TriangleFeature feature = nearest_feature(corners, centre);
+      if (!feature.is_face()) {
+        one.rank = feature.is_edge() ? 1 : 2;
+        one.point = nearest_point(corners, feature, centre);
+        one.normal = one.point - centre;
+        one.distance = norm(one.normal);
+        one.normal = (1 / one.distance) * one.normal;
+      }
+    }
+    if (one.distance < s.radius && one.distance > 0 && one.distance >= least) found.push_back(one);
   }
   if (found.size() < 2) return;
   const double same = 1e-9 * s.radius;
   const auto is_kept = [&](const Found& a) {
-    if (a.rank == 0) return true;
     for (const Found& b : found) {
       if (b.triangle == a.triangle || triangle(b.triangle).carrier != triangle(a.triangle).carrier) continue;
+      const bool is_same = norm(b.point - a.point) <= same;
+      if (is_same && (b.rank < a.rank || (b.rank == a.rank && b.triangle < a.triangle))) return false;
+      if (is_same || a.rank == 0) continue;
       const Triangle& corners = local_[static_cast<std::size_t>(b.triangle)];
       const Vec3<double> on_b = nearest_point(corners, nearest_feature(corners, a.point), a.point);
-      if (norm(on_b - a.point) > same) continue;  // it has nothing to do with this point
-      const bool is_same = norm(b.point - a.point) <= same;
-      if (!is_same || b.rank < a.rank || (b.rank == a.rank && b.triangle < a.triangle)) return false;
+      if (norm(on_b - a.point) <= same) return false;  // the other has a point that is nearer
     }
     return true;
   };
@@ -52,6 +63,21 @@ void GeneralContact::touching_triangles(int number, const Ports& ports, Chunk& c
   for (const Found& a : found)
     if (is_kept(a)) chunk.kept.push_back(a);
   found.swap(chunk.kept);
+}
+
+// Spheres of one marker do not touch: neither would feel anything of it.
+bool GeneralContact::overlap(int i, int j) const {
+  const SphereAt &a = pairs_.at[static_cast<std::size_t>(i)], &b = pairs_.at[static_cast<std::size_t>(j)];
+  const double dx = b.x - a.x, dy = b.y - a.y, dz = b.z - a.z, reach = a.radius + b.radius, square = dx * dx + dy * dy + dz * dz;
+  if (square > 0) [[likely]] return square < reach * reach;
+  if (sphere(i).marker != sphere(j).marker) refuse_same_centre(i, j);
+  return false;
+}
+
+void GeneralContact::refuse_same_centre(int i, int j) const {
+  const auto named = [&](int number) { return std::to_string(number) + " (marker " + std::to_string(sphere(number).marker) + ")"; };
+  refuse(ErrorKind::value, {name_, "", "spheres " + named(i) + " and " + named(j) + " have one and the same centre, so that their contact has no direction", "", "",
+                            "Place one of them elsewhere; spheres at one marker do not touch each other"});
 }
 
 // Whether it pushes, and how it slips.
@@ -70,7 +96,7 @@ void GeneralContact::find(const Ports& ports, std::vector<HeldContact>& found) c
   if (!set_->active || set_->spheres.empty()) return;
   follow(ports);
   for (Chunk& chunk : chunks_)
-    each_touch(ports, chunk, [&](HeldContact c) {
+    each_touch(chunk, [&](HeldContact c) {
       if (touches(c, ports, c.sticks)) found.push_back(c);
     });
   if (set_->cables.empty()) return;
@@ -103,6 +129,18 @@ bool GeneralContact::search(const Evaluation& e, const Ports& ports) {
   blocks_of_list_ = lists_;
   list_blocks(ports);
   return true;
+}
+
+bool GeneralContact::forget() {
+  const bool knows = blocks_of_list_ != 0;
+  at_list_.clear();
+  skin_ = 0;
+  since_list_ = 0;
+  blocks_of_list_ = 0;
+  blocks_.clear();
+  held_.clear();
+  cables_in_blocks_.clear();
+  return knows;
 }
 
 void GeneralContact::list_blocks(const Ports& ports) {

@@ -3,16 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "meetings.hpp"
 
 namespace dalembert {
 
-GeneralContact::GeneralContact(std::shared_ptr<const ContactSet> set, const Ports& ports) : set_(std::move(set)) {
+GeneralContact::GeneralContact(std::shared_ptr<const ContactSet> set, const Ports& ports, std::string name) : set_(std::move(set)), name_(std::move(name)) {
   for (const ContactSphere& s : set_->spheres) {
     markers_.push_back(s.marker);
     turns_.push_back(has_rotation(ports, s.marker) ? 1 : 0);
+    offsets_.push_back(ports.offsets(s.marker));
   }
   std::vector<int> sorted = markers_;
   std::ranges::sort(sorted);
@@ -46,72 +46,89 @@ Vec3<double> GeneralContact::velocity_at(int marker, bool turns, const Vec3<doub
   return turns ? velocity + cross(read_frame<RigidPort>(ports, marker).angular_velocity, arm) : velocity;
 }
 
-void GeneralContact::add_contact(const HeldContact& c, Ports& ports, std::optional<bool> sticks, Chunk& chunk) const {
+void GeneralContact::add_held(const HeldContact& c, Ports& ports) const {
   const Partner first{sphere(c.sphere).marker, turns(c.sphere)}, second = partner_of(c);
   const Meeting<double> at = meet(c, ports);
   const Vec3<double> velocity = velocity_at(second.marker, second.turns, at.arm1, ports) - velocity_at(first.marker, first.turns, at.arm0, ports);
-  const Vec3<double> f = force(pairing_of(c), at, velocity, sticks);
+  const Vec3<double> f = force(pairing_of(c), at, velocity, c.sticks);
   const auto push = [&](const Partner& on, const Vec3<double>& force, const Vec3<double>& moment) {
     double* to = ports.force(on.marker);
     add_vector(to, 1.0, force);
     if (on.turns) add_vector(to + 3, 1.0, moment);
   };
   push(first, f, cross(at.arm0, f));
-  if (c.other < chunk.end) push(second, -f, -cross(at.arm1, f));
-  else chunk.far.push_back({second.marker, second.turns, -f, -cross(at.arm1, f)});
+  push(second, -f, -cross(at.arm1, f));
 }
 
-// The same for spheres behind one of them, by what is at hand: without friction, neither spin nor moments play a part.
-void GeneralContact::add_pairs_without_friction(int i, Ports& ports, Chunk& chunk) const {
-  const SphereAt a = at_[static_cast<std::size_t>(i)];
-  const ContactSphere& first = sphere(i);
-  const Vec3<double>& v0 = read_frame<PointPort>(ports, first.marker).velocity;
-  Vec3<double> sum;
-  for (const int j : neighbours_.behind(i)) {
-    const SphereAt& b = at_[static_cast<std::size_t>(j)];
-    const double dx = b.x - a.x, dy = b.y - a.y, dz = b.z - a.z, reach = a.radius + b.radius, square = dx * dx + dy * dy + dz * dz;
-    if (!(square < reach * reach) || square == 0) continue;
-    const ContactSphere& second = sphere(j);
-    const Vec3<double>& v1 = read_frame<PointPort>(ports, second.marker).velocity;
-    const double distance = std::sqrt(square), inverse = 1 / distance;
-    const double away = inverse * (dx * (v1[0] - v0[0]) + dy * (v1[1] - v0[1]) + dz * (v1[2] - v0[2]));
-    const ContactPairing pairing = set_->pairing(first.surface, second.surface);
-    const double pressure = pairing.stiffness * (reach - distance) - pairing.damping * away;
-    if (!(pressure > 0)) continue;
-    const double factor = pressure * inverse;
-    const Vec3<double> f{factor * dx, factor * dy, factor * dz};
-    sum -= f;
-    if (j < chunk.end) add_vector(ports.force(second.marker), 1.0, f);
-    else chunk.far.push_back({second.marker, false, f, {}});
+// What a sphere feels of triangles now; what they feel waits in the chunk.
+void GeneralContact::add_on_triangles(int number, const Ports& ports, Chunk& chunk) const {
+  touching_triangles(number, chunk);
+  const auto i = static_cast<std::size_t>(number);
+  const bool spins = turns(number);
+  for (const Found& found : chunk.found) {
+    const auto c = static_cast<std::size_t>(triangle(found.triangle).carrier);
+    const ContactCarrier& carrier = set_->carriers[c];
+    const RigidFrame<double>& frame = carriers_now_[c];
+    Meeting<double> at;
+    at.normal = frame.rotation * found.normal;
+    at.gap = found.distance - pairs_.at[i].radius;
+    at.arm0 = found.distance * at.normal;
+    const bool moves = ports.ports[static_cast<std::size_t>(carrier.marker)].n > 0;  // what rests has no velocity, and feels nothing
+    Vec3<double> velocity = -pairs_.velocity[i].vector();
+    if (moves) {
+      at.arm1 = frame.rotation * found.point;
+      velocity += frame.velocity + cross(frame.angular_velocity, at.arm1);
+    }
+    if (spins) velocity -= cross(pairs_.spin[i].vector(), at.arm0);
+    const Vec3<double> f = force(set_->pairing(sphere(number).surface, carrier.surface), at, velocity, {});
+    pairs_.force[i].add(f);
+    if (spins) pairs_.moment[i].add(cross(at.arm0, f));
+    if (moves) chunk.on_carriers.push_back({carrier.marker, -f, -cross(at.arm1, f)});
   }
-  add_vector(ports.force(first.marker), 1.0, sum);
+}
+
+void GeneralContact::add_direct(Ports& ports) const {
+  const bool rubs = !std::ranges::all_of(set_->friction, [](double mu) { return mu == 0; });
+  const auto number_of = [&](const Chunk& chunk) { return static_cast<int>(&chunk - chunks_.data()); };
+  each_chunk([&](Chunk& chunk) {
+    if (pairs_.compute(number_of(chunk), *set_, rubs) == 0) {
+      for (int i = chunk.begin; i < chunk.end; ++i)
+        for (const int j : neighbours_.behind(i)) overlap(i, j);  // refuses those of one centre
+    }
+    chunk.on_carriers.clear();
+    for (const int i : chunk.at_triangles) add_on_triangles(i, ports, chunk);
+  });
+  const auto leave = [&](const Chunk& chunk) {
+    for (int number = chunk.begin; number < chunk.end; ++number) {
+      const auto i = static_cast<std::size_t>(number);
+      double* to = ports.forces.data() + offsets_[i].force;
+      add_vector(to, 1.0, pairs_.force[i].vector());
+      if (rubs && turns_[i] != 0) add_vector(to + 3, 1.0, pairs_.moment[i].vector());
+    }
+  };
+  each_chunk([&](Chunk& chunk) {
+    pairs_.collect(number_of(chunk), rubs);
+    if (!shares_markers_) leave(chunk);
+  });
+  for (const Chunk& chunk : chunks_) {
+    if (shares_markers_) leave(chunk);
+    for (const Chunk::OnCarrier& on : chunk.on_carriers) {
+      double* to = ports.force(on.marker);
+      add_vector(to, 1.0, on.force);
+      add_vector(to + 3, 1.0, on.moment);
+    }
+  }
 }
 
 void GeneralContact::residual(const Evaluation& e, Ports& ports, double* r) const {
   if (!set_->active || set_->spheres.empty()) return;
   take_cables(e.q, e.v);
   if (!e.direct) {
-    Chunk all{.begin = 0, .end = std::numeric_limits<int>::max(), .far = {}, .found = {}, .kept = {}};
-    for (const HeldContact& c : held_) is_cable(c) ? add_cable(c, ports, c.sticks, r) : add_contact(c, ports, c.sticks, all);
+    for (const HeldContact& c : held_) is_cable(c) ? add_cable(c, ports, c.sticks, r) : add_held(c, ports);
     return;
   }
   follow(ports);
-  const bool slides = std::ranges::all_of(set_->friction, [](double mu) { return mu == 0; });
-  each_chunk([&](Chunk& chunk) {
-    chunk.far.clear();
-    for (int i = chunk.begin; slides && i < chunk.end; ++i) {
-      add_pairs_without_friction(i, ports, chunk);
-      touching_triangles(i, ports, chunk);
-      for (const Found& found : chunk.found) add_contact({i, set_->first_triangle() + found.triangle}, ports, {}, chunk);
-    }
-    if (!slides) each_touch(ports, chunk, [&](const HeldContact& c) { add_contact(c, ports, {}, chunk); });
-  });
-  for (const Chunk& chunk : chunks_)
-    for (const Chunk::Far& far : chunk.far) {
-      double* to = ports.force(far.marker);
-      add_vector(to, 1.0, far.force);
-      if (far.turns) add_vector(to + 3, 1.0, far.moment);
-    }
+  add_direct(ports);
   find_cable_touches(cable_touches_);
   for (const HeldContact& c : cable_touches_) add_cable(c, ports, {}, r);
 }

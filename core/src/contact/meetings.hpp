@@ -18,11 +18,6 @@ RigidFrame<S> turned_never(const PointFrame<S>& point) {
 inline Vec3<double> into(const RigidFrame<double>& frame, const Vec3<double>& point) { return transposed_times(frame.rotation, point - frame.position); }
 inline Vec3<double> out_of(const RigidFrame<double>& frame, const Vec3<double>& point) { return frame.position + frame.rotation * point; }
 
-inline bool overlap(const SphereAt& a, const SphereAt& b) {
-  const double dx = b.x - a.x, dy = b.y - a.y, dz = b.z - a.z, reach = a.radius + b.radius, square = dx * dx + dy * dy + dz * dz;
-  return square < reach * reach && square > 0;
-}
-
 inline RigidFrame<SweepDual> moving_frame(const Ports& ports, int marker, int offset, int first) {
   if (has_rotation(ports, marker)) return read_moving_frame<RigidPort>(ports, marker, offset, first);
   return turned_never(read_moving_frame<PointPort>(ports, marker, offset, first));
@@ -57,12 +52,11 @@ void GeneralContact::each_chunk(const F& f) const {
 }
 
 template <class F>
-void GeneralContact::each_touch(const Ports& ports, Chunk& chunk, F&& f) const {
+void GeneralContact::each_touch(Chunk& chunk, F&& f) const {
   for (int i = chunk.begin; i < chunk.end; ++i) {
-    const SphereAt a = at_[static_cast<std::size_t>(i)];
     for (const int j : neighbours_.behind(i))
-      if (overlap(a, at_[static_cast<std::size_t>(j)])) f(HeldContact{i, j});
-    touching_triangles(i, ports, chunk);
+      if (overlap(i, j)) f(HeldContact{i, j});
+    touching_triangles(i, chunk);
     for (const Found& found : chunk.found) f(HeldContact{i, set_->first_triangle() + found.triangle});
   }
 }
@@ -115,7 +109,7 @@ Vec3<S> GeneralContact::force(const ContactPairing& pairing, const Meeting<S>& a
 template <class F>
 void GeneralContact::each_cable_near(double distance, F&& f) const {
   for (int i = 0; !cables_now_.empty() && i < spheres(); ++i) {
-    const SphereAt& s = at_[static_cast<std::size_t>(i)];
+    const SphereAt& s = pairs_.at[static_cast<std::size_t>(i)];
     const double reach = (1 + distance) * s.radius;
     for (std::size_t c = 0; c < cables_now_.size(); ++c) {
       const Box& box = cables_now_[c].box;

@@ -61,6 +61,7 @@ constexpr int first_jacobians = 8;
 void NewtonSolver::initialize_data() {
   Solver::initialize_data();
   system().complete_pattern();
+  system().forget_searches();
   full_newton_ = !newton_settings.useModifiedNewton;
   forget_redundancy();
   take_pattern();
@@ -73,6 +74,7 @@ void NewtonSolver::initialize_data() {
 
 // Factors remember the pivots of earlier matrices.
 void NewtonSolver::forget() {
+  system().forget_searches();
   full_newton_ = !newton_settings.useModifiedNewton;
   forget_redundancy();
   take_pattern();
