@@ -172,7 +172,39 @@ def test_markers_may_be_named(tmp_path: Path) -> None:
     assert int(mbs.GetGeneralContact(0).GetSphereMarkerBased(0, addData=True)["markerIndex"]) == 1
 
 
-# ---- restart ---------------------------------------------------------------------------------------------------------
+# ---- once more ---------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("linear", [exu.LinearSolverType.EXUdense, exu.LinearSolverType.EigenSparse])
+def test_a_ball_that_rests_begins_without_acceleration(linear: Any) -> None:
+    """Accelerations at the start know of the contact, also where the system has been solved, and lists are those of another place."""
+    world = World()
+    body = world.ball([0, 0, 0.1 - 9.81 / 1e4], gravity=[0, 0, -9.81])
+    world.mesh(*grid_mesh(2.0, 2))
+    world.mbs.Assemble()
+    settings = exu.SimulationSettings()
+    settings.solutionSettings.writeSolutionToFile = False
+    settings.linearSolverType = linear
+    settings.timeIntegration.endTime, settings.timeIntegration.numberOfSteps = 0.01, 10
+    for shift in (0.0, 0.7, 0.0):
+        world.mbs.systemData.SetODE2Coordinates([shift, 0, 0, 0, 0, 0], exu.ConfigurationType.Initial)
+        world.mbs.SolveDynamic(settings)
+        np.testing.assert_allclose(world.output(body, "Velocity"), 0, atol=1e-12)
+
+
+@pytest.mark.parametrize("solver", [EXPLICIT, IMPLICIT])
+def test_solutions_do_not_depend_on_earlier_ones(solver: Any) -> None:
+    """The sparse pattern, too, is that of a system that was assembled just now."""
+    mbs = sliding_cloud()
+    settings = exu.SimulationSettings()
+    settings.solutionSettings.writeSolutionToFile = False
+    settings.linearSolverType = exu.LinearSolverType.EigenSparse
+    settings.timeIntegration.endTime, settings.timeIntegration.numberOfSteps = 0.1, 100
+    results = []
+    for _ in range(2):
+        mbs.SolveDynamic(settings, solverType=solver)
+        results.append(mbs.systemData.GetODE2Coordinates().tobytes() + mbs.systemData.GetODE2Coordinates_t().tobytes())
+    assert results[0] == results[1]
 
 
 def sliding_cloud() -> Any:

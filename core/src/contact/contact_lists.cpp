@@ -85,8 +85,10 @@ double GeneralContact::moved() const {
 void GeneralContact::follow(const Ports& ports) const {
   renew_shapes();
   take_places(ports);
-  ++since_list_;
-  if (at_list_.size() == pairs_.at.size() && moved() <= skin_) return;
+  const bool known = at_list_.size() == pairs_.at.size();
+  const double distance = known ? moved() : 0;
+  if (distance > 0) ++since_list_;  // of other states: to ask twice changes nothing
+  if (known && distance <= skin_) return;
   renew_lists();
 }
 

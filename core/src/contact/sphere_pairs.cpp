@@ -137,8 +137,11 @@ double SpherePairs::compute_pairs(std::size_t begin, std::size_t end, const Cont
       const PackedVector drag = (friction * pressure * factor) * slip, torque = cross(normal, drag);
       on_first = on_first + drag;
       const PackedVector moment0 = arm0 * torque, moment1 = arm1 * torque;
-      each_row<4>({moment0.x, moment0.y, moment0.z, P()}, count, [&](int lane, const P& row) DALEMBERT_INLINE { row.add_to(&moment[static_cast<std::size_t>(first[lane])].x); });
-      each_row<4>({moment1.x, moment1.y, moment1.z, P()}, count, [&](int lane, const P& row) DALEMBERT_INLINE { row.add_to(&moment[static_cast<std::size_t>(target[lane])].x); });
+      const std::array<P, 4> on_second = rows_from<4>({moment1.x, moment1.y, moment1.z, P()});
+      each_row<4>({moment0.x, moment0.y, moment0.z, P()}, count, [&](int lane, const P& row) DALEMBERT_INLINE {  // pair by pair: sums keep their order
+        row.add_to(&moment[static_cast<std::size_t>(first[lane])].x);
+        on_second[static_cast<std::size_t>(lane)].add_to(&moment[static_cast<std::size_t>(target[lane])].x);
+      });
     }
     each_row<4>({on_first.x, on_first.y, on_first.z, P()}, count, [&](int lane, const P& row) DALEMBERT_INLINE {
       row.add_to(&force[static_cast<std::size_t>(first[lane])].x);

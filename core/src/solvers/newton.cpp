@@ -59,9 +59,10 @@ constexpr int first_jacobians = 8;
 }  // namespace
 
 void NewtonSolver::initialize_data() {
-  Solver::initialize_data();
-  system().complete_pattern();
   system().forget_searches();
+  Solver::initialize_data();
+  if (continues()) system().forget_searches();  // that of the initial values was not the last one
+  system().complete_pattern();
   full_newton_ = !newton_settings.useModifiedNewton;
   forget_redundancy();
   take_pattern();
