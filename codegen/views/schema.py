@@ -53,11 +53,71 @@ def _schema(specs: Specs) -> dict[str, Any]:
             "formatVersion": {"const": 1},
             "package": {"type": "string", "description": "version of the package that has written the file"},
             **lists,
+            "generalContacts": {"type": "array", "items": {"$ref": "#/$defs/generalContact"}},
             "functions": {"type": "object", "description": "user functions of the system"},
             "variables": {"type": "object", "description": "mbs.variables"},
             "settings": _group(simulation.root, enums),
         },
-        "$defs": _DEFINITIONS | {item.name: _item(item, enums) for item in specs.items if item.ready},
+        "$defs": _DEFINITIONS
+        | {"generalContact": _general_contact()}
+        | {item.name: _item(item, enums) for item in specs.items if item.ready},
+    }
+
+
+def _columns(description: str, **kinds: dict[str, Any]) -> dict[str, Any]:
+    """Numbers of several things, in columns of one length."""
+    columns = {
+        name: {"oneOf": [{"type": "array", "items": kind}, {"$ref": "#/$defs/npz"}]} for name, kind in kinds.items()
+    }
+    return {
+        "type": "object",
+        "description": description,
+        "required": list(kinds),
+        "additionalProperties": False,
+        "properties": columns,
+    }
+
+
+def _general_contact() -> dict[str, Any]:
+    """Columns and settings by the names of the arguments and attributes that bring them."""
+    index, whole = {"$ref": "#/$defs/index"}, {"type": "integer", "minimum": 0}
+    positive, not_negative = {"type": "number", "exclusiveMinimum": 0}, {"type": "number", "minimum": 0}
+    surface = {"contactStiffness": positive, "contactDamping": not_negative, "frictionMaterialIndex": whole}
+    groups = {
+        "spheres": _columns("spheres at markers", markerIndex=index, radius=positive, **surface),
+        "cables": _columns("elements of planar cables", objectIndex=index, halfHeight=not_negative, **surface),
+        "triangleBodies": _columns("markers whose frames carry triangles", rigidBodyMarkerIndex=index, **surface),
+        "triangles": _columns(
+            "corners of triangles in the frames of triangleBodies",
+            contactRigidBodyIndex=whole,
+            points=_array((3, 3), "number"),
+        ),
+    }
+    flags = (
+        "isActive sphereSphereContact sphereSphereFrictionRecycle excludeOverlappingTrigSphereContacts "
+        "excludeDuplicatedTrigSphereContactPoints computeExactStaticTriangleBins computeContactForces "
+        "ancfCableUseExactMethod"
+    )
+    counts = (
+        "verboseMode resetSearchTreeInterval ancfCableNumberOfContactSegments ancfCableMeasuringSegments "
+        "parallelTaskSplit parallelTaskSplitBoundingBoxes parallelTaskSplitThreshold "
+        "parallelTaskSplitBoundingBoxesThreshold"
+    )
+    pairings = _array((None, None), "number") | {"description": "coefficients of friction of pairs of materials"}
+    settings = {
+        "frictionPairings": pairings,
+        "frictionProportionalZone": positive | {"description": "slip up to which friction grows with it (m/s)"},
+        "minRelDistanceSpheresTriangles": not_negative,
+        "searchTreeSize": _array((3,), "integer"),
+        "searchTreeBox": _array((6,), "number"),
+        **{name: {"type": "boolean"} for name in flags.split()},
+        **{name: {"type": "integer"} for name in counts.split()},
+    }
+    return {
+        "type": "object",
+        "description": "contact of spheres with each other, with triangles and with planar cables",
+        "additionalProperties": False,
+        "properties": groups | settings,
     }
 
 

@@ -7,6 +7,7 @@
 
 #include "conversion.hpp"
 #include "dalembert/contact/general_contact.hpp"
+#include "general_contact_checks.hpp"
 #include "index_types.hpp"
 #include "item_arguments.hpp"
 #include "main_system.hpp"
@@ -40,25 +41,6 @@ struct ContactHandle {
 };
 struct ContactVisualization {};
 
-using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
-using Indices = py::array_t<int, py::array::c_style | py::array::forcecast>;
-
-[[noreturn]] void refuse_value(const char* method, const std::string& parameter, const std::string& received, const std::string& expected) {
-  refuse(ErrorKind::value, {ContactHandle::called(method), parameter, "", received, expected, ""});
-}
-std::string text_of(double x) { return py::str(py::float_(x)); }
-
-double require(const char* method, const char* parameter, double value, bool positive, const char* unit) {
-  if (std::isfinite(value) && (positive ? value > 0 : value >= 0)) return value;
-  refuse_value(method, parameter, text_of(value), std::string(positive ? "a positive number" : "a number that is not negative") + " (unit " + unit + ")");
-}
-int require_material(const char* method, int material) {
-  if (material >= 0) return material;
-  refuse_value(method, "frictionMaterialIndex", std::to_string(material), "a number from 0, of a row of frictionPairings");
-}
-ContactSurface surface_of(const char* method, double stiffness, double damping, int material) {
-  return {require(method, "contactStiffness", stiffness, true, "N/m"), require(method, "contactDamping", damping, false, "Ns/m"), require_material(method, material)};
-}
 int require_number(const char* method, int number, std::size_t count, const char* of) {
   if (number >= 0 && number < static_cast<int>(count)) return number;
   refuse(ErrorKind::index, {ContactHandle::called(method), "localIndex", "", std::to_string(number), "the number of a " + std::string(of) + "; there are " + std::to_string(count), ""});
@@ -117,13 +99,6 @@ int add_cable(const ContactHandle& self, const py::object& object, double half_h
   return static_cast<int>(self.set->cables.size()) - 1;
 }
 
-void require_area(const char* method, const std::string& parameter, const Triangle& points) {
-  const Vec3<double> area = area_vector(points);
-  double longest = 0;
-  for (std::size_t i = 0; i < 3; ++i) longest = std::max(longest, dot(points[(i + 1) % 3] - points[i], points[(i + 1) % 3] - points[i]));
-  if (!(norm(area) > 1e-14 * longest)) refuse_value(method, parameter, "points on one line", "a triangle with an area");
-}
-
 int add_triangles(const ContactHandle& self, const py::object& marker, double stiffness, double damping, int material, const py::object& points,
                   const py::object& triangles) {
   constexpr const char* method = "AddTrianglesRigidBodyBased";
@@ -162,23 +137,14 @@ int add_triangles(const ContactHandle& self, const py::object& marker, double st
 
 void set_friction_pairings(const ContactHandle& self, const py::object& pairings) {
   constexpr const char* method = "SetFrictionPairings";
-  const Array table = Array::ensure(pairings);
-  if (!table) PyErr_Clear();
-  if (!table || table.ndim() != 2 || table.shape(0) != table.shape(1) || table.shape(0) == 0)
-    refuse_value(method, "frictionPairings", show(pairings.ptr()), "a square matrix of coefficients of friction");
-  const auto mu = table.unchecked<2>();
-  for (py::ssize_t i = 0; i < mu.shape(0); ++i)
-    for (py::ssize_t j = 0; j < mu.shape(1); ++j) {
-      const std::string entry = "frictionPairings[" + std::to_string(i) + "," + std::to_string(j) + "]";
-      if (!(mu(i, j) >= 0) || !std::isfinite(mu(i, j))) refuse_value(method, entry, text_of(mu(i, j)), "a coefficient of friction that is not negative");
-      if (mu(i, j) != mu(j, i)) refuse_value(method, entry, text_of(mu(i, j)), text_of(mu(j, i)) + ", as the other way round: action is reaction");
-    }
+  const Array table = friction_argument(method, pairings);
   require_own_thread(*self.main, ContactHandle::called(method));
   const int count = static_cast<int>(table.shape(0));
   if (count < self.set->materials) self.main->restructure(ContactHandle::called(method)).term_source_changed();  // Assemble checks the numbers
   self.set->friction.assign(table.data(), table.data() + table.size());
   if (count > self.set->materials) self.main->restructure(ContactHandle::called(method)).term_source_changed();
   self.set->materials = count;
+  ++self.set->shapes;
 }
 
 void set_proportional_zone(const ContactHandle& self, double zone) {
@@ -351,29 +317,7 @@ py::object contact_forces(const ContactHandle& self, bool) {
 
 // ---- settings --------------------------------------------------------------------------------------------------------
 
-// Search and threads find their own way: these are kept, to be read again.
-struct KeptSetting {
-  const char* name;
-  double value;
-  bool is_flag;
-};
-constexpr KeptSetting kept_settings[] = {
-    {"verboseMode", 0, false},
-    {"resetSearchTreeInterval", 10000, false},
-    {"sphereSphereFrictionRecycle", 0, true},
-    {"excludeOverlappingTrigSphereContacts", 1, true},
-    {"excludeDuplicatedTrigSphereContactPoints", 0, true},
-    {"computeExactStaticTriangleBins", 1, true},
-    {"computeContactForces", 0, true},
-    {"ancfCableUseExactMethod", 1, true},
-    {"ancfCableNumberOfContactSegments", 1, false},
-    {"ancfCableMeasuringSegments", 20, false},
-    {"parallelTaskSplit", 12, false},
-    {"parallelTaskSplitBoundingBoxes", 48, false},
-    {"parallelTaskSplitThreshold", 12, false},
-    {"parallelTaskSplitBoundingBoxesThreshold", 400, false},
-};
-
+// Search and threads find their own way: these have no effect.
 void register_kept(py::class_<ContactHandle>& contact) {
   for (const KeptSetting& setting : kept_settings) {
     const std::string name = setting.name;
@@ -409,8 +353,6 @@ void set_box(const ContactHandle& self, const py::object& lower, const py::objec
   }
 }
 
-py::array_t<double> friction_out(const ContactSet& set) { return new_array({set.materials, set.materials}, set.friction.data()); }
-
 py::dict python_object(const ContactHandle& self) {
   const ContactSet& set = *self.set;
   py::dict result;
@@ -432,62 +374,6 @@ py::dict python_object(const ContactHandle& self) {
   return result;
 }
 
-// ---- the whole as a dictionary, for copies and files ------------------------------------------------------------------
-
-py::dict dictionary_of(const ContactSet& set) {
-  py::list spheres, cables, carriers, triangles;
-  for (const ContactCable& c : set.cables) cables.append(py::make_tuple(c.object, c.half_height, c.surface.stiffness, c.surface.damping, c.surface.material));
-  for (const ContactSphere& s : set.spheres) spheres.append(py::make_tuple(s.marker, s.radius, s.surface.stiffness, s.surface.damping, s.surface.material));
-  for (const ContactCarrier& c : set.carriers) carriers.append(py::make_tuple(c.marker, c.surface.stiffness, c.surface.damping, c.surface.material));
-  for (const ContactTriangle& t : set.triangles) triangles.append(py::make_tuple(t.carrier, points_out(t.points).attr("tolist")()));
-  py::dict result;
-  result["spheres"] = spheres;
-  result["cables"] = cables;
-  result["triangleBodies"] = carriers;
-  result["triangles"] = triangles;
-  result["frictionPairings"] = friction_out(set).attr("tolist")();
-  result["frictionProportionalZone"] = set.proportional_zone;
-  result["minRelDistanceSpheresTriangles"] = set.nearest_relative_distance;
-  result["isActive"] = set.active;
-  result["sphereSphereContact"] = set.spheres_touch;
-  result["searchTreeSize"] = std::vector<int>(set.cells.begin(), set.cells.end());
-  result["searchTreeBox"] = std::vector<double>(set.box.begin(), set.box.end());
-  result["withoutEffect"] = set.without_effect;
-  return result;
-}
-
-std::shared_ptr<ContactSet> set_from(const py::dict& data) {
-  auto set = std::make_shared<ContactSet>();
-  for (const auto& entry : data["spheres"].cast<std::vector<std::tuple<int, double, double, double, int>>>()) {
-    const auto& [marker, radius, stiffness, damping, material] = entry;
-    set->spheres.push_back({marker, radius, {stiffness, damping, material}});
-  }
-  for (const auto& entry : data["cables"].cast<std::vector<std::tuple<int, double, double, double, int>>>()) {
-    const auto& [object, half_height, stiffness, damping, material] = entry;
-    set->cables.push_back({object, half_height, {stiffness, damping, material}});
-  }
-  for (const auto& entry : data["triangleBodies"].cast<std::vector<std::tuple<int, double, double, int>>>()) {
-    const auto& [marker, stiffness, damping, material] = entry;
-    set->carriers.push_back({marker, {stiffness, damping, material}});
-  }
-  for (const auto& entry : data["triangles"].cast<std::vector<std::pair<int, std::array<std::array<double, 3>, 3>>>>()) {
-    const auto& p = entry.second;
-    set->triangles.push_back({entry.first, {Vec3<double>{p[0]}, Vec3<double>{p[1]}, Vec3<double>{p[2]}}});
-  }
-  for (const auto& row : data["frictionPairings"].cast<std::vector<std::vector<double>>>()) {
-    ++set->materials;
-    set->friction.insert(set->friction.end(), row.begin(), row.end());
-  }
-  set->proportional_zone = data["frictionProportionalZone"].cast<double>();
-  set->nearest_relative_distance = data["minRelDistanceSpheresTriangles"].cast<double>();
-  set->active = data["isActive"].cast<bool>();
-  set->spheres_touch = data["sphereSphereContact"].cast<bool>();
-  set->cells = data["searchTreeSize"].cast<std::array<int, 3>>();
-  set->box = data["searchTreeBox"].cast<std::array<double, 6>>();
-  set->without_effect = data["withoutEffect"].cast<std::map<std::string, double>>();
-  return set;
-}
-
 int contact_number(const MainSystem& main, int number, const char* method) {
   const int count = static_cast<int>(main.model.term_sources().size());
   if (number >= 0 && number < count) return number;
@@ -495,21 +381,6 @@ int contact_number(const MainSystem& main, int number, const char* method) {
 }
 
 }  // namespace
-
-py::list general_contact_dictionaries(const MainSystem& main) {
-  py::list result;
-  for (const auto& source : main.model.term_sources()) result.append(dictionary_of(static_cast<const ContactSet&>(*source)));
-  return result;
-}
-
-std::shared_ptr<SystemTermSource> general_contact_from(const py::dict& data, const std::string& where) {
-  try {
-    return set_from(data);
-  } catch (const std::exception&) {  // of a missing key, or of a cast
-    PyErr_Clear();
-    refuse(ErrorKind::value, {where, "", "", show(data.ptr()), "what GetDictionary() gave", ""});
-  }
-}
 
 void register_general_contacts(py::class_<MainSystem, std::shared_ptr<MainSystem>>& main_system) {
   main_system.def(

@@ -259,7 +259,7 @@ void set_system_dictionary(MainSystem& main, const py::dict& data) {
   }
   if (data.contains("generalContactList")) {
     for (const py::handle entry : data["generalContactList"])
-      model.add(general_contact_from(py::reinterpret_borrow<py::dict>(entry), "SetDictionary(...), generalContactList[" + std::to_string(model.term_sources().size()) + "]"));
+      model.add(general_contact_from(entry, "SetDictionary(...), generalContactList[" + std::to_string(model.term_sources().size()) + "]"));
   }
   const auto entries = [&](const char* key) {
     return data.contains(key) && py::isinstance<py::dict>(data[key]) ? copy_of(data[key]) : py::dict();

@@ -88,11 +88,11 @@ void register_main_system_items(py::class_<MainSystem, std::shared_ptr<MainSyste
 void register_main_system_assembled(py::class_<MainSystem, std::shared_ptr<MainSystem>>& main_system);
 void register_system_container(py::module_& module);
 
-// Bound in general_contact.cpp.
+// Bound in general_contact.cpp and general_contact_dictionary.cpp.
 void register_general_contact(py::module_& module);
 void register_general_contacts(py::class_<MainSystem, std::shared_ptr<MainSystem>>& main_system);
 py::list general_contact_dictionaries(const MainSystem& main);
-std::shared_ptr<SystemTermSource> general_contact_from(const py::dict& data, const std::string& where);
+std::shared_ptr<SystemTermSource> general_contact_from(const py::handle& data, const std::string& where);
 
 py::dict system_dictionary(const MainSystem& main);                  // GetDictionary
 void set_system_dictionary(MainSystem& main, const py::dict& data);  // SetDictionary; on an error the system is left as it was

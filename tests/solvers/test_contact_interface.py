@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import copy
 import pickle
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -13,6 +12,7 @@ from test_general_contact import CUBE, CUBE_FACES, EXPLICIT, IMPLICIT, World, gr
 
 import dalembert as exu
 from dalembert import itemInterface as eii
+from dalembert.robotics.utilities import AddLidar
 
 TYPES = exu.ContactTypeIndex
 
@@ -117,6 +117,32 @@ def test_distance_sensors() -> None:
     assert world.mbs.GetSensorValues(ground) == pytest.approx(1.5)
     stored = world.mbs.GetSensorStoredData(down)
     np.testing.assert_allclose(stored[:, 1], 7.5 + stored[:, 0], atol=1e-12)
+
+
+def test_lidar() -> None:
+    """A fan of rays in a square room, on a cart that moves and turns: distances of the walls by their closed form."""
+    world, rays = World(), 24
+    room = world.mbs.CreateDistanceSensorGeometry(4 * CUBE, CUBE_FACES[:, ::-1], rigidBodyMarkerIndex=world.ground)
+    cart = world.mbs.CreateRigidBody(
+        initialVelocity=[1, -0.5, 0], initialAngularVelocity=[0, 0, 2], inertia=exu.utilities.InertiaSphere(1, 1)
+    )
+    marker = world.mbs.AddMarker(eii.MarkerBodyRigid(bodyNumber=cart))
+    sensors = AddLidar(
+        world.mbs, room, marker, numberOfSensors=rays, angleEnd=2 * np.pi * (1 - 1 / rays), addGraphicsObject=False
+    )
+    for time in (0.0, 0.7):
+        if time:
+            world.solve(time, 70, IMPLICIT)
+        else:
+            world.mbs.Assemble()
+        turned = world.output(cart, "RotationMatrix").reshape(3, 3)
+        angles = 2 * np.pi * np.arange(rays) / rays + np.arctan2(turned[1, 0], turned[0, 0])
+        along = np.stack([np.cos(angles), np.sin(angles)])
+        place = np.array([[time], [-0.5 * time]])
+        with np.errstate(divide="ignore"):  # rays along a wall
+            walls = ((np.copysign(4, along) - place) / along).min(axis=0)  # along the ray, of both axes the nearer one
+        measured = [world.mbs.GetSensorValues(sensor) for sensor in sensors]
+        np.testing.assert_allclose(measured, walls, atol=1e-9)
 
 
 def test_geometry_of_sensors_does_not_push() -> None:
@@ -237,13 +263,6 @@ def test_variations_have_the_contact() -> None:
             assert found[2] == pytest.approx(-speed[2], abs=2e-2)
 
 
-def test_model_files_refuse_what_they_would_leave_out(tmp_path: Path) -> None:
-    world = bouncing()
-    with pytest.raises(NotImplementedError, match="GeneralContact, and the system has 1.*pickle"):
-        world.mbs.Save(tmp_path / "model.json")
-    assert not any(tmp_path.iterdir())
-
-
 def test_deleting_and_resetting() -> None:
     world = bouncing()
     second = world.mbs.AddGeneralContact()
@@ -351,6 +370,50 @@ def test_refused_when_assembled() -> None:
     world.mesh(POINTS, FACE, world.mbs.AddMarker(eii.MarkerBodyPosition(bodyNumber=body)))
     with pytest.raises(ValueError, match="rigidBodyMarkerIndex.*MarkerBodyPosition.*a marker with an orientation"):
         world.mbs.Assemble()
+
+
+@pytest.mark.parametrize("friction", [0.0, 0.3])
+def test_spheres_of_one_centre_are_refused(friction: float) -> None:
+    """Their contact has no direction, wherever it is asked for; both are named."""
+
+    def stacked() -> World:
+        world = World(friction=friction)
+        for x in (0.0, 0.5, 0.5):
+            world.ball([x, 0, 0])
+        world.mbs.Assemble()
+        return world
+
+    text = r"GeneralContact 0: spheres 1 \(marker 2\) and 2 \(marker 3\) have one and the same centre"
+    for ask in (
+        lambda world: world.contact.GetSystemODE2RhsContactForces(),
+        lambda world: world.contact.UpdateContacts(world.mbs),
+        lambda world: world.solve(0.1, 10, EXPLICIT),
+        lambda world: world.solve(0.1, 10, IMPLICIT),
+    ):
+        with pytest.raises(ValueError, match=text):
+            ask(stacked())
+
+
+def test_spheres_that_come_to_one_centre_are_refused() -> None:
+    """Contacts that may be passed through, as their centres meet exactly after one step of 1/4 s."""
+    world = World()
+    world.point([-0.25, 0, 0], [1, 0, 0], mass=1e12, radius=0.125, stiffness=1e-12)
+    world.point([0.25, 0, 0], [-1, 0, 0], mass=1e12, radius=0.125, stiffness=1e-12)
+    with pytest.raises(ValueError, match=r"spheres 0 \(marker 1\) and 1 \(marker 2\) have one and the same centre"):
+        world.solve(1.0, 4, exu.DynamicSolverType.ExplicitEuler)
+
+
+def test_spheres_at_one_marker_do_not_touch() -> None:
+    """They may have one centre, as the tread and the rim of a wheel."""
+    world = World()
+    world.ball([0, 0, 0], radius=0.1)
+    world.sphere(1, 0.2)
+    world.point([0.25, 0, 0], radius=0.1)
+    world.mbs.Assemble()
+    forces = world.contact.GetSystemODE2RhsContactForces()
+    np.testing.assert_allclose(forces, [-500, 0, 0, 0, 0, 0, 500, 0, 0], atol=1e-10)
+    world.contact.UpdateContacts(world.mbs)
+    assert list(world.contact.GetActiveContacts(TYPES.IndexSpheresMarkerBased, -1)) == [0, 1, 0]
 
 
 def test_general_contact_belongs_to_a_system() -> None:

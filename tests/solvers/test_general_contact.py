@@ -314,6 +314,27 @@ def test_any_number_of_threads_gives_the_same_bytes(solver: Any) -> None:
     assert results[0] == results[1]
 
 
+@pytest.mark.parametrize("friction", [0.0, 0.3])
+def test_threads_that_share_spheres_give_the_same_bytes(friction: float) -> None:
+    """Three chunks of a thousand spheres, with contacts inside of them, between them and with a body of triangles, for which they take turns."""
+    rng = np.random.default_rng(11)
+    places = 0.19 * np.array(list(itertools.product(range(15), repeat=3)))[:3100] + rng.uniform(-0.01, 0.01, (3100, 3))
+    speeds = rng.uniform(-1, 1, (3100, 3))
+    results = []
+    for threads in (1, 2, 3):
+        world = World(friction=friction, zone=0.02)
+        make = world.ball if friction else world.point
+        for place, speed in zip(places, speeds, strict=True):
+            make(place, speed)
+        plate = world.mbs.CreateRigidBody(referencePosition=[1, 1, -0.08], inertia=InertiaSphere(1e3, 1))
+        world.mesh(*grid_mesh(2.0, 9), world.mbs.AddMarker(eii.MarkerBodyRigid(bodyNumber=plate)))
+        world.solve(0.02, 40, EXPLICIT, threads)
+        data = world.mbs.systemData
+        results.append(data.GetODE2Coordinates().tobytes() + data.GetODE2Coordinates_t().tobytes())
+        assert np.abs(world.output(plate, "Velocity")).max() > 1e-3
+    assert results[0] == results[1] == results[2]
+
+
 def test_the_list_of_pairs_does_not_show() -> None:
     """A system that looked for pairs elsewhere before goes on as one that did not, bit for bit."""
     fresh, _ = cloud(0.0)

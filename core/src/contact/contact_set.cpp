@@ -56,7 +56,7 @@ std::unique_ptr<SystemTerm> ContactSet::make_term(const Ports& ports, const std:
   };
   for (const ContactSphere& s : spheres) check_port(s.marker, false);
   for (const ContactCarrier& c : carriers) check_port(c.marker, true);
-  return std::make_unique<GeneralContact>(std::static_pointer_cast<const ContactSet>(shared_from_this()), ports);
+  return std::make_unique<GeneralContact>(std::static_pointer_cast<const ContactSet>(shared_from_this()), ports, name);
 }
 
 void ContactSet::shift_references(ItemKind kind, int removed, const std::string& name, std::vector<std::string>& lost) {

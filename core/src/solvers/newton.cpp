@@ -59,7 +59,9 @@ constexpr int first_jacobians = 8;
 }  // namespace
 
 void NewtonSolver::initialize_data() {
+  system().forget_searches();
   Solver::initialize_data();
+  if (continues()) system().forget_searches();  // that of the initial values was not the last one
   system().complete_pattern();
   full_newton_ = !newton_settings.useModifiedNewton;
   forget_redundancy();
@@ -73,6 +75,7 @@ void NewtonSolver::initialize_data() {
 
 // Factors remember the pivots of earlier matrices.
 void NewtonSolver::forget() {
+  system().forget_searches();
   full_newton_ = !newton_settings.useModifiedNewton;
   forget_redundancy();
   take_pattern();

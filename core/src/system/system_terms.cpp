@@ -52,13 +52,18 @@ bool System::search(const State& state, const Conditions& conditions) {
     if (!rests(term)) changed |= term->search(e, parts.ports);
   if (!changed) return false;
   parts.bound = nullptr;
+  const bool anew = std::exchange(forgotten_, false);
   if (parts.sparse_patterns.empty()) return false;
   ContainmentCheck check(parts.sparse_patterns.back());
   for (const SystemTerm* term : parts.system_terms) term->visit(check, parts.ports);
-  if (check.holds) return false;
+  if (check.holds && !anew) return false;
   parts.sparse_patterns.back() = parts.make_sparse_pattern();  // in its place: a solver at work keeps a pointer to it
   ++pattern_revisions_;
   return true;
+}
+
+void System::forget_searches() {
+  for (SystemTerm* term : parts_->system_terms) forgotten_ |= term->forget();
 }
 
 SystemTerm& System::term(int number) { return *parts_->system_terms[static_cast<std::size_t>(number)]; }

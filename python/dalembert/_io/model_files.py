@@ -29,6 +29,8 @@ KINDS = ("Node", "Object", "Marker", "Load", "Sensor")
 SCHEMA = Path(__file__).parents[1] / "model.schema.json"
 _KEYS = ("$schema", "format", "formatVersion", "package", "settings", "functions", "variables")
 _KEYS_OF_ITEMS = tuple(f"{kind.lower()}s" for kind in KINDS)
+_CONTACTS = "generalContacts"
+_NUMBERS_OF_ITEMS = {"markerIndex": "Marker", "rigidBodyMarkerIndex": "Marker", "objectIndex": "Object"}
 
 
 class _Place:
@@ -84,14 +86,8 @@ def Save(
     All items are written with what differs from their defaults, exactly. Arrays with more than 1000 entries go into a
     file beside, with the ending .npz. User functions are written by module and name; functions of the main program are
     refused unless sourceOfFunctions, which writes their code. mbs.variables are written as far as they are numbers,
-    texts, lists and arrays; the state of a solver, and mbs.sys, are not. Models with GeneralContact are refused with a
-    NotImplementedError.
+    texts, lists and arrays; the state of a solver, and mbs.sys, are not.
     """
-    if count := mbs.NumberOfGeneralContacts():
-        raise NotImplementedError(
-            f"mbs.Save(...): files have no place for GeneralContact, and the system has {count}; "
-            "use pickle, or copy.deepcopy, which take all of the system along"
-        )
     path = Path(fileName)
     encoder = Encoder(sourceOfFunctions)
     place = _Place("mbs.Save(...)")
@@ -100,6 +96,8 @@ def Save(
     for kind, key in zip(KINDS, _KEYS_OF_ITEMS, strict=True):
         items = enumerate(system[f"{kind.lower()}List"])
         content[key] = [_encoded_item(encoder, place, kind, item, f"{key}[{i}]") for i, item in items]
+    if contacts := system.get("generalContactList"):
+        content[_CONTACTS] = [_encoded_contact(encoder, entry, f"{_CONTACTS}[{i}]") for i, entry in enumerate(contacts)]
     functions = {name: function for name, function in system["userFunctions"].items() if callable(function)}
     for name, function in functions.items():
         with place.at(f"functions.{name}"):
@@ -137,6 +135,27 @@ def _encoded_item(encoder: Encoder, place: _Place, kind: str, item: Mapping[str,
             result["visualization"] = rows
         elif not prefix:
             result |= rows
+    return result
+
+
+@cache
+def _untouched_contact() -> dict[str, Any]:
+    mbs = MainSystem()
+    mbs.AddGeneralContact()
+    return dict(mbs.GetDictionary()["generalContactList"][0])
+
+
+def _encoded_contact(encoder: Encoder, contact: Mapping[str, Any], path: str) -> dict[str, Any]:
+    """Return what differs from a contact that nothing was added to: columns of numbers, and settings."""
+    result: dict[str, Any] = {}
+    for key, value in contact.items():
+        if isinstance(value, Mapping):
+            if len(next(iter(value.values()))):
+                result[key] = {
+                    name: encoder.value(column, "", f"{path}.{key}.{name}") for name, column in value.items()
+                }
+        elif key not in (default := _untouched_contact()) or not np.array_equal(value, default[key]):
+            result[key] = value.tolist() if isinstance(value, np.ndarray) else value
     return result
 
 
@@ -202,6 +221,10 @@ def Load(mbs: MainSystem, fileName: str | os.PathLike[str], allowCode: bool = Fa
         system[f"{kind.lower()}List"] = [
             _decoded_item(decoder, place, classes, names, item, f"{key}[{i}]") for i, item in enumerate(content[key])
         ]
+    if contacts := content.get(_CONTACTS):
+        system["generalContactList"] = [
+            _decoded_contact(decoder, place, names, contact, f"{_CONTACTS}[{i}]") for i, contact in enumerate(contacts)
+        ]
     for key, kind in (("functions", "function"), ("variables", "object")):
         found = {}
         for name, value in content.get(key, {}).items():
@@ -244,11 +267,12 @@ def _content(path: Path, place: _Place) -> dict[str, Any]:
             f"{place.file}: formatVersion: received {version!r}, but this package reads 1 to {FORMAT_VERSION}; "
             f"the file was written by version {content.get('package', '?')} of the package"
         )
-    known = (*_KEYS, *_KEYS_OF_ITEMS)
+    lists = (*_KEYS_OF_ITEMS, _CONTACTS)
+    known = (*_KEYS, *lists)
     for key, value in content.items():
         if key not in known:
             raise ModelFileError(f"{place.file}: unknown key '{key}'; known are {', '.join(known)}")
-        expected = list if key in _KEYS_OF_ITEMS else dict if key in ("settings", "functions", "variables") else None
+        expected = list if key in lists else dict if key in ("settings", "functions", "variables") else None
         if expected is not None and not isinstance(value, expected):
             raise ModelFileError(f"{place.file}: {key}: expected a {'list' if expected is list else 'JSON object'}")
     return {key: [] for key in _KEYS_OF_ITEMS} | content
@@ -334,6 +358,26 @@ def _with_numbers(names: Any, words: str, value: Any) -> Any:
     if isinstance(value, int) and not isinstance(value, bool) and not -1 <= value < count:
         raise Refused(f"received {value}, but the file has {count} {kind.lower()}s")
     return value
+
+
+def _decoded_contact(decoder: Decoder, place: _Place, names: Any, contact: Any, path: str) -> dict[str, Any]:
+    if not isinstance(contact, dict):
+        raise ModelFileError(f"{place.file}: {path}: expected a JSON object")
+    result: dict[str, Any] = {}
+    for key, value in contact.items():
+        if not isinstance(value, dict):
+            result[key] = value
+            continue
+        columns = result[key] = {}
+        for name, column in value.items():
+            with place.at(f"{path}.{key}.{name}"):
+                numbers = decoder.value(column, "")
+                if kind := _NUMBERS_OF_ITEMS.get(name):
+                    numbers = _with_numbers(names, f"{kind}Index", np.asarray(numbers).tolist())
+                columns[name] = numbers
+    with place.at(path):
+        MainSystem().SetDictionary({"__version__": _version.__version__, "generalContactList": [result]})
+    return result
 
 
 def _decoded_settings(place: _Place, values: Mapping[str, Any]) -> SimulationSettings:

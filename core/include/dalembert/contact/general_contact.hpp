@@ -10,12 +10,15 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <tuple>
 #include <vector>
 
 #include "dalembert/contact/contact_set.hpp"
+#include "dalembert/contact/facet.hpp"
 #include "dalembert/contact/planar_cable.hpp"
 #include "dalembert/contact/sphere_neighbours.hpp"
+#include "dalembert/contact/sphere_pairs.hpp"
 #include "dalembert/contact/triangle_tree.hpp"
 #include "dalembert/system/system_term.hpp"
 #include "dalembert/system/workers.hpp"
@@ -42,7 +45,7 @@ struct Line {
 
 class GeneralContact final : public SystemTerm {
  public:
-  GeneralContact(std::shared_ptr<const ContactSet> set, const Ports& ports);
+  GeneralContact(std::shared_ptr<const ContactSet> set, const Ports& ports, std::string name);
 
   std::span<const int> markers() const override { return markers_; }
   bool direct() const override { return true; }
@@ -54,6 +57,7 @@ class GeneralContact final : public SystemTerm {
   void tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports, double* values) const override;
   PostNewton post_newton(const Evaluation& evaluation, const Ports& ports, const double* start, double* data, double* lambda) override;
   bool has_history() const override { return true; }
+  bool forget() override;
 
   // ---- questions, by frames in the ports ----
   // What touched at the last search, Newton iteration or `update`.
@@ -90,18 +94,20 @@ class GeneralContact final : public SystemTerm {
   bool turns(int sphere) const { return turns_[static_cast<std::size_t>(sphere)] != 0; }
 
   struct Found {
-    int triangle = -1, rank = 0;  // 0: face, 1: edge, 2: corner
-    Vec3<double> point;           // in the frame of the carrier
+    int triangle = -1, rank = 0;        // 0: face, 1: edge, 2: corner
+    Vec3<double> point, normal;         // in the frame of the carrier; the normal leads there from the centre of the sphere
+    double distance = 0;
   };
   // Spheres that follow each other: threads share chunks, which depend on the number of spheres alone, and so does the order of sums.
   struct Chunk {
     int begin = 0, end = 0;
-    struct Far {
+    double moved = 0;  // of its spheres since the lists were made, the largest square
+    std::vector<int> at_triangles;  // spheres that are near some
+    struct OnCarrier {
       int marker;
-      bool turns;
       Vec3<double> force, moment;
     };
-    std::vector<Far> far;  // what acts on others than spheres of the chunk
+    std::vector<OnCarrier> on_carriers;
     std::vector<Found> found, kept;
   };
   template <class F>
@@ -109,12 +115,14 @@ class GeneralContact final : public SystemTerm {
 
   void take_places(const Ports& ports) const;
   void follow(const Ports& ports) const;
-  void renew_lists(const Ports& ports) const;
+  void renew_lists() const;
   void renew_shapes() const;
-  double moved(const Ports& ports) const;
-  void touching_triangles(int sphere, const Ports& ports, Chunk& chunk) const;
+  double moved() const;
+  bool overlap(int sphere, int other) const;
+  [[noreturn]] void refuse_same_centre(int sphere, int other) const;
+  void touching_triangles(int sphere, Chunk& chunk) const;
   template <class F>
-  void each_touch(const Ports& ports, Chunk& chunk, F&& f) const;
+  void each_touch(Chunk& chunk, F&& f) const;
 
   template <class S>
   Meeting<S> meet_sphere(int sphere, int other, const Vec3<S>& p0, const Vec3<S>& p1) const;
@@ -130,8 +138,9 @@ class GeneralContact final : public SystemTerm {
   };
   Partner partner_of(const HeldContact& contact) const;
   Meeting<double> meet(const HeldContact& contact, const Ports& ports) const;
-  void add_contact(const HeldContact& contact, Ports& ports, std::optional<bool> sticks, Chunk& chunk) const;
-  void add_pairs_without_friction(int sphere, Ports& ports, Chunk& chunk) const;
+  void add_held(const HeldContact& contact, Ports& ports) const;
+  void add_on_triangles(int sphere, const Ports& ports, Chunk& chunk) const;
+  void add_direct(Ports& ports) const;
   bool touches(const HeldContact& contact, const Ports& ports, bool& sticks) const;
   void find(const Ports& ports, std::vector<HeldContact>& found) const;
 
@@ -162,8 +171,10 @@ class GeneralContact final : public SystemTerm {
   void list_blocks(const Ports& ports);
 
   std::shared_ptr<const ContactSet> set_;
+  std::string name_;
   std::vector<int> markers_;
   std::vector<char> turns_;  // whether the marker of a sphere has a rotation
+  std::vector<PortOffsets> offsets_;  // of the markers of spheres
   bool shares_markers_ = false;  // several spheres leave their forces at one marker: nobody else may at the same time
   std::vector<HeldContact> held_;
   std::vector<Block> blocks_;
@@ -178,8 +189,10 @@ class GeneralContact final : public SystemTerm {
   mutable std::uint64_t shapes_ = ~std::uint64_t{0}, lists_ = 0;
   mutable std::vector<TriangleTree> trees_;
   mutable std::vector<Triangle> local_;  // corners of all triangles
-  mutable std::vector<SphereAt> at_, at_list_;
-  mutable std::vector<RigidFrame<double>> carriers_at_list_;
+  mutable std::vector<Facet> facets_;
+  mutable SpherePairs pairs_;
+  mutable std::vector<SphereAt> at_list_;
+  mutable std::vector<RigidFrame<double>> carriers_now_, carriers_at_list_;
   mutable SphereNeighbours neighbours_;
   mutable std::vector<std::size_t> first_triangle_;
   mutable std::vector<int> near_triangles_;

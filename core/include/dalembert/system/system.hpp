@@ -138,6 +138,9 @@ class System {
   void add(std::unique_ptr<SystemTerm> term);
   // Lets such terms look for what acts from now on. True: the sparse pattern is another one, and has to be analysed again.
   bool search(const State& state, const Conditions& conditions);
+  // The next search begins as that of a system that was assembled just now, and so does its pattern: a solution that goes on from
+  // a file has the bytes of one that was not stopped.
+  void forget_searches();
   bool searches() const { return searches_; }  // whether there are any
   int pattern_revisions() const { return pattern_revisions_; }
   // By the order in which the sources of the model make them.
@@ -225,7 +228,7 @@ class System {
   const State* evaluated_ = nullptr;  // whose marker frames and forces the ports hold
   int evaluations_ = 0;
   int pattern_revisions_ = 0;
-  bool searches_ = false;
+  bool searches_ = false, forgotten_ = false;
 };
 
 }  // namespace dalembert

@@ -39,6 +39,8 @@ class SystemTerm : public Term {
   virtual void use_workers(Workers*) {}
   // History: remembered as it is at the begin of a step, and set back to that.
   virtual void keep() {}
+  // Drops what it has kept of earlier searches, on which the pattern depends; true: there was something.
+  virtual bool forget() { return false; }
   virtual void restore() {}
 
   void add(const void*, const Placement&, const Ports&) final {}  // it is no list of items

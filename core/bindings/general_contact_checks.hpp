@@ -1,0 +1,77 @@
+// What numbers contact accepts; errors name the method, or the place in a dictionary, that brought them.
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include "conversion.hpp"
+#include "dalembert/contact/contact_set.hpp"
+
+namespace dalembert {
+
+struct Bringer {
+  const char* method = nullptr;
+  std::string place;  // in a dictionary; no method then
+
+  Bringer(const char* of_contact) : method(of_contact) {}
+  static Bringer at(std::string place) {
+    Bringer result(nullptr);
+    result.place = std::move(place);
+    return result;
+  }
+  std::string name() const { return method == nullptr ? place : "GeneralContact." + std::string(method) + "(...)"; }
+};
+
+[[noreturn]] inline void refuse_value(const Bringer& by, const std::string& parameter, const std::string& received, const std::string& expected) {
+  refuse(ErrorKind::value, {by.name(), parameter, "", received, expected, ""});
+}
+inline std::string text_of(double x) { return py::str(py::float_(x)); }
+
+inline double require(const Bringer& by, const std::string& parameter, double value, bool positive, const char* unit) {
+  if (std::isfinite(value) && (positive ? value > 0 : value >= 0)) return value;
+  refuse_value(by, parameter, text_of(value), std::string(positive ? "a positive number" : "a number that is not negative") + " (unit " + unit + ")");
+}
+inline int require_material(const Bringer& by, int material) {
+  if (material >= 0) return material;
+  refuse_value(by, "frictionMaterialIndex", std::to_string(material), "a number from 0, of a row of frictionPairings");
+}
+inline ContactSurface surface_of(const Bringer& by, double stiffness, double damping, int material) {
+  return {require(by, "contactStiffness", stiffness, true, "N/m"), require(by, "contactDamping", damping, false, "Ns/m"), require_material(by, material)};
+}
+inline void require_area(const Bringer& by, const std::string& parameter, const Triangle& points) {
+  const Vec3<double> area = area_vector(points);
+  double longest = 0;
+  for (std::size_t i = 0; i < 3; ++i) longest = std::max(longest, dot(points[(i + 1) % 3] - points[i], points[(i + 1) % 3] - points[i]));
+  if (!(norm(area) > 1e-14 * longest)) refuse_value(by, parameter, "points on one line", "a triangle with an area");
+}
+
+using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+// Coefficients of friction by rows, symmetric.
+Array friction_argument(const Bringer& by, const py::object& pairings);
+py::array_t<double> friction_out(const ContactSet& set);
+
+// Settings of the interface that change nothing here; kept to be read again.
+struct KeptSetting {
+  const char* name;
+  double value;
+  bool is_flag;
+};
+inline constexpr KeptSetting kept_settings[] = {
+    {"verboseMode", 0, false},
+    {"resetSearchTreeInterval", 10000, false},
+    {"sphereSphereFrictionRecycle", 0, true},
+    {"excludeOverlappingTrigSphereContacts", 1, true},
+    {"excludeDuplicatedTrigSphereContactPoints", 0, true},
+    {"computeExactStaticTriangleBins", 1, true},
+    {"computeContactForces", 0, true},
+    {"ancfCableUseExactMethod", 1, true},
+    {"ancfCableNumberOfContactSegments", 1, false},
+    {"ancfCableMeasuringSegments", 20, false},
+    {"parallelTaskSplit", 12, false},
+    {"parallelTaskSplitBoundingBoxes", 48, false},
+    {"parallelTaskSplitThreshold", 12, false},
+    {"parallelTaskSplitBoundingBoxesThreshold", 400, false},
+};
+
+}  // namespace dalembert

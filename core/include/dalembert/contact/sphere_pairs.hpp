@@ -1,0 +1,54 @@
+// Forces of spheres that are near each other, four pairs at once. Spheres come in chunks; what acts on a sphere of a later chunk waits
+// in a place of its own until that chunk takes it, so that chunks may be computed side by side, and sums have one order.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "dalembert/contact/contact_set.hpp"
+#include "dalembert/contact/sphere_neighbours.hpp"
+#include "dalembert/math/aligned_vector.hpp"
+
+namespace dalembert {
+
+class SpherePairs {
+ public:
+  struct alignas(32) Four {
+    double x = 0, y = 0, z = 0, w = 0;
+    Vec3<double> vector() const { return {x, y, z}; }
+    void add(const Vec3<double>& v) {
+      x += v[0];
+      y += v[1];
+      z += v[2];
+    }
+  };
+  AlignedVector<SphereAt> at;
+  AlignedVector<Four> velocity, spin, force, moment;  // by sphere
+
+  // Room for the spheres of a set, and their surfaces.
+  void take(const ContactSet& set);
+  // Pairs to look at from now on; chunk c has spheres from begins[c] to begins[c + 1].
+  void list(const SphereNeighbours& neighbours, std::span<const int> begins);
+  // Sets forces and moments of the spheres of a chunk to those of its pairs, and tells the square of the smallest distance of centres.
+  double compute(int chunk, const ContactSet& set, bool rubs);
+  // Adds what other chunks have left.
+  void collect(int chunk, bool rubs);
+
+ private:
+  template <bool rubs, bool alike>
+  double compute_pairs(std::size_t begin, std::size_t end, const ContactSet& set);
+  ContactPairing pairing(const ContactSet& set, int first, int second) const;
+
+  std::size_t count_ = 0;
+  std::vector<int> kinds_;               // of surfaces, by sphere
+  std::vector<ContactSurface> surfaces_; // by kind
+  std::vector<ContactPairing> pairings_; // of kinds; empty where there are too many
+  std::vector<int> begins_, firsts_, seconds_, targets_;   // targets: where the force on the second one goes
+  std::vector<std::size_t> first_pair_, first_waiting_, first_collected_;  // by chunk
+  struct Waiting {
+    int sphere, place;
+  };
+  std::vector<Waiting> collected_;
+};
+
+}  // namespace dalembert

@@ -1,0 +1,85 @@
+// What lines and boxes meet.
+#include "dalembert/contact/general_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "meetings.hpp"
+
+namespace dalembert {
+
+GeneralContact::Items GeneralContact::items_in(const Box& box, const Ports& ports) const {
+  Items items;
+  for (int i = 0; i < spheres(); ++i) {
+    const double* x = ports.frame(sphere(i).marker);
+    const double r = sphere(i).radius;
+    if (box.overlaps({{x[0] - r, x[1] - r, x[2] - r}, {x[0] + r, x[1] + r, x[2] + r}})) items.spheres.push_back(i);
+  }
+  take_cables_of_system();
+  for (std::size_t c = 0; c < cables_now_.size(); ++c)
+    if (box.overlaps(cables_now_[c].box)) items.cables.push_back(static_cast<int>(c));
+  for (std::size_t t = 0; t < set_->triangles.size(); ++t) {
+    const RigidFrame<double> frame = frame_of(carrier(set_->triangles[t].carrier).marker, ports);
+    Box around;
+    for (const Vec3<double>& point : set_->triangles[t].points) around.add(out_of(frame, point));
+    if (box.overlaps(around)) items.triangles.push_back(static_cast<int>(t));
+  }
+  return items;
+}
+
+LineHit GeneralContact::first_hit(const Line& line, const Ports& ports) const {
+  LineHit hit;
+  hit.distance = line.farthest;
+  if (line.spheres) {
+    for (int i = 0; i < spheres(); ++i) {
+      const double* x = ports.frame(sphere(i).marker);
+      const double r = sphere(i).radius;
+      const Vec3<double> to{x[0] - line.start[0], x[1] - line.start[1], x[2] - line.start[2]};
+      const double along = dot(to, line.direction), aside = std::sqrt(std::max(0.0, dot(to - along * line.direction, to - along * line.direction)));
+      if (aside > r + line.radius) continue;
+      const double off = std::max(0.0, aside - line.radius), distance = along - std::sqrt(std::max(0.0, r * r - off * off));
+      if (!(distance >= line.nearest && distance < hit.distance)) continue;
+      hit = {distance, dot(line.direction, Vec3<double>{x[3], x[4], x[5]}), i};
+    }
+  }
+  if (line.cables && line.direction[2] == 0) {  // in the plane: what is not meets them nowhere
+    take_cables_of_system();
+    for (std::size_t c = 0; c < cables_.size(); ++c) {
+      const auto r = cables_[c].polynomials(cables_now_[c].q);
+      const Vec3<double>& d = line.direction;
+      std::array<double, 4> aside{};
+      for (std::size_t k = 0; k < 4; ++k) aside[k] = d[0] * r[1][k] - d[1] * r[0][k];
+      aside[0] -= d[0] * line.start[1] - d[1] * line.start[0];
+      std::array<double, 6> zeros{};
+      const int n = real_zeros(aside, 0, cables_[c].length, zeros);
+      for (int k = 0; k < n; ++k) {
+        const auto weights = cables_[c].weights(zeros[static_cast<std::size_t>(k)]);
+        const Vec<double, 2> point = cables_[c].at(weights, cables_now_[c].q), velocity = cables_[c].at(weights, cables_now_[c].v);
+        const double distance = d[0] * (point[0] - line.start[0]) + d[1] * (point[1] - line.start[1]);
+        if (distance >= line.nearest && distance < hit.distance) hit = {distance, d[0] * velocity[0] + d[1] * velocity[1], -1, static_cast<int>(c)};
+      }
+    }
+  }
+  if (!line.triangles) return hit;
+  renew_shapes();
+  for (std::size_t c = 0; c < trees_.size(); ++c) {
+    const RigidFrame<double> frame = read_frame<RigidPort>(ports, set_->carriers[c].marker);
+    const Vec3<double> start = into(frame, line.start), direction = transposed_times(frame.rotation, line.direction);
+    trees_[c].each_along(start, direction, line.nearest, [&] { return hit.distance; }, [&](int t) {
+      const Triangle& corners = local_[static_cast<std::size_t>(t)];
+      const Vec3<double> area = area_vector(corners);
+      const double slope = dot(area, direction), square = dot(area, area);
+      if (slope * slope <= 1e-28 * square) return;  // along the plane
+      const double distance = dot(area, corners[0] - start) / slope;
+      if (!(distance >= line.nearest && distance < hit.distance)) return;
+      const Vec3<double> point = start + distance * direction;
+      for (std::size_t k = 0; k < 3; ++k)  // what lies on an edge belongs to both triangles there
+        if (dot(area, cross(corners[(k + 1) % 3] - corners[k], point - corners[k])) < -1e-10 * square) return;
+      const Vec3<double> velocity = frame.velocity + cross(frame.angular_velocity, frame.rotation * point);
+      hit = {distance, dot(line.direction, velocity), -1, -1, t};
+    });
+  }
+  return hit;
+}
+
+}  // namespace dalembert

@@ -1,0 +1,182 @@
+#include "dalembert/contact/sphere_pairs.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+#include <tuple>
+
+#include "dalembert/math/pack.hpp"
+#include "dalembert/math/wide_registers.hpp"
+
+namespace dalembert {
+namespace {
+
+constexpr std::size_t most_kinds = 32;  // whose pairings are kept
+using P = Pack<4>;
+
+struct PackedVector {
+  P x, y, z;
+  DALEMBERT_INLINE friend P dot(const PackedVector& a, const PackedVector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+  DALEMBERT_INLINE friend PackedVector operator-(const PackedVector& a, const PackedVector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+  DALEMBERT_INLINE friend PackedVector operator+(const PackedVector& a, const PackedVector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+  DALEMBERT_INLINE friend PackedVector operator*(const P& a, const PackedVector& b) { return {a * b.x, a * b.y, a * b.z}; }
+  DALEMBERT_INLINE friend PackedVector cross(const PackedVector& a, const PackedVector& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  }
+};
+
+template <class T>
+DALEMBERT_INLINE inline std::array<P, 4> fours(const T* all, const int (&which)[4]) {
+  return gather_fours<4>({&all[which[0]].x, &all[which[1]].x, &all[which[2]].x, &all[which[3]].x});
+}
+DALEMBERT_INLINE inline PackedVector vector_in(const std::array<P, 4>& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
+}  // namespace
+
+void SpherePairs::take(const ContactSet& set) {
+  count_ = set.spheres.size();
+  at.resize(count_);
+  velocity.resize(count_);
+  spin.resize(count_);
+  kinds_.resize(count_);
+  surfaces_.clear();
+  std::map<std::tuple<double, double, int>, int> known;
+  for (std::size_t i = 0; i < count_; ++i) {
+    at[i].radius = set.spheres[i].radius;
+    const ContactSurface& s = set.spheres[i].surface;
+    const auto [place, is_new] = known.try_emplace({s.stiffness, s.damping, s.material}, static_cast<int>(surfaces_.size()));
+    if (is_new) surfaces_.push_back(s);
+    kinds_[i] = place->second;
+  }
+  pairings_.clear();
+  if (surfaces_.size() > most_kinds) return;
+  for (const ContactSurface& a : surfaces_)
+    for (const ContactSurface& b : surfaces_) pairings_.push_back(set.pairing(a, b));
+}
+
+void SpherePairs::list(const SphereNeighbours& neighbours, std::span<const int> begins) {
+  begins_.assign(begins.begin(), begins.end());
+  const std::size_t chunks = begins.size() - 1;
+  firsts_.clear();
+  seconds_.clear();
+  targets_.clear();
+  first_pair_.assign(1, 0);
+  first_waiting_.assign(1, count_);
+  std::vector<std::size_t> waiting(chunks + 1, 0);
+  std::size_t places = count_;
+  for (std::size_t c = 0; c < chunks; ++c) {
+    for (int i = begins[c]; i < begins[c + 1]; ++i)
+      for (const int j : neighbours.behind(i)) {
+        firsts_.push_back(i);
+        seconds_.push_back(j);
+        targets_.push_back(j < begins[c + 1] ? j : static_cast<int>(places++));
+      }
+    first_pair_.push_back(firsts_.size());
+    first_waiting_.push_back(places);
+  }
+  force.resize(places);
+  moment.resize(places);
+  const auto chunk_of = [&](int sphere) { return static_cast<std::size_t>(std::ranges::upper_bound(begins_, sphere) - begins_.begin()) - 1; };
+  for (std::size_t p = 0; p < firsts_.size(); ++p)
+    if (targets_[p] != seconds_[p]) ++waiting[chunk_of(seconds_[p]) + 1];
+  for (std::size_t c = 0; c < chunks; ++c) waiting[c + 1] += waiting[c];
+  first_collected_ = waiting;
+  collected_.resize(places - count_);
+  for (std::size_t p = 0; p < firsts_.size(); ++p)
+    if (targets_[p] != seconds_[p]) collected_[waiting[chunk_of(seconds_[p])]++] = {seconds_[p], targets_[p]};
+}
+
+ContactPairing SpherePairs::pairing(const ContactSet& set, int first, int second) const {
+  const auto a = static_cast<std::size_t>(kinds_[static_cast<std::size_t>(first)]), b = static_cast<std::size_t>(kinds_[static_cast<std::size_t>(second)]);
+  return pairings_.empty() ? set.pairing(surfaces_[a], surfaces_[b]) : pairings_[a * surfaces_.size() + b];
+}
+
+// As GeneralContact::force has it. Pairs that do not press add nothing, to the last bit: sums never are -0.
+template <bool rubs, bool alike>
+double SpherePairs::compute_pairs(std::size_t begin, std::size_t end, const ContactSet& set) {
+  const double zone = set.proportional_zone;
+  const ContactPairing same = pairing(set, 0, 0);
+  P least(std::numeric_limits<double>::infinity());
+  for (std::size_t p = begin; p < end; p += 4) {
+    const int count = static_cast<int>(std::min<std::size_t>(4, end - p));
+    int first[4], second[4], target[4];
+    for (int lane = 0; lane < 4; ++lane) {
+      const std::size_t pair = p + static_cast<std::size_t>(std::min(lane, count - 1));
+      first[lane] = firsts_[pair];
+      second[lane] = seconds_[pair];
+      target[lane] = targets_[pair];
+    }
+    const std::array<P, 4> at0 = fours(at.data(), first), at1 = fours(at.data(), second);
+    const PackedVector span = vector_in(at1) - vector_in(at0);
+    const P square = dot(span, span), reach = at0[3] + at1[3];
+    least = P(square.x < least.x ? square.x : least.x);
+    if (is_zero(P(square.x < (reach * reach).x ? 1.0 - P::Register{} : P::Register{}))) continue;
+    const PackedVector approach = vector_in(fours(velocity.data(), second)) - vector_in(fours(velocity.data(), first));
+    const P distance = sqrt(one_for_zero(square));
+    const PackedVector normal = (1.0 / distance) * span;
+    const P away = dot(normal, approach);
+    P stiffness(same.stiffness), damping(same.damping), friction(same.friction);
+    if constexpr (!alike) {
+      ContactPairing of[4];
+      for (int lane = 0; lane < 4; ++lane) of[lane] = pairing(set, first[lane], second[lane]);
+      stiffness = P::of_each([&](int lane) { return of[lane].stiffness; });
+      damping = P::of_each([&](int lane) { return of[lane].damping; });
+      friction = P::of_each([&](int lane) { return of[lane].friction; });
+    }
+    P pressure = stiffness * (reach - distance) - damping * away;
+    pressure = P((square.x < (reach * reach).x) & (pressure.x > 0.0) ? pressure.x : P::Register{});
+    if (is_zero(pressure)) continue;
+    PackedVector on_first = (-pressure) * normal;
+    if constexpr (rubs) {
+      const P half = 0.5 * (distance - reach), arm0 = at0[3] + half, arm1 = at1[3] + half;
+      const PackedVector turn = arm0 * vector_in(fours(spin.data(), first)) + arm1 * vector_in(fours(spin.data(), second));
+      const PackedVector slip = approach - cross(turn, normal) - away * normal;
+      const P speed_square = dot(slip, slip);
+      const P fast = 1.0 / sqrt(one_for_zero(speed_square));
+      const P factor(speed_square.x < zone * zone ? P(1 / zone).x : fast.x);
+      const PackedVector drag = (friction * pressure * factor) * slip, torque = cross(normal, drag);
+      on_first = on_first + drag;
+      const PackedVector moment0 = arm0 * torque, moment1 = arm1 * torque;
+      const std::array<P, 4> on_second = rows_from<4>({moment1.x, moment1.y, moment1.z, P()});
+      each_row<4>({moment0.x, moment0.y, moment0.z, P()}, count, [&](int lane, const P& row) DALEMBERT_INLINE {  // pair by pair: sums keep their order
+        row.add_to(&moment[static_cast<std::size_t>(first[lane])].x);
+        on_second[static_cast<std::size_t>(lane)].add_to(&moment[static_cast<std::size_t>(target[lane])].x);
+      });
+    }
+    each_row<4>({on_first.x, on_first.y, on_first.z, P()}, count, [&](int lane, const P& row) DALEMBERT_INLINE {
+      row.add_to(&force[static_cast<std::size_t>(first[lane])].x);
+      row.subtract_from(&force[static_cast<std::size_t>(target[lane])].x);
+    });
+  }
+  return std::min(std::min(least[0], least[1]), std::min(least[2], least[3]));
+}
+
+double SpherePairs::compute(int chunk, const ContactSet& set, bool rubs) {
+  const auto c = static_cast<std::size_t>(chunk);
+  const auto clear = [&](AlignedVector<Four>& numbers) {
+    std::fill(numbers.begin() + begins_[c], numbers.begin() + begins_[c + 1], Four());
+    std::fill(numbers.begin() + static_cast<std::ptrdiff_t>(first_waiting_[c]), numbers.begin() + static_cast<std::ptrdiff_t>(first_waiting_[c + 1]), Four());
+  };
+  clear(force);
+  if (rubs) clear(moment);
+  double least = std::numeric_limits<double>::infinity();
+  const std::size_t begin = first_pair_[c], end = first_pair_[c + 1];
+  if (begin == end) return least;
+  const bool alike = surfaces_.size() == 1;
+  in_registers_of_four([&, this] {
+    if (rubs) least = alike ? compute_pairs<true, true>(begin, end, set) : compute_pairs<true, false>(begin, end, set);
+    else least = alike ? compute_pairs<false, true>(begin, end, set) : compute_pairs<false, false>(begin, end, set);
+  });
+  return least;
+}
+
+void SpherePairs::collect(int chunk, bool rubs) {
+  const auto c = static_cast<std::size_t>(chunk);
+  for (std::size_t k = first_collected_[c]; k < first_collected_[c + 1]; ++k) {
+    const auto [sphere, place] = collected_[k];
+    force[static_cast<std::size_t>(sphere)].add(force[static_cast<std::size_t>(place)].vector());
+    if (rubs) moment[static_cast<std::size_t>(sphere)].add(moment[static_cast<std::size_t>(place)].vector());
+  }
+}
+
+}  // namespace dalembert

@@ -1,0 +1,102 @@
+"""Particles run out of a hopper into a box: general contact of spheres with each other and with triangles.
+
+They rub on each other. Their number may be given on the command line: `python examples/hopper.py 10000` takes minutes,
+not seconds. In the end, all lie in the box, which carries their weight.
+"""
+
+import sys
+
+import numpy as np
+
+import dalembert as exu
+from dalembert.utilities import *
+
+count = int(sys.argv[1]) if len(sys.argv) > 1 else 400
+radius, density, friction, gravity = 0.01, 2500.0, 0.4, 9.81  # m, kg/m^3, 1, m/s^2
+stiffness, damping, zone = 1e4, 1.2, 0.02  # N/m, Ns/m, m/s
+mass = density * 4 / 3 * np.pi * radius**3
+
+mbs = exu.SystemContainer().AddSystem()
+ground = mbs.AddMarker(MarkerBodyRigid(bodyNumber=mbs.CreateGround()))
+contact = mbs.AddGeneralContact()
+contact.SetFrictionPairings([[friction]])
+contact.SetFrictionProportionalZone(zone)
+surface = {"contactStiffness": stiffness, "contactDamping": damping, "frictionMaterialIndex": 0}
+
+# ---- walls: square rings at several heights, joined by quadrilaterals whose normals point inwards
+columns = max(6, round(0.9 * count ** (1 / 3)))
+half, opening = 1.05 * columns * radius, 0.05
+layers = -(-count // columns**2)
+outlet = 0.12 + count / columns**2 * radius / 4  # m, above what will lie in the box
+neck = outlet + half - opening
+top = neck + 2.2 * radius * (layers + 1)
+wide = 1.7 * half
+
+
+def ring(side, height):
+    return np.array([[-side, -side, height], [side, -side, height], [side, side, height], [-side, side, height]])
+
+
+def walls(lower, upper):
+    """Points and triangles between two rings."""
+    corners = np.arange(4)
+    right = (corners + 1) % 4
+    first = np.stack([corners, corners + 4, right], axis=1)
+    second = np.stack([right, corners + 4, right + 4], axis=1)
+    return np.concatenate([lower, upper]), np.concatenate([first, second])
+
+
+floor = ring(wide, 0), np.array([[0, 1, 2], [0, 2, 3]])
+funnel, column = walls(ring(opening, outlet), ring(half, neck)), walls(ring(half, neck), ring(half, top))
+box = walls(ring(wide, 0), ring(wide, 0.8 * outlet))
+shapes = []
+for points, triangles in (floor, funnel, column, box):
+    contact.AddTrianglesRigidBodyBased(ground, pointList=points, triangleList=triangles, **surface)
+for points, triangles in (floor, funnel, box):
+    shapes.append(graphics.FromPointsAndTrigs(points, triangles, color=[0.5, 0.6, 0.7, 0.25]))
+mbs.CreateGround(graphicsDataList=shapes)
+
+# ---- particles, layer by layer, each shaken a little
+rng = np.random.default_rng(4)
+bodies = []
+for i in range(count):
+    layer, place = divmod(i, columns**2)
+    grid = np.array([*divmod(place, columns), layer], dtype=float)
+    corner = [(1 - columns) * 1.04 * radius, (1 - columns) * 1.04 * radius, neck + 1.2 * radius]
+    position = corner + 2.08 * radius * grid + rng.uniform(-0.02, 0.02, 3) * radius
+    color = graphics.colorList[layer % 8]
+    body = mbs.CreateRigidBody(
+        referencePosition=list(position),
+        inertia=InertiaSphere(mass, radius),
+        gravity=[0, 0, -gravity],
+        nodeType=exu.NodeType.RotationRotationVector,
+        graphicsDataList=[graphics.Sphere(radius=radius, color=color, nTiles=6)],
+    )
+    contact.AddSphereWithMarker(mbs.AddMarker(MarkerBodyRigid(bodyNumber=body)), radius=radius, **surface)
+    bodies.append(body)
+mbs.Assemble()
+
+# ---- contacts last for 20 steps; first a picture on the way, then until all is at rest
+step = np.pi * np.sqrt(mass / stiffness) / 20
+settings = exu.SimulationSettings()
+settings.solutionSettings.writeSolutionToFile = False
+settings.timeIntegration.verboseMode = 0
+settings.parallel.numberOfThreads = 2
+SC = mbs.GetSystemContainer()
+view = SC.visualizationSettings
+view.nodes.show = view.markers.show = view.loads.show = False
+times = [0.35 + 0.1 * (outlet + top), 2.0 + 2 * top]
+for begin, end in ((0, times[0]), (times[0], times[1])):
+    settings.timeIntegration.startTime, settings.timeIntegration.endTime = begin, end
+    settings.timeIntegration.numberOfSteps = int((end - begin) / step)
+    mbs.SolveDynamic(settings, solverType=exu.DynamicSolverType.ExplicitEuler)
+    if begin == 0:
+        mbs.Draw(fileName="hopper_picture.png", windowSize=[700, 900])
+    state = mbs.systemData.GetSystemState(exu.ConfigurationType.Current)
+    mbs.systemData.SetSystemState(state, exu.ConfigurationType.Initial)
+
+places = np.array([mbs.GetObjectOutputBody(b, exu.OutputVariableType.Position, [0, 0, 0]) for b in bodies])
+inside = (np.abs(places[:, :2]).max(axis=1) < wide) & (places[:, 2] < outlet) & (places[:, 2] > 0)
+forces = contact.GetSystemODE2RhsContactForces().reshape(count, 6)[:, 2].sum()
+print(f"particles in the box: {inside.sum():d} pieces, of the hopper {count:d} pieces")
+print(f"force of the walls: {forces:.3f} N, by the weight {count * mass * gravity:.3f} N")
