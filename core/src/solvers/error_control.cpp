@@ -8,13 +8,6 @@
 
 namespace dalembert {
 
-namespace {
-
-// A jump is passed in a few of the smallest steps; so many in a row with an error above the tolerances do not come from one.
-constexpr int most_steps_above_tolerance = 100;
-
-}  // namespace
-
 // In units of the tolerances. Signed values enter the scale of the methods of the interface, not magnitudes: step sizes are to be those
 // that its users know; but the scale does not vanish where value and tolerances cancel.
 double ExplicitSolver::scaled_error(double second, double first, double old) const {
@@ -60,7 +53,15 @@ bool ExplicitSolver::control_step_size() {
   const double h = it.currentStepSize;
   const double optimal = h * std::pow(1 / error, 1.0 / method_.order);
   if (optimal < h && passes_singular_position(error)) return !(conv.stopNewton = stays_in_singular_position());
-  if (optimal < h && h <= it.minStepSize) return hold_at_minimum();
+  if (optimal < h && h <= it.minStepSize) {
+    if (hold_at_minimum()) {
+      it.currentStepSize = it.minStepSize;  // the last step of all may be smaller
+      return true;
+    }
+    conv.newtonConverged = false;
+    conv.stopNewton = true;
+    return false;
+  }
   const double largest = std::min(it.maxStepSize, h * s.stepSizeMaxIncrease);
   it.currentStepSize = std::min(largest, std::max(it.minStepSize, s.stepSizeSafety * optimal));
   steps_above_tolerance_ = 0;
@@ -68,23 +69,6 @@ bool ExplicitSolver::control_step_size() {
   if (sizes_.ae > 0 && it.currentStepSize < aside * h && steps_aside()) it.currentStepSize = aside * h;
   ++it.rejectedAutomaticStepSizeSteps;
   return false;
-}
-
-[[gnu::noinline]] bool ExplicitSolver::hold_at_minimum() {
-  if (!warned_minimum_) {
-    warn("automatic step size reached timeIntegration.minimumStepSize at time " + format_number(it.currentTime) +
-         "; the error becomes larger than the tolerances");
-    warned_minimum_ = true;
-  }
-  if (++steps_above_tolerance_ > most_steps_above_tolerance) {
-    diagnose_error_control();
-    conv.newtonConverged = false;
-    conv.stopNewton = true;
-    return false;
-  }
-  ++it.stepsAboveTolerance;
-  it.currentStepSize = it.minStepSize;  // the last step of all may be smaller
-  return true;
 }
 
 void ExplicitSolver::diagnose_error_control() {

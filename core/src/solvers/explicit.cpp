@@ -69,8 +69,7 @@ void ExplicitSolver::pre_initialize() {
   result_ = that_count(method_.b);
   second_ = that_count(method_.b_error);
   third_ = that_count(method_.b_third);
-  warned_minimum_ = end_known_ = first_stage_known_ = searching_ = false;
-  steps_above_tolerance_ = 0;
+  end_known_ = first_stage_known_ = searching_ = false;
   conditions_ = {.rate_level = false, .inertia = true, .direct = true};
 }
 

@@ -81,8 +81,7 @@ class ExplicitSolver : public Solver {
   double estimated_error();
   double distance_of(const StageWeights& approximation);
   double scaled_error(double second, double first, double old) const;
-  bool hold_at_minimum();
-  void diagnose_error_control();
+  void diagnose_error_control() override;
   // ---- steps that cannot be kept -----------------------------------------------------------------------------------
   void begin_to_watch();
   bool stays_bounded() const;
@@ -101,10 +100,9 @@ class ExplicitSolver : public Solver {
   RungeKuttaMethod method_;
   std::vector<StageWeights> rows_;  // of the coefficients
   StageWeights result_, second_, third_;  // of the solution, and of those that it is compared with
-  bool verlet_ = false, lie_ = false, constant_mass_ = false, warned_minimum_ = false;
+  bool verlet_ = false, lie_ = false, constant_mass_ = false;
   // What was computed at the end of a step is the first stage of the next, if nobody changes the system in between.
   bool nobody_interferes_ = false, end_known_ = false, first_stage_known_ = false;
-  int steps_above_tolerance_ = 0;   // in a row, at the smallest step size
   double growth_limit_ = 0;         // of the sum of squares of velocities ...
   bool watches_coordinates_ = false;  // ... and of coordinates, where the user has set a limit
   bool searching_ = false;          // for the first evaluation that is not finite
