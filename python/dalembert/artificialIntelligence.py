@@ -27,7 +27,6 @@ except ImportError as _error:
 __all__ = ["Env", "OpenAIGymInterfaceEnv", "VariationsVectorEnv", "exu", "logger", "np", "spaces"]
 
 
-
 def _missing(environment: Any, method: str, what: str) -> NotImplementedError:
     return NotImplementedError(f"{type(environment).__name__}: write the method {method}, which {what}")
 

@@ -122,8 +122,8 @@ def SolveDynamic(
 ) -> bool:
     """Integrate the equations of motion by the settings in timeIntegration and return True.
 
-    solverType chooses among implicit (GeneralizedAlpha, TrapezoidalIndex2, ESDIRK43) and explicit methods. storeSolver keeps the
-    solver in mbs.sys['dynamicSolver']; updateInitialValues starts the next simulation from the result. SolverError (a
+    solverType chooses among implicit (GeneralizedAlpha, TrapezoidalIndex2, ESDIRK43) and explicit methods. storeSolver
+    keeps the solver in mbs.sys['dynamicSolver']; updateInitialValues starts the next simulation from the result. SolverError (a
     ValueError) carries the diagnosis if a step cannot be solved, without items unless showCausingItems; its advice is
     there whether or not showHints is set. False, with a warning, if exudyn.special.solver.timeout has ended it early:
     the system is in the state of the last completed step, and initial values stay. A simulation that is ended by a

@@ -44,7 +44,7 @@ def test_order(damping: float) -> None:
             assert observed == pytest.approx(4, abs=0.3)
 
 
-@pytest.mark.parametrize("node_type", [*ROTATING, "NodeRigidBodyEP"])
+@pytest.mark.parametrize("node_type", ROTATING)
 def test_order_with_rotations(node_type: str) -> None:
     def result(n: int) -> np.ndarray:
         mbs, body = tumbling(node_type)
@@ -64,8 +64,8 @@ def test_order_with_joints(freed: dict[int, int]) -> None:
         assert bricard.mbs.sys["dynamicSolver"].GetRedundantConstraints()["count"] == (0 if freed else 1)
         return bricard.third_corner() - third_corners()[1.0]
 
-    for observed in orders(error, [25, 50, 100]):
-        assert observed == pytest.approx(4, abs=0.5)
+    (observed,) = orders(error, [25, 100])
+    assert observed == pytest.approx(4, abs=0.4)
 
 
 def test_first_order_equations() -> None:
@@ -86,12 +86,13 @@ def test_first_order_equations() -> None:
 
 
 def test_the_squeezer_follows_tolerances() -> None:
+    """Its motion amplifies errors: a hundredfold for DOPRI5 in 30 ms, more where steps are fewer."""
     counts = []
     for tolerance in (1e-5, 1e-7):
         squeezer = Squeezer()
-        squeezer.mbs.SolveDynamic(tolerances(0.03, tolerance), solverType=METHOD)
+        squeezer.mbs.SolveDynamic(tolerances(0.03, tolerance, 5), solverType=METHOD)
         error = np.abs(squeezer.angles() - angles(END)).max()
-        assert 1e-3 * tolerance < error < 100 * tolerance
+        assert tolerance < error < 1000 * tolerance
         assert largest_gap(squeezer.mbs) < 1e-12
         counts.append(statistics(squeezer.mbs).currentStepIndex)
     assert counts[1] / counts[0] == pytest.approx(100**0.25, rel=0.3)  # the estimate is of fourth order in a step
@@ -110,12 +111,15 @@ def test_the_governor_with_few_factorizations(node_type: str) -> None:
 def test_steps_do_not_feel_stiffness_that_has_died(stiffness: float) -> None:
     """A slow swing on a rod that is a stiff spring with a damper: steps are those of the swing."""
     mbs = new_system()
-    ground, bob = mbs.CreateGround(), mbs.CreateMassPoint(physicsMass=1, referencePosition=[1, 0, 0], gravity=[0, -1, 0])
+    ground, bob = (
+        mbs.CreateGround(),
+        mbs.CreateMassPoint(physicsMass=1, referencePosition=[1, 0, 0], gravity=[0, -1, 0]),
+    )
     mbs.CreateSpringDamper(bodyNumbers=[ground, bob], stiffness=stiffness, damping=2 * np.sqrt(stiffness))
     mbs.Assemble()
     mbs.SolveDynamic(tolerances(2, 1e-6, 10), solverType=METHOD)
     position = mbs.GetNodeOutput(0, Variable.Position)
-    assert 10 < statistics(mbs).currentStepIndex < 100
+    assert 10 < statistics(mbs).currentStepIndex < 250  # explicit methods: some 3e3 and 3e5
     assert np.linalg.norm(position) == pytest.approx(1 + 3 * -position[1] / stiffness, abs=0.3 / stiffness + 1e-6)
 
 

@@ -79,9 +79,11 @@ void DiagonallyImplicitSolver::post_initialize() {
   if (continues()) {
     misfit_at_end_ = continued_number(0);
     steps_above_tolerance_ = static_cast<int>(continued_number(1));
+    after_jump_ = continued_number(2) != 0;
   } else {
+    after_jump_ = true;
     std::ranges::fill(now.lambda, 0.0);
-    find_accelerations(now);
+    find_accelerations();
     if (interferes_) misfit_at_end_ = misfit_of_accelerations();
   }
   start_of_step() = now;
@@ -115,24 +117,42 @@ void DiagonallyImplicitSolver::save_start_of_step() {
   misfit_at_start_ = misfit_at_end_;
 }
 
-// Accelerations, rates and multipliers of a state that stand for themselves, not for the end of a step.
-bool DiagonallyImplicitSolver::find_accelerations(State& state) {
+// Accelerations, rates and multipliers of the current state, not as the end of a step has left them.
+void DiagonallyImplicitSolver::find_accelerations() {
+  State& state = current();
   if (!std::exchange(masses_ready_, true)) {
     const auto& l = settings().linearSolverSettings;
     masses_.prepare(system(), linear_type(), {.pivot_threshold = l.pivotThreshold, .ignore_singular = l.ignoreSingularJacobian},
                     settings().redundantConstraints);
   }
   const int row = masses_.factorize(system(), state, conditions_);
-  if (row != LinearSolver::success) {
-    if (!std::exchange(warned_of_masses_, true))
-      warn(name() + ": accelerations at the start are set to zero: mass matrix and constraints are singular at unknown " + std::to_string(row) +
-           " (" + system().describe_row(row) + ")");
-    std::ranges::fill(state.a, 0.0);
-    return false;
-  }
   system().right_hand_sides(state, conditions_, state.a, state.y_t);
-  masses_.accelerations(system(), state, conditions_, state.a, state.lambda);
-  return true;
+  if (row == LinearSolver::success) {
+    masses_.accelerations(system(), state, conditions_, state.a, state.lambda);
+  } else if (!find_accelerations_without_masses() && !std::exchange(warned_of_masses_, true)) {
+    warn(name() + ": accelerations at the start are set to zero: mass matrix and constraints are singular at unknown " + std::to_string(row) + " (" +
+         system().describe_row(row) + ")");
+  }
+}
+
+// Coordinates without mass go where forces stay in balance: one iteration of a very short step, of the current state.
+bool DiagonallyImplicitSolver::find_accelerations_without_masses() {
+  constexpr double very_short = 1e-3;
+  State& now = current();
+  const double h = it.currentStepSize;
+  it.currentStepSize = very_short * (h > 0 ? h : it.automaticStepSize ? it.initialStepSize : it.maxStepSize);
+  std::ranges::fill(now.a, 0.0);
+  std::ranges::fill(now.lambda, 0.0);
+  const bool regular = factorize();
+  if (regular) {
+    evaluate_residual();
+    motion_.solve(x_);
+    subtract(system(), now.a, 1, x_.data());
+    subtract(system(), now.lambda, 1, x_.data() + sizes_.first_ae());
+  }
+  it.currentStepSize = h;
+  factorized_for_ = 0;
+  return regular;
 }
 
 double DiagonallyImplicitSolver::misfit_of_accelerations() {
@@ -146,7 +166,7 @@ void DiagonallyImplicitSolver::accelerations_that_fit() {
   now.time = start.time;
   const bool moved = now.q != start.q || now.v != start.v || now.y != start.y;
   if (moved || misfit_of_accelerations() != misfit_at_start_) {
-    find_accelerations(now);
+    find_accelerations();
     start = now;
     misfit_at_start_ = misfit_of_accelerations();
   }
@@ -228,7 +248,6 @@ void DiagonallyImplicitSolver::predict(int stage) {
   extrapolate(now.a, stage_v_);
   extrapolate(now.y_t, stage_y_);
   extrapolate(now.lambda, stage_lambda_);
-  if (lie_) turn_ = base_turn_;
   follow_rates();
 }
 
@@ -248,6 +267,7 @@ void DiagonallyImplicitSolver::follow_rates() {
 [[gnu::noinline]] void DiagonallyImplicitSolver::turn_rotations() {
   constexpr int most = 20;
   State& now = current();
+  for (std::size_t i = 0; i < turn_.size(); ++i) turn_[i] = base_turn_[i] + diagonal() * now.v[i];
   for (const System::LieBlock& block : system().lie_blocks()) {
     const auto r = static_cast<std::size_t>(block.rotation);
     const Vec3<double> base = load<double, 3>(&base_turn_[r]), omega = load<double, 3>(&now.v[r]);
@@ -311,6 +331,7 @@ bool DiagonallyImplicitSolver::factorize() {
   conv.jacobianUpdateRequested = false;
   ++it.newtonJacobiCount;
   factorized_for_ = conv.linearSolverFailed ? 0 : g;
+  slowest_ = 0;
   rate_ = 1;
   fresh_ = true;
   return !conv.linearSolverFailed;
@@ -338,7 +359,7 @@ DiagonallyImplicitSolver::Outcome DiagonallyImplicitSolver::iterate(int stage, i
     const double ratio = k > 1 ? size / last : 0;
     if (k > 1) {
       rate_ = std::max(0.3 * rate_, ratio);
-      slowest_ = std::max(slowest_, ratio);
+      if (size > enough * still_good * still_good) slowest_ = std::max(slowest_, ratio);
     }
     if (size * std::min(1.0, rate_) <= enough) return Outcome::solved;
     if (k > 2 && ratio > still_good && at_round_off()) {
@@ -381,7 +402,7 @@ double DiagonallyImplicitSolver::weight(double value, double before) const {
                               : newton_settings.absoluteTolerance + newton_settings.relativeTolerance * size;
 }
 
-// False, always.
+// False, always. Other factors are made for the next attempt.
 [[gnu::noinline]] bool DiagonallyImplicitSolver::fail(Outcome outcome) {
   factorized_for_ = 0;
   if (outcome == Outcome::singular) {
@@ -400,8 +421,11 @@ double DiagonallyImplicitSolver::weight(double value, double before) const {
   return false;
 }
 
+// With the factors at hand, or with new ones, which the next step takes.
 bool DiagonallyImplicitSolver::back_onto_constraints() {
   if (sizes_.ae == 0 || motion_.project(system(), current(), conditions_)) return true;
+  if (!factorize()) return fail(Outcome::singular);
+  if (motion_.project(system(), current(), conditions_)) return true;
   diagnose_open_gaps();
   return false;
 }

@@ -8,6 +8,12 @@
 
 namespace dalembert {
 
+namespace {
+
+constexpr int few_steps = 4;  // of the smallest size, after which it is asked whether their errors grow because they are not stable
+
+}  // namespace
+
 // In units of the tolerances. Signed values enter the scale of the methods of the interface, not magnitudes: step sizes are to be those
 // that its users know; but the scale does not vanish where value and tolerances cancel.
 double ExplicitSolver::scaled_error(double second, double first, double old) const {
@@ -54,7 +60,9 @@ bool ExplicitSolver::control_step_size() {
   const double optimal = h * std::pow(1 / error, 1.0 / method_.order);
   if (optimal < h && passes_singular_position(error)) return !(conv.stopNewton = stays_in_singular_position());
   if (optimal < h && h <= it.minStepSize) {
-    if (hold_at_minimum()) {
+    const bool grows = (steps_above_tolerance_ + 1) % few_steps == 0 && at_stability_limit(h);
+    if (grows) diagnose_error_control();
+    if (!grows && hold_at_minimum()) {
       it.currentStepSize = it.minStepSize;  // the last step of all may be smaller
       return true;
     }
@@ -65,7 +73,10 @@ bool ExplicitSolver::control_step_size() {
   const double largest = std::min(it.maxStepSize, h * s.stepSizeMaxIncrease);
   it.currentStepSize = std::min(largest, std::max(it.minStepSize, s.stepSizeSafety * optimal));
   steps_above_tolerance_ = 0;
-  if (!(optimal < h)) return true;
+  if (!(optimal < h)) {
+    look_for_stiffness(h);
+    return true;
+  }
   if (sizes_.ae > 0 && it.currentStepSize < aside * h && steps_aside()) it.currentStepSize = aside * h;
   ++it.rejectedAutomaticStepSizeSteps;
   return false;
@@ -81,7 +92,8 @@ void ExplicitSolver::diagnose_error_control() {
                                 (tolerances.absoluteTolerance + tolerances.relativeTolerance * q));
   }
   const bool below_round_off = noise > 0.1;
-  Diagnosis& d = diagnose(below_round_off ? FailureReason::round_off : FailureReason::error_control);
+  const bool stiff = !below_round_off && at_stability_limit(it.currentStepSize);
+  Diagnosis& d = diagnose(below_round_off ? FailureReason::round_off : stiff ? FailureReason::stiff : FailureReason::error_control);
   const State &now = current(), &start = start_of_step();
   const auto add_errors = [&](Vector second, const Vector& first, const Vector& old, const char* vector, int first_row) {
     for (std::size_t i = 0; i < second.size(); ++i) second[i] = std::abs(scaled_error(second[i], first[i], old[i]));
@@ -92,6 +104,12 @@ void ExplicitSolver::diagnose_error_control() {
   add_errors(second_y_, now.y, start.y, "ODE1", sizes_.ode2);
   if (below_round_off) {
     d.advice = {"ask for larger errors (timeIntegration.relativeTolerance, absoluteTolerance): coordinates have no more digits"};
+    return;
+  }
+  if (stiff) {
+    d.advice = {"use an implicit method, which is stable with larger steps: exu.DynamicSolverType.ESDIRK43, or GeneralizedAlpha with "
+                "stepSizeControl.implicitSolvers=True",
+                "allow smaller steps (timeIntegration.minimumStepSize), if so many are to be taken"};
     return;
   }
   d.advice = {"look for what jumps at the items named above: contact, friction, user functions that are not continuous",

@@ -34,10 +34,15 @@ class DiagonallyImplicitSolver : public Solver {
 
  protected:
   void save_start_of_step() override;
-  std::vector<double> restart_numbers() const override { return {misfit_at_end_, static_cast<double>(steps_above_tolerance_)}; }
+  std::vector<double> restart_numbers() const override { 
+    return {misfit_at_end_, static_cast<double>(steps_above_tolerance_), static_cast<double>(after_jump_)};
+  }
   void forget() override;
   void pattern_revised() override;
-  void renew_accelerations() override { find_accelerations(current()); }
+  void renew_accelerations() override {
+    find_accelerations();
+    after_jump_ = true;
+  }
   bool near_singular_position() override { return motion_.near_singular_position(); }
   KnownDerivatives complete_ends() override { return {true, true}; }
 
@@ -50,7 +55,8 @@ class DiagonallyImplicitSolver : public Solver {
 
   void require_no_algebraic_coordinates() const;
   void prepare_factors();
-  bool find_accelerations(State& state);
+  void find_accelerations();
+  bool find_accelerations_without_masses();
   double misfit_of_accelerations();
   void accelerations_that_fit();
   // ---- stages --------------------------------------------------------------------------------------------------------
@@ -70,6 +76,7 @@ class DiagonallyImplicitSolver : public Solver {
   bool factors_serve() const;
   // ---- ends of steps -------------------------------------------------------------------------------------------------
   double estimated_error();
+  void filter(Vector& error_of_q, Vector& error_of_v, Vector& error_of_y);
   bool back_onto_constraints();
   bool fail(Outcome outcome);
   // ---- control of the step size --------------------------------------------------------------------------------------
@@ -79,6 +86,7 @@ class DiagonallyImplicitSolver : public Solver {
   ConstrainedMotion motion_, masses_;  // stages, and accelerations at the start
   bool masses_ready_ = false, warned_of_masses_ = false;
   bool lie_ = false, interferes_ = false, fresh_ = false, rejected_ = false;
+  bool after_jump_ = false;       // at the start, and after events
   double factorized_for_ = 0;   // gamma h of the factors; zero: there are none
   double rate_ = 1;             // by which an iteration lowers the error
   double slowest_ = 0;          // of these in the last step

@@ -148,6 +148,7 @@ class Solver {
   void passing_singular_position();  // counts and tells it
   // Whether so many steps have passed it that none will be the last; with the diagnosis.
   bool stays_in_singular_position();
+  void diagnose_singular_position();
   // Whether a step that is lost beside such a position is to be tried with another size that is not much smaller: a few times.
   bool steps_aside();
   static constexpr double aside = 0.7;  // this part of it
