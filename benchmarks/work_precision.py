@@ -30,7 +30,8 @@ import dalembert as exu
 
 HEADER = ("model", "method", "tolerance", "steps", "repeated", "factorizations", "error")
 IMPLICIT = (Solver.GeneralizedAlpha, Solver.TrapezoidalIndex2)
-METHODS = (*IMPLICIT, Solver.ODE23, Solver.DOPRI5, Solver.DOP853)
+STIFF = (*IMPLICIT, Solver.ESDIRK43)
+METHODS = (*STIFF, Solver.ODE23, Solver.DOPRI5, Solver.DOP853)
 
 
 class Case(NamedTuple):
@@ -103,11 +104,10 @@ def bouncing_ball() -> tuple[Any, Callable[[], float]]:
     return ball.mbs, lambda: abs(ball.model.position - AFTER_TWO_SECONDS)
 
 
-MODERATE = (1e-3, 1e-4, 1e-5, 1e-6)
 CASES = (
     Case("A02 four-bar with two loops, 5 s", 5, parallelogram),
     Case("A03 Andrews' squeezer, 30 ms", 0.03, squeezer),
-    Case("A05 governor, 1 s", 1, flyballs, methods=IMPLICIT, tolerances=MODERATE),
+    Case("A05 governor, 1 s", 1, flyballs, methods=STIFF),
     Case("Heavy pole on a light cart, 10 s", 10, cart_pole, methods=METHODS[2:]),
     Case("Flexible beam, 1 s", 1, falling_beam),
     Case("Ball on a stiff floor, events, 2 s", 2, bouncing_ball),
@@ -134,7 +134,7 @@ def run(case: Case, method: Any, tolerance: float) -> tuple[str, ...]:
     solver = mbs.sys["dynamicSolver"]
     steps, rejected = solver.it.currentStepIndex - 1, solver.it.rejectedAutomaticStepSizeSteps
     work = solver.it.newtonJacobiCount
-    if method not in IMPLICIT:
+    if method not in STIFF:
         work = (steps + rejected + solver.it.eventSolutions) * solver.GetNumberOfStages()
     return case.model, method.name, f"{tolerance:.0e}", str(steps), str(rejected), str(work), left
 

@@ -1,4 +1,5 @@
 // The compiled part of mbs.SolveVariations(...): arrays to varied values and back; the threads run without the interpreter.
+#include "dalembert/solvers/diagonally_implicit.hpp"
 #include "dalembert/solvers/ensemble.hpp"
 
 #include <pybind11/numpy.h>
@@ -39,6 +40,7 @@ constexpr Part parts[] = {{"ODE2", &State::q},   {"ODE2_t", &State::v},   {"ODE2
 
 std::unique_ptr<Solver> make_solver(const std::string& kind) {
   if (kind == "static") return std::make_unique<StaticSolver>();
+  if (kind == "diagonally implicit") return std::make_unique<DiagonallyImplicitSolver>();
   if (kind == "explicit") return std::make_unique<ExplicitSolver>();
   return std::make_unique<SecondOrderSolver>();
 }

@@ -1,4 +1,4 @@
-// MainSolverStatic, MainSolverImplicitSecondOrder and MainSolverExplicit: whole solutions, and each part of them alone.
+// MainSolverStatic, MainSolverImplicitSecondOrder, MainSolverDiagonallyImplicit and MainSolverExplicit: whole solutions, and each part of them alone.
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
@@ -7,6 +7,7 @@
 
 #include "dalembert/model/errors.hpp"
 #include "dalembert/output/restart_file.hpp"
+#include "dalembert/solvers/diagonally_implicit.hpp"
 #include "dalembert/solvers/explicit.hpp"
 #include "dalembert/solvers/second_order.hpp"
 #include "dalembert/solvers/static.hpp"
@@ -22,6 +23,7 @@ namespace {
 
 using StaticWrapper = WrappedSolver<StaticSolver>;
 using ExplicitWrapper = WrappedSolver<ExplicitSolver>;
+using DiagonallyImplicitWrapper = WrappedSolver<DiagonallyImplicitSolver>;
 
 // Parts of an implicit step that the user has replaced by Python functions f(mainSolver, mainSystem, simulationSettings).
 class ImplicitWrapper final : public WrappedSolver<SecondOrderSolver> {
@@ -352,17 +354,26 @@ void register_implicit(py::module_& module) {
   }
 }
 
-void register_explicit(py::module_& module) {
-  SolverClass<ExplicitWrapper> c(module, "MainSolverExplicit", "Explicit Runge-Kutta methods and velocity Verlet.");
+// Runge-Kutta methods; the reason says why parts of Newton's method cannot be called.
+template <class W>
+void register_stages(SolverClass<W>& c, const char* reason) {
   register_common(c);
   register_redundancy(c);
-  c.def("GetMethodOrder", [](const ExplicitWrapper& w) { return w.method_order(); }, "Order of the method.");
-  c.def("GetNumberOfStages", [](const ExplicitWrapper& w) { return w.number_of_stages(); }, "Stages of the method.");
+  c.def("GetMethodOrder", [](const W& w) { return w.method_order(); }, "Order of the method.");
+  c.def("GetNumberOfStages", [](const W& w) { return w.number_of_stages(); }, "Stages of the method.");
   for (const char* name : {"ComputeNewtonResidual", "ComputeNewtonJacobian", "ComputeNewtonUpdate"}) {
-    c.def(name, [name](ExplicitWrapper&, const py::args&, const py::kwargs&) -> py::object {
-      throw ModelError(ErrorKind::planned, std::string("solver.") + name + "(...): explicit solvers have no Newton's method");
+    c.def(name, [name, reason](W&, const py::args&, const py::kwargs&) -> py::object {
+      throw ModelError(ErrorKind::planned, std::string("solver.") + name + "(...): " + reason);
     });
   }
+}
+
+void register_runge_kutta(py::module_& module) {
+  SolverClass<ExplicitWrapper> explicit_solver(module, "MainSolverExplicit", "Explicit Runge-Kutta methods and velocity Verlet.");
+  register_stages(explicit_solver, "explicit solvers have no Newton's method");
+  SolverClass<DiagonallyImplicitWrapper> implicit(module, "MainSolverDiagonallyImplicit",
+                                                  "ESDIRK43: a diagonally implicit Runge-Kutta method for stiff systems, with error control.");
+  register_stages(implicit, "this solver has a Newton's method per stage, which is no part by itself");
 }
 
 py::list singular_points_of(const StaticWrapper& w) {
@@ -389,7 +400,7 @@ void register_solvers(py::module_& module) {
         "Points of the last path of equilibria (staticSolver.arcLength) at which the matrix is singular, one dictionary each: step, loadFactor, "
         "type ('limit': the load turns; 'bifurcation': a branch begins), and mode, the null vector of ODE2 coordinates with 1 as its largest entry.");
   register_implicit(module);
-  register_explicit(module);
+  register_runge_kutta(module);
 }
 
 }  // namespace dalembert

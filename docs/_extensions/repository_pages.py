@@ -41,6 +41,7 @@ CORE = {
     "BeamSectionGeometry": "data",
     "MainSolverStatic": "solvers",
     "MainSolverImplicitSecondOrder": "solvers",
+    "MainSolverDiagonallyImplicit": "solvers",
     "MainSolverExplicit": "solvers",
 }
 # Modules with pages of another kind; Create... and the like are methods of MainSystem.

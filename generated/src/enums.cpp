@@ -41,7 +41,7 @@ constexpr std::array<EnumEntry, 2> CrossSectionType_entries{{
     {"Circular", 2},
 }};
 
-constexpr std::array<EnumEntry, 12> DynamicSolverType_entries{{
+constexpr std::array<EnumEntry, 13> DynamicSolverType_entries{{
     {"GeneralizedAlpha", 1},
     {"TrapezoidalIndex2", 2},
     {"ExplicitEuler", 3},
@@ -54,6 +54,7 @@ constexpr std::array<EnumEntry, 12> DynamicSolverType_entries{{
     {"DVERK6", 10},
     {"VelocityVerlet", 11},
     {"DOP853", 12},
+    {"ESDIRK43", 13},
 }};
 
 constexpr std::array<EnumEntry, 6> ItemType_entries{{

@@ -656,7 +656,7 @@ constexpr std::array<std::string_view, 2> CrossSectionType_values{
     "circle, given by its radius",
 };
 
-constexpr std::array<std::string_view, 12> DynamicSolverType_values{
+constexpr std::array<std::string_view, 13> DynamicSolverType_values{
     "implicit, second order with adjustable numerical damping, for all models; its parameters are in ``timeIntegration.generalizedAlpha``",
     "implicit trapezoidal rule (Newmark) with constraints on velocity level; second order, no numerical damping",
     "explicit, first order, one evaluation per step",
@@ -669,6 +669,7 @@ constexpr std::array<std::string_view, 12> DynamicSolverType_values{
     "explicit Runge-Kutta method of Verner, order 6 with error estimate of order 5 and automatic step size",
     "explicit, second order (first where forces depend on velocities), one evaluation per step; for particles and contact",
     "explicit Runge-Kutta method of Dormand and Prince, order 8 with error estimates of orders 5 and 3 and automatic step size; for tight tolerances",
+    "diagonally implicit Runge-Kutta method of Kennedy and Carpenter, order 4 with error estimate of order 3 and automatic step size; L-stable, for stiff systems and higher accuracy than generalized alpha",
 };
 
 constexpr std::array<std::string_view, 6> ItemType_values{

@@ -234,7 +234,7 @@ def InfoStat(writeOutput: bool = True) -> list[int]: ...
 def _SolveVariations(
     mbs: MainSystem,
     simulationSettings: SimulationSettings,
-    solver: Literal["static", "implicit", "explicit"],
+    solver: Literal["static", "implicit", "diagonally implicit", "explicit"],
     variations: SupportsIndex,
     parameters: list[tuple[_Index, str, NDArray[Any]]],
     settings: list[tuple[str, NDArray[Any]]],

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 import dalembert as exu
+from dalembert._solving.integrators import kind_of
 
 try:
     from gymnasium import Env, logger, spaces
@@ -24,8 +25,6 @@ except ImportError as _error:
     ) from None
 
 __all__ = ["Env", "OpenAIGymInterfaceEnv", "VariationsVectorEnv", "exu", "logger", "np", "spaces"]
-
-_IMPLICIT = (exu.DynamicSolverType.GeneralizedAlpha, exu.DynamicSolverType.TrapezoidalIndex2)
 
 
 def _missing(environment: Any, method: str, what: str) -> NotImplementedError:
@@ -95,11 +94,15 @@ class OpenAIGymInterfaceEnv(Env):  # type: ignore[misc,unused-ignore]  # gymnasi
         trapezoidal = solverType == exu.DynamicSolverType.TrapezoidalIndex2
         integration.generalizedAlpha.useNewmark = trapezoidal
         integration.generalizedAlpha.useIndex2Constraints = trapezoidal
-        if solverType not in _IMPLICIT:
+        kind = kind_of("SetSolver", solverType)
+        if kind == "explicit":
             integration.explicitIntegration.dynamicSolverType = solverType
-        self.dynamicSolver: Any = (
-            exu.MainSolverImplicitSecondOrder() if solverType in _IMPLICIT else exu.MainSolverExplicit()
-        )
+        classes = {
+            "implicit": exu.MainSolverImplicitSecondOrder,
+            "diagonally implicit": exu.MainSolverDiagonallyImplicit,
+            "explicit": exu.MainSolverExplicit,
+        }
+        self.dynamicSolver: Any = classes[kind]()
         self.dynamicSolver.InitializeSolver(self.mbs, self.simulationSettings)
         self.dynamicSolver.SolveSteps(self.mbs, self.simulationSettings)
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from dalembert import _core
 from dalembert._core import ConfigurationType, DynamicSolverType, SimulationSettings
 from dalembert._solving.diagnosis import CheckSolverInfoStatistics, SolverError, SolverErrorMessage
-from dalembert._solving.integrators import is_implicit, trapezoidal_rule
+from dalembert._solving.integrators import kind_of, trapezoidal_rule
 from dalembert._solving.linearized import ComputeLinearizedSystem, ComputeODE2Eigenvalues, ComputeSystemDegreeOfFreedom
 from dalembert._solving.quiet import DeactivateWritingOfSolvers, RestoreSimulationSettings, assemble_if_needed
 from dalembert._tools.missing_names import nearest, paths_of_setting
@@ -122,8 +122,8 @@ def SolveDynamic(
 ) -> bool:
     """Integrate the equations of motion by the settings in timeIntegration and return True.
 
-    solverType chooses among implicit (GeneralizedAlpha, TrapezoidalIndex2) and explicit methods. storeSolver keeps the
-    solver in mbs.sys['dynamicSolver']; updateInitialValues starts the next simulation from the result. SolverError (a
+    solverType chooses among implicit (GeneralizedAlpha, TrapezoidalIndex2, ESDIRK43) and explicit methods. storeSolver
+    keeps the solver in mbs.sys['dynamicSolver']; updateInitialValues starts the next simulation from the result. SolverError (a
     ValueError) carries the diagnosis if a step cannot be solved, without items unless showCausingItems; its advice is
     there whether or not showHints is set. False, with a warning, if exudyn.special.solver.timeout has ended it early:
     the system is in the state of the last completed step, and initial values stay. A simulation that is ended by a
@@ -131,12 +131,16 @@ def SolveDynamic(
     mbs.sys['dynamicSolver'].output tells which it was.
     """
     settings = _settings("SolveDynamic", simulationSettings)
-    implicit = is_implicit("SolveDynamic", solverType)
+    kind = kind_of("SolveDynamic", solverType)
     assemble_if_needed("SolveDynamic", mbs, autoAssemble)
     slot = "dynamicSolver" if storeSolver else None
     allocations = _core.special.InfoStat(False)
     solver: Any
-    if implicit:
+    if kind == "diagonally implicit":
+        solver = _core.MainSolverDiagonallyImplicit()
+        success = _run("SolveDynamic", solver, mbs, settings, slot, showCausingItems)
+        evaluations = solver.it.newtonStepsCount
+    elif kind == "implicit":
         solver = _core.MainSolverImplicitSecondOrder()
         with trapezoidal_rule(settings, solverType == DynamicSolverType.TrapezoidalIndex2):
             success = _run("SolveDynamic", solver, mbs, settings, slot, showCausingItems)

@@ -128,3 +128,27 @@ def test_the_page_about_a_door() -> None:
     page = mbs.Report()
     assert "implicit second order time integration: finished; 10 steps to time 0.1 s, 20 Newton iterations" in page
     assert f"kinetic {mbs.ComputeEnergies().kinetic:.6g} J" in page
+
+
+def test_the_page_tells_how_energy_has_drifted() -> None:
+    """A mass that a damper slows down, from 3 m/s by exp(-d t / m)."""
+    mbs = new_system()
+    node = mbs.AddNode(exu.itemInterface.Node1D(referenceCoordinates=[0], initialVelocities=[3]))
+    mbs.AddObject(exu.itemInterface.Mass1D(nodeNumber=node, physicsMass=2))
+    markers = [
+        mbs.AddMarker(exu.itemInterface.MarkerNodeCoordinate(nodeNumber=n, coordinate=0))
+        for n in (mbs.AddNode(exu.itemInterface.NodePointGround()), node)
+    ]
+    mbs.AddObject(exu.itemInterface.ObjectConnectorCoordinateSpringDamper(markerNumbers=markers, damping=0.5))
+    mbs.Assemble()
+    assert "drift" not in mbs.Report()  # nothing has moved
+    mbs.SolveDynamic(settings(1, 100))
+    drift, share = (
+        next(line for line in mbs.Report().splitlines() if "drift since the initial state" in line)
+        .split(": ")[1]
+        .split(";")[0]
+        .split(" J, ")
+    )
+    lost = 9 * (np.exp(-0.5) - 1)
+    assert float(drift) == pytest.approx(lost, rel=2e-3)  # three digits
+    assert float(share.split()[0]) == pytest.approx(-lost / 9, rel=2e-2)  # two digits

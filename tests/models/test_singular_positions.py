@@ -54,6 +54,7 @@ def test_the_flat_position_is_passed(solver: Any, tolerance: float, most: float,
         *((Solver.ODE23, tolerance) for tolerance in (1e-8, 1e-10)),
         (Solver.DOPRI5, 1e-10),
         (Solver.DOP853, 1e-10),
+        *((Solver.ESDIRK43, tolerance) for tolerance in (1e-4, 1e-6, 1e-7, 1e-8, 1e-10)),
     ],
 )
 def test_no_other_branch_without_a_word(solver: Any, tolerance: float, loops: int) -> None:
@@ -65,7 +66,7 @@ def test_no_other_branch_without_a_word(solver: Any, tolerance: float, loops: in
         assert error.reason in ("errorControl", "newton", "singularPosition")
         return
     solver = bars.mbs.sys["dynamicSolver"]
-    assert error_of(bars) < 1e-3 or (not solver.output.trusted and len(solver.GetDoubts()) > 0)
+    assert error_of(bars) < max(1e-3, 200 * tolerance) or (not solver.output.trusted and len(solver.GetDoubts()) > 0)
 
 
 def test_steps_that_pass_it_are_told(capfd: Any) -> None:

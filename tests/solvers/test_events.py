@@ -94,7 +94,7 @@ def test_second_order_although_forces_jump() -> None:
 
 
 @pytest.mark.parametrize(
-    "solver", [Solver.GeneralizedAlpha, Solver.RK44, Solver.VelocityVerlet, Solver.DOPRI5], ids=str
+    "solver", [Solver.GeneralizedAlpha, Solver.RK44, Solver.VelocityVerlet, Solver.DOPRI5, Solver.ESDIRK43], ids=str
 )
 @pytest.mark.parametrize("steps", [15, 150])
 def test_impacts(solver: Any, steps: int) -> None:
@@ -110,10 +110,11 @@ def test_impacts(solver: Any, steps: int) -> None:
     assert ball.model.position == pytest.approx(speed * rest - GRAVITY * rest**2 / 2, abs=1e-10)
 
 
-def test_steps_with_error_control_find_events() -> None:
+@pytest.mark.parametrize(("solver", "tolerance"), [(Solver.DOP853, 1e-12), (Solver.ESDIRK43, 1e-10)])
+def test_steps_with_error_control_find_events(solver: Any, tolerance: float) -> None:
     ball = Ball()
     ball.floor()
-    ball.solve(2, 20, Solver.DOP853, automaticStepSize=True, absoluteTolerance=1e-12, relativeTolerance=1e-12)
+    ball.solve(2, 20, solver, automaticStepSize=True, absoluteTolerance=tolerance, relativeTolerance=tolerance)
     assert ball.model.position == pytest.approx(AFTER_TWO_SECONDS, abs=1e-8)
 
 

@@ -105,3 +105,45 @@ def test_tolerances_below_round_off_of_coordinates() -> None:
     error = failure(mbs.SolveDynamic, s, solverType=Solver.DOPRI5)
     assert error.reason == "toleranceBelowRoundOff" and "no more digits" in error.advice[0]
     assert len(error.values) > 0
+
+
+EXPLICIT = [Solver.ODE23, Solver.DOPRI5, Solver.DOP853]
+
+
+def stiff_pendulum() -> Any:
+    """A slow swing on a spring whose own vibration, of 1e4 rad/s with critical damping, has died."""
+    mbs = exu.SystemContainer().AddSystem()
+    ground = mbs.CreateGround()
+    bob = mbs.CreateMassPoint(name="bob", physicsMass=1, referencePosition=[1, 0, 0], gravity=[0, -1, 0])
+    mbs.CreateSpringDamper(bodyNumbers=[ground, bob], stiffness=1e8, damping=2e4)
+    mbs.Assemble()
+    return mbs
+
+
+@pytest.mark.parametrize("solver", EXPLICIT)
+def test_steps_that_stability_keeps_small(solver: Any, capfd: Any) -> None:
+    """One warning, with the step size: 3 to 6 through 1e4 rad/s; the solution goes on."""
+    stiff_pendulum().SolveDynamic(quiet(0.3, 10, 1e-4), solverType=solver)
+    (line,) = (line for line in capfd.readouterr().out.splitlines() if "the system is stiff for this method" in line)
+    assert 2e-4 < float(line.split("steps of ")[1].split()[0]) < 8e-4
+    assert "ESDIRK43" in line
+
+
+@pytest.mark.parametrize("solver", EXPLICIT)
+def test_steps_that_accuracy_keeps_small_are_not_stiff(solver: Any, capfd: Any) -> None:
+    """An oscillation that is to be seen, over a thousand steps."""
+    model = oscillator(damping=0)
+    model.mbs.Assemble()
+    model.mbs.SolveDynamic(quiet(150, 40, 1e-7), solverType=solver)
+    assert model.mbs.sys["dynamicSolver"].it.currentStepIndex > 400
+    assert "stiff" not in capfd.readouterr().out
+
+
+@pytest.mark.parametrize("solver", EXPLICIT)
+def test_smallest_steps_that_are_not_stable(solver: Any) -> None:
+    mbs, settings = stiff_pendulum(), quiet(1, 10, 1e-6)
+    settings.timeIntegration.minimumStepSize = settings.timeIntegration.initialStepSize = 1e-3
+    error = failure(mbs.SolveDynamic, settings, solverType=solver)
+    assert error.reason == "stiffForMethod" and error.stepSize == pytest.approx(1e-3)
+    assert "'Node:bob'" in error.values[0]["items"] and "ESDIRK43" in error.advice[0]
+    assert mbs.SolveDynamic(settings, solverType=Solver.ESDIRK43)  # the advice helps

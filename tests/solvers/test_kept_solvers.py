@@ -13,7 +13,12 @@ from oscillators import dynamic_settings, oscillator
 
 import dalembert as exu
 
-SOLVERS = [exu.MainSolverStatic, exu.MainSolverImplicitSecondOrder, exu.MainSolverExplicit]
+SOLVERS = [
+    exu.MainSolverStatic,
+    exu.MainSolverImplicitSecondOrder,
+    exu.MainSolverDiagonallyImplicit,
+    exu.MainSolverExplicit,
+]
 
 
 def run_in_process(*arguments: str) -> None:

@@ -11,7 +11,12 @@ import numpy as np
 import dalembert as exu
 
 Solver = exu.DynamicSolverType
-CLASSES = (exu.MainSolverStatic, exu.MainSolverImplicitSecondOrder, exu.MainSolverExplicit)
+CLASSES = (
+    exu.MainSolverStatic,
+    exu.MainSolverImplicitSecondOrder,
+    exu.MainSolverDiagonallyImplicit,
+    exu.MainSolverExplicit,
+)
 PARTS = [
     "SolveSteps", "FinalizeSolver", "PreInitializeSolverSpecific", "InitializeSolverOutput", "InitializeSolverPreChecks",
     "InitializeSolverData", "InitializeSolverInitialConditions", "PostInitializeSolverSpecific", "UpdateCurrentTime",
@@ -35,7 +40,7 @@ SOLVERS: dict[Any, Callable[[Any, Any], Any]] = {
 } | {
     solver: dynamic(solver)
     for solver in (Solver.GeneralizedAlpha, Solver.TrapezoidalIndex2, Solver.RK44, Solver.ExplicitEuler, Solver.DOPRI5,
-                   Solver.VelocityVerlet)
+                   Solver.VelocityVerlet, Solver.ESDIRK43)
 }  # fmt: skip
 
 

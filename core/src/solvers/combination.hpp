@@ -44,6 +44,9 @@ inline void combine(const System& system, std::vector<double>& sum, const std::v
     terms = terms.subspan(count);
   } while (!terms.empty());
 }
+inline void subtract(const System& system, std::vector<double>& x, double factor, const double* y) {
+  each_number(system, x.size(), [=, rest = x.data()](std::size_t i) { rest[i] -= factor * y[i]; });
+}
 inline void add(const System& system, std::vector<double>& x, double factor, const std::vector<double>& y) {
   const WeightedVector term{factor, y.data()};
   add_weighted<1>(system, x.data(), x.data(), &term, x.size());

@@ -28,25 +28,32 @@ void leave_out_ode1(const Sizes& s, const Pattern& pattern, std::span<double> ma
   }
 }
 
-// The columns of the multipliers and the rows of the constraints, around the mass matrix.
+// The rows of the constraints.
 //
 // Gradients are those of the rates by the velocities: Euler parameters turn a frame without their own lengthening, which
 // the gradient of a gap contains. Constraints of velocities are their own rates, so they are differentiated once, not twice.
-void add_constraints(System& system, const State& state, Conditions conditions, const Pattern& pattern, std::span<double> matrix,
-                     std::span<double> part) {
+void add_gradients(System& system, const State& state, Conditions conditions, const Pattern& pattern, std::span<double> matrix,
+                   std::span<double> part) {
   const int end_of_ode2 = system.sizes().ode2, first_ae = system.sizes().first_ae();
-  const auto take = [&](std::size_t begin, std::size_t end) { std::copy(part.data() + begin, part.data() + end, matrix.data() + begin); };
-  system.tangent(state, conditions, along_positions, pattern, part);
-  for (int j = 0; j < pattern.size(); ++j) {
-    const ColumnRange column = column_range(pattern, j, first_ae);
-    if (j >= end_of_ode2) take(j < first_ae ? column.middle : column.begin, column.end);
-  }
   conditions.rate_level = true;
   system.tangent(state, conditions, along_velocities, pattern, part);
   for (int j = 0; j < end_of_ode2; ++j) {
     const ColumnRange column = column_range(pattern, j, first_ae);
-    take(column.middle, column.end);
+    std::copy(part.data() + column.middle, part.data() + column.end, matrix.data() + column.middle);
   }
+}
+
+// And the columns of the multipliers, around the mass matrix.
+void add_constraints(System& system, const State& state, const Conditions& conditions, const Pattern& pattern, std::span<double> matrix,
+                     std::span<double> part) {
+  const int end_of_ode2 = system.sizes().ode2, first_ae = system.sizes().first_ae();
+  system.tangent(state, conditions, along_positions, pattern, part);
+  for (int j = end_of_ode2; j < pattern.size(); ++j) {
+    const ColumnRange column = column_range(pattern, j, first_ae);
+    const std::size_t begin = j < first_ae ? column.middle : column.begin;
+    std::copy(part.data() + begin, part.data() + column.end, matrix.data() + begin);
+  }
+  add_gradients(system, state, conditions, pattern, matrix, part);
 }
 
 State without_multipliers(State state) {
@@ -87,6 +94,11 @@ void ConstrainedMotion::prepare(System& system, LinearSolverType type, const Lin
   factors_ = make_linear_solver(*pattern_, type, options);
 }
 
+void ConstrainedMotion::free_memory() {
+  factors_.reset();
+  for (std::vector<double>* numbers : {&matrix_, &part_, &x_, &rest_}) *numbers = {};
+}
+
 void ConstrainedMotion::fill(System& system, const State& state, const Conditions& conditions) {
   const State still = without_multipliers(state);
   system.mass_matrix(still, *pattern_, matrix_);
@@ -99,6 +111,16 @@ void ConstrainedMotion::fill(System& system, const State& state, const Condition
 
 int ConstrainedMotion::factorize(System& system, const State& state, const Conditions& conditions) {
   fill(system, state, conditions);
+  return factorize_filled(system, state, conditions);
+}
+
+int ConstrainedMotion::factorize_around_matrix(System& system, const State& state, const Conditions& conditions) {
+  part_.resize(matrix_.size());
+  if (system.sizes().ae > 0) add_gradients(system, without_multipliers(state), conditions, *pattern_, matrix_, part_);
+  return factorize_filled(system, state, conditions);
+}
+
+int ConstrainedMotion::factorize_filled(System& system, const State& state, const Conditions& conditions) {
   if (redundant_.in_use()) redundant_.regularize(*pattern_, matrix_, 1);
   int singular = factors_->factorize(matrix_);
   if (!redundant_.in_use() && (!examined_ || singular != LinearSolver::success)) look_for_redundancy(system, state, conditions, singular);
@@ -163,15 +185,33 @@ std::vector<double> ConstrainedMotion::gap_acceleration(System& system, const St
   return after;
 }
 
-void ConstrainedMotion::accelerations(System& system, const State& state, const Conditions& conditions, std::span<double> a,
-                                      std::span<double> lambda) {
-  const State still = without_multipliers(state);
+std::vector<double> ConstrainedMotion::gap_accelerations_of_velocities(System& system, const State& still, const Conditions& conditions) {
   std::vector<double> gap = gap_acceleration(system, still, conditions);
   if (driven_.size() != gap.size()) {
     driven_ = driven_equations(system, still, conditions);
     is_driven_ = std::ranges::any_of(driven_, [](char d) { return d != 0; });
   }
   if (is_driven_) add_driving(system, still, conditions, gap);
+  return gap;
+}
+
+// Rates are linear in the velocities.
+std::vector<double> ConstrainedMotion::gap_accelerations(System& system, const State& state, const Conditions& conditions) {
+  State moved = without_multipliers(state);
+  std::vector<double> gap = gap_accelerations_of_velocities(system, moved, conditions), rates(gap.size());
+  system.gaps(moved, at_level(conditions, true), rates);
+  for (std::size_t k = 0; k < gap.size(); ++k) gap[k] -= rates[k];
+  for (std::size_t i = 0; i < moved.v.size(); ++i) moved.v[i] += state.a[i];
+  moved.lambda = state.lambda;
+  system.gaps(moved, at_level(conditions, true), rates);
+  for (std::size_t k = 0; k < gap.size(); ++k) gap[k] += rates[k];
+  return gap;
+}
+
+void ConstrainedMotion::accelerations(System& system, const State& state, const Conditions& conditions, std::span<double> a,
+                                      std::span<double> lambda) {
+  const State still = without_multipliers(state);
+  const std::vector<double> gap = gap_accelerations_of_velocities(system, still, conditions);
   std::vector<double> now(gap.size());
   if (!std::ranges::all_of(system.static_signs(), [](double sign) { return sign < 0; })) system.gaps(still, at_level(conditions, false), now);
   std::ranges::fill(x_, 0.0);

@@ -7,6 +7,7 @@
 #include "dalembert/model/model.hpp"
 #include "dalembert/output/numbers.hpp"
 #include "dalembert/solvers/solver.hpp"
+#include "dependent_equations.hpp"
 #include "finite.hpp"
 
 namespace dalembert {
@@ -42,6 +43,30 @@ bool gives_not_finite(Read&& read) {
     return false;
   }
   return !all_finite(values);
+}
+
+// One line per item, with its equations: their descriptions differ in what follows the last blank.
+std::vector<std::string> describe_equations(const System& system, std::span<const int> rows) {
+  std::vector<std::string> lines;
+  std::string item, numbers, text;
+  const auto finish = [&] {
+    if (!numbers.empty()) lines.push_back("rows " + numbers + ": " + text);
+  };
+  for (const int row : rows) {
+    const std::string described = system.describe_row(row);
+    const auto blank = described.rfind(' ');
+    if (const std::string owner = described.substr(0, blank); owner == item) {
+      numbers += ", " + std::to_string(row);
+      text += "," + described.substr(blank);
+    } else {
+      finish();
+      item = owner;
+      numbers = std::to_string(row);
+      text = described;
+    }
+  }
+  finish();
+  return lines;
 }
 
 }  // namespace
@@ -85,6 +110,24 @@ void Solver::diagnose(FailureReason reason, std::span<const double> residual) {
   d.advice.push_back("check initial values, and parameters of the items named above for wrong units");
   if (newton_settings.useModifiedNewton) d.advice.push_back("use full Newton (newton.useModifiedNewton=False)");
   if (reason == FailureReason::discontinuous) d.advice.push_back("allow more discontinuous.maxIterations");
+}
+
+[[gnu::noinline]] void Solver::diagnose_singular_matrix(const Pattern& pattern, std::span<const double> values) {
+  std::vector<int> free = free_unknowns(pattern, values);
+  std::erase_if(free, [this](int row) { return row >= sizes_.first_ae(); });
+  diagnose(free.empty() ? FailureReason::singular_matrix : FailureReason::free_direction);
+  if (!settings().linearSolverSettings.showCausingItems) return;
+  diagnosis_.free = describe_equations(system(), free);
+  diagnosis_.dependent = describe_equations(system(), dependent_equations(pattern, values));
+}
+
+[[gnu::noinline]] void Solver::diagnose_open_gaps() {
+  std::vector<double> gaps(static_cast<std::size_t>(sizes_.ae));
+  system().gaps(current(), conditions_, gaps);
+  Diagnosis& d = diagnose(FailureReason::newton);
+  add_largest(d.values, gaps, "equation", sizes_.first_ae());
+  d.advice = {"the step leaves gaps that cannot be closed: use smaller steps (timeIntegration.numberOfSteps, minimumStepSize)",
+              "check initial values of the items named above: mbs.ComputeConsistentInitialConditions() finds some that fulfil all constraints"};
 }
 
 void Solver::add_largest(std::vector<NamedValue>& list, std::span<const double> numbers, const char* vector, int first_row) const {

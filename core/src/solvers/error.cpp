@@ -13,7 +13,7 @@ struct Words {
 };
 
 // In the order of FailureReason.
-constexpr std::array<Words, 15> words{{
+constexpr std::array<Words, 16> words{{
     {"", "no failure", ""},
     {"newton", "Newton's method did not converge", "largest residuals"},
     {"singularMatrix", "the system matrix is singular", ""},
@@ -23,6 +23,7 @@ constexpr std::array<Words, 15> words{{
     {"discontinuousIteration", "the discontinuous iteration (contact, friction) did not settle", ""},
     {"eventChatter", "events follow each other ever faster", ""},
     {"errorControl", "the error stays above the tolerances at the smallest step size", "largest errors, in units of the tolerances"},
+    {"stiffForMethod", "the system is stiff for this method: steps of the smallest size are not stable", "largest errors, in units of the tolerances"},
     {"singularPosition", "the mechanism does not get away from a singular position, in which it could go on in more ways than one", ""},
     {"toleranceBelowRoundOff", "the tolerances are below round-off", "largest errors, in units of the tolerances"},
     {"notFinite", "a value is not finite", "not finite"},

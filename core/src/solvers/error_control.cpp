@@ -10,8 +10,7 @@ namespace dalembert {
 
 namespace {
 
-// A jump is passed in a few of the smallest steps; so many in a row with an error above the tolerances do not come from one.
-constexpr int most_steps_above_tolerance = 100;
+constexpr int few_steps = 4;  // of the smallest size, after which it is asked whether their errors grow because they are not stable
 
 }  // namespace
 
@@ -60,31 +59,27 @@ bool ExplicitSolver::control_step_size() {
   const double h = it.currentStepSize;
   const double optimal = h * std::pow(1 / error, 1.0 / method_.order);
   if (optimal < h && passes_singular_position(error)) return !(conv.stopNewton = stays_in_singular_position());
-  if (optimal < h && h <= it.minStepSize) return hold_at_minimum();
-  const double largest = std::min(it.maxStepSize, h * s.stepSizeMaxIncrease);
-  it.currentStepSize = std::min(largest, std::max(it.minStepSize, s.stepSizeSafety * optimal));
-  steps_above_tolerance_ = 0;
-  if (!(optimal < h)) return true;
-  if (sizes_.ae > 0 && it.currentStepSize < aside * h && steps_aside()) it.currentStepSize = aside * h;
-  ++it.rejectedAutomaticStepSizeSteps;
-  return false;
-}
-
-[[gnu::noinline]] bool ExplicitSolver::hold_at_minimum() {
-  if (!warned_minimum_) {
-    warn("automatic step size reached timeIntegration.minimumStepSize at time " + format_number(it.currentTime) +
-         "; the error becomes larger than the tolerances");
-    warned_minimum_ = true;
-  }
-  if (++steps_above_tolerance_ > most_steps_above_tolerance) {
-    diagnose_error_control();
+  if (optimal < h && h <= it.minStepSize) {
+    const bool grows = (steps_above_tolerance_ + 1) % few_steps == 0 && at_stability_limit(h);
+    if (grows) diagnose_error_control();
+    if (!grows && hold_at_minimum()) {
+      it.currentStepSize = it.minStepSize;  // the last step of all may be smaller
+      return true;
+    }
     conv.newtonConverged = false;
     conv.stopNewton = true;
     return false;
   }
-  ++it.stepsAboveTolerance;
-  it.currentStepSize = it.minStepSize;  // the last step of all may be smaller
-  return true;
+  const double largest = std::min(it.maxStepSize, h * s.stepSizeMaxIncrease);
+  it.currentStepSize = std::min(largest, std::max(it.minStepSize, s.stepSizeSafety * optimal));
+  steps_above_tolerance_ = 0;
+  if (!(optimal < h)) {
+    look_for_stiffness(h);
+    return true;
+  }
+  if (sizes_.ae > 0 && it.currentStepSize < aside * h && steps_aside()) it.currentStepSize = aside * h;
+  ++it.rejectedAutomaticStepSizeSteps;
+  return false;
 }
 
 void ExplicitSolver::diagnose_error_control() {
@@ -97,7 +92,8 @@ void ExplicitSolver::diagnose_error_control() {
                                 (tolerances.absoluteTolerance + tolerances.relativeTolerance * q));
   }
   const bool below_round_off = noise > 0.1;
-  Diagnosis& d = diagnose(below_round_off ? FailureReason::round_off : FailureReason::error_control);
+  const bool stiff = !below_round_off && at_stability_limit(it.currentStepSize);
+  Diagnosis& d = diagnose(below_round_off ? FailureReason::round_off : stiff ? FailureReason::stiff : FailureReason::error_control);
   const State &now = current(), &start = start_of_step();
   const auto add_errors = [&](Vector second, const Vector& first, const Vector& old, const char* vector, int first_row) {
     for (std::size_t i = 0; i < second.size(); ++i) second[i] = std::abs(scaled_error(second[i], first[i], old[i]));
@@ -108,6 +104,12 @@ void ExplicitSolver::diagnose_error_control() {
   add_errors(second_y_, now.y, start.y, "ODE1", sizes_.ode2);
   if (below_round_off) {
     d.advice = {"ask for larger errors (timeIntegration.relativeTolerance, absoluteTolerance): coordinates have no more digits"};
+    return;
+  }
+  if (stiff) {
+    d.advice = {"use an implicit method, which is stable with larger steps: exu.DynamicSolverType.ESDIRK43, or GeneralizedAlpha with "
+                "stepSizeControl.implicitSolvers=True",
+                "allow smaller steps (timeIntegration.minimumStepSize), if so many are to be taken"};
     return;
   }
   d.advice = {"look for what jumps at the items named above: contact, friction, user functions that are not continuous",

@@ -69,8 +69,8 @@ void ExplicitSolver::pre_initialize() {
   result_ = that_count(method_.b);
   second_ = that_count(method_.b_error);
   third_ = that_count(method_.b_third);
-  warned_minimum_ = end_known_ = first_stage_known_ = searching_ = false;
-  steps_above_tolerance_ = 0;
+  end_known_ = first_stage_known_ = searching_ = told_stiff_ = false;
+  stiff_signs_ = calm_signs_ = 0;
   conditions_ = {.rate_level = false, .inertia = true, .direct = true};
 }
 
@@ -108,6 +108,9 @@ void ExplicitSolver::post_initialize() {
   if (continues()) {
     growth_limit_ = continued_number(0);
     steps_above_tolerance_ = static_cast<int>(continued_number(1));
+    stiff_signs_ = static_cast<int>(continued_number(2));
+    calm_signs_ = static_cast<int>(continued_number(3));
+    told_stiff_ = continued_number(4) != 0;
   }
   start_of_step() = now;
 }

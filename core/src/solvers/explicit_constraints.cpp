@@ -40,12 +40,7 @@ bool ExplicitSolver::back_onto_constraints() {
     return false;
   }
   conv.stopNewton = true;
-  std::vector<double> gaps(static_cast<std::size_t>(sizes_.ae));
-  system().gaps(current(), conditions_, gaps);
-  Diagnosis& d = diagnose(FailureReason::newton);
-  add_largest(d.values, gaps, "equation", sizes_.first_ae());
-  d.advice = {"the step leaves gaps that cannot be closed: use smaller steps (timeIntegration.numberOfSteps, minimumStepSize)",
-              "check initial values of the items named above: mbs.ComputeConsistentInitialConditions() finds some that fulfil all constraints"};
+  diagnose_open_gaps();
   return false;
 }
 

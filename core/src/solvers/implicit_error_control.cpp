@@ -12,15 +12,6 @@
 
 namespace dalembert {
 
-namespace {
-
-constexpr double smallest_factor = 0.2;   // of the step size after a step with a large error
-constexpr double not_worth_it = 1.2;      // an increase, which costs accuracy of the algorithmic accelerations
-constexpr double last_stretch = 1.1;      // a rest of the simulation that is not much longer than a step is one
-constexpr int most_steps_above_tolerance = 100;
-
-}  // namespace
-
 bool SecondOrderSolver::discontinuous_iteration() {
   return Solver::discontinuous_iteration() && (!it.automaticStepSize || control_step_size());
 }
@@ -93,36 +84,16 @@ bool SecondOrderSolver::control_step_size() {
     if (h <= it.minStepSize) {
       if (!hold_at_minimum()) return false;
     } else {
-      ++it.rejectedAutomaticStepSizeSteps;
-      rejected_ = true;
-      it.currentStepSize = std::max(it.minStepSize, h * (std::isfinite(wanted) ? std::clamp(wanted, smallest_factor, 1.0) : smallest_factor));
-      return false;
+      choose_smaller_step(wanted);
+      return !(rejected_ = true);
     }
   } else {
     steps_above_tolerance_ = 0;
   }
   accepted_step_size_ = h;
   project_velocities();
-  const double factor = passes ? 1 : std::clamp(wanted, smallest_factor, s.stepSizeMaxIncrease);
-  double next = factor > 1 && factor < not_worth_it ? h : h * factor;
-  next = std::clamp(next, it.minStepSize, std::max(it.minStepSize, it.maxStepSize));
-  const double rest = it.endTime - it.currentTime;
-  it.currentStepSize = next < rest && rest < last_stretch * next ? rest : next;
+  choose_next_step(passes ? 1 : wanted);
   return true;
-}
-
-[[gnu::noinline]] bool SecondOrderSolver::hold_at_minimum() {
-  if (!warned_minimum_) {
-    warn("automatic step size reached timeIntegration.minimumStepSize at time " + format_number(it.currentTime) +
-         "; the error becomes larger than the tolerances");
-    warned_minimum_ = true;
-  }
-  ++it.stepsAboveTolerance;
-  if (++steps_above_tolerance_ <= most_steps_above_tolerance) return true;
-  Diagnosis& d = diagnose(FailureReason::error_control);
-  d.advice = {"look for what jumps: contact, friction, user functions that are not continuous",
-              "allow larger errors (timeIntegration.relativeTolerance, absoluteTolerance), or smaller steps (timeIntegration.minimumStepSize)"};
-  return false;
 }
 
 // With the factors at hand: velocities along which gaps would open make the next accelerations jump. Those that are prescribed in time

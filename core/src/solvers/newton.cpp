@@ -8,37 +8,12 @@
 #include "dalembert/model/errors.hpp"
 #include "dalembert/output/numbers.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
-#include "dependent_equations.hpp"
 #include "finite.hpp"
 #include "matrix_text.hpp"
 
 namespace dalembert {
 
 namespace {
-
-// One line per item, with its equations: their descriptions differ in what follows the last blank.
-std::vector<std::string> describe_equations(const System& system, std::span<const int> rows) {
-  std::vector<std::string> lines;
-  std::string item, numbers, text;
-  const auto finish = [&] {
-    if (!numbers.empty()) lines.push_back("rows " + numbers + ": " + text);
-  };
-  for (const int row : rows) {
-    const std::string described = system.describe_row(row);
-    const auto blank = described.rfind(' ');
-    if (const std::string owner = described.substr(0, blank); owner == item) {
-      numbers += ", " + std::to_string(row);
-      text += "," + described.substr(blank);
-    } else {
-      finish();
-      item = owner;
-      numbers = std::to_string(row);
-      text = described;
-    }
-  }
-  finish();
-  return lines;
-}
 
 // A loop has stagnated when so many iterations in a row have not lowered the best residual by a tenth ...
 constexpr int idle_iterations = 3;
@@ -379,16 +354,7 @@ void NewtonSolver::restart() {
 [[gnu::noinline]] void NewtonSolver::report_failure() {
   if (contradiction_) return report_contradiction();
   if (!all_finite(jacobian_) || loop_.lost) return report_not_finite();
-  if (conv.linearSolverFailed) {
-    std::vector<int> free = free_unknowns(*pattern_, jacobian_);
-    std::erase_if(free, [this](int row) { return row >= sizes_.first_ae(); });
-    diagnose(free.empty() ? FailureReason::singular_matrix : FailureReason::free_direction);
-    if (settings().linearSolverSettings.showCausingItems) {
-      diagnosis_.free = describe_equations(system(), free);
-      diagnosis_.dependent = describe_equations(system(), dependent_equations(*pattern_, jacobian_));
-    }
-    return;
-  }
+  if (conv.linearSolverFailed) return diagnose_singular_matrix(*pattern_, jacobian_);
   diagnose(FailureReason::newton, unscaled_residual());
   if ((output.stepInformation & step_information::step_reductions) || verbose(2)) {
     say(1, "  Newton (step " + std::to_string(it.currentStepIndex) + ", t = " + number(it.currentTime) +
@@ -442,24 +408,6 @@ void NewtonSolver::free_memory() {
   linear_.reset();
   plain_.reset();
   for (std::vector<double>* numbers : {&residual_, &increment_, &jacobian_}) *numbers = {};
-}
-
-void NewtonSolver::check_entry(const MatrixEntry& entry) const {
-  const bool inside = entry.row >= 0 && entry.column >= 0 && entry.row < pattern_->size() && entry.column < pattern_->size();
-  if (inside && pattern_->contains(entry.row, entry.column)) return;
-  const std::string place = "SystemJacobianUserFunction: received an entry in row " + std::to_string(entry.row) +
-                            ", column " + std::to_string(entry.column) + "; expected ";
-  if (!inside) throw ModelError(ErrorKind::index, place + "indices below " + std::to_string(pattern_->size()));
-  throw ModelError(ErrorKind::value, place + "coordinates that items of the model couple. Use linearSolverType=EigenDense.");
-}
-
-void NewtonSolver::add_user_jacobian(double q, double v, double y) {
-  if (!hooks().system_jacobian) return;
-  const TimedPart time(timer, timer.python);
-  for (const MatrixEntry& entry : hooks().system_jacobian(it.currentTime, q, v, y)) {
-    check_entry(entry);
-    jacobian_[static_cast<std::size_t>(pattern_->slot(entry.row, entry.column))] += entry.value;
-  }
 }
 
 }  // namespace dalembert

@@ -15,10 +15,6 @@ namespace dalembert {
 
 namespace {
 
-void subtract(const System& system, std::vector<double>& x, double factor, const double* y) {
-  each_number(system, x.size(), [=, rest = x.data()](std::size_t i) { rest[i] -= factor * y[i]; });
-}
-
 // q, v and a in one loop: most systems are small.
 void subtract_motion(const System& system, std::size_t n, const double* __restrict x, double rate, double acceleration, double* __restrict q,
                      double* __restrict v, double* __restrict a) {
@@ -103,9 +99,8 @@ void SecondOrderSolver::initialize_data() {
   previous_q_.assign(lie_ ? n : 0, 0.0);
   accepted_step_size_ = 0;
   driven_.clear();
-  rejected_ = warned_minimum_ = renews_ = false;
+  rejected_ = renews_ = false;
   renewed_after_ = -2;
-  steps_above_tolerance_ = 0;
 }
 
 void SecondOrderSolver::initial_conditions() {
@@ -305,7 +300,7 @@ Conditions SecondOrderSolver::jacobian_conditions(bool momentary) const {
     evaluate_jacobian(without_momentary_forces(current()), conditions, jacobian_weights());
   }
   scale_jacobian(jacobian_);
-  add_user_jacobian(-scale, -gamma_prime() * scale, -scale);
+  add_user_jacobian(pattern(), jacobian_, {-scale, -gamma_prime() * scale, -scale});
 }
 
 void SecondOrderSolver::evaluate_jacobian(const State& state, const Conditions& conditions, const Weights& weights) {

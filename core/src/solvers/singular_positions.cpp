@@ -43,10 +43,14 @@ constexpr double not_to_be_trusted = 100;
   constexpr int most_steps = 1000;
   if (passing_steps_ < most_steps) return false;
   passing_steps_ = 0;
+  diagnose_singular_position();
+  return true;
+}
+
+void Solver::diagnose_singular_position() {
   diagnose(FailureReason::singular_position).advice = {
       "use larger steps, which lead beyond it: larger tolerances, or equal steps (timeIntegration.automaticStepSize=False)",
       "keep the constraints of positions (exu.DynamicSolverType.GeneralizedAlpha): gaps blur where the mechanism can go"};
-  return true;
 }
 
 [[gnu::noinline]] void Solver::passing_singular_position() {

@@ -128,7 +128,8 @@ void Solver::initialize_data() {
   conv = SolverConvergenceData();
   it = SolverIterationData();
   singular_position_step_ = aside_step_ = -2;
-  passing_steps_ = 0;
+  passing_steps_ = steps_above_tolerance_ = 0;
+  warned_minimum_ = false;
   conv.errorCoordinateFactor =
       newton_settings.weightTolerancePerCoordinate ? std::sqrt(static_cast<double>(sizes_.total())) : 1.0;
   if (system_->searches()) system_->search(initial(), conditions_);

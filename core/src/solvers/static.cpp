@@ -151,7 +151,7 @@ void StaticSolver::compute_jacobian() {
       if (row >= sizes_.ode2 && row < sizes_.first_ae()) jacobian_[slot] = row == column ? 1.0 : 0.0;
     });
   }
-  add_user_jacobian(-1, 0, -1);
+  add_user_jacobian(pattern(), jacobian_, {-1, 0, -1});
 }
 
 }  // namespace dalembert

@@ -60,6 +60,7 @@ enum class DynamicSolverType : std::uint32_t {
   DVERK6 = 10,
   VelocityVerlet = 11,
   DOP853 = 12,
+  ESDIRK43 = 13,
 };
 
 // the five kinds of items

@@ -90,6 +90,8 @@ class DynamicSolverType(IntEnum):
     """explicit, second order (first where forces depend on velocities), one evaluation per step; for particles and contact"""
     DOP853 = 12
     """explicit Runge-Kutta method of Dormand and Prince, order 8 with error estimates of orders 5 and 3 and automatic step size; for tight tolerances"""
+    ESDIRK43 = 13
+    """diagonally implicit Runge-Kutta method of Kennedy and Carpenter, order 4 with error estimate of order 3 and automatic step size; L-stable, for stiff systems and higher accuracy than generalized alpha"""
 
 class ItemType(IntEnum):
     """the five kinds of items"""

@@ -22,8 +22,8 @@ class SolverError(ValueError):
     """A solver that gave up. Its text is the whole diagnosis with advice; its parts are attributes.
 
     reason: 'newton', 'singularMatrix', 'freeDirection', 'contradictoryConstraints', 'massMatrix',
-        'discontinuousIteration', 'eventChatter', 'errorControl', 'singularPosition', 'toleranceBelowRoundOff',
-        'notFinite', 'unbounded', 'pathTooLong' or 'timeLimit'.
+        'discontinuousIteration', 'eventChatter', 'errorControl', 'stiffForMethod', 'singularPosition',
+        'toleranceBelowRoundOff', 'notFinite', 'unbounded', 'pathTooLong' or 'timeLimit'.
     solverName, stepIndex, time (s), stepSize (s), loadFactor: where it happened; step 0 is the start.
     newtonSteps, residual, relativeResidual, relativeTolerance, absoluteTolerance: the last iteration, and what it is
         compared with; of discontinuous iterations if they did not settle.

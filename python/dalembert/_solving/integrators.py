@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import Any
+from typing import Any, Literal
 
 from dalembert._core import DynamicSolverType
 
 IMPLICIT = {DynamicSolverType.GeneralizedAlpha, DynamicSolverType.TrapezoidalIndex2}
+DIAGONALLY_IMPLICIT = {DynamicSolverType.ESDIRK43}
 EXPLICIT = {
     DynamicSolverType.ExplicitEuler,
     DynamicSolverType.ExplicitMidpoint,
@@ -22,14 +23,20 @@ EXPLICIT = {
 }
 
 
-def is_implicit(function: str, solverType: Any) -> bool:
-    """Return whether it is an implicit method; ValueError, naming `function`, if it is no method at all."""
-    if solverType not in IMPLICIT and solverType not in EXPLICIT:
-        known = ", ".join(sorted(str(kind) for kind in IMPLICIT | EXPLICIT))
+Kind = Literal["implicit", "diagonally implicit", "explicit"]
+
+
+def kind_of(function: str, solverType: Any) -> Kind:
+    """Return what kind of method it is; ValueError, naming `function`, if it is no method at all."""
+    everything = IMPLICIT | DIAGONALLY_IMPLICIT | EXPLICIT
+    if solverType not in everything:
+        known = ", ".join(sorted(str(kind) for kind in everything))
         is_name = isinstance(solverType, str) and solverType in DynamicSolverType.__members__
         advice = f". Write DynamicSolverType.{solverType} without quotes" if is_name else ""
         raise ValueError(f"{function}: solverType: expected one of {known}; received {solverType!r}{advice}")
-    return solverType in IMPLICIT
+    if solverType in DIAGONALLY_IMPLICIT:
+        return "diagonally implicit"
+    return "implicit" if solverType in IMPLICIT else "explicit"
 
 
 @contextmanager

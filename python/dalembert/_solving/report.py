@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from dalembert._core import testing
+from dalembert._core import ConfigurationType, testing
 from dalembert._solving.energies import ComputeEnergies, TotalMass
 from dalembert._solving.linearized import ComputeSystemDegreeOfFreedom
 from dalembert._solving.quiet import assemble_if_needed
@@ -67,6 +67,16 @@ def _energies(mbs: Any) -> list[str]:
     ]
     if now.potentialError > 1e-6 * max(abs(now.potential), abs(now.kinetic)):
         lines.append("  potential energy is not sure: a force jumps")
+    data = mbs.systemData
+    if data.GetTime() != data.GetTime(ConfigurationType.Initial):
+        start = ComputeEnergies(mbs, ConfigurationType.Initial)
+        change = now.total - start.total
+        largest = max(now.kinetic, start.kinetic, abs(now.potential - start.potential))
+        share = f", {abs(change) / largest:.2g} of what moved" if largest > 0 else ""
+        lines.append(
+            f"  drift since the initial state: {change:.3g} J{share}; dissipation, drives and errors of the solver "
+            "together (mbs.InspectSolution tells them apart)"
+        )
     return lines
 
 
@@ -95,7 +105,7 @@ def Report(mbs: Any, autoAssemble: bool = True) -> str:
     """Return one page about the system in its current state, and about its last solutions.
 
     Numbers of items and coordinates, degrees of freedom and redundant constraints with the objects that could lose
-    some, constraints that are open, energies, and how the last solvers ended.
+    some, constraints that are open, energies with their drift since the initial state, and how the last solvers ended.
     """
     assemble_if_needed(_NAME, mbs, autoAssemble)
     with np.errstate(invalid="ignore"):

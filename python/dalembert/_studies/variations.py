@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from dalembert import _core
 from dalembert._core import DynamicSolverType, SimulationSettings
-from dalembert._solving.integrators import is_implicit, trapezoidal_rule
+from dalembert._solving.integrators import Kind, kind_of, trapezoidal_rule
 from dalembert._solving.quiet import assemble_if_needed
 from dalembert._studies.execution import number_of_threads
 from dalembert._tools.found_items import find_item
@@ -127,10 +127,10 @@ def _parameter_arrays(mbs: Any, parameters: _Parameters) -> list[tuple[Any, str,
     return [(index_of(item), name, np.asarray(values)) for (item, name), values in parameters.items()]
 
 
-def _kind(solverType: Any) -> Literal["static", "implicit", "explicit"]:
+def _kind(solverType: Any) -> Kind | Literal["static"]:
     if isinstance(solverType, str) and solverType == "static":
         return "static"
-    return "implicit" if is_implicit("SolveVariations", solverType) else "explicit"
+    return kind_of("SolveVariations", solverType)
 
 
 def SolveVariations(

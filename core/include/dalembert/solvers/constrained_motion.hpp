@@ -17,15 +17,24 @@ class ConstrainedMotion {
   void prepare(System& system, LinearSolverType type, const LinearSolverOptions& options, const RedundantConstraintsSettings& settings);
   // The factors at this state; success, or the unknown without a pivot. Redundant constraints are looked for once.
   int factorize(System& system, const State& state, const Conditions& conditions);
+  // The same around another matrix than that of the masses, which has been put here, with the columns of the multipliers.
+  std::span<double> matrix() { return matrix_; }
+  const Pattern& pattern() const { return *pattern_; }
+  int factorize_around_matrix(System& system, const State& state, const Conditions& conditions);
   // Of all unknowns; [Q, 0, right-hand sides of the constraints] becomes [a, 0, lambda].
   void solve(std::span<double> x);
   // With the forces Q in `a`, which become accelerations.
   void accelerations(System& system, const State& state, const Conditions& conditions, std::span<double> a, std::span<double> lambda);
+  // Second derivatives of gaps, or derivatives of constraints of velocities, along the motion with the accelerations of the state; what is
+  // not active gives its multiplier.
+  std::vector<double> gap_accelerations(System& system, const State& state, const Conditions& conditions);
   // Moves the state by the smallest changes, in the metric of the masses, that close gaps and end their rates, with the factors at
   // hand. False: they do not get small enough.
   bool project(System& system, State& state, const Conditions& conditions);
   // With the factors at hand, see RedundantConstraints::much_weaker.
   bool near_singular_position() { return !redundant_.in_use() && !redundant_.rows().empty() && redundant_.much_weaker(*factors_); }
+  // All but what has been found out.
+  void free_memory();
   const RedundantConstraints& redundant() const { return redundant_; }
   double largest_misfit() const { return largest_misfit_; }  // that projections have left
 
@@ -33,6 +42,9 @@ class ConstrainedMotion {
   static std::vector<double> gap_acceleration(System& system, const State& state, const Conditions& conditions);
 
  private:
+  int factorize_filled(System& system, const State& state, const Conditions& conditions);
+  // With constant velocities, and those that are prescribed in time.
+  std::vector<double> gap_accelerations_of_velocities(System& system, const State& still, const Conditions& conditions);
   void fill(System& system, const State& state, const Conditions& conditions);
   void look_for_redundancy(System& system, const State& state, const Conditions& conditions, int& singular);
   void add_driving(System& system, const State& still, const Conditions& conditions, std::vector<double>& gap);

@@ -18,6 +18,7 @@ enum class FailureReason {
   discontinuous,    // friction or contact did not settle
   event_chatter,    // events follow each other ever faster
   error_control,    // the estimated error stays above the tolerances at the smallest step size
+  stiff,            // explicit: the same, because steps of this size are not stable
   singular_position,  // it is not left: the mechanism could go on in more ways than one
   round_off,        // tolerances ask for more than numbers have
   not_finite,       // a coordinate, or what an equation is made of, is infinite or not a number

@@ -37,7 +37,10 @@ class ExplicitSolver : public Solver {
 
  protected:
   void save_start_of_step() override;
-  std::vector<double> restart_numbers() const override { return {growth_limit_, static_cast<double>(steps_above_tolerance_)}; }
+  std::vector<double> restart_numbers() const override { 
+    return {growth_limit_, static_cast<double>(steps_above_tolerance_), static_cast<double>(stiff_signs_), static_cast<double>(calm_signs_),
+            static_cast<double>(told_stiff_)};
+  }
   void forget() override;
   void renew_accelerations() override;
   bool near_singular_position() override { return constrained_ && motion_.near_singular_position(); }
@@ -81,8 +84,12 @@ class ExplicitSolver : public Solver {
   double estimated_error();
   double distance_of(const StageWeights& approximation);
   double scaled_error(double second, double first, double old) const;
-  bool hold_at_minimum();
-  void diagnose_error_control();
+  void diagnose_error_control() override;
+  // ---- stiffness (stiffness.cpp) -------------------------------------------------------------------------------------
+  double eigenvalue_along_error();
+  double stability_limit() const;
+  bool at_stability_limit(double step_size);
+  void look_for_stiffness(double step_size);
   // ---- steps that cannot be kept -----------------------------------------------------------------------------------
   void begin_to_watch();
   bool stays_bounded() const;
@@ -101,10 +108,11 @@ class ExplicitSolver : public Solver {
   RungeKuttaMethod method_;
   std::vector<StageWeights> rows_;  // of the coefficients
   StageWeights result_, second_, third_;  // of the solution, and of those that it is compared with
-  bool verlet_ = false, lie_ = false, constant_mass_ = false, warned_minimum_ = false;
+  bool verlet_ = false, lie_ = false, constant_mass_ = false;
   // What was computed at the end of a step is the first stage of the next, if nobody changes the system in between.
   bool nobody_interferes_ = false, end_known_ = false, first_stage_known_ = false;
-  int steps_above_tolerance_ = 0;   // in a row, at the smallest step size
+  int stiff_signs_ = 0, calm_signs_ = 0;  // in the last steps
+  bool told_stiff_ = false;
   double growth_limit_ = 0;         // of the sum of squares of velocities ...
   bool watches_coordinates_ = false;  // ... and of coordinates, where the user has set a limit
   bool searching_ = false;          // for the first evaluation that is not finite

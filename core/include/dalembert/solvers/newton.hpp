@@ -39,8 +39,6 @@ class NewtonSolver : public Solver {
   const Pattern& pattern() const { return *pattern_; }
 
  protected:
-  // Adds what the user's system Jacobian function gives.
-  void add_user_jacobian(double q, double v, double y);
   // As it is compared with the tolerances.
   template <class S>
   S norm_of(const std::vector<S>& residual) const {
@@ -125,8 +123,6 @@ class NewtonSolver : public Solver {
   void report_not_finite();
   void announce_matrices();
   void announce_inverse();
-  // Refuses entries of the user's Jacobian that the system matrix has no place for.
-  void check_entry(const MatrixEntry& entry) const;
 
   Loop loop_;
   RedundantConstraints redundant_;

@@ -68,7 +68,6 @@ class SecondOrderSolver : public NewtonSolver {
   double estimated_error();
   double noise_of_estimates();  // in units of the tolerances
   bool give_up_at_round_off();
-  bool hold_at_minimum();
   void project_velocities();
 
   // Accelerations and multipliers that fit the state; false, with a warning: there are none.
@@ -98,10 +97,9 @@ class SecondOrderSolver : public NewtonSolver {
   std::vector<double> increment_of_q_, previous_q_, more_values_;
   bool lie_ = false, simplified_lie_ = false;
   double accepted_step_size_ = 0;   // to which the algorithmic accelerations at the start belong; zero: to any
-  bool rejected_ = false, warned_minimum_ = false;
+  bool rejected_ = false;
   bool renews_ = false;             // accelerations are found anew before the step is repeated
   StepCount renewed_after_ = -2;    // step
-  int steps_above_tolerance_ = 0;   // in a row, at the smallest step size
   std::vector<char> driven_;        // equations whose gaps are prescribed in time
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <exception>
 #include <memory>
@@ -147,6 +148,7 @@ class Solver {
   void passing_singular_position();  // counts and tells it
   // Whether so many steps have passed it that none will be the last; with the diagnosis.
   bool stays_in_singular_position();
+  void diagnose_singular_position();
   // Whether a step that is lost beside such a position is to be tried with another size that is not much smaller: a few times.
   bool steps_aside();
   static constexpr double aside = 0.7;  // this part of it
@@ -168,6 +170,9 @@ class Solver {
   std::string number(double value) const;
   // ---- diagnosis: what is known at this point ----------------------------------------------------------------------
   Diagnosis& diagnose(FailureReason reason);
+  // With what can move freely, and equations that depend on each other.
+  void diagnose_singular_matrix(const Pattern& pattern, std::span<const double> values);
+  void diagnose_open_gaps();  // that no motion onto the constraints has closed
   // With the equations that have the largest residuals.
   void diagnose(FailureReason reason, std::span<const double> residual);
   // Names what is not finite in the current state or, if there is nothing, in `residual`, with the items that it comes from.
@@ -179,6 +184,16 @@ class Solver {
   // Times that may fall leave no other choice.
   virtual bool writes_each_step() const { return false; }
   virtual void advise_on_growth();  // adds what to do about it
+  // Adds what the user's system Jacobian function gives, for derivatives by q, v and ODE1 coordinates with these weights.
+  void add_user_jacobian(const Pattern& pattern, std::span<double> values, const std::array<double, 3>& weights);
+  // ---- control of the step size (step_sizes.cpp) --------------------------------------------------------------------
+  // For a step that is repeated, or after one that is kept, where the error asks for a step `wanted` times as large.
+  void choose_smaller_step(double wanted);
+  void choose_next_step(double wanted);
+  // Whether a step is kept although its error is above the tolerances; with a warning, and a diagnosis where there are too many.
+  bool hold_at_minimum();
+  virtual void diagnose_error_control();
+  int steps_above_tolerance_ = 0;  // in a row
   // Asks the hooks whether to stop; called where a few milliseconds may have passed.
   void poll_interrupt();
 
@@ -278,6 +293,7 @@ class Solver {
   };
   EqualSteps equal_steps_;
   bool end_reached_ = false;
+  bool warned_minimum_ = false;
   bool step_completed_ = false;  // the state is that of the end of a step, not one that is tried
   bool silent_ = false;  // while all steps are solved: nothing happens at their ends
 };

@@ -1,0 +1,98 @@
+// Diagonally implicit Runge-Kutta methods with error control, for stiff systems: one matrix for all stages, and for as many steps as it serves.
+//
+//   M(q) a + f(q, v, t) + G^T lambda = 0    with  v = V + gamma h a,  q = Q + gamma h v    at each stage
+//   G a + (G v)_q v + ... = 0               (the second derivative of the gaps)
+//
+// Steps end on the constraints of positions and velocities. Kennedy, Carpenter: Additive Runge-Kutta schemes for convection-diffusion-reaction
+//   equations, Applied Numerical Mathematics 44 (2003), for the method: stiffly accurate, L-stable, all stages within the step.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "dalembert/solvers/constrained_motion.hpp"
+#include "dalembert/solvers/solver.hpp"
+
+namespace dalembert {
+
+class DiagonallyImplicitSolver : public Solver {
+ public:
+  std::string name() const override { return "diagonally implicit time integration (ESDIRK43)"; }
+  bool controls_step_size() const override { return true; }
+  const RedundantConstraints& redundant_constraints() const { return motion_.redundant(); }
+  double largest_misfit() const { return motion_.largest_misfit(); }
+  int method_order() const { return 4; }
+  int number_of_stages() const { return stages; }
+
+  void initialize_data() override;
+  void post_initialize() override;
+  bool newton() override;  // one step of the method
+  bool discontinuous_iteration() override;
+  bool reduce_step_size() override;
+  void increase_step_size() override;
+  void free_memory() override;
+
+ protected:
+  void save_start_of_step() override;
+  std::vector<double> restart_numbers() const override { 
+    return {misfit_at_end_, static_cast<double>(steps_above_tolerance_), static_cast<double>(after_jump_)};
+  }
+  void forget() override;
+  void pattern_revised() override;
+  void renew_accelerations() override {
+    find_accelerations();
+    after_jump_ = true;
+  }
+  bool near_singular_position() override { return motion_.near_singular_position(); }
+  KnownDerivatives complete_ends() override { return {true, true}; }
+
+ private:
+  using Vector = std::vector<double>;
+  static constexpr int stages = 6;
+
+  // What a loop of Newton's method has come to.
+  enum class Outcome { solved, slow, lost, singular };
+
+  void require_no_algebraic_coordinates() const;
+  void prepare_factors();
+  void find_accelerations();
+  bool find_accelerations_without_masses();
+  double misfit_of_accelerations();
+  void accelerations_that_fit();
+  // ---- stages --------------------------------------------------------------------------------------------------------
+  double diagonal() const;  // gamma h
+  bool solve_stages();
+  Outcome solve_stage(int stage);
+  Outcome iterate(int stage, int most_iterations);
+  void begin_stage(int stage);
+  void predict(int stage);
+  void follow_rates();  // positions and velocities from accelerations
+  void turn_rotations();
+  void evaluate_residual();
+  double increment_size() const;
+  bool at_round_off() const;
+  void keep_rates(int stage);
+  bool factorize();
+  bool factors_serve() const;
+  // ---- ends of steps -------------------------------------------------------------------------------------------------
+  double estimated_error();
+  void filter(Vector& error_of_q, Vector& error_of_v, Vector& error_of_y);
+  bool back_onto_constraints();
+  bool fail(Outcome outcome);
+  // ---- control of the step size --------------------------------------------------------------------------------------
+  bool control_step_size();
+  double weight(double value, double before) const;
+
+  ConstrainedMotion motion_, masses_;  // stages, and accelerations at the start
+  bool masses_ready_ = false, warned_of_masses_ = false;
+  bool lie_ = false, interferes_ = false, fresh_ = false, rejected_ = false;
+  bool after_jump_ = false;       // at the start, and after events
+  double factorized_for_ = 0;   // gamma h of the factors; zero: there are none
+  double rate_ = 1;             // by which an iteration lowers the error
+  double slowest_ = 0;          // of these in the last step
+  double misfit_at_end_ = 0, misfit_at_start_ = 0;  // of accelerations, by which a step sees whether anybody has changed the system
+  std::array<Vector, stages> stage_q_, stage_v_, stage_y_, stage_lambda_;  // derivatives at the stages, and multipliers
+  Vector base_q_, base_v_, base_y_, base_turn_, turn_, x_;
+};
+
+}  // namespace dalembert
