@@ -6,6 +6,7 @@
 #include "dalembert/model/member.hpp"
 #include "dalembert/model/value_checks.hpp"
 #include "item_classes.hpp"
+#include "item_equality.hpp"
 #include "python_errors.hpp"
 
 namespace dalembert {
@@ -47,6 +48,11 @@ bool is_default(const ItemClass& item_class, const Row& row, PyObject* value) {
   } catch (const Refusal&) {
     return false;
   }
+}
+
+bool is_at_default(const VisualizationObject& drawn, std::string_view name) {
+  const Row* row = find_visualization_row(*drawn.item_class->type, name);
+  return row != nullptr && equal_members(*row, drawn.record.get(), drawn.item_class->defaults.get());
 }
 
 void warn(const std::string& message) {
@@ -147,7 +153,7 @@ void set_visualization(const ItemClass& item_class, PyObject* value, void* recor
     const std::string word = PyUnicode_Check(key.ptr()) ? to_string(key.ptr()) : show(key.ptr());
     const Row* row = find_visualization_row(type, word);
     if (row == nullptr) {
-      if (other != nullptr) continue;  // of another item: what both have in common counts
+      if (other != nullptr && is_at_default(*other, word)) continue;  // of another item: what both have in common counts
       std::vector<std::string_view> names;
       for (const auto& argument : item_class.visualization_arguments) names.push_back(argument.row->name);
       complain("there is no visualization parameter " + quoted(word), suggestion(word, names));

@@ -14,6 +14,8 @@ std::string class_doc(const ItemClass& item_class, bool visualization);
 // What functions in Python that pass parameters on need of an item class: (name, type, check, facts, text) of each parameter.
 py::list described_parameters(const ItemClass& item_class, bool visualization);
 py::list described_outputs(const ItemClass& item_class);
+// How a user function is called: "springForceUserFunction(mbs, t, itemNumber, deltaL, ...)"; empty if it is not known.
+std::string call_of(const ItemType& type, std::string_view user_function);
 // NodePoint(name='foot', referenceCoordinates=[1.0, 0.0, 0.0]): what differs from the defaults.
 std::string item_repr(const ItemClass& item_class, const void* record, bool visualization);
 
