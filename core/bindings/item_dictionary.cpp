@@ -6,6 +6,7 @@
 #include "dalembert/model/member.hpp"
 #include "dalembert/model/value_checks.hpp"
 #include "item_classes.hpp"
+#include "item_docs.hpp"
 #include "item_equality.hpp"
 #include "python_errors.hpp"
 
@@ -114,7 +115,7 @@ void set_member(const ItemClass& item_class, const Row& row, PyObject* value, vo
       return;
     }
     std::string expected = refusal.expected;
-    if (!row.unit.empty()) expected += " (unit " + std::string(row.unit) + ")";
+    if (has_unit(row)) expected += " (unit " + std::string(row.unit) + ")";
     refuse(refusal.kind, {where.text(), name(), "", show(value), expected, refusal.advice});
   }
   if (row.check == Check::orthogonal) warn_if_doubtful(row, record, value, name(), where);

@@ -7,6 +7,8 @@
 
 namespace dalembert {
 
+// Whether there is a unit to be told: not for numbers without dimension, nor for those whose units vary.
+inline bool has_unit(const Row& row) { return !row.unit.empty() && row.unit != "1" && row.unit != "various"; }
 // Type, check and unit of a parameter; what it is stands in a line of its own.
 std::string row_doc(const ItemType& type, const Row& row);
 // Begins with a signature that inspect.signature understands; then summary, parameters and output variables.

@@ -28,7 +28,7 @@ result beside what theory says of it; tests hold these figures against each othe
 
 
 def pictures(path: Path) -> list[str]:
-    """Names of the files that an example draws and plots into; the model, if it is drawn, comes first and stands for it."""
+    """Names of the files that an example draws and plots into. The first stands for it: the model, if it is drawn."""
     names = re.findall(r'fileName="(\w+\.(?:png|gif))"', path.read_text("utf-8"))
     return sorted(names, key=lambda name: "_picture" not in name)
 
