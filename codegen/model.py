@@ -23,6 +23,7 @@ CHECKS: dict[str, tuple[str, ...]] = {
     "rotation": ("matrix3", "matrix3s"),
     "orthogonal": ("matrix3",),
     "unit_vector": ("vector3", "vector3s"),
+    "color": ("vector4",),
 }
 CHANGES = ("any", "assemble")
 SOURCES = ("frame", "coordinates", "kernel")

@@ -60,3 +60,4 @@ twist = -force * arm * length / (G * section.torsionConstant)
 print(f"angle of twist, force in the centroid: {turned:.6f} rad, theory of torsion {twist:.6f} rad")
 quarters = [f"{i}/4 of the length" for i in range(1, 5)]
 mbs.PlotSensor(sensors, components=0, labels=quarters, yLabel="twist (rad)", fileName="channel_twist.png")
+mbs.Draw(fileName="channel_picture.png")

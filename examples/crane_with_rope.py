@@ -79,6 +79,7 @@ print(f"swing of the load: {np.degrees(swing):.3f} deg, pendulum of that length 
 mbs.PlotSensor(
     [np.column_stack([times, np.degrees(angle)])],
     components=[0],
+    labels=["load"],
     yLabel="swing (deg)",
     fileName="crane_swing.png",
     closeAll=True,

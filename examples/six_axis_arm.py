@@ -51,7 +51,7 @@ def drives_alone(q, q_t, wanted):
 
 # model
 def follow(law):
-    """Run the motion; return errors (mrad) and torques over time, the work that is not lost, and where the arm ends."""
+    """Run the motion; return errors (mrad), torques, the work that is not lost, where the arm ends, and the system."""
     mbs = exu.SystemContainer().AddSystem()
     made = mbs.CreateRobot(file, referenceConfiguration=start)
     tree, rows = made["objectKinematicTree"], []
@@ -76,10 +76,10 @@ def follow(law):
     t, errors, q, q_t, torques = np.split(np.array(rows), [1, 7, 13, 19], axis=1)
     work = (torques * np.diff([*q, last], axis=0)).sum()
     taken = np.trapezoid((q_t * arm.JointResistance(q_t)).sum(axis=1), t[:, 0])
-    return np.hstack([t, 1e3 * errors]), np.hstack([t, torques]), work - taken, last
+    return np.hstack([t, 1e3 * errors]), np.hstack([t, torques]), work - taken, last, mbs
 
 
-errors, torques, gained, last = follow(computed_torque)
+errors, torques, gained, last, moved = follow(computed_torque)
 others, *_ = follow(drives_alone)
 mbs = exu.SystemContainer().AddSystem()
 common = {"components": list(range(6)), "labels": names, "newFigure": True}
@@ -96,3 +96,4 @@ for name, is_at, should in zip("xyz", reached[:3, 3], high[:3, 3], strict=True):
     print(f"gripper at the end, {name}: {is_at:.6f} m, wanted pose {should:.6f} m")
 height = arm.PotentialEnergy(end) - arm.PotentialEnergy(start)
 print(f"work of the drives, less that of bearings: {gained:.3f} J, gain of height {height:.3f} J")
+moved.Draw(fileName="arm_picture.png")

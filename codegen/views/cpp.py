@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from typing import Any
 
 from codegen.model import MARKER_CAPABILITIES, NODE_CAPABILITIES, Item, Output, Parameter, UserFunction
@@ -43,8 +44,27 @@ def cpp_comment(text: str) -> str:
     return " ".join(text.replace("``", "").replace(":math:", "").replace("\\", "").split())
 
 
+_MATH = re.compile(r":math:`([^`]*)`")
+_FRACTION = re.compile(r"\\tfrac\{(\w+)\}\{(\w+)\}")
+_RATE = re.compile(r"\\dot(?: ?(\w)|\{(?:\\mathbf\{)?(\w)\}?\})")
+_DECORATED = re.compile(r"\\(?:mathbf|boldsymbol|mathsf|mathrm|tilde)(?:\{([^{}]*)\}| ?(\w))")
+_BRACED = re.compile(r"([_^])\{([^{}]*)\}")
+_SIGNS = {r"\int": "∫", r"\times": "×", r"\partial": "∂", r"\psi": "ψ", r"\omega": "ω", r"\,": " ", "{}": ""}
+
+
+def _plain(match: re.Match[str]) -> str:
+    """Mathematics as a terminal shows it: J_xy = -∫ x y dm."""
+    text = _RATE.sub(r"\1\2_t", _FRACTION.sub(r"\1/\2", match[1]))
+    for sign, shown in _SIGNS.items():
+        text = text.replace(sign, shown)
+    while (simpler := _DECORATED.sub(lambda m: m[1] or m[2] or "", text)) != text:
+        text = simpler
+    return _BRACED.sub(r"\1\2", text)
+
+
 def one_line(text: str) -> str:
-    return " ".join(text.split())
+    """A text for terminals: mathematics without markup."""
+    return " ".join(_MATH.sub(_plain, text).split())
 
 
 def cpp_output_text(output: Output) -> str:

@@ -8,6 +8,7 @@ from typing import Any
 
 from codegen.model import BODY_FOLDERS, Argument, Item, Parameter, UserFunction
 from codegen.model_settings import Enum, Planned
+from codegen.views.cpp import one_line
 
 # What an attribute gives, by storage, where it is less than what may be assigned to it.
 _VALUES = {
@@ -156,7 +157,7 @@ def further_help(item: Item) -> str:
     """What a docstring says of an item below its parameters and outputs."""
     parts = []
     if item.user_functions:
-        functions = (f"    {signature(f)}\n        {' '.join(f.doc.split())}" for f in item.user_functions)
+        functions = (f"    {signature(f)}\n        {one_line(f.doc)}" for f in item.user_functions)
         parts.append("\n".join(("User functions:", *functions)))
     if item.create_functions:
         parts.append("Created by: " + ", ".join(f"mbs.{name}(...)" for name in item.create_functions))

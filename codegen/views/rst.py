@@ -69,6 +69,7 @@ _REFUSED_BY_CHECK = {
     "positive": ["zero or negative"],
     "rotation": ["not orthogonal to 1e-8", "a reflection"],
     "orthogonal": ["not orthogonal to 1e-8"],
+    "color": ["a component that is not from 0 to 1, unless red is negative"],
     "unit_vector": ["a length that differs from 1 by more than 1e-8"],
 }
 

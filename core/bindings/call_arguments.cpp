@@ -47,7 +47,7 @@ std::size_t find_argument(const CallTarget& target, PyObject* name) {
   std::vector<std::string> names;
   for (const auto& argument : arguments) names.push_back(to_string(argument.name));
   refuse(ErrorKind::type, {target.where(), "", "there is no parameter " + quoted(word), "", "",
-                           suggestion(word, {names.begin(), names.end()})});
+                           suggest_parameter(type, word, {names.begin(), names.end()})});
 }
 
 }  // namespace

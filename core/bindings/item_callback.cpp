@@ -1,6 +1,7 @@
 #include "item_callback.hpp"
 
 #include "dalembert/model/member.hpp"
+#include "item_docs.hpp"
 #include "main_system.hpp"
 
 namespace dalembert {
@@ -35,6 +36,8 @@ std::string ItemCallback::describe(int item) const {
   }
   return text + " of a " + std::string(type_->name);
 }
+
+std::string ItemCallback::expected_call() const { return type_ == nullptr ? "" : call_of(*type_, row_.name); }
 
 bool ItemCallback::has_this(const MainSystem& main, int number) const {
   const Item* item = main.model.find_item(type_->kind, number);

@@ -36,6 +36,8 @@ class ItemCallback : public Callback {
   RunningFunction running(int item) const;
   // "user function 'springForceUserFunction' of object 3 'spring' (ObjectConnectorSpringDamper)"
   std::string describe(int item) const;
+  // "springForceUserFunction(mbs, t, itemNumber, ...)"; empty if it is not known whose function it is.
+  std::string expected_call() const;
 
  private:
   virtual std::shared_ptr<ItemCallback> copy() const = 0;

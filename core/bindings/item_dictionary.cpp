@@ -6,6 +6,8 @@
 #include "dalembert/model/member.hpp"
 #include "dalembert/model/value_checks.hpp"
 #include "item_classes.hpp"
+#include "item_docs.hpp"
+#include "item_equality.hpp"
 #include "python_errors.hpp"
 
 namespace dalembert {
@@ -47,6 +49,11 @@ bool is_default(const ItemClass& item_class, const Row& row, PyObject* value) {
   } catch (const Refusal&) {
     return false;
   }
+}
+
+bool is_at_default(const VisualizationObject& drawn, std::string_view name) {
+  const Row* row = find_visualization_row(*drawn.item_class->type, name);
+  return row != nullptr && equal_members(*row, drawn.record.get(), drawn.item_class->defaults.get());
 }
 
 void warn(const std::string& message) {
@@ -108,7 +115,7 @@ void set_member(const ItemClass& item_class, const Row& row, PyObject* value, vo
       return;
     }
     std::string expected = refusal.expected;
-    if (!row.unit.empty()) expected += " (unit " + std::string(row.unit) + ")";
+    if (has_unit(row)) expected += " (unit " + std::string(row.unit) + ")";
     refuse(refusal.kind, {where.text(), name(), "", show(value), expected, refusal.advice});
   }
   if (row.check == Check::orthogonal) warn_if_doubtful(row, record, value, name(), where);
@@ -147,7 +154,7 @@ void set_visualization(const ItemClass& item_class, PyObject* value, void* recor
     const std::string word = PyUnicode_Check(key.ptr()) ? to_string(key.ptr()) : show(key.ptr());
     const Row* row = find_visualization_row(type, word);
     if (row == nullptr) {
-      if (other != nullptr) continue;  // of another item: what both have in common counts
+      if (other != nullptr && is_at_default(*other, word)) continue;  // of another item: what both have in common counts
       std::vector<std::string_view> names;
       for (const auto& argument : item_class.visualization_arguments) names.push_back(argument.row->name);
       complain("there is no visualization parameter " + quoted(word), suggestion(word, names));

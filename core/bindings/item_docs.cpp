@@ -113,6 +113,7 @@ std::string_view check_name(Check check) {
     case Check::rotation: return "rotation";
     case Check::orthogonal: return "orthogonal";
     case Check::unit_vector: return "unit_vector";
+    case Check::color: return "color";
   }
   return "";
 }
@@ -193,6 +194,14 @@ std::string class_doc(const ItemClass& item_class, bool visualization) {
   if (type.physics == nullptr && type.kind != ItemKind::sensor)
     text += "\nIts physics is planned: it can be described, but not yet added to a system.\n";
   return text;
+}
+
+std::string call_of(const ItemType& type, std::string_view user_function) {
+  const std::string_view text = text_of(type).more;
+  const std::size_t begin = text.find("\n    " + std::string(user_function) + "(");
+  if (begin == std::string_view::npos) return "";
+  const std::size_t first = begin + std::string_view("\n    ").size();
+  return std::string(text.substr(first, text.find('\n', first) - first));
 }
 
 std::string item_repr(const ItemClass& item_class, const void* record, bool visualization) {

@@ -7,6 +7,8 @@
 
 namespace dalembert {
 
+// Whether there is a unit to be told: not for numbers without dimension, nor for those whose units vary.
+inline bool has_unit(const Row& row) { return !row.unit.empty() && row.unit != "1" && row.unit != "various"; }
 // Type, check and unit of a parameter; what it is stands in a line of its own.
 std::string row_doc(const ItemType& type, const Row& row);
 // Begins with a signature that inspect.signature understands; then summary, parameters and output variables.
@@ -14,6 +16,8 @@ std::string class_doc(const ItemClass& item_class, bool visualization);
 // What functions in Python that pass parameters on need of an item class: (name, type, check, facts, text) of each parameter.
 py::list described_parameters(const ItemClass& item_class, bool visualization);
 py::list described_outputs(const ItemClass& item_class);
+// How a user function is called: "springForceUserFunction(mbs, t, itemNumber, deltaL, ...)"; empty if it is not known.
+std::string call_of(const ItemType& type, std::string_view user_function);
 // NodePoint(name='foot', referenceCoordinates=[1.0, 0.0, 0.0]): what differs from the defaults.
 std::string item_repr(const ItemClass& item_class, const void* record, bool visualization);
 

@@ -130,10 +130,14 @@ void help() {
         py::kwargs());
 }
 
-// For arguments of functions in Python: what the check of a parameter, "rotation" or "unit_vector", says of so many numbers.
+// For arguments of functions in Python: what the check of a parameter, "rotation", "color" or "unit_vector", says of so many numbers.
 std::string problem_of(const std::string& check, const py::array_t<double, py::array::c_style | py::array::forcecast>& value) {
-  const bool rotation = check == "rotation";
-  if (value.size() != (rotation ? 9 : 3)) throw std::logic_error("_problem_of: wrong number of values");
+  const bool rotation = check == "rotation", color = check == "color";
+  if (value.size() != (rotation ? 9 : color ? 4 : 3)) throw std::logic_error("_problem_of: wrong number of values");
+  if (color) {
+    const Verdict verdict = judge_color(load<double, 4>(value.data()));
+    return verdict.problem.empty() ? "" : verdict.problem + " " + advice(Check::color);
+  }
   if (!rotation) return judge_unit_vector(load<double, 3>(value.data())).problem;
   Mat3<double> matrix;
   std::copy_n(value.data(), 9, matrix.x.begin());

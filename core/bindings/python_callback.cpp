@@ -108,7 +108,7 @@ class PythonCallback final : public ItemCallback {
   }
 
   [[noreturn]] void blame(double time, int item) const {
-    throw_python_error("in " + describe(item) + ", at time " + std::to_string(time));
+    throw_python_error("in " + describe(item) + ", at time " + std::to_string(time), expected_call());
   }
 
   // The Python object of the system, which owns this callback: only a weak reference to it is kept.
@@ -232,8 +232,10 @@ std::shared_ptr<const void> bind_user_functions(const ItemType& type, std::share
   return copy ? std::shared_ptr<const void>(std::move(copy)) : record;
 }
 
-void throw_python_error(const std::string& note) {
+void throw_python_error(const std::string& where, const std::string& call) {
   py::error_already_set error;
+  const bool miscalled = error.matches(PyExc_TypeError) && std::string_view(error.what()).find("positional argument") != std::string_view::npos;
+  const std::string note = where + (miscalled && !call.empty() ? "; it is called as " + call : "");
   // Notes exist since Python 3.11; an exception type may still refuse them.
   PyObject* added = PyObject_CallMethod(error.value().ptr(), "add_note", "s", note.c_str());
   if (added == nullptr) PyErr_Clear();

@@ -27,7 +27,8 @@ void drop_function(const UserFunction& function);
 std::shared_ptr<const void> bind_user_functions(const ItemType& type, std::shared_ptr<const void> record, MainSystem& main);
 UserFunction bind_user_function(const ItemType& type, const UserFunction& function, MainSystem& main);
 
-// Keeps the Python exception as it is and adds a note saying where it was raised; then throws py::error_already_set.
-[[noreturn]] void throw_python_error(const std::string& note);
+// Keeps the Python exception as it is and adds a note saying where it was raised and, if the function takes other arguments, how it
+// is called; then throws py::error_already_set.
+[[noreturn]] void throw_python_error(const std::string& where, const std::string& call = "");
 
 }  // namespace dalembert

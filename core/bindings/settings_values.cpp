@@ -8,6 +8,7 @@
 #include "dalembert/reflection/settings_texts.hpp"
 #include "dalembert/simulation_settings.hpp"
 #include "index_types.hpp"
+#include "item_docs.hpp"
 #include "python_errors.hpp"
 #include "settings.hpp"
 
@@ -299,7 +300,7 @@ std::string setting_doc(const SettingsGroup& group, const Row& row) {
     if (row.check == Check::non_negative) text += ", not negative";
   }
   if (row.size > 0) text += " of length " + std::to_string(row.size);
-  if (!row.unit.empty()) text += ", in " + std::string(row.unit);
+  if (has_unit(row)) text += ", in " + std::string(row.unit);
   if (rule != nullptr && !rule->no_effect.empty()) text += "; no effect: " + std::string(rule->no_effect);
   return text;
 }

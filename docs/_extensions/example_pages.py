@@ -28,8 +28,9 @@ result beside what theory says of it; tests hold these figures against each othe
 
 
 def pictures(path: Path) -> list[str]:
-    """Names of the files that an example draws and plots into; the first one stands for it."""
-    return re.findall(r'fileName="(\w+\.(?:png|gif))"', path.read_text("utf-8"))
+    """Names of the files that an example draws and plots into. The first stands for it: the model, if it is drawn."""
+    names = re.findall(r'fileName="(\w+\.(?:png|gif))"', path.read_text("utf-8"))
+    return sorted(names, key=lambda name: "_picture" not in name)
 
 
 def run(path: Path) -> None:

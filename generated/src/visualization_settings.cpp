@@ -118,7 +118,7 @@ constexpr SettingsGroup VSettingsMaterial_group{"VSettingsMaterial", VSettingsMa
 
 constexpr std::array<Row, 9> VSettingsNodes_rows{{
     {.name = "basisSize", .storage = Storage::real, .offset = offsetof(VSettingsNodes, basisSize), .role = Role::parameter, .unit = "m"},
-    {.name = "defaultColor", .storage = Storage::vector4, .offset = offsetof(VSettingsNodes, defaultColor), .role = Role::parameter, .unit = "1"},
+    {.name = "defaultColor", .storage = Storage::vector4, .offset = offsetof(VSettingsNodes, defaultColor), .role = Role::parameter, .check = Check::color, .unit = "1"},
     {.name = "defaultSize", .storage = Storage::real, .offset = offsetof(VSettingsNodes, defaultSize), .role = Role::parameter, .unit = "m"},
     {.name = "drawNodesAsPoint", .storage = Storage::boolean, .offset = offsetof(VSettingsNodes, drawNodesAsPoint), .role = Role::parameter},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(VSettingsNodes, show), .role = Role::parameter},
@@ -138,7 +138,7 @@ constexpr std::array<Row, 10> VSettingsBodiesBeams_rows{{
     {.name = "crossSectionFilled", .storage = Storage::boolean, .offset = offsetof(VSettingsBodiesBeams, crossSectionFilled), .role = Role::parameter},
     {.name = "crossSectionTiling", .storage = Storage::integer, .offset = offsetof(VSettingsBodiesBeams, crossSectionTiling), .role = Role::parameter, .check = Check::positive},
     {.name = "drawVertical", .storage = Storage::boolean, .offset = offsetof(VSettingsBodiesBeams, drawVertical), .role = Role::parameter},
-    {.name = "drawVerticalColor", .storage = Storage::vector4, .offset = offsetof(VSettingsBodiesBeams, drawVerticalColor), .role = Role::parameter, .unit = "1"},
+    {.name = "drawVerticalColor", .storage = Storage::vector4, .offset = offsetof(VSettingsBodiesBeams, drawVerticalColor), .role = Role::parameter, .check = Check::color, .unit = "1"},
     {.name = "drawVerticalFactor", .storage = Storage::real, .offset = offsetof(VSettingsBodiesBeams, drawVerticalFactor), .role = Role::parameter, .check = Check::non_negative, .unit = "various"},
     {.name = "drawVerticalLines", .storage = Storage::boolean, .offset = offsetof(VSettingsBodiesBeams, drawVerticalLines), .role = Role::parameter},
     {.name = "drawVerticalOffset", .storage = Storage::real, .offset = offsetof(VSettingsBodiesBeams, drawVerticalOffset), .role = Role::parameter, .unit = "various"},
@@ -166,7 +166,7 @@ constexpr std::array<Row, 2> VSettingsBodiesShells_rows{{
 constexpr SettingsGroup VSettingsBodiesShells_group{"VSettingsBodiesShells", VSettingsBodiesShells_rows, {}};
 
 constexpr std::array<Row, 5> VSettingsBodies_rows{{
-    {.name = "defaultColor", .storage = Storage::vector4, .offset = offsetof(VSettingsBodies, defaultColor), .role = Role::parameter, .unit = "1"},
+    {.name = "defaultColor", .storage = Storage::vector4, .offset = offsetof(VSettingsBodies, defaultColor), .role = Role::parameter, .check = Check::color, .unit = "1"},
     {.name = "defaultSize", .storage = Storage::vector3, .offset = offsetof(VSettingsBodies, defaultSize), .role = Role::parameter, .unit = "m"},
     {.name = "deformationScaleFactor", .storage = Storage::real, .offset = offsetof(VSettingsBodies, deformationScaleFactor), .role = Role::parameter, .unit = "1"},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(VSettingsBodies, show), .role = Role::parameter},
@@ -184,7 +184,7 @@ constexpr SettingsGroup VSettingsBodies_group{"VSettingsBodies", VSettingsBodies
 
 constexpr std::array<Row, 10> VSettingsConnectors_rows{{
     {.name = "contactPointsDefaultSize", .storage = Storage::real, .offset = offsetof(VSettingsConnectors, contactPointsDefaultSize), .role = Role::parameter, .unit = "m"},
-    {.name = "defaultColor", .storage = Storage::vector4, .offset = offsetof(VSettingsConnectors, defaultColor), .role = Role::parameter, .unit = "1"},
+    {.name = "defaultColor", .storage = Storage::vector4, .offset = offsetof(VSettingsConnectors, defaultColor), .role = Role::parameter, .check = Check::color, .unit = "1"},
     {.name = "defaultSize", .storage = Storage::real, .offset = offsetof(VSettingsConnectors, defaultSize), .role = Role::parameter, .unit = "m"},
     {.name = "jointAxesLength", .storage = Storage::real, .offset = offsetof(VSettingsConnectors, jointAxesLength), .role = Role::parameter, .unit = "m"},
     {.name = "jointAxesRadius", .storage = Storage::real, .offset = offsetof(VSettingsConnectors, jointAxesRadius), .role = Role::parameter, .unit = "m"},
@@ -202,7 +202,7 @@ constexpr std::array<SettingRule, 3> VSettingsConnectors_rules{{
 constexpr SettingsGroup VSettingsConnectors_group{"VSettingsConnectors", VSettingsConnectors_rows, {}, VSettingsConnectors_rules};
 
 constexpr std::array<Row, 5> VSettingsMarkers_rows{{
-    {.name = "defaultColor", .storage = Storage::vector4, .offset = offsetof(VSettingsMarkers, defaultColor), .role = Role::parameter, .unit = "1"},
+    {.name = "defaultColor", .storage = Storage::vector4, .offset = offsetof(VSettingsMarkers, defaultColor), .role = Role::parameter, .check = Check::color, .unit = "1"},
     {.name = "defaultSize", .storage = Storage::real, .offset = offsetof(VSettingsMarkers, defaultSize), .role = Role::parameter, .unit = "m"},
     {.name = "drawSimplified", .storage = Storage::boolean, .offset = offsetof(VSettingsMarkers, drawSimplified), .role = Role::parameter},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(VSettingsMarkers, show), .role = Role::parameter},
@@ -214,7 +214,7 @@ constexpr std::array<SettingRule, 1> VSettingsMarkers_rules{{
 constexpr SettingsGroup VSettingsMarkers_group{"VSettingsMarkers", VSettingsMarkers_rows, {}, VSettingsMarkers_rules};
 
 constexpr std::array<Row, 9> VSettingsLoads_rows{{
-    {.name = "defaultColor", .storage = Storage::vector4, .offset = offsetof(VSettingsLoads, defaultColor), .role = Role::parameter, .unit = "1"},
+    {.name = "defaultColor", .storage = Storage::vector4, .offset = offsetof(VSettingsLoads, defaultColor), .role = Role::parameter, .check = Check::color, .unit = "1"},
     {.name = "defaultRadius", .storage = Storage::real, .offset = offsetof(VSettingsLoads, defaultRadius), .role = Role::parameter, .unit = "m"},
     {.name = "defaultSize", .storage = Storage::real, .offset = offsetof(VSettingsLoads, defaultSize), .role = Role::parameter, .unit = "m"},
     {.name = "drawSimplified", .storage = Storage::boolean, .offset = offsetof(VSettingsLoads, drawSimplified), .role = Role::parameter},
@@ -253,7 +253,7 @@ constexpr std::array<Row, 18> VSettingsSensorsTraces_rows{{
 constexpr SettingsGroup VSettingsSensorsTraces_group{"VSettingsSensorsTraces", VSettingsSensorsTraces_rows, {}};
 
 constexpr std::array<Row, 5> VSettingsSensors_rows{{
-    {.name = "defaultColor", .storage = Storage::vector4, .offset = offsetof(VSettingsSensors, defaultColor), .role = Role::parameter, .unit = "1"},
+    {.name = "defaultColor", .storage = Storage::vector4, .offset = offsetof(VSettingsSensors, defaultColor), .role = Role::parameter, .check = Check::color, .unit = "1"},
     {.name = "defaultSize", .storage = Storage::real, .offset = offsetof(VSettingsSensors, defaultSize), .role = Role::parameter, .unit = "m"},
     {.name = "drawSimplified", .storage = Storage::boolean, .offset = offsetof(VSettingsSensors, drawSimplified), .role = Role::parameter},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(VSettingsSensors, show), .role = Role::parameter},
@@ -270,13 +270,13 @@ constexpr SettingsGroup VSettingsSensors_group{"VSettingsSensors", VSettingsSens
 constexpr std::array<Row, 10> VSettingsContourAdvanced_rows{{
     {.name = "colorBarPrecision", .storage = Storage::integer, .offset = offsetof(VSettingsContourAdvanced, colorBarPrecision), .role = Role::parameter, .check = Check::positive},
     {.name = "colorBarTiling", .storage = Storage::integer, .offset = offsetof(VSettingsContourAdvanced, colorBarTiling), .role = Role::parameter, .check = Check::positive},
-    {.name = "contourColor0", .storage = Storage::vector4, .offset = offsetof(VSettingsContourAdvanced, contourColor0), .role = Role::parameter, .unit = "1"},
-    {.name = "contourColor1", .storage = Storage::vector4, .offset = offsetof(VSettingsContourAdvanced, contourColor1), .role = Role::parameter, .unit = "1"},
-    {.name = "contourColor2", .storage = Storage::vector4, .offset = offsetof(VSettingsContourAdvanced, contourColor2), .role = Role::parameter, .unit = "1"},
-    {.name = "contourColor3", .storage = Storage::vector4, .offset = offsetof(VSettingsContourAdvanced, contourColor3), .role = Role::parameter, .unit = "1"},
-    {.name = "contourColor4", .storage = Storage::vector4, .offset = offsetof(VSettingsContourAdvanced, contourColor4), .role = Role::parameter, .unit = "1"},
-    {.name = "contourColorMax", .storage = Storage::vector4, .offset = offsetof(VSettingsContourAdvanced, contourColorMax), .role = Role::parameter, .unit = "1"},
-    {.name = "contourColorMin", .storage = Storage::vector4, .offset = offsetof(VSettingsContourAdvanced, contourColorMin), .role = Role::parameter, .unit = "1"},
+    {.name = "contourColor0", .storage = Storage::vector4, .offset = offsetof(VSettingsContourAdvanced, contourColor0), .role = Role::parameter, .check = Check::color, .unit = "1"},
+    {.name = "contourColor1", .storage = Storage::vector4, .offset = offsetof(VSettingsContourAdvanced, contourColor1), .role = Role::parameter, .check = Check::color, .unit = "1"},
+    {.name = "contourColor2", .storage = Storage::vector4, .offset = offsetof(VSettingsContourAdvanced, contourColor2), .role = Role::parameter, .check = Check::color, .unit = "1"},
+    {.name = "contourColor3", .storage = Storage::vector4, .offset = offsetof(VSettingsContourAdvanced, contourColor3), .role = Role::parameter, .check = Check::color, .unit = "1"},
+    {.name = "contourColor4", .storage = Storage::vector4, .offset = offsetof(VSettingsContourAdvanced, contourColor4), .role = Role::parameter, .check = Check::color, .unit = "1"},
+    {.name = "contourColorMax", .storage = Storage::vector4, .offset = offsetof(VSettingsContourAdvanced, contourColorMax), .role = Role::parameter, .check = Check::color, .unit = "1"},
+    {.name = "contourColorMin", .storage = Storage::vector4, .offset = offsetof(VSettingsContourAdvanced, contourColorMin), .role = Role::parameter, .check = Check::color, .unit = "1"},
     {.name = "showColorBar", .storage = Storage::boolean, .offset = offsetof(VSettingsContourAdvanced, showColorBar), .role = Role::parameter},
 }};
 constexpr SettingsGroup VSettingsContourAdvanced_group{"VSettingsContourAdvanced", VSettingsContourAdvanced_rows, {}};
@@ -298,11 +298,11 @@ constexpr std::array<SettingsChild, 1> VSettingsContour_children{{
 constexpr SettingsGroup VSettingsContour_group{"VSettingsContour", VSettingsContour_rows, VSettingsContour_children};
 
 constexpr std::array<Row, 17> VSettingsContact_rows{{
-    {.name = "colorBoundingBoxes", .storage = Storage::vector4, .offset = offsetof(VSettingsContact, colorBoundingBoxes), .role = Role::parameter, .unit = "1"},
-    {.name = "colorSearchTree", .storage = Storage::vector4, .offset = offsetof(VSettingsContact, colorSearchTree), .role = Role::parameter, .unit = "1"},
-    {.name = "colorSpheres", .storage = Storage::vector4, .offset = offsetof(VSettingsContact, colorSpheres), .role = Role::parameter, .unit = "1"},
-    {.name = "colorTori", .storage = Storage::vector4, .offset = offsetof(VSettingsContact, colorTori), .role = Role::parameter, .unit = "1"},
-    {.name = "colorTriangles", .storage = Storage::vector4, .offset = offsetof(VSettingsContact, colorTriangles), .role = Role::parameter, .unit = "1"},
+    {.name = "colorBoundingBoxes", .storage = Storage::vector4, .offset = offsetof(VSettingsContact, colorBoundingBoxes), .role = Role::parameter, .check = Check::color, .unit = "1"},
+    {.name = "colorSearchTree", .storage = Storage::vector4, .offset = offsetof(VSettingsContact, colorSearchTree), .role = Role::parameter, .check = Check::color, .unit = "1"},
+    {.name = "colorSpheres", .storage = Storage::vector4, .offset = offsetof(VSettingsContact, colorSpheres), .role = Role::parameter, .check = Check::color, .unit = "1"},
+    {.name = "colorTori", .storage = Storage::vector4, .offset = offsetof(VSettingsContact, colorTori), .role = Role::parameter, .check = Check::color, .unit = "1"},
+    {.name = "colorTriangles", .storage = Storage::vector4, .offset = offsetof(VSettingsContact, colorTriangles), .role = Role::parameter, .check = Check::color, .unit = "1"},
     {.name = "contactForcesFactor", .storage = Storage::real, .offset = offsetof(VSettingsContact, contactForcesFactor), .role = Role::parameter, .unit = "m/N"},
     {.name = "contactPointsDefaultSize", .storage = Storage::real, .offset = offsetof(VSettingsContact, contactPointsDefaultSize), .role = Role::parameter, .unit = "m"},
     {.name = "showBoundingBoxes", .storage = Storage::boolean, .offset = offsetof(VSettingsContact, showBoundingBoxes), .role = Role::parameter},
@@ -338,10 +338,10 @@ constexpr std::array<SettingRule, 17> VSettingsContact_rules{{
 constexpr SettingsGroup VSettingsContact_group{"VSettingsContact", VSettingsContact_rows, {}, VSettingsContact_rules};
 
 constexpr std::array<Row, 18> VSettingsOpenGLAdvanced_rows{{
-    {.name = "clippingPlaneColor", .storage = Storage::vector4, .offset = offsetof(VSettingsOpenGLAdvanced, clippingPlaneColor), .role = Role::parameter, .unit = "1"},
+    {.name = "clippingPlaneColor", .storage = Storage::vector4, .offset = offsetof(VSettingsOpenGLAdvanced, clippingPlaneColor), .role = Role::parameter, .check = Check::color, .unit = "1"},
     {.name = "depthSorting", .storage = Storage::boolean, .offset = offsetof(VSettingsOpenGLAdvanced, depthSorting), .role = Role::parameter},
     {.name = "enableLighting", .storage = Storage::boolean, .offset = offsetof(VSettingsOpenGLAdvanced, enableLighting), .role = Role::parameter},
-    {.name = "faceNormalsColor", .storage = Storage::vector4, .offset = offsetof(VSettingsOpenGLAdvanced, faceNormalsColor), .role = Role::parameter, .unit = "1"},
+    {.name = "faceNormalsColor", .storage = Storage::vector4, .offset = offsetof(VSettingsOpenGLAdvanced, faceNormalsColor), .role = Role::parameter, .check = Check::color, .unit = "1"},
     {.name = "initialCenterPoint", .storage = Storage::vector3, .offset = offsetof(VSettingsOpenGLAdvanced, initialCenterPoint), .role = Role::parameter, .unit = "m"},
     {.name = "initialMaxSceneSize", .storage = Storage::real, .offset = offsetof(VSettingsOpenGLAdvanced, initialMaxSceneSize), .role = Role::parameter, .check = Check::positive, .unit = "m"},
     {.name = "initialModelRotation", .storage = Storage::matrix3, .offset = offsetof(VSettingsOpenGLAdvanced, initialModelRotation), .role = Role::parameter, .unit = "1"},
@@ -355,7 +355,7 @@ constexpr std::array<Row, 18> VSettingsOpenGLAdvanced_rows{{
     {.name = "showBoundingBox", .storage = Storage::boolean, .offset = offsetof(VSettingsOpenGLAdvanced, showBoundingBox), .role = Role::parameter},
     {.name = "textLineSmooth", .storage = Storage::boolean, .offset = offsetof(VSettingsOpenGLAdvanced, textLineSmooth), .role = Role::parameter},
     {.name = "textLineWidth", .storage = Storage::real, .offset = offsetof(VSettingsOpenGLAdvanced, textLineWidth), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
-    {.name = "vertexNormalsColor", .storage = Storage::vector4, .offset = offsetof(VSettingsOpenGLAdvanced, vertexNormalsColor), .role = Role::parameter, .unit = "1"},
+    {.name = "vertexNormalsColor", .storage = Storage::vector4, .offset = offsetof(VSettingsOpenGLAdvanced, vertexNormalsColor), .role = Role::parameter, .check = Check::color, .unit = "1"},
 }};
 constexpr std::array<SettingRule, 10> VSettingsOpenGLAdvanced_rules{{
     {.name = "clippingPlaneColor", .no_effect = "what a clipping plane cuts stays open"},
@@ -375,7 +375,7 @@ constexpr std::array<Row, 11> VSettingsOpenGL_rows{{
     {.name = "drawFaceNormals", .storage = Storage::boolean, .offset = offsetof(VSettingsOpenGL, drawFaceNormals), .role = Role::parameter},
     {.name = "drawNormalsLength", .storage = Storage::real, .offset = offsetof(VSettingsOpenGL, drawNormalsLength), .role = Role::parameter, .check = Check::positive, .unit = "m"},
     {.name = "drawVertexNormals", .storage = Storage::boolean, .offset = offsetof(VSettingsOpenGL, drawVertexNormals), .role = Role::parameter},
-    {.name = "faceEdgesColor", .storage = Storage::vector4, .offset = offsetof(VSettingsOpenGL, faceEdgesColor), .role = Role::parameter, .unit = "1"},
+    {.name = "faceEdgesColor", .storage = Storage::vector4, .offset = offsetof(VSettingsOpenGL, faceEdgesColor), .role = Role::parameter, .check = Check::color, .unit = "1"},
     {.name = "faceTransparencyGlobal", .storage = Storage::real, .offset = offsetof(VSettingsOpenGL, faceTransparencyGlobal), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
     {.name = "lightModelAmbient", .storage = Storage::vector4, .offset = offsetof(VSettingsOpenGL, lightModelAmbient), .role = Role::parameter, .unit = "1"},
     {.name = "lineWidth", .storage = Storage::real, .offset = offsetof(VSettingsOpenGL, lineWidth), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
@@ -397,7 +397,7 @@ constexpr std::array<SettingsChild, 5> VSettingsOpenGL_children{{
 constexpr SettingsGroup VSettingsOpenGL_group{"VSettingsOpenGL", VSettingsOpenGL_rows, VSettingsOpenGL_children, VSettingsOpenGL_rules};
 
 constexpr std::array<Row, 7> VSettingsRaytracerAdvanced_rows{{
-    {.name = "backgroundColorReflections", .storage = Storage::vector4, .offset = offsetof(VSettingsRaytracerAdvanced, backgroundColorReflections), .role = Role::parameter, .unit = "1"},
+    {.name = "backgroundColorReflections", .storage = Storage::vector4, .offset = offsetof(VSettingsRaytracerAdvanced, backgroundColorReflections), .role = Role::parameter, .check = Check::color, .unit = "1"},
     {.name = "searchTreeFactor", .storage = Storage::integer, .offset = offsetof(VSettingsRaytracerAdvanced, searchTreeFactor), .role = Role::parameter, .check = Check::positive},
     {.name = "shadowScalingFactor", .storage = Storage::integer, .offset = offsetof(VSettingsRaytracerAdvanced, shadowScalingFactor), .role = Role::parameter, .check = Check::non_negative},
     {.name = "shadowSmoothingSteps", .storage = Storage::integer, .offset = offsetof(VSettingsRaytracerAdvanced, shadowSmoothingSteps), .role = Role::parameter, .check = Check::non_negative},
@@ -417,7 +417,7 @@ constexpr std::array<SettingRule, 7> VSettingsRaytracerAdvanced_rules{{
 constexpr SettingsGroup VSettingsRaytracerAdvanced_group{"VSettingsRaytracerAdvanced", VSettingsRaytracerAdvanced_rows, {}, VSettingsRaytracerAdvanced_rules};
 
 constexpr std::array<Row, 10> VSettingsRaytracer_rows{{
-    {.name = "globalFogColor", .storage = Storage::vector4, .offset = offsetof(VSettingsRaytracer, globalFogColor), .role = Role::parameter, .unit = "1"},
+    {.name = "globalFogColor", .storage = Storage::vector4, .offset = offsetof(VSettingsRaytracer, globalFogColor), .role = Role::parameter, .check = Check::color, .unit = "1"},
     {.name = "globalFogDensity", .storage = Storage::real, .offset = offsetof(VSettingsRaytracer, globalFogDensity), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
     {.name = "imageSizeFactor", .storage = Storage::integer, .offset = offsetof(VSettingsRaytracer, imageSizeFactor), .role = Role::parameter, .check = Check::positive},
     {.name = "keepWindowActive", .storage = Storage::boolean, .offset = offsetof(VSettingsRaytracer, keepWindowActive), .role = Role::parameter},
@@ -458,8 +458,8 @@ constexpr SettingsGroup VSettingsRaytracer_group{"VSettingsRaytracer", VSettings
 constexpr std::array<Row, 33> VSettingsGeneral_rows{{
     {.name = "autoFitScene", .storage = Storage::boolean, .offset = offsetof(VSettingsGeneral, autoFitScene), .role = Role::parameter},
     {.name = "axesTiling", .storage = Storage::integer, .offset = offsetof(VSettingsGeneral, axesTiling), .role = Role::parameter, .check = Check::positive},
-    {.name = "backgroundColor", .storage = Storage::vector4, .offset = offsetof(VSettingsGeneral, backgroundColor), .role = Role::parameter, .unit = "1"},
-    {.name = "backgroundColorBottom", .storage = Storage::vector4, .offset = offsetof(VSettingsGeneral, backgroundColorBottom), .role = Role::parameter, .unit = "1"},
+    {.name = "backgroundColor", .storage = Storage::vector4, .offset = offsetof(VSettingsGeneral, backgroundColor), .role = Role::parameter, .check = Check::color, .unit = "1"},
+    {.name = "backgroundColorBottom", .storage = Storage::vector4, .offset = offsetof(VSettingsGeneral, backgroundColorBottom), .role = Role::parameter, .check = Check::color, .unit = "1"},
     {.name = "boundingBoxZoomAllFactor", .storage = Storage::real, .offset = offsetof(VSettingsGeneral, boundingBoxZoomAllFactor), .role = Role::parameter, .check = Check::positive, .unit = "1"},
     {.name = "boundingBoxZoomAllOffset", .storage = Storage::real, .offset = offsetof(VSettingsGeneral, boundingBoxZoomAllOffset), .role = Role::parameter, .check = Check::non_negative, .unit = "m"},
     {.name = "circleTiling", .storage = Storage::integer, .offset = offsetof(VSettingsGeneral, circleTiling), .role = Role::parameter, .check = Check::positive},
@@ -480,7 +480,7 @@ constexpr std::array<Row, 33> VSettingsGeneral_rows{{
     {.name = "showSolverTime", .storage = Storage::boolean, .offset = offsetof(VSettingsGeneral, showSolverTime), .role = Role::parameter},
     {.name = "sphereTiling", .storage = Storage::integer, .offset = offsetof(VSettingsGeneral, sphereTiling), .role = Role::parameter, .check = Check::positive},
     {.name = "textAlwaysInFront", .storage = Storage::boolean, .offset = offsetof(VSettingsGeneral, textAlwaysInFront), .role = Role::parameter},
-    {.name = "textColor", .storage = Storage::vector4, .offset = offsetof(VSettingsGeneral, textColor), .role = Role::parameter, .unit = "1"},
+    {.name = "textColor", .storage = Storage::vector4, .offset = offsetof(VSettingsGeneral, textColor), .role = Role::parameter, .check = Check::color, .unit = "1"},
     {.name = "textHasBackground", .storage = Storage::boolean, .offset = offsetof(VSettingsGeneral, textHasBackground), .role = Role::parameter},
     {.name = "textOffsetFactor", .storage = Storage::real, .offset = offsetof(VSettingsGeneral, textOffsetFactor), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
     {.name = "threadSafeGraphicsUpdate", .storage = Storage::boolean, .offset = offsetof(VSettingsGeneral, threadSafeGraphicsUpdate), .role = Role::parameter},
@@ -514,8 +514,8 @@ constexpr std::array<SettingRule, 19> VSettingsGeneral_rules{{
 constexpr SettingsGroup VSettingsGeneral_group{"VSettingsGeneral", VSettingsGeneral_rows, {}, VSettingsGeneral_rules};
 
 constexpr std::array<Row, 14> VSettingsInteractiveAdvanced_rows{{
-    {.name = "highlightColor", .storage = Storage::vector4, .offset = offsetof(VSettingsInteractiveAdvanced, highlightColor), .role = Role::parameter, .unit = "1"},
-    {.name = "highlightOtherColor", .storage = Storage::vector4, .offset = offsetof(VSettingsInteractiveAdvanced, highlightOtherColor), .role = Role::parameter, .unit = "1"},
+    {.name = "highlightColor", .storage = Storage::vector4, .offset = offsetof(VSettingsInteractiveAdvanced, highlightColor), .role = Role::parameter, .check = Check::color, .unit = "1"},
+    {.name = "highlightOtherColor", .storage = Storage::vector4, .offset = offsetof(VSettingsInteractiveAdvanced, highlightOtherColor), .role = Role::parameter, .check = Check::color, .unit = "1"},
     {.name = "joystickScaleRotation", .storage = Storage::real, .offset = offsetof(VSettingsInteractiveAdvanced, joystickScaleRotation), .role = Role::parameter, .unit = "1"},
     {.name = "joystickScaleTranslation", .storage = Storage::real, .offset = offsetof(VSettingsInteractiveAdvanced, joystickScaleTranslation), .role = Role::parameter, .unit = "1"},
     {.name = "keypressRotationStep", .storage = Storage::real, .offset = offsetof(VSettingsInteractiveAdvanced, keypressRotationStep), .role = Role::parameter, .unit = "deg"},

@@ -91,6 +91,29 @@ def rotation_problem(array: FloatArray) -> str:
     return _problem_of("rotation", array) if np.isfinite(array).all() else "An entry is not finite."
 
 
+COLOR = "red, green, blue and opacity, each from 0 to 1"
+
+
+def as_color(name: str, value: Any) -> FloatArray:
+    """Convert to four numbers from 0 to 1; ValueError otherwise. A negative red stands for a default color."""
+    array = as_vector(name, value, 4)
+    if problem := color_problem(array):
+        raise ValueError(f"{shape_error(name, COLOR, value)}. {problem}")
+    return array
+
+
+def check_colors(name: str, colors: FloatArray) -> None:
+    """Refuse an array with four numbers for each point if those of a point are no color."""
+    rows = colors.reshape(-1, 4)
+    if len(rows) > 0:
+        as_color(name, rows[rows.max(axis=1).argmax()])
+
+
+def color_problem(array: FloatArray) -> str:
+    """Return what makes four numbers no color; empty if they are one."""
+    return _problem_of("color", array) if np.isfinite(array).all() else "A component is not finite."
+
+
 def as_points(name: str, value: Any, columns: int = 3) -> FloatArray:
     """Convert a list of points to an array with one point per row; ValueError otherwise."""
     expected = f"a list of points with {columns} coordinates each"

@@ -10,7 +10,19 @@ import pytest
 
 import dalembert as exu
 from dalembert import graphics, processing
-from dalembert.itemInterface import MarkerBodyPosition, MarkerBodyRigid, MassPoint, SensorBody, Torque
+from dalembert.itemInterface import (
+    LoadForceVector,
+    MarkerBodyPosition,
+    MarkerBodyRigid,
+    MassPoint,
+    NodePoint,
+    RigidBody,
+    SensorBody,
+    SphericalJoint,
+    SpringDamper,
+    Torque,
+    VSpringDamper,
+)
 from dalembert.results import SensorsToPandas
 from dalembert.rigidBodyUtilities import InertiaCuboid, InertiaMassPoint, InertiaRodX, InertiaSphere
 from dalembert.robotics import Robot
@@ -50,10 +62,13 @@ class Model:
         self.mbs.AddLoad(Torque(name="twist", markerNumber=marker, loadVector=[0, 0, 1]))
         self.mbs.Assemble()
 
-    def table(self) -> Any:
+    def table_sensor(self) -> None:
         self.mbs.AddSensor(
             SensorBody(name="s", bodyNumber="bar", outputVariableType=Variable.Position, storeInternal=True)
         )
+
+    def table(self) -> Any:
+        self.table_sensor()
         self.mbs.Assemble()
         return SensorsToPandas(self.mbs, ["s"])
 
@@ -63,9 +78,7 @@ class Model:
         self.mbs.Assemble()
 
     def stored(self, component: Any) -> None:
-        self.mbs.AddSensor(
-            SensorBody(name="s", bodyNumber="bar", outputVariableType=Variable.Position, storeInternal=True)
-        )
+        self.table_sensor()
         self.solve()
         self.mbs.PlotSensor("s", components=component)
 
@@ -145,6 +158,43 @@ MISTAKES: list[tuple[str, Callable[[Model], Any], list[str]]] = [
     ("number for a function", lambda m: processing.ParameterVariation(3, {"a": (0, 1, 2)}), ["parameterFunction", "3", "a function"]),
     ("number for an objective", lambda m: processing.Minimize(3, {"a": (0, 1)}), ["Minimize: objectiveFunction", "3", "a function"]),
     ("point for an index", lambda m: MassPoint(nodeNumber=[0, 0, 0]), ["ObjectMassPoint", "'nodeNumber'", "NodeIndex"]),
+    ("color up to 255", lambda m: graphics.Sphere(color=[255, 0, 0, 255]), ["color", "from 0 to 1", "Its red is 255", "Divide numbers from 0 to 255 by 255"]),
+    ("color of an edge up to 255", lambda m: graphics.Brick(addEdges=True, edgeColor=[0, 0, 200, 1]), ["edgeColor", "Its blue is 200"]),
+    ("colors of points up to 255", lambda m: graphics.FromPointsAndTrigs([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]], [[0, 0, 0, 1], [9, 0, 0, 1], [0, 0, 0, 1]]), ["color", "Its red is 9"]),
+    ("color of a joint up to 255", lambda m: m.mbs.CreateSphericalJoint("ball", ["ground", "bar"], [0, 0, 0], color=[0, 255, 0, 1]), ["CreateSphericalJoint", "'color'", "from 0 to 1", "Its green is 255"]),
+    ("color of an item up to 255", lambda m: VSpringDamper(color=[0, 0, 0, 100]), ["VObjectConnectorSpringDamper", "'Vcolor'", "from 0 to 1", "Its opacity is 100"]),
+    ("color of a setting up to 255", lambda m: setattr(m.SC.visualizationSettings.nodes, "defaultColor", [128, 0, 0, 1]), ["nodes.defaultColor", "Its red is 128"]),
+    ("color below zero", lambda m: graphics.Sphere(color=[0, -0.5, 0, 1]), ["color", "Its green is -0.5"]),
+    ("force on a body number", lambda m: LoadForceVector(bodyNumber=1, loadVector=[1, 0, 0]), ["LoadForceVector", "'bodyNumber'", "acts on markers", "'markerNumber'", "AddMarker", "mbs.CreateForce"]),
+    ("spring to body numbers", lambda m: SpringDamper(bodyNumbers=[0, 1], stiffness=1), ["ObjectConnectorSpringDamper", "'bodyNumbers'", "'markerNumbers'", "mbs.CreateSpringDamper"]),
+    ("joint on a node number", lambda m: SphericalJoint(nodeNumber=1), ["ObjectJointSpherical", "'nodeNumber'", "'markerNumbers'", "AddMarker"]),
+    ("markers of a Create function", lambda m: m.mbs.CreateSpringDamper(markerNumbers=[0, 1]), ["CreateSpringDamper", "'markerNumbers'", "Pass markers as 'bodyNumbers'"]),
+    ("marker of a force", lambda m: m.mbs.CreateForce(markerNumber=0, loadVector=[1, 0, 0]), ["CreateForce", "'markerNumber'", "Pass markers as 'bodyNumber'"]),
+    ("short name of an argument", lambda m: m.mbs.CreateMassPoint(mass=1), ["CreateMassPoint", "'mass'", "Did you mean 'physicsMass'?"]),
+    ("short name of a parameter", lambda m: m.mbs.SetObjectParameter("bar", "mass", 3), ["object 1 'bar'", "'mass'", "Did you mean 'physicsMass'?"]),
+    ("drawing of another item", lambda m: MassPoint(nodeNumber=0, visualization=VSpringDamper(drawSize=3)), ["ObjectMassPoint", "'visualization'", "'drawSize'", "VObjectMassPoint(...)"]),
+    ("torque on a mass point", lambda m: (m.mbs.CreateTorque("twist", "mass", [0, 0, 1]), m.mbs.Assemble()), ["MarkerBodyRigid", "ObjectMassPoint has no orientation", "mbs.CreateRigidBody"]),
+    ("spring function of two arguments", lambda m: (m.mbs.CreateSpringDamper("spring", ["ground", "mass"], stiffness=1, springForceUserFunction=lambda u, v: u), m.solve()), ["2 positional arguments but 8", "'spring'", "called as springForceUserFunction(mbs, t, itemNumber, "]),
+    ("plot before solving", lambda m: (m.table_sensor(), m.mbs.Assemble(), m.mbs.PlotSensor("s")), ["sensor 1", "no values yet", "solve first"]),
+    ("picture without an ending", lambda m: m.mbs.Draw("picture"), ["'picture'", ".png, .jpg or .webp"]),
+    ("film for a picture", lambda m: m.mbs.Draw("picture.mp5"), ["'picture.mp5'", ".png, .jpg or .webp"]),
+    ("view by another name", lambda m: m.mbs.Draw("p.png", view="isometric"), ["view", "axonometric", "'isometric'"]),
+    ("three by three inertia", lambda m: RigidBody(physicsInertia=np.eye(3), nodeNumber=0), ["ObjectRigidBody", "'physicsInertia'", "6 finite numbers", "(3, 3)"]),
+    ("three moments of inertia", lambda m: RigidBody(physicsInertia=[1, 1, 1], nodeNumber=0), ["ObjectRigidBody", "'physicsInertia'", "length 3"]),
+    ("same body twice", lambda m: m.mbs.CreateRevoluteJoint("hinge", ["bar", "bar"], [0, 0, 0], [0, 0, 1]), ["CreateRevoluteJoint", "'bodyNumbers'", "two different bodies"]),
+    ("three axes for six", lambda m: m.mbs.CreateGenericJoint("joint", ["ground", "bar"], [0, 0, 0], constrainedAxes=[1, 1, 1]), ["'constrainedAxes'", "6 flags", "[1, 1, 1]"]),
+    ("degrees for a matrix", lambda m: m.mbs.CreateRigidBody(inertia=BAR, referenceRotationMatrix=30), ["'referenceRotationMatrix'", "3x3 rotation matrix", "30"]),
+    ("several bodies for one", lambda m: m.mbs.CreateForce("push", ["bar", "mass"], [1, 0, 0]), ["CreateForce", "'bodyNumber'", "an ObjectIndex"]),
+    ("direction in words", lambda m: m.mbs.CreateForce("push", "bar", "down"), ["CreateForce", "'loadVector'", "3 finite components", "'down'"]),
+    ("sensor without variable", lambda m: m.measured(SensorBody(name="s", bodyNumber="bar")), ["sensor 1 's'", "'outputVariableType'", "Use one of Position"]),
+    ("body for a sensor", lambda m: (m.mbs.Assemble(), m.mbs.GetSensorValues("bar")), ["GetSensorValues", "'bar'", "the name of a sensor"]),
+    ("object for a node", lambda m: (m.mbs.Assemble(), m.mbs.GetNodeOutput(m.bar, Variable.Position)), ["GetNodeOutput", "'nodeNumber'", "counts objects, not nodes"]),
+    ("item without parentheses", lambda m: m.mbs.AddObject(RigidBody), ["AddObject", "Put parentheses behind the class"]),
+    ("node for an object", lambda m: m.mbs.AddObject(NodePoint()), ["AddObject", "NodePoint is a node", "mbs.AddNode"]),
+    ("half a step", lambda m: m.solve(numberOfSteps=10.5), ["timeIntegration.numberOfSteps", "10.5", "a whole number"]),
+    ("time with its unit", lambda m: m.solve(endTime="1 s"), ["timeIntegration.endTime", "'1 s' (str)", "a number"]),
+    ("variation of a name alone", lambda m: (m.mbs.Assemble(), m.mbs.SolveVariations({"mass": [1, 2]})), ["SolveVariations", "(item index, parameter name)", "'mass'"]),
+    ("settings of no group", lambda m: setattr(exu.SimulationSettings(), "endTime", 2), ["SimulationSettings", "'endTime'", "timeIntegration.endTime"]),
 ]  # fmt: skip
 
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -12,7 +13,9 @@ import pytest
 from sample_values import CHECKED, CLASSES, ITEMS, SHEAR, rows
 
 import dalembert as exu
+from codegen.load import load
 from codegen.model import Item, Parameter
+from codegen.model_settings import SettingsGroup
 from dalembert.kinematicTree import KinematicTree33
 from dalembert.lieGroupBasics import LogSO3, R3xSO3Matrix
 from dalembert.rigidBodyUtilities import (
@@ -53,6 +56,19 @@ def one_of(item: Item, row: Parameter, value: Any) -> Any:
 def test_every_matrix_of_direction_cosines_is_checked() -> None:
     without_unit = rows(lambda row: row.type.storage.startswith("matrix3") and row.unit == "1")
     assert [f"{item.name}.{row.name}" for item, row in without_unit if row.effective_check == "none"] == []
+
+
+def test_every_color_is_checked() -> None:
+    def rows_of(group: SettingsGroup) -> Iterator[Parameter]:
+        yield from group.rows
+        for child in group.children:
+            yield from rows_of(child)
+
+    groups = [group for file in load(Path(__file__).parents[2]).settings for group in (file.root, *file.shared)]
+    tables = [*(item.visualization for item in ITEMS), *map(rows_of, groups)]
+    colors = [row for table in tables for row in table if row.type.name == "Float4" and "olor" in row.name]
+    assert len(colors) > 60  # of items and of settings
+    assert [row.name for row in colors if row.effective_check != "color"] == []
 
 
 @each_judged

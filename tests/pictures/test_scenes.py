@@ -13,9 +13,13 @@ from dalembert._pictures import painting
 from dalembert._pictures.studio import Studio, item_at
 from dalembert.itemInterface import (
     Cable2D,
+    MarkerBodyRigid,
+    MarkerNodeCoordinate,
     MarkerNodePosition,
     NodePoint,
     NodePoint2DSlope1,
+    NodePointGround,
+    ReevingSystemSprings,
     SensorBody,
     SpringDamper,
     VCable2D,
@@ -344,3 +348,27 @@ def test_pictures_look_the_same_in_every_size(scale: float) -> None:
 
     different = np.abs(picture(scale) - picture(1.0)).max(axis=2) > 40
     assert different.mean() < 0.005
+
+
+def test_coordinates_that_lengthen_a_rope_are_not_where_it_runs(SC: Any, mbs: Any) -> None:
+    ground = mbs.CreateGround()
+    places = [[-0.5, 0, 0], [0, 2, 0], [0.5, 0, 0]]
+    markers = [mbs.AddMarker(MarkerBodyRigid(bodyNumber=ground, localPosition=place)) for place in places]
+    node = mbs.AddNode(NodePointGround(referenceCoordinates=[7, 0, 0]))
+    winch = mbs.AddMarker(MarkerNodeCoordinate(nodeNumber=node, coordinate=0))
+    rope = mbs.AddObject(
+        ReevingSystemSprings(
+            markerNumbers=[*markers, winch, winch],
+            hasCoordinateMarkers=True,
+            stiffnessPerLength=100,
+            referenceLength=5,
+            sheavesAxes=exu.Vector3DList([[0, 0, -1]] * 3),
+            sheavesRadii=[0, 0.5, 0],
+        )
+    )
+    mbs.Assemble()
+    SC.renderer.SetModelView(zoom=10, centerPoint=[0, 0, 0])
+    columns = np.nonzero(pixels(SC, "Object", int(rope)))[1]
+    scale = 768 / 2 / 10
+    assert columns.min() - 512 == pytest.approx(-0.5 * scale, abs=2)
+    assert columns.max() - 512 == pytest.approx(0.5 * scale, abs=2)

@@ -128,7 +128,7 @@ WRONG = {
     "not a number": ("CreateMassPoint", {"gravity": [0, np.nan, 0]}, ValueError, "gravity.*finite"),
     "matrix size": ("CreateGround", {"referenceRotationMatrix": np.eye(2)}, ValueError, "referenceRotationMatrix.*3x3"),
     "name": ("CreateGround", {"name": 3}, ValueError, "name.*a string"),
-    "unknown argument": ("CreateRigidBody", BODY | {"intertia": 3}, TypeError, "intertia.*did you mean 'inertia'"),
+    "unknown argument": ("CreateRigidBody", BODY | {"intertia": 3}, TypeError, "intertia.*Did you mean 'inertia'"),
     "no inertia": ("CreateRigidBody", {}, ValueError, "inertia.*RigidBodyInertia"),
     "node type": ("CreateRigidBody", BODY | {"nodeType": 17}, ValueError, "nodeType.*RotationEulerParameters"),
     "out of plane": (

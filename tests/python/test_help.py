@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pydoc
 import subprocess
 import sys
 from pathlib import Path
@@ -53,6 +54,14 @@ def test_enumerations_tell_what_values_mean() -> None:
         assert cls.__doc__.startswith(" ".join(enum.summary.split()))
         for value in enum.values:
             assert cls[value.name].__doc__ == " ".join(value.doc.split())
+
+
+def test_mathematics_is_readable_in_a_terminal() -> None:
+    told = pydoc.render_doc(exu.ObjectRigidBody, renderer=pydoc.plaintext)
+    assert "[J_xx, J_yy, J_zz, J_yz, J_xz, J_xy]" in told and "J_xy = -∫ x y dm" in told
+    for name in dir(exu):
+        text = getattr(exu, name).__doc__ or ""
+        assert ":math:" not in text and "mathbf" not in text, name
 
 
 def test_repr_of_settings_is_what_differs() -> None:

@@ -14,6 +14,7 @@ sys.path.insert(0, str(Path(__file__).parents[2]))
 
 from codegen.load import load
 from codegen.model import Item, Parameter
+from codegen.views.cpp import one_line
 from dalembert import create
 from dalembert import itemInterface as items
 from dalembert.create._mirrors import MIRRORS, mirrored
@@ -35,8 +36,7 @@ OTHER_DEFAULTS = {
 }
 
 
-def line(text: str) -> str:
-    return " ".join(text.split())
+line = one_line  # as terminals show it
 
 
 def lines_of(thing: Any) -> list[str]:

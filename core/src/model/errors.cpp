@@ -12,6 +12,10 @@ bool same_letter(char a, char b) {
   return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
 }
 
+bool contains(std::string_view text, std::string_view part) {
+  return std::ranges::search(text, part, same_letter).begin() != text.end();
+}
+
 int edit_distance(std::string_view a, std::string_view b) {
   std::vector<int> row(b.size() + 1);
   std::iota(row.begin(), row.end(), 0);
@@ -61,7 +65,7 @@ std::string nearest(std::string_view word, const std::vector<std::string_view>& 
   for (const std::string_view candidate : known) {
     int distance = edit_distance(word, candidate);
     // A word that is part of the other is close, however long the rest is.
-    if (word.size() >= 4 && candidate.find(word) != std::string_view::npos) distance = std::min(distance, 2);
+    if (word.size() >= 4 && contains(candidate, word)) distance = std::min(distance, 2);
     if (distance < least) {
       least = distance;
       best = candidate;

@@ -92,7 +92,17 @@ std::string suggest_parameter(const ItemType& type, std::string_view name) {
   std::vector<std::string> names;
   for (const Row& row : type.rows)
     names.push_back((row.role == Role::visualization ? "V" : "") + std::string(row.name));
-  return suggestion(name, {names.begin(), names.end()});
+  return suggest_parameter(type, name, {names.begin(), names.end()});
+}
+
+std::string suggest_parameter(const ItemType& type, std::string_view name, const std::vector<std::string_view>& known) {
+  const bool of_body = name.starts_with("body") || name.starts_with("object") || name.starts_with("node");
+  for (const char* markers : {"markerNumber", "markerNumbers"})
+    if (of_body && name.find("umber") != std::string_view::npos && std::ranges::find(known, markers) != known.end())
+      return std::string(type.name) + " acts on markers: pass " + quoted(markers) + ", made of what AddMarker(...) returned. Functions of the system, such as " +
+             (type.kind == ItemKind::load ? "mbs.CreateForce(...) and CreateTorque(...)" : "mbs.CreateSpringDamper(...) and CreateGenericJoint(...)") +
+             ", take body numbers and make the markers.";
+  return suggestion(name, known);
 }
 
 bool provides(const ItemType& type, std::string_view what) {

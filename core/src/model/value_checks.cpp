@@ -34,6 +34,7 @@ Verdict judge_member(Check check, const Mat3<double>& a) {
   return check == Check::orthogonal ? judge_rotation(a, Fit::doubtful) : Verdict{};
 }
 Verdict judge_member(Check check, const Vec3<double>& v) { return check == Check::unit_vector ? judge_unit_vector(v) : Verdict{}; }
+Verdict judge_member(Check check, const Vec<double, 4>& v) { return check == Check::color ? judge_color(v) : Verdict{}; }
 Verdict judge_member(Check, const auto&) { return {}; }
 
 template <class Entry>
@@ -65,6 +66,15 @@ Verdict judge_unit_vector(const Vec3<double>& v) {
   return std::abs(length - 1) <= exact_to ? Verdict{} : Verdict{Fit::wrong, "Its length is " + format_number(length, 10) + "."};
 }
 
+Verdict judge_color(const Vec<double, 4>& v) {
+  constexpr double rounding = 1e-6;  // of numbers that were kept in single precision
+  if (v[0] < 0) return {};
+  constexpr std::array<const char*, 4> names{"red", "green", "blue", "opacity"};
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (v[i] < 0 || v[i] > 1 + rounding) return {Fit::wrong, "Its " + std::string(names[i]) + " is " + number(v[i]) + "."};
+  return {};
+}
+
 Verdict judge(const Row& row, const void* member) {
   return with_type(row.storage, [&]<class T>(TypeTag<T>) { return judge_member(row.check, *static_cast<const T*>(member)); });
 }
@@ -74,6 +84,7 @@ std::string demand(Check check) {
     case Check::rotation:
     case Check::orthogonal: return "a rotation matrix: orthogonal, with determinant 1";
     case Check::unit_vector: return "a vector of length 1";
+    case Check::color: return "red, green, blue and opacity, each from 0 to 1";
     default: return "";
   }
 }
@@ -82,6 +93,7 @@ std::string advice(Check check) {
     case Check::rotation:
     case Check::orthogonal: return "Its columns are unit vectors, normal to each other and right-handed; RotationMatrixZ(angle), for instance, makes one.";
     case Check::unit_vector: return "Divide it by its length.";
+    case Check::color: return "Divide numbers from 0 to 255 by 255.";
     default: return "";
   }
 }

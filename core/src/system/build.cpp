@@ -276,10 +276,16 @@ class Builder {
   }
   [[noreturn]] void refuse_combination(ItemKind kind, int number, std::string_view on) const {
     std::string nodes;
+    bool turns = false;
+    for (const int n : placement_.nodes) turns = turns || provides(*parts_.nodes[n].type, "Orientation");
+    std::string advice = "See the pages of these items for what they accept";
+    if (kind == ItemKind::marker && !turns && provides(*item_of(kind, number).type, "Orientation"))
+      advice = std::string(on) + " has no orientation: forces act on markers of positions alone; "
+               "torques, hinges and what else turns need a rigid body, for instance of mbs.CreateRigidBody(...)";
     for (const int n : placement_.nodes)
       if (parts_.nodes[n].type->name != on) nodes += (nodes.empty() ? "" : ", ") + std::string(parts_.nodes[n].type->name);
     refuse(ErrorKind::value, {model_.describe(kind, number), "", "this combination is not available: " + std::string(on) +
-                              (nodes.empty() ? "" : " with " + nodes), "", "", "See the pages of these items for what they accept"});
+                              (nodes.empty() ? "" : " with " + nodes), "", "", advice});
   }
 
   // Multipliers of the constraints follow those of the nodes.

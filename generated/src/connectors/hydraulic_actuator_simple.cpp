@@ -45,8 +45,8 @@ constexpr std::array<Row, 30> rows{{
     {.name = "rodMountRadius", .storage = Storage::real, .offset = offsetof(Record, visualization.rodMountRadius), .role = Role::visualization, .unit = "m"},
     {.name = "baseMountRadius", .storage = Storage::real, .offset = offsetof(Record, visualization.baseMountRadius), .role = Role::visualization, .unit = "m"},
     {.name = "baseMountLength", .storage = Storage::real, .offset = offsetof(Record, visualization.baseMountLength), .role = Role::visualization, .unit = "m"},
-    {.name = "colorCylinder", .storage = Storage::vector4, .offset = offsetof(Record, visualization.colorCylinder), .role = Role::visualization, .unit = "1"},
-    {.name = "colorPiston", .storage = Storage::vector4, .offset = offsetof(Record, visualization.colorPiston), .role = Role::visualization, .unit = "1"},
+    {.name = "colorCylinder", .storage = Storage::vector4, .offset = offsetof(Record, visualization.colorCylinder), .role = Role::visualization, .check = Check::color, .unit = "1"},
+    {.name = "colorPiston", .storage = Storage::vector4, .offset = offsetof(Record, visualization.colorPiston), .role = Role::visualization, .check = Check::color, .unit = "1"},
 }};
 
 constexpr std::array<std::string_view, 1> short_names{"HydraulicActuatorSimple"};

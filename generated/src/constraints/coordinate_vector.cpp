@@ -44,7 +44,7 @@ constexpr std::array<Row, 13> rows{{
     {.name = "jacobianUserFunction", .storage = Storage::user_function, .offset = offsetof(Record, parameters.jacobianUserFunction), .role = Role::parameter, .signature = &jacobianUserFunction_signature},
     {.name = "activeConnector", .storage = Storage::boolean, .offset = offsetof(Record, parameters.activeConnector), .role = Role::parameter},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
-    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
+    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .check = Check::color, .unit = "1"},
 }};
 
 constexpr std::array<std::string_view, 1> short_names{"CoordinateVectorConstraint"};

@@ -35,7 +35,7 @@ constexpr std::array<Row, 19> rows{{
     {.name = "segmentsForceLocalX", .storage = Storage::vector, .offset = offsetof(Record, parameters.segmentsForceLocalX), .role = Role::parameter, .internal = true, .unit = "N"},
     {.name = "segmentsForceLocalY", .storage = Storage::vector, .offset = offsetof(Record, parameters.segmentsForceLocalY), .role = Role::parameter, .internal = true, .unit = "N"},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
-    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
+    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .check = Check::color, .unit = "1"},
 }};
 
 constexpr std::array<std::string_view, 1> short_names{"CamFollowerContactPlanar"};

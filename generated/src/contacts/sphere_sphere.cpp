@@ -36,7 +36,7 @@ constexpr std::array<Row, 20> rows{{
     {.name = "impactModel", .storage = Storage::integer, .offset = offsetof(Record, parameters.impactModel), .role = Role::parameter, .check = Check::non_negative},
     {.name = "activeConnector", .storage = Storage::boolean, .offset = offsetof(Record, parameters.activeConnector), .role = Role::parameter},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
-    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
+    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .check = Check::color, .unit = "1"},
 }};
 
 constexpr std::array<std::string_view, 0> short_names{};

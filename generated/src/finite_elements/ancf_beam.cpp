@@ -26,7 +26,7 @@ constexpr std::array<Row, 9> rows{{
     {.name = "crossSectionDamping", .storage = Storage::vector3, .offset = offsetof(Record, parameters.crossSectionDamping), .role = Role::parameter, .unit = "s"},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
     {.name = "sectionGeometry", .storage = Storage::opaque, .offset = offsetof(Record, visualization.sectionGeometry), .role = Role::visualization},
-    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
+    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .check = Check::color, .unit = "1"},
 }};
 
 constexpr std::array<std::string_view, 1> short_names{"ANCFBeam"};

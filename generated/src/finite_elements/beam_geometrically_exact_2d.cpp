@@ -33,7 +33,7 @@ constexpr std::array<Row, 16> rows{{
     {.name = "includeReferenceRotations", .storage = Storage::boolean, .offset = offsetof(Record, parameters.includeReferenceRotations), .role = Role::parameter},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
     {.name = "drawHeight", .storage = Storage::real, .offset = offsetof(Record, visualization.drawHeight), .role = Role::visualization, .unit = "m"},
-    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
+    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .check = Check::color, .unit = "1"},
 }};
 
 constexpr std::array<std::string_view, 1> short_names{"Beam2D"};

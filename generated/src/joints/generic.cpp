@@ -41,7 +41,7 @@ constexpr std::array<Row, 14> rows{{
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
     {.name = "axesRadius", .storage = Storage::real, .offset = offsetof(Record, visualization.axesRadius), .role = Role::visualization, .unit = "m"},
     {.name = "axesLength", .storage = Storage::real, .offset = offsetof(Record, visualization.axesLength), .role = Role::visualization, .unit = "m"},
-    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
+    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .check = Check::color, .unit = "1"},
 }};
 
 constexpr std::array<std::string_view, 1> short_names{"GenericJoint"};

@@ -26,7 +26,7 @@ constexpr std::array<Row, 10> rows{{
     {.name = "planeNormal", .storage = Storage::vector3, .offset = offsetof(Record, parameters.planeNormal), .role = Role::parameter, .check = Check::unit_vector, .unit = "1"},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
     {.name = "discWidth", .storage = Storage::real, .offset = offsetof(Record, visualization.discWidth), .role = Role::visualization, .unit = "m"},
-    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
+    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .check = Check::color, .unit = "1"},
 }};
 
 constexpr std::array<std::string_view, 1> short_names{"RollingDiscJoint"};

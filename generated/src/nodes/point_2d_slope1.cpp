@@ -23,7 +23,7 @@ constexpr std::array<Row, 7> rows{{
     {.name = "initialVelocities", .storage = Storage::vector4, .offset = offsetof(Record, parameters.initialVelocities), .role = Role::parameter, .unit = "various"},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
     {.name = "drawSize", .storage = Storage::real, .offset = offsetof(Record, visualization.drawSize), .role = Role::visualization, .unit = "m"},
-    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
+    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .check = Check::color, .unit = "1"},
 }};
 
 constexpr std::array<std::string_view, 1> short_names{"Point2DS1"};

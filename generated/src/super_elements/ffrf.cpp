@@ -55,7 +55,7 @@ constexpr std::array<Row, 25> rows{{
     {.name = "tempRefPosSkew", .storage = Storage::matrix, .offset = offsetof(Record, parameters.tempRefPosSkew), .role = Role::parameter, .internal = true, .unit = "m"},
     {.name = "tempVelSkew", .storage = Storage::matrix, .offset = offsetof(Record, parameters.tempVelSkew), .role = Role::parameter, .internal = true, .unit = "m/s"},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
-    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
+    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .check = Check::color, .unit = "1"},
     {.name = "triangleMesh", .storage = Storage::integer_matrix, .offset = offsetof(Record, visualization.triangleMesh), .role = Role::visualization},
     {.name = "showNodes", .storage = Storage::boolean, .offset = offsetof(Record, visualization.showNodes), .role = Role::visualization},
 }};

@@ -58,7 +58,7 @@ constexpr std::array<Row, 28> rows{{
     {.name = "physicsCenterOfMassTilde", .storage = Storage::matrix3, .offset = offsetof(Record, parameters.physicsCenterOfMassTilde), .role = Role::parameter, .unit = "m"},
     {.name = "tempUserFunctionForce", .storage = Storage::vector, .offset = offsetof(Record, parameters.tempUserFunctionForce), .role = Role::parameter, .internal = true, .unit = "various"},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
-    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
+    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .check = Check::color, .unit = "1"},
     {.name = "triangleMesh", .storage = Storage::integer_matrix, .offset = offsetof(Record, visualization.triangleMesh), .role = Role::visualization},
     {.name = "showNodes", .storage = Storage::boolean, .offset = offsetof(Record, visualization.showNodes), .role = Role::visualization},
 }};

@@ -47,7 +47,7 @@ constexpr std::array<Row, 24> rows{{
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
     {.name = "showLinks", .storage = Storage::boolean, .offset = offsetof(Record, visualization.showLinks), .role = Role::visualization},
     {.name = "showJoints", .storage = Storage::boolean, .offset = offsetof(Record, visualization.showJoints), .role = Role::visualization},
-    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .unit = "1"},
+    {.name = "color", .storage = Storage::vector4, .offset = offsetof(Record, visualization.color), .role = Role::visualization, .check = Check::color, .unit = "1"},
     {.name = "graphicsDataList", .storage = Storage::opaque, .offset = offsetof(Record, visualization.graphicsDataList), .role = Role::visualization},
 }};
 

@@ -138,6 +138,8 @@ def gravity(pen: Pen, item: Item) -> None:
 def rope(pen: Pen, item: Item) -> None:
     """A rope from sheave to sheave, straight between them and round where it lies on them."""
     color = pen.looks.color(item, "connectors.defaultColor")
+    if item["hasCoordinateMarkers"]:  # these lengthen the rope, which does not run there
+        item = {**item, "markerNumbers": item["markerNumbers"][:-2]}
     ends = _ends(pen, item)
     radii = (
         np.resize(np.asarray(item["sheavesRadii"], float), len(ends))

@@ -18,6 +18,8 @@ from dalembert._pictures.painting import Image
 def save_image(image: Image, name: str | Path) -> None:
     """Save an image in the format that the ending of the name says; its folder is made if needed."""
     path = Path(name)
+    if path.suffix.lower() not in Pillow.registered_extensions():
+        raise ValueError(f"fileName: {str(name)!r} does not end as images do; give it the ending .png, .jpg or .webp")
     path.parent.mkdir(parents=True, exist_ok=True)
     with replacing(path) as written:
         Pillow.fromarray(image).save(written)

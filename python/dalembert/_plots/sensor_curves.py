@@ -171,6 +171,8 @@ def make_curves(
             name, variable, data, unit = _sensor_information(system, sensor, comments, delimiter)
         if number is not None:
             name += f" of system {number}"
+        if data.shape[1] < 2:
+            raise ValueError(f"PlotSensor: {title} has no values yet; solve first")
         for column in {component, component_x} - {componentNorm}:
             if not 0 <= column + 1 < data.shape[1]:
                 raise ValueError(

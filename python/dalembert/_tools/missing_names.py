@@ -13,7 +13,9 @@ from dalembert._core import MainSystem, SystemContainer, SystemData
 
 def nearest(name: str, known: Iterable[str]) -> str:
     """Return '. Did you mean ...?' for the nearest known name; nothing if none is near."""
-    close = difflib.get_close_matches(name, [each for each in known if not each.startswith("_")], n=1, cutoff=0.7)
+    public = [each for each in known if not each.startswith("_")]
+    parts = [each for each in public if len(name) >= 4 and name.lower() in each.lower()]
+    close = difflib.get_close_matches(name, public, n=1, cutoff=0.7) or sorted(parts, key=len)
     return f". Did you mean '{close[0]}'?" if close else ""
 
 

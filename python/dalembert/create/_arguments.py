@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import functools
 import inspect
 from collections.abc import Callable, Sequence
@@ -13,9 +12,10 @@ from typing import Any, Literal, NamedTuple, NoReturn
 import numpy as np
 import numpy.typing as npt
 
-from dalembert._checks import ROTATION, rotation_problem, shape_error
+from dalembert._checks import COLOR, ROTATION, color_problem, rotation_problem, shape_error
 from dalembert._core import MarkerIndex, NodeIndex, ObjectIndex, _is_plain_vector, _problem_of
 from dalembert._tools.found_items import find_item
+from dalembert._tools.missing_names import nearest
 from dalembert.create._created import created
 
 # Defaults that several functions share. They are passed on and never changed.
@@ -91,6 +91,11 @@ def rotation_matrix() -> Check:
 def unit_vector() -> Check:
     """Return the check for a vector with 3 components, of length 1."""
     return refined(vector(3), "a vector of length 1", lambda value: _problem_of("unit_vector", value))
+
+
+def color() -> Check:
+    """Return the check for red, green, blue and opacity from 0 to 1, or a negative red for a default color."""
+    return refined(vector(4), COLOR, color_problem)
 
 
 def require_axis(function: str, axis: Vector) -> None:
@@ -169,8 +174,12 @@ def checked(function: Callable[..., Any], checks: dict[str, Check]) -> Callable[
             problem = check.problem(value) if check.problem is not None else ""
             error = argument_error(function.__name__, name, check.expected, value)
             raise ValueError(f"{error}. {problem}") if problem else error
-        near = difflib.get_close_matches(name, names, 1)
-        hint = f"; did you mean '{near[0]}'?" if near else f"; known are: {', '.join(names[1:])}"
+        hint = nearest(name, names[1:]) or f"; known are: {', '.join(names[1:])}"
+        if name.startswith("markerNumber"):  # as items have it
+            hint = (
+                "".join(f". Pass markers as '{each}'" for each in names if each in ("bodyNumber", "bodyNumbers"))
+                or hint
+            )
         raise TypeError(f"MainSystem.{function.__name__}(...): unknown argument '{name}'{hint}")
 
     @functools.wraps(function)

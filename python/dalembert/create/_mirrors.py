@@ -26,6 +26,7 @@ from dalembert.create._arguments import (
     POSITIVE,
     TEXT,
     Check,
+    color,
     matrix,
     rotation_matrix,
     unit_vector,
@@ -92,6 +93,7 @@ TEXTS = {
     "planePosition": "point of the plane in the frame of its body (m)",
 }
 _VECTOR, _MATRIX = re.compile(r"(\d+) numbers"), re.compile(r"(\d+) x \1 numbers")
+_VECTORS = {"unit_vector": unit_vector, "color": color}
 _NUMBERS = {"": NUMBER, "non_negative": NOT_NEGATIVE, "positive": POSITIVE}
 
 
@@ -114,7 +116,7 @@ def check_of(row: Row) -> Check:
     if row.type == "str":
         return TEXT
     if match := _VECTOR.fullmatch(row.type):
-        return unit_vector() if row.check == "unit_vector" else vector(int(match[1]))
+        return _VECTORS[row.check]() if row.check in _VECTORS else vector(int(match[1]))
     if match := _MATRIX.fullmatch(row.type):
         return rotation_matrix() if row.check in ("rotation", "orthogonal") else matrix(int(match[1]))
     return ANYTHING

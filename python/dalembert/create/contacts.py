@@ -16,6 +16,19 @@ TRIANGLE = [np.array(corner, float) for corner in ([0, 0, 0], [1, 0, 0], [0, 1, 
 QUADRANGLE = [np.array(corner, float) for corner in ([0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0])]
 
 
+# Arguments that are parameters of the contact, and are passed on as they are.
+_LAW = (
+    "isHollowSphere1", "dynamicFriction", "frictionProportionalZone", "contactStiffness", "contactDamping",
+    "contactStiffnessExponent", "constantPullOffForce", "contactPlasticityRatio", "adhesionCoefficient",
+    "adhesionExponent", "restitutionCoefficient", "minimumImpactVelocity", "impactModel", "activeConnector",
+)  # fmt: skip
+
+
+def _law_of(arguments: dict[str, Any]) -> dict[str, Any]:
+    """Return those of a function's arguments that are parameters of the contact."""
+    return {name: arguments[name] for name in _LAW if name in arguments}
+
+
 def _history(mbs: MainSystem, coordinates: Vector) -> Any:
     return mbs.AddNode(items.NodeGenericData(initialCoordinates=coordinates, numberOfDataCoordinates=len(coordinates)))
 
@@ -50,6 +63,7 @@ def CreateSphereSphereContact(
 
     With friction, bodies or nodes must have an orientation.
     """
+    law = _law_of(locals())
     where = "CreateSphereSphereContact"
     ends = connector_ends(where, bodyNumbers, localPosition0, localPosition1, bodyOrNodeList, NO_PAIR)
     markers = [
@@ -62,20 +76,7 @@ def CreateSphereSphereContact(
             markerNumbers=markers,
             nodeNumber=_history(mbs, dataInitialCoordinates),
             spheresRadii=spheresRadii,
-            isHollowSphere1=isHollowSphere1,
-            dynamicFriction=dynamicFriction,
-            frictionProportionalZone=frictionProportionalZone,
-            contactStiffness=contactStiffness,
-            contactDamping=contactDamping,
-            contactStiffnessExponent=contactStiffnessExponent,
-            constantPullOffForce=constantPullOffForce,
-            contactPlasticityRatio=contactPlasticityRatio,
-            adhesionCoefficient=adhesionCoefficient,
-            adhesionExponent=adhesionExponent,
-            restitutionCoefficient=restitutionCoefficient,
-            minimumImpactVelocity=minimumImpactVelocity,
-            impactModel=impactModel,
-            activeConnector=activeConnector,
+            **law,
             visualization=items.VObjectContactSphereSphere(show=show, color=color),
         )
     )
@@ -108,6 +109,7 @@ def CreateSphereTriangleContact(
 
     Points of the triangle are seen from localPosition1. With friction, the first body or node must have an orientation.
     """
+    law = _law_of(locals())
     where = "CreateSphereTriangleContact"
     ends = connector_ends(where, bodyNumbers, localPosition0, localPosition1, bodyOrNodeList, NO_PAIR)
     labels = marker_names(name)
@@ -121,15 +123,7 @@ def CreateSphereTriangleContact(
             radiusSphere=radiusSphere,
             trianglePoints=Vector3DList([list(point) for point in trianglePoints]),
             includeEdges=includeEdges,
-            dynamicFriction=dynamicFriction,
-            frictionProportionalZone=frictionProportionalZone,
-            contactStiffness=contactStiffness,
-            contactDamping=contactDamping,
-            contactStiffnessExponent=contactStiffnessExponent,
-            restitutionCoefficient=restitutionCoefficient,
-            minimumImpactVelocity=minimumImpactVelocity,
-            impactModel=impactModel,
-            activeConnector=activeConnector,
+            **law,
             visualization=items.VObjectContactSphereTriangle(show=show, color=color),
         )
     )
@@ -164,6 +158,7 @@ def CreateSphereQuadContact(
     The diagonal that both share leads from point 1 to point 3, and is no edge; includeEdges has a bit for each side of
     the quadrangle.
     """
+    law = _law_of(locals())
     where = "CreateSphereQuadContact"
     ends = connector_ends(where, bodyNumbers, localPosition0, localPosition1, bodyOrNodeList, NO_PAIR)
     labels = marker_names(name)
@@ -179,16 +174,8 @@ def CreateSphereQuadContact(
             radiusSphere=radiusSphere,
             trianglePoints=[quadPoints[corner] for corner in corners],
             includeEdges=edges,
-            dynamicFriction=dynamicFriction,
-            frictionProportionalZone=frictionProportionalZone,
-            contactStiffness=contactStiffness,
-            contactDamping=contactDamping,
-            contactStiffnessExponent=contactStiffnessExponent,
-            restitutionCoefficient=restitutionCoefficient,
-            minimumImpactVelocity=minimumImpactVelocity,
-            impactModel=impactModel,
+            **law,
             dataInitialCoordinates=dataInitialCoordinates,
-            activeConnector=activeConnector,
             show=show,
             color=color,
         )

@@ -15,6 +15,7 @@ from dalembert.create._arguments import (
     Matrix,
     Vector,
     argument_error,
+    color,
     rotation_matrix,
     vector,
 )
@@ -110,7 +111,7 @@ CHECKS: dict[str, dict[str, Check]] = {
         "massProportionalDamping": NOT_NEGATIVE,
         "stiffnessProportionalDamping": NOT_NEGATIVE,
         "gravity": vector(3),
-        "color": vector(4),
+        "color": color(),
         "showMarkers": FLAG,
         "verbose": FLAG,
     },

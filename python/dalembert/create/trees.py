@@ -9,6 +9,7 @@ import numpy as np
 
 from dalembert import graphics
 from dalembert import itemInterface as items
+from dalembert._checks import as_color
 from dalembert._core import MainSystem, Matrix3DList, ObjectIndex, Vector3DList
 from dalembert._geometry.inertia import TreeLink
 from dalembert.create import bodies
@@ -58,11 +59,12 @@ def _of_links(name: str, vectors: Any, count: int) -> Any:
 
 def _colors(name: str, colors: Any, count: int, default: Vector) -> list[Any]:
     """Return a colour for each link, of one for all or of a list."""
+    where = f"MainSystem.CreateKinematicTree(...): argument '{name}'"
     if np.shape(colors) == (4,):
-        return [default if colors[0] == -1 else colors] * count
+        return [default if colors[0] == -1 else as_color(where, colors)] * count
     if np.shape(colors) != (count, 4):
         raise argument_error("CreateKinematicTree", name, f"an RGBA color, or a list of {count} of them", colors)
-    return list(colors)
+    return [as_color(where, each) for each in colors]
 
 
 def CreateKinematicTree(

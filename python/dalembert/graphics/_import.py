@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from dalembert import graphicsDataUtilities as meshes
-from dalembert._checks import FloatArray, as_matrix, as_vector
+from dalembert._checks import FloatArray, as_color, as_matrix, as_vector
 from dalembert._io.files import replacing
 from dalembert.graphics._mesh import GraphicsData, require_type, triangle_list, triangle_normals
 from dalembert.graphics._operations import FromPointsAndTrigs, _normalized
@@ -157,7 +157,7 @@ def FromPyMeshlabFile(
         print(f"FromPyMeshlabFile: {fileName}: {len(points)} points, {len(triangles)} triangles")
     if normalizeNormals:
         normals = _normalized(normals, "FromPyMeshlabFile")
-    colors = np.tile(as_vector("defaultColor", defaultColor, 4), (len(points), 1))
+    colors = np.tile(as_color("defaultColor", defaultColor), (len(points), 1))
     if mesh.has_face_color() and not useDefaultColor:
         colors = np.zeros_like(colors)
         colors[triangles.ravel()] = np.repeat(mesh.face_color_matrix(), 3, axis=0)

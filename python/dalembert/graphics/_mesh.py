@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from dalembert._checks import FloatArray, IntArray, as_array, as_vector, shape_error
+from dalembert._checks import FloatArray, IntArray, as_array, as_color, check_colors, shape_error
 
 GraphicsData = dict[str, Any]
 
@@ -24,14 +24,16 @@ def triangle_list(
     """Return graphicsData of the type TriangleList; colors is one RGBA colour or one per point."""
     rgba = as_array("color", colors, "4 numbers, red, green, blue and opacity from 0 to 1, such as graphics.color.red")
     if rgba.ndim == 1:
-        rgba = np.tile(as_vector("color", rgba, 4), len(points))
+        rgba = np.tile(as_color("color", rgba), len(points))
+    else:
+        check_colors("color", rgba)
     data: GraphicsData = {"type": "TriangleList", "colors": rgba.ravel(), "points": points.ravel()}
     if normals is not None:
         data["normals"] = normals.ravel()
     data["triangles"] = np.asarray(triangles, dtype=int).ravel()
     if edges is not None:
         data["edges"] = np.asarray(edges, dtype=int).ravel()
-        data["edgeColor"] = as_vector("edgeColor", edgeColor, 4).copy()
+        data["edgeColor"] = as_color("edgeColor", edgeColor).copy()
     return data
 
 
@@ -73,8 +75,8 @@ def at_least(where: str, nTiles: int, minimum: int) -> int:
 
 def two_colors(rgba: npt.ArrayLike, alternating: npt.ArrayLike | None, n: int) -> FloatArray:
     """Return n colours of which the second half is the alternating colour, if there is one."""
-    first = as_vector("color", rgba, 4)
-    second = first if alternating is None else as_vector("alternatingColor", alternating, 4)
+    first = as_color("color", rgba)
+    second = first if alternating is None else as_color("alternatingColor", alternating)
     return np.vstack([np.tile(first, (n // 2, 1)), np.tile(second, (n - n // 2, 1))])
 
 

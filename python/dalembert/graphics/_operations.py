@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from dalembert._checks import FloatArray, IntArray, as_matrix, as_vector, shape_error
+from dalembert._checks import FloatArray, IntArray, as_color, as_matrix, as_vector, shape_error
 from dalembert.graphics._mesh import GraphicsData, require_type, triangle_list, triangle_normals, unit_rows
 
 
@@ -202,7 +202,7 @@ def _point_colors(graphicsData: GraphicsData, nPoints: int, triangleColor: npt.A
     where = "AddEdgesAndSmoothenNormals"
     given = np.asarray(triangleColor, dtype=float)
     if given.size:
-        return np.tile(as_vector(where + ": triangleColor", given, 4), (nPoints, 1))
+        return np.tile(as_color(where + ": triangleColor", given), (nPoints, 1))
     colors = np.asarray(graphicsData["colors"], dtype=float)
     if colors.size != 4 * nPoints:
         warnings.warn(f"{where}: expected one colour for each of the {nPoints} points, using the first", stacklevel=3)

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from dalembert._checks import FloatArray, as_number, as_points, as_vector, shape_error, unit_vector
+from dalembert._checks import FloatArray, as_color, as_number, as_points, as_vector, shape_error, unit_vector
 from dalembert._geometry.rotations import ComputeOrthonormalBasisVectors, RotationVector2RotationMatrix
 from dalembert.graphics._mesh import (
     GraphicsData,
@@ -272,7 +272,7 @@ def Cylinder(
     points = np.vstack([ends[0], rims[0], ends[1], rims[1], rims[0], rims[1]])
     normals = np.vstack([-e, radial, e, radial, np.tile(-e, (nTiles, 1)), np.tile(e, (nTiles, 1))])
     rgba = two_colors(color, kwargs.get("alternatingColor"), nTiles)
-    pointColors = np.vstack([np.tile(as_vector("color", color, 4), (2, 1)), *[rgba] * 4])
+    pointColors = np.vstack([np.tile(as_color("color", color), (2, 1)), *[rgba] * 4])
 
     n, i = nTiles + 1, np.arange(nTiles)
     following = (i + 1) % nTiles
@@ -288,7 +288,7 @@ def Cylinder(
         for k, sign in ((0, 1.0), (-1, -1.0)):
             points = np.vstack([points, *ends, rims[0][k], rims[1][k]])
             normals = np.vstack([normals, np.tile(sign * np.cross(e, radial[k]), (4, 1))])
-        pointColors = np.vstack([pointColors, np.tile(as_vector("color", color, 4), (8, 1))])
+        pointColors = np.vstack([pointColors, np.tile(as_color("color", color), (8, 1))])
     edges = None
     if addEdges:
         previous = np.column_stack([(i - 1) % nTiles, i]) + 1
@@ -438,7 +438,7 @@ def CheckerBoard(
     Optional arguments: size2 and nTiles2 for the second direction, materialIndex (in the place of alpha).
     """
     no_unknown("graphics.CheckerBoard", kwargs, ("nTiles2", "size2", "materialIndex"))
-    both = np.array([as_vector("color", color, 4), as_vector("alternatingColor", alternatingColor, 4)])
+    both = np.array([as_color("color", color), as_color("alternatingColor", alternatingColor)])
     if "materialIndex" in kwargs:
         both[:, 3] = kwargs["materialIndex"]
     _, n1, n2 = ComputeOrthonormalBasisVectors(normal)

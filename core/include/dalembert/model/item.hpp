@@ -46,7 +46,9 @@ const ItemType& require_type(ItemKind kind, std::string_view name, const std::st
 // Parameters by their names or aliases, visualization with a leading 'V'; nullptr if there is none.
 const Row* find_row(const ItemType& type, std::string_view name);
 const Row* find_visualization_row(const ItemType& type, std::string_view name);  // without the 'V'
+// What to write in place of a name that is no parameter; the second among these that are known.
 std::string suggest_parameter(const ItemType& type, std::string_view name);
+std::string suggest_parameter(const ItemType& type, std::string_view name, const std::vector<std::string_view>& known);
 bool provides(const ItemType& type, std::string_view what);
 
 std::string_view variable_name(OutputVariableType variable);                     // "Position"

@@ -23,6 +23,8 @@ struct Verdict {
 Verdict judge_rotation(const Mat3<double>& a, Fit of_reflections = Fit::wrong);
 // Of length 1, to 1e-8.
 Verdict judge_unit_vector(const Vec3<double>& v);
+// Red, green, blue and opacity, each from 0 to 1; a negative red stands for a default color.
+Verdict judge_color(const Vec<double, 4>& v);
 // A member by the check of its row; of a list, the worst entry.
 Verdict judge(const Row& row, const void* member);
 

@@ -10,8 +10,8 @@
 
 namespace dalembert {
 
-// The last three are for vectors and matrices, see core/include/dalembert/model/value_checks.hpp.
-enum class Check : std::uint8_t { none, non_negative, positive, rotation, orthogonal, unit_vector };
+// The last four are for vectors and matrices, see core/include/dalembert/model/value_checks.hpp.
+enum class Check : std::uint8_t { none, non_negative, positive, rotation, orthogonal, unit_vector, color };
 
 enum class Role : std::uint8_t { name, parameter, visualization };
 
