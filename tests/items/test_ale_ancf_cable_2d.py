@@ -210,3 +210,48 @@ def test_share_above_one_is_refused() -> None:
     belt = Belt(1, physicsMovingMassFactor=1.5)
     with pytest.raises(ValueError, match=r"physicsMovingMassFactor.*a share of the mass"):
         belt.mbs.Assemble()
+
+
+@pytest.mark.parametrize("share", [1.0, 0.5])
+@pytest.mark.parametrize("offset", [0.0, 0.02])
+def test_friction_of_a_circle_brakes_the_material(share: float, offset: float) -> None:
+    """A cable whose axis is held: the slip is the speed of the material, and friction is the only force on its mass."""
+    mbs, speed, length = exu.SystemContainer().AddSystem(), 3.0, 1.5
+    ground = mbs.AddMarker(exu.MarkerNodeCoordinate(nodeNumber=mbs.AddNode(exu.NodePointGround()), coordinate=0))
+    nodes = [mbs.AddNode(exu.NodePoint2DSlope1(referenceCoordinates=[x, 0, 1, 0])) for x in (0, length)]
+    for node, coordinate in ((node, k) for node in nodes for k in range(4)):
+        held = mbs.AddMarker(exu.MarkerNodeCoordinate(nodeNumber=node, coordinate=coordinate))
+        mbs.AddObject(exu.CoordinateConstraint(markerNumbers=[ground, held]))
+    way = mbs.AddNode(
+        exu.NodeGenericODE2(
+            numberOfODE2Coordinates=1, referenceCoordinates=[0], initialCoordinates=[0], initialCoordinates_t=[speed]
+        )
+    )
+    cable = mbs.AddObject(
+        exu.ObjectALEANCFCable2D(
+            physicsLength=length, physicsMassPerLength=2, physicsBendingStiffness=1, physicsAxialStiffness=1e3,
+            physicsMovingMassFactor=share, nodeNumbers=[*nodes, way],
+        )
+    )  # fmt: skip
+    shape = mbs.AddMarker(exu.MarkerBodyCable2DShape(bodyNumber=cable, numberOfSegments=3, verticalOffset=offset))
+    disc = mbs.AddMarker(
+        exu.MarkerBodyRigid(bodyNumber=mbs.AddObject(exu.ObjectGround(referencePosition=[0.75, 0.19 + offset, 0])))
+    )
+    states = mbs.AddNode(
+        exu.NodeGenericData(numberOfDataCoordinates=9, initialCoordinates=[1, -0.01, 1, -2, 0, -2, 0, 0, 0])
+    )
+    contact = mbs.AddObject(
+        exu.ObjectContactFrictionCircleCable2D(
+            markerNumbers=[disc, shape], nodeNumber=states, numberOfContactSegments=3, contactStiffness=1000,
+            frictionVelocityPenalty=0.5, frictionCoefficient=3, circleRadius=0.2,
+        )
+    )  # fmt: skip
+    mbs.Assemble()
+    settings = exu.SimulationSettings()
+    settings.timeIntegration.endTime, settings.timeIntegration.numberOfSteps = 0.2, 400
+    settings.timeIntegration.verboseMode, settings.solutionSettings.writeSolutionToFile = 0, False
+    mbs.SolveDynamic(settings)
+    left = speed * np.exp(-0.5 * 0.2 / (2 * share * length))
+    assert mbs.GetNodeOutput(way, Variable.Coordinates_t) == pytest.approx(left, rel=1e-6)
+    along = np.asarray(mbs.GetObjectOutput(contact, Variable.ForceLocal))
+    assert along[2:4] == pytest.approx([0.5 * left, -10], rel=1e-6)

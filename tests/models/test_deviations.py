@@ -202,3 +202,69 @@ def test_difference_of_full_and_modified_newton_is_their_tolerance() -> None:
     differences = [np.abs(falling_pendulum(t, True) - falling_pendulum(t, False)).sum() for t in (1e-4, 1e-9)]
     assert 1e-6 < differences[0] < 1e-4
     assert differences[1] < 1e-8
+
+
+def disc_on_a_free_cable(segment_normals: bool) -> tuple[exu.MainSystem, int, list[int], int]:
+    """A disc that spins is pressed into a cable of four elements, both free: disc, nodes of the cable, a sensor of contacts' forces and gaps."""
+    mbs = new_system()
+    nodes = [mbs.AddNode(exu.NodePoint2DSlope1(referenceCoordinates=[x, 0, 1, 0])) for x in np.linspace(-0.5, 0.5, 5)]
+    disc = mbs.AddNode(
+        exu.NodeRigidBody2D(referenceCoordinates=[0.03, 0.195, 0], initialVelocities=[0, -0.2, 5])
+    )  # 5 mm deep
+    body = mbs.AddObject(exu.RigidBody2D(physicsMass=1, physicsInertia=0.02, nodeNumber=disc))
+    centre = mbs.AddMarker(exu.MarkerBodyRigid(bodyNumber=body))
+    for pair in zip(nodes[:-1], nodes[1:], strict=True):
+        cable = mbs.AddObject(
+            exu.Cable2D(
+                physicsLength=0.25, physicsMassPerLength=2, physicsBendingStiffness=5, physicsAxialStiffness=1e3, nodeNumbers=list(pair)
+            )
+        )  # fmt: skip
+        shape = mbs.AddMarker(exu.MarkerBodyCable2DShape(bodyNumber=cable, numberOfSegments=4))
+        states = mbs.AddNode(
+            exu.NodeGenericData(numberOfDataCoordinates=12, initialCoordinates=[0.1] * 4 + [-2] * 4 + [0] * 4)
+        )
+        contact = mbs.AddObject(
+            exu.ObjectContactFrictionCircleCable2D(
+                markerNumbers=[centre, shape], nodeNumber=states, numberOfContactSegments=4, contactStiffness=2e3, contactDamping=2,
+                frictionVelocityPenalty=20, frictionCoefficient=0.4, circleRadius=0.2, useSegmentNormals=segment_normals,
+            )
+        )  # fmt: skip
+        for variable in (Variable.ForceLocal, Variable.Coordinates):
+            mbs.AddSensor(exu.SensorObject(objectNumber=contact, outputVariableType=variable, storeInternal=True))
+    mbs.Assemble()
+    return mbs, disc, nodes, 8
+
+
+def angular_momentum(mbs: exu.MainSystem, disc: int, nodes: list[int], length: float) -> float:
+    """About the origin: of the disc, and of the axis of the cable by four points per element."""
+    value = lambda node, name: np.array(mbs.GetNodeOutput(node, getattr(Variable, name)))  # noqa: E731
+    place, speed = value(disc, "Position"), value(disc, "Velocity")
+    sum_ = 0.02 * value(disc, "AngularVelocity")[2] + np.cross(place, speed)[2]
+    start = np.array([[x, 0, 1, 0] for x in np.linspace(-0.5, 0.5, len(nodes))])
+    q = start + [value(node, "Coordinates") for node in nodes]
+    v = np.array([value(node, "Coordinates_t") for node in nodes])
+    for x, weight in zip(*np.polynomial.legendre.leggauss(4), strict=True):
+        s = (1 + x) / 2
+        shapes = [1 - 3 * s**2 + 2 * s**3, length * (s - 2 * s**2 + s**3), 3 * s**2 - 2 * s**3, length * (s**3 - s**2)]
+        r, w = (
+            sum(n * part for n, part in zip(shapes, (c[:-1, :2], c[:-1, 2:], c[1:, :2], c[1:, 2:]), strict=True))
+            for c in (q, v)
+        )
+        sum_ += 2 * length * weight / 2 * (r[:, 0] * w[:, 1] - r[:, 1] * w[:, 0]).sum()
+    return float(sum_)
+
+
+@pytest.mark.parametrize("segment_normals", [True, False])
+def test_friction_on_a_cable_keeps_angular_momentum(segment_normals: bool) -> None:
+    """Nothing acts from outside. With the radius as lever arm of friction, without the gap, the sum would grow by friction times gap."""
+    mbs, disc, nodes, sensors = disc_on_a_free_cable(segment_normals)
+    before = angular_momentum(mbs, disc, nodes, 0.25)
+    chosen = settings(0.05, 500)
+    chosen.solutionSettings.sensorsWritePeriod = 1e-4
+    mbs.SolveDynamic(chosen)
+    assert angular_momentum(mbs, disc, nodes, 0.25) == pytest.approx(
+        before, abs=2e-8
+    )  # 4e-9, a quarter with half the steps
+    data = [np.asarray(mbs.GetSensorStoredData(i))[:, 1:] for i in range(sensors)]
+    wrong = sum((force[:, ::2] * gap[:, 1::2]).sum() * 1e-4 for force, gap in zip(data[::2], data[1::2], strict=True))
+    assert abs(wrong) > 1e-4

@@ -19,6 +19,11 @@ _ITERATIONS = 30
 _BALANCE = 1e-10  # residual, relative to the largest one that Newton's method has met
 _ROUND_OFF = 1e3 * np.finfo(float).eps
 _INFINITE = 1e-12  # inverse eigenvalues that belong to constraints and to coordinates without mass
+_RELATIVE = {
+    "FFRFreducedOrder": 1,
+    "FFRF": 1,
+    "ALEANCFCable2D": 2,
+}  # their nodes from this one on: steady in the rotating frame
 _VECTORS = {"Point": 3, "PointSlope1": 3, "PointSlope12": 3, "PointSlope23": 3, "Point2D": 2, "Point2DSlope1": 2}
 
 
@@ -59,11 +64,19 @@ class _Rotation:
     def __init__(self, mbs: Any, speed: FloatArray, center: FloatArray) -> None:
         self.mbs, self.speed, self.center = mbs, speed, center
         self.reference = np.array(mbs.systemData.GetODE2Coordinates(ConfigurationType.Reference))
-        self.nodes = [
-            (mbs.GetNode(node)["nodeType"], np.array(numbers))
+        items = [mbs.GetObject(number) for number in range(mbs.systemData.NumberOfObjects())]
+        relative = {
+            int(node)
+            for item in items
+            if (first := _RELATIVE.get(item["objectType"])) is not None
+            for node in item["nodeNumbers"][first:]
+        }
+        self.moving = [
+            node
             for node in range(mbs.systemData.NumberOfNodes())
-            if (numbers := mbs.systemData.GetNodeLTGODE2(node))
+            if mbs.systemData.GetNodeLTGODE2(node) and node not in relative
         ]
+        self.nodes = [(mbs.GetNode(i)["nodeType"], np.array(mbs.systemData.GetNodeLTGODE2(i))) for i in self.moving]
         self.rotates = bool(speed.any())
         if self.rotates:
             self._check()
@@ -72,16 +85,7 @@ class _Rotation:
         known = {*_VECTORS, "RigidBody2D", "RigidBodyEP", "RigidBodyRotVecLG"}
         planar = bool(self.speed[:2].any())
         received = f"{_NAME}: angularVelocity: received {self.speed.tolist()} with"
-        for number in range(self.mbs.systemData.NumberOfObjects()):
-            item = self.mbs.GetObject(number)
-            if item["objectType"] == "FFRF":
-                raise ValueError(
-                    f"{received} object {number} (FFRF), whose coordinates are relative to a frame; expected finite "
-                    "elements or rigid bodies"
-                )
-        for node in range(self.mbs.systemData.NumberOfNodes()):
-            if not self.mbs.systemData.GetNodeLTGODE2(node):
-                continue
+        for node in self.moving:
             kind = self.mbs.GetNode(node)["nodeType"]
             if kind not in known:
                 raise ValueError(
@@ -266,7 +270,8 @@ def ComputeVibrationModes(
     All forces count at their full values: preloads, gyroscopic and centrifugal forces, damping, and geometric terms of
     forces in bodies, connectors and constraints. With an angularVelocity (rad/s, global axes) about center (m), the
     whole model, with ground and the directions of loads, is seen from a frame that rotates: its steady state is found
-    by Newton's method from the initial state, and motions are those relative to the frame. Dampers between bodies and
+    by Newton's method from the initial state, and motions are those relative to the frame. Bodies with a floating frame
+    turn with that; ObjectGenericODE2 rotates if its nodes are points or rigid bodies. Dampers between bodies and
     ground see the speed of the rotation. updateInitialValues makes that state the initial one. Matrices are sparse:
     the time grows with the number of modes and, nearly linearly, with the size of the system.
     """

@@ -15,13 +15,17 @@ class CablePoints {
  public:
   CablePoints(std::span<const S> values) : values_(values) {}
   Vec<S, 2> position(int i) const { return pair(2 * i); }
-  Vec<S, 2> velocity(int i) const { return pair(2 * (points() + i)); }
+  Vec<S, 2> velocity(int i) const { return pair(way_at() + 1 + 2 * i); }  // of the axis
   // Of the material, in the reference configuration.
-  const S& segment_length() const { return values_[values_.size() - 2]; }
-  const S& way() const { return values_[values_.size() - 1]; }
+  const S& segment_length() const { return values_[values_.size() - 1]; }
+  const S& way() const { return values_[static_cast<std::size_t>(way_at())]; }
+  // Of the material against the axis, and the change of its position by its way.
+  const S& way_rate() const { return values_[static_cast<std::size_t>(2 * way_at() + 1)]; }
+  Vec<S, 2> along(int i) const { return pair(2 * (way_at() + 1) + 2 * i); }
+  // Place of the way among the forces.
+  int way_at() const { return static_cast<int>(values_.size() - 3) / 3; }
 
  private:
-  int points() const { return static_cast<int>(values_.size() - 2) / 4; }
   Vec<S, 2> pair(int i) const { return {values_[static_cast<std::size_t>(i)], values_[static_cast<std::size_t>(i) + 1]}; }
 
   std::span<const S> values_;
@@ -48,7 +52,7 @@ struct CircleOnCable {
 
 inline void check_circle_on_cable(const Connections& on, int cable, int segments) {
   on.require(on.type(cable).name == "MarkerBodyCable2DShape", cable, "markerNumbers", "a MarkerBodyCable2DShape for the cable");
-  const int given = on.coordinates(cable) / 2 - 1;
+  const int given = (on.coordinates(cable) - 1) / 2 - 1;  // of positions, and the way
   if (given != segments) on.refuse("numberOfContactSegments", std::to_string(segments), std::to_string(given) + ", as marker m1 has");
 }
 

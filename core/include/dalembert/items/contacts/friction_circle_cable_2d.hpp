@@ -26,9 +26,10 @@ struct ObjectContactFrictionCircleCable2D : AllMarkersAct, NoAlgebraicEquations 
         const Vec<S, 2> from_centre = points.position(i + end) - Vec<S, 2>{centre.position[0], centre.position[1]};
         const Vec<S, 2> n = p.useSegmentNormals ? touch.direction : direction(from_centre);
         const S share = end == 0 ? 1.0 - touch.place : touch.place;
-        const Vec<S, 2> force = share * (normal * n + tangential * turned(n));
+        const Vec<S, 2> friction = (share * tangential) * turned(n), force = (share * normal) * n + friction;
         const std::span<S> on_cable = x.forces(cable);
         for (int d = 0; d < 2; ++d) on_cable[2 * (i + end) + d] -= force[d];
+        on_cable[points.way_at()] -= dot(friction, points.along(i + end));
         const S moment = from_centre[0] * force[1] - from_centre[1] * force[0];
         x.apply(circle, Wrench<S>{{force[0], force[1], S(0)}, {S(0), S(0), moment}});
       }
@@ -98,13 +99,14 @@ struct ObjectContactFrictionCircleCable2D : AllMarkersAct, NoAlgebraicEquations 
       const CablePoints<S> points(x.values(cable));
       const Vec<S, 2>&n = this->direction, t = turned(n);
       away = dot(n, this->velocity);
-      along = dot(t, this->velocity) - p.circleRadius * centre.angular_velocity[2];
+      const Vec<S, 2> material = this->velocity + points.way_rate() * (points.along(segment) + this->place * (points.along(segment + 1) - points.along(segment)));
+      along = dot(t, material) - p.circleRadius * centre.angular_velocity[2];
       const Vec3<S> on_circle = transposed_times(centre.rotation, Vec3<S>{n[0], n[1], S(0)});
       using std::atan2;
       const S round = value_of(dot(n, n)) > 0 ? S(p.circleRadius * atan2(on_circle[1], on_circle[0])) : S(0);
-      const S material = this->place * points.segment_length() - points.way();
+      const S way_of_material = this->place * points.segment_length() - points.way();
       const bool alike = dot(t, points.position(segment + 1) - points.position(segment)) > 0.0;
-      way = alike ? round - material : round + material;
+      way = alike ? round - way_of_material : round + way_of_material;
     }
 
    private:

@@ -15,33 +15,39 @@ struct MarkerBodyCable2DShape {
   static void check_body(const Parameters&, const Placement& on, const ItemLabel& item) { CableBody<2>::check(*on.owner_type, item); }
   static Constants prepare(const Parameters&, const ItemType& body, const void* record, std::span<const double> reference) { return CableBody<2>::of(body, record, reference); }
 
-  // Positions of all points, then their velocities; the length of a segment without strain, and the way of the material along the axis.
+  // Positions of all points and the way of the material along the axis; their rates; how positions change along the axis, where the material moves;
+  // the length of a segment without strain.
   static int points(const Parameters& p) { return p.numberOfSegments + 1; }
-  static int values(const Parameters& p, const Constants&) { return 4 * points(p) + 2; }
-  static int forces(const Parameters& p, const Constants&) { return 2 * points(p); }
+  static int values(const Parameters& p, const Constants&) { return 6 * points(p) + 3; }
+  static int forces(const Parameters& p, const Constants&) { return 2 * points(p) + 1; }
   static bool constant_pull_back(const Parameters& p) { return p.verticalOffset == 0; }
 
   // Points of the axis, moved along its normal, which turns with the slope.
   template <class S>
   static void map(const Parameters& p, const Constants& cable, const S* q, const S* v, S* values) {
-    S *position = values, *velocity = values + 2 * points(p);
-    for (int i = 0; i < points(p); ++i, position += 2, velocity += 2) {
+    const int way = 2 * points(p);
+    S *position = values, *velocity = position + way + 1, *along = velocity + way + 1;
+    along[way] = S(cable.length / p.numberOfSegments);
+    position[way] = cable.moves_along ? q[8] : S(0);
+    velocity[way] = cable.moves_along ? v[8] : S(0);
+    for (int i = 0; i < points(p); ++i, position += 2, velocity += 2, along += 2) {
       const CubicHermite<double> at = place(p, cable, i);
-      Vec<S, 2> r = curve<2>(at.value, q), r_rate = curve<2>(at.value, v);
+      Vec<S, 2> r = curve<2>(at.value, q), r_rate = curve<2>(at.value, v), r_along{};
+      if (cable.moves_along) r_along = curve<2>(at.slope, q);
       if (p.verticalOffset != 0) {
-        const Vec<S, 2> slope = curve<2>(at.slope, q), slope_rate = curve<2>(at.slope, v);
+        const Vec<S, 2> slope = curve<2>(at.slope, q);
         const S offset = p.verticalOffset / norm(slope);
-        const S turn = (slope[0] * slope_rate[1] - slope[1] * slope_rate[0]) / dot(slope, slope);
+        const auto turn = [&](const Vec<S, 2>& change) { return (slope[0] * change[1] - slope[1] * change[0]) / dot(slope, slope); };
         r += offset * Vec<S, 2>{-slope[1], slope[0]};
-        r_rate -= (offset * turn) * slope;
+        r_rate -= (offset * turn(curve<2>(at.slope, v))) * slope;
+        if (cable.moves_along) r_along -= (offset * turn(curve<2>(at.bend, q))) * slope;
       }
-      for (int d = 0; d < 2; ++d) position[d] = r[d], velocity[d] = r_rate[d];
+      for (int d = 0; d < 2; ++d) position[d] = r[d], velocity[d] = r_rate[d], along[d] = r_along[d];
     }
-    velocity[0] = S(cable.length / p.numberOfSegments);
-    velocity[1] = cable.moves_along ? q[8] : S(0);
   }
   template <class S>
   static void pull_back(const Parameters& p, const Constants& cable, const S* q, const S* force, S* generalised) {
+    if (cable.moves_along) generalised[8] += force[2 * points(p)];
     for (int i = 0; i < points(p); ++i, force += 2) {
       const CubicHermite<double> at = place(p, cable, i);
       Vec<S, 2> couple{};  // on the slope, by the lever arm of the offset
