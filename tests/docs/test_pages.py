@@ -48,6 +48,7 @@ AGREEMENT = {  # relative difference of compared values, and how many there are
     "three_bodies": (1e-5, 2),  # rounding of six digits
     "servo_drive": (1e-4, 2),  # what is left of the start after 0.6 s; rounding
     "hoist": (1e-3, 2),  # the rope shortens a little less than it is wound, as it swings to rest
+    "cam_follower": (3e-3, 1),  # the stiffness of the contact under 190 N; sides of 0.5 mm
     "plate_modes": (1.5e-2, 4),  # a mesh of 12 x 12; its error falls with the square of the size
     "hydraulic_crane": (1e-3, 2),  # speed of the piston to four digits; the load creeps while it is lifted
 }
