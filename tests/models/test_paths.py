@@ -162,6 +162,14 @@ def test_lateral_buckling_of_a_frame(load: float, wanted: float) -> None:
     assert abs(4 * errors[2] - errors[1]) / 3 < 2e-6
 
 
+def test_path_of_ten_thousand_unknowns() -> None:
+    """As many steps as with few elements; the error of the mesh is 2e-7 there, and rounding leaves as much."""
+    told, points = frame_path(840, 1.2)
+    assert len(told) == len(frame_path(32, 1.2)[0])
+    assert [p["type"] for p in points] == ["bifurcation"]
+    assert points[0]["loadFactor"] * 1.2 == pytest.approx(1.087517937764, rel=5e-7)
+
+
 def test_post_buckling_of_a_frame() -> None:
     """Along the branch of the perfect frame, and along the path of one that is pushed across by 1 mN: far above, both meet."""
     told = {branch: frame_path(16, 1.2, branchStep=branch)[0] for branch in (1.0, -1.0)}

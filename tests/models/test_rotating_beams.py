@@ -85,13 +85,16 @@ FLAP = {
 }
 
 
+AT_REST = np.array([1.8751040687, 4.6940911330]) ** 2  # roots of cos x cosh x = -1
+
+
 def rotating_beam(
-    elements: int, node: type = exu.NodeRigidBodyRotVecLG, turn: np.ndarray | None = None
+    elements: int, node: type = exu.NodeRigidBodyRotVecLG, turn: np.ndarray | None = None, stiff: float = 1e7
 ) -> exu.MainSystem:
-    """Clamped at the origin, along the first axis of `turn`."""
+    """Clamped at the origin, along the first axis of `turn`; stiff: E A and G A, where E I is 1."""
     turn, slim = np.eye(3) if turn is None else turn, 1e-6
     rod = Rod(node)
-    rod.add_leg(np.zeros(3), turn, 1.0, elements, section([1e7, 1e7, 1e7, 1, 1, 1], 1.0, [2 * slim, slim, slim]))
+    rod.add_leg(np.zeros(3), turn, 1.0, elements, section([stiff, stiff, stiff, 1, 1, 1], 1.0, [2 * slim, slim, slim]))
     rod.join(rod.ground, rod.marker(rod.nodes[0]), turn)
     return rod.mbs
 
@@ -129,3 +132,16 @@ def test_steady_extension() -> None:
     a = END_SPEED * np.sqrt(INERTIA / PULL)
     assert np.tan(a * LENGTH) / a - LENGTH == pytest.approx(5.143174550e-4, rel=1e-8)
     assert spun(4, 1500)[-1, 0] == pytest.approx(5.1432e-4, rel=2e-3)
+
+
+def test_rounding_of_stiff_fine_beams_is_told() -> None:
+    """Errors of frequencies stay below what is told, and there is a warning where frequencies are lost."""
+    for stiff, elements in ((1e7, 100), (1e7, 2000), (1e9, 400)):
+        found = rotating_beam(elements, stiff=stiff).ComputeVibrationModes(4)
+        errors = np.abs(found.eigenvalues - 1j * np.repeat(AT_REST, 2))
+        assert (errors < found.uncertainties + 2 / elements**2 * np.abs(found.eigenvalues)).all()
+        assert (found.uncertainties < 0.1 * np.abs(found.eigenvalues)).all()
+    with pytest.warns(RuntimeWarning, match="rounding may have moved 4 of 4 eigenvalues by up to"):
+        found = rotating_beam(2000, stiff=1e10).ComputeVibrationModes(4)
+    assert (found.uncertainties > 0.1 * np.abs(found.eigenvalues)).all()
+    assert (np.abs(found.eigenvalues - 1j * np.repeat(AT_REST, 2)) < found.uncertainties).all()

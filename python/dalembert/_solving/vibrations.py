@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,9 +16,13 @@ from dalembert._solving.quiet import assemble_if_needed
 _NAME = "ComputeVibrationModes"
 _DENSE = 600  # numbers of the first order system up to which all eigenvalues are computed
 _SHIFT = 1e-5  # of the largest frequency: rigid motions are no singularity, and the lowest frequencies come first
+_LEAST_SHIFT = 1e-7  # the square of this is above round-off, so that they still are none
 _ITERATIONS = 30
 _BALANCE = 1e-10  # residual, relative to the largest one that Newton's method has met
 _ROUND_OFF = 1e3 * np.finfo(float).eps
+_RESTARTS = 30  # of Arnoldi's method, which takes a few where the shift is good
+_LAST_DIGITS = 8  # by sums in elements, and by factors
+_DROWNED, _RIGID = 0.1, 0.01  # uncertainties, relative to eigenvalues of their own, and to the smallest elastic one
 _INFINITE = 1e-12  # inverse eigenvalues that belong to constraints and to coordinates without mass
 _RELATIVE = {
     "FFRFreducedOrder": 1,
@@ -34,6 +39,8 @@ class VibrationModes:
     eigenvalues: complex lambda (1/s) of motions exp(lambda t), one of each conjugate pair, with imaginary part >= 0.
     frequencies: imaginary parts in Hz, in the rotating frame.
     dampingRatios: - Re(lambda) / |lambda|; negative ones grow. 0 for lambda = 0.
+    uncertainties: how far rounding of the stiffnesses may have moved each eigenvalue (1/s). It grows with the stiffest
+        against the softest motion and with the square of the number of elements; rigid motions have no larger values.
     modes: complex ODE2 motions, one column per eigenvalue; the entry of largest magnitude is 1. Of Lie-group nodes,
         rotations are small rotation vectors in the axes of the node.
     coordinates: ODE2 coordinates of the state about which the system vibrates.
@@ -42,6 +49,7 @@ class VibrationModes:
     eigenvalues: ComplexArray
     frequencies: FloatArray
     dampingRatios: FloatArray
+    uncertainties: FloatArray
     modes: ComplexArray
     coordinates: FloatArray
 
@@ -231,10 +239,24 @@ def _find_balance(mbs: Any, state: Any, rotation: _Rotation) -> None:
 
 def _eigenpairs(M: Any, G: Any, K: Any, count: int) -> tuple[ComplexArray, ComplexArray]:
     """Return lambda and x of lambda^2 M x + lambda G x + K x + C^T mu = 0, C x = 0, those nearest to zero first."""
-    from scipy.sparse.linalg import LinearOperator, eigs
+    shift = _shift_of(M, K)
+    least = _LEAST_SHIFT / _SHIFT * shift
+    while True:
+        found = _nearest(M, G, K, count, shift)
+        smallest = float(np.abs(found[0]).min()) if found is not None and len(found[0]) else 0.0
+        if found is not None and shift <= max(smallest, least):
+            return found
+        if shift <= least:
+            advice = "make the model less stiff, or its elements longer: motions of interest are lost in rounding"
+            raise _error("newton", "no modes were found", advice)
+        shift = max(shift / 10, smallest / 2, least)  # far from a shift, low frequencies look alike
+
+
+def _nearest(M: Any, G: Any, K: Any, count: int, shift: float) -> tuple[ComplexArray, ComplexArray] | None:
+    """Return eigenvalues next to the shift, and their vectors; None if they are too much alike."""
+    from scipy.sparse.linalg import ArpackNoConvergence, LinearOperator, eigs
 
     n, size = M.shape[0], K.shape[0]
-    shift = _shift_of(M, K)
     factors = _factors(_shifted(M, G, K, shift))
     damped = G + shift * M
 
@@ -252,9 +274,39 @@ def _eigenpairs(M: Any, G: Any, K: Any, count: int) -> tuple[ComplexArray, Compl
         operator = LinearOperator((2 * n, 2 * n), matvec=lambda y: inverse(y).ravel(), dtype=float)
         # what starts in the range of the operator fulfils the constraints
         first = inverse(np.random.default_rng(1).normal(size=2 * n)).ravel()
-        inverses, vectors = eigs(operator, k=wanted, v0=first)
+        try:
+            inverses, vectors = eigs(operator, k=wanted, v0=first, maxiter=_RESTARTS)
+        except ArpackNoConvergence:
+            return None
     finite = np.abs(inverses) > _INFINITE * np.abs(inverses).max()
     return shift + 1 / inverses[finite], vectors[:n, finite]
+
+
+def _uncertainties(M: Any, G: Any, K: Any, values: ComplexArray, vectors: ComplexArray) -> FloatArray:
+    """Return what changes of the last digits of all entries of K do to eigenvalues, to first order of their squares."""
+    n = M.shape[0]
+    magnitudes = np.abs(vectors)
+    rounding = _LAST_DIGITS * np.finfo(float).eps * np.sum(magnitudes * (abs(K[:n, :n]) @ magnitudes), axis=0)
+    mass = np.maximum(np.abs(np.sum(vectors.conj() * (M @ vectors), axis=0)), np.finfo(float).tiny)
+    slope = np.abs(np.sum(vectors.conj() * (2 * (M @ vectors) * values + G @ vectors), axis=0)) / (2 * mass)
+    change = rounding / mass
+    return np.asarray(change / (slope + np.sqrt(slope**2 + change) + np.finfo(float).tiny))
+
+
+def _warn_of_rounding(values: ComplexArray, uncertainties: FloatArray) -> None:
+    """Warn if eigenvalues drown in rounding, unless they are as small against others as those of rigid motions are."""
+    sizes = np.abs(values)
+    lost = uncertainties > _DROWNED * sizes
+    elastic = sizes[~lost].min(initial=np.inf)
+    if not lost.any() or uncertainties[lost].max() < _RIGID * elastic < np.inf:
+        return
+    warnings.warn(
+        f"{_NAME}: rounding may have moved {lost.sum()} of {len(values)} eigenvalues by up to "
+        f"{uncertainties[lost].max():.2g} 1/s, more than {_DROWNED:g} of their size; see uncertainties. Take fewer "
+        "elements, or lower the largest stiffness (axial, shear), which such motions do not feel",
+        RuntimeWarning,
+        stacklevel=3,
+    )
 
 
 def ComputeVibrationModes(
@@ -294,7 +346,9 @@ def ComputeVibrationModes(
     places = np.argmax(np.abs(vectors), axis=0)
     vectors = vectors / vectors[places, np.arange(len(values))]
     sizes = np.abs(values)
+    uncertainties = _uncertainties(M, G, K, values, vectors)
+    _warn_of_rounding(values, uncertainties)
     damping = np.divide(-values.real, sizes, out=np.zeros(len(values)), where=sizes > 0)
     if updateInitialValues:
         mbs.systemData.SetODE2Coordinates(state.q, ConfigurationType.Initial)
-    return VibrationModes(values, values.imag / (2 * np.pi), damping, vectors, np.array(state.q))
+    return VibrationModes(values, values.imag / (2 * np.pi), damping, uncertainties, vectors, np.array(state.q))
