@@ -123,12 +123,12 @@ def SolveDynamic(
     """Integrate the equations of motion by the settings in timeIntegration and return True.
 
     solverType chooses among implicit (GeneralizedAlpha, TrapezoidalIndex2, ESDIRK43) and explicit methods. storeSolver
-    keeps the solver in mbs.sys['dynamicSolver']; updateInitialValues starts the next simulation from the result. SolverError (a
-    ValueError) carries the diagnosis if a step cannot be solved, without items unless showCausingItems; its advice is
-    there whether or not showHints is set. False, with a warning, if exudyn.special.solver.timeout has ended it early:
-    the system is in the state of the last completed step, and initial values stay. A simulation that is ended by a
-    user function (PreStep, PostStep), by mbs.SetRenderEngineStopFlag(True) or in the render window returns True;
-    mbs.sys['dynamicSolver'].output tells which it was.
+    keeps the solver in mbs.sys['dynamicSolver']; updateInitialValues starts the next simulation from the result.
+    SolverError (a ValueError) carries the diagnosis if a step cannot be solved, without items unless showCausingItems;
+    its advice is there whether or not showHints is set. False, with a warning, if exudyn.special.solver.timeout has
+    ended it early: the system is in the state of the last completed step, and initial values stay. A simulation that is
+    ended by a user function (PreStep, PostStep), by mbs.SetRenderEngineStopFlag(True) or in the render window returns
+    True; mbs.sys['dynamicSolver'].output tells which it was.
     """
     settings = _settings("SolveDynamic", simulationSettings)
     kind = kind_of("SolveDynamic", solverType)
