@@ -9,36 +9,36 @@
 
 namespace dalembert {
 
-struct Bringer {
+struct ValueSource {
   const char* method = nullptr;
   std::string place;  // in a dictionary; no method then
 
-  Bringer(const char* of_contact) : method(of_contact) {}
-  static Bringer at(std::string place) {
-    Bringer result(nullptr);
+  ValueSource(const char* of_contact) : method(of_contact) {}
+  static ValueSource at(std::string place) {
+    ValueSource result(nullptr);
     result.place = std::move(place);
     return result;
   }
   std::string name() const { return method == nullptr ? place : "GeneralContact." + std::string(method) + "(...)"; }
 };
 
-[[noreturn]] inline void refuse_value(const Bringer& by, const std::string& parameter, const std::string& received, const std::string& expected) {
+[[noreturn]] inline void refuse_value(const ValueSource& by, const std::string& parameter, const std::string& received, const std::string& expected) {
   refuse(ErrorKind::value, {by.name(), parameter, "", received, expected, ""});
 }
 inline std::string text_of(double x) { return py::str(py::float_(x)); }
 
-inline double require(const Bringer& by, const std::string& parameter, double value, bool positive, const char* unit) {
+inline double require(const ValueSource& by, const std::string& parameter, double value, bool positive, const char* unit) {
   if (std::isfinite(value) && (positive ? value > 0 : value >= 0)) return value;
   refuse_value(by, parameter, text_of(value), std::string(positive ? "a positive number" : "a number that is not negative") + " (unit " + unit + ")");
 }
-inline int require_material(const Bringer& by, int material) {
+inline int require_material(const ValueSource& by, int material) {
   if (material >= 0) return material;
   refuse_value(by, "frictionMaterialIndex", std::to_string(material), "a number from 0, of a row of frictionPairings");
 }
-inline ContactSurface surface_of(const Bringer& by, double stiffness, double damping, int material) {
+inline ContactSurface surface_of(const ValueSource& by, double stiffness, double damping, int material) {
   return {require(by, "contactStiffness", stiffness, true, "N/m"), require(by, "contactDamping", damping, false, "Ns/m"), require_material(by, material)};
 }
-inline void require_area(const Bringer& by, const std::string& parameter, const Triangle& points) {
+inline void require_area(const ValueSource& by, const std::string& parameter, const Triangle& points) {
   const Vec3<double> area = area_vector(points);
   double longest = 0;
   for (std::size_t i = 0; i < 3; ++i) longest = std::max(longest, dot(points[(i + 1) % 3] - points[i], points[(i + 1) % 3] - points[i]));
@@ -48,7 +48,7 @@ inline void require_area(const Bringer& by, const std::string& parameter, const 
 using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 // Coefficients of friction by rows, symmetric.
-Array friction_argument(const Bringer& by, const py::object& pairings);
+Array friction_argument(const ValueSource& by, const py::object& pairings);
 py::array_t<double> friction_out(const ContactSet& set);
 
 // Settings of the interface that change nothing here; kept to be read again.

@@ -12,7 +12,7 @@
 
 namespace dalembert {
 
-Array friction_argument(const Bringer& by, const py::object& pairings) {
+Array friction_argument(const ValueSource& by, const py::object& pairings) {
   const Array table = Array::ensure(pairings);
   if (!table) PyErr_Clear();
   if (!table || table.ndim() != 2 || table.shape(0) != table.shape(1) || table.shape(0) == 0)
@@ -96,11 +96,11 @@ class Columns {
   Columns(const std::string& where, const py::dict& data, const char* group, std::vector<const char*> names) : where_(where), group_(group) {
     if (!data.contains(group)) return;
     const py::object entries = data[group];
-    if (!py::isinstance<py::dict>(entries)) refuse_value(Bringer::at(where), group, show(entries.ptr()), "a dictionary");
+    if (!py::isinstance<py::dict>(entries)) refuse_value(ValueSource::at(where), group, show(entries.ptr()), "a dictionary");
     const auto given = py::reinterpret_borrow<py::dict>(entries);
     for (const auto& [key, value] : given) {
       const std::string name = py::str(key);
-      if (std::ranges::find(names, name) == names.end()) refuse_value(Bringer::at(where), group_ + "." + name, "an unknown key", "keys " + all(names));
+      if (std::ranges::find(names, name) == names.end()) refuse_value(ValueSource::at(where), group_ + "." + name, "an unknown key", "keys " + all(names));
     }
     for (const char* name : names) {
       Array numbers = given.contains(name) ? Array::ensure(given[name]) : Array();
@@ -108,11 +108,11 @@ class Columns {
       const bool is_points = name == std::string("points");
       if (!given.contains(name) || !numbers || (numbers.size() > 0 && numbers.ndim() != (is_points ? 3 : 1)) ||
           (is_points && numbers.size() > 0 && (numbers.shape(1) != 3 || numbers.shape(2) != 3)))
-        refuse_value(Bringer::at(where), group_ + "." + name, given.contains(name) ? show(py::object(given[name]).ptr()) : "nothing",
+        refuse_value(ValueSource::at(where), group_ + "." + name, given.contains(name) ? show(py::object(given[name]).ptr()) : "nothing",
                      is_points ? "3 points with 3 coordinates for each triangle" : "a list of numbers");
       const std::size_t size = numbers.size() == 0 ? 0 : static_cast<std::size_t>(numbers.shape(0));
       if (columns_.empty()) size_ = size;
-      if (size != size_) refuse_value(Bringer::at(where), group_ + "." + name, "a list of length " + std::to_string(size), "length " + std::to_string(size_) + ", as of " + names[0]);
+      if (size != size_) refuse_value(ValueSource::at(where), group_ + "." + name, "a list of length " + std::to_string(size), "length " + std::to_string(size_) + ", as of " + names[0]);
       columns_.push_back(numbers);
     }
   }
@@ -124,7 +124,7 @@ class Columns {
     if (std::abs(x) <= std::numeric_limits<int>::max() && x == std::floor(x)) return static_cast<int>(x);
     refuse_value(at(i), name, text_of(x), "a whole number");
   }
-  Bringer at(std::size_t i) const { return Bringer::at(where_ + ": " + group_ + "[" + std::to_string(i) + "]"); }
+  ValueSource at(std::size_t i) const { return ValueSource::at(where_ + ": " + group_ + "[" + std::to_string(i) + "]"); }
   // Of the three columns from `first` on; names of the place are made only where they are needed.
   ContactSurface surface(std::size_t first, std::size_t i) const {
     const double stiffness = real(first, i), damping = real(first + 1, i);
@@ -174,7 +174,7 @@ T entry_of(const std::string& where, const py::dict& data, const char* key, cons
   try {
     return py::object(data[key]).cast<T>();
   } catch (const py::cast_error&) {
-    refuse_value(Bringer::at(where), key, show(py::object(data[key]).ptr()), expected);
+    refuse_value(ValueSource::at(where), key, show(py::object(data[key]).ptr()), expected);
   }
 }
 
@@ -186,18 +186,18 @@ std::shared_ptr<ContactSet> set_from(const std::string& where, const py::dict& d
     const std::string name = py::str(key);
     if (std::ranges::find(known, name) != std::end(known)) continue;
     const auto setting = std::ranges::find(kept_settings, name, &KeptSetting::name);
-    if (setting == std::end(kept_settings)) refuse_value(Bringer::at(where), name, "an unknown key", "what GetDictionary() gives");
+    if (setting == std::end(kept_settings)) refuse_value(ValueSource::at(where), name, "an unknown key", "what GetDictionary() gives");
     set->without_effect[name] = entry_of<double>(where, data, setting->name, 0, "a number");
   }
   read_groups(where, data, *set);
   const bool rubs = data.contains("frictionPairings") && py::len(data["frictionPairings"]) > 0;
   if (rubs) {
-    const Array table = friction_argument(Bringer::at(where), data["frictionPairings"]);
+    const Array table = friction_argument(ValueSource::at(where), data["frictionPairings"]);
     set->materials = static_cast<int>(table.shape(0));
     set->friction.assign(table.data(), table.data() + table.size());
   }
   const auto real = [&](const char* key, double& value, bool positive, const char* unit) {
-    value = require(Bringer::at(where), key, entry_of(where, data, key, value, "a number"), positive, unit);
+    value = require(ValueSource::at(where), key, entry_of(where, data, key, value, "a number"), positive, unit);
   };
   real("frictionProportionalZone", set->proportional_zone, true, "m/s");
   real("minRelDistanceSpheresTriangles", set->nearest_relative_distance, false, "1");

@@ -186,7 +186,7 @@ constexpr std::array<std::string_view, 23> TimeIntegrationSettings_rows{
     "simulated seconds per second of real time when simulating in real time: greater than 1 is fast motion, smaller than 1 slow motion",
     "waiting time in microseconds between two looks at the clock when simulating in real time; small values are more accurate and cost more CPU time",
     "relative tolerance of the error control of explicit integrators",
-    "true: mass matrices that do not depend on the state are computed once; false: they are computed anew, for example if masses are changed by user functions",
+    "true: mass matrices that do not depend on the state are computed once, and again when parameters of objects have changed; false: they are computed in every evaluation",
     "true: the solver waits until real time has caught up with the simulated time; it does not wait when it is too slow",
     "time at which the integration starts",
     "sum of numbers that say what a line about a step shows: 1 remaining time, 2 Newton iterations, 4 Jacobians, 8 discontinuous iterations, 16 step size, 32 CPU time, 64 warnings when a step is reduced, 128 increases of the step size, 1024 every step; 0 shows the time only",

@@ -64,7 +64,7 @@ struct OneForceOnly : NoPairHistory, NoPairOutputs, NoConnectorForms {
 static_assert(!PairConnectorKernel<OneForceOnly>);
 
 // ---- constraints --------------------------------------------------------------------------------------------------------
-struct Joint : Holonomic, TurningDirections, NoConstraintOutputs {
+struct Joint : Holonomic, VaryingDirections, NoConstraintOutputs {
   using Parameters = ::Parameters;
   using Port = PointPort;
   static constexpr int equations = 1;

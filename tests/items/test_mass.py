@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 from scenes import BODIES, ITEMS, of_one_coordinate, on_one_frame
 from test_tangent import random_state
 from variants import Variant, variants_about
 
+import dalembert as exu
 from dalembert._core import testing
+from dalembert.utilities import InertiaCuboid
 
 BODY_TYPES = ("Body", "SuperElement", "FiniteElement")
 VARIANTS = [v for item in ITEMS.values() if item.ready and item.object_type in BODY_TYPES for v in variants_about(item)]
@@ -99,3 +103,55 @@ def test_newton_euler(carrier: tuple[str, str]) -> None:
         wanted = np.concatenate([force, moment])
         rows = [0, 1, 5] if kind.planar and kind.frame != "point" else [0, 1] if kind.planar else range(6)
         np.testing.assert_allclose(wrench[rows], wanted[rows], rtol=0, atol=1e-12 * np.abs(wanted).max())
+
+
+def _spinning(node_type: Any, center: list[float]) -> Any:
+    mbs = exu.SystemContainer().AddSystem()
+    mbs.CreateRigidBody(
+        inertia=InertiaCuboid(1000, [0.4, 0.2, 0.1]).Translated(center),
+        nodeType=node_type,
+        initialAngularVelocity=[3, 7, 1],
+        gravity=[0, 0, -9.81],
+    )
+    mbs.Assemble()
+    return mbs
+
+
+@pytest.mark.parametrize(("node", "center", "constant"), [
+    ("RotationRotationVector", [0.0, 0.0, 0.0], True),
+    ("RotationRotationVector", [0.1, 0.0, 0.0], False),
+    ("RotationEulerParameters", [0.0, 0.0, 0.0], False),
+])  # fmt: skip
+def test_spins_about_the_centre_of_mass_have_a_constant_mass_matrix(
+    node: str, center: list[float], constant: bool
+) -> None:
+    mbs = _spinning(getattr(exu.NodeType, node), center)
+    assert testing.constant_mass_matrix(mbs) == constant
+
+
+@pytest.mark.parametrize(("parameter", "value"), [("physicsMass", 30.0), ("physicsCenterOfMass", [0.0, 0.02, 0.0])])
+@pytest.mark.parametrize("solver", [exu.DynamicSolverType.RK44, exu.DynamicSolverType.VelocityVerlet])
+def test_explicit_solvers_notice_other_masses(solver: Any, parameter: str, value: Any) -> None:
+    """A constant matrix that is kept gives what one gives that is made in every evaluation, also after a change."""
+
+    def end(reuse: bool, change: bool) -> np.ndarray:
+        mbs = _spinning(exu.NodeType.RotationRotationVector, [0.0, 0.0, 0.0])
+        mbs.AddLoad(
+            exu.LoadForceVector(markerNumber=mbs.AddMarker(exu.MarkerBodyRigid(bodyNumber=0)), loadVector=[0, 50, 0])
+        )
+
+        def heavier(mbs: Any, t: float) -> bool:
+            if change and t > 0.05:
+                mbs.SetObjectParameter(0, parameter, value)
+            return True
+
+        mbs.SetPreStepUserFunction(heavier)
+        mbs.Assemble()
+        settings = exu.SimulationSettings()
+        settings.timeIntegration.numberOfSteps, settings.timeIntegration.endTime = 100, 0.1
+        settings.timeIntegration.reuseConstantMassMatrix = reuse
+        mbs.SolveDynamic(settings, solverType=solver)
+        return np.concatenate([mbs.systemData.GetODE2Coordinates(), mbs.systemData.GetODE2Coordinates_t()])
+
+    np.testing.assert_allclose(end(True, True), end(False, True), rtol=0, atol=1e-14 * np.abs(end(False, True)).max())
+    assert np.abs(end(True, True) - end(True, False)).max() > 1e-3

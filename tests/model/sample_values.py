@@ -30,6 +30,7 @@ CHECKED: dict[str, Any] = {
     "rotation": [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]],
     "orthogonal": [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]],
     "unit_vector": [0.0, 0.6, 0.8],
+    "color": [0.5, 0.0, 1.0, 0.25],
 }
 
 
@@ -123,6 +124,7 @@ _BY_CHECK: dict[str, dict[str, Any]] = {
     "rotation": _NO_ROTATION | {"mirrored": np.diag([1.0, 1.0, -1.0])},
     "orthogonal": _NO_ROTATION,
     "unit_vector": {"too long": [0.0, 0.0, 2.0], "almost of length 1": [0.0, 0.707, 0.707]},
+    "color": {"of bytes": [255.0, 128.0, 0.0, 255.0], "negative green": [0.5, -0.5, 0.0, 1.0]},
 }
 HUGE = 2**40  # more than an int holds
 TOO_LARGE = 10**400  # more than a double holds

@@ -258,7 +258,7 @@ DYNAMIC: dict[str, Case] = {
     "realtimeFactor": Case(1e6, waits_longer_than(0.05), given=REAL_TIME),
     "realtimeWaitMicroseconds": Case(300_000, waits_longer_than(0.2), given={**REAL_TIME, "endTime": 0.01}),
     "relativeTolerance": Case(1e-2, steps, solver=CONTROLLED, given={"absoluteTolerance": 1e-12}),
-    "reuseConstantMassMatrix": Case(False, motion, models.growing, solver="RK44"),
+    "reuseConstantMassMatrix": Case(False, says("massMatrix"), solver="RK44", given=MEASURED),
     "simulateInRealtime": Case(True, waits_longer_than(0.05), given=MEASURED),
     "startTime": Case(0.5, times),
     "stepSizeMaxIncrease": Case(1.1, steps, solver=CONTROLLED, given={"initialStepSize": 1e-4}),

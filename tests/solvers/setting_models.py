@@ -347,18 +347,6 @@ def following_load() -> Any:
     return assembled(model)
 
 
-def growing() -> Any:
-    """The mass changes while it moves."""
-    model = spring()
-
-    def grow(mbs: Any, t: float) -> bool:
-        mbs.SetObjectParameter(0, "physicsMass", 2.0 + t)
-        return True
-
-    model.mbs.SetPreStepUserFunction(grow)
-    return assembled(model)
-
-
 def accelerated() -> Any:
     mbs = oscillation()
     mbs.systemData.SetODE2Coordinates_tt([3.0], configuration=exu.ConfigurationType.Initial)

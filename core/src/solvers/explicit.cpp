@@ -120,10 +120,15 @@ bool ExplicitSolver::prepare_factors() {
   const LinearSolverOptions options{.pivot_threshold = l.pivotThreshold, .ignore_singular = l.ignoreSingularJacobian};
   if (constrained_) motion_.prepare(system(), linear_type(), options, settings().redundantConstraints);
   mass_.prepare(system(), linear_type(), options);
+  renewed_objects_ = system().renewed_objects();
   constant_mass_ = !constrained_ && system().constant_mass_matrix() && settings().timeIntegration.reuseConstantMassMatrix;
-  if (!constant_mass_) return true;
+  return !constant_mass_ || update_masses();
+}
+
+bool ExplicitSolver::update_masses() {
+  const TimedPart time(timer, timer.massMatrix);
   const int row = mass_.update(system(), current());
-  if (row != LinearSolver::success) mass_failed(row);
+  if (row != LinearSolver::success) [[unlikely]] mass_failed(row);
   return row == LinearSolver::success;
 }
 
@@ -395,17 +400,13 @@ void ExplicitSolver::rates(Vector& y_t) {
 
 bool ExplicitSolver::accelerations(Vector& a, std::span<double> y_t) {
   if (constrained_) return constrained_accelerations(a, y_t);
-  if (!constant_mass_) {
-    const TimedPart time(timer, timer.massMatrix);
-    if (const int row = mass_.update(system(), current()); row != LinearSolver::success) {
-      mass_failed(row);
-      return false;
-    }
-  }
+  if (!constant_mass_ && !update_masses()) return false;
   {
     const TimedPart time(timer, timer.ODE2RHS);
     system().right_hand_sides(current(), conditions_, a, y_t);
   }
+  if (constant_mass_ && renewed_objects_ != system().renewed_objects()) [[unlikely]]
+    if (!prepare_factors() || !(constant_mass_ || update_masses())) return false;
   const TimedPart time(timer, timer.newtonIncrement);
   if (const int row = mass_.solve(system(), current(), a); row != LinearSolver::success) [[unlikely]] {
     mass_failed(row);

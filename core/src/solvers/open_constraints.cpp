@@ -142,7 +142,7 @@ std::string listed(const std::vector<OpenConstraint>& open, const System& system
 // A static solver closes gaps, which may well be what it is asked to do.
 void Solver::check_constraints() {
   const auto& s = settings_->initialConditions;
-  if (!s.checkConstraints || sizes_.ae == 0 || !obeys_constraints()) return;
+  if (!s.checkConstraints || sizes_.ae == 0 || !enforces_constraints()) return;
   const auto open = open_constraints(*system_, current(), conditions_, {s.positionTolerance, s.velocityTolerance, !is_static()});
   if (open.empty()) return;
   const bool any_rate = std::ranges::any_of(open, &OpenConstraint::of_rate), any_gap = !std::ranges::all_of(open, &OpenConstraint::of_rate);

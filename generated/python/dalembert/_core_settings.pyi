@@ -395,7 +395,7 @@ class TimeIntegrationSettings(_Settings):
     relativeTolerance: float
     """relative tolerance of the error control of explicit integrators [1; from 0 to 1]; default: 1e-08"""
     reuseConstantMassMatrix: bool
-    """true: mass matrices that do not depend on the state are computed once; false: they are computed anew, for example if masses are changed by user functions; default: True"""
+    """true: mass matrices that do not depend on the state are computed once, and again when parameters of objects have changed; false: they are computed in every evaluation; default: True"""
     simulateInRealtime: bool
     """true: the solver waits until real time has caught up with the simulated time; it does not wait when it is too slow; default: False"""
     startTime: float

@@ -20,6 +20,7 @@ _LEAST_SHIFT = 1e-7  # the square of this is above round-off, so that they still
 _ITERATIONS = 30
 _BALANCE = 1e-10  # residual, relative to the largest one that Newton's method has met
 _ROUND_OFF = 1e3 * np.finfo(float).eps
+_BASIS = 4  # vectors of Arnoldi's method per eigenvalue: two do not always tell pairs of equal size apart
 _RESTARTS = 30  # of Arnoldi's method, which takes a few where the shift is good
 _LAST_DIGITS = 8  # by sums in elements, and by factors
 _DROWNED, _RIGID = 0.1, 0.01  # uncertainties, relative to eigenvalues of their own, and to the smallest elastic one
@@ -275,7 +276,7 @@ def _nearest(M: Any, G: Any, K: Any, count: int, shift: float) -> tuple[ComplexA
         # what starts in the range of the operator fulfils the constraints
         first = inverse(np.random.default_rng(1).normal(size=2 * n)).ravel()
         try:
-            inverses, vectors = eigs(operator, k=wanted, v0=first, maxiter=_RESTARTS)
+            inverses, vectors = eigs(operator, k=wanted, ncv=min(_BASIS * wanted, 2 * n), v0=first, maxiter=_RESTARTS)
         except ArpackNoConvergence:
             return None
     finite = np.abs(inverses) > _INFINITE * np.abs(inverses).max()

@@ -205,7 +205,7 @@ class PortBatch final : public Term {
     return true;
   }
 
-  // Connectors with user functions have no law; what is switched off obeys one that gives no force.
+  // Connectors with user functions have no law; what is switched off has one that gives no force.
   void take_law(int entry) requires SpanLawConnector<K> {
     const typename K::Parameters& p = entries_[entry].parameters;
     if (!has_closed_form(p)) spans_.drop_law(entry);

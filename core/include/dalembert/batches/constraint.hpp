@@ -52,7 +52,7 @@ class ConstraintBatch final : public Term {
       for (int k = 0; k < m; ++k) rows[k] = e.first_row + k;
       visitor.block(rows, dofs);
       visitor.mirror(rows, dofs);  // multipliers, in the rows of the coordinates
-      const auto turns = turning(ports, e);
+      const auto turns = varying_reaction(ports, e);
       for (std::size_t i = 0; i < dofs.size(); ++i)
         for (std::size_t j = 0; j < dofs.size(); ++j)
           turns[i] && turns[j] ? visitor.entry(dofs[i], dofs[j]) : visitor.zero();
@@ -243,7 +243,7 @@ class ConstraintBatch final : public Term {
 
   // Which coordinates of the markers vary the reaction: of a joint along fixed directions, those that turn a frame,
   // of a linear one, none.
-  static std::vector<bool> turning(const Ports& ports, const Entry& e) {
+  static std::vector<bool> varying_reaction(const Ports& ports, const Entry& e) {
     std::vector<bool> turns;
     for (const int marker : e.markers) {
       const PortLayout& port = ports.ports[marker];

@@ -69,7 +69,14 @@ class ElementBatch : public Term {
                                                         : add_tangent(entries_[i], call.evaluation, call.weights, slots_of(i), call.sums);
   }
   bool has_mass() const override { return n > 0; }
-  bool constant_mass() const override { return E::traits.constant_mass; }
+  // Where rates are spins, only the lever of a centre of mass turns.
+  bool constant_mass() const override {
+    if constexpr (RotatingBodyElement<E>) {
+      if constexpr (LieKernel<typename E::OwnRotation> && E::Kernel::traits.constant_mass)
+        return std::ranges::none_of(entries_, [](const Entry& e) { return E::Kernel::mass_properties(e.parameters).eccentric(); });
+    }
+    return E::traits.constant_mass;
+  }
 
   bool motion(int entry, const Evaluation& evaluation, const Vec3<double>& local, Motion<double>& m) const override {
     const Entry& e = entries_[entry];
@@ -255,7 +262,7 @@ class ElementBatch : public Term {
   // All that the loop over lanes reads of an element whose law it knows.
   struct Lane {
     std::array<int, ElementBatch::fours> fours{};  // where they begin among the coordinates
-    bool like_previous = false;      // obeys the law of the element before
+    bool like_previous = false;      // its law is that of the element before
   };
   std::vector<Lane> lanes_;
 };

@@ -176,7 +176,7 @@ concept RotatingElement = requires { requires !std::is_void_v<typename E::OwnRot
 template <class E>
 concept RotatingBodyElement = RotatingElement<E> && RotatingBody<typename E::Kernel>;
 
-// Elements that obey the same law may be computed as lanes (math/pack.hpp): residual and tangent are templates over them.
+// Elements of the same law may be computed as lanes (math/pack.hpp): residual and tangent are templates over them.
 // The coordinates of a node, four or more, lie side by side.
 template <class E>
 concept LaneKernel = requires(const typename E::Parameters& p, const typename PreparedOf<E>::Type& k) {

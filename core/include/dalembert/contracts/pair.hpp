@@ -73,7 +73,7 @@ struct ConstrainsAll {
 struct Holonomic {
   static constexpr bool nonholonomic = false;
 };
-struct TurningDirections {
+struct VaryingDirections {
   static constexpr bool fixed_directions = false;
 };
 struct NoConstraintOutputs {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -21,7 +22,7 @@ class ExplicitSolver : public Solver {
  public:
   std::string name() const override;
   bool controls_step_size() const override { return method_.controls_step_size(); }
-  bool obeys_constraints() const override { return settings().timeIntegration.explicitIntegration.eliminateConstraints; }
+  bool enforces_constraints() const override { return settings().timeIntegration.explicitIntegration.eliminateConstraints; }
   const RedundantConstraints& redundant_constraints() const { return motion_.redundant(); }
   double largest_misfit() const { return motion_.largest_misfit(); }
   int method_order() const { return verlet_ ? 2 : method_.order; }
@@ -101,6 +102,7 @@ class ExplicitSolver : public Solver {
   bool is_good(const Vector& a, std::span<const double> y_t);
   Vibration fastest_at_start();
   double amplification_of(const Vibration& vibration, double step_size) const;
+  bool update_masses();
   void mass_failed(int row);
   void announce_mass_matrix();
 
@@ -109,6 +111,7 @@ class ExplicitSolver : public Solver {
   std::vector<StageWeights> rows_;  // of the coefficients
   StageWeights result_, second_, third_;  // of the solution, and of those that it is compared with
   bool verlet_ = false, lie_ = false, constant_mass_ = false;
+  std::uint64_t renewed_objects_ = 0;  // when the factors of the mass matrix were made
   // What was computed at the end of a step is the first stage of the next, if nobody changes the system in between.
   bool nobody_interferes_ = false, end_known_ = false, first_stage_known_ = false;
   int stiff_signs_ = 0, calm_signs_ = 0;  // in the last steps

@@ -89,7 +89,7 @@ class Solver {
   virtual bool is_static() const { return false; }
   virtual std::string name() const = 0;
   virtual bool controls_step_size() const { return false; }
-  virtual bool obeys_constraints() const { return true; }
+  virtual bool enforces_constraints() const { return true; }
   virtual double load_factor() const { return 1; }
   double end_time() const;
 
@@ -117,7 +117,7 @@ class Solver {
   SolverConvergenceData conv;
   SolverOutputData output;
   SolverTimer timer;
-  NewtonSettings newton_settings;       // of staticSolver or timeIntegration, whichever this solver obeys
+  NewtonSettings newton_settings;       // of staticSolver or timeIntegration, whichever this solver has
   DiscontinuousSettings discontinuous;
 
  protected:

@@ -100,6 +100,7 @@ class System {
   // M(q) alone, in the leading ode2 x ode2 block of `pattern`; everything else zero.
   void mass_matrix(const State& state, const Pattern& pattern, std::span<double> values);
   bool constant_mass_matrix() const;
+  std::uint64_t renewed_objects() const;  // grown: one has other parameters now
   // Generalised forces Q of  M a = Q, without constraint forces; rhs has sizes().ode2 entries. For explicit integrators.
   void forces(const State& state, const Conditions& conditions, std::span<double> rhs);
   // ODE1 right-hand side only; sizes().ode1 entries.

@@ -10,7 +10,7 @@
 
 namespace dalembert {
 
-struct ObjectConnectorCoordinate : ConstrainsAll, Holonomic, TurningDirections {
+struct ObjectConnectorCoordinate : ConstrainsAll, Holonomic, VaryingDirections {
   using Parameters = ObjectConnectorCoordinateParameters;
   using Port = ScalarPort;
   static constexpr ConstraintForms closed_forms{.gap_rate = true, .reaction = true, .linear = true};

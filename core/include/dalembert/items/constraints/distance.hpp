@@ -9,7 +9,7 @@
 
 namespace dalembert {
 
-struct ObjectConnectorDistance : ConstrainsAll, Holonomic, TurningDirections {
+struct ObjectConnectorDistance : ConstrainsAll, Holonomic, VaryingDirections {
   using Parameters = ObjectConnectorDistanceParameters;
   using Port = PointPort;
   static constexpr ConstraintForms closed_forms{.reaction = true};

@@ -10,7 +10,7 @@
 
 namespace dalembert {
 
-struct ObjectJointGeneric : Holonomic, TurningDirections {
+struct ObjectJointGeneric : Holonomic, VaryingDirections {
   using Parameters = ObjectJointGenericParameters;
   using Port = RigidPort;
   static constexpr ConstraintForms closed_forms{.reaction = true, .table = true};

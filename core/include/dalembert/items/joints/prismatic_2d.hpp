@@ -7,7 +7,7 @@
 
 namespace dalembert {
 
-struct ObjectJointPrismatic2D : Holonomic, TurningDirections, NoConstraintOutputs {
+struct ObjectJointPrismatic2D : Holonomic, VaryingDirections, NoConstraintOutputs {
   using Parameters = ObjectJointPrismatic2DParameters;
   using Port = RigidPort;
   static constexpr ConstraintForms closed_forms{.reaction = true};

@@ -8,7 +8,7 @@
 
 namespace dalembert {
 
-struct ObjectJointPrismaticX : JointOfTable<ObjectJointPrismaticX>, ConstrainsAll, Holonomic, TurningDirections {
+struct ObjectJointPrismaticX : JointOfTable<ObjectJointPrismaticX>, ConstrainsAll, Holonomic, VaryingDirections {
   using Parameters = ObjectJointPrismaticXParameters;
   using Port = RigidPort;
   static constexpr ConstraintForms closed_forms{.reaction = true, .table = true};

@@ -9,7 +9,7 @@
 
 namespace dalembert {
 
-struct ObjectJointRevolute2D : ConstrainsAll, Holonomic, TurningDirections, NoConstraintOutputs {
+struct ObjectJointRevolute2D : ConstrainsAll, Holonomic, VaryingDirections, NoConstraintOutputs {
   using Parameters = ObjectJointRevolute2DParameters;
   using Port = PointPort;
   static constexpr ConstraintForms closed_forms{.gap_rate = true, .reaction = true, .linear = true};

@@ -7,7 +7,7 @@
 
 namespace dalembert {
 
-struct ObjectJointRollingDisc : TurningDirections, NoConstraintForms {
+struct ObjectJointRollingDisc : VaryingDirections, NoConstraintForms {
   using Parameters = ObjectJointRollingDiscParameters;
   using Port = RigidPort;
   static constexpr int equations = 3;
