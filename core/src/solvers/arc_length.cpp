@@ -34,6 +34,7 @@ StaticSolver::~StaticSolver() = default;
 
 void StaticSolver::begin_path() {
   path_.reset();
+  path_ends_ = nullptr;
   singular_points_.clear();
   const auto& s = settings().staticSolver;
   least_initial_residual_ = 0;
@@ -44,6 +45,7 @@ void StaticSolver::begin_path() {
   if (continues()) refuse("continuation.restartFileName; restart files do not have the direction of the path. Start from the initial values.");
   if (sizes_.ode2 == 0) refuse("a system without second order coordinates, whose displacements give the length.");
   path_ = std::make_unique<Path>();
+  path_ends_ = &path_->at_end;
 }
 
 // A step that follows another one takes over what was found at the end of that.
@@ -178,8 +180,6 @@ bool StaticSolver::discontinuous_iteration() {
   }
   return true;
 }
-
-bool StaticSolver::ends_here() const { return path_ ? path_->at_end : Solver::ends_here(); }
 
 bool StaticSolver::writes_each_step() const { return path_ != nullptr; }
 

@@ -236,7 +236,7 @@ bool Solver::end_with_event() {
   return true;
 }
 
-bool Solver::event_reached() const { return watch_ && !watch_->events.empty(); }
+bool Solver::event_reached() const { return !watch_->events.empty(); }
 
 // At the end of a step, which has been written: actions of the user, and a new start from the state that they leave.
 [[gnu::noinline]] void Solver::act_on_events() {

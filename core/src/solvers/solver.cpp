@@ -303,7 +303,7 @@ void Solver::begin_step() {
 void Solver::step_succeeded() {
   step_completed_ = true;
   if (!silent_) finish_step(true);
-  if (event_reached()) [[unlikely]] act_on_events();
+  if (watch_ && event_reached()) [[unlikely]] act_on_events();
   ++steps_since_reduction_;
   if (steps_since_reduction_ >= recovery_steps() && it.newtonSteps + it.discontinuousIteration <= recovery_iterations()) {
     const double before = it.currentStepSize;

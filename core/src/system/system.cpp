@@ -130,7 +130,7 @@ void System::refresh(const Model& model) {
         if (parts.nodes[i].sizes.ode2 == 0) tell_markers(kind, number, record.get());
         break;
       case ItemKind::object:
-        ++parts.renewed_objects;
+        ++renewed_objects_;
         parts.objects[i].record = record;
         complete(parts.objects[i], number);
         parts.objects[i].member.batch->refresh(parts.objects[i].member.entry, parts.objects[i].record.get());
@@ -189,7 +189,6 @@ bool System::renew_sensors(const Model& model) {
 bool System::constant_mass_matrix() const {
   return std::ranges::none_of(parts_->terms, [](const auto& term) { return term->has_mass() && !term->constant_mass(); });
 }
-std::uint64_t System::renewed_objects() const { return parts_->renewed_objects; }
 bool System::has_lie_nodes() const { return !parts_->lie_blocks.empty(); }
 std::span<const System::LieBlock> System::lie_blocks() const { return parts_->lie_blocks; }
 std::span<const double> System::static_signs() const { return parts_->static_signs; }

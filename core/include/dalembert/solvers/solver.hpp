@@ -180,7 +180,7 @@ class Solver {
   // Adds the largest of the numbers, with the items of their rows; the list stays short and begins with the largest.
   void add_largest(std::vector<NamedValue>& list, std::span<const double> numbers, const char* vector, int first_row) const;
   // Whether the step that has been solved is the last one.
-  virtual bool ends_here() const { return it.currentTime >= it.endTime - 1e-6 * it.lastStepSize; }
+  bool ends_here() const { return path_ends_ ? *path_ends_ : it.currentTime >= it.endTime - 1e-6 * it.lastStepSize; }
   // Times that may fall leave no other choice.
   virtual bool writes_each_step() const { return false; }
   virtual void advise_on_growth();  // adds what to do about it
@@ -197,6 +197,7 @@ class Solver {
   // Asks the hooks whether to stop; called where a few milliseconds may have passed.
   void poll_interrupt();
 
+  const bool* path_ends_ = nullptr;  // of a path that does not end at a time
   Sizes sizes_;
   Conditions conditions_;
   Diagnosis diagnosis_;

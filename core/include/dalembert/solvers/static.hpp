@@ -43,7 +43,6 @@ class StaticSolver : public NewtonSolver {
   int recovery_steps() const override { return settings().staticSolver.adaptiveStepRecoverySteps; }
   int recovery_iterations() const override { return settings().staticSolver.adaptiveStepRecoveryIterations; }
 
-  bool ends_here() const override;
   bool writes_each_step() const override;
 
  private:

@@ -193,7 +193,6 @@ struct SystemParts {
   std::vector<UnitVector> unit_vectors;
   Ports ports;
   std::vector<double> static_signs;  // of the algebraic variables
-  std::uint64_t renewed_objects = 0;
   bool has_history = false;         // of items, and of terms that explicit integration searches for as well
   bool has_direct_history = false;  // of terms that it does not
 

@@ -100,7 +100,7 @@ class System {
   // M(q) alone, in the leading ode2 x ode2 block of `pattern`; everything else zero.
   void mass_matrix(const State& state, const Pattern& pattern, std::span<double> values);
   bool constant_mass_matrix() const;
-  std::uint64_t renewed_objects() const;  // grown: one has other parameters now
+  std::uint64_t renewed_objects() const { return renewed_objects_; }  // grown: one has other parameters now
   // Generalised forces Q of  M a = Q, without constraint forces; rhs has sizes().ode2 entries. For explicit integrators.
   void forces(const State& state, const Conditions& conditions, std::span<double> rhs);
   // ODE1 right-hand side only; sizes().ode1 entries.
@@ -225,6 +225,7 @@ class System {
   Sizes sizes_;
   bool assembled_ = false;
   std::uint64_t version_ = 0;
+  std::uint64_t renewed_objects_ = 0;
   const Model* late_ = nullptr;       // whose changes the next evaluation takes over
   const State* evaluated_ = nullptr;  // whose marker frames and forces the ports hold
   int evaluations_ = 0;
