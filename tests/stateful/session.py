@@ -63,6 +63,7 @@ NAMED = (
     "the system",
     "nonlinear static",
     "implicit second order",
+    "diagonally implicit",
     "explicit",
 )
 

@@ -68,9 +68,11 @@ Verdict judge_unit_vector(const Vec3<double>& v) {
 
 Verdict judge_color(const Vec<double, 4>& v) {
   constexpr double rounding = 1e-6;  // of numbers that were kept in single precision
+  constexpr double first_material = 1000, last_material = 1999;  // in the place of the opacity: dalembert.graphics.material
   if (v[0] < 0) return {};
   constexpr std::array<const char*, 4> names{"red", "green", "blue", "opacity"};
-  for (std::size_t i = 0; i < names.size(); ++i)
+  const bool is_material = v[3] >= first_material && v[3] <= last_material && v[3] == std::floor(v[3]);
+  for (std::size_t i = 0; i < (is_material ? 3 : names.size()); ++i)
     if (v[i] < 0 || v[i] > 1 + rounding) return {Fit::wrong, "Its " + std::string(names[i]) + " is " + number(v[i]) + "."};
   return {};
 }
