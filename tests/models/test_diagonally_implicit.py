@@ -11,7 +11,7 @@ from governor_reference import heights_of_slider
 from solving import Solver, Variable, new_system, orders, self_orders, settings
 from test_andrews import END, Squeezer, angles
 from test_bricard import Bricard
-from test_explicit_joints import largest_gap, tolerances
+from test_explicit_joints import carried_mass, largest_gap, tolerances
 from test_governor import Governor
 from test_orders import ROTATING, elastic_pendulum, exact, final, tumbling
 
@@ -124,18 +124,7 @@ def test_steps_do_not_feel_stiffness_that_has_died(stiffness: float) -> None:
 
 
 def test_a_driven_constraint() -> None:
-    """A mass that is carried along x = sin(3 t) / 2; the multiplier is the force that this takes."""
-    mbs = new_system()
-    ground = mbs.AddNode(exu.NodePointGround())
-    node = mbs.AddNode(exu.NodePoint2D(referenceCoordinates=[0, 0], initialVelocities=[1.5, 0]))
-    mbs.AddObject(exu.MassPoint2D(nodeNumber=node, physicsMass=2.0))
-    markers = [mbs.AddMarker(exu.MarkerNodeCoordinate(nodeNumber=n, coordinate=0)) for n in (ground, node)]
-    mbs.AddObject(
-        exu.CoordinateConstraint(
-            markerNumbers=markers, offsetUserFunction=lambda mbs, t, number, offset: 0.5 * np.sin(3 * t)
-        )
-    )
-    mbs.Assemble()
+    mbs, node = carried_mass()
     mbs.SolveDynamic(equal_steps(1, 50), solverType=METHOD)
     assert mbs.GetNodeOutput(node, Variable.Position)[0] == pytest.approx(0.5 * np.sin(3), abs=1e-9)
     assert abs(mbs.systemData.GetAECoordinates()[0]) == pytest.approx(9 * np.sin(3), abs=1e-5)

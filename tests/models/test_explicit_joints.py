@@ -85,8 +85,8 @@ def test_orders(method: Any, order: int, steps: int) -> None:
     assert np.log2(error(steps) / error(2 * steps)) > order - 0.5
 
 
-def test_a_driven_constraint() -> None:
-    """A mass that is carried along x = sin(3 t) / 2: the multiplier is the force that this takes."""
+def carried_mass() -> tuple[Any, Any]:
+    """System and node of a mass that is carried along x = sin(3 t) / 2: the multiplier is the force that this takes."""
     mbs = new_system()
     ground = mbs.AddNode(exu.NodePointGround())
     node = mbs.AddNode(exu.NodePoint2D(referenceCoordinates=[0, 0], initialVelocities=[1.5, 0]))
@@ -98,6 +98,11 @@ def test_a_driven_constraint() -> None:
         )
     )
     mbs.Assemble()
+    return mbs, node
+
+
+def test_a_driven_constraint() -> None:
+    mbs, node = carried_mass()
     mbs.SolveDynamic(settings(1, 200), solverType=Solver.RK44)
     assert mbs.GetNodeOutput(node, Variable.Position)[0] == pytest.approx(0.5 * np.sin(3), abs=1e-9)
     assert mbs.GetNodeOutput(node, Variable.Velocity)[0] == pytest.approx(1.5 * np.cos(3), abs=1e-6)
