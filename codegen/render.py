@@ -58,12 +58,13 @@ def fill(template: str, **context: Any) -> str:
     return _BLANK_LINES.sub("\n\n", text).rstrip("\n") + "\n" if template.endswith(".rst.j2") else text
 
 
-def holes(env: Environment, template: str) -> set[str]:
+@cache
+def holes(env: Environment, template: str) -> frozenset[str]:
     """Names that a template, or one that it extends, needs values for."""
     assert env.loader is not None
     parsed = env.parse(env.loader.get_source(env, template)[0])
     above = (holes(env, name) for name in meta.find_referenced_templates(parsed) if name)
-    return set(meta.find_undeclared_variables(parsed)).union(*above)
+    return frozenset(meta.find_undeclared_variables(parsed)).union(*above)
 
 
 def render(specs: Specs) -> dict[str, str]:

@@ -127,7 +127,7 @@ GENERAL: dict[str, Case] = {
     "redundantConstraints.largestMisfit": Case(1e-2, solved, models.contradictory),
     "redundantConstraints.momentLength": Case(20.0, motion, models.door),
     "redundantConstraints.treat": Case(False, solved, models.redundant),
-    "linearSolverChoice.automatic": Case(False, says("linear solver: sparse"), models.long_chain, LOUD_DYNAMICS),
+    "linearSolverChoice.automatic": Case(False, says("linear solver: sparse"), models.chain, LOUD_DYNAMICS),
     "stepSizeControl.implicitSolvers": Case(True, steps),
     "parallel.numberOfThreads": Case(
         2, lambda run: run.threads, models.long_chain, {"linearSolverType": exu.LinearSolverType.EigenSparse}

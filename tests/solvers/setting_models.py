@@ -232,11 +232,11 @@ def everything() -> Any:
     return assembled(model)
 
 
-def long_chain() -> Any:
-    """Enough points for two threads."""
+def chain(points: int = 100) -> Any:
+    """Enough points for a sparse solver."""
     mbs = exu.SystemContainer().AddSystem()
     before = mbs.AddMarker(exu.MarkerBodyPosition(bodyNumber=mbs.AddObject(exu.ObjectGround())))
-    for i in range(1500):
+    for i in range(points):
         node = mbs.AddNode(exu.NodePoint(referenceCoordinates=[i + 1.0, 0, 0]))
         mbs.AddObject(exu.ObjectMassPoint(nodeNumber=node, physicsMass=1))
         marker = mbs.AddMarker(exu.MarkerNodePosition(nodeNumber=node))
@@ -245,6 +245,11 @@ def long_chain() -> Any:
     mbs.AddSensor(SensorNode(nodeNumber=node, storeInternal=True, outputVariableType=Variable.Displacement))
     mbs.Assemble()
     return mbs
+
+
+def long_chain() -> Any:
+    """Enough points for two threads."""
+    return chain(1500)
 
 
 def _with_verdicts(verdict: Callable[[list[float]], list[float]]) -> Any:

@@ -39,8 +39,11 @@ Point unpacked(std::uint32_t normal) {
   return {x, y, -std::sqrt(std::max(0.0f, 1 - x * x - y * y))};
 }
 
-// The first sample whose middle is at or behind `x`, within 0 and `end`.
-int first_sample(float x, int end) { return static_cast<int>(std::clamp(std::ceil(x - 0.5f), 0.0f, static_cast<float>(end))); }
+// Points that are nowhere, or too far away for numbers of a picture, have no place in it.
+bool is_finite(Point a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
+
+// The first sample whose middle is at or behind `x`, within 0 and `end`; 0 if `x` is not a number.
+int first_sample(float x, int end) { return x > 0.5f ? static_cast<int>(std::min(std::ceil(x - 0.5f), static_cast<float>(end))) : 0; }
 
 }  // namespace
 
@@ -262,6 +265,7 @@ void Picture::cover(const std::array<Vertex, 3>& v, const Plan& plan, std::int32
 }
 
 void Picture::add(const std::array<Vertex, 3>& v, std::int32_t item) {
+  if (!std::ranges::all_of(v, [](const Vertex& corner) { return is_finite(corner.place); })) return;
   const float opacity = v[0].paint.a / v[0].weight;
   if (opacity < 0.999f) {
     if (opacity > 0.001f) sheets_.push_back({v, v[0].place.z + v[1].place.z + v[2].place.z, item});
@@ -301,6 +305,7 @@ void Picture::spheres(std::span<const double> centers, std::span<const double> r
     const std::uint32_t color = packed(Paint{rgb[0], rgb[1], rgb[2], 1}) | to_be_lit;
     const Vertex middle = project({c, {}, {}});
     const float size = scale_ * middle.weight * r, cx = middle.place.x, cy = middle.place.y;
+    if (!is_finite(middle.place) || !std::isfinite(size)) continue;
     const int end = first_sample(cy + size, rows_);
     for (int row = first_sample(cy - size, rows_); row < end; ++row) {
       const float dy = (static_cast<float>(row) + 0.5f - cy) / size, chord = std::sqrt(std::max(0.0f, 1 - dy * dy)) * size;
@@ -363,6 +368,7 @@ void Picture::lines(std::span<const double> segments, std::span<const float> col
       const float z = ends[k].z - static_cast<float>(lift);
       places[k].z = nearness(z, 1 / std::max(1 + perspective_ * z, 0.01f));
     }
+    if (!is_finite(places[0]) || !is_finite(places[1])) continue;
     const float* c = colors.data() + 4 * i;
     const std::uint32_t color = packed(Paint{c[0], c[1], c[2], 1});
     walk(places[0], places[1], half, [&](std::size_t k, float n) {

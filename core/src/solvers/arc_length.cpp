@@ -25,7 +25,7 @@ constexpr int most_trials = 40;
 // At a limit point, the load stands still in comparison with the start of the step.
 constexpr double standstill = 1e-4;
 
-double norm(std::span<const double> x) { return std::sqrt(dot(x, x)); }
+double norm(std::span<const double> x) { return std::sqrt(dalembert::dot(x, x)); }
 
 }  // namespace
 

@@ -182,9 +182,9 @@ class Workplace {
 };
 
 // One thread's workplaces for variations that take their steps together.
-class Group {
+class Workplaces {
  public:
-  Group(const Ensemble& ensemble, const Model& model, const State& initial, const std::atomic<bool>& stop)
+  Workplaces(const Ensemble& ensemble, const Model& model, const State& initial, const std::atomic<bool>& stop)
       : make_workplace_([&] { return std::make_unique<Workplace>(ensemble, model, initial, stop); }) {}
 
   // Variations from `first` on, into their results.
@@ -267,10 +267,10 @@ class Crew {
  private:
   void work(const Ensemble& ensemble, const Model& model, const State& initial) {
     try {
-      Group group(ensemble, model, initial, stop_);
+      Workplaces workplaces(ensemble, model, initial, stop_);
       for (int i = next_.fetch_add(at_once_); i < ensemble.variations && !stop_; i = next_.fetch_add(at_once_)) {
         const int count = std::min(at_once_, ensemble.variations - i);
-        group.solve(i, std::span(results).subspan(static_cast<std::size_t>(i), static_cast<std::size_t>(count)));
+        workplaces.solve(i, std::span(results).subspan(static_cast<std::size_t>(i), static_cast<std::size_t>(count)));
       }
     } catch (...) {
       fail(std::current_exception());

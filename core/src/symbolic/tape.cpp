@@ -12,7 +12,7 @@ namespace {
 
 using Moving = Dual<1, double>;
 
-double of_one(Op op, double x) {
+double value_of_one(Op op, double x) {
   switch (op) {
     case Op::absolute: return std::abs(x);
     case Op::sign: return x > 0 ? 1 : x < 0 ? -1 : 0;
@@ -62,8 +62,8 @@ double slope_of_one(Op op, double x, double y) {
   }
 }
 
-Moving of_one(Op op, const Moving& x) {
-  Moving r(of_one(op, x.value));
+Moving value_of_one(Op op, const Moving& x) {
+  Moving r(value_of_one(op, x.value));
   r.d[0] = slope_of_one(op, x.value, r.value) * x.d[0];
   return r;
 }
@@ -84,7 +84,7 @@ Moving modulo(const Moving& x, const Moving& y) {
 }
 
 template <class S>
-S of_two(Op op, const S& x, const S& y) {
+S value_of_two(Op op, const S& x, const S& y) {
   using std::atan2;
   const double u = value_of(x), v = value_of(y);
   switch (op) {
@@ -146,7 +146,7 @@ void run(std::span<const Instruction> instructions, S* x) {
       case Op::vector_matrix:
       case Op::matrix_matrix: multiply(a, b, out, at.n, at.m, at.k); break;
       default:
-        *out = at.op >= Op::divide && at.op <= Op::greater_equal ? of_two(at.op, *a, *b) : of_one(at.op, *a);
+        *out = at.op >= Op::divide && at.op <= Op::greater_equal ? value_of_two(at.op, *a, *b) : value_of_one(at.op, *a);
     }
   }
 }

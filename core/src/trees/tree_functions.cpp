@@ -13,10 +13,10 @@ namespace {
 
 // A group of states side by side, and the room for its recursions.
 template <int N>
-struct Group {
+struct States {
   using S = Pack<N>;
 
-  explicit Group(const Tree& tree)
+  explicit States(const Tree& tree)
       : tree(tree), links(tree.links.size()), q(links), v(links), a(links), x(links), places(links), masses(links), motions(links), wrenches(links) {}
 
   // Lanes beyond the last state repeat it.
@@ -78,7 +78,7 @@ struct Group {
 template <class F>
 void each_group(const Tree& tree, std::size_t states, const F& f) {
   in_lanes([&]<int N>() {
-    Group<N> group(tree);
+    States<N> group(tree);
     for (std::size_t first = 0; first < states; first += N) {
       group.begin(first, states);
       f(group);
@@ -99,7 +99,7 @@ void TreeFunctions::inverse_dynamics(std::size_t states, const double* q, const 
 
 int TreeFunctions::forward_dynamics(std::size_t states, const double* q, const double* v, const double* forces, double* a) const {
   int loose = -1;
-  each_group(tree_, states, [&]<int N>(Group<N>& group) {
+  each_group(tree_, states, [&]<int N>(States<N>& group) {
     using S = Pack<N>;
     group.articulated.resize(group.links);
     group.place(q);
@@ -116,7 +116,7 @@ int TreeFunctions::forward_dynamics(std::size_t states, const double* q, const d
 void TreeFunctions::mass_matrix(std::size_t states, const double* q, double* matrices) const {
   const std::size_t n = tree_.links.size();
   std::fill_n(matrices, states * n * n, 0.0);
-  each_group(tree_, states, [&]<int N>(Group<N>& group) {
+  each_group(tree_, states, [&]<int N>(States<N>& group) {
     using S = Pack<N>;
     group.bodies.resize(n);
     group.place(q);
@@ -133,7 +133,7 @@ void TreeFunctions::mass_matrix(std::size_t states, const double* q, double* mat
 void TreeFunctions::derivatives(std::size_t states, const double* q, const double* v, const double* a, double* by_q, double* by_v) const {
   const std::size_t n = tree_.links.size();
   for (double* matrices : {by_q, by_v}) std::fill_n(matrices, states * n * n, 0.0);
-  each_group(tree_, states, [&]<int N>(Group<N>& group) {
+  each_group(tree_, states, [&]<int N>(States<N>& group) {
     using S = Pack<N>;
     group.bodies.resize(n);
     group.increments.resize(n);
@@ -156,7 +156,7 @@ void TreeFunctions::derivatives(std::size_t states, const double* q, const doubl
 
 void TreeFunctions::frames(std::size_t states, const double* q, double* rotations, double* origins) const {
   const std::size_t n = tree_.links.size();
-  each_group(tree_, states, [&]<int N>(Group<N>& group) {
+  each_group(tree_, states, [&]<int N>(States<N>& group) {
     group.place(q);
     group.find_origins();
     for (std::size_t i = 0; i < n; ++i) {
@@ -169,7 +169,7 @@ void TreeFunctions::frames(std::size_t states, const double* q, double* rotation
 void TreeFunctions::jacobian(std::size_t states, const double* q, int link, const Vec3<double>& local, double* matrices) const {
   const std::size_t n = tree_.links.size();
   std::fill_n(matrices, states * 6 * n, 0.0);
-  each_group(tree_, states, [&]<int N>(Group<N>& group) {
+  each_group(tree_, states, [&]<int N>(States<N>& group) {
     using S = Pack<N>;
     group.place(q);
     Vec3<S> arm = group.places[static_cast<std::size_t>(link)].rotation * local;  // from the origin of link i to the point
@@ -191,7 +191,7 @@ namespace {
 
 // The sum of mass times position.
 template <int N>
-DALEMBERT_INLINE inline Vec3<Pack<N>> first_moment(Group<N>& group) {
+DALEMBERT_INLINE inline Vec3<Pack<N>> first_moment(States<N>& group) {
   group.find_origins();
   Vec3<Pack<N>> sum{};
   for (std::size_t i = 0; i < group.links; ++i)
@@ -211,7 +211,7 @@ void TreeFunctions::centre_of_mass(std::size_t states, const double* q, double* 
 }
 
 void TreeFunctions::energies(std::size_t states, const double* q, const double* v, double* kinetic, double* potential) const {
-  each_group(tree_, states, [&]<int N>(Group<N>& group) {
+  each_group(tree_, states, [&]<int N>(States<N>& group) {
     using S = Pack<N>;
     group.place(q);
     if (potential != nullptr) group.give(potential, 1, 0, -dot(gravity_, first_moment(group)));

@@ -5,12 +5,12 @@
 namespace dalembert {
 namespace {
 
-MeshMean mean_of(const MarkerSuperElementPositionParameters& p) { return {.nodes = p.meshNodeNumbers, .weights = p.weightingFactors}; }
+MeshMean point_mean(const MarkerSuperElementPositionParameters& p) { return {.nodes = p.meshNodeNumbers, .weights = p.weightingFactors}; }
 
 }  // namespace
 
 const Physics& marker_super_element_position_physics() {
-  static const MeshMarkerPhysics<MarkerSuperElementPositionRecord, FrameShape::point, mean_of> physics;
+  static const MeshMarkerPhysics<MarkerSuperElementPositionRecord, FrameShape::point, point_mean> physics;
   return physics;
 }
 

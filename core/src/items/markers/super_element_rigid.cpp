@@ -5,13 +5,13 @@
 namespace dalembert {
 namespace {
 
-MeshMean mean_of(const MarkerSuperElementRigidParameters& p) {
+MeshMean frame_mean(const MarkerSuperElementRigidParameters& p) {
   using enum MeshMean::Rotation;
   return {p.meshNodeNumbers, p.weightingFactors, std::array{linear, exponential, exact}[static_cast<std::size_t>(p.rotationsExponentialMap)],
           p.useAlternativeApproach, p.offset};
 }
 
-struct SuperElementRigid final : MeshMarkerPhysics<MarkerSuperElementRigidRecord, FrameShape::rigid, mean_of> {
+struct SuperElementRigid final : MeshMarkerPhysics<MarkerSuperElementRigidRecord, FrameShape::rigid, frame_mean> {
   void check(const void* record, const Placement& on, const Ports& ports, const ItemLabel& item) const override {
     const auto& p = parameters(record);
     if (p.meshNodeNumbers.empty()) refuse(ErrorKind::value, {item, "meshNodeNumbers", "", "an empty list", "mesh nodes", ""});
