@@ -53,9 +53,7 @@ def check_syntax(source: Path, copy: Path, root: Path) -> None:
         pytest.skip("no C++ compiler")
     includes = [f"-I{root}/core/include", f"-I{copy}/generated/include", f"-I{copy}/core/include"]
     flags = ["-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Werror"]
-    done = subprocess.run(
-        [compiler, *flags, *includes, str(source)], capture_output=True, text=True, check=False
-    )
+    done = subprocess.run([compiler, *flags, *includes, str(source)], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
 
 
