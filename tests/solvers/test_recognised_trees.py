@@ -176,14 +176,16 @@ def test_fixed_joints_make_one_link_and_what_is_bolted_to_ground_becomes_ground(
         bodyNumbers=[base, second], position=[1, 0, 0], rotationMatrixAxes=RotationMatrixZ(0.4), **fixed
     )
     mbs.CreateRevoluteJoint(bodyNumbers=[second, arm], position=[2, 0, 0], axis=[0, 1, 0])
+    swing = rod(mbs, [2.5, 0.3, 0], [0, 0.4, 0], [2, 0, 0], DOWN)  # a link between the arm and what is fixed to that
+    mbs.CreateRevoluteJoint(bodyNumbers=[arm, swing], position=[2.5, 0.1, 0], axis=[0, 0, 1])
     mbs.CreateGenericJoint(
         bodyNumbers=[tool, arm], position=[3, 0, 0], rotationMatrixAxes=RotationMatrixZ(0.4), **fixed
     )
     mbs.CreateRevoluteJoint(bodyNumbers=[tool, tip], position=[4, 0, 0], axis=[1, 1, 0])
     mbs.CreateForce(bodyNumber=tool, localPosition=[0.5, 0, 0], loadVector=[0, 30, 10], bodyFixed=True)
     mbs.CreateSpringDamper(bodyNumbers=[second, tip], stiffness=300, damping=5, referenceLength=1)
-    sensors = watched(mbs, [base, second, arm, tool, tip])
-    trees = compare(mbs, sensors, 2)
+    sensors = watched(mbs, [base, second, arm, tool, tip, swing])
+    trees = compare(mbs, sensors, 3)
     assert types(trees).count("RigidBody") == 0 and types(trees).count("KinematicTree") == 1
 
 
