@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "console.hpp"
+#include "controllers.hpp"
 #include "dalembert/model/errors.hpp"
 #include "dalembert/model/member.hpp"
 #include "dalembert/solvers/explicit.hpp"
@@ -64,7 +65,11 @@ void refuse_python_functions(const MainSystem& main) {
       const Item& item = main.model.item(kind, i);
       for (const Row& row : item.type->rows) {
         if (row.storage != Storage::user_function || row.role == Role::visualization) continue;
-        if (needs_interpreter(*static_cast<const UserFunction*>(member(item.record.get(), row))))
+        const auto& function = *static_cast<const UserFunction*>(member(item.record.get(), row));
+        if (function && is_sampled(*function.callback))
+          refuse(ErrorKind::state, {.item = call, .problem = main.model.describe(kind, i) + " has a sampled controller, and variations are solved in steps that do not wait for samples",
+                                    .advice = "Use its law without sampling, or dalembert.processing.ParameterVariation"});
+        if (needs_interpreter(function))
           refuse_function(main.model.describe(kind, i) + " has the Python function " + quoted(row.name) +
                           ", and variations are solved without the interpreter");
       }

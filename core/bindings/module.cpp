@@ -2,6 +2,7 @@
 #include "module.hpp"
 
 #include "compiled_callback.hpp"
+#include "controllers.hpp"
 #include "conversion.hpp"
 #include "index_types.hpp"
 #include "item_classes.hpp"
@@ -36,5 +37,6 @@ PYBIND11_MODULE(_core, module) {
   register_linear_solver(module);
   register_symbolic(module);
   register_compiled_functions(module);
+  register_controllers(module);
   guard_objects(module);  // of all classes
 }

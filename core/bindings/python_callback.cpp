@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "compiled_callback.hpp"
+#include "controllers.hpp"
 #include "conversion.hpp"
 #include "dalembert/model/member.hpp"
 #include "interpreter_lock.hpp"
@@ -189,6 +190,7 @@ UserFunction read_user_function(PyObject* value, const Row& row) {
     if (PyObject* function = PyDict_GetItemString(value, "function"); function != nullptr) value = function;
   }
   if (auto callback = symbolic_callback(value, row)) return {std::move(callback)};
+  if (auto callback = controller_callback(value, row)) return {std::move(callback)};
   if (auto callback = compiled_callback(value, row)) return {std::move(callback)};
   if (PyCallable_Check(value) == 0)
     throw Refusal{ErrorKind::type, "a function, or 0 for none", "Pass the function itself, without calling it."};

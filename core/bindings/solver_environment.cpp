@@ -10,6 +10,7 @@
 
 #include "compiled_callback.hpp"
 #include "console.hpp"
+#include "controllers.hpp"
 #include "conversion.hpp"
 #include "dalembert/model/member.hpp"
 #include "interpreter_lock.hpp"
@@ -180,6 +181,11 @@ void add_user_functions(SolverHooks& hooks, const std::shared_ptr<MainSystem>& m
   }
 }
 
+void add_schedule(SolverHooks& hooks, const std::shared_ptr<MainSystem>& main) {
+  hooks.schedule = schedule_of(main);
+  if (hooks.schedule && !hooks.pre_step) hooks.pre_step = [](double) { return true; };
+}
+
 // Where a line can be written over, progress is one line; elsewhere, in files for instance, a line after 10 s and then every
 // 30 s. A solver marks it by a leading '\r'.
 class Progress {
@@ -330,6 +336,7 @@ std::vector<SensorChannel> sensor_channels(const Model& model) {
 SolverEnvironment make_environment(const std::shared_ptr<MainSystem>& main) {
   SolverEnvironment environment;
   add_user_functions(environment.hooks, main);
+  add_schedule(environment.hooks, main);
   add_console(environment.hooks);
   add_interruption(environment.hooks, main);
   environment.hooks.timeout = solver_switches().timeout;

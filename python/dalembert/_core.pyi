@@ -1,7 +1,7 @@
 # The compiled module. Written by hand where it is logic; enumerations, settings and items are generated from the specs.
 
 from collections.abc import Sequence
-from typing import Any, Literal, Self, SupportsIndex, final
+from typing import Any, Literal, Self, SupportsIndex, final, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -188,6 +188,27 @@ class _TreeFunctions(_Bound):
     def centre_of_mass(self, q: ArrayLike) -> NDArray[np.float64]: ...
     def kinetic_energy(self, q: ArrayLike, v: ArrayLike) -> NDArray[np.float64]: ...
     def potential_energy(self, q: ArrayLike) -> NDArray[np.float64]: ...
+
+class _DesiredMotion(_Bound):
+    @overload
+    def __init__(self, count: int, times: ArrayLike, coefficients: ArrayLike, ends: ArrayLike) -> None: ...
+    @overload
+    def __init__(self, count: int, address: int) -> None: ...
+
+class _Controller(_Bound):
+    @overload
+    def __init__(
+        self, desired: _DesiredMotion, stiffness: ArrayLike, damping: ArrayLike, forces: ArrayLike
+    ) -> None: ...
+    @overload
+    def __init__(
+        self, desired: _DesiredMotion, stiffness: ArrayLike, damping: ArrayLike, tree: _TreeFunctions
+    ) -> None: ...
+    @overload
+    def __init__(self, address: int) -> None: ...
+    @overload
+    def __init__(self, law: _Controller, period: float, dead_time: float) -> None: ...
+    def _forces(self, time: float, q: ArrayLike, q_t: ArrayLike) -> list[float]: ...
 
 class SpecialExceptions(_NotMade):
     dictionaryVersionMismatch: bool

@@ -31,7 +31,8 @@ def c_signature(item: type | str, userFunction: str) -> str:
     """The C types of a user function, e.g. "double(double, int64, double, double)".
 
     item: class of the item or its name, e.g. exu.ObjectConnectorCoordinateSpringDamper; exu.MainSystem has the
-        functions "PreStepUserFunction", "PostStepUserFunction" and "PostNewtonUserFunction"
+        functions "PreStepUserFunction", "PostStepUserFunction" and "PostNewtonUserFunction", and "Controller" the
+        function "desired" (see dalembert.control)
     userFunction: name of the parameter, e.g. "springForceUserFunction"
     returns: type of the result, and in brackets those of the arguments: double, int64 or double*
     raises ValueError if the item has no such user function, or if it cannot be a C function

@@ -25,6 +25,21 @@ def _notice_once(what: str) -> None:
         Print(f"{what}: there is no window to open, going on without it")
 
 
+class LabelText:
+    """The text of a label in a dialog, which the simulation may set; the page shows it when it shows curves anew."""
+
+    def __init__(self, item: dict[str, Any]) -> None:
+        self._item = item
+
+    def set(self, text: Any) -> None:
+        """Change the text."""
+        self._item["text"] = str(text)
+
+    def get(self) -> str:
+        """Return the text."""
+        return str(self._item.get("text", ""))
+
+
 class InteractiveDialog:
     """A simulation in periods of real time, with values that dialog items set in mbs.variables (or mbs.sys).
 
@@ -68,6 +83,8 @@ class InteractiveDialog:
         self.counter = 0
         self.simulationStopped = True
         self.values = {item["variable"]: _initial_value(item) for item in dialogItems if "variable" in item}
+        labels = (item for item in dialogItems if item["type"] == "label")
+        self.labelStringVariables = [LabelText(item) for item in labels] if addLabelStringVariables else []
         self._variables = mbs.sys if useSysVariables else mbs.variables
 
         self.InitializeSolver()

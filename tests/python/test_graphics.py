@@ -314,6 +314,19 @@ def test_netgen_surfaces(order):
         gr.NGsolveMesh2PointsAndTrigs()
 
 
+def test_solids_of_revolution_have_no_triangles_without_area():
+    """Contours that begin and end on the axis: cylinders, arrows, cups; contact geometry takes no others."""
+    for g in (gr.Cylinder(P, AXIS, 0.2), gr.Arrow(P, AXIS, 0.01), gr.SolidOfRevolution(P, AXIS, CONTOUR, RED, 12)):
+        corners = g["points"].reshape(-1, 3)[g["triangles"].reshape(-1, 3)]
+        sides = corners - np.roll(corners, 1, axis=1)
+        areas = 0.5 * np.linalg.norm(np.cross(sides[:, 0], sides[:, 1]), axis=1)
+        assert areas.min() > 1e-6 * areas.max()
+
+
+def test_a_basis_without_length_is_empty():
+    assert len(gr.Basis(length=0)["points"]) == 0
+
+
 def test_linked_cylinders_have_the_area_of_their_outline():
     r0, r1, d, n = 0.1, 0.2, 0.7, 400
     g = gr.LinkedCylinders(P, P + [0, d, 0], [0.5, 0, 0], r0, r1, 0.05, 0.05, n)

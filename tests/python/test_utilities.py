@@ -279,16 +279,24 @@ def test_a_dialog_without_window_runs_the_simulation(model):
         {"type": "slider", "range": (0, 4), "value": 7, "variable": "speed"},
         {"type": "radio", "textValueList": [("a", 1), ("b", 2)], "value": 2, "variable": "choice"},
     ]
-    interactive.InteractiveDialog(
+    dialog_items.append({"type": "label", "text": "no periods yet"})
+
+    def period(mbs, dialog):
+        seen.append(mbs.variables["speed"])
+        dialog.labelStringVariables[-1].set(f"{len(seen)} periods")
+
+    dialog = interactive.InteractiveDialog(
         mbs,
         settings,
-        lambda mbs, dialog: seen.append(mbs.variables["speed"]),
+        period,
         dialog_items,
         period=0.02,
         runOnStart=True,
+        addLabelStringVariables=True,
         userOnChange=lambda mbs, dialog: changed.append(mbs.variables["choice"]),
     )
     assert seen == [2.0] * 5 and changed == [2]
+    assert dialog.labelStringVariables[-1].get() == dialog_items[-1]["text"] == "5 periods"
     assert mbs.systemData.GetTime() == pytest.approx(0.1)
 
 

@@ -12,18 +12,18 @@ from dalembert.itemInterface import SensorBody, SensorNode
 from dalembert.rigidBodyUtilities import InertiaCuboid, RotationMatrixX, RotationMatrixZ
 from dalembert.treeDynamics import RecogniseTrees
 
-Variable, Node = exu.OutputVariableType, exu.NodeType
+Variable, Node, Solver = exu.OutputVariableType, exu.NodeType, exu.DynamicSolverType
 DOWN = [0, 0, -9.81]
 
 
-def solve(mbs: Any, duration: float = 0.5, steps: int = 2000) -> None:
+def solve(mbs: Any, duration: float = 0.5, steps: int = 2000, solver: Any = Solver.GeneralizedAlpha) -> None:
     settings = exu.SimulationSettings()
     settings.timeIntegration.endTime = duration
     settings.timeIntegration.numberOfSteps = steps
     settings.timeIntegration.generalizedAlpha.spectralRadius = 0.9
     settings.solutionSettings.writeSolutionToFile = False
     mbs.Assemble()
-    mbs.SolveDynamic(settings)
+    mbs.SolveDynamic(settings, solverType=solver)
 
 
 def types(mbs: Any) -> list[str]:
@@ -100,6 +100,137 @@ def test_loops_are_closed_by_the_remaining_joint() -> None:
         solve(system, 1.0)
     assert len(trees.systemData.GetODE2Coordinates()) == 3
     assert trees.GetSensorValues(sensor) == pytest.approx(mbs.GetSensorValues(sensor), abs=1e-5)
+
+
+def watched(
+    mbs: Any, bodies: list[Any], kinds: tuple[str, ...] = ("Position", "Velocity", "AngularVelocity")
+) -> list[Any]:
+    place = {"localPosition": [0.2, 0.1, -0.1], "storeInternal": True}
+    sensors = [
+        mbs.AddSensor(SensorBody(bodyNumber=body, outputVariableType=getattr(Variable, kind), **place))
+        for body in bodies
+        for kind in kinds
+    ]
+    mbs.Assemble()
+    return sensors
+
+
+def compare(mbs: Any, sensors: list[Any], coordinates: int, duration: float = 0.5, tolerance: float = 1e-5) -> Any:
+    """Positions, velocities and angular velocities at the start and at the end; 2000 steps of second order."""
+    trees = RecogniseTrees(mbs)
+    trees.Assemble()
+    assert len(trees.systemData.GetODE2Coordinates()) == coordinates
+    for sensor in sensors:
+        assert trees.GetSensorValues(sensor) == pytest.approx(mbs.GetSensorValues(sensor), abs=1e-13)
+    for system in (mbs, trees):
+        solve(system, duration)
+    for sensor in sensors:
+        assert trees.GetSensorValues(sensor) == pytest.approx(mbs.GetSensorValues(sensor), abs=tolerance)
+    return trees
+
+
+def rod(mbs: Any, place: Any, spin: Any, about: Any, gravity: Any, turned: float = 0.3) -> Any:
+    """A body that turns about a point as all others do."""
+    return mbs.CreateRigidBody(
+        referencePosition=place,
+        referenceRotationMatrix=RotationMatrixX(turned),
+        inertia=InertiaCuboid(1000, [1, 0.1, 0.2]).Translated([0.1, 0, 0.02]),
+        initialAngularVelocity=spin,
+        initialVelocity=np.cross(spin, np.subtract(place, about)),
+        gravity=gravity,
+    )
+
+
+@pytest.mark.parametrize("generic", [False, True])
+def test_spherical_joints(generic: bool) -> None:
+    """A chain of three, seen from both sides of its joints, with a branch on a hinge."""
+    mbs = exu.SystemContainer().AddSystem()
+    bodies, spin = [mbs.CreateGround()], [0.5, 1.0, -0.7]
+    for i in range(4):
+        before = bodies[1] if i == 3 else bodies[-1]
+        body = rod(mbs, [0.5 + i, 0, 0], spin, [0, 0, 0], DOWN, 0.4 * i)
+        place = {"position": [1.0 if i == 3 else i, 0, 0], "bodyNumbers": [body, before] if i % 2 else [before, body]}
+        if i == 3:
+            mbs.CreateRevoluteJoint(axis=[0, 1, 0], **place)
+        elif generic:
+            mbs.CreateGenericJoint(constrainedAxes=[1, 1, 1, 0, 0, 0], **place)
+        else:
+            mbs.CreateSphericalJoint(**place)
+        bodies.append(body)
+    sensors = watched(mbs, bodies[1:])
+    trees = compare(mbs, sensors, 10)
+    assert types(trees).count("KinematicTree") == 1 and len(trees.systemData.GetAECoordinates()) == 0
+
+
+def test_fixed_joints_make_one_link_and_what_is_bolted_to_ground_becomes_ground() -> None:
+    mbs = exu.SystemContainer().AddSystem()
+    ground = mbs.CreateGround(referencePosition=[0, 0, 1], referenceRotationMatrix=RotationMatrixZ(0.2))
+    fixed = {"constrainedAxes": [1] * 6}
+    base = rod(mbs, [0.5, 0, 0], [0, 0, 0], [0, 0, 0], DOWN)
+    second = rod(mbs, [1.5, 0.2, 0], [0, 0, 0], [0, 0, 0], DOWN, 1.2)
+    arm = rod(mbs, [2.5, 0, 0], [0, 0.4, 0], [2, 0, 0], DOWN, 0.7)
+    tool = rod(mbs, [3.5, 0, 0], [0, 0.4, 0], [2, 0, 0], DOWN, -0.5)
+    tip = rod(mbs, [4.5, 0, 0], [0, 0.4, 0], [2, 0, 0], DOWN, 0.2)
+    mbs.CreateGenericJoint(bodyNumbers=[base, ground], position=[0, 0, 0], **fixed)
+    mbs.CreateGenericJoint(
+        bodyNumbers=[base, second], position=[1, 0, 0], rotationMatrixAxes=RotationMatrixZ(0.4), **fixed
+    )
+    mbs.CreateRevoluteJoint(bodyNumbers=[second, arm], position=[2, 0, 0], axis=[0, 1, 0])
+    swing = rod(mbs, [2.5, 0.3, 0], [0, 0.4, 0], [2, 0, 0], DOWN)  # a link between the arm and what is fixed to that
+    mbs.CreateRevoluteJoint(bodyNumbers=[arm, swing], position=[2.5, 0.1, 0], axis=[0, 0, 1])
+    mbs.CreateGenericJoint(
+        bodyNumbers=[tool, arm], position=[3, 0, 0], rotationMatrixAxes=RotationMatrixZ(0.4), **fixed
+    )
+    mbs.CreateRevoluteJoint(bodyNumbers=[tool, tip], position=[4, 0, 0], axis=[1, 1, 0])
+    mbs.CreateForce(bodyNumber=tool, localPosition=[0.5, 0, 0], loadVector=[0, 30, 10], bodyFixed=True)
+    mbs.CreateSpringDamper(bodyNumbers=[second, tip], stiffness=300, damping=5, referenceLength=1)
+    sensors = watched(mbs, [base, second, arm, tool, tip, swing])
+    trees = compare(mbs, sensors, 3)
+    assert types(trees).count("RigidBody") == 0 and types(trees).count("KinematicTree") == 1
+
+
+@pytest.mark.parametrize("gravity", [[0, 0, 0], DOWN, [3, 0, -4]], ids=str)
+@pytest.mark.parametrize("spin", [[0, 0, 6.0], [5.0, 0.3, 0.2]], ids=str)
+def test_bodies_that_nothing_holds_float(spin: Any, gravity: Any) -> None:
+    """Five bodies: the middle one floats, and turns about its vertical axis, or about the one that lies level, by more than 2 rad."""
+    mbs = exu.SystemContainer().AddSystem()
+    bodies = []
+    for i in range(5):
+        bodies.append(rod(mbs, [0.5 + i, 0, 0], spin, [2.5, 0, 0], gravity, 0.2 * i))
+        if i:
+            mbs.CreateRevoluteJoint(bodyNumbers=bodies[-2:], position=[i, 0, 0], axis=[[0, 1, 0], [0, 0, 1]][i % 2])
+    middle = bodies[2]
+    last = rod(mbs, [2.5, 0.5, 0], spin, [2.5, 0, 0], gravity)
+    mbs.CreatePrismaticJoint(bodyNumbers=[middle, last], position=[2.5, 0.2, 0], axis=[1, 0, 0])
+    sensors = watched(mbs, [*bodies, last])
+    compare(mbs, sensors, 11, tolerance=1e-4)
+    explicit = RecogniseTrees(mbs)  # by forward dynamics without a mass matrix
+    solve(explicit, steps=500, solver=Solver.RK44)
+    for sensor in sensors:
+        assert explicit.GetSensorValues(sensor) == pytest.approx(mbs.GetSensorValues(sensor), abs=1e-4)
+
+
+def test_a_loop_that_floats_is_closed_by_its_last_joint() -> None:
+    """A ring of five bars, whose last joint leaves to the plane what the others hold."""
+    mbs = exu.SystemContainer().AddSystem()
+    angles = 2 * np.pi / 5 * np.arange(6)
+    corners = np.column_stack([np.cos(angles), 0 * angles, np.sin(angles)])
+    bodies, spin = [], np.array([0.5, 3.0, 0.2])
+    for a, b in zip(corners, corners[1:], strict=False):
+        x, middle = (b - a) / np.linalg.norm(b - a), (a + b) / 2
+        bar = InertiaCuboid(1000, [np.linalg.norm(b - a), 0.05, 0.05])
+        frame = np.column_stack([x, [0, 1, 0], np.cross(x, [0, 1, 0])])
+        motion = {"initialAngularVelocity": spin, "initialVelocity": np.cross(spin, middle)}
+        bodies.append(
+            mbs.CreateRigidBody(referencePosition=middle, referenceRotationMatrix=frame, inertia=bar, **motion)
+        )
+    for i in range(1, 5):
+        mbs.CreateRevoluteJoint(bodyNumbers=[bodies[i - 1], bodies[i]], position=corners[i], axis=[0, 1, 0])
+    free = {"constrainedAxes": [1, 0, 1, 0, 0, 0]}
+    mbs.CreateGenericJoint(bodyNumbers=[bodies[4], bodies[0]], position=corners[0], **free)
+    mbs.CreateSpringDamper(bodyNumbers=[bodies[0], bodies[2]], stiffness=300, referenceLength=1)
+    trees = compare(mbs, watched(mbs, bodies), 10, tolerance=5e-5)
+    assert types(trees).count("JointGeneric") == 1 and len(trees.systemData.GetAECoordinates()) == 6
 
 
 def test_what_links_do_not_have_leaves_bodies_as_they_are() -> None:

@@ -49,9 +49,11 @@ void LawOfBody::read(const SizedLaw& law, bool with_residual) {
   jacobian_ = law.jacobian;
   force_vector_ = law.force_vector == nullptr ? std::vector<double>() : *law.force_vector;
   full_ = with_residual || law.has_user_function();
+  forceless_ = !force_ && force_vector_.empty();
   for (std::size_t i = 0; i < terms_.size(); ++i) {
     terms_[i] = {law.matrices[i].times, law.matrices[i].made()};
     full_ = full_ || (!terms_[i].matrix.empty() && !terms_[i].matrix.sparse());
+    forceless_ = forceless_ && (terms_[i].times == StateVector::acceleration || terms_[i].matrix.empty());
   }
 }
 
@@ -74,8 +76,8 @@ void LawOfBody::visit(BlockVisitor& visitor) const {
   for (const Term& term : terms_) term.matrix.visit(visitor, own_rows());
 }
 
-void LawOfBody::take_arguments(const Evaluation& evaluation, Work& work) const {
-  pick(order_ == 2 ? evaluation.u : evaluation.y, dofs_, work.q);
+void LawOfBody::take_arguments(const UserFunction& f, const Evaluation& evaluation, Work& work) const {
+  pick(order_ == 1 ? evaluation.y : f.callback->takes_total_coordinates() ? evaluation.q : evaluation.u, dofs_, work.q);
   if (order_ == 2) pick(evaluation.v, dofs_, work.v);
 }
 void LawOfBody::repeat(const UserFunction& f, double time, const Work& work, std::span<double> result) const {
@@ -83,12 +85,13 @@ void LawOfBody::repeat(const UserFunction& f, double time, const Work& work, std
   f.callback->call(time, item_, std::span(arguments).first(static_cast<std::size_t>(order_)), result);
 }
 void LawOfBody::call(const UserFunction& f, const Evaluation& evaluation, Work& work, std::span<double> result) const {
-  take_arguments(evaluation, work);
+  take_arguments(f, evaluation, work);
   repeat(f, evaluation.time, work, result);
 }
 
 // Equations of second order have forces on the other side.
 void LawOfBody::add_forces(const Evaluation& evaluation, Work& work, double* r) const {
+  if (forceless_) return;
   const double sign = order_ == 2 ? -1 : 1;
   for (const Term& term : terms_)
     if (term.times != StateVector::acceleration)
@@ -117,12 +120,12 @@ void LawOfBody::add_tangent(const Evaluation& evaluation, const Weights& w, Work
   for (const Term& term : terms_) term.matrix.add(weight_of(w, term.times), block, n);
   const bool moves = order_ == 1 ? w.y != 0 : w.q != 0 || w.v != 0;
   if (moves && jacobian_) {
-    take_arguments(evaluation, work);
+    take_arguments(jacobian_, evaluation, work);
     const std::array arguments{as_argument(work.q), as_argument(work.v), Argument{&w.q}, Argument{&w.v}};
     jacobian_.callback->call(evaluation.time, item_, arguments, std::span(work.matrix).first(n * n));
     for (std::size_t i = 0; i < n * n; ++i) block[i] += work.matrix[i];
   } else if (moves && force_) {
-    take_arguments(evaluation, work);
+    take_arguments(force_, evaluation, work);
     const auto evaluate = [&](std::span<double> f) { repeat(force_, evaluation.time, work, f); };
     add_differences(work.q, order_ == 2 ? -w.q : w.y, block, evaluate);
     if (order_ == 2) add_differences(work.v, -w.v, block, evaluate);

@@ -69,8 +69,15 @@ void Solver::continue_steps() {
   output.lastImageRecorded = run[image_recorded];
   steps_since_reduction_ = static_cast<StepCount>(run[RunNumber::steps_since_reduction]);
   if (watch_) {
-    watch_->require_as_many(continuation_->events.size() / 2 - 1);
-    watch_->take_numbers(continuation_->events);
+    const std::span<const double> numbers(continuation_->events);
+    const std::size_t of_events = 2 + 2 * watch_->count();
+    if (numbers.size() < 2) {
+      throw ModelError(ErrorKind::value, "restart file '" + settings_->continuation.restartFileName +
+                                             "': it was written by a solution without events and sampled controllers, which the system has");
+    }
+    if (numbers.size() < of_events || !hooks().schedule) watch_->require_as_many(numbers.size() / 2 - 1);
+    watch_->take_numbers(numbers);
+    if (hooks().schedule) hooks().schedule->take_numbers(numbers.subspan(of_events));
   }
   if (verbose(1)) say(1, "  going on from '" + settings_->continuation.restartFileName + "' at time " + number(it.currentTime) + "\n");
   ++it.currentStepIndex;
@@ -87,6 +94,7 @@ RestartData Solver::restart_data() {
   RestartData data{.solver = name(), .state = current(), .algorithmic_accelerations = {values.begin(), values.end()},
                    .step_size = it.currentStepSize, .run = {run.begin(), run.end()}, .events = {}, .files = {solution_file_.length()}};
   if (watch_) data.events = watch_->numbers();
+  if (hooks().schedule) std::ranges::copy(hooks().schedule->numbers(), std::back_inserter(data.events));
   std::ranges::copy(restart_numbers(), std::back_inserter(data.run));
   std::ranges::copy(sensors_.lengths(), std::back_inserter(data.files));
   return data;

@@ -1,4 +1,4 @@
-// Steps that end where functions of the user change their sign.
+// Steps that end where functions of the user change their sign, or at times that are known beforehand.
 //
 // The place is found first on the Hermite polynomial through both ends of the step, then by steps that end there: the method of
 // Dowell and Jarratt (Illinois), BIT 11 (1971).
@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "dalembert/model/errors.hpp"
 #include "dalembert/solvers/solver.hpp"
@@ -112,16 +113,48 @@ void EventWatch::take_numbers(std::span<const double> numbers) {
 // ---- steps -------------------------------------------------------------------------------------------------------------
 
 std::vector<EventValue> Solver::event_values() {
+  if (!hooks().events) return {};
   const TimedPart time(timer, timer.python);
   return hooks().events(current().time);
 }
 
 void Solver::begin_to_watch_events() {
   watch_.reset();
-  if (!hooks().events) return;
+  if (!hooks().events && !hooks().schedule) return;
   watch_ = std::make_unique<EventWatch>();
   watch_->begin(event_values());
   watch_->last_time = -std::numeric_limits<double>::infinity();
+  if (!hooks().schedule) return;
+  hooks().schedule->begin(current(), is_static());
+  if (continues()) return;
+  hooks().schedule->act(current());
+  renew_accelerations();  // those that are known may be under forces of the last solution
+}
+
+// ---- times that are known beforehand -----------------------------------------------------------------------------------
+
+namespace {
+
+double round_off_of(double time) { return 8 * std::numeric_limits<double>::epsilon() * std::abs(time); }
+
+}  // namespace
+
+void Solver::end_as_scheduled() {
+  if (!watch_) throw ModelError(ErrorKind::state, name() + ": sampled controllers act while solver.SolveSteps(...) solves the steps, not in single parts of it");
+  constexpr double last_stretch = 1e-6;  // of a step, which no step is made for
+  const double end = hooks().schedule->next(), start = start_of_step().time;
+  if (end > it.endTime || it.currentTime < end - std::max(round_off_of(end), last_stretch * it.currentStepSize)) return;
+  if (std::abs(it.currentTime - end) > round_off_of(end)) {
+    watch_->unscheduled_step_size = std::max(watch_->unscheduled_step_size, it.currentStepSize);
+    it.currentStepSize = conditions_.step_size = end - start;
+  }
+  it.currentTime = current().time = end;
+}
+
+// What it changes are forces: accelerations jump.
+void Solver::act_as_scheduled() {
+  if (hooks().schedule->act(current())) renew_accelerations();
+  it.currentStepSize = std::max(it.currentStepSize, std::exchange(watch_->unscheduled_step_size, 0.0));
 }
 
 // Another end for the step that has just been solved; false: it fails.
@@ -187,6 +220,7 @@ double Solver::look_into_step(const State& end, EventWatch& seen, double& before
 
 // After a step has been solved: it ends with the first event, on its far side. False: a step on the way has failed.
 bool Solver::end_with_event() {
+  if (!hooks().events) return true;
   EventWatch& watch = *watch_;
   watch.events.clear();
   std::vector<EventValue> values = event_values();
@@ -236,12 +270,16 @@ bool Solver::end_with_event() {
   return true;
 }
 
-bool Solver::event_reached() const { return !watch_->events.empty(); }
+bool Solver::event_reached() const {
+  return !watch_->events.empty() || (hooks().schedule && it.currentTime >= hooks().schedule->next());
+}
 
 // At the end of a step, which has been written: actions of the user, and a new start from the state that they leave.
 [[gnu::noinline]] void Solver::act_on_events() {
   EventWatch& watch = *watch_;
   const double time = current().time;
+  if (hooks().schedule && time >= hooks().schedule->next()) act_as_scheduled();
+  if (watch.events.empty()) return;
   it.eventsCount += static_cast<StepCount>(watch.events.size());
   watch.in_a_row = time - watch.last_time <= watch.regular_step_size ? watch.in_a_row + 1 : 0;
   watch.last_time = time;

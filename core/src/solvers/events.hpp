@@ -29,6 +29,7 @@ class EventWatch {
   std::vector<Event> changed(std::span<const EventValue> values) const;
   double at_start(int event) const { return start_[static_cast<std::size_t>(event)].value; }
   void require_as_many(std::size_t count) const;
+  std::size_t count() const { return start_.size(); }
   bool just_after_event() const;
 
   // The state for a restart file.
@@ -40,6 +41,7 @@ class EventWatch {
   double regular_step_size = 0;  // to go on with
   double last_time = 0;          // of the last event
   int in_a_row = 0;              // events that followed each other within a regular step
+  double unscheduled_step_size = 0;  // of steps that a schedule has made shorter
 
  private:
   bool counts(int event, double value) const;

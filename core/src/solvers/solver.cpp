@@ -353,6 +353,7 @@ void Solver::initialize_step() {
 }
 
 [[gnu::noinline]] void Solver::call_pre_step() {
+  if (hooks().schedule) end_as_scheduled();
   const TimedPart time(timer, timer.python);
   if (hooks().pre_step(it.currentTime)) return;
   say(1, "PreStepUserFunction returned False: the solver stops after this step\n");

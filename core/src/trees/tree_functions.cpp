@@ -77,13 +77,14 @@ struct States {
 // f(group) for all states, as many at once as registers hold.
 template <class F>
 void each_group(const Tree& tree, std::size_t states, const F& f) {
-  in_lanes([&]<int N>() {
+  const auto in_groups = [&]<int N>() {
     States<N> group(tree);
     for (std::size_t first = 0; first < states; first += N) {
       group.begin(first, states);
       f(group);
     }
-  });
+  };
+  states > 4 ? in_lanes(in_groups) : in_lanes<4>(in_groups);  // few states fill no wider registers
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ def run(dialog: Any, viewer: Viewer, runs: bool) -> None:
     dialog.mbs.SetRenderEngineStopFlag(False)
     if runs:
         _start_or_stop(dialog)
-    told = 0.0
+    told, texts = 0.0, _texts(dialog)
     while viewer.watched and not (dialog.checkRenderStop and dialog.mbs.GetRenderEngineStopFlag()):
         begin = time.monotonic()
         dialog.values.update({name: viewer.values[name] for name in dialog.values})
@@ -37,11 +37,17 @@ def run(dialog: Any, viewer: Viewer, runs: bool) -> None:
         if begin - told > CURVES:
             told = begin
             viewer.tell({"kind": "plots", "curves": curves.curves()})
+            if texts != (texts := _texts(dialog)):
+                viewer.show_controls(controls(dialog), dialog.values)
         viewer.idle(max(dialog.period / dialog.realtimeFactor - (time.monotonic() - begin), 0.0), False)
         if not dialog.doTimeIntegration:
             dialog.OnQuit()
     dialog.OnQuit()
     viewer.show_controls({}, {})
+
+
+def _texts(dialog: Any) -> list[str]:
+    return [label.get() for label in dialog.labelStringVariables]
 
 
 def _start_or_stop(dialog: Any) -> None:

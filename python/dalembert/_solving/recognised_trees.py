@@ -1,8 +1,11 @@
 """Open chains and trees of rigid bodies as kinematic trees: treeDynamics.RecogniseTrees.
 
-Bodies that joints of one coordinate carry, one after the other from the ground on, become links; what acts on the
+Bodies that revolute, prismatic, spherical and fixed joints carry, one after the other, become links; what acts on the
 bodies then acts on the links. Items keep their numbers: in the place of bodies, their nodes and joints are ground items
 that nobody sees. Joints that close loops, and all that has no counterpart among links, stay as they are.
+
+Joints of trees have one coordinate. Spherical joints are three of them, one after the other, and bodies that nothing
+holds stand on six; links between these have no mass.
 """
 
 from __future__ import annotations
@@ -26,12 +29,15 @@ from dalembert._core import (
     Vector3DList,
 )
 from dalembert._geometry.inertia import RigidBodyInertia
+from dalembert._geometry.three_turns import ThreeTurns
 from dalembert.graphics import Move
 
 GROUND = -1
+BEFORE = -2  # the link before, as parent
 CLOSED = 1e-6  # m and rad, between the markers of a joint
 _LISTS = {"node": NodeIndex, "object": ObjectIndex, "marker": MarkerIndex}
-_FREE_AXES = {"JointRevoluteZ": 5, "JointPrismaticX": 0}  # three translations, then three rotations
+ROTATIONS, ALL_AXES = (3, 4, 5), (0, 1, 2, 3, 4, 5)  # of joints: three translations, then three rotations
+_FREE_AXES = {"JointRevoluteZ": (5,), "JointPrismaticX": (0,), "JointSpherical": ROTATIONS}
 # What links tell of themselves, and which of it does not depend on the axes of the link.
 _OUTPUTS = {
     getattr(OutputVariableType, name): name
@@ -42,14 +48,15 @@ _OUTPUTS = {
     )
 }
 _PLACES = {"BodyRigid", "BodyPosition", "NodeRigid", "NodePosition"}  # markers that links have
+_OF_GROUND = {"Position", "Displacement", "Velocity", "Rotation", "RotationMatrix", "AngularVelocity"}
 
 
 @dataclass
 class Joint:
-    """A joint of one coordinate, from a body (or GROUND) to another; ends are places and axes in their frames."""
+    """A joint from a body (or GROUND) to another; ends are places and axes in their frames."""
 
-    number: int
-    free: int  # of its six axes
+    number: int  # of the object; -1: nothing holds the body
+    free: tuple[int, ...]  # of its six axes: one, ROTATIONS, ALL_AXES, or none
     bodies: tuple[int, int]
     places: tuple[FloatArray, FloatArray]
     axes: tuple[FloatArray, FloatArray]
@@ -58,36 +65,50 @@ class Joint:
         """Return it as it is seen from the other body."""
         return Joint(self.number, self.free, self.bodies[::-1], self.places[::-1], self.axes[::-1])
 
+    def body_on_carrier(self) -> tuple[FloatArray, FloatArray]:
+        """Return axes and origin of the second body in the first, where no axis has moved."""
+        turn = self.axes[0] @ self.axes[1].T
+        return turn, self.places[0] - turn @ self.places[1]
+
 
 @dataclass
-class Link:
-    """A body in a tree: its frame has the origin on the joint and an axis along that of the joint."""
+class Seat:
+    """Where a body is in a tree: on the frame of a link, which is told in the frame of the body."""
 
     body: int
     joint: Joint
-    origin: FloatArray  # in the frame of the body
+    origin: FloatArray  # on the joint that moves the link
     turn: FloatArray  # axes of the link, in those of the body
-    sign: float  # of the coordinate, as the axis may point backwards
+    sign: float = 1.0  # of the coordinate, as the axis may point backwards
+    link: int = GROUND
 
     @property
     def axis(self) -> int:
-        """The axis of the link along which the joint lies."""
-        along = self.turn.T @ self.joint.axes[1][:, self.joint.free % 3]
+        """The axis of the link along which a joint of one coordinate lies."""
+        along = self.turn.T @ self.joint.axes[1][:, self.joint.free[0] % 3]
         return int(np.abs(along).argmax())
 
-    @property
-    def kind(self) -> JointType:
-        return JointType((4 if self.joint.free < 3 else 1) + self.axis)
+
+_ON_GROUND = Seat(GROUND, Joint(-1, (), (GROUND, GROUND), (), ()), np.zeros(3), np.eye(3))  # type: ignore[arg-type]
+
+
+@dataclass
+class TreeLink:
+    """One link with its joint, and the state of that: reference value, displacement and rate."""
+
+    kind: JointType
+    parent: int
+    transformation: FloatArray
+    offset: FloatArray
+    state: tuple[float, float, float]
 
 
 @dataclass
 class Tree:
-    """Links in the order of their numbers."""
+    """Bodies in an order in which carriers come first, and the links that they make."""
 
-    links: list[Link] = field(default_factory=list)
-
-    def number(self, body: int) -> int:
-        return next(i for i, link in enumerate(self.links) if link.body == body)
+    seats: list[Seat] = field(default_factory=list)
+    links: list[TreeLink] = field(default_factory=list)
 
 
 def _references(value: Any) -> Iterator[tuple[str, int]]:
@@ -122,9 +143,9 @@ class Model:
     def body_of(self, marker: int) -> int | None:
         """Return the rigid body that a marker is on, GROUND, or None for any other place."""
         item = self.items("marker")[marker]
-        if item["markerType"] == "NodeRigid":
+        if item["markerType"] in {"NodeRigid", "NodePosition"}:
             return next((k for kind, body, k in self.users_of("node", int(item["nodeNumber"])) if _is_body(body)), None)
-        if item["markerType"] != "BodyRigid":
+        if item["markerType"] not in {"BodyRigid", "BodyPosition"}:
             return None
         body = self.items("object")[int(item["bodyNumber"])]
         if body["objectType"] == "Ground":
@@ -177,7 +198,7 @@ def _turns(kind: str, user: dict[str, Any], i: int) -> bool:
     return kind == "object" and (f"rotationMarker{at.index(i)}" in user or user["objectType"] in positions)
 
 
-def _has_counterpart(model: Model, body: int, turned: bool) -> bool:
+def _has_counterpart(model: Model, body: int, turned: bool, grounded: bool = False) -> bool:
     """Return whether all that refers to a body, or to its node, can be on a link, whose axes may be others."""
     item = model.items("object")[body]
     node = int(item["nodeNumber"])
@@ -189,6 +210,7 @@ def _has_counterpart(model: Model, body: int, turned: bool) -> bool:
         if kind == "sensor":
             kept = user["sensorType"] in {"Body", "Node"} and user["outputVariableType"] in _OUTPUTS
             kept = kept and (not turned or _OUTPUTS[user["outputVariableType"]])
+            kept = kept and (not grounded or user["outputVariableType"].name in _OF_GROUND)
         elif kind != "marker":
             kept = False
         elif user["markerType"] == "BodyMass":
@@ -203,62 +225,125 @@ def _has_counterpart(model: Model, body: int, turned: bool) -> bool:
     return True
 
 
+def _free_axes(item: dict[str, Any]) -> tuple[int, ...] | None:
+    """Return the axes along and about which an ideal joint moves; None if trees have no such joint."""
+    kind = item["objectType"]
+    if kind == "JointGeneric" and not item["offsetUserFunction"]:
+        free = tuple(axis for axis in ALL_AXES if not item["constrainedAxes"][axis])
+        return free if len(free) < 2 or free == ROTATIONS else None
+    if kind == "JointSpherical" and not all(item["constrainedAxes"]):
+        return None
+    return _FREE_AXES.get(kind)
+
+
 def _joints(model: Model) -> list[Joint]:
-    """Return all ideal joints of one coordinate between rigid bodies, or between one of them and the ground."""
+    """Return all joints that trees have, between rigid bodies, or between one of them and the ground."""
     found = []
     for number, item in enumerate(model.items("object")):
-        kind = item["objectType"]
-        if kind == "JointGeneric" and not item["offsetUserFunction"] and sum(item["constrainedAxes"]) == 5:
-            free = list(item["constrainedAxes"]).index(0)
-        elif kind in _FREE_AXES:
-            free = _FREE_AXES[kind]
-        else:
+        free = _free_axes(item)
+        if free is None:
             continue
         markers = [int(marker) for marker in item["markerNumbers"]]
         bodies = [model.body_of(marker) for marker in markers]
         if not item["activeConnector"] or None in bodies or bodies[0] == bodies[1] or model.users_of("object", number):
             continue
         (place0, own0), (place1, own1) = (model.place_of(marker) for marker in markers)
-        axes = own0 @ np.asarray(item["rotationMarker0"]), own1 @ np.asarray(item["rotationMarker1"])
+        axes = tuple(own @ np.asarray(item.get(f"rotationMarker{k}", np.eye(3))) for k, own in enumerate((own0, own1)))
         found.append(Joint(number, free, (bodies[0], bodies[1]), (place0, place1), axes))  # type: ignore[arg-type]
     return found
 
 
-def _link(joint: Joint) -> Link:
-    """Return the link that a joint carries, in the axes of the body if the joint is along one of these."""
+def _nearly(turn: FloatArray) -> FloatArray:
+    """Return a rotation matrix, or the unit matrix if it is that up to rounding."""
+    return np.eye(3) if np.abs(turn - np.eye(3)).max() < 1e-14 else turn
+
+
+def _seat(joint: Joint, carrier: Seat) -> Seat:
+    """Return how a joint carries a body, if it can in the axes of the body."""
+    body = joint.bodies[1]
+    if joint.free == ALL_AXES:
+        return Seat(body, joint, np.zeros(3), np.eye(3))
+    if joint.free == ROTATIONS:
+        return Seat(body, joint, joint.places[1], np.eye(3))
+    if not joint.free:
+        turn, origin = joint.body_on_carrier()
+        return Seat(body, joint, turn.T @ (carrier.origin - origin), _nearly(turn.T @ carrier.turn))
     axes = joint.axes[1]
-    along = axes[:, joint.free % 3]
+    along = axes[:, joint.free[0] % 3]
     k = int(np.abs(along).argmax())
     aligned = bool(abs(along[k]) > 1 - 1e-14)
-    return Link(
-        joint.bodies[1],
-        joint,
-        joint.places[1],
-        np.eye(3) if aligned else axes,
-        float(np.sign(along[k])) if aligned else 1.0,
-    )
+    turn, sign = (np.eye(3), float(np.sign(along[k]))) if aligned else (axes, 1.0)
+    return Seat(body, joint, joint.places[1], turn, sign)
 
 
-def _trees(model: Model) -> list[Tree]:
-    """Return trees from the ground on: of each body the shortest way."""
-    joints, taken, trees = _joints(model), set[int](), list[Tree]()
+class _Search:
+    """Finds trees: of each body the shortest way to the ground, or to a body that floats."""
 
-    def next_links(body: int) -> Iterator[Link]:
-        for joint in joints:
-            seen = joint if joint.bodies[0] == body else joint.backwards() if joint.bodies[1] == body else None
-            if seen is None or seen.bodies[1] == GROUND or seen.bodies[1] in taken:
+    def __init__(self, model: Model) -> None:
+        self.model, self.joints, self.taken = model, _joints(model), set[int]()
+
+    def carried_by(self, seat: Seat, on_ground: bool = False, fixed: bool = True) -> Iterator[Seat]:
+        """Yield the bodies on a body (or on ground) that are not in a tree yet, which they are from now on.
+
+        On what does not move: those that are fixed there, or those that are not.
+        """
+        for joint in self.joints:
+            ends = joint.bodies
+            seen = joint if ends[0] == seat.body else joint.backwards() if ends[1] == seat.body else None
+            if seen is None or seen.bodies[1] == GROUND or seen.bodies[1] in self.taken:
                 continue
-            link = _link(seen)
-            if _has_counterpart(model, link.body, turned=not np.array_equal(link.turn, np.eye(3))):
-                taken.add(link.body)
-                yield link
+            if on_ground and bool(seen.free) == fixed:
+                continue
+            found, grounded = _seat(seen, seat), on_ground and fixed
+            turned = not grounded and not np.array_equal(found.turn, np.eye(3))
+            if _has_counterpart(self.model, found.body, turned, grounded):
+                self.taken.add(found.body)
+                yield found
 
-    for root in list(next_links(GROUND)):
+    def grounded(self) -> list[Seat]:
+        """Return the bodies that are fixed to the ground."""
+        found = [_ON_GROUND]
+        for seat in found:  # grows meanwhile
+            found.extend(self.carried_by(seat, on_ground=True))
+        return found[1:]
+
+    def tree_on(self, root: Seat) -> Tree:
         tree = Tree([root])
-        for link in tree.links:  # grows meanwhile
-            tree.links.extend(next_links(link.body))
-        trees.append(tree)
-    return trees
+        for seat in tree.seats:  # grows meanwhile
+            tree.seats.extend(self.carried_by(seat))
+        return tree
+
+    def floating(self) -> Iterator[Tree]:
+        """Yield trees that nothing holds; each stands on the body with the most joints."""
+        count = {body: sum(body in joint.bodies for joint in self.joints) for body in self.bodies()}
+        for body in sorted(count, key=lambda body: (-count[body], body)):
+            if body in self.taken or not _has_counterpart(self.model, body, turned=False):
+                continue
+            self.taken.add(body)
+            zero, one = (np.zeros(3), np.zeros(3)), (np.eye(3), np.eye(3))
+            tree = self.tree_on(_seat(Joint(-1, ALL_AXES, (GROUND, body), zero, one), _ON_GROUND))
+            if len(tree.seats) > 1:
+                yield tree
+            else:
+                self.taken.remove(body)
+
+    def bodies(self) -> set[int]:
+        return {body for joint in self.joints for body in joint.bodies} - {GROUND}
+
+
+def _trees(model: Model) -> tuple[list[Seat], list[Tree]]:
+    """Return the bodies that are fixed to the ground, and the trees, those on the ground first."""
+    search = _Search(model)
+    grounded = search.grounded()
+    roots = [
+        root for seat in [_ON_GROUND, *grounded] for root in list(search.carried_by(seat, on_ground=True, fixed=False))
+    ]
+    trees = [search.tree_on(root) for root in roots]
+    trees.extend(search.floating())
+    places = {seat.body: seat for seat in grounded} | {GROUND: _ON_GROUND}
+    for tree in trees:
+        _make_links(model, tree, dict(places))
+    return grounded, trees
 
 
 # ---- parameters of trees ---------------------------------------------------------------------------------------------
@@ -275,57 +360,133 @@ def _motion(model: Model, body: int, configuration: ConfigurationType) -> tuple[
     return values[0], values[1].reshape(3, 3), values[2], values[3]
 
 
-def _coordinate(model: Model, link: Link, configuration: ConfigurationType) -> tuple[float, float, float]:
-    """Return coordinate and rate of a joint, and how far it is open."""
-    joint = link.joint
-    (p0, A0, v0, w0), (p1, A1, v1, w1) = (_motion(model, body, configuration) for body in joint.bodies)
+def _opened(model: Model, joint: Joint, configuration: ConfigurationType) -> tuple[FloatArray, FloatArray, float]:
+    """Return how the second end of a joint lies in the first, place and axes, and how far the joint is open."""
+    (p0, A0, _, _), (p1, A1, _, _) = (_motion(model, body, configuration) for body in joint.bodies)
     J0, J1 = A0 @ joint.axes[0], A1 @ joint.axes[1]
-    r0, r1 = A0 @ joint.places[0], A1 @ joint.places[1]
-    k, apart = joint.free % 3, J0.T @ (p1 + r1 - p0 - r0)
-    relative, y, z = J0.T @ J1, (k + 1) % 3, (k + 2) % 3
-    turned = np.arctan2(relative[z, y], relative[y, y])
-    if joint.free < 3:
-        q, rate = apart[k], J0[:, k] @ (v1 + np.cross(w1, r1) - v0 - np.cross(w0, p1 + r1 - p0))
-        rest = np.delete(apart, k), relative - np.eye(3)
+    apart, relative = J0.T @ (p1 + A1 @ joint.places[1] - p0 - A0 @ joint.places[0]), J0.T @ J1
+    held = [axis for axis in (0, 1, 2) if axis not in joint.free]
+    rest = [apart[held]]
+    if len(turning := [axis - 3 for axis in joint.free if axis >= 3]) < 2:
+        along = turning or [0, 1, 2]
+        rest.append((relative - np.eye(3))[:, along].ravel())
+    return apart, relative, max((float(np.abs(part).max()) for part in rest if part.size), default=0.0)
+
+
+def _coordinate(model: Model, seat: Seat, configuration: ConfigurationType) -> tuple[float, float]:
+    """Return coordinate and rate of a joint of one coordinate."""
+    joint = seat.joint
+    (p0, A0, v0, w0), (p1, A1, v1, w1) = (_motion(model, body, configuration) for body in joint.bodies)
+    apart, relative, _ = _opened(model, joint, configuration)
+    k = joint.free[0] % 3
+    along, y, z = (A0 @ joint.axes[0])[:, k], (k + 1) % 3, (k + 2) % 3
+    if joint.free[0] < 3:
+        r1 = A1 @ joint.places[1]
+        q, rate = apart[k], along @ (v1 + np.cross(w1, r1) - v0 - np.cross(w0, p1 + r1 - p0))
     else:
-        q, rate = turned, J0[:, k] @ (w1 - w0)
-        rest = apart, relative[:, k] - np.eye(3)[:, k]
-    return float(link.sign * q), float(link.sign * rate), max(float(np.abs(part).max()) for part in rest)
+        q, rate = np.arctan2(relative[z, y], relative[y, y]), along @ (w1 - w0)
+    return float(seat.sign * q), float(seat.sign * rate)
 
 
-def _inertia(item: dict[str, Any], link: Link) -> RigidBodyInertia:
+def _turning_links(model: Model, seat: Seat, carrier: Seat, parent: int, offset: FloatArray) -> list[TreeLink]:
+    """Return three links, the last of which has the axes of the body."""
+    body = seat.joint.bodies
+    states = []
+    for configuration in (ConfigurationType.Initial, ConfigurationType.Reference):
+        (_, A0, _, w0), (_, A1, _, w1) = (_motion(model, number, configuration) for number in body)
+        frame = A0 @ carrier.turn
+        states.append((frame, frame.T @ A1 @ seat.turn, frame.T @ (w1 - w0)))
+    (frame, relative, spin), (_, at_rest, _) = states
+    weight = model.gravity(seat.body) if carrier.link == GROUND else np.zeros(3)
+    up = -frame.T @ weight / np.linalg.norm(weight) if weight.any() else np.zeros(3)
+    turns = ThreeTurns.of(relative, spin, up)
+    angles, reference = turns.angles(relative), turns.angles(at_rest)
+    moved = (angles - reference + np.pi) % (2 * np.pi) - np.pi
+    rates = turns.rates(angles, spin)
+    return [
+        TreeLink(
+            JointType(1 + axis),
+            parent if i == 0 else BEFORE,
+            turns.base if i == 0 else np.eye(3),
+            offset if i == 0 else np.zeros(3),
+            (float(reference[i]), float(moved[i]), float(rates[i])),
+        )
+        for i, axis in enumerate(turns.axes)
+    ]
+
+
+def _sliding_links(model: Model, seat: Seat) -> list[TreeLink]:
+    """Return three links that carry the origin of a body along the global axes."""
+    p, _, v, _ = _motion(model, seat.body, ConfigurationType.Initial)
+    reference, _, _, _ = _motion(model, seat.body, ConfigurationType.Reference)
+    return [
+        TreeLink(
+            JointType(4 + i),
+            GROUND if i == 0 else BEFORE,
+            np.eye(3),
+            np.zeros(3),
+            (float(reference[i]), float(p[i] - reference[i]), float(v[i])),
+        )
+        for i in range(3)
+    ]
+
+
+def _links_of(model: Model, seat: Seat, carrier: Seat) -> list[TreeLink]:
+    """Return the links that a joint adds; the last one is that of the body."""
+    joint, initial = seat.joint, ConfigurationType.Initial
+    offset = carrier.turn.T @ (joint.places[0] - carrier.origin)
+    if not joint.free:
+        return []
+    if joint.free == ALL_AXES:
+        return _sliding_links(model, seat) + _turning_links(model, seat, carrier, BEFORE, np.zeros(3))
+    if joint.free == ROTATIONS:
+        return _turning_links(model, seat, carrier, carrier.link, offset)
+    (q, rate), (reference, _) = (_coordinate(model, seat, c) for c in (initial, ConfigurationType.Reference))
+    moved = q - reference
+    if joint.free[0] >= 3:
+        moved = (moved + np.pi) % (2 * np.pi) - np.pi
+    transformation = carrier.turn.T @ joint.axes[0] @ joint.axes[1].T @ seat.turn
+    kind = JointType((4 if joint.free[0] < 3 else 1) + seat.axis)
+    return [TreeLink(kind, carrier.link, transformation, offset, (reference, moved, rate))]
+
+
+def _require_closed(model: Model, joint: Joint) -> None:
+    opening = _opened(model, joint, ConfigurationType.Initial)[2]
+    if opening > CLOSED:
+        name = model.items("object")[joint.number]["name"]
+        raise ValueError(
+            f"RecogniseTrees: joint '{name}' (object {joint.number}) is open by {opening:.3g} at the start; "
+            "place the bodies so that their joints are closed"
+        )
+
+
+def _make_links(model: Model, tree: Tree, seats: dict[int, Seat]) -> None:
+    """Number links from the base on, and find the state of their joints; `seats` are those of bodies on the ground."""
+    for seat in tree.seats:
+        if seat.joint.number >= 0:
+            _require_closed(model, seat.joint)
+        carrier = seats[seat.joint.bodies[0]]
+        for link in _links_of(model, seat, carrier):
+            if link.parent == BEFORE:
+                link.parent = len(tree.links) - 1
+            tree.links.append(link)
+        seat.link = len(tree.links) - 1 if seat.joint.free else carrier.link
+        seats[seat.body] = seat
+
+
+def _inertia(item: dict[str, Any], seat: Seat) -> RigidBodyInertia:
     J = np.asarray(item["physicsInertia"])
     tensor = np.array([[J[0], J[5], J[4]], [J[5], J[1], J[3]], [J[4], J[3], J[2]]])
     com = np.asarray(item["physicsCenterOfMass"])
     about = RigidBodyInertia(item["physicsMass"], tensor, com, inertiaTensorAtCOM=False)
     back = np.eye(4)
-    back[:3, :3], back[:3, 3] = link.turn.T, -link.turn.T @ link.origin
+    back[:3, :3], back[:3, 3] = seat.turn.T, -seat.turn.T @ seat.origin
     return about.Transformed(back)
-
-
-def _state(model: Model, tree: Tree) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return coordinates of the joints in the reference configuration, initial displacements, and rates."""
-    rows = []
-    for link in tree.links:
-        q, rate, opening = _coordinate(model, link, ConfigurationType.Initial)
-        if opening > CLOSED:
-            name = model.items("object")[link.joint.number]["name"]
-            raise ValueError(
-                f"RecogniseTrees: joint '{name}' (object {link.joint.number}) is open by {opening:.3g} at the start; "
-                "place the bodies so that their joints are closed"
-            )
-        reference = _coordinate(model, link, ConfigurationType.Reference)[0]
-        moved = q - reference
-        if link.joint.free >= 3:
-            moved = (moved + np.pi) % (2 * np.pi) - np.pi
-        rows.append((reference, moved, rate))
-    reference, moved, rates = np.array(rows).T
-    return reference, moved, rates
 
 
 def _weights(model: Model, tree: Tree) -> FloatArray:
     """Return gravity of all links; none if it is not the same for all."""
-    all_weights = np.array([model.gravity(link.body) for link in tree.links])
+    all_weights = np.array([model.gravity(seat.body) for seat in tree.seats])
     return (
         all_weights[0]
         if np.array_equal(all_weights, np.broadcast_to(all_weights[0], all_weights.shape))
@@ -334,27 +495,23 @@ def _weights(model: Model, tree: Tree) -> FloatArray:
 
 
 def _parameters(model: Model, tree: Tree, node: NodeIndex) -> dict[str, Any]:
-    parents, transformations, offsets, inertias, drawn = [], [], [], [], []
-    for link in tree.links:
-        base, item = link.joint.bodies[0], model.items("object")[link.body]
-        parents.append(-1 if base == GROUND else tree.number(base))
-        carrier = None if base == GROUND else tree.links[parents[-1]]
-        turn, origin = (np.eye(3), np.zeros(3)) if carrier is None else (carrier.turn, carrier.origin)
-        transformations.append(turn.T @ link.joint.axes[0] @ link.joint.axes[1].T @ link.turn)
-        offsets.append(turn.T @ (link.joint.places[0] - origin))
-        inertias.append(_inertia(item, link))
+    inertias: list[RigidBodyInertia] = [RigidBodyInertia() for _ in tree.links]
+    drawn: list[list[Any]] = [[] for _ in tree.links]
+    for seat in tree.seats:
+        item = model.items("object")[seat.body]
+        inertias[seat.link] = inertias[seat.link] + _inertia(item, seat)
         shapes = item["VgraphicsData"] if item["Vshow"] else []
-        drawn.append([Move(shape, -link.turn.T @ link.origin, link.turn.T) for shape in shapes])
+        drawn[seat.link] += [Move(shape, -seat.turn.T @ seat.origin, seat.turn.T) for shape in shapes]
     return {
         "objectType": "KinematicTree",
-        "name": f"tree of {model.items('object')[tree.links[0].body]['name']}",
+        "name": f"tree of {model.items('object')[tree.seats[0].body]['name']}",
         "nodeNumber": node,
         "gravity": _weights(model, tree),
         "baseOffset": np.zeros(3),
         "jointTypes": [link.kind for link in tree.links],
-        "linkParents": parents,
-        "jointTransformations": Matrix3DList(transformations),
-        "jointOffsets": Vector3DList(offsets),
+        "linkParents": [link.parent for link in tree.links],
+        "jointTransformations": Matrix3DList([link.transformation for link in tree.links]),
+        "jointOffsets": Vector3DList([link.offset for link in tree.links]),
         "linkInertiasCOM": Matrix3DList([inertia.InertiaCOM() for inertia in inertias]),
         "linkCOMs": Vector3DList([inertia.COM() for inertia in inertias]),
         "linkMasses": [inertia.Mass() for inertia in inertias],
@@ -378,45 +535,76 @@ def _hidden(item: dict[str, Any], **values: Any) -> dict[str, Any]:
     return {"name": item["name"], **values, "Vshow": False}
 
 
+def _on_link(seat: Seat, number: ObjectIndex, user: dict[str, Any], item_type: str) -> dict[str, Any]:
+    """Return what tells a sensor or marker of a body, or of its node, where it is on the link."""
+    local = seat.turn.T @ (np.asarray(user.get("localPosition", np.zeros(3))) - seat.origin)
+    return {item_type: "KinematicTree", "objectNumber": number, "linkNumber": seat.link, "localPosition": local}
+
+
+def _sensor(user: dict[str, Any], place: dict[str, Any]) -> dict[str, Any]:
+    kept = ("name", "writeToFile", "fileName", "outputVariableType", "storeInternal", "Vshow")
+    return {**place, **{key: user[key] for key in kept}}
+
+
+def _replace_weight(model: Model, marker: int, item: dict[str, Any], acts: bool) -> None:
+    """Put forces in the place of loads that are proportional to a mass; zero, if they act otherwise."""
+    for _, load, m in model.users_of("marker", marker):
+        force = item["physicsMass"] * np.asarray(load["loadVector"]) if acts else np.zeros(3)
+        model.items("load")[m] = {
+            **_hidden(load, loadType="ForceVector", markerNumber=MarkerIndex(marker), loadVector=force),
+        }
+
+
+def _hide_node(model: Model, node: int) -> None:
+    place = model.items("node")[node]["referenceCoordinates"][:3]
+    model.items("node")[node] = _hidden(model.items("node")[node], nodeType="PointGround", referenceCoordinates=place)
+
+
 def _replace(model: Model, tree: Tree, number: ObjectIndex) -> None:
     """Put the links in the place of their bodies, for all that refers to these."""
-    common = _weights(model, tree)
-    for i, link in enumerate(tree.links):
-        body = model.items("object")[link.body]
+    shared = bool(np.any(_weights(model, tree)))
+    for seat in tree.seats:
+        body = model.items("object")[seat.body]
         node = int(body["nodeNumber"])
-        on_link = {"objectNumber": number, "linkNumber": i}
-        com = link.turn.T @ (np.asarray(body["physicsCenterOfMass"]) - link.origin)
-        for kind, user, k in [*model.users_of("object", link.body), *model.users_of("node", node)]:
-            local = link.turn.T @ (np.asarray(user.get("localPosition", np.zeros(3))) - link.origin)
+        for kind, user, k in [*model.users_of("object", seat.body), *model.users_of("node", node)]:
             if kind == "sensor":
-                kept = {
-                    key: user[key]
-                    for key in ("name", "writeToFile", "fileName", "outputVariableType", "storeInternal", "Vshow")
-                }
-                model.items(kind)[k] = {"sensorType": "KinematicTree", **kept, **on_link, "localPosition": local}
+                model.items(kind)[k] = _sensor(user, _on_link(seat, number, user, "sensorType"))
             elif kind == "marker" and user["markerType"] == "BodyMass":
-                shared = bool(np.any(common))
                 at_rest = _hidden(user, markerType="NodePosition", nodeNumber=NodeIndex(node))
-                at_com = {"markerType": "KinematicTreeRigid", "name": user["name"], **on_link, "localPosition": com}
-                model.items(kind)[k] = at_rest if shared else at_com
-                for _, load, m in model.users_of(kind, k):
-                    force = np.zeros(3) if shared else body["physicsMass"] * np.asarray(load["loadVector"])
-                    model.items("load")[m] = {
-                        **_hidden(load, loadType="ForceVector", markerNumber=MarkerIndex(k), loadVector=force),
-                    }
+                com = {"localPosition": body["physicsCenterOfMass"]}
+                at_com = _on_link(seat, number, com, "markerType") | {"markerType": "KinematicTreeRigid"}
+                model.items(kind)[k] = at_rest if shared else at_com | {"name": user["name"]}
+                _replace_weight(model, k, body, acts=not shared)
             elif kind == "marker":
                 for _, other, _ in model.users_of(kind, k):
-                    _turn_user(other, k, link.turn)
-                model.items(kind)[k] = {
-                    "markerType": "KinematicTreeRigid",
-                    **{key: user[key] for key in ("name", "Vshow")},
-                    **on_link,
-                    "localPosition": local,
-                }
-        place = model.items("node")[node]["referenceCoordinates"][:3]
-        model.items("node")[node] = _hidden(
-            model.items("node")[node], nodeType="PointGround", referenceCoordinates=place
-        )
+                    _turn_user(other, k, seat.turn)
+                place = _on_link(seat, number, user, "markerType") | {"markerType": "KinematicTreeRigid"}
+                model.items(kind)[k] = place | {key: user[key] for key in ("name", "Vshow")}
+        _hide_node(model, node)
+
+
+def _put_on_ground(model: Model, seat: Seat) -> None:
+    """Put a ground in the place of a body that is fixed to the ground."""
+    body = model.items("object")[seat.body]
+    node, number = int(body["nodeNumber"]), ObjectIndex(seat.body)
+    for kind, user, k in [*model.users_of("object", seat.body), *model.users_of("node", node)]:
+        if kind == "marker" and user["markerType"] == "BodyMass":
+            model.items(kind)[k] = _hidden(user, markerType="NodePosition", nodeNumber=NodeIndex(node))
+            _replace_weight(model, k, body, acts=False)
+        elif kind == "sensor" and user["sensorType"] == "Node":
+            place = {"sensorType": "Body", "bodyNumber": number, "localPosition": np.zeros(3)}
+            model.items(kind)[k] = _sensor(user, place)
+        elif kind == "marker" and user["markerType"].startswith("Node"):
+            on_body = {"markerType": user["markerType"].replace("Node", "Body"), "bodyNumber": number}
+            model.items(kind)[k] = on_body | {key: user[key] for key in ("name", "Vshow")}
+    _hide_node(model, node)
+    model.items("object")[seat.body] = {
+        "objectType": "Ground",
+        "referencePosition": -seat.turn.T @ seat.origin,
+        "referenceRotation": seat.turn.T,
+        **{key: body[key] for key in ("name", "Vshow", "VgraphicsData")},
+    }
+    _hide(model.items("object"), [seat.joint.number])
 
 
 def _hide(items: list[dict[str, Any]], numbers: Sequence[int]) -> None:
@@ -427,20 +615,33 @@ def _hide(items: list[dict[str, Any]], numbers: Sequence[int]) -> None:
 def RecogniseTrees(mbs: MainSystem) -> MainSystem:
     """Return a copy of an assembled system in which open chains and trees of rigid bodies are kinematic trees.
 
-    Bodies that joints of one coordinate carry (RevoluteJointZ, PrismaticJointX, GenericJoint with one free axis), one
-    after the other from the ground on, become links, in the state of the initial configuration. Their motion then takes
-    as many coordinates as joints and, in explicit solvers, a number of operations that grows with that of the links.
-    Joints that close loops stay as constraints. Markers, loads and sensors keep their numbers and act on the links;
-    where bodies, their nodes and joints were, there are ground items. A body stays as it is if something refers to it
+    Bodies that revolute, prismatic, spherical and fixed joints carry (RevoluteJointZ, PrismaticJointX, SphericalJoint,
+    GenericJoint with one free axis, with three free rotations, or with none), one after the other from the ground on,
+    become links, in the state of the initial configuration. So do bodies that joints connect to each other, but not to
+    the ground: the one with the most joints then floats. Motion takes as many coordinates as joints have and, in
+    explicit solvers, a number of operations that grows with that of the links. Joints that close loops stay as
+    constraints.
+
+    A spherical joint becomes three rotations about different axes, as does the rotation of a body that floats. They
+    lock where the second has turned by 90 degrees; axes are chosen far from that. On the ground and where a body
+    floats, with weight, the first is vertical, so that only the elevation of the last is limited. Motions that come
+    close to it need smaller steps than those of bodies with Euler parameters, and are better left to them.
+
+    Markers, loads and sensors keep their numbers and act on the links; where bodies, their nodes and joints were, there
+    are ground items; bodies that are fixed to the ground become ground. A body stays as it is if something refers to it
     that links do not have, such as a sensor of its coordinates, a marker of its node's coordinates, or a load of weight
     with a user function; so does a joint that a sensor measures. Weight becomes the gravity of the tree.
+
+    raises ValueError if a joint is open at the start
     """
     model = Model(mbs)
-    trees = _trees(model)
+    grounded, trees = _trees(model)
+    for seat in grounded:
+        _require_closed(model, seat.joint)
     added = []
     for k, tree in enumerate(trees):
         node = NodeIndex(len(model.items("node")) + k)
-        reference, moved, rates = _state(model, tree)
+        reference, moved, rates = np.array([link.state for link in tree.links]).T
         coordinates = {
             "nodeType": "GenericODE2",
             "referenceCoordinates": reference,
@@ -452,8 +653,11 @@ def RecogniseTrees(mbs: MainSystem) -> MainSystem:
     first = len(model.items("object"))
     for k, tree in enumerate(trees):
         _replace(model, tree, ObjectIndex(first + k))
+    for seat in grounded:
+        _put_on_ground(model, seat)
     for tree in trees:
-        _hide(model.items("object"), [number for link in tree.links for number in (link.body, link.joint.number)])
+        numbers = [number for seat in tree.seats for number in (seat.body, seat.joint.number) if number >= 0]
+        _hide(model.items("object"), numbers)
     for coordinates, parameters in added:
         model.items("node").append(coordinates | {"name": f"coordinates of {parameters['name']}"})
         model.items("object").append(parameters)

@@ -78,7 +78,10 @@ def SolidOfRevolution(
     nSegments = len(profile) - 1
     p, other, following, diagonal = grid_indices(2, nTiles)
     offset = 2 * nTiles * np.arange(nSegments)[:, None, None]
-    triangles = np.column_stack([p, other, diagonal, p, diagonal, following]) + offset
+    triangles = (np.column_stack([p, other, diagonal, p, diagonal, following]) + offset).reshape(-1, 3)
+    corners = points[triangles]
+    on_axis = (corners == np.roll(corners, 1, axis=1)).all(axis=2).any(axis=1)  # these have no area
+    triangles = triangles[~on_axis]
     rgba = np.tile(two_colors(color, kwargs.get("alternatingColor"), nTiles), (2 * nSegments, 1))
     edges: list[list[int]] | None = None
     if addEdges:
@@ -124,12 +127,14 @@ def Basis(
 ) -> GraphicsData | list[GraphicsData]:
     """Return three arrows along the columns of a rotation matrix, or a list with texts if there are labels.
 
-    Optional arguments: radius of the shafts (default: 0.01*length), labels (three texts).
+    Optional arguments: radius of the shafts (default: 0.01*length), labels (three texts). Without length, it is empty.
     """
     no_unknown("graphics.Basis", kwargs, ("radius", "labels"))
     p = as_vector("Basis: origin", origin, 3)
     axes = as_number("Basis: length", length) * as_matrix("Basis: rotationMatrix", rotationMatrix, (3, 3)).T
     radius = kwargs.get("radius", 0.01 * length)
+    if length == 0:
+        return triangle_list(np.zeros((0, 3)), [], np.zeros((0, 4)), np.zeros((0, 3)))
     x, y, z = (
         Arrow(p, axis, radius, rgba, headFactor, headStretch, nTiles) for axis, rgba in zip(axes, colors, strict=True)
     )

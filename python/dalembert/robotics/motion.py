@@ -42,6 +42,7 @@ class Motion(Protocol):
     def GetFinalCoordinates(self) -> FloatArray: ...
     def Evaluate(self, time: float) -> list[FloatArray]: ...
     def EvaluateCoordinate(self, time: float, coordinate: int) -> list[float]: ...
+    def GetBreaks(self) -> list[float]: ...
 
 
 class Profile(Protocol):
@@ -100,6 +101,11 @@ class BasicProfile(_Inspectable):
     def GetFinalCoordinates(self) -> FloatArray:
         """Return the coordinates at the end."""
         return self.coordinateSets[-1]
+
+    def GetBreaks(self) -> list[float]:
+        """Return the times (s) between which each coordinate is one polynomial of at most third order."""
+        ramps = self.accelerationTimes
+        return [self.initialTime, *(self.initialTime + ramps), *(self.finalTime - ramps), self.finalTime]
 
     def Evaluate(self, time: float) -> list[FloatArray]:
         """Return coordinates, velocities and accelerations; the robot rests before the start and after the end."""
@@ -178,6 +184,10 @@ class BasicProfileLinearAcceleration(_Inspectable):
     def GetFinalCoordinates(self) -> FloatArray:
         """Return the coordinates at the end."""
         return self.coordinateSets[-1]
+
+    def GetBreaks(self) -> list[float]:
+        """Return the times (s) between which each coordinate is one polynomial of at most third order."""
+        return [self.initialTime + float(time) for time in self._times]
 
     def Evaluate(self, time: float) -> list[FloatArray]:
         """Return coordinates, velocities and accelerations; before the start and after the end those of there."""
@@ -336,6 +346,10 @@ class Trajectory:
     def GetTimes(self) -> list[float]:
         """Return the times at which profiles start and end."""
         return [self.initialTime, *(profile.finalTime for profile in self.profiles)]
+
+    def GetBreaks(self) -> list[float]:
+        """Return the times (s) between which each coordinate is one polynomial of at most third order, ascending."""
+        return sorted({self.initialTime, *(time for profile in self.profiles for time in profile.GetBreaks())})
 
     def Initialize(self) -> None:
         """Take the times of the profiles over; Add does so."""

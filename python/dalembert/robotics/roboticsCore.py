@@ -5,6 +5,9 @@ Homogeneous transformations (4x4 matrices) place links and joints. Lengths in m,
 
 from __future__ import annotations
 
+from copy import copy as copy  # models take these from here
+from copy import deepcopy as deepcopy
+
 from dalembert.robotics._denavit_hartenberg import ModDHKK2HT, StdDH2HT, projectAngleToPMPi
 from dalembert.robotics._inverse_kinematics import InverseKinematicsNumerical
 from dalembert.robotics._parts import RobotBase, RobotLink, RobotTool, VRobotBase, VRobotLink, VRobotTool
@@ -21,5 +24,7 @@ __all__ = [
     "VRobotBase",
     "VRobotLink",
     "VRobotTool",
+    "copy",
+    "deepcopy",
     "projectAngleToPMPi",
 ]

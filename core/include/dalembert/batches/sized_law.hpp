@@ -44,7 +44,7 @@ class LawOfBody {
   std::span<const int> own_dofs() const { return std::span(dofs_).subspan(begin_); }
   std::span<const int> own_rows() const { return std::span(rows_).subspan(begin_); }
   void call(const UserFunction& f, const Evaluation& evaluation, Work& work, std::span<double> result) const;
-  void take_arguments(const Evaluation& evaluation, Work& work) const;
+  void take_arguments(const UserFunction& f, const Evaluation& evaluation, Work& work) const;
   void repeat(const UserFunction& f, double time, const Work& work, std::span<double> result) const;
 
   int item_ = -1, order_ = 2;
@@ -54,6 +54,7 @@ class LawOfBody {
   std::vector<double> force_vector_;
   UserFunction force_, mass_, jacobian_;
   bool full_ = false;
+  bool forceless_ = true;  // neither forces nor matrices but that of masses
 };
 
 // Refuses matrices and vectors of other sizes than so many coordinates, or none.

@@ -16,6 +16,8 @@ struct Argument {
 class Callback {
  public:
   virtual ~Callback() = default;
+  // Whether coordinates among the arguments include reference values.
+  virtual bool takes_total_coordinates() const { return false; }
   // `results` has the size that the signature in the spec promises. Throws what the user's function throws.
   virtual void call(double time, int item, std::span<const Argument> arguments, std::span<double> results) const = 0;
   // The same for a system whose state has not changed since the last call: what that call gave may be given again, if the

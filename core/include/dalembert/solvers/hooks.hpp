@@ -4,9 +4,12 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
+
+#include "dalembert/solvers/schedule.hpp"
 
 namespace dalembert {
 
@@ -31,6 +34,8 @@ struct SolverHooks {
   std::function<std::vector<EventValue>(double time)> events;
   // At an event, with its number, and 1 if its function rises or -1 if it falls. False: stop.
   std::function<bool(double time, int event, int direction)> event_action;
+  // Null: nothing acts at times that are known beforehand. Otherwise there is a pre_step, which may do nothing.
+  std::shared_ptr<Schedule> schedule;
   // Entries to add to the system matrix, for the given weights of derivatives by q, v and ODE1 coordinates.
   std::function<std::vector<MatrixEntry>(double time, double q, double v, double y)> system_jacobian;
   // True once: the Jacobian has to be computed anew (mbs.systemData or user functions asked for it).

@@ -227,6 +227,8 @@ class Solver {
   bool end_with_event();
   bool event_reached() const;
   void act_on_events();
+  void end_as_scheduled();  // a step that would go further
+  void act_as_scheduled();
   // ---- the parts of solve_steps ------------------------------------------------------------------------------------
   void start_steps();
   bool next_step();

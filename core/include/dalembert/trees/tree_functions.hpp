@@ -12,6 +12,7 @@ class TreeFunctions {
  public:
   TreeFunctions(Tree tree, const Vec3<double>& gravity) : tree_(std::move(tree)), gravity_(gravity) {}
   const Tree& tree() const { return tree_; }
+  const Vec3<double>& gravity() const { return gravity_; }
 
   // Joint forces that the accelerations need; null: none, which leaves weight and forces of velocities.
   void inverse_dynamics(std::size_t states, const double* q, const double* v, const double* a, double* forces) const;

@@ -1,0 +1,201 @@
+"""A vehicle with mecanum wheels drives through a room, sideways and turning, and maps it by a lidar.
+
+Drives keep the wheels at the speeds that the kinematics of mecanum wheels asks for; friction along the axles of rollers
+does the rest. From the angles that wheels have turned, odometry tells where the vehicle is, up to their slip. The
+lidar measures distances along 72 rays five times a second; with the poses of odometry they become points of a map. As
+the room is known here, the last scan also says where the vehicle has arrived, to the tenth of a millimeter.
+"""
+
+import numpy as np
+from scipy.optimize import least_squares
+
+import dalembert as exu
+from dalembert.robotics.mobile import MobileKinematics, MobileRobot2MBS
+from dalembert.robotics.motion import ProfileConstantAcceleration, Trajectory
+from dalembert.robotics.utilities import AddLidar
+from dalembert.utilities import *
+
+radius, base, track, height = 0.0762, 0.4, 0.39, 0.1532  # m, of wheels, between axles, between wheels, of the platform
+room = np.array([6.0, 4.0])  # m
+step, scan, rays = 4e-3, 0.2, 72  # s, s, 1
+start = np.array([-2.0, -1.0, 0.0])  # m, m, rad
+
+trajectory = Trajectory(start)
+for pose, duration in [
+    ([0, -1, 0], 5),
+    ([0.5, 0.8, np.pi / 2], 8),
+    ([2, 0.8, np.pi / 2], 5),
+    ([2, -0.5, np.pi], 7),
+]:
+    trajectory.Add(ProfileConstantAcceleration(pose, duration))
+end = trajectory.GetTimes()[-1]
+
+mbs = exu.SystemContainer().AddSystem()
+
+# ---- the room: walls, a box and a column, which the lidar sees
+x, y = room / 2
+shapes = [
+    graphics.Brick(centerPoint=center, size=size, color=graphics.color.lightgrey)
+    for center, size in [
+        ([0, y + 0.1, 0.25], [2 * x, 0.2, 0.5]),
+        ([0, -y - 0.1, 0.25], [2 * x, 0.2, 0.5]),
+        ([x + 0.1, 0, 0.25], [0.2, 2 * y, 0.5]),
+        ([-x - 0.1, 0, 0.25], [0.2, 2 * y, 0.5]),
+    ]
+]
+box, column = [np.array([-1.2, 1.2]), np.array([0.8, 0.6])], [np.array([1.2, -1.2]), 0.3]
+shapes.append(graphics.Brick(centerPoint=[*box[0], 0.25], size=[*box[1], 0.5], color=graphics.color.orange))
+shapes.append(graphics.Cylinder([*column[0], 0], [0, 0, 0.5], column[1], nTiles=96, color=graphics.color.orange))
+floor = graphics.CheckerBoard(size=room[0] + 0.4, nTiles=16)
+ground = mbs.AddMarker(MarkerBodyRigid(bodyNumber=mbs.CreateGround(graphicsDataList=[*shapes, floor])))
+points, triangles = np.empty((0, 3)), np.empty((0, 3), dtype=int)
+for shape in shapes:
+    more_points, more_triangles = graphics.ToPointsAndTrigs(shape)
+    triangles = np.vstack([triangles, np.array(more_triangles) + len(points)])
+    points = np.vstack([points, more_points])
+seen = mbs.CreateDistanceSensorGeometry(points, triangles, ground, searchTreeCellSize=[16, 16, 1])
+
+# ---- the vehicle, and drives on its axles
+made = MobileRobot2MBS(
+    mbs,
+    {
+        "gravity": [0, 0, -9.81],
+        "platformDimensions": [0.5, 0.7, 0.2],
+        "platformMass": 42.5,
+        "platformInitialPose": HTtranslate([*start[:2], height]),
+        "platformInitialOmega": [0, 0, 0],
+        "platformInitialVelocity": [0, 0, 0],
+        "platformCOM": [0, 0, 0],
+        "platformRepresentation": "box",
+        "serialRobotMountpoint": HTtranslate([0, 0, 0.1]),
+        "wheelType": 0,
+        "wheelNumbers": 4,
+        "wheelBase": base,
+        "wheelTrack": track,
+        "wheelRadius": radius,
+        "wheelWidth": 0.076,
+        "wheelMass": 2.4,
+        "wheelContactStiffness": 5e4,
+        "wheelContactDamping": 5e2,
+        "friction": [1.0, 0.0, 0.0],
+        "frictionAngle": np.pi / 4,
+        "viscousFrictionWheel": [0, 0],
+        "proportionalZone": 1e-3,
+        "debugOffset": 0,
+    },
+    ground,
+)
+platform = made["bPlatformList"][0]
+drives = []
+for joint in made["oAxlesList"]:
+    axle = mbs.GetObject(joint)
+    same = {name: axle[name] for name in ("markerNumbers", "rotationMarker0", "rotationMarker1")}
+    turns = mbs.AddNode(NodeGenericData(initialCoordinates=[0], numberOfDataCoordinates=1))
+    drives.append(mbs.AddObject(TorsionalSpringDamper(**same, nodeNumber=turns, damping=5.0)))
+kinematics = MobileKinematics(radius, base / 2, track / 2)
+
+
+def drive(mbs, t):
+    """Wheels turn as the trajectory wants it, whose velocities are those along the axes of the room."""
+    (_, _, heading), (v_x, v_y, omega), _ = trajectory.Evaluate(t)
+    along = np.cos(heading) * v_x + np.sin(heading) * v_y
+    across = np.cos(heading) * v_y - np.sin(heading) * v_x
+    for number, speed in zip(drives, kinematics.GetWheelVelocities([along, across, omega]), strict=True):
+        mbs.SetObjectParameter(number, "velocityOffset", speed)
+    return True
+
+
+mbs.SetPreStepUserFunction(drive)
+
+# ---- what it measures
+lidar = mbs.AddMarker(MarkerBodyRigid(bodyNumber=platform, localPosition=[0, 0, 0.15]))
+angles = np.linspace(-np.pi, np.pi, rays, endpoint=False)
+sensors = AddLidar(
+    mbs, seen, lidar, 0.0, 20.0, numberOfSensors=rays, angleStart=angles[0], angleEnd=angles[-1], storeInternal=True
+)
+wheels = [
+    mbs.AddSensor(SensorObject(objectNumber=n, storeInternal=True, outputVariableType=exu.OutputVariableType.Rotation))
+    for n in drives
+]
+poses = [
+    mbs.AddSensor(SensorBody(bodyNumber=platform, storeInternal=True, outputVariableType=what))
+    for what in (exu.OutputVariableType.Position, exu.OutputVariableType.Rotation)
+]
+mbs.Assemble()
+settings = exu.SimulationSettings()
+settings.timeIntegration.endTime = end
+settings.timeIntegration.numberOfSteps = round(end / step)
+settings.timeIntegration.verboseMode = 0
+settings.timeIntegration.generalizedAlpha.spectralRadius = 0.5
+settings.solutionSettings.writeSolutionToFile = False
+settings.solutionSettings.sensorsWritePeriod = scan
+mbs.SolveDynamic(settings)
+
+# ---- odometry: in each interval, the vehicle goes along a line at the heading in its middle
+t = mbs.GetSensorStoredData(poses[0])[:, 0]
+place, rotation = (mbs.GetSensorStoredData(sensor)[:, 1:] for sensor in poses)
+true = np.column_stack([place[:, :2], np.unwrap(rotation[:, 2])])
+turned = np.column_stack([mbs.GetSensorStoredData(sensor)[:, 1] for sensor in wheels])
+steps = kinematics.GetCartesianVelocities(np.diff(turned, axis=0))
+odometry = [start]
+for along, across, turn in steps:
+    px, py, heading = odometry[-1]
+    middle = heading + turn / 2
+    chord = np.sinc(turn / (2 * np.pi))  # of an arc, by its length
+    odometry.append(
+        [
+            px + chord * (np.cos(middle) * along - np.sin(middle) * across),
+            py + chord * (np.sin(middle) * along + np.cos(middle) * across),
+            heading + turn,
+        ]
+    )
+odometry = np.array(odometry)
+
+# ---- the map
+distances = np.column_stack([mbs.GetSensorStoredData(sensor)[:, 1] for sensor in sensors])
+
+
+def on_map(poses):
+    """Points that the rays of the last scans have hit, for given poses of the vehicle."""
+    direction = poses[:, 2:] + angles
+    return poses[:, None, :2] + distances[-len(poses) :, :, None] * np.stack(
+        [np.cos(direction), np.sin(direction)], axis=-1
+    )
+
+
+def distance_to_shapes(p):
+    """How far points are from walls, box and column."""
+    walls = np.abs(np.abs(p) - room / 2).min(axis=-1)
+    beyond = np.abs(p - box[0]) - box[1] / 2
+    outside = np.linalg.norm(np.maximum(beyond, 0), axis=-1) + np.minimum(beyond.max(axis=-1), 0)
+    round_column = np.linalg.norm(p - column[0], axis=-1) - column[1]
+    return np.minimum(walls, np.minimum(np.abs(outside), np.abs(round_column)))
+
+
+exact, mapped = on_map(true), on_map(odometry)
+off = np.linalg.norm(odometry[-1, :2] - true[-1, :2])
+print(f"Scanned points lie within {1e3 * distance_to_shapes(exact).max():.2f} mm of what they were taken from.")
+print(f"After {end:.0f} s, odometry is off by {1e3 * off:.0f} mm: rollers slip when the vehicle accelerates.")
+print(f"Points of the map lie within {1e3 * distance_to_shapes(mapped).max():.0f} mm of what they show.")
+
+# ---- the lidar says better where the vehicle is: where the last scan fits to the room
+found = least_squares(lambda pose: distance_to_shapes(on_map(pose[None])[-1]), odometry[-1]).x
+for name, unit, value, real in zip(["x", "y", "heading"], ["m", "m", "rad"], found, true[-1], strict=True):
+    print(f"{name} at the end by the lidar: {value:.5f} {unit}, real pose {real:.5f} {unit}")
+
+plan = mapped.reshape(-1, 2)
+mbs.PlotSensor(
+    [np.column_stack([plan[:, 0], plan]), np.column_stack([true[:, 0], true])],
+    componentsX=[0, 0],
+    components=[1, 1],
+    labels=["map", "way"],
+    xLabel="x (m)",
+    yLabel="y (m)",
+    markerStyles=[".", ""],
+    lineStyles=["", "-"],
+    fileName="mobile_robot_map.png",
+    closeAll=True,
+)
+view = mbs.GetSystemContainer().visualizationSettings
+view.nodes.show = view.markers.show = view.connectors.show = view.sensors.show = False
+mbs.Draw(fileName="mobile_robot_picture.png")
