@@ -36,5 +36,6 @@ PYBIND11_MODULE(_core, module) {
   register_linear_solver(module);
   register_symbolic(module);
   register_compiled_functions(module);
-  guard_objects(module);  // of all classes
+  guard_objects(module);        // of all classes
+  explain_wrong_calls(module);  // of all functions
 }

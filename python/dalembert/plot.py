@@ -207,6 +207,9 @@ def PlotSensor(
     if is_list(mbs):
         single = sensorNumbers if is_list(sensorNumbers) else [sensorNumbers]
         sensorNumbers = [Of(system, sensor, i) for i, system in enumerate(mbs) for sensor in single]
+    if not isinstance(colorCodeOffset, (int, np.integer)):
+        expected = "an integer, of the first color; colors=['red'] chooses colors by name"
+        raise TypeError(f"PlotSensor: colorCodeOffset: received {colorCodeOffset!r}, but expected {expected}")
     matched = match_lengths(sensorNumbers, components, componentsX)
     n = len(matched)
     if closeAll:

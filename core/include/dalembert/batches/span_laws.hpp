@@ -48,9 +48,9 @@ class SpanLaws {
 
   // To the forces on the markers, one connector after the other. Frames and forces are taken in fours.
   void add_forces(const double* values, double* forces) const {
-    in_lanes<4>([&]<int L>() {
+    in_registers_of_four([&] {
       for (const Block& block : blocks_)
-        for (int first = 0; first < block_lanes; first += L) add_some<L>(laws_[block.law], block, first, values, forces);
+        for (int first = 0; first < block_lanes; first += 4) add_some<4>(laws_[block.law], block, first, values, forces);
     });
   }
 
