@@ -248,24 +248,17 @@ def test_mass_points_in_space(modified: bool) -> None:
 def test_points_that_coincide_are_solved_alone() -> None:
     """A spring whose ends lie on each other has no direction: what it does then is for the solver of one system."""
     mbs = exu.SystemContainer().AddSystem()
-    masses = [mbs.CreateMassPoint(referencePosition=[k, 0, 0], physicsMass=1) for k in range(2)]
-    mbs.CreateSpringDamper(bodyNumbers=[mbs.CreateGround(), masses[0]], referenceLength=0.5, stiffness=10)
-    mbs.CreateSpringDamper(bodyNumbers=masses, referenceLength=0.5, stiffness=10)
+    mass = mbs.CreateMassPoint(physicsMass=1)
+    mbs.CreateSpringDamper(bodyNumbers=[mbs.CreateGround(), mass], referenceLength=0.5, stiffness=10)
     mbs.Assemble()
-    count = 5
-    start = np.zeros((count, 6))
-    start[:, 1] = [0.1, 0, 0.2, 0, 0.3]  # the first mass above the support
-    velocities = np.zeros((count, 6))
-    velocities[:, 1] = 1
+    start = np.zeros((5, 3))
+    start[:, 1] = [0.1, 0, 0.2, 0, 0.3]  # above the support, or in it, where nothing moves the mass
     s = settings(0.1, 20)
-    results = mbs.SolveVariations(
-        {}, s, initialCoordinates={"ODE2": start, "ODE2_t": velocities}, storeCoordinates=True, numberOfThreads=1
-    )
+    results = mbs.SolveVariations({}, s, initialCoordinates={"ODE2": start}, storeCoordinates=True, numberOfThreads=1)
     assert results.success.all()
     np.testing.assert_array_equal(results.sideBySide, start[:, 1] != 0)
-    for k in range(count):
+    for k in range(len(start)):
         mbs.systemData.SetODE2Coordinates(start[k], exu.ConfigurationType.Initial)
-        mbs.systemData.SetODE2Coordinates_t(velocities[k], exu.ConfigurationType.Initial)
         mbs.SolveDynamic(s)
         np.testing.assert_array_equal(results.coordinates["ODE2"][k], mbs.systemData.GetODE2Coordinates())
 
