@@ -53,12 +53,11 @@ class _ExplainingEnum(enum.EnumType):
 
 def _explain_setting(cls: type) -> None:
     """Let a class with a few switches name the nearest one when another is set."""
-    assign = cls.__setattr__
 
     def __setattr__(self: Any, name: str, value: Any) -> None:
         if not hasattr(cls, name):
             getattr(self, name)  # which explains
-        assign(self, name, value)
+        object.__setattr__(self, name, value)
 
     cls.__setattr__ = __setattr__  # type: ignore[assignment]
 

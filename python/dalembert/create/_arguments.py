@@ -114,7 +114,11 @@ def require_two_bodies(function: str, bodyNumbers: Sequence[Any]) -> None:
 
 def require_two_points(function: str, numbers: Sequence[Any], localPositions: Sequence[Vector]) -> None:
     """Raise a ValueError if both ends of a connector are the same point of the same body, node or marker."""
-    if type(numbers[0]) is type(numbers[1]) and numbers[0] == numbers[1] and np.array_equal(*localPositions):
+    if (
+        type(numbers[0]) is type(numbers[1])
+        and numbers[0] == numbers[1]
+        and np.array_equal(localPositions[0], localPositions[1])
+    ):
         raise argument_error(function, "bodyNumbers", "two different points, or it does nothing", numbers)
 
 
