@@ -26,6 +26,7 @@ from dalembert.itemInterface import (
     ObjectGround,
     ObjectRigidBody2D,
     RevoluteJoint2D,
+    SensorBody,
     SensorNode,
 )
 
@@ -66,11 +67,29 @@ def pendulum() -> tuple[Any, Any]:
     return mbs, (body, "physicsMass", 1.0)
 
 
+def points(count: int) -> tuple[Any, Any]:
+    """Point masses that hang below each other on springs and dampers."""
+    mbs = exu.SystemContainer().AddSystem()
+    row = [mbs.CreateGround()]
+    for i in range(1, count + 1):
+        row.append(mbs.CreateMassPoint(referencePosition=[0.1 * i, -0.3 * i, 0], physicsMass=1, gravity=[0, -9.81, 0]))
+    springs = [
+        mbs.CreateSpringDamper(bodyNumbers=row[i : i + 2], referenceLength=0.3, stiffness=500, damping=5)
+        for i in range(count)
+    ]
+    mbs.AddSensor(SensorBody(bodyNumber=row[-1], outputVariableType=exu.OutputVariableType.Position, writeToFile=False))
+    mbs.Assemble()
+    return mbs, (springs[0], "stiffness", 500)
+
+
 SYSTEMS: dict[str, Callable[[], tuple[Any, Any]]] = {
     "oscillator, 1 unknown": lambda: masses(300),
     "quarter car, 2 unknowns": lambda: masses(300, 40),
     "three masses, 3 unknowns": lambda: masses(300, 100, 40),
+    "mass in space, 3 unknowns": lambda: points(1),
+    "four masses, 4 unknowns": lambda: masses(300, 100, 60, 40),
     "pendulum, 5 unknowns": pendulum,
+    "five in space, 15 unknowns": lambda: points(5),
 }
 
 

@@ -39,7 +39,7 @@ def schema_text(specs: Specs) -> str:
 def _schema(specs: Specs) -> dict[str, Any]:
     enums = {enum.name: [value.name for value in enum.values] for enum in specs.enums}
     simulation = next(each for each in specs.settings if each.name == "SimulationSettings")
-    lists = {f"{kind}s": {"type": "array", "items": {"oneOf": _references(specs, kind)}} for kind in KINDS}
+    lists = {f"{kind}s": {"type": "array", "items": _items(specs, kind)} for kind in KINDS}
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "$comment": "Generated from specs/ by codegen/views/schema.py. Do not edit; run `python -m codegen`.",
@@ -121,8 +121,11 @@ def _general_contact() -> dict[str, Any]:
     }
 
 
-def _references(specs: Specs, kind: str) -> list[dict[str, str]]:
-    return [{"$ref": f"#/$defs/{item.name}"} for item in specs.items if item.kind == kind and item.ready]
+def _items(specs: Specs, kind: str) -> dict[str, Any]:
+    """Each item by its type: what is wrong is then told of the one that it is."""
+    names = [item.name for item in specs.items if item.kind == kind and item.ready]
+    choice = [{"if": {"properties": {"type": {"const": name}}}, "then": {"$ref": f"#/$defs/{name}"}} for name in names]
+    return {"type": "object", "required": ["type"], "properties": {"type": {"enum": names}}, "allOf": choice}
 
 
 def _item(item: Item, enums: dict[str, list[str]]) -> dict[str, Any]:

@@ -5,6 +5,7 @@
 #include <map>
 #include <span>
 
+#include "dalembert/model/errors.hpp"
 #include "dalembert/model/member.hpp"
 #include "dalembert/model/references.hpp"
 #include "dalembert/model/value_checks.hpp"
@@ -64,7 +65,14 @@ void read(PyObject* value, const Row& row, int& out) {
   out = number;
 }
 
+// A quantity is never true or false; a number without a unit may be: 1 or 0, a switch or a factor.
+void refuse_truth_values(PyObject* value, const Row& row, const std::string& what) {
+  if (row.unit == "1" || !holds_truth_values(value)) return;
+  throw Refusal{ErrorKind::type, what, "True and False stand for numbers without a unit only."};
+}
+
 void read(PyObject* value, const Row& row, double& out) {
+  if (!PyFloat_Check(value)) refuse_truth_values(value, row, "a number");
   const double number = read_real(value);
   check_sign(number, row.check, "a number");
   out = number;
@@ -75,18 +83,19 @@ void read(PyObject* value, const Row&, std::string& out) {
   out = to_string(value);
 }
 
-void read_fixed(PyObject* value, double* out, int n) {
+void read_fixed(PyObject* value, const Row& row, double* out, int n) {
   if (read_plain_reals(value, 1, {out, static_cast<std::size_t>(n)})) return;
   const std::string what = counted(n, "finite numbers");
+  refuse_truth_values(value, row, what);
   const Reals reals(value, what);
   require_length(reals.size(), n, what);
   reals.copy_to(out, what);
 }
 
 template <int N>
-void read(PyObject* value, const Row&, Vec<double, N>& out) {
+void read(PyObject* value, const Row& row, Vec<double, N>& out) {
   Vec<double, N> read_values;
-  read_fixed(value, read_values.x.data(), N);
+  read_fixed(value, row, read_values.x.data(), N);
   out = read_values;
 }
 
@@ -99,7 +108,10 @@ std::vector<double> read_vector(PyObject* value, int size) {
   return values;
 }
 
-void read(PyObject* value, const Row& row, std::vector<double>& out) { out = read_vector(value, row.size); }
+void read(PyObject* value, const Row& row, std::vector<double>& out) {
+  refuse_truth_values(value, row, "finite numbers");
+  out = read_vector(value, row.size);
+}
 
 // A matrix of numbers; negative sizes: any. `what` is the expectation.
 template <class Number>
@@ -145,20 +157,23 @@ DynamicMatrix<Number> read_matrix(PyObject* value, int rows, int columns, const 
 }
 
 template <int R, int C>
-void read(PyObject* value, const Row&, Mat<double, R, C>& out) {
-  const auto matrix = read_matrix<double>(
-      value, R, C, "a matrix of " + std::to_string(R) + " x " + std::to_string(C) + " finite numbers");
+void read(PyObject* value, const Row& row, Mat<double, R, C>& out) {
+  const std::string what = "a matrix of " + std::to_string(R) + " x " + std::to_string(C) + " finite numbers";
+  refuse_truth_values(value, row, what);
+  const auto matrix = read_matrix<double>(value, R, C, what);
   std::ranges::copy(matrix.values, out.x.begin());
 }
 
 template <class Number>
-void read(PyObject* value, const Row&, DynamicMatrix<Number>& out) {
+void read(PyObject* value, const Row& row, DynamicMatrix<Number>& out) {
   if (value == Py_None) {
     out = {};
     return;
   }
-  out = read_matrix<Number>(value, -1, -1,
-                            std::is_same_v<Number, int> ? "a matrix of integers" : "a matrix (2-dimensional array) of finite numbers");
+  constexpr bool integers = std::is_same_v<Number, int>;
+  const std::string what = integers ? "a matrix of integers" : "a matrix (2-dimensional array) of finite numbers";
+  if constexpr (!integers) refuse_truth_values(value, row, what);
+  out = read_matrix<Number>(value, -1, -1, what);
 }
 
 void read_scipy(py::handle sparse, MatrixContainer& out) {
@@ -176,7 +191,7 @@ void read_scipy(py::handle sparse, MatrixContainer& out) {
   out = std::move(result);
 }
 
-void read(PyObject* value, const Row&, MatrixContainer& out) {
+void read(PyObject* value, const Row& row, MatrixContainer& out) {
   if (value == Py_None) {
     out = {};
     return;
@@ -189,7 +204,9 @@ void read(PyObject* value, const Row&, MatrixContainer& out) {
     read_scipy(value, out);
     return;
   }
-  auto matrix = read_matrix<double>(value, -1, -1, "a MatrixContainer, a matrix (2-dimensional array) or a scipy sparse matrix");
+  const std::string what = "a MatrixContainer, a matrix (2-dimensional array) or a scipy sparse matrix";
+  refuse_truth_values(value, row, what);
+  auto matrix = read_matrix<double>(value, -1, -1, what);
   MatrixContainer result;
   result.rows = matrix.rows;
   result.columns = matrix.columns;
@@ -315,8 +332,7 @@ template <class T>
 T read_enum(PyObject* value, const Enumeration& enumeration) {
   if (enumeration.has(value)) return static_cast<T>(Enumeration::number(value));
   const std::string name = enumeration.name;
-  throw Refusal{ErrorKind::type, "a member of exudyn." + name,
-                PyUnicode_Check(value) ? "Write " + name + "." + to_string(value) + " without quotes." : ""};
+  throw Refusal{ErrorKind::type, "a member of " + name, member_advice(name, value)};
 }
 
 void read(PyObject* value, const Row&, OutputVariableType& out) {
@@ -489,6 +505,18 @@ Opaque make_opaque(PyObject* object) {
 }
 
 PyObject* opaque_object(const Opaque& value) { return static_cast<PyObject*>(value.object.get()); }
+
+std::string member_advice(const std::string& enumeration, PyObject* value) {
+  if (!PyUnicode_Check(value)) return {};
+  std::string word = to_string(value);
+  word = word.substr(word.rfind('.') + 1);
+  std::vector<std::string> names;
+  for (const py::handle name : py::list(core_module().attr(enumeration.c_str()).attr("__members__"))) names.push_back(to_string(name.ptr()));
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  const bool is_one = std::ranges::find(names, word) != names.end();
+  const std::string meant = is_one ? word : nearest(word, known);
+  return meant.empty() ? suggestion(word, known) : "Write " + enumeration + "." + meant + " without quotes.";
+}
 
 std::vector<double> read_reals(PyObject* value) { return read_vector(value, 0); }
 

@@ -41,6 +41,8 @@ class Enumeration {
 
 // A member of an enumeration, e.g. ("OutputVariableType", 2).
 py::object enum_member(const char* name, std::uint32_t value);
+// What to write in the place of a value that is no member of an enumeration: the member that a text means.
+std::string member_advice(const std::string& enumeration, PyObject* value);
 // The module `_core` itself.
 py::handle core_module();
 void set_core_module(py::module_& module);

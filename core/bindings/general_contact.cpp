@@ -245,7 +245,7 @@ py::object items_in_box(const ContactHandle& self, const py::object& lower, cons
 
 ContactTypeIndex type_argument(const char* method, const py::object& value) {
   static const Enumeration types("ContactTypeIndex");
-  if (!types.has(value.ptr())) refuse(ErrorKind::type, {ContactHandle::called(method), "typeIndex", "", show(value.ptr()), "a member of exudyn.ContactTypeIndex", ""});
+  if (!types.has(value.ptr())) refuse(ErrorKind::type, {ContactHandle::called(method), "typeIndex", "", show(value.ptr()), "a member of ContactTypeIndex", ""});
   return static_cast<ContactTypeIndex>(Enumeration::number(value.ptr()));
 }
 
@@ -380,9 +380,9 @@ int contact_number(const MainSystem& main, int number, const char* method) {
   refuse(ErrorKind::index, {"mbs." + std::string(method) + "(...)", "generalContactNumber", "", std::to_string(number), "the number of a GeneralContact; there are " + std::to_string(count), ""});
 }
 
-}  // namespace
-
-void register_general_contacts(py::class_<MainSystem, std::shared_ptr<MainSystem>>& main_system) {
+// What systems do with them; when their class is there, so that help names it.
+void register_methods_of_systems(const py::module_& module) {
+  auto main_system = py::reinterpret_borrow<py::class_<MainSystem, std::shared_ptr<MainSystem>>>(module.attr("MainSystem"));
   main_system.def(
       "AddGeneralContact",
       [](MainSystem& main) {
@@ -407,6 +407,8 @@ void register_general_contacts(py::class_<MainSystem, std::shared_ptr<MainSystem
       py::arg("generalContactNumber"), "Delete a GeneralContact; the numbers behind it move up by one.");
   main_system.def("NumberOfGeneralContacts", [](const MainSystem& main) { return main.model.term_sources().size(); }, "How many GeneralContacts there are.");
 }
+
+}  // namespace
 
 void register_general_contact(py::module_& module) {
   py::class_<ContactVisualization>(module, "VisuGeneralContact", "What GeneralContact.visualization is; there is nothing to set.")
@@ -463,6 +465,7 @@ void register_general_contact(py::module_& module) {
     return "<GeneralContact: " + std::to_string(self.set->spheres.size()) + " spheres, " + std::to_string(self.set->cables.size()) + " cables, " + std::to_string(self.set->triangles.size()) + " triangles>";
   });
   register_kept(contact);
+  register_methods_of_systems(module);
 }
 
 }  // namespace dalembert

@@ -307,7 +307,6 @@ void register_main_system(py::module_& module) {
   register_functions(main_system);
   register_state(main_system);
   register_rendering(main_system);
-  register_general_contacts(main_system);
   register_main_system_items(main_system);
   register_main_system_assembled(main_system);
 }

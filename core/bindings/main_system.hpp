@@ -90,7 +90,6 @@ void register_system_container(py::module_& module);
 
 // Bound in general_contact.cpp and general_contact_dictionary.cpp.
 void register_general_contact(py::module_& module);
-void register_general_contacts(py::class_<MainSystem, std::shared_ptr<MainSystem>>& main_system);
 py::list general_contact_dictionaries(const MainSystem& main);
 std::shared_ptr<SystemTermSource> general_contact_from(const py::handle& data, const std::string& where);
 

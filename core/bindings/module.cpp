@@ -38,5 +38,6 @@ PYBIND11_MODULE(_core, module) {
   register_symbolic(module);
   register_compiled_functions(module);
   register_controllers(module);
-  guard_objects(module);  // of all classes
+  guard_objects(module);        // of all classes
+  explain_wrong_calls(module);  // of all functions
 }

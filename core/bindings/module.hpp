@@ -18,5 +18,6 @@ void register_evaluation(py::module_& module);   // evaluation.cpp: the submodul
 void register_tree_functions(py::module_& module);  // tree_functions.cpp
 void register_linear_solver(py::module_& module);  // linear_solver.cpp: in `testing`
 void guard_objects(py::module_& module);           // object_guards.cpp: when all classes are there
+void explain_wrong_calls(py::module_& module);     // wrong_calls.cpp: when all functions are there
 
 }  // namespace dalembert

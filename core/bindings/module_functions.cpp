@@ -192,10 +192,10 @@ void register_config(py::module_& module) {
                                     .received = std::to_string(digits),
                                     .expected = "1 to 17 digits"});
         self.outputPrecision = digits;
-        if (digits != Config().outputPrecision) tell_without_effect("exudyn.config.outputPrecision", precision);
+        if (digits != Config().outputPrecision) tell_without_effect("exu.config.outputPrecision", precision);
       },
       ("No effect: " + precision + ".").c_str());
-  add_idle_switch(c, "exudyn.config.", "linalgOutputFormatPython", &Config::linalgOutputFormatPython,
+  add_idle_switch(c, "exu.config.", "linalgOutputFormatPython", &Config::linalgOutputFormatPython,
                   "vectors and matrices are always shown as Python writes them");
   c.def_property(
       "printDelayMilliSeconds", [](const Config& self) { return self.printDelayMilliSeconds; },
@@ -225,7 +225,7 @@ void register_special(py::module_& module) {
   py::class_<SolverSwitches> solver(module, "SpecialSolver", "Switches for solvers, as exu.special.solver.");
   solver.def_readwrite("timeout", &SolverSwitches::timeout,
                        "A solver stops after so many seconds, with a warning, and returns False; negative: never.");
-  const std::string of_solver = "exudyn.special.solver.";
+  const std::string of_solver = "exu.special.solver.";
   add_idle_switch(solver, of_solver, "throwErrorWithCtrlC", &SolverSwitches::throwErrorWithCtrlC,
                   "Ctrl-C in a solver always raises KeyboardInterrupt");
   add_idle_switch(solver, of_solver, "multiThreadingLoadBalancing", &SolverSwitches::multiThreadingLoadBalancing,
@@ -237,7 +237,7 @@ void register_special(py::module_& module) {
                                     "What is refused in dictionaries of systems, as exu.special.exceptions.");
   exceptions.def_readwrite("dictionaryVersionMismatch", &Exceptions::dictionaryVersionMismatch,
                            "True: SetDictionary refuses what another version has made; False: it only warns.");
-  add_idle_switch(exceptions, "exudyn.special.exceptions.", "dictionaryNonCopyable", &Exceptions::dictionaryNonCopyable,
+  add_idle_switch(exceptions, "exu.special.exceptions.", "dictionaryNonCopyable", &Exceptions::dictionaryNonCopyable,
                   "dictionaries of systems hold their variables themselves, not copies");
   exceptions.def("__repr__", [](const Exceptions& self) {
     return attributes_text(self, {"dictionaryVersionMismatch", "dictionaryNonCopyable"});
@@ -250,9 +250,9 @@ void register_special(py::module_& module) {
       py::arg("writeOutput") = true, "Seven zeros: allocations are not counted.");
   module.attr("special") = py::cast(special(), py::return_value_policy::reference);
   py::class_<Experimental> experimental(module, "Experimental", "Switches of the reference's development, as exu.experimental.");
-  add_idle_switch(experimental, "exudyn.experimental.", "eigenFullPivotLUsolverDebugLevel",
+  add_idle_switch(experimental, "exu.experimental.", "eigenFullPivotLUsolverDebugLevel",
                   &Experimental::eigenFullPivotLUsolverDebugLevel, "what a failed factorization has found is in the SolverError");
-  add_idle_switch(experimental, "exudyn.experimental.", "markerSuperElementRigidTexpSO3",
+  add_idle_switch(experimental, "exu.experimental.", "markerSuperElementRigidTexpSO3",
                   &Experimental::markerSuperElementRigidTexpSO3, "derivatives of such markers are always exact");
   module.attr("experimental") = py::cast(Experimental{});
 }

@@ -136,6 +136,16 @@ int read_integer(PyObject* value) {
   return static_cast<int>(wide);
 }
 
+bool holds_truth_values(PyObject* value) {
+  if (PyBool_Check(value)) return true;
+  if (is_array(value)) return py::reinterpret_borrow<py::array>(value).dtype().kind() == 'b';
+  if (PyList_Check(value) || PyTuple_Check(value)) {
+    const std::span<PyObject* const> items(PySequence_Fast_ITEMS(value), static_cast<std::size_t>(PySequence_Fast_GET_SIZE(value)));
+    return std::ranges::any_of(items, holds_truth_values);
+  }
+  return std::string_view(Py_TYPE(value)->tp_name).starts_with("numpy.bool");
+}
+
 bool is_number_array(PyObject* value) {
   if (!is_array(value)) return false;
   const char kind = py::reinterpret_borrow<py::array>(value).dtype().kind();

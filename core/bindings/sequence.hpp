@@ -17,6 +17,9 @@ namespace dalembert {
 double read_real(PyObject* value);
 int read_integer(PyObject* value);
 
+// Whether the value is True or False, of Python or numpy, or a list, tuple or array that has one in it.
+bool holds_truth_values(PyObject* value);
+
 // The usual cases without a detour: a float (no dimension), a list or tuple of floats (one), an array of float64 (one or two).
 // False, with `out` undefined, if `value` is anything else, has another size or a number that is not finite.
 bool read_plain_reals(PyObject* value, int dimensions, std::span<double> out);

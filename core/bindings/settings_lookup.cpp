@@ -31,13 +31,15 @@ SettingsField follow(SettingsView view, std::string_view path) {
   }
 }
 
-// Paths of all rows with that name.
+// Paths of all rows and groups with that name.
 void paths_of(const SettingsGroup& group, const std::string& path, std::string_view name,
               std::vector<std::string>& found) {
   for (const Row& row : group.rows)
     if (row.name == name) found.push_back(path + std::string(name));
-  for (const SettingsChild& child : group.children)
+  for (const SettingsChild& child : group.children) {
+    if (child.name == name) found.push_back(path + std::string(name));
     paths_of(*child.group, path + std::string(child.name) + ".", name, found);
+  }
 }
 
 }  // namespace
@@ -87,8 +89,12 @@ void refuse_unknown(const SettingsView& view, std::string_view name) {
   std::vector<std::string> elsewhere;
   paths_of(*view.tree->group, "", name, elsewhere);
   const bool near = !nearest(name, known).empty();
-  const std::string advice =
-      !near && !elsewhere.empty() ? "Did you mean " + dalembert::quoted(elsewhere.front()) + "?" : suggestion(name, known);
+  std::string advice = suggestion(name, known);
+  if (!near && !elsewhere.empty()) {
+    advice = "Did you mean ";
+    for (const std::string& path : elsewhere) advice += (&path == &elsewhere.front() ? "" : " or ") + dalembert::quoted(path);
+    advice += "?";
+  }
   refuse(ErrorKind::name, {.problem = problem, .advice = advice});
 }
 

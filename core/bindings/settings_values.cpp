@@ -69,11 +69,7 @@ py::object plain(const Row& row, const T& value) {
 void write_enumeration(const Row& row, PyObject* value, std::uint32_t& out) {
   const std::string name(enum_tables()[row.enumeration].name);
   const py::object type = core_module().attr(name.c_str());
-  if (!py::isinstance(value, type)) {
-    const bool text = PyUnicode_Check(value);
-    throw Refusal{ErrorKind::type, "a member of " + name,
-                  text ? "Write " + name + "." + to_string(value) + " without quotes." : ""};
-  }
+  if (!py::isinstance(value, type)) throw Refusal{ErrorKind::type, "a member of " + name, member_advice(name, value)};
   out = py::handle(value).cast<std::uint32_t>();
 }
 

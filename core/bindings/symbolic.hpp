@@ -1,4 +1,4 @@
-// Expressions of exudyn.symbolic as user functions that need no interpreter.
+// Expressions of exu.symbolic as user functions that need no interpreter.
 #pragma once
 
 #include <pybind11/pybind11.h>

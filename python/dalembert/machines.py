@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from dalembert._checks import FloatArray, as_vector, shape_error, unit_vector
+from dalembert._checks import FloatArray, as_number, as_vector, shape_error, unit_vector
 from dalembert._geometry.rotations import ComputeOrthonormalBasis, ComputeOrthonormalBasisVectors, RotationMatrix2D
 
 _SMALL = 0.02  # below this, the series of the involute is more accurate than tan(x) - x
@@ -66,6 +66,9 @@ class InvoluteGear:
         isInternalGear: bool = False,
         tolerance: float = 1e-6,
     ) -> None:
+        for name, value in (("module", module), ("nTeeth", nTeeth)):
+            if as_number(f"InvoluteGear: {name}", value) <= 0:
+                raise shape_error(f"InvoluteGear: {name}", "a number greater than zero", value)
         self.module = module
         self.nTeeth = nTeeth
         self.pressureAngle = radians(pressureAngleDeg)

@@ -103,6 +103,19 @@ def _open_figure(plt: Any, newFigure: bool, figureName: str, subPlot: Any, sizeI
     return figure, figure.add_subplot(rows, columns, position)
 
 
+def _part_labels(figure: Any, ax: Any, ticks: int) -> None:
+    """Take fewer ticks along x than there may be, until their labels stand apart."""
+    from matplotlib.ticker import MaxNLocator
+
+    for n in range(ticks, 1, -1):
+        figure.draw_without_rendering()
+        boxes = [tick.label1.get_window_extent() for tick in ax.xaxis.get_major_ticks() if tick.label1.get_text()]
+        gap = 0.3 * max((box.height for box in boxes), default=0)
+        if all(left.x1 + gap <= right.x0 for left, right in zip(boxes, boxes[1:], strict=False)):
+            return
+        ax.xaxis.set_major_locator(MaxNLocator(n - 1))
+
+
 def _set_axes(ax: Any, ticks: tuple[int, int], ranges: tuple[Any, Any], options: Mapping[str, Any]) -> None:
     """Set ticks, grid, scales and limits of both axes."""
     from matplotlib.ticker import AutoMinorLocator, MaxNLocator, NullLocator
@@ -207,6 +220,9 @@ def PlotSensor(
     if is_list(mbs):
         single = sensorNumbers if is_list(sensorNumbers) else [sensorNumbers]
         sensorNumbers = [Of(system, sensor, i) for i, system in enumerate(mbs) for sensor in single]
+    if not isinstance(colorCodeOffset, (int, np.integer)):
+        expected = "an integer, of the first color; colors=['red'] chooses colors by name"
+        raise TypeError(f"PlotSensor: colorCodeOffset: received {colorCodeOffset!r}, but expected {expected}")
     matched = match_lengths(sensorNumbers, components, componentsX)
     n = len(matched)
     if closeAll:
@@ -249,11 +265,13 @@ def PlotSensor(
     if title:
         ax.set_title(title)
     _set_axes(ax, (style["majorTicksX"], style["majorTicksY"]), (rangeX, rangeY), kwargs)
-    if legendArgs is None:
-        ax.legend()
-    else:
+    if legendArgs is not None:
         ax.legend(**(legendArgs if isinstance(legendArgs, dict) else {"loc": legendArgs}))
+    elif ax.get_legend_handles_labels()[0]:
+        ax.legend()
     figure.tight_layout()
+    if not kwargs.get("logScaleX"):
+        _part_labels(figure, ax, style["majorTicksX"])
     show_figure(plt, figure)
     save_figure(figure, fileName)
     return [plt, figure, ax, line]

@@ -12,7 +12,12 @@ from dalembert._core import ConfigurationType, DynamicSolverType, SimulationSett
 from dalembert._solving.diagnosis import CheckSolverInfoStatistics, SolverError, SolverErrorMessage
 from dalembert._solving.integrators import kind_of, trapezoidal_rule
 from dalembert._solving.linearized import ComputeLinearizedSystem, ComputeODE2Eigenvalues, ComputeSystemDegreeOfFreedom
-from dalembert._solving.quiet import DeactivateWritingOfSolvers, RestoreSimulationSettings, assemble_if_needed
+from dalembert._solving.quiet import (
+    DeactivateWritingOfSolvers,
+    RestoreSimulationSettings,
+    assemble_if_needed,
+    given_or_default,
+)
 from dalembert._tools.missing_names import nearest, paths_of_setting
 
 __all__ = [
@@ -58,19 +63,10 @@ def _keep_as_initial_values(mbs: Any, accelerations: bool) -> None:
         data.SetODE2Coordinates_tt(coordinates=data.GetODE2Coordinates_tt(), configuration=ConfigurationType.Initial)
 
 
-def _settings(function: str, given: Any) -> SimulationSettings:
-    if given is None:
-        return _core.SimulationSettings()
-    if isinstance(given, SimulationSettings):
-        return given
-    advice = ". Put parentheses behind the class" if given is SimulationSettings else ""
-    expected = f"exu.SimulationSettings(){advice}"
-    raise TypeError(f"{function}: simulationSettings: received {given!r}, but expected {expected}")
-
-
 def _knows_settings(solve: Callable[..., bool]) -> Callable[..., bool]:
     """Let a function tell where settings belong that are given as its arguments."""
-    names = set(inspect.signature(solve).parameters)
+    signature = inspect.signature(solve)
+    names = set(signature.parameters)
 
     @functools.wraps(solve)
     def call(*arguments: Any, **options: Any) -> bool:
@@ -78,6 +74,7 @@ def _knows_settings(solve: Callable[..., bool]) -> Callable[..., bool]:
             group = "staticSolver" if solve.__name__ == "SolveStatic" else "timeIntegration"
             paths = sorted(paths_of_setting(unknown), key=lambda path: not path.startswith(group))
             hint = f"; it is a setting: simulationSettings.{paths[0]}" if paths else nearest(unknown, names)
+            hint = hint or f"; known are: {', '.join(signature.parameters)}"
             raise TypeError(f"{solve.__name__}: unknown argument '{unknown}'{hint}")
         return solve(*arguments, **options)
 
@@ -98,10 +95,10 @@ def SolveStatic(
     storeSolver keeps the solver in mbs.sys['staticSolver']; updateInitialValues starts the next simulation from the
     result. SolverError (a ValueError) carries the diagnosis if there is no solution, without items unless
     showCausingItems; its advice is there whether or not showHints is set. False, with a warning, if
-    exudyn.special.solver.timeout has ended it early: the system is in the state of the last load step, and initial
+    exu.special.solver.timeout has ended it early: the system is in the state of the last load step, and initial
     values stay.
     """
-    settings = _settings("SolveStatic", simulationSettings)
+    settings = given_or_default("SolveStatic", simulationSettings)
     assemble_if_needed("SolveStatic", mbs, autoAssemble)
     slot = "staticSolver" if storeSolver else None
     success = _run("SolveStatic", _core.MainSolverStatic(), mbs, settings, slot, showCausingItems)
@@ -125,12 +122,12 @@ def SolveDynamic(
     solverType chooses among implicit (GeneralizedAlpha, TrapezoidalIndex2, ESDIRK43) and explicit methods. storeSolver
     keeps the solver in mbs.sys['dynamicSolver']; updateInitialValues starts the next simulation from the result.
     SolverError (a ValueError) carries the diagnosis if a step cannot be solved, without items unless showCausingItems;
-    its advice is there whether or not showHints is set. False, with a warning, if exudyn.special.solver.timeout has
+    its advice is there whether or not showHints is set. False, with a warning, if exu.special.solver.timeout has
     ended it early: the system is in the state of the last completed step, and initial values stay. A simulation that is
     ended by a user function (PreStep, PostStep), by mbs.SetRenderEngineStopFlag(True) or in the render window returns
     True; mbs.sys['dynamicSolver'].output tells which it was.
     """
-    settings = _settings("SolveDynamic", simulationSettings)
+    settings = given_or_default("SolveDynamic", simulationSettings)
     kind = kind_of("SolveDynamic", solverType)
     assemble_if_needed("SolveDynamic", mbs, autoAssemble)
     slot = "dynamicSolver" if storeSolver else None

@@ -24,7 +24,14 @@ from dalembert.itemInterface import (
     VSpringDamper,
 )
 from dalembert.results import SensorsToPandas
-from dalembert.rigidBodyUtilities import InertiaCuboid, InertiaMassPoint, InertiaRodX, InertiaSphere
+from dalembert.rigidBodyUtilities import (
+    InertiaCuboid,
+    InertiaMassPoint,
+    InertiaRodX,
+    InertiaSphere,
+    RigidBodyInertia,
+    RotationMatrixX,
+)
 from dalembert.robotics import Robot
 
 BAR = InertiaCuboid(1000, [1, 0.1, 0.1])
@@ -72,15 +79,22 @@ class Model:
         self.mbs.Assemble()
         return SensorsToPandas(self.mbs, ["s"])
 
+    def varied(self, masses: Any = (1, 2), **options: Any) -> Any:
+        self.mbs.Assemble()
+        return self.mbs.SolveVariations({("mass", "physicsMass"): masses}, **options)
+
+    def plotted(self, **options: Any) -> None:
+        self.table_sensor()
+        self.solve()
+        self.mbs.PlotSensor("s", **options)
+
     def use_after_reset(self) -> None:
         self.mbs.Reset()
         self.mbs.CreateForce("push", self.mass, [1, 0, 0])
         self.mbs.Assemble()
 
     def stored(self, component: Any) -> None:
-        self.table_sensor()
-        self.solve()
-        self.mbs.PlotSensor("s", components=component)
+        self.plotted(components=component)
 
 
 def one_argument(t: float) -> list[float]:
@@ -195,6 +209,51 @@ MISTAKES: list[tuple[str, Callable[[Model], Any], list[str]]] = [
     ("time with its unit", lambda m: m.solve(endTime="1 s"), ["timeIntegration.endTime", "'1 s' (str)", "a number"]),
     ("variation of a name alone", lambda m: (m.mbs.Assemble(), m.mbs.SolveVariations({"mass": [1, 2]})), ["SolveVariations", "(item index, parameter name)", "'mass'"]),
     ("settings of no group", lambda m: setattr(exu.SimulationSettings(), "endTime", 2), ["SimulationSettings", "'endTime'", "timeIntegration.endTime"]),
+    ("method of a class", lambda m: exu.SystemContainer.AddSystem(), ["SystemContainer.AddSystem(...)", "on their class", "SC = exu.SystemContainer()", "SC.AddSystem()"]),
+    ("method of the class of systems", lambda m: exu.MainSystem.Assemble(), ["MainSystem.Assemble(...)", "mbs = SC.AddSystem()", "mbs.Assemble()"]),
+    ("argument of Assemble", lambda m: m.mbs.Assemble(True), ["mbs.Assemble(...)", "no arguments, 1 was given", "Call mbs.Assemble()"]),
+    ("argument that is missing", lambda m: m.mbs.GetNodeOutput(0), ["mbs.GetNodeOutput(...)", "'variableType' is missing", "configuration=None)"]),
+    ("argument misspelt", lambda m: m.SC.GetSystem(sytemNumber=0), ["SC.GetSystem(...)", "'sytemNumber'", "Did you mean 'systemNumber'?"]),
+    ("text for a number of a system", lambda m: m.SC.GetSystem("first"), ["SC.GetSystem(...)", "'systemNumber' must be an integer", "'first' (str)"]),
+    ("text for digits", lambda m: setattr(exu.config, "outputPrecision", "many"), ["Config.outputPrecision", "'many' (str)", "an integer"]),
+    ("switch misspelt", lambda m: setattr(exu.config, "precision", 3), ["'Config'", "'precision'", "Did you mean 'outputPrecision'?"]),
+    ("true mass", lambda m: m.mbs.CreateMassPoint(physicsMass=True), ["ObjectMassPoint", "'physicsMass'", "True (bool)", "a number (unit kg)", "without a unit only"]),
+    ("true in a vector", lambda m: NodePoint(referenceCoordinates=[True, 0, 0]), ["NodePoint", "'referenceCoordinates'", "3 finite numbers (unit m)", "without a unit only"]),
+    ("true stiffness", lambda m: m.mbs.CreateSpringDamper(bodyNumbers=["ground", "bar"], stiffness=np.True_), ["CreateSpringDamper", "'stiffness'", "a finite number", "True"]),
+    ("true end time", lambda m: m.solve(endTime=True), ["timeIntegration.endTime", "True (bool)", "without a unit only"]),
+    ("spring from a point to itself", lambda m: m.mbs.CreateSpringDamper(bodyNumbers=["bar", "bar"], stiffness=9), ["CreateSpringDamper", "'bodyNumbers'", "two different points"]),
+    ("vector in quotes", lambda m: m.mbs.CreateMassPoint(physicsMass=1, referencePosition="1,0,0"), ["CreateMassPoint", "'referencePosition'", "3 finite components", "'1,0,0' (str)"]),
+    ("column for a vector", lambda m: m.mbs.CreateMassPoint(physicsMass=1, referencePosition=np.zeros((3, 1))), ["'referencePosition'", "3 finite components", "(3, 1)"]),
+    ("complex mass", lambda m: m.mbs.CreateMassPoint(physicsMass=1j), ["CreateMassPoint", "'physicsMass'", "a finite number", "1j (complex)"]),
+    ("infinite stiffness", lambda m: m.mbs.CreateSpringDamper(bodyNumbers=["ground", "bar"], stiffness=np.inf), ["CreateSpringDamper", "'stiffness'", "finite", "inf"]),
+    ("disc without radius", lambda m: m.mbs.CreateRollingDisc("disc", ["ground", "bar"], axisPosition=[0, 0, 0]), ["CreateRollingDisc", "'discRadius'", "greater than zero"]),
+    ("coordinate that a point has not", lambda m: m.mbs.CreateCoordinateConstraint("hold", ["ground", "mass"], coordinates=[0, 9]), ["'coordinates[1]'", "less than 3", "received 9"]),
+    ("body in words", lambda m: m.mbs.CreateGround(graphicsDataList=["sphere"]), ["CreateGround", "'graphicsDataList'", "graphics.Sphere(", "['sphere']"]),
+    ("shape that is not there", lambda m: graphics.Box(size=[1, 1, 1]), ["dalembert.graphics", "'Box'", "known are", "Brick"]),
+    ("shape misspelt", lambda m: graphics.Sphre(radius=1), ["'Sphre'", "Did you mean 'Sphere'?"]),
+    ("renderer misspelt", lambda m: m.SC.renderer.Strt(), ["'Renderer'", "'Strt'", "Did you mean 'Start'?"]),
+    ("linear solver in quotes", lambda m: setattr(exu.SimulationSettings(), "linearSolverType", "EigenSparse"), ["'linearSolverType'", "Write LinearSolverType.EigenSparse without quotes"]),
+    ("linear solver by another word", lambda m: setattr(exu.SimulationSettings(), "linearSolverType", "sparse"), ["'linearSolverType'", "LinearSolverType.EigenSparse without quotes"]),
+    ("group of settings", lambda m: exu.SimulationSettings().newton, ["'newton'", "'staticSolver.newton' or 'timeIntegration.newton'"]),
+    ("radius of the spectrum", lambda m: setattr(exu.SimulationSettings().timeIntegration.generalizedAlpha, "spectralRadius", 2), ["generalizedAlpha.spectralRadius", "from 0 to 1"]),
+    ("number for settings", lambda m: (m.mbs.Assemble(), m.mbs.ComputeODE2Eigenvalues(5)), ["ComputeODE2Eigenvalues", "simulationSettings", "exu.SimulationSettings()"]),
+    ("statics with an integrator", lambda m: m.mbs.SolveStatic(solverType=1), ["SolveStatic", "'solverType'", "known are", "updateInitialValues"]),
+    ("degrees in quotes", lambda m: RotationMatrixX("90"), ["RotationMatrixX", "the angle in rad", "'90' (str)"]),
+    ("moments below zero", lambda m: RigidBodyInertia(1, np.diag([-1, 1, 1])), ["inertiaTensor", "without negative principal moments"]),
+    ("matrix that stretches", lambda m: m.mbs.CreateRigidBody(inertia=BAR, referenceRotationMatrix=2 * np.eye(3)), ["'referenceRotationMatrix'", "not orthogonal"]),
+    ("Euler parameters of zero", lambda m: (m.mbs.AddNode(exu.NodeRigidBodyEP(name="n", referenceCoordinates=[0] * 7)), m.mbs.Assemble()), ["'n' (NodeRigidBodyEP)", "'referenceCoordinates'", "four Euler parameters"]),
+    ("gear without module", lambda m: exu.machines.InvoluteGear(0, 12), ["InvoluteGear: module", "greater than zero"]),
+    ("dictionary for a file", lambda m: m.mbs.Load({}), ["mbs.Load(...)", "the name of a file", "mbs.SetDictionary(...)"]),
+    ("file of another kind", lambda m: m.mbs.SaveGLB("motion.obj"), ["SaveGLB", ".glb", "'motion.obj'"]),
+    ("histories that are not kept", lambda m: m.varied().SensorHistory(0, "way"), ["SensorHistory", "storeHistories=True"]),
+    ("variation that is not there", lambda m: m.varied(storeHistories=True).SensorHistory(7, "way"), ["SensorHistory", "less than 2", "7"]),
+    ("negative variation", lambda m: m.varied([1, -2]), ["SolveVariations", "variation 1", "'mass'", "'physicsMass'", "not negative"]),
+    ("variations of two lengths", lambda m: (m.mbs.Assemble(), m.mbs.SolveVariations({(m.mass, "physicsMass"): [1, 2], (m.bar, "physicsMass"): [1, 2, 3]})), ["SolveVariations", "one row per variation", ": 2", ": 3"]),
+    ("color for a number of a color", lambda m: m.plotted(colorCodeOffset="red"), ["PlotSensor", "colorCodeOffset", "'red'", "colors=['red']"]),
+    ("function without a name", lambda m: processing.ParameterVariation(lambda p: p["a"], {"a": (0, 1, 2)}, useMultiProcessing=True, showProgress=False), ["pickle", "evaluation 0", "define them with def in a file", "'threads'"]),
+    ("sensor of another name", lambda m: (m.mbs.Assemble(), m.mbs.GetSensorValues("wy")), ["GetSensorValues", "'wy'", "Did you mean 'way'?"]),
+    ("two sensors of one name", lambda m: m.measured(SensorBody(name="way", bodyNumber="mass", outputVariableType=Variable.Position)), ["'name'", "'way'", "belongs to sensor 0"]),
+    ("version to come", lambda m: exu.RequireVersion("9.9"), ["9.9", "1.11.0"]),
 ]  # fmt: skip
 
 
@@ -205,3 +264,14 @@ def test_a_mistake_is_answered(wrong: Callable[[Model], Any], words: list[str]) 
     told = "\n".join([str(caught.value), *getattr(caught.value, "__notes__", [])])
     missing = [word for word in words if word not in told]
     assert not missing, told
+
+
+def test_a_minimum_that_is_no_number_is_told() -> None:
+    with pytest.warns(UserWarning, match="objectiveFunction has returned no finite number"):
+        processing.Minimize(lambda p: np.nan, {"a": (0, 1)}, showProgress=False, options={"maxiter": 2})
+
+
+def test_truth_values_of_numbers_without_unit() -> None:
+    """Models for Exudyn switch by them."""
+    cable = exu.ObjectANCFCable2D(strainIsRelativeToReference=False)
+    assert cable.strainIsRelativeToReference == 0

@@ -97,6 +97,26 @@ def test_files_of_examples_keep_to_the_schema(item: Item, tmp_path: Path) -> Non
     assert same(dict(other.GetDictionary())["objectList"], dict(mbs.GetDictionary())["objectList"])
 
 
+@pytest.mark.parametrize(
+    ("edit", "path", "words"),
+    [
+        ({"physicsMass": -3}, ["objects", 0, "physicsMass"], "less than the minimum"),
+        ({"mass": 3}, ["objects", 0], "'mass' was unexpected"),
+        ({"type": "ObjectMasPoint"}, ["objects", 0, "type"], "'ObjectMasPoint' is not one of"),
+    ],
+)
+def test_the_schema_tells_what_is_wrong_of_an_item(edit: Any, path: Any, words: str, tmp_path: Path) -> None:
+    jsonschema = pytest.importorskip("jsonschema")
+    mbs = empty()
+    mbs.CreateMassPoint(physicsMass=2)
+    mbs.Save(tmp_path / "model.json")
+    content = json.loads((tmp_path / "model.json").read_text())
+    content["objects"][0].update(edit)
+    with pytest.raises(jsonschema.ValidationError, match=words) as caught:
+        jsonschema.validate(content, json.loads(model_files.SCHEMA.read_text()))
+    assert list(caught.value.absolute_path) == path
+
+
 def pendulum() -> Any:
     mbs = empty()
     ground = mbs.CreateGround(name="ground")

@@ -131,7 +131,7 @@ def test_truth_values(item: Item, row: Parameter) -> None:
             lambda: exu.SensorNode(outputVariableType="Position"),
             TypeError,
             "SensorNode, parameter 'outputVariableType': received 'Position' (str), but expected a member of"
-            " exudyn.OutputVariableType. Write OutputVariableType.Position without quotes.",
+            " OutputVariableType. Write OutputVariableType.Position without quotes.",
         ),
         (
             lambda: exu.NodePoint(visualization={"colour": [1, 0, 0, 1]}),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import pydoc
 import subprocess
 import sys
@@ -17,6 +18,7 @@ import dalembert as exu
 from codegen.load import load
 from codegen.model import Item
 from codegen.views.settings import structs
+from dalembert import graphics
 from dalembert import itemInterface as items
 from dalembert._tools import completion
 
@@ -62,6 +64,19 @@ def test_mathematics_is_readable_in_a_terminal() -> None:
     for name in dir(exu):
         text = getattr(exu, name).__doc__ or ""
         assert ":math:" not in text and "mathbf" not in text, name
+
+
+def test_graphics_tell_what_parameters_mean() -> None:
+    for name in graphics.__all__:
+        function = getattr(graphics, name)
+        if inspect.isclass(function) or not callable(function):
+            continue
+        entries = [line.split(": ")[0] for line in (inspect.getdoc(function) or "").split("\n\n")[-1].splitlines()]
+        named = [
+            name for name, each in inspect.signature(function).parameters.items() if each.kind is not each.VAR_KEYWORD
+        ]
+        assert entries[: len(named)] == named, name
+    assert "\nnTilesY: number of tiles along the second side" in (graphics.Quad.__doc__ or "")
 
 
 def test_repr_of_settings_is_what_differs() -> None:

@@ -234,3 +234,15 @@ def test_incomplete_image(tmp_path: Path) -> None:
     file.write_text("")
     with pytest.raises(ValueError, match="is empty"):
         plot.LoadImage(str(file))
+
+
+def test_an_array_has_no_name_to_show() -> None:
+    """One curve needs no legend; of several, components tell them apart. Labels of ticks do not overlap."""
+    data = np.column_stack([np.linspace(0, 0.2, 50), np.zeros(50), np.ones(50)])
+    figure, axes = plot.PlotSensor(None, [data], components=0, sizeInches=[4, 3])[1:3]
+    assert axes.get_legend() is None
+    figure.canvas.draw()
+    boxes = [tick.label1.get_window_extent() for tick in axes.xaxis.get_major_ticks()]
+    assert len(boxes) >= 3 and all(a.x1 < b.x0 for a, b in zip(boxes, boxes[1:], strict=False))
+    axes = plot.PlotSensor(None, [data, data], components=[0, 1])[2]
+    assert [text.get_text() for text in axes.get_legend().get_texts()] == ["0", "1"]

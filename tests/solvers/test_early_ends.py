@@ -234,14 +234,12 @@ def test_time_limit(solver: Any, time_limit: Any, capfd: pytest.CaptureFixture[s
     else:
         assert model.mbs.SolveDynamic(settings, solverType=solver, updateInitialValues=True) is False
     shown = capfd.readouterr()
-    assert (shown.out + shown.err).count(
-        "the time limit of 0.05 seconds (exudyn.special.solver.timeout) is reached"
-    ) == 1
+    assert (shown.out + shown.err).count("the time limit of 0.05 seconds (exu.special.solver.timeout) is reached") == 1
     kept = model.mbs.sys["staticSolver" if solver == "static" else "dynamicSolver"]
     assert kept.output.simulationTimeout and not kept.output.finishedSuccessfully
     success, text = SolverSuccess(kept)
     assert not success and "the time limit is reached" in text
-    assert "raise exudyn.special.solver.timeout" in kept.GetDiagnosis()
+    assert "raise exu.special.solver.timeout" in kept.GetDiagnosis()
     assert kept.GetDiagnosisDictionary()["reason"] == "timeLimit"
     data = model.mbs.systemData
     assert 0 < data.GetTime() < settings.timeIntegration.endTime

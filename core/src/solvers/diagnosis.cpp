@@ -230,9 +230,9 @@ bool Solver::starts_finite() {
 [[gnu::noinline]] void Solver::time_is_over() {
   stop_ = output.simulationTimeout = true;
   const std::string limit = format_number(hooks().timeout) + " seconds";
-  diagnose(FailureReason::time_limit).advice = {"raise exudyn.special.solver.timeout (" + limit + "), or set it to -1 for no limit",
+  diagnose(FailureReason::time_limit).advice = {"raise exu.special.solver.timeout (" + limit + "), or set it to -1 for no limit",
                                                 "go on from the state that was reached: updateInitialValues and timeIntegration.startTime"};
-  warn(name() + ": the time limit of " + limit + " (exudyn.special.solver.timeout) is reached at time " + format_number(it.currentTime) +
+  warn(name() + ": the time limit of " + limit + " (exu.special.solver.timeout) is reached at time " + format_number(it.currentTime) +
        ", before the end of the simulation: the solver stops");
 }
 

@@ -103,7 +103,7 @@ bool Solver::check_system() {
   choose_linear_solver();
   if (dense() && sizes_.total() + sizes_.data > 1000) {
     warn("simulationSettings.linearSolverType is dense, but the system has " + std::to_string(sizes_.total()) +
-         " unknowns; exudyn.LinearSolverType.EigenSparse needs less memory and time");
+         " unknowns; exu.LinearSolverType.EigenSparse needs less memory and time");
   }
   return true;
 }

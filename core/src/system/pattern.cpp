@@ -74,7 +74,7 @@ class Neighbours {
 }  // namespace
 
 Pattern Pattern::dense(int size) {
-  check_entries(std::int64_t{size} * size, size, "dense", "Use simulationSettings.linearSolverType = exudyn.LinearSolverType.EigenSparse.");
+  check_entries(std::int64_t{size} * size, size, "dense", "Use simulationSettings.linearSolverType = exu.LinearSolverType.EigenSparse.");
   Pattern p;
   p.size_ = size;
   return p;

@@ -277,21 +277,28 @@ def RotationMatrix2RotZYZ(rotationMatrix: npt.ArrayLike, flip: bool) -> FloatArr
     return np.array([first, atan2(rest[0, 2], A[2, 2]), atan2(rest[1, 0], rest[1, 1])])
 
 
+def _cosine_and_sine(function: str, angleRad: float) -> tuple[float, float]:
+    try:
+        return cos(angleRad), sin(angleRad)
+    except (TypeError, ValueError):
+        raise shape_error(f"{function}: angleRad", "a finite number, the angle in rad", angleRad) from None
+
+
 def RotationMatrixX(angleRad: float) -> FloatArray:
     """Return the 3x3 rotation matrix about the x axis for an angle in rad."""
-    c, s = cos(angleRad), sin(angleRad)
+    c, s = _cosine_and_sine("RotationMatrixX", angleRad)
     return np.array([[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]])
 
 
 def RotationMatrixY(angleRad: float) -> FloatArray:
     """Return the 3x3 rotation matrix about the y axis for an angle in rad."""
-    c, s = cos(angleRad), sin(angleRad)
+    c, s = _cosine_and_sine("RotationMatrixY", angleRad)
     return np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]])
 
 
 def RotationMatrixZ(angleRad: float) -> FloatArray:
     """Return the 3x3 rotation matrix about the z axis for an angle in rad."""
-    c, s = cos(angleRad), sin(angleRad)
+    c, s = _cosine_and_sine("RotationMatrixZ", angleRad)
     return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
 
 

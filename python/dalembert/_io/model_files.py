@@ -210,6 +210,9 @@ def Load(mbs: MainSystem, fileName: str | os.PathLike[str], allowCode: bool = Fa
     Nothing in the file is run: a user function, which the file has by module and name or as code, is refused unless
     allowCode. A wrong file is refused with the place inside, e.g. objects[3].physicsMass, and the model stays as it is.
     """
+    if not isinstance(fileName, (str, os.PathLike)):
+        advice = "; a dictionary is read by mbs.SetDictionary(...)" if isinstance(fileName, dict) else ""
+        raise TypeError(f"mbs.Load(...): fileName: expected the name of a file, received {fileName!r}{advice}")
     path = Path(fileName)
     place = _Place(os.fspath(fileName))
     content = _content(path, place)

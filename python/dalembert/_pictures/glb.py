@@ -43,8 +43,10 @@ def SaveGLB(
     """
     from dalembert._pictures.motion import Motion
 
-    motion = Motion(mbs, "SaveGLB", solution, framesPerSecond, speed, None, (1024, 768), optional=True)
     path = Path(fileName)
+    if path.suffix != ".glb":
+        raise ValueError(f"SaveGLB: fileName: expected a name that ends with .glb, received '{fileName}'")
+    motion = Motion(mbs, "SaveGLB", solution, framesPerSecond, speed, None, (1024, 768), optional=True)
     path.parent.mkdir(parents=True, exist_ok=True)
     with replacing(path) as written:
         Path(written).write_bytes(Exporter(motion).data())

@@ -238,7 +238,7 @@ def GetMouseCoordinates(self: Any, useOpenGLcoordinates: bool = False, viewID: i
 def GetItemSelection(self: Any, resetSelection: bool = True, viewID: int = 0) -> tuple[int, int, int, float]:
     """Return number of the system, type and number of the item that a reader has clicked, and its distance.
 
-    The type is a number of exudyn.ItemType; without a selection, the result is (-1, -1, -1, 0).
+    The type is a number of exu.ItemType; without a selection, the result is (-1, -1, -1, 0).
     """
     viewer = _viewer(self)
     if viewer is None or viewer.selection is None:

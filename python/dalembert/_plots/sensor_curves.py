@@ -181,7 +181,8 @@ def make_curves(
         if continuousAngles:
             data = np.hstack((data[:, :1], continuous(variable, data[:, 1:])))
         written = component_name(variable, component, data.shape[1] - 1) if useXYZcomponents else str(component)
-        label = f"{name}, {variable}{'norm' if component == componentNorm else written}"
+        which = f"{variable}{'norm' if component == componentNorm else written}"
+        label = f"{name}, {which}" if name else which if len(matched) > 1 else ""  # an array has no name
         curves.append(Curve(title, label, variable, data, component, component_x, unit))
     return curves
 

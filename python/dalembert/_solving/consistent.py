@@ -12,7 +12,7 @@ import numpy as np
 from dalembert._checks import FloatArray, IntArray
 from dalembert._core import ConfigurationType, SimulationSettings, testing
 from dalembert._solving.projection import REGULAR, SMALLER, SMALLEST, LinearizedConstraints, weights
-from dalembert._solving.quiet import assemble_if_needed
+from dalembert._solving.quiet import assemble_if_needed, given_or_default
 
 _NAME = "ComputeConsistentInitialConditions"
 _ROUND_OFF = 1e-10  # gaps of this size, relative to that of the model, are accepted where nothing makes them smaller
@@ -285,7 +285,8 @@ def ComputeConsistentInitialConditions(
     """
     assemble_if_needed(_NAME, mbs, autoAssemble)
     nodes = _Nodes(mbs, fixedCoordinates, fixedNodes)
-    time = None if simulationSettings is None else simulationSettings.timeIntegration.startTime
+    given = given_or_default("ComputeConsistentInitialConditions", simulationSettings)
+    time = None if simulationSettings is None else given.timeIntegration.startTime
     projection = _Projection(mbs, nodes, time, tolerance)
     state = projection.state
     q, v = np.array(state.q), np.array(state.v)

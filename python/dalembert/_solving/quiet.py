@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from typing import Any
 
 from dalembert import _core
+from dalembert._core import SimulationSettings
 from dalembert._solving.diagnosis import SolverError
 
 
@@ -16,6 +17,17 @@ def assemble_if_needed(function: str, mbs: Any, autoAssemble: bool) -> None:
     if autoAssemble and not mbs.systemIsConsistent:
         _core.Print(f"WARNING: {function}: the system is not assembled, calling mbs.Assemble() first")
         mbs.Assemble()
+
+
+def given_or_default(function: str, simulationSettings: Any) -> SimulationSettings:
+    """Return the settings, the default ones for None; TypeError for anything else."""
+    if simulationSettings is None:
+        return SimulationSettings()
+    if isinstance(simulationSettings, SimulationSettings):
+        return simulationSettings
+    advice = ". Put parentheses behind the class" if simulationSettings is SimulationSettings else ""
+    expected = f"exu.SimulationSettings(){advice}"
+    raise TypeError(f"{function}: simulationSettings: received {simulationSettings!r}, but expected {expected}")
 
 
 def DeactivateWritingOfSolvers(simulationSettings: Any) -> dict[str, Any]:
@@ -41,7 +53,7 @@ def RestoreSimulationSettings(simulationSettings: Any, store: dict[str, Any]) ->
 @contextmanager
 def quiet_static_solver(function: str, mbs: Any, simulationSettings: Any, autoAssemble: bool) -> Iterator[Any]:
     """Give an initialized static solver that writes nothing; the settings are as before afterwards, come what may."""
-    settings = _core.SimulationSettings() if simulationSettings is None else simulationSettings
+    settings = given_or_default(function, simulationSettings)
     assemble_if_needed(function, mbs, autoAssemble)
     store = DeactivateWritingOfSolvers(settings)
     solver = _core.MainSolverStatic()

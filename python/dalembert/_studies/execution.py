@@ -302,8 +302,12 @@ def _named(results: Iterator[Any], sets: Sequence[ParameterSet], keep_failures: 
                 raise ValueError(value.message)
             yield value
         except Exception as error:
-            if hasattr(error, "add_note"):
-                error.add_note(f"in evaluation {i} of {len(sets)} with parameters {without_function_data(parameters)}")
+            error.add_note(f"in evaluation {i} of {len(sets)} with parameters {without_function_data(parameters)}")
+            if "pickle" in str(error):
+                error.add_note(
+                    "Processes receive functions by name: define them with def in a file, outside of other functions, "
+                    "or use useMultiProcessing='threads'."
+                )
             raise
 
 

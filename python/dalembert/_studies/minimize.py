@@ -193,6 +193,12 @@ def Minimize(
         report.add(result["x"], last=True)
     if debugMode:
         write(result)
+    if not np.isfinite(result["fun"]):
+        warnings.warn(
+            f"Minimize: the best value is {result['fun']}: objectiveFunction has returned no finite number; "
+            "look at what it returns for the parameters in the result",
+            stacklevel=2,
+        )
     best = dict(zip(names, objective.inside(result["x"]).tolist(), strict=True))
     return [best, result["fun"], report.history, report.values]
 

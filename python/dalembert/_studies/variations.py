@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from dalembert import _core
 from dalembert._core import DynamicSolverType, SimulationSettings
 from dalembert._solving.integrators import Kind, kind_of, trapezoidal_rule
-from dalembert._solving.quiet import assemble_if_needed
+from dalembert._solving.quiet import assemble_if_needed, given_or_default
 from dalembert._studies.execution import number_of_threads
 from dalembert._tools.found_items import find_item
 
@@ -86,6 +86,10 @@ class VariationResults:
 
     def SensorHistory(self, variation: int, sensor: Any) -> NDArray[np.float64]:
         """Return time and values of one sensor in one variation, as GetSensorStoredData would: rows x (1 + values)."""
+        if not -len(self.success) <= variation < len(self.success):
+            raise IndexError(f"SensorHistory: variation: expected less than {len(self.success)}, received {variation}")
+        if not self.sensorHistories.size:
+            raise ValueError("SensorHistory: there are no histories; call SolveVariations(..., storeHistories=True)")
         history = self.sensorHistories[variation, : self.historyRows[variation]]
         columns = self._of(sensor)
         return np.hstack((history[:, :1], history[:, 1 + columns.start : 1 + columns.stop]))
@@ -163,7 +167,7 @@ def SolveVariations(
     to files. Refused: unknown items and parameters, values that Set...Parameter refuses (the text names the variation),
     arrays of different lengths, and models with Python functions (RuntimeError), which would need the interpreter.
     """
-    base = _core.SimulationSettings() if simulationSettings is None else simulationSettings
+    base = given_or_default("SolveVariations", simulationSettings)
     given = _parameter_arrays(mbs, parameters)
     coordinates = [(name, np.asarray(values)) for name, values in initialCoordinates.items()]
     varied = [(path, np.asarray(values)) for path, values in settings.items()]

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable
 from typing import Any, NoReturn
 
 from dalembert import _core
-from dalembert._core import MainSystem, SystemContainer, SystemData
+from dalembert._core import MainSystem, Renderer, SystemContainer, SystemData
 
 
 def nearest(name: str, known: Iterable[str]) -> str:
@@ -20,8 +20,13 @@ def nearest(name: str, known: Iterable[str]) -> str:
 
 
 # How a method of each class is called in models.
-_OWNERS = {MainSystem: "mbs", SystemContainer: "SC", SystemData: "mbs.systemData"}
-_IN_WORDS = {"mbs": "a system", "SC": "a system container", "mbs.systemData": "the data of a system"}
+_OWNERS = {MainSystem: "mbs", SystemContainer: "SC", SystemData: "mbs.systemData", Renderer: "SC.renderer"}
+_IN_WORDS = {
+    "mbs": "a system",
+    "SC": "a system container",
+    "mbs.systemData": "the data of a system",
+    "SC.renderer": "the renderer of a container",
+}
 
 
 def _belongs_to(cls: type, name: str) -> str:
@@ -46,10 +51,24 @@ class _ExplainingEnum(enum.EnumType):
         raise AttributeError(f"{cls.__name__} has no value '{name}'{hint}", name=name, obj=cls)
 
 
+def _explain_setting(cls: type) -> None:
+    """Let a class with a few switches name the nearest one when another is set."""
+
+    def __setattr__(self: Any, name: str, value: Any) -> None:
+        if not hasattr(cls, name):
+            getattr(self, name)  # which explains
+        object.__setattr__(self, name, value)
+
+    cls.__setattr__ = __setattr__  # type: ignore[assignment]
+
+
 def explain() -> None:
     """Let the classes of the core explain themselves."""
-    for cls in _OWNERS:
+    switches = {type(each) for each in (_core.config, _core.special, _core.special.solver, _core.experimental)}
+    for cls in {*_OWNERS, *switches}:
         cls.__getattr__ = _explaining(cls)  # type: ignore[attr-defined]
+    for cls in switches:
+        _explain_setting(cls)
     for made in vars(_core).values():
         if type(made) is enum.EnumType:
             made.__class__ = _ExplainingEnum

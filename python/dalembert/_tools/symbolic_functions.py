@@ -56,8 +56,8 @@ def ConvertFunctionToSymbolic(
     userFunctionName is the parameter of the item, e.g. 'springForceUserFunction'. Either itemIndex or itemTypeName
     (e.g. 'ObjectConnectorSpringDamper' or 'MainSystem') says which item. The result is a dictionary with functionName,
     argList, argTypeList, returnValue and returnType, as UserFunction.SetUserFunctionFromDict(...) takes it.
-    The function must be made of operators and of functions of exudyn.symbolic; 'if' cannot be recorded, use
-    exudyn.symbolic.IfThenElse.
+    The function must be made of operators and of functions of exu.symbolic; 'if' cannot be recorded, use
+    exu.symbolic.IfThenElse.
     """
     symbolic = _core.symbolic
     data = None

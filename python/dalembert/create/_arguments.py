@@ -112,6 +112,16 @@ def require_two_bodies(function: str, bodyNumbers: Sequence[Any]) -> None:
         raise argument_error(function, "bodyNumbers", "two different bodies or markers", bodyNumbers)
 
 
+def require_two_points(function: str, numbers: Sequence[Any], localPositions: Sequence[Vector]) -> None:
+    """Raise a ValueError if both ends of a connector are the same point of the same body, node or marker."""
+    if (
+        type(numbers[0]) is type(numbers[1])
+        and numbers[0] == numbers[1]
+        and np.array_equal(localPositions[0], localPositions[1])
+    ):
+        raise argument_error(function, "bodyNumbers", "two different points, or it does nothing", numbers)
+
+
 def flags(size: int) -> Check:
     """Return the check for a list of `size` integers that are 0 or 1."""
     return Check(
@@ -131,7 +141,10 @@ FLAG = Check(lambda value: isinstance(value, (bool, int, np.bool_, np.integer)),
 NUMBER = Check(_is_number, "a finite number")
 POSITIVE = Check(lambda value: _is_number(value) and value > 0, "a finite number greater than zero")
 NOT_NEGATIVE = Check(lambda value: _is_number(value) and value >= 0, "a finite number that is not negative")
-GRAPHICS = Check(lambda value: isinstance(value, list), "a (possibly empty) list of graphics data")
+GRAPHICS = Check(
+    lambda value: isinstance(value, list) and all(isinstance(entry, (dict, list)) for entry in value),
+    "a (possibly empty) list of graphics data, e.g. [graphics.Sphere(radius=0.1)]",
+)
 BODY_PAIR = list_of(2, "body, node or marker numbers")
 
 # Arguments that mean the same in every function that has them, and are no parameters of items.

@@ -10,7 +10,14 @@ import numpy as np
 from dalembert import itemInterface as items
 from dalembert._checks import FloatArray
 from dalembert._core import ConfigurationType, MarkerIndex, NodeIndex, ObjectIndex, OutputVariableType, Print
-from dalembert.create._arguments import ZERO3, Vector, argument_error, is_body, require_two_bodies
+from dalembert.create._arguments import (
+    ZERO3,
+    Vector,
+    argument_error,
+    is_body,
+    require_two_bodies,
+    require_two_points,
+)
 
 
 def reference_output(mbs: Any, item: Any, variable: OutputVariableType, localPosition: Vector = ZERO3) -> FloatArray:
@@ -99,6 +106,7 @@ def connector_ends(
         if np.any(np.asarray(local) != 0):
             expected = f"[0,0,0], because {name}[{i}] is the number of a node or marker"
             raise argument_error(function, f"localPosition{i}", expected, local)
+    require_two_points(function, numbers, localPositions)
     return Ends(name, numbers, localPositions)
 
 

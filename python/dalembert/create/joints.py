@@ -161,7 +161,13 @@ def CreateGenericJoint(
 
 
 def _rolling_markers(
-    mbs: Any, function: str, name: str, bodyNumbers: Sequence[Any], planePosition: Vector, axisPosition: Vector
+    mbs: Any,
+    function: str,
+    name: str,
+    bodyNumbers: Sequence[Any],
+    planePosition: Vector,
+    axisPosition: Vector,
+    discRadius: float,
 ) -> list[Any]:
     """Add the rigid markers of a rolling disc: on the body that carries the plane, and on the disc."""
     require_two_bodies(function, bodyNumbers)
@@ -170,6 +176,8 @@ def _rolling_markers(
             raise argument_error(function, f"bodyNumbers[{i}]", "an ObjectIndex", body)
     if len(axisPosition) != 3:
         raise argument_error(function, "axisPosition", "a vector with 3 components", axisPosition)
+    if discRadius <= 0:
+        raise argument_error(function, "discRadius", "a finite number greater than zero", discRadius)
     return [
         mbs.AddMarker(items.MarkerBodyRigid(name=marker_name, bodyNumber=body, localPosition=local))
         for marker_name, body, local in zip(marker_names(name), bodyNumbers, (planePosition, axisPosition), strict=True)
@@ -198,7 +206,7 @@ def CreateRollingDisc(
 
     Markers are added at the axis position and at the plane position; axis and normal are in the frames of the bodies.
     """
-    markers = _rolling_markers(mbs, "CreateRollingDisc", name, bodyNumbers, planePosition, axisPosition)
+    markers = _rolling_markers(mbs, "CreateRollingDisc", name, bodyNumbers, planePosition, axisPosition, discRadius)
     return mbs.AddObject(
         items.ObjectJointRollingDisc(
             name=name,
@@ -239,7 +247,9 @@ def CreateRollingDiscPenalty(
 
     Frames as in CreateRollingDisc. Returns the ObjectIndex.
     """
-    markers = _rolling_markers(mbs, "CreateRollingDiscPenalty", name, bodyNumbers, planePosition, axisPosition)
+    markers = _rolling_markers(
+        mbs, "CreateRollingDiscPenalty", name, bodyNumbers, planePosition, axisPosition, discRadius
+    )
     history = mbs.AddNode(items.NodeGenericData(initialCoordinates=[0, 0, 0], numberOfDataCoordinates=3))
     return mbs.AddObject(
         items.ObjectConnectorRollingDiscPenalty(

@@ -158,7 +158,7 @@ class PortBatch final : public Term {
   using Change = std::conditional_t<is_load, K, ReadsMarker>;
   static constexpr bool has_update = History::has_history, has_data = History::data_coordinates != 0, is_constant = Change::is_constant;
   // Whether its arithmetic may be noted, where `has_closed_form` says so as well.
-  static constexpr bool is_traced = is_load || (!has_update && LinearSpanConnector<K>);
+  static constexpr bool is_traced = is_load || (!has_update && TracedSpanConnector<K>);
 
   struct Entry {
     typename K::Parameters parameters;

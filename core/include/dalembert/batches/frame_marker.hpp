@@ -25,7 +25,7 @@ struct PointShape {
   }
   template <class S>
   static auto pull_back(const typename E::Parameters& p, const Coordinates<S, E::size>& x, const Vec3<double>& local,
-                        const double* f) {
+                        const auto* f) {
     return E::template pull_back<S>(p, x, local, Vec3<S>{S(f[0]), S(f[1]), S(f[2])}, Vec3<S>{});
   }
 };
@@ -41,7 +41,7 @@ struct RigidShape : PointShape<E> {
   }
   template <class S>
   static auto pull_back(const typename E::Parameters& p, const Coordinates<S, E::size>& x, const Vec3<double>& local,
-                        const double* f) {
+                        const auto* f) {
     return E::template pull_back<S>(p, x, local, Vec3<S>{S(f[0]), S(f[1]), S(f[2])}, Vec3<S>{S(f[3]), S(f[4]), S(f[5])});
   }
 };
@@ -57,7 +57,7 @@ struct MassShape {
   static constexpr bool constant_jacobian = E::traits.constant_mass;
   template <class S>
   static auto pull_back(const typename E::Parameters& p, const Coordinates<S, E::size>& x, const Vec3<double>&,
-                        const double* g) {
+                        const auto* g) {
     return E::template mass_load<S>(p, x, Vec3<S>{S(g[0]), S(g[1]), S(g[2])});
   }
 };
@@ -95,32 +95,21 @@ class FrameMarkerBatch : public MarkerBatch {
       for (const Entry& e : entries_) visitor.block(e.dofs, e.dofs);
   }
 
-  void evaluate(const Evaluation& evaluation, Ports& ports) const override {
-    if constexpr (Shape::values > 0)
-      for (const Entry& e : entries_) {
-        const auto x = gather<n>(evaluation, e.dofs.data());
-        auto* frame = reinterpret_cast<typename Shape::template Frame<double>*>(ports.values.data() + e.port.value);
-        *frame = Shape::frame(E::template motion<double>(parameters(e), x, e.local));
-      }
-  }
+  void evaluate(const Evaluation& evaluation, Ports& ports) const override { find_frames(evaluation, ports); }
   void evaluate_tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports) const override {
-    if constexpr (n > 0)
-      for (const Entry& e : entries_) {
-        if constexpr (translates) {
-          translate(e, weights, ports);
-        } else {
-          const auto x = gather<n>(evaluation, e.dofs.data());
-          sweep(e, x, weights, ports);
-        }
-      }
+    differentiate(evaluation, weights, ports);
   }
-  void pull_back(const Evaluation& evaluation, Ports& ports, double* r) const override {
-    if constexpr (n > 0)
-      for (const Entry& e : entries_) {
-        const auto x = gather<n>(evaluation, e.dofs.data());
-        const auto q = Shape::template pull_back<double>(parameters(e), x, e.local, ports.forces.data() + e.port.force);
-        for (int i = 0; i < n; ++i) r[e.dofs[i]] -= q[i];
+  void pull_back(const Evaluation& evaluation, Ports& ports, double* r) const override { subtract_forces(evaluation, ports, r); }
+  bool traceable() const override { return only_translates; }
+  void trace(const TracedCall& call) const override {
+    if constexpr (only_translates) {
+      switch (call.function) {
+        case TracedCall::Function::evaluate: return find_frames(call.evaluation, call.ports);
+        case TracedCall::Function::evaluate_tangent: return differentiate(call.evaluation, call.weights, call.ports);
+        case TracedCall::Function::pull_back: return subtract_forces(call.evaluation, call.ports, call.sums);
+        default: return;
       }
+    }
   }
   bool constant_pull_back() const override { return n > 0 && !has_geometric; }
   bool geometric_follows_tangent() const override { return false; }
@@ -163,6 +152,33 @@ class FrameMarkerBatch : public MarkerBatch {
   }
 
  private:
+  template <class S>
+  void find_frames(const EvaluationOf<S>& evaluation, PortsOf<S>& ports) const {
+    if constexpr (Shape::values > 0)
+      for (const Entry& e : entries_) {
+        const auto x = gather<n>(evaluation, e.dofs.data());
+        auto* frame = reinterpret_cast<typename Shape::template Frame<S>*>(ports.values.data() + e.port.value);
+        *frame = Shape::frame(E::template motion<S>(parameters(e), x, e.local));
+      }
+  }
+  template <class S>
+  void differentiate(const EvaluationOf<S>& evaluation, const Weights& weights, PortsOf<S>& ports) const {
+    if constexpr (n > 0)
+      for (const Entry& e : entries_) {
+        if constexpr (translates) translate(e, weights, ports);
+        else sweep(e, gather<n>(evaluation, e.dofs.data()), weights, ports);
+      }
+  }
+  template <class S>
+  void subtract_forces(const EvaluationOf<S>& evaluation, const PortsOf<S>& ports, S* r) const {
+    if constexpr (n > 0)
+      for (const Entry& e : entries_) {
+        const auto x = gather<n>(evaluation, e.dofs.data());
+        const auto q = Shape::template pull_back<S>(parameters(e), x, e.local, ports.forces.data() + e.port.force);
+        for (int i = 0; i < n; ++i) r[e.dofs[i]] -= q[i];
+      }
+  }
+
   static constexpr std::conditional_t<owner_has_parameters, int, typename E::Parameters> no_parameters{};
 
   // Markers on one body mostly follow each other: they share its parameters.
@@ -175,36 +191,38 @@ class FrameMarkerBatch : public MarkerBatch {
     }
     return 0;
   }
+  // All coordinates are components of the position.
+  static constexpr bool only_translates = n > 0 && E::traits.translations == n;
   static constexpr bool has_geometric = [] {
-    if constexpr (requires { requires Shape::constant_jacobian; } || E::traits.constant_jacobian) return false;
+    if constexpr (requires { requires Shape::constant_jacobian; } || E::traits.constant_jacobian || only_translates) return false;
     else return n > 0;
   }();
-  // Coordinates that are components of the position: derivatives are those of the identity.
-  static constexpr bool translates = [] {
-    return E::traits.translations == n && Shape::values == PointShape<E>::values;
-  }();
-  static void translate(const Entry& e, const Weights& weights, Ports& ports) {
-    double *derivative = ports.derivative(e.marker), *jacobian = ports.jacobian(e.marker);
-    std::fill_n(derivative, Shape::values * n, 0.0);
-    std::fill_n(jacobian, Shape::forces * n, 0.0);
+  // Derivatives are those of the identity.
+  static constexpr bool translates = only_translates && Shape::values == PointShape<E>::values;
+  template <class S>
+  static void translate(const Entry& e, const Weights& weights, PortsOf<S>& ports) {
+    S *derivative = ports.derivative(e.marker), *jacobian = ports.jacobian(e.marker);
+    std::fill_n(derivative, Shape::values * n, S(0.0));
+    std::fill_n(jacobian, Shape::forces * n, S(0.0));
     for (int i = 0; i < n; ++i) {
       derivative[i * n + i] = weights.q;
       derivative[(3 + i) * n + i] = weights.v;
       jacobian[i * n + i] = 1;
     }
   }
-  void sweep(const Entry& e, const Coordinates<double, n>& x, const Weights& weights, Ports& ports) const {
+  template <class S>
+  void sweep(const Entry& e, const Coordinates<S, n>& x, const Weights& weights, PortsOf<S>& ports) const {
     if constexpr (Shape::values > 0) {
       const auto frame = Shape::frame(E::template motion<Dual<n>>(parameters(e), seeded<E>(x, weights), e.local));
       const auto* from = reinterpret_cast<const Dual<n>*>(&frame);
       double* to = ports.derivative(e.marker);
       for (int i = 0; i < Shape::values; ++i) to = std::copy(from[i].d.begin(), from[i].d.end(), to);
     }
-    double* jacobian = ports.jacobian(e.marker);
+    S* jacobian = ports.jacobian(e.marker);
     for (int i = 0; i < Shape::forces; ++i) {
-      std::array<double, Shape::forces> unit{};
+      std::array<S, Shape::forces> unit{};
       unit[i] = 1;
-      const auto q = Shape::template pull_back<double>(parameters(e), x, e.local, unit.data());
+      const auto q = Shape::template pull_back<S>(parameters(e), x, e.local, unit.data());
       jacobian = std::copy(q.x.begin(), q.x.end(), jacobian);
     }
   }

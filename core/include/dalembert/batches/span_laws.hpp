@@ -12,6 +12,7 @@
 #include "dalembert/contracts/span_forces.hpp"
 #include "dalembert/frames.hpp"
 #include "dalembert/math/pack.hpp"
+#include "dalembert/math/wide_registers.hpp"
 #include "dalembert/system/ports.hpp"
 
 namespace dalembert {
@@ -46,12 +47,15 @@ class SpanLaws {
   // Entries that are not computed here.
   const std::set<int>& without_law() const { return without_law_; }
 
-  // To the forces on the markers, one connector after the other. Frames and forces are taken in fours.
+  // To the forces on the markers, one connector after the other. Frames and forces are taken in fours. Nothing is fused: the numbers
+  // are those of one connector alone.
   void add_forces(const double* values, double* forces) const {
-    in_lanes<4>([&]<int L>() {
+    const auto add = [&]<int L>() {
       for (const Block& block : blocks_)
         for (int first = 0; first < block_lanes; first += L) add_some<L>(laws_[block.law], block, first, values, forces);
-    });
+    };
+    if (numbers_in_register() == 2) run_in_any_registers([&] { add.template operator()<2>(); });
+    else run_in_registers_of_four([&] { add.template operator()<4>(); });
   }
 
  private:

@@ -9,8 +9,8 @@
 namespace dalembert {
 
 // Between markers whose coordinates are the components of the vector: one block, four times.
-template <int N, class S>
-void add_between_points(const S& span_weight, const S& rate_weight, const SpanTangent<N>& t, const int* slots, S* values) {
+template <int N, class S, class T>
+void add_between_points(const S& span_weight, const S& rate_weight, const SpanTangent<N, T>& t, const int* slots, S* values) {
   Mat<S, N, N> block;
   for (int k = 0; k < N * N; ++k) block.x[k] = span_weight * t.by_span.x[k] + rate_weight * t.by_rate.x[k];
   for (int i = 0; i < 2; ++i)
@@ -20,13 +20,13 @@ void add_between_points(const S& span_weight, const S& rate_weight, const SpanTa
 }
 
 // Adds to values[slots[row * total + column]]. Frames begin with the vector whose span counts, and its rate.
-template <int N, class S>
-void add_span_tangent(const PortsOf<S>& ports, const std::array<int, 2>& markers, const SpanTangent<N>& t, const int* slots, S* values) {
+template <int N, class S, class T>
+void add_span_tangent(const PortsOf<S>& ports, const std::array<int, 2>& markers, const SpanTangent<N, T>& t, const int* slots, S* values) {
   const std::array<int, 2> n{ports.ports[markers[0]].n, ports.ports[markers[1]].n};
   const auto is_point = [&](int marker) { return ports.ports[marker].n == N && ports.ports[marker].translations == N; };
   if (is_point(markers[0]) && is_point(markers[1])) {
     const S* derivative = ports.derivative(markers[0]);
-    return add_between_points<N, S>(derivative[0], derivative[N * N], t, slots, values);
+    return add_between_points(derivative[0], derivative[N * N], t, slots, values);
   }
   const int total = n[0] + n[1];
   for (int j = 0; j < 2; ++j) {

@@ -9,10 +9,14 @@
 namespace dalembert {
 
 // Derivatives of the force on the first marker; its opposite acts on the second.
-template <int N>
+template <int N, class S = double>
 struct SpanTangent {
-  Mat<double, N, N> by_span, by_rate;
+  Mat<S, N, N> by_span, by_rate;
 };
+
+// Kernels ask whether points coincide. Of what is only noted that is not known: it counts as no zero. Where it is one, results are no
+// numbers, and those who use them notice.
+inline bool is_zero(const Vec3<Traced>&) { return false; }
 
 // `has_tangent(p)`: not with user functions, which only the sweep of dual numbers differentiates.
 template <class K>
@@ -21,10 +25,10 @@ concept SpanConnector = requires(const typename K::Parameters& p, const typename
   { K::tangent(p, m, m) } -> std::same_as<SpanTangent<K::Port::forces>>;
 };
 
-// The derivatives do not depend on the frames: `tangent` takes frames of any scalar.
+// `tangent` takes frames of any scalar.
 template <class K>
-concept LinearSpanConnector = SpanConnector<K> && requires(const typename K::Parameters& p, const typename K::Port::template Frame<Traced>& m) {
-  { K::tangent(p, m, m) } -> std::same_as<SpanTangent<K::Port::forces>>;
+concept TracedSpanConnector = SpanConnector<K> && requires(const typename K::Parameters& p, const typename K::Port::template Frame<Traced>& m) {
+  K::tangent(p, m, m).by_span;
 };
 
 // Besides span and rate, the force depends on a few numbers alone, its law: several connectors are computed side by side.

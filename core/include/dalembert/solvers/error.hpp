@@ -24,7 +24,7 @@ enum class FailureReason {
   not_finite,       // a coordinate, or what an equation is made of, is infinite or not a number
   unbounded,        // the solution has grown beyond every physical quantity
   path_length,      // staticSolver.arcLength.maximumSteps
-  time_limit        // exudyn.special.solver.timeout
+  time_limit        // exu.special.solver.timeout
 };
 std::string_view name_of(FailureReason reason);  // as users read it: "singularMatrix"
 

@@ -45,20 +45,21 @@ struct ObjectConnectorSpringDamper : NoPairHistory {
 
   // The tension changes along the line, the line turns with what moves across it. Where the points coincide, it is the relative
   // velocity that turns it; that the line jumps once they part has no derivative.
-  static SpanTangent<3> tangent(const Parameters& p, const PointFrame<double>& m0, const PointFrame<double>& m1) {
-    const Line<double> line(m0, m1);
+  template <class S>
+  static SpanTangent<3, S> tangent(const Parameters& p, const PointFrame<S>& m0, const PointFrame<S>& m1) {
+    const Line<S> line(m0, m1);
     if (is_zero(line.axis)) return {};
     const bool coincide = is_zero(line.span);
-    Vec3<double> slope = p.stiffness * line.axis;
+    Vec3<S> slope = p.stiffness * line.axis;
     if (!coincide) slope += (p.damping / line.length) * (m1.velocity - m0.velocity - line.rate * line.axis);
-    SpanTangent<3> t;
+    SpanTangent<3, S> t;
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
         t.by_span(i, j) = line.axis[i] * slope[j];
         t.by_rate(i, j) = p.damping * line.axis[i] * line.axis[j];
       }
-    const double turning = tension(p, Context{}, line) / (coincide ? line.rate : line.length);
-    Mat3<double>& turned = coincide ? t.by_rate : t.by_span;
+    const S turning = tension(p, Context{}, line) / (coincide ? line.rate : line.length);
+    Mat3<S>& turned = coincide ? t.by_rate : t.by_span;
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) turned(i, j) += turning * ((i == j ? 1.0 : 0.0) - line.axis[i] * line.axis[j]);
     return t;
@@ -93,7 +94,7 @@ struct ObjectConnectorSpringDamper : NoPairHistory {
         along = where_zero(square, velocity, span);
         square = dot(along, along);
         if constexpr (OneNumber<S>) {
-          if (value_of(square) == 0) return;  // derivatives have no value there
+          if (any_zero(square)) return;  // derivatives have no value there
         }
       }
       using std::sqrt;
@@ -108,6 +109,7 @@ struct ObjectConnectorSpringDamper : NoPairHistory {
   static bool any_zero(const S& square) {
     return value_of(square) == 0;
   }
+  static bool any_zero(const Traced&) { return false; }
   template <int N>
   DALEMBERT_INLINE static bool any_zero(const Pack<N>& square) {
     const auto zero = square.x == typename Pack<N>::Register{};
