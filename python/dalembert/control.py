@@ -117,8 +117,9 @@ class SampledController(Controller):
 
     It measures at the start of a solution and then once per period. What its law finds acts deadTime later, which may
     be longer than a period; before the first acts, forces are zero. Steps of dynamic solvers end where it measures or
-    where forces change, whatever their size is otherwise. Static solutions are refused, as are SolveVariations. Restart
-    files know what is on its way.
+    where forces change, whatever their size is otherwise. Static solutions are refused, as are SolveVariations. Each
+    solution begins anew, but for those that go on from a file (simulationSettings.continuation): it has what is on its
+    way.
 
     law: PDController, ComputedTorque or CompiledController
     period: s, between measurements

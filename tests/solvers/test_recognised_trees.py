@@ -162,6 +162,25 @@ def test_spherical_joints(generic: bool) -> None:
     assert types(trees).count("KinematicTree") == 1 and len(trees.systemData.GetAECoordinates()) == 0
 
 
+@pytest.mark.parametrize("spin", [[0, 0, 0], [0, 0, 0.5], [0.3, 0, 0.2], [60.0, 0, 0], [0, 60, 0]], ids=str)
+@pytest.mark.parametrize("level", [True, False])
+def test_pendulums_and_tops_on_spherical_joints(spin: Any, level: bool) -> None:
+    """Released when they are level or steep: they hang down at times, precess, and turn more than once."""
+    mbs = exu.SystemContainer().AddSystem()
+    bodies = [mbs.CreateGround()]
+    slope = 0.0 if level else 1.2
+    A = np.array([[np.cos(slope), 0, -np.sin(slope)], [0, 1, 0], [np.sin(slope), 0, np.cos(slope)]])
+    cube = InertiaCuboid(1000, [0.2, 0.2, 0.2])
+    for i in range(2):
+        motion = {"initialAngularVelocity": A @ spin, "initialVelocity": np.cross(A @ spin, A @ [0.3 + 0.6 * i, 0, 0])}
+        place = {"referencePosition": A @ [0.3 + 0.6 * i, 0, 0], "referenceRotationMatrix": A}
+        body = mbs.CreateRigidBody(inertia=cube, gravity=DOWN, **motion, **place)
+        mbs.CreateSphericalJoint(bodyNumbers=[bodies[-1], body], position=A @ [0.6 * i, 0, 0])
+        bodies.append(body)
+    sensors = watched(mbs, bodies[1:], ("Position",))
+    compare(mbs, sensors, 6, duration=1.0, tolerance=1e-2 if max(np.abs(spin)) > 1 else 2e-4)
+
+
 def test_fixed_joints_make_one_link_and_what_is_bolted_to_ground_becomes_ground() -> None:
     mbs = exu.SystemContainer().AddSystem()
     ground = mbs.CreateGround(referencePosition=[0, 0, 1], referenceRotationMatrix=RotationMatrixZ(0.2))

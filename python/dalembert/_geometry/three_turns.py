@@ -28,26 +28,30 @@ class ThreeTurns:
     axes: tuple[int, int, int]
 
     @staticmethod
-    def of(relative: FloatArray, spin: FloatArray, up: FloatArray) -> ThreeTurns:
+    def of(relative: FloatArray, spin: FloatArray, up: FloatArray, arm: FloatArray) -> ThreeTurns:
         """Choose axes far from where they lock, for a start from given axes in the frame of the carrier.
 
-        The first is vertical, if there is weight: bodies may turn about it as far as they like, and about the last.
-        This is the one about which the body spins, unless that stands upright, or else the one that lies most level.
+        spin: what the body spins with, if that outdoes its weight; up: against the weight, or zero; both in that frame.
+        arm: where the body lies, seen from the joint, in its own axes; zero if there is none.
+        The first axis is vertical, if there is weight: bodies may turn about it as far as they like, and about the
+        last. This is that of the spin, unless it stands upright, or else the most level one, but not that of the arm,
+        which hangs down at times. Without weight, the second is that of the arm: bodies swing, and twist less.
         """
-        fastest = int(np.abs(relative.T @ spin).argmax())
+        fastest = int(np.abs(relative.T @ spin).argmax()) if spin.any() else None
+        along = int(np.abs(arm).argmax()) if arm.any() else None
         if not up.any():
+            last = fastest if fastest is not None else (2 if along is None else (along + 1) % 3)
+            second = along if along not in (None, last) else (last + 1) % 3
+            return ThreeTurns(relative, (3 - second - last, second, last))
+        rise = np.abs(relative.T @ up)
+        last = min((k for k in range(3) if k != along), key=lambda k: rise[k])
+        if fastest is not None and rise[fastest] < np.sqrt(0.5):
             last = fastest
-            base, first = relative, (last + 1) % 3
-        else:
-            rise = np.abs(relative.T @ up)
-            last = fastest if spin.any() and rise[fastest] < np.sqrt(0.5) else int(rise.argmin())
-            first = (last + 1) % 3
-            level = relative[:, last] - up * (up @ relative[:, last])
-            base = np.zeros((3, 3))
-            base[:, first], base[:, last] = up, level / np.linalg.norm(level)
-            second = 3 - first - last
-            base[:, second] = np.cross(base[:, (second + 1) % 3], base[:, (second + 2) % 3])
-        return ThreeTurns(base, (first, 3 - first - last, last))
+        level = relative[:, last] - up * (up @ relative[:, last])
+        first, second, base = (last + 1) % 3, (last + 2) % 3, np.zeros((3, 3))
+        base[:, first], base[:, last] = up, level / np.linalg.norm(level)
+        base[:, second] = np.cross(base[:, (second + 1) % 3], base[:, (second + 2) % 3])
+        return ThreeTurns(base, (first, second, last))
 
     def angles(self, relative: FloatArray) -> FloatArray:
         """Return the angles that lead to given axes in the frame of the carrier."""

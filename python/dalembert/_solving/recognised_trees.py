@@ -399,7 +399,11 @@ def _turning_links(model: Model, seat: Seat, carrier: Seat, parent: int, offset:
     (frame, relative, spin), (_, at_rest, _) = states
     weight = model.gravity(seat.body) if carrier.link == GROUND else np.zeros(3)
     up = -frame.T @ weight / np.linalg.norm(weight) if weight.any() else np.zeros(3)
-    turns = ThreeTurns.of(relative, spin, up)
+    item, floats = model.items("object")[seat.body], seat.joint.free == ALL_AXES
+    arm = np.zeros(3) if floats else np.asarray(item["physicsCenterOfMass"]) - seat.origin
+    pull = item["physicsMass"] * np.linalg.norm(weight) * np.linalg.norm(arm)  # Nm, at most
+    governs = spin @ spin * np.sum(item["physicsInertia"][:3]) / 3 > 4 * pull
+    turns = ThreeTurns.of(relative, spin if governs else np.zeros(3), up, arm)
     angles, reference = turns.angles(relative), turns.angles(at_rest)
     moved = (angles - reference + np.pi) % (2 * np.pi) - np.pi
     rates = turns.rates(angles, spin)
@@ -624,8 +628,9 @@ def RecogniseTrees(mbs: MainSystem) -> MainSystem:
 
     A spherical joint becomes three rotations about different axes, as does the rotation of a body that floats. They
     lock where the second has turned by 90 degrees; axes are chosen far from that. On the ground and where a body
-    floats, with weight, the first is vertical, so that only the elevation of the last is limited. Motions that come
-    close to it need smaller steps than those of bodies with Euler parameters, and are better left to them.
+    floats, with weight, the first is vertical, so that only the elevation of the last is limited, which is level at the
+    start. Motions that come close to it need smaller steps than those of bodies with Euler parameters, and are better
+    left to them.
 
     Markers, loads and sensors keep their numbers and act on the links; where bodies, their nodes and joints were, there
     are ground items; bodies that are fixed to the ground become ground. A body stays as it is if something refers to it
