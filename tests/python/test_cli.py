@@ -136,7 +136,8 @@ for z in (0, 0.1):
     mbs.CreateRevoluteJoint("", [ground, arm], [0, 0, z], [0, 0, 1])
 mbs.SetNodeParameter(0, "initialCoordinates", [0.1] + [0] * 6)
 mbs.AddNode(NodePoint(name="forgotten"))
-mbs.CreateSpringDamper("loop", [arm, arm], stiffness=1)
+ends = [mbs.AddMarker(MarkerBodyPosition(bodyNumber=arm)) for _ in range(2)]
+mbs.AddObject(SpringDamper("loop", markerNumbers=ends, stiffness=1))
 mbs.AddMarker(MarkerNodePosition(name="lost", nodeNumber=0))
 mbs.AddSensor(SensorNode(
     name="deaf", nodeNumber=0, writeToFile=False, outputVariableType=exu.OutputVariableType.Position
