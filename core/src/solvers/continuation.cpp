@@ -68,9 +68,9 @@ void Solver::continue_steps() {
   output.lastSensorsWritten = run[sensors_written];
   output.lastImageRecorded = run[image_recorded];
   steps_since_reduction_ = static_cast<StepCount>(run[RunNumber::steps_since_reduction]);
+  if (!watch_ && !continuation_->events.empty()) watch_ = std::make_unique<EventWatch>();  // which there should be
   if (watch_) {
-    watch_->require_as_many(continuation_->events.size() / 2 - 1);
-    watch_->take_numbers(continuation_->events);
+    watch_->take_numbers(continuation_->events, settings_->continuation.restartFileName);
   }
   if (verbose(1)) say(1, "  going on from '" + settings_->continuation.restartFileName + "' at time " + number(it.currentTime) + "\n");
   ++it.currentStepIndex;
