@@ -49,6 +49,10 @@ constexpr std::array<std::string_view, 1> DenseOutputSettings_rows{
     "true: solution and sensors are written at the multiples of ``solutionWritePeriod`` and ``sensorsWritePeriod``, counted from the start, and at the end; within steps by Hermite interpolation of coordinates, velocities and accelerations. Data coordinates are those of the end of the step. False: they are written at the first end of a step at which the period is over. Static solvers write at their load steps",
 };
 
+constexpr std::array<std::string_view, 1> EventsSettings_rows{
+    "true: ObjectContactCoordinate, the contacts of spheres with spheres, triangles and tori, ObjectContactConvexRoll, ObjectContactCircleCable2D, ObjectContactCurveCircles and ObjectConnectorCoordinateSpringDamperExt are followed by dynamic solvers: a step within which one of them switches is solved again such that it ends there, and accelerations are found anew. What switches again and again, each time within two steps, ends the simulation with an error that names the item. False: they switch in the discontinuous iteration, at the end of a step, as all other items always do",
+};
+
 constexpr std::array<std::string_view, 4> InitialConditionsSettings_rows{
     "evaluate the gap and the rate of the gap of every constraint before the first step, and name the worst of those that are not fulfilled; the static solver looks at gaps only, closes them, and says so if its verboseMode is at least 1",
     "true: constraints that are not fulfilled at the start are an error; false: a warning",
@@ -571,12 +575,13 @@ constexpr std::array<std::string_view, 11> VSettingsExportImages_rows{
     "the width of an image is a multiple of this number of pixels; 4 suits video encoders",
 };
 
-constexpr std::array<SettingsText, 48> settings{{
+constexpr std::array<SettingsText, 49> settings{{
     {"NewtonNumericalDifferentiationSettings", "Jacobians by numerical differentiation", NewtonNumericalDifferentiationSettings_rows},
     {"NewtonSettings", "Newton's method for the nonlinear equations of a step", NewtonSettings_rows},
     {"DiscontinuousSettings", "iterations for contact, friction and other discontinuous states, after Newton's method has converged", DiscontinuousSettings_rows},
     {"ContinuationSettings", "going on with a solution that was stopped", ContinuationSettings_rows},
     {"DenseOutputSettings", "what is written between the ends of steps", DenseOutputSettings_rows},
+    {"EventsSettings", "contact that opens or closes, friction that begins to slide or to stick, and stops", EventsSettings_rows},
     {"InitialConditionsSettings", "how the initial values are held against the constraints when a solver starts", InitialConditionsSettings_rows},
     {"LinearSolverChoiceSettings", "who chooses the linear solver", LinearSolverChoiceSettings_rows},
     {"LinearSolverSettings", "settings of the linear solver", LinearSolverSettings_rows},

@@ -72,6 +72,11 @@ constexpr std::array<Row, 1> DenseOutputSettings_rows{{
 }};
 constexpr SettingsGroup DenseOutputSettings_group{"DenseOutputSettings", DenseOutputSettings_rows, {}};
 
+constexpr std::array<Row, 1> EventsSettings_rows{{
+    {.name = "ofItems", .storage = Storage::boolean, .offset = offsetof(EventsSettings, ofItems), .role = Role::parameter},
+}};
+constexpr SettingsGroup EventsSettings_group{"EventsSettings", EventsSettings_rows, {}};
+
 constexpr std::array<Row, 4> InitialConditionsSettings_rows{{
     {.name = "checkConstraints", .storage = Storage::boolean, .offset = offsetof(InitialConditionsSettings, checkConstraints), .role = Role::parameter},
     {.name = "inconsistentIsError", .storage = Storage::boolean, .offset = offsetof(InitialConditionsSettings, inconsistentIsError), .role = Role::parameter},
@@ -299,9 +304,10 @@ constexpr std::array<SettingRule, 3> SimulationSettings_rules{{
     {.name = "outputPrecision", .lower = 1.0, .upper = 17.0, .words = "from 1 to 17"},
     {.name = "pauseAfterEachStep", .no_effect = "solvers wait where space is pressed on the page; a PostStep user function may wait"},
 }};
-constexpr std::array<SettingsChild, 11> SimulationSettings_children{{
+constexpr std::array<SettingsChild, 12> SimulationSettings_children{{
     {"continuation", &ContinuationSettings_group, offsetof(SimulationSettings, continuation)},
     {"denseOutput", &DenseOutputSettings_group, offsetof(SimulationSettings, denseOutput)},
+    {"events", &EventsSettings_group, offsetof(SimulationSettings, events)},
     {"initialConditions", &InitialConditionsSettings_group, offsetof(SimulationSettings, initialConditions)},
     {"linearSolverChoice", &LinearSolverChoiceSettings_group, offsetof(SimulationSettings, linearSolverChoice)},
     {"linearSolverSettings", &LinearSolverSettings_group, offsetof(SimulationSettings, linearSolverSettings)},

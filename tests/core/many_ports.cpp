@@ -28,7 +28,7 @@ struct MissesCheck : AllMarkersAct, NoAlgebraicEquations, NoHistory, NoOutputs {
 };
 static_assert(!ManyPortsKernel<MissesCheck>);
 
-struct Misspelt : AllMarkersAct, NoAlgebraicEquations, NoOutputs {
+struct Misspelt : AllMarkersAct, NoAlgebraicEquations, NoSwitches, NoOutputs {
   using Parameters = ::Parameters;
   template <class S>
   static void evaluate(const Parameters&, const Context&, Exchange<S>&) {}

@@ -37,7 +37,7 @@ static_assert(PairConnectorKernel<CompleteTangent>);
 static_assert(!PairConnectorKernel<MisspeltTangent>);
 static_assert(!PairConnectorKernel<TangentNotNamed>);
 
-struct WithHistory : Spring, HasPairHistory, AlwaysNeedsData, NoPairOutputs, NoConnectorForms {
+struct WithHistory : Spring, HasPairHistory, NoSwitches, AlwaysNeedsData, NoPairOutputs, NoConnectorForms {
   static constexpr int data_coordinates = 1;
 };
 struct MisspeltHistory : WithHistory {
@@ -52,6 +52,20 @@ struct CompleteHistory : WithHistory {
 };
 static_assert(PairConnectorKernel<CompleteHistory>);
 static_assert(!PairConnectorKernel<MisspeltHistory>);
+
+struct WithSwitches : CompleteHistory, SwitchesByUpdate {
+  static constexpr bool has_switches = SwitchesByUpdate::has_switches, switches_by_update = SwitchesByUpdate::switches_by_update;
+  static int switch_count(const Parameters&) { return 0; }
+};
+struct CompleteSwitches : WithSwitches {
+  static void find_switches(const Parameters&, const Context&, const PointFrame<double>&, const PointFrame<double>&, Switches&) {}
+};
+struct MissesSwitchOver : CompleteSwitches {
+  static constexpr bool switches_by_update = false;
+};
+static_assert(PairConnectorKernel<CompleteSwitches>);
+static_assert(!PairConnectorKernel<WithSwitches>);
+static_assert(!PairConnectorKernel<MissesSwitchOver>);
 
 struct OneForceOnly : NoPairHistory, NoPairOutputs, NoConnectorForms {
   using Parameters = ::Parameters;

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
+import re
+import signal
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -30,9 +33,29 @@ def in_empty_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 # ---- models: each has a sensor with a file ------------------------------------------------------------------------------
 
 
+INTERRUPTED_AT = [np.inf]  # s
+
+
+@contextlib.contextmanager
+def ctrl_c_at(time: float) -> Iterator[None]:
+    INTERRUPTED_AT[0] = time
+    try:
+        yield
+    finally:
+        INTERRUPTED_AT[0] = np.inf
+
+
+def watch(mbs: Any, t: float, sensors: Any, factors: Any, configuration: Any) -> list[float]:
+    """A sensor has no part in the steps, as functions of the user would have: Ctrl-C comes while it is asked."""
+    if t >= INTERRUPTED_AT[0]:
+        signal.raise_signal(signal.SIGINT)
+    return [t]
+
+
 def watched(mbs: Any, node: int = 0) -> Any:
     variable = exu.OutputVariableType.Coordinates
-    mbs.AddSensor(eii.SensorNode(nodeNumber=node, fileName="sensor.txt", outputVariableType=variable))
+    sensor = mbs.AddSensor(eii.SensorNode(nodeNumber=node, fileName="sensor.txt", outputVariableType=variable))
+    mbs.AddSensor(eii.SensorUserFunction(sensorNumbers=[sensor], sensorUserFunction=watch, storeInternal=True))
     mbs.Assemble()
     return mbs
 
@@ -49,6 +72,11 @@ def squeezer() -> Any:
 def flat() -> Any:
     """Starts in a singular position, and passes it again."""
     return watched(Bars(2, angle=0, rate=-3).mbs, 1)
+
+
+def passing() -> Any:
+    """Passes it after 0.7 s, behind the restart file."""
+    return watched(Bars(2).mbs, 1)
 
 
 def sliding() -> Any:
@@ -92,6 +120,34 @@ def spring(damping: float = 0.3) -> Any:
     return watched(mbs, int(node))
 
 
+def bouncing() -> Any:
+    """Contact that opens and closes, with a damper: forces jump."""
+    mbs = new_system()
+    ball = mbs.CreateMassPoint(referencePosition=[0, 0, 0.3], physicsMass=1, gravity=[0, 0, -9.81])
+    mbs.CreateSphereSphereContact(
+        bodyNumbers=[mbs.CreateGround(referencePosition=[0, 0, -0.2]), ball],
+        spheresRadii=[0.1, 0.1],
+        contactStiffness=1e4,
+        contactDamping=10,
+        dataInitialCoordinates=[0.3, 0, 0, 0],
+    )
+    return watched(mbs)
+
+
+def throwing() -> Any:
+    """An event function of the user, whose action changes velocities."""
+    mbs = spring()
+
+    def back(mbs: Any, t: float, event: int, direction: int) -> bool:
+        speed = -0.9 * mbs.systemData.GetODE2Coordinates_t()
+        mbs.systemData.SetODE2Coordinates_t(speed, configuration=exu.ConfigurationType.Current)
+        return True
+
+    mbs.SetEventsUserFunction(lambda mbs, t: [(mbs.systemData.GetODE2Coordinates()[0] - 0.05, 1)])
+    mbs.SetEventActionUserFunction(back)
+    return mbs
+
+
 def top() -> Any:
     """A rotation vector that is composed on the group."""
     mbs = new_system()
@@ -125,6 +181,15 @@ def binary(s: Any) -> None:
     s.solutionSettings.outputPrecision = 17
 
 
+def two_threads(s: Any) -> None:
+    s.linearSolverType = exu.LinearSolverType.EigenSparse
+    s.parallel.numberOfThreads = 2
+
+
+def located(s: Any) -> None:
+    s.events.ofItems = True
+
+
 def stubborn(s: Any) -> None:
     """Steps fail, and grow again."""
     s.timeIntegration.discontinuous.maxIterations = 2
@@ -152,6 +217,19 @@ CASES: list[tuple[Callable[[], Any], Any, float, int, list[Callable[[Any], None]
     (sliding, Solver.GeneralizedAlpha, 2.0, 300, [stubborn]),
     (sliding, Solver.TrapezoidalIndex2, 2.0, 300, [modified, binary]),
     (sliding, Solver.RK44, 2.0, 3000, []),
+    *((sliding, kind, 2.0, 300, [located]) for kind in (Solver.GeneralizedAlpha, Solver.DOPRI5, Solver.ESDIRK43)),
+    (bouncing, Solver.GeneralizedAlpha, 1.0, 200, []),
+    (bouncing, Solver.GeneralizedAlpha, 1.0, 200, [located]),
+    (bouncing, Solver.GeneralizedAlpha, 1.0, 200, [located, by_tolerances, dense_output]),
+    (bouncing, Solver.TrapezoidalIndex2, 1.0, 200, [located, modified]),
+    (bouncing, Solver.DOP853, 1.0, 20, [located, dense_output]),
+    (bouncing, Solver.ESDIRK43, 1.0, 20, [located]),
+    (bouncing, Solver.VelocityVerlet, 1.0, 500, [located]),
+    *((throwing, kind, 1.0, 100, []) for kind in (Solver.GeneralizedAlpha, Solver.DOPRI5, Solver.ESDIRK43)),
+    *((bricard, kind, 0.5, 50, [two_threads]) for kind in (Solver.GeneralizedAlpha, Solver.DOPRI5, Solver.ESDIRK43)),
+    (passing, Solver.GeneralizedAlpha, 1.0, 50, [by_tolerances]),
+    (passing, Solver.DOPRI5, 1.0, 50, []),
+    (passing, Solver.ESDIRK43, 1.0, 50, []),
     (top, Solver.GeneralizedAlpha, 1.0, 77, [dense_output]),
     (top, Solver.RK67, 1.0, 77, [dense_output]),
     (top, Solver.ESDIRK43, 1.0, 20, [dense_output]),
@@ -181,6 +259,12 @@ def written() -> dict[str, bytes]:
     return {path.name: path.read_bytes() for path in Path().glob("*.txt")}
 
 
+def without_times(files: dict[str, bytes]) -> dict[str, list[bytes]]:
+    """Without the times of day in headers."""
+    times = rb"\d{4}-\d\d-\d\d.?\d\d:\d\d:\d\d"
+    return {name: re.sub(times, b"", content).splitlines() for name, content in files.items()}
+
+
 def test_id(case: Any) -> str:
     model, solver, _, _, changes = case
     return "-".join([model.__name__, solver.name, *(change.__name__ for change in changes)])
@@ -190,21 +274,23 @@ test_id.__test__ = False  # type: ignore[attr-defined]
 
 
 @pytest.mark.parametrize("case", CASES, ids=test_id)
-def test_the_same_bytes(case: Any) -> None:
+def test_interrupted_and_continued(case: Any) -> None:
+    """Acceptance number P10: Ctrl-C after 0.8 of the time, where the restart file of 0.6 is the last one."""
     model, solver, end, steps, changes = case
     s = settings_of(end, steps, changes)
     model().SolveDynamic(s, solverType=solver)
-    whole = written()
+    whole = without_times(written())
     assert set(whole) == {"solution.txt", "sensor.txt", NAME}
-    os.replace(NAME + ".bck", "middle.txt")
-    for name in ("solution.txt", "sensor.txt"):  # as if it had gone on elsewhere
-        content = Path(name).read_bytes()
-        Path(name).write_bytes(content[: int(0.9 * len(content))] + b"something else" * 40)
     Path(NAME).unlink()
-    s.continuation.restartFileName = "middle.txt"
+    Path(NAME + ".bck").unlink()
+    with ctrl_c_at(0.8 * end), pytest.raises(KeyboardInterrupt):
+        model().SolveDynamic(s, solverType=solver)
+    for name in ("solution.txt", "sensor.txt"):  # as if it had been writing when it was stopped
+        with Path(name).open("ab") as file:
+            file.write(b"something else" * 40)
+    s.continuation.restartFileName = NAME
     model().SolveDynamic(s, solverType=solver)
-    Path("middle.txt").unlink()
-    assert written() == whole
+    assert without_times(written()) == whole
 
 
 def test_static_solutions_go_on() -> None:

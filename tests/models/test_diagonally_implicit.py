@@ -198,3 +198,34 @@ def test_massless_coordinates_are_carried_along() -> None:
     mbs.Assemble()
     mbs.SolveDynamic(equal_steps(1, 100), solverType=METHOD)
     assert mbs.systemData.GetODE2Coordinates() == pytest.approx([0.5 * np.cos(5), np.cos(5)], abs=1e-4)
+
+
+def test_algebraic_coordinates_are_refused() -> None:
+    """A mass that slides along a straight, fixed cable: its place there is an algebraic coordinate."""
+    mbs = new_system()
+    nodes = [mbs.AddNode(exu.NodePoint2DSlope1(referenceCoordinates=[x, 0, 1, 0])) for x in (0, 1)]
+    cable = mbs.AddObject(
+        exu.ObjectANCFCable2D(
+            physicsLength=1,
+            physicsMassPerLength=1,
+            physicsBendingStiffness=1,
+            physicsAxialStiffness=1,
+            nodeNumbers=nodes,
+        )
+    )
+    mass = mbs.CreateMassPoint(referencePosition=[0.5, 0, 0], physicsMass=2)
+    wire = mbs.AddMarker(exu.MarkerBodyCable2DCoordinates(bodyNumber=cable))
+    mbs.AddObject(
+        exu.ObjectJointSliding2D(
+            name="bead",
+            markerNumbers=[mbs.AddMarker(exu.MarkerBodyPosition(bodyNumber=mass)), wire],
+            slidingMarkerNumbers=[wire],
+            slidingMarkerOffsets=[0],
+            nodeNumber=mbs.AddNode(exu.NodeGenericData(numberOfDataCoordinates=2, initialCoordinates=[0, 0.5])),
+        )
+    )
+    mbs.Assemble()
+    with pytest.raises(
+        ValueError, match=r"ESDIRK43.*'bead' \(ObjectJointSliding2D\).*algebraic coordinate.*GeneralizedAlpha"
+    ):
+        mbs.SolveDynamic(equal_steps(1, 10), solverType=METHOD)

@@ -123,6 +123,7 @@ GENERAL: dict[str, Case] = {
         False, named("twice"), models.redundant, {"redundantConstraints.treat": False}, solver="static"
     ),
     "continuation.restartFileName": Case("/dev/null", solved),
+    "events.ofItems": Case(True, motion, models.stopping),
     "denseOutput.atRequestedTimes": Case(True, times, given={"solutionSettings.sensorsWritePeriod": 0.15}),
     "redundantConstraints.largestMisfit": Case(1e-2, solved, models.contradictory),
     "redundantConstraints.momentLength": Case(20.0, motion, models.door),

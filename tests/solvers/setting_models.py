@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
-from oscillators import friction_or_stop, oscillator
+from oscillators import friction_or_stop, mass, oscillator
 
 import dalembert as exu
 from dalembert.itemInterface import (
@@ -269,6 +269,13 @@ def _with_verdicts(verdict: Callable[[list[float]], list[float]]) -> Any:
 def switching() -> Any:
     """The first solution of each step leaves an error of 5."""
     return _with_verdicts(lambda asked: [5.0 if asked.count(asked[-1]) == 1 else 0.0, -1.0])
+
+
+def stopping() -> Any:
+    """A mass that meets a stop between the ends of two steps."""
+    model = mass(position=0.2, speed=-1.0)
+    friction_or_stop(model, useLimitStops=True, limitStopsUpper=10.0, limitStopsStiffness=200.0)
+    return assembled(model)
 
 
 def rejecting() -> Any:

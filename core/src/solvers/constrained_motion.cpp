@@ -43,6 +43,38 @@ void add_gradients(System& system, const State& state, Conditions conditions, co
   }
 }
 
+void move_positions(System& system, std::span<const double> step, std::vector<double>& q) {
+  const std::vector<double> before = q, increment(step.begin(), step.end());
+  for (std::size_t i = 0; i < q.size(); ++i) q[i] += increment[i];
+  if (system.has_lie_nodes()) system.compose(before, increment, q);
+}
+
+// Accelerations that change velocities by h, and positions by h^2, change those of gaps by G + 2 h dG/dt + h^2 d^2G/dt^2, which is found by
+// differences along the motion. Beside a singular position, where G hardly acts in some directions, its changes are more than itself.
+void add_changes_of_gradients(System& system, const State& still, Conditions conditions, double h, const Pattern& pattern, std::span<double> matrix,
+                              std::span<double> part) {
+  conditions.rate_level = true;
+  double speed = 0, size = 1;
+  for (const double v : still.v) speed = std::max(speed, std::abs(v));
+  for (const double q : still.q) size = std::max(size, std::abs(q));
+  if (!(speed > 1e-10)) return;
+  const double tau = 1e-4 * size / speed, first = h / tau, second = first * first;
+  const auto add = [&](double time, double factor) {
+    State moved = still;
+    std::vector<double> step(still.q.size());
+    for (std::size_t i = 0; i < step.size(); ++i) step[i] = time * (still.v[i] + 0.5 * time * still.a[i]);
+    move_positions(system, step, moved.q);
+    system.tangent(moved, conditions, along_velocities, pattern, part);
+    for (int j = 0; j < system.sizes().ode2; ++j) {
+      const ColumnRange column = column_range(pattern, j, system.sizes().first_ae());
+      for (std::size_t k = column.middle; k < column.end; ++k) matrix[k] += factor * part[k];
+    }
+  };
+  add(tau, first + second);
+  add(-tau, second - first);
+  add(0, -2 * second);
+}
+
 // And the columns of the multipliers, around the mass matrix.
 void add_constraints(System& system, const State& state, const Conditions& conditions, const Pattern& pattern, std::span<double> matrix,
                      std::span<double> part) {
@@ -70,12 +102,6 @@ double largest(std::span<const double> numbers) {
   double size = 0;
   for (const double x : numbers) size = std::max(size, std::abs(x));
   return size;
-}
-
-void move_positions(System& system, std::span<const double> step, std::vector<double>& q) {
-  const std::vector<double> before = q, increment(step.begin(), step.end());
-  for (std::size_t i = 0; i < q.size(); ++i) q[i] += increment[i];
-  if (system.has_lie_nodes()) system.compose(before, increment, q);
 }
 
 }  // namespace
@@ -114,9 +140,13 @@ int ConstrainedMotion::factorize(System& system, const State& state, const Condi
   return factorize_filled(system, state, conditions);
 }
 
-int ConstrainedMotion::factorize_around_matrix(System& system, const State& state, const Conditions& conditions) {
+int ConstrainedMotion::factorize_around_matrix(System& system, const State& state, const Conditions& conditions, double step) {
   part_.resize(matrix_.size());
-  if (system.sizes().ae > 0) add_gradients(system, without_multipliers(state), conditions, *pattern_, matrix_, part_);
+  if (system.sizes().ae > 0) {
+    const State still = without_multipliers(state);
+    add_gradients(system, still, conditions, *pattern_, matrix_, part_);
+    if (step > 0) add_changes_of_gradients(system, still, conditions, step, *pattern_, matrix_, part_);
+  }
   return factorize_filled(system, state, conditions);
 }
 

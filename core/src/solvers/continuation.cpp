@@ -68,15 +68,11 @@ void Solver::continue_steps() {
   output.lastSensorsWritten = run[sensors_written];
   output.lastImageRecorded = run[image_recorded];
   steps_since_reduction_ = static_cast<StepCount>(run[RunNumber::steps_since_reduction]);
+  if (!watch_ && !continuation_->events.empty()) watch_ = std::make_unique<EventWatch>();  // which there should be
   if (watch_) {
     const std::span<const double> numbers(continuation_->events);
-    const std::size_t of_events = 2 + 2 * watch_->count();
-    if (numbers.size() < 2) {
-      throw ModelError(ErrorKind::value, "restart file '" + settings_->continuation.restartFileName +
-                                             "': it was written by a solution without events and sampled controllers, which the system has");
-    }
-    if (numbers.size() < of_events || !hooks().schedule) watch_->require_as_many(numbers.size() / 2 - 1);
-    watch_->take_numbers(numbers);
+    const std::size_t all = numbers.size(), of_events = hooks().schedule ? std::min(all, EventWatch::numbers_per_function * watch_->count()) : all;
+    watch_->take_numbers(numbers.first(of_events), settings_->continuation.restartFileName);
     if (hooks().schedule) hooks().schedule->take_numbers(numbers.subspan(of_events));
   }
   if (verbose(1)) say(1, "  going on from '" + settings_->continuation.restartFileName + "' at time " + number(it.currentTime) + "\n");

@@ -208,9 +208,17 @@ DiagonallyImplicitSolver::Outcome DiagonallyImplicitSolver::solve_stage(int stag
   fresh_ = false;
   if (!factors_serve() && !factorize()) return Outcome::singular;
   Outcome outcome = iterate(stage, fresh_ ? newton_settings.maxIterations : most_iterations);
-  if (outcome == Outcome::solved || fresh_) return outcome;
+  if (outcome != Outcome::solved && !fresh_) {
+    predict(stage);
+    if (!factorize()) return Outcome::singular;
+    outcome = iterate(stage, newton_settings.maxIterations);
+  }
+  if (outcome != Outcome::slow || sizes_.ae == 0) return outcome;
   predict(stage);
-  return factorize() ? iterate(stage, newton_settings.maxIterations) : Outcome::singular;
+  const bool regular = factorize(true);
+  if (regular) outcome = iterate(stage, newton_settings.maxIterations);
+  factorized_for_ = 0;  // they serve no other stage
+  return regular ? outcome : Outcome::singular;
 }
 
 bool DiagonallyImplicitSolver::factors_serve() const {
@@ -310,7 +318,8 @@ void DiagonallyImplicitSolver::evaluate_residual() {
   if (sizes_.ae > 0) std::ranges::copy(motion_.gap_accelerations(system(), current(), conditions_), x_.begin() + sizes_.first_ae());
 }
 
-bool DiagonallyImplicitSolver::factorize() {
+// `constraints_follow_motion`: beside a singular position, where Newton's method does not converge otherwise.
+bool DiagonallyImplicitSolver::factorize(bool constraints_follow_motion) {
   const double g = diagonal();
   const Weights weights{.q = g * g, .v = g, .a = 1, .y = g, .y_t = 1};
   Conditions conditions = conditions_;
@@ -326,7 +335,7 @@ bool DiagonallyImplicitSolver::factorize() {
     add_user_jacobian(motion_.pattern(), motion_.matrix(), {-g * g, -g, -g});
   }
   const TimedPart time(timer, timer.factorization);
-  conv.linearSolverCausingRow = motion_.factorize_around_matrix(system(), current(), conditions_);
+  conv.linearSolverCausingRow = motion_.factorize_around_matrix(system(), current(), conditions_, constraints_follow_motion ? g : 0);
   conv.linearSolverFailed = conv.linearSolverCausingRow != LinearSolver::success;
   conv.jacobianUpdateRequested = false;
   ++it.newtonJacobiCount;

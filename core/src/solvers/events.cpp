@@ -1,4 +1,4 @@
-// Steps that end where functions of the user change their sign, or at times that are known beforehand.
+// Steps that end where functions of the user change their sign, where items switch, or at times that are known beforehand.
 //
 // The place is found first on the Hermite polynomial through both ends of the step, then by steps that end there: the method of
 // Dowell and Jarratt (Illinois), BIT 11 (1971).
@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "dalembert/model/errors.hpp"
+#include "dalembert/model/model.hpp"
 #include "dalembert/solvers/solver.hpp"
 #include "dense_output.hpp"
 
@@ -19,7 +20,9 @@ namespace dalembert {
 namespace {
 
 constexpr int most_solutions = 40;    // for one event; each takes as much as a step
-constexpr int most_in_a_row = 20;     // events, each within a step of the one before
+constexpr int most_in_a_row = 20;     // events of one function, close to each other
+constexpr double close_of_user = 1, close_of_item = 2;  // in steps; a contact that is shorter than a step takes little more
+constexpr int most_rounds = 10;       // in which items settle at the start
 constexpr int inner_points = 3;       // of a step, where functions may have changed their sign twice
 constexpr double leaves_zero = 10;    // times what was left at the event
 
@@ -29,7 +32,8 @@ int sign(double x) { return (x > 0) - (x < 0); }
 struct Bracket {
   double a = 0, b = 1, at_a = 0, at_b = 0;
   int moved = 0;  // last, to the right or to the left
-  double estimate() const { return at_a == at_b ? 0.5 * (a + b) : b - at_b * (b - a) / (at_b - at_a); }
+  // A function that begins at zero has no place to be found before.
+  double estimate() const { return at_a == 0 ? b : at_a == at_b ? 0.5 * (a + b) : b - at_b * (b - a) / (at_b - at_a); }
   // The value of the end that stays is halved when it stays a second time.
   void take(double x, double value, bool beyond) {
     if (beyond) {
@@ -49,15 +53,12 @@ struct Bracket {
 
 // ---- what is known at the start of a step ------------------------------------------------------------------------------
 
-void EventWatch::begin(std::vector<EventValue> values) {
+void EventWatch::begin(std::vector<WatchedValue> values) {
   start_ = std::move(values);
   dead_band_.assign(start_.size(), -1);
-}
-
-void EventWatch::require_as_many(std::size_t count) const {
-  if (count == start_.size()) return;
-  throw ModelError(ErrorKind::value, "mbs.EventsUserFunction: received " + std::to_string(count) + " values; expected " +
-                                         std::to_string(start_.size()) + ", as at the start. Return one value per event, always");
+  last_time_.assign(start_.size(), -std::numeric_limits<double>::infinity());
+  in_a_row_.assign(start_.size(), 0);
+  events_over(std::vector(start_));
 }
 
 bool EventWatch::just_after_event() const {
@@ -67,7 +68,7 @@ bool EventWatch::just_after_event() const {
 bool EventWatch::counts(int event, double value) const { return std::abs(value) > dead_band_[static_cast<std::size_t>(event)]; }
 
 // The sign of zero is that of the next value.
-void EventWatch::go_on(const std::vector<EventValue>& values) {
+void EventWatch::go_on(const std::vector<WatchedValue>& values) {
   for (std::size_t i = 0; i < start_.size(); ++i) {
     if (values[i].value == 0 || !counts(static_cast<int>(i), values[i].value)) continue;
     start_[i] = values[i];
@@ -75,9 +76,17 @@ void EventWatch::go_on(const std::vector<EventValue>& values) {
   }
 }
 
-void EventWatch::events_over(const std::vector<EventValue>& values) {
+void EventWatch::events_over(const std::vector<WatchedValue>& values) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!values[i].holds) continue;
+    const double size = std::abs(values[i].value);
+    if (values[i].value > values[i].noise) continue;
+    start_[i].value = 0;
+    dead_band_[i] = std::max(leaves_zero * size, values[i].noise);
+  }
   for (const Event& event : events) {
     const auto i = static_cast<std::size_t>(event.number);
+    if (values[i].holds) continue;
     start_[i].value = 0;
     dead_band_[i] = leaves_zero * std::abs(event.left);
   }
@@ -85,9 +94,25 @@ void EventWatch::events_over(const std::vector<EventValue>& values) {
   go_on(values);
 }
 
-std::vector<EventWatch::Event> EventWatch::changed(std::span<const EventValue> values) const {
+int EventWatch::count_repeated(double time) {
+  int repeated = -1;
+  for (const Event& event : events) {
+    const auto i = static_cast<std::size_t>(event.number);
+    const double steps = i < users.value_or(0) ? close_of_user : close_of_item;
+    in_a_row_[i] = time - last_time_[i] <= steps * regular_step_size ? in_a_row_[i] + 1 : 0;
+    last_time_[i] = time;
+    if (in_a_row_[i] >= most_in_a_row) repeated = event.number;
+  }
+  return repeated;
+}
+
+std::vector<EventWatch::Event> EventWatch::changed(std::span<const WatchedValue> values) const {
   std::vector<Event> found;
   for (std::size_t i = 0; i < start_.size(); ++i) {
+    if (values[i].holds) {
+      if (values[i].value < 0 && counts(static_cast<int>(i), values[i].value)) found.push_back({static_cast<int>(i), -1, values[i].value});
+      continue;
+    }
     const int before = sign(start_[i].value), direction = sign(values[i].value) - before;
     if (before == 0 || direction == 0 || values[i].direction * direction < 0) continue;
     found.push_back({static_cast<int>(i), sign(direction), values[i].value});
@@ -96,34 +121,59 @@ std::vector<EventWatch::Event> EventWatch::changed(std::span<const EventValue> v
 }
 
 std::vector<double> EventWatch::numbers() const {
-  std::vector<double> numbers{last_time, static_cast<double>(in_a_row)};
-  for (std::size_t i = 0; i < start_.size(); ++i) numbers.insert(numbers.end(), {start_[i].value, dead_band_[i]});
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < start_.size(); ++i)
+    numbers.insert(numbers.end(), {start_[i].value, dead_band_[i], last_time_[i], static_cast<double>(in_a_row_[i])});
   return numbers;
 }
 
-void EventWatch::take_numbers(std::span<const double> numbers) {
-  last_time = numbers[0];
-  in_a_row = static_cast<int>(numbers[1]);
+void EventWatch::take_numbers(std::span<const double> numbers, const std::string& file) {
+  if (numbers.size() != numbers_per_function * start_.size()) {
+    throw ModelError(ErrorKind::value, "restart file '" + file + "': received " + std::to_string(numbers.size() / numbers_per_function) +
+                                           " event functions; expected " + std::to_string(start_.size()) + ". Go on with the model and settings of before");
+  }
   for (std::size_t i = 0; i < start_.size(); ++i) {
-    start_[i].value = numbers[2 + 2 * i];
-    dead_band_[i] = numbers[3 + 2 * i];
+    const double* own = &numbers[numbers_per_function * i];
+    start_[i].value = own[0];
+    dead_band_[i] = own[1];
+    last_time_[i] = own[2];
+    in_a_row_[i] = static_cast<int>(own[3]);
   }
 }
 
 // ---- steps -------------------------------------------------------------------------------------------------------------
 
-std::vector<EventValue> Solver::event_values() {
-  if (!hooks().events) return {};
-  const TimedPart time(timer, timer.python);
-  return hooks().events(current().time);
+// Of the user, then those of items.
+std::vector<WatchedValue> Solver::event_values() {
+  std::vector<WatchedValue> values;
+  if (hooks().events) {
+    const TimedPart time(timer, timer.python);
+    for (const EventValue& value : hooks().events(current().time)) values.push_back({value});
+  }
+  std::optional<std::size_t>& users = watch_->users;
+  if (!users) users = values.size();
+  if (values.size() != *users) {
+    throw ModelError(ErrorKind::value, "mbs.EventsUserFunction: received " + std::to_string(values.size()) + " values; expected " +
+                                           std::to_string(*users) + ", as at the start. Return one value per event, always");
+  }
+  if (!locates_switches()) return values;
+  switches_.clear();
+  system_->find_switches(current(), conditions_, switches_);
+  for (const Switch& at : switches_) values.push_back({{at.value, at.kink ? 0 : -1}, !at.kink, at.noise});
+  return values;
 }
 
 void Solver::begin_to_watch_events() {
   watch_.reset();
-  if (!hooks().events && !hooks().schedule) return;
+  const bool locates = settings_->events.ofItems && !is_static() && system_->has_switches();
+  if (settings_->events.ofItems && !locates) {
+    warn(std::string("events.ofItems has no effect: ") + (is_static() ? "static solvers have no events" : "no item of this model has events of its own"));
+  }
+  iterates_without_ = locates ? System::Updates::without_switches : System::Updates::all;
+  if (!hooks().events && !hooks().schedule && !locates) return;
   watch_ = std::make_unique<EventWatch>();
+  if (locates && !continues()) settle_switches();
   watch_->begin(event_values());
-  watch_->last_time = -std::numeric_limits<double>::infinity();
   if (!hooks().schedule) return;
   hooks().schedule->begin(current(), is_static());
   if (continues()) return;
@@ -155,6 +205,24 @@ void Solver::end_as_scheduled() {
 void Solver::act_as_scheduled() {
   if (hooks().schedule->act(current())) renew_accelerations();
   it.currentStepSize = std::max(it.currentStepSize, std::exchange(watch_->unscheduled_step_size, 0.0));
+}
+
+// ---- switches of items ---------------------------------------------------------------------------------------------------
+
+// Data coordinates of items that are not those of the initial state.
+void Solver::settle_switches() {
+  const auto unsettled = [](const WatchedValue& value) { return value.holds && value.value < 0; };
+  bool settles = false;
+  for (int i = 0; i < most_rounds && std::ranges::any_of(event_values(), unsettled); ++i) {
+    system_->switch_over(current(), conditions_);
+    settles = true;
+  }
+  if (settles) renew_accelerations();
+}
+
+// At the end of a step: items go on with what they have come to, those that switch and those that do not.
+[[gnu::noinline]] void Solver::switch_over() {
+  if (locates_switches()) system_->switch_over(current(), conditions_);
 }
 
 // Another end for the step that has just been solved; false: it fails.
@@ -195,7 +263,7 @@ double Solver::look_into_step(const State& end, EventWatch& seen, double& before
   double found = -1;
   before = 0;
   for (const double part : places_to_look(seen.just_after_event())) {
-    const std::vector<EventValue> values = values_at(part);
+    const std::vector<WatchedValue> values = values_at(part);
     const auto changed = seen.changed(values);
     if (changed.empty()) {
       seen.go_on(values);
@@ -204,6 +272,10 @@ double Solver::look_into_step(const State& end, EventWatch& seen, double& before
     }
     const int event = changed.front().number;
     const int sign_before = sign(seen.at_start(event));
+    if (sign_before == 0) {
+      found = part;
+      break;
+    }
     Bracket bracket{.a = before, .b = part, .at_a = seen.at_start(event), .at_b = changed.front().left};
     for (int k = 0; k < most_solutions && bracket.b - bracket.a > 1e-12; ++k) {
       const double x = std::clamp(bracket.estimate() + 1e-12, bracket.a, bracket.b);
@@ -220,11 +292,10 @@ double Solver::look_into_step(const State& end, EventWatch& seen, double& before
 
 // After a step has been solved: it ends with the first event, on its far side. False: a step on the way has failed.
 bool Solver::end_with_event() {
-  if (!hooks().events) return true;
+  if (!hooks().events && !locates_switches()) return true;
   EventWatch& watch = *watch_;
   watch.events.clear();
-  std::vector<EventValue> values = event_values();
-  watch.require_as_many(values.size());
+  std::vector<WatchedValue> values = event_values();
   const State end = current();
   const double whole = end.time - start_of_step().time, next = it.currentStepSize;
   EventWatch seen = watch;
@@ -240,7 +311,7 @@ bool Solver::end_with_event() {
   std::vector<Bracket> brackets;
   for (std::size_t i = 0; i < values.size(); ++i) brackets.push_back({.a = a, .b = b, .at_a = seen.at_start(static_cast<int>(i)), .at_b = values[i].value});
   watch.events = seen.changed(values);
-  bool beyond = !watch.events.empty();
+  bool beyond = !watch.events.empty(), before_is_known = a == 0;  // or the polynomial has told it
   for (int i = 0; i < most_solutions; ++i) {
     if (x < b || watch.events.empty()) {
       if (!solve_again(x)) return false;
@@ -249,6 +320,7 @@ bool Solver::end_with_event() {
       beyond = !changed.empty();
       if (beyond) watch.events = changed;
       (beyond ? b : a) = x;
+      before_is_known |= !beyond;
       for (std::size_t k = 0; k < brackets.size(); ++k) brackets[k].take(x, values[k].value, beyond);
     }
     if (watch.events.empty()) {  // the polynomial was wrong
@@ -259,7 +331,13 @@ bool Solver::end_with_event() {
     }
     double root = b;
     for (const EventWatch::Event& event : watch.events) root = std::min(root, brackets[static_cast<std::size_t>(event.number)].estimate());
-    if (b - std::max(root, a) <= 2 * close || b - a <= 2 * close) break;
+    if (b - std::max(root, a) <= 2 * close || b - a <= 2 * close) {
+      if (std::exchange(before_is_known, true)) break;
+      a = root = 0;
+      for (Bracket& bracket : brackets) bracket = {.a = 0, .b = b, .at_a = bracket.at_a, .at_b = bracket.at_b};
+      x = 0.5 * b;
+      continue;
+    }
     x = std::clamp(root + close, a + close, b - close);
   }
   if (!beyond) {
@@ -281,29 +359,42 @@ bool Solver::event_reached() const {
   if (hooks().schedule && time >= hooks().schedule->next()) act_as_scheduled();
   if (watch.events.empty()) return;
   it.eventsCount += static_cast<StepCount>(watch.events.size());
-  watch.in_a_row = time - watch.last_time <= watch.regular_step_size ? watch.in_a_row + 1 : 0;
-  watch.last_time = time;
+  const int repeated = watch.count_repeated(time);
   for (const EventWatch::Event& event : watch.events) {
-    if (verbose(2)) say(2, "  event " + std::to_string(event.number) + (event.direction > 0 ? " (rising)" : " (falling)") + position_text() + "\n");
-    if (!hooks().event_action) continue;
+    if (verbose(2)) say(2, "  " + describe_event(event.number) + (event.direction > 0 ? " (rising)" : " (falling)") + position_text() + "\n");
+    if (!hooks().event_action || event.number >= static_cast<int>(*watch.users)) continue;
     const TimedPart part(timer, timer.python);
     if (hooks().event_action(time, event.number, event.direction)) continue;
     say(1, "EventActionUserFunction returned False: the solver stops\n");
     stop_ = output.simulationStoppedByUserFunction = true;
   }
-  if (hooks().event_action) {
+  if (hooks().event_action || locates_switches()) {
     conv.jacobianUpdateRequested = true;
     renew_accelerations();
   }
-  if (watch.in_a_row >= most_in_a_row) {
-    conv.stepReductionFailed = true;
-    Diagnosis& d = diagnose(FailureReason::event_chatter);
-    d.advice = {"event " + std::to_string(watch.events.front().number) + " of mbs.EventsUserFunction has come " + std::to_string(most_in_a_row) +
-                    " times, each within a step of the one before: let its action end what repeats ever faster, for example bring the "
-                    "body to rest below a small velocity",
-                "check that the action does not leave the value of the event function at zero"};
-  }
+  if (repeated >= 0) diagnose_chatter(repeated);
   watch.events_over(event_values());
+}
+
+std::string Solver::describe_event(int event) const {
+  const auto users = static_cast<int>(*watch_->users);
+  if (event < users) return "event " + std::to_string(event) + " of mbs.EventsUserFunction";
+  const Switch& at = switches_[static_cast<std::size_t>(event - users)];
+  const std::string item = environment_->model == nullptr ? "object " + std::to_string(at.item) : environment_->model->describe(ItemKind::object, at.item);
+  return std::string("event '") + at.what + "' of " + item;
+}
+
+[[gnu::noinline]] void Solver::diagnose_chatter(int event) {
+  conv.stepReductionFailed = true;
+  const std::string what = describe_event(event) + " has come " + std::to_string(most_in_a_row) + " times, each within " + (event < static_cast<int>(*watch_->users) ? "a step" : "two steps") + " of the one before: ";
+  Diagnosis& d = diagnose(FailureReason::event_chatter);
+  if (event < static_cast<int>(*watch_->users)) {
+    d.advice = {what + "let its action end what repeats ever faster, for example bring the body to rest below a small velocity",
+                "check that the action does not leave the value of the event function at zero"};
+  } else {
+    d.advice = {what + "give the item damping that ends what repeats, or less stiffness",
+                "use smaller steps (timeIntegration.numberOfSteps), or settle many changes at once, in the step that they lie in (events.ofItems=False)"};
+  }
 }
 
 }  // namespace dalembert

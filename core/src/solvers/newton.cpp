@@ -122,7 +122,8 @@ void NewtonSolver::begin_newton() {
   loop_ = Loop();
   if (treatment_ != Treatment::none) [[unlikely]] {
     misfit_.clear();
-    if (it.currentStepIndex != treated_since_) look_again_at_redundancy();
+    if (treatment_ == Treatment::unknown) look_for_redundancy_at_start();
+    else if (it.currentStepIndex != treated_since_) look_again_at_redundancy();
   }
   State& now = current();
   clear_numbers(now.lambda.data(), now.lambda.size());
@@ -149,10 +150,10 @@ bool NewtonSolver::goes_on() const {
 
 bool NewtonSolver::factorize() {
   const TimedPart time(timer, timer.factorization);
-  if (redundant_.in_use()) [[unlikely]] prepare_regularized();
+  if (redundant_.in_use()) [[unlikely]] redundant_.regularize(*pattern_, jacobian_, rate_factor());
   conv.linearSolverCausingRow = linear_->factorize(jacobian_);
   conv.linearSolverFailed = conv.linearSolverCausingRow != LinearSolver::success;
-  if (!examined_ || conv.linearSolverFailed) [[unlikely]] look_for_redundancy();
+  if (looks_at_next_ || conv.linearSolverFailed) [[unlikely]] look_for_redundancy();
   return !conv.linearSolverFailed;
 }
 

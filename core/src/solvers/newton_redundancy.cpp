@@ -16,17 +16,33 @@ constexpr double counting_eps = RedundantConstraints::counting_eps, silent_misfi
 
 void NewtonSolver::forget_redundancy() {
   redundant_ = RedundantConstraints();
-  treatment_ = Treatment::none;
   plain_.reset();
   misfit_.clear();
-  confirmed_ = confirms_ = false;
-  examined_ = sizes_.ae == 0 || !settings().redundantConstraints.treat || settings().linearSolverSettings.ignoreSingularJacobian;
+  confirmed_ = false;
+  looks_at_next_ = sizes_.ae > 0 && settings().redundantConstraints.treat && !settings().linearSolverSettings.ignoreSingularJacobian;
+  treatment_ = looks_at_next_ ? Treatment::unknown : Treatment::none;
 }
 
-// At the first matrix of a solution, and at each one that cannot be factorized.
+// Before the first prediction of a solution: constraints follow from others where they are fulfilled, and not quite beside that. The factors of
+// regular systems do not notice.
+[[gnu::noinline]] void NewtonSolver::look_for_redundancy_at_start() {
+  treatment_ = Treatment::none;
+  looks_at_next_ = false;
+  compute_residual();
+  compute_jacobian();
+  if (RedundantConstraints::evidently_none(system(), *pattern_, jacobian_)) return;
+  if (!redundant_.measure(system(), *pattern_, jacobian_, settings().redundantConstraints.momentLength, rate_factor())) return;
+  const auto factors = make_linear_solver(*pattern_, linear_type(), linear_options());
+  const bool regular = factors->factorize(jacobian_) == LinearSolver::success;
+  if ((regular && !redundant_.suspected(*factors)) || !redundant_.find(*pattern_, jacobian_, counting_eps, linear_type(), linear_options())) return;
+  if (redundant_.count() > 0) begin_treatment();
+}
+
+// At each matrix that cannot be factorized, and at the next one after a singular position.
 [[gnu::noinline]] void NewtonSolver::look_for_redundancy() {
   const auto& s = settings().redundantConstraints;
-  examined_ = true;
+  looks_at_next_ = false;
+  if (treatment_ == Treatment::unknown) treatment_ = Treatment::none;
   if (sizes_.ae == 0 || !s.treat || settings().linearSolverSettings.ignoreSingularJacobian || redundant_.in_use()) return;
   if (!conv.linearSolverFailed && RedundantConstraints::evidently_none(system(), *pattern_, jacobian_)) return;
   if (!redundant_.measure(system(), *pattern_, jacobian_, s.momentLength, rate_factor())) return;
@@ -60,25 +76,20 @@ void NewtonSolver::use_regularized(double eps) {
 }
 
 // In the next step: redundancy may have been that of a singular position only, and what was to be passed may have come to stay.
-void NewtonSolver::look_again_at_redundancy() {
+[[gnu::noinline]] void NewtonSolver::look_again_at_redundancy() {
   if (treatment_ == Treatment::passing) return end_treatment();
   if (confirmed_) return;
   confirmed_ = true;
-  confirms_ = largest_misfit_ <= silent_misfit;
-  conv.jacobianUpdateRequested |= confirms_;
-}
-
-[[gnu::noinline]] void NewtonSolver::prepare_regularized() {
-  if (std::exchange(confirms_, false) && redundant_.find(*pattern_, jacobian_, counting_eps, linear_type(), linear_options())) {
-    const bool gone = redundant_.count() == 0;
-    redundant_.use(gone ? 0 : redundant_.eps_for(0, conditions_.rate_level));
-    if (gone) {
-      treatment_ = Treatment::none;
-      linear_ = make_linear_solver(*pattern_, linear_type(), linear_options());
-      return;
-    }
-  }
-  redundant_.regularize(*pattern_, jacobian_, rate_factor());
+  if (largest_misfit_ > silent_misfit) return;
+  compute_residual();
+  compute_jacobian();
+  if (!redundant_.find(*pattern_, jacobian_, counting_eps, linear_type(), linear_options())) return;
+  conv.jacobianUpdateRequested = true;
+  const bool gone = redundant_.count() == 0;
+  redundant_.use(gone ? 0 : redundant_.eps_for(0, conditions_.rate_level));
+  if (!gone) return;
+  treatment_ = Treatment::none;
+  linear_ = make_linear_solver(*pattern_, linear_type(), linear_options());
 }
 
 // The next matrix is looked at again.
@@ -86,7 +97,7 @@ void NewtonSolver::end_treatment() {
   treatment_ = Treatment::none;
   redundant_.use(0);
   linear_ = std::move(plain_);
-  examined_ = false;
+  looks_at_next_ = true;
   conv.jacobianUpdateRequested = true;
 }
 

@@ -302,6 +302,7 @@ void Solver::begin_step() {
 
 void Solver::step_succeeded() {
   step_completed_ = true;
+  if (watch_) [[unlikely]] switch_over();
   if (!silent_) finish_step(true);
   if (watch_ && event_reached()) [[unlikely]] act_on_events();
   ++steps_since_reduction_;
@@ -443,7 +444,7 @@ double Solver::post_newton() {
   }
   if (system_->has_discontinuities(conditions_)) {
     const TimedPart time(timer, timer.postNewton);
-    const Discontinuity verdict = system_->post_newton(current(), conditions_);
+    const Discontinuity verdict = system_->post_newton(current(), conditions_, iterates_without_);
     error += verdict.error;
     if (verdict.recommended_step_size >= 0 &&
         (it.recommendedStepSize == -1 || verdict.recommended_step_size < it.recommendedStepSize)) {

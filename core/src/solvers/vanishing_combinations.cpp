@@ -18,6 +18,7 @@ namespace {
 
 constexpr int block_size = 8;
 constexpr int iterations = 2;
+constexpr int refinements = 2;  // of solutions
 constexpr double removable_share = 1e-10;  // squared: of the equations of an item in combinations that vanish
 
 using Block = Eigen::MatrixXd;
@@ -36,18 +37,31 @@ bool RedundantConstraints::find(const Pattern& pattern, std::span<const double> 
   const double in_use = std::exchange(eps_, eps);
   regularize(pattern, matrix, rate_factor_);
   eps_ = in_use;
-  const auto factors = make_linear_solver(pattern, type, options(linear_options));
+  const auto factors = make_linear_solver(pattern, type, linear_options);
   if (factors->factorize(matrix) != LinearSolver::success) return false;
 
   const auto m = static_cast<Eigen::Index>(rows_.size());
   Eigen::VectorXd root(m);
   for (Eigen::Index i = 0; i < m; ++i) root[i] = std::sqrt(weight_[rows_[i]]);
-  std::vector<double> lambda(weight_.size());
+  std::vector<double> lambda(weight_.size()), wanted, rest;
+  // As `apply`; in large systems, factors alone leave too much of the small numbers that count here.
+  const auto apply_with_care = [&](std::vector<double>& multipliers) {
+    wanted.assign(x_.size(), 0.0);
+    for (const int k : rows_) wanted[static_cast<std::size_t>(first_ae_ + k)] = -eps * row_factor(k) * weight_[k] * multipliers[static_cast<std::size_t>(k)];
+    std::ranges::fill(x_, 0.0);
+    for (int time = 0; time <= refinements; ++time) {
+      rest = wanted;
+      if (time > 0) for_each_entry(pattern, [&](int row, int column, std::size_t slot) { rest[row] -= matrix[slot] * x_[column]; });
+      factors->solve(rest);
+      for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += rest[i];
+    }
+    for (std::size_t k = 0; k < multipliers.size(); ++k) multipliers[k] = multiplier_[k] ? x_[static_cast<std::size_t>(first_ae_) + k] : 0;
+  };
   const auto image = [&](Block block) {
     for (Eigen::Index j = 0; j < block.cols(); ++j) {
       std::ranges::fill(lambda, 0.0);
       for (Eigen::Index i = 0; i < m; ++i) lambda[rows_[i]] = block(i, j) / root[i];
-      apply(*factors, eps, lambda);
+      apply_with_care(lambda);
       for (Eigen::Index i = 0; i < m; ++i) block(i, j) = lambda[rows_[i]] * root[i];
     }
     return block;
@@ -55,23 +69,26 @@ bool RedundantConstraints::find(const Pattern& pattern, std::span<const double> 
 
   std::mt19937 random(1);
   Block known(m, 0);
-  const auto beside_known = [&](const Block& block) { return orthonormal(block - known * (known.transpose() * block)); };
+  // Once is not enough where most of a column is known.
+  const auto beside_known = [&](const Block& block) {
+    const Block once = orthonormal(block - known * (known.transpose() * block));
+    return orthonormal(once - known * (known.transpose() * once));
+  };
   rest_ = 0;
   while (known.cols() < m) {
     Block block(m, std::min<Eigen::Index>(block_size, m - known.cols()));
     for (double& x : block.reshaped()) x = static_cast<double>(random()) / 2147483648.0 - 1;
     block = beside_known(block);
     for (int i = 0; i < iterations; ++i) block = beside_known(image(block));
-    block = beside_known(block);  // once is not enough where most of a column is known
     const Block small = block.transpose() * image(block);
     if (!small.allFinite()) return false;
     const Eigen::SelfAdjointEigenSolver<Block> shares((small + small.transpose()) / 2);
     const auto vanishing = static_cast<Eigen::Index>(std::ranges::count_if(shares.eigenvalues(), [](double x) { return x > 0.5; }));
-    if (vanishing < block.cols()) rest_ = std::max(0.0, shares.eigenvalues()[block.cols() - vanishing - 1]);
+    rest_ = vanishing < block.cols() ? std::max(0.0, shares.eigenvalues()[block.cols() - vanishing - 1]) : 0;
     Block more(m, known.cols() + vanishing);
     more << known, block * shares.eigenvectors().rightCols(vanishing);
     known = std::move(more);
-    if (vanishing < block.cols()) break;
+    if (vanishing == 0) break;  // in large systems, round-off may have spoilt some of those before
   }
   count_ = static_cast<int>(known.cols());
   weakest_ = rest_ > 0 ? eps * (1 / rest_ - 1) : 1;

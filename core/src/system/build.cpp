@@ -34,6 +34,7 @@ class Builder {
     for (int i = 0; i < model_.count(ItemKind::load); ++i) place_load(i);
     for (const Item& item : model_.items(ItemKind::sensor)) parts_.sensors.push_back(parts_.place_sensor(item));
     for (const auto& term : parts_.terms) parts_.has_history = parts_.has_history || term->has_history();
+    for (const auto& term : parts_.terms) parts_.has_switches = parts_.has_switches || term->has_switches();
     for (const auto& batch : parts_.marker_batches) parts_.has_history = parts_.has_history || batch->has_history();
     numbers_of(Regions::whole).rows.add(parts_.sizes.ode2, parts_.sizes.ode1);
     make_plan(parts_, {marker_batches_, terms_, rotating_, differentiated_}, division_);

@@ -321,7 +321,7 @@ void System::restore_unit_lengths(State& state) const {
   }
 }
 
-Discontinuity System::post_newton(State& state, const Conditions& conditions) {
+Discontinuity System::post_newton(State& state, const Conditions& conditions, Updates updates) {
   evaluated_ = nullptr;
   SystemParts& parts = *parts_;
   PostNewton verdict;
@@ -330,11 +330,29 @@ Discontinuity System::post_newton(State& state, const Conditions& conditions) {
   parts.update_ports(e);
   const double* start = parts.state(ConfigurationType::StartOfStep).data.data();
   for (const auto& term : parts.terms) {
-    if (!term->has_history()) continue;
+    if (!term->has_history() || (updates == Updates::without_switches && term->has_switches())) continue;
     verdict.add(term->post_newton(e, parts.ports, start, state.data.data(), state.lambda.data()));
   }
   each(parts.marker_batches, [&](const MarkerBatch& batch) { batch.post_newton(e, parts.ports, state.data.data()); });
   return {verdict.error, verdict.recommended_step_size};
+}
+
+void System::find_switches(const State& state, const Conditions& conditions, std::vector<Switch>& found) {
+  evaluated_ = nullptr;
+  SystemParts& parts = *parts_;
+  const Evaluation e = parts.evaluation(state, conditions);
+  parts.update_ports(e);
+  Switches switches(found);
+  for (const auto& term : parts.terms) term->find_switches(e, parts.ports, switches);
+}
+
+void System::switch_over(State& state, const Conditions& conditions) {
+  evaluated_ = nullptr;
+  SystemParts& parts = *parts_;
+  const std::vector<double> before = state.data;
+  const Evaluation e = parts.evaluation(state, conditions);
+  parts.update_ports(e);
+  for (const auto& term : parts.terms) term->switch_over(e, parts.ports, before.data(), state.data.data());
 }
 
 }  // namespace dalembert

@@ -195,6 +195,7 @@ std::span<const double> System::static_signs() const { return parts_->static_sig
 bool System::has_discontinuities(const Conditions& conditions) const {
   return parts_->has_history || (parts_->has_direct_history && !conditions.direct);
 }
+bool System::has_switches() const { return parts_->has_switches; }
 
 namespace {
 

@@ -56,6 +56,11 @@ struct DenseOutputSettings {
   bool atRequestedTimes = false;
 };
 
+// contact that opens or closes, friction that begins to slide or to stick, and stops
+struct EventsSettings {
+  bool ofItems = false;
+};
+
 // how the initial values are held against the constraints when a solver starts
 struct InitialConditionsSettings {
   bool checkConstraints = true;
@@ -233,6 +238,7 @@ struct SimulationSettings {
   bool pauseAfterEachStep = false;
   ContinuationSettings continuation{};
   DenseOutputSettings denseOutput{};
+  EventsSettings events{};
   InitialConditionsSettings initialConditions{};
   LinearSolverChoiceSettings linearSolverChoice{};
   LinearSolverSettings linearSolverSettings{};

@@ -107,6 +107,14 @@ class DenseOutputSettings(_Settings):
     def __init__(self) -> None: ...
 
 @final
+class EventsSettings(_Settings):
+    """contact that opens or closes, friction that begins to slide or to stick, and stops"""
+
+    ofItems: bool
+    """true: ObjectContactCoordinate, the contacts of spheres with spheres, triangles and tori, ObjectContactConvexRoll, ObjectContactCircleCable2D, ObjectContactCurveCircles and ObjectConnectorCoordinateSpringDamperExt are followed by dynamic solvers: a step within which one of them switches is solved again such that it ends there, and accelerations are found anew. What switches again and again, each time within two steps, ends the simulation with an error that names the item. False: they switch in the discontinuous iteration, at the end of a step, as all other items always do; default: False"""
+    def __init__(self) -> None: ...
+
+@final
 class InitialConditionsSettings(_Settings):
     """how the initial values are held against the constraints when a solver starts"""
 
@@ -454,6 +462,10 @@ class SimulationSettings(_Settings):
     def denseOutput(self) -> DenseOutputSettings: ...
     @denseOutput.setter
     def denseOutput(self, value: DenseOutputSettings | dict[str, Any]) -> None: ...
+    @property
+    def events(self) -> EventsSettings: ...
+    @events.setter
+    def events(self, value: EventsSettings | dict[str, Any]) -> None: ...
     @property
     def initialConditions(self) -> InitialConditionsSettings: ...
     @initialConditions.setter

@@ -115,6 +115,29 @@ class PortBatch final : public Term {
     return result;
   }
   bool has_history() const override { return has_update; }
+  bool has_switches() const override { return History::has_switches; }
+  void find_switches(const Evaluation& evaluation, const Ports& ports, Switches& switches) const override {
+    if constexpr (History::has_switches)
+      for (const Entry& e : entries_) {
+        switches.of(e.item);
+        if (!is_active(e.parameters)) {
+          switches.none(K::switch_count(e.parameters));
+          continue;
+        }
+        const auto frames = read(ports, e);
+        K::find_switches(e.parameters, context(evaluation, e), frames[0], frames[1], switches);
+      }
+  }
+  void switch_over(const Evaluation& evaluation, const Ports& ports, const double* before, double* data) const override {
+    if constexpr (History::has_switches)
+      for (const Entry& e : entries_) {
+        if (e.first_data < 0 || !is_active(e.parameters)) continue;
+        const auto frames = read(ports, e);
+        const Context c = context(evaluation, e);
+        if constexpr (K::switches_by_update) K::update(e.parameters, c, frames[0], frames[1], before + e.first_data, data + e.first_data);
+        else K::switch_over(e.parameters, c, frames[0], frames[1], before + e.first_data, data + e.first_data);
+      }
+  }
 
   bool output(int entry, OutputVariableType variable, const Vec3<double>&, const Evaluation& evaluation, const Ports& ports,
               std::vector<double>& values) const override {

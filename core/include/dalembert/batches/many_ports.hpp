@@ -110,6 +110,30 @@ class ManyPortsBatch final : public Term, public AlgebraicCoordinates {
     return result;
   }
   bool has_history() const override { return K::has_history; }
+  bool has_switches() const override { return K::has_switches; }
+  void find_switches(const Evaluation& evaluation, const Ports& ports, Switches& switches) const override {
+    if constexpr (K::has_switches)
+      for (const Entry& e : entries_) {
+        switches.of(e.item);
+        if (!is_active(e.parameters)) {
+          switches.none(K::switch_count(e.parameters));
+          continue;
+        }
+        take_unknowns(e, evaluation);
+        K::find_switches(e.parameters, context(e, evaluation), exchange(e, evaluation, ports, nullptr), switches);
+      }
+  }
+  void switch_over(const Evaluation& evaluation, const Ports& ports, const double* before, double* data) const override {
+    if constexpr (K::has_switches)
+      for (const Entry& e : entries_) {
+        if (!is_active(e.parameters)) continue;
+        take_unknowns(e, evaluation);
+        const auto x = exchange(e, evaluation, ports, nullptr);
+        const History history{before + std::max(e.first_data, 0), data + std::max(e.first_data, 0), {}};
+        if constexpr (K::switches_by_update) K::update(e.parameters, context(e, evaluation), x, history);
+        else K::switch_over(e.parameters, context(e, evaluation), x, history);
+      }
+  }
 
   bool output(int entry, OutputVariableType variable, const Vec3<double>&, const Evaluation& evaluation, const Ports& ports,
               std::vector<double>& values) const override {

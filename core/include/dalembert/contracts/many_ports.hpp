@@ -9,7 +9,7 @@
 // equations that have to vanish; or coordinates of first order of its nodes, with equations that are their rates.
 //
 // There are no optional members: what a kernel does not have, it says by deriving from AllMarkersAct, NoAlgebraicEquations,
-// NoHistory or NoOutputs. A member that is missing, misspelt or has another signature does not compile.
+// NoHistory, NoSwitches or NoOutputs. A member that is missing, misspelt or has another signature does not compile.
 #pragma once
 
 #include <algorithm>
@@ -21,6 +21,7 @@
 
 #include "dalembert/contracts/context.hpp"
 #include "dalembert/contracts/data_node.hpp"
+#include "dalembert/contracts/switches.hpp"
 #include "dalembert/enums.hpp"
 #include "dalembert/frames.hpp"
 #include "dalembert/model/errors.hpp"
@@ -143,7 +144,7 @@ struct NoAlgebraicEquations {
   static bool is_multiplier(const auto&, int) { return true; }
   static bool forces_follow_motion(const auto&) { return true; }
 };
-struct NoHistory {
+struct NoHistory : NoSwitches {
   static constexpr bool has_history = false;
   static PostNewton update(const auto&, const Context&, const Exchange<double>&, const History&) { return {}; }
 };
@@ -154,7 +155,7 @@ struct NoOutputs {
 // Kernels between two markers of one shape say `Port` instead (batches/connector.hpp, batches/constraint.hpp).
 template <class K>
 concept ManyPortsKernel = requires(const typename K::Parameters& p, const Context& c, Exchange<double>& x, const Exchange<double>& given,
-                                   const Connections& on, const History& history, std::span<const int> coordinates,
+                                   const Connections& on, const History& history, Switches& switches, std::span<const int> coordinates,
                                    OutputVariableType variable, std::vector<double>& values) {
   { K::acting(p, 0) } -> std::same_as<ActingMarkers>;
   { K::alternative(p, c) } -> std::same_as<int>;  // which one acts: its place among the alternatives
@@ -164,6 +165,12 @@ concept ManyPortsKernel = requires(const typename K::Parameters& p, const Contex
   { K::template evaluate<double>(p, c, x) } -> std::same_as<void>;
   requires std::same_as<decltype(K::has_history), const bool>;
   { K::update(p, c, given, history) } -> std::same_as<PostNewton>;
+  requires std::same_as<decltype(K::has_switches), const bool>;
+  requires K::has_switches == requires {
+    { K::switch_count(p) } -> std::same_as<int>;
+    { K::find_switches(p, c, given, switches) } -> std::same_as<void>;  // so many
+  };
+  requires K::switches_by_update != requires { { K::switch_over(p, c, given, history) } -> std::same_as<void>; };
   { K::output(p, c, given, variable, values) } -> std::same_as<bool>;
   { K::check(p, on) } -> std::same_as<void>;
 };

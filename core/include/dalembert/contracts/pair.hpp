@@ -18,6 +18,7 @@
 #include "dalembert/contracts/joint_equations.hpp"
 #include "dalembert/contracts/linear_equations.hpp"
 #include "dalembert/contracts/span_forces.hpp"
+#include "dalembert/contracts/switches.hpp"
 #include "dalembert/contracts/variation.hpp"
 #include "dalembert/enums.hpp"
 #include "dalembert/frames.hpp"
@@ -28,7 +29,7 @@ namespace dalembert {
 // ---- connectors ---------------------------------------------------------------------------------------------------------
 constexpr int any_data_coordinates = -1;  // as many as the node of the item has
 
-struct NoPairHistory {
+struct NoPairHistory : NoSwitches {
   static constexpr bool has_history = false;
   static constexpr int data_coordinates = 0;
   static bool needs_data(const auto&) { return false; }
@@ -54,12 +55,19 @@ struct NoConnectorForms {
 
 template <class K>
 concept PairConnectorKernel = requires(const typename K::Parameters& p, const Context& c, const typename K::Port::template Frame<double>& m,
-                                       const double* start, double* data, OutputVariableType variable, std::vector<double>& values) {
+                                       const double* start, double* data, Switches& switches, OutputVariableType variable,
+                                       std::vector<double>& values) {
   { K::template forces<double>(p, c, m, m) } -> std::same_as<std::array<typename K::Port::template Force<double>, 2>>;
   requires std::same_as<decltype(K::has_history), const bool>;
   requires std::same_as<decltype(K::data_coordinates), const int>;
   { K::needs_data(p) } -> std::same_as<bool>;  // or it does without its node
   { K::update(p, c, m, m, start, data) } -> std::same_as<PostNewton>;  // data after Newton's method, from those at the start of the step
+  requires std::same_as<decltype(K::has_switches), const bool>;
+  requires K::has_switches == requires {
+    { K::switch_count(p) } -> std::same_as<int>;
+    { K::find_switches(p, c, m, m, switches) } -> std::same_as<void>;  // so many
+  };
+  requires K::switches_by_update != requires { { K::switch_over(p, c, m, m, start, data) } -> std::same_as<void>; };
   { K::output(p, c, m, m, variable, values) } -> std::same_as<bool>;
   requires std::same_as<decltype(K::closed_forms), const ConnectorForms>;
   requires K::closed_forms.tangent == SpanConnector<K>;

@@ -33,6 +33,9 @@ S without_pull(const S& force, const S& lossless) {
   return lossless < 0.0 ? lossless : S(0);
 }
 
+// Where `without_pull` begins to hold a force back, this changes its sign.
+inline double pull_margin(double force, double lossless) { return force - std::min(lossless, 0.0); }
+
 struct ImpactLaw {
   double stiffness = 0, exponent = 1, damping = 0;
   double restitution_damping = 0;  // chi: the power law is multiplied by 1 + chi * rate
@@ -52,7 +55,17 @@ struct ImpactLaw {
   template <class S>
   S pressure(const S& penetration, const S& rate) const {
     const S elastic = stiffness * odd_power(penetration, exponent);
-    return without_pull<S>(elastic * (1.0 + restitution_damping * rate) + damping * rate, elastic);
+    return without_pull<S>(with_losses(elastic, rate), elastic);
+  }
+  double pull_margin(double penetration, double rate) const {
+    const double elastic = stiffness * odd_power(penetration, exponent);
+    return dalembert::pull_margin(with_losses(elastic, rate), elastic);
+  }
+
+ private:
+  template <class S>
+  S with_losses(const S& elastic, const S& rate) const {
+    return elastic * (1.0 + restitution_damping * rate) + damping * rate;
   }
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "dalembert/contracts/switches.hpp"
 #include "dalembert/enums.hpp"
 #include "dalembert/frames.hpp"
 #include "dalembert/laws/impact.hpp"
@@ -63,6 +64,19 @@ PostNewton update_touch(const Parameters& p, const Touch<double>& touch, const d
   data[TouchData::speed] = norm(touch.slip);
   data[TouchData::impact] = start[TouchData::gap] > 0 && touch.gap <= 0 ? touch.penetration_rate : start[TouchData::impact];
   return verdict;
+}
+
+// Contact that opens or closes; friction that begins to slide or to stick; and where losses would begin to pull.
+constexpr int touch_switches = 3;
+template <class Parameters>
+void find_touch_switches(const Parameters& p, const Touch<double>& touch, const double* data, double pull_margin, Switches& switches) {
+  const bool touches = data[TouchData::gap] < 0;
+  switches.holds("contact", touches ? -touch.gap : touch.gap);
+  if (!touches) return switches.none(touch_switches - 1);
+  const double excess = norm(touch.slip) - p.frictionProportionalZone;
+  if (p.frictionProportionalZone == 0 || p.dynamicFriction == 0) switches.none();
+  else switches.holds("friction", data[TouchData::speed] < p.frictionProportionalZone ? -excess : excess);
+  switches.kink("pull", pull_margin);
 }
 
 // The error of a force of friction that was found as sticking and slides, or the other way round.

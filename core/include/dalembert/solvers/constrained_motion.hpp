@@ -20,7 +20,8 @@ class ConstrainedMotion {
   // The same around another matrix than that of the masses, which has been put here, with the columns of the multipliers.
   std::span<double> matrix() { return matrix_; }
   const Pattern& pattern() const { return *pattern_; }
-  int factorize_around_matrix(System& system, const State& state, const Conditions& conditions);
+  // Where accelerations also change velocities, by a `step` times as much, and with them positions, constraints may do so, too.
+  int factorize_around_matrix(System& system, const State& state, const Conditions& conditions, double step = 0);
   // Of all unknowns; [Q, 0, right-hand sides of the constraints] becomes [a, 0, lambda].
   void solve(std::span<double> x);
   // With the forces Q in `a`, which become accelerations.

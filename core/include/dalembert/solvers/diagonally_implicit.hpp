@@ -72,7 +72,7 @@ class DiagonallyImplicitSolver : public Solver {
   double increment_size() const;
   bool at_round_off() const;
   void keep_rates(int stage);
-  bool factorize();
+  bool factorize(bool constraints_follow_motion = false);
   bool factors_serve() const;
   // ---- ends of steps -------------------------------------------------------------------------------------------------
   double estimated_error();

@@ -47,7 +47,10 @@ class NewtonSolver : public Solver {
     else return sqrt(sum_of_squares<S>(residual)) / conv.errorCoordinateFactor;
   }
   bool near_singular_position() override;
-  void constraints_are_independent() { examined_ = true; }  // as another matrix with them has shown
+  void constraints_are_independent() {  // as another matrix with them has shown
+    treatment_ = Treatment::none;
+    looks_at_next_ = false;
+  }
   // Make the factors of the matrix in `jacobian_`; false, with the flags set, if it is singular.
   bool factorize();
 
@@ -74,15 +77,16 @@ class NewtonSolver : public Solver {
 
   // ---- redundant constraints (newton_redundancy.cpp) ---------------------------------------------------------------
   // A singular position is passed with the matrix that redundant constraints have, for one step.
-  enum class Treatment { none, passing, lasting };
+  // `unknown`: nobody has looked yet.
+  enum class Treatment { none, passing, lasting, unknown };
 
   void forget_redundancy();
+  void look_for_redundancy_at_start();
   void look_for_redundancy();
   void begin_treatment();
   void end_treatment();
   void use_regularized(double eps);
   void look_again_at_redundancy();
-  void prepare_regularized();
   bool try_harder();
   void take_off_misfit();
   double residual_without_misfit();
@@ -127,11 +131,11 @@ class NewtonSolver : public Solver {
   Loop loop_;
   RedundantConstraints redundant_;
   Treatment treatment_ = Treatment::none;
-  bool examined_ = false;     // the first matrix of a solution has been looked at
+  bool looks_at_next_ = false;  // at the next matrix
   bool contradiction_ = false;  // it has converged, and left too much open
   bool tried_harder_ = false, announced_ = false, warned_of_misfit_ = false;
   StepCount treated_since_ = 0;          // step
-  bool confirmed_ = false, confirms_ = false;  // redundancy at the start may be that of a singular position
+  bool confirmed_ = false;               // redundancy at the start may be that of a singular position
   std::unique_ptr<LinearSolver> plain_;  // while a singular position is passed
   std::vector<double> misfit_;           // gaps that no motion closes, by equation; empty: none
   double largest_misfit_ = 0;            // of the last solution, relative to the size of the model

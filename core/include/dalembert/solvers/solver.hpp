@@ -23,6 +23,7 @@
 namespace dalembert {
 
 class EventWatch;
+struct WatchedValue;
 class Model;
 class StepInterpolation;
 struct RestartData;
@@ -221,7 +222,12 @@ class Solver {
   void write_between(double period, Write&& write);
   // ---- events (events.cpp) -----------------------------------------------------------------------------------------
   void begin_to_watch_events();
-  std::vector<EventValue> event_values();
+  void settle_switches();
+  void switch_over();
+  std::vector<WatchedValue> event_values();
+  bool locates_switches() const { return iterates_without_ != System::Updates::all; }
+  void diagnose_chatter(int event);
+  std::string describe_event(int event) const;
   double look_into_step(const State& end, EventWatch& seen, double& before);
   bool solve_again(double step_size);
   bool end_with_event();
@@ -281,6 +287,8 @@ class Solver {
   std::unique_ptr<RestartData> continuation_;  // null: from the initial values
   std::unique_ptr<StepInterpolation> between_;
   std::unique_ptr<EventWatch> watch_;  // null: there are no events
+  std::vector<Switch> switches_;       // of items, as far as they have been asked
+  System::Updates iterates_without_ = System::Updates::all;  // items whose switches are events
   std::exception_ptr unwritten_;  // the first FileError of the run
   // The clock is read every (look_mask_ + 1)-th step only, as seldom as a few milliseconds allow.
   std::uint32_t steps_taken_ = 0, look_mask_ = 0;

@@ -195,6 +195,7 @@ struct SystemParts {
   std::vector<double> static_signs;  // of the algebraic variables
   bool has_history = false;         // of items, and of terms that explicit integration searches for as well
   bool has_direct_history = false;  // of terms that it does not
+  bool has_switches = false;
 
   using States = std::array<State, 6>;  // by ConfigurationType
   std::shared_ptr<States> kept_states = std::make_shared<States>();  // views from outside keep them

@@ -20,6 +20,7 @@
 #include "dalembert/system/regions.hpp"
 #include "dalembert/reflection/storage.hpp"
 #include "dalembert/system/state.hpp"
+#include "dalembert/system/switches.hpp"
 
 namespace dalembert {
 
@@ -155,8 +156,14 @@ class System {
   void restore_history();
 
   // Update data coordinates after a converged Newton loop (friction, contact, post-Newton user functions of items).
-  Discontinuity post_newton(State& state, const Conditions& conditions);
+  // Items that switch may be left to `switch_over`.
+  enum class Updates { all, without_switches };
+  Discontinuity post_newton(State& state, const Conditions& conditions, Updates updates = Updates::all);
   bool has_discontinuities(const Conditions& conditions = {}) const;
+  // Items that switch: functions of the state that tell where, and their data coordinates after a step.
+  bool has_switches() const;
+  void find_switches(const State& state, const Conditions& conditions, std::vector<Switch>& found);
+  void switch_over(State& state, const Conditions& conditions);
 
   // Which items act on a row of the system vector, for diagnoses: "object 3 'joint' (JointRevoluteZ), equation 2".
   std::string describe_row(int row) const;

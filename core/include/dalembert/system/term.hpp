@@ -12,6 +12,7 @@
 #include "dalembert/system/evaluation.hpp"
 #include "dalembert/system/ports.hpp"
 #include "dalembert/system/state.hpp"
+#include "dalembert/system/switches.hpp"
 
 namespace dalembert {
 
@@ -156,6 +157,11 @@ class Term : public Batch {
     return {};
   }
   virtual bool has_history() const { return false; }
+  // Where its items switch, and what follows from it: new data coordinates, from those of before. Solvers that end steps there need no
+  // `post_newton`.
+  virtual bool has_switches() const { return false; }
+  virtual void find_switches(const Evaluation&, const Ports&, Switches&) const {}
+  virtual void switch_over(const Evaluation&, const Ports&, const double* /*before*/, double* /*data*/) const {}
 
   // Outputs. `motion` for bodies; `output` for what only the item knows; false: not an output of this item.
   virtual bool motion(int /*entry*/, const Evaluation&, const Vec3<double>& /*local*/, Motion<double>&) const { return false; }

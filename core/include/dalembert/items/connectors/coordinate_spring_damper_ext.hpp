@@ -1,6 +1,9 @@
 // ObjectConnectorCoordinateSpringDamperExt, specs/connectors/coordinate_spring_damper_ext.toml
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "dalembert/connectors/coordinate_spring_damper_ext_parameters.hpp"
 #include "dalembert/contracts/pair.hpp"
 #include "dalembert/laws/stribeck.hpp"
@@ -10,7 +13,7 @@
 
 namespace dalembert {
 
-struct ObjectConnectorCoordinateSpringDamperExt : HasPairHistory, NoConnectorForms {
+struct ObjectConnectorCoordinateSpringDamperExt : HasPairHistory, SwitchesByItself, NoConnectorForms {
   using Parameters = ObjectConnectorCoordinateSpringDamperExtParameters;
   using Port = ScalarPort;
   static constexpr int data_coordinates = 3;
@@ -42,6 +45,33 @@ struct ObjectConnectorCoordinateSpringDamperExt : HasPairHistory, NoConnectorFor
     return verdict;
   }
 
+  static int switch_count(const Parameters&) { return 2; }
+  static void find_switches(const Parameters& p, const Context& c, const ScalarFrame<double>& m0, const ScalarFrame<double>& m1, Switches& switches) {
+    const Difference<double> d(p, m0, m1);
+    const double bound = p.fDynamicFriction + p.fStaticFrictionOffset;
+    if (has_bristles(p) && c.data != nullptr) {
+      if (c.data[friction] == 0) switches.holds("friction", bound - std::abs(sticking(p, d, c.data[stick])), rounding * bound);
+      else switches.holds("friction", c.data[friction] < 0 ? -d.rate : d.rate);
+    } else if (p.frictionProportionalZone != 0) {
+      switches.kink("friction", std::abs(d.rate) - p.frictionProportionalZone);
+    } else {
+      switches.none();
+    }
+    if (!p.useLimitStops || c.data == nullptr) switches.none();
+    else if (c.data[stop] == 0) switches.holds("stop", std::min(p.limitStopsUpper - d.value, d.value - p.limitStopsLower));
+    else switches.holds("stop", c.data[stop] > 0 ? d.value - p.limitStopsUpper : p.limitStopsLower - d.value);
+  }
+  // Slip that ends where it stands still goes on as stick with the same force.
+  static void switch_over(const Parameters& p, const Context& c, const ScalarFrame<double>& m0, const ScalarFrame<double>& m1, const double* before,
+                          double* data) {
+    const Difference<double> d(p, m0, m1);
+    const bool slipped = has_bristles(p) && before[friction] != 0;
+    update(p, c, m0, m1, before, data);
+    if (!slipped || data[friction] != 0) return;
+    const double force = std::copysign(p.fDynamicFriction + p.fStaticFrictionOffset, before[friction]);
+    data[stick] = d.value - (force - d.rate * p.stickingDamping) / p.stickingStiffness;
+  }
+
   static bool output(const Parameters& p, const Context& c, const ScalarFrame<double>& m0, const ScalarFrame<double>& m1,
                      OutputVariableType variable, std::vector<double>& values) {
     const Difference<double> d(p, m0, m1);
@@ -54,6 +84,8 @@ struct ObjectConnectorCoordinateSpringDamperExt : HasPairHistory, NoConnectorFor
   }
 
  private:
+  static constexpr double rounding = 1e-9;  // of forces where slip has become stick, relative to the bound
+
   template <class S>
   struct Difference {
     S value, rate;

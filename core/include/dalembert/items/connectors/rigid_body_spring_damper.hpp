@@ -8,7 +8,7 @@
 
 namespace dalembert {
 
-struct ObjectConnectorRigidBodySpringDamper : HasPairHistory, AlwaysNeedsData, NoConnectorForms {
+struct ObjectConnectorRigidBodySpringDamper : HasPairHistory, NoSwitches, AlwaysNeedsData, NoConnectorForms {
   using Parameters = ObjectConnectorRigidBodySpringDamperParameters;
   using Port = RigidPort;
   static constexpr int data_coordinates = any_data_coordinates;  // those that its user function wants

@@ -9,7 +9,7 @@
 
 namespace dalembert {
 
-struct ObjectConnectorRollingDiscPenalty : HasPairHistory, AlwaysNeedsData, NoConnectorForms {
+struct ObjectConnectorRollingDiscPenalty : HasPairHistory, NoSwitches, AlwaysNeedsData, NoConnectorForms {
   using Parameters = ObjectConnectorRollingDiscPenaltyParameters;
   using Port = RigidPort;
   static constexpr int data_coordinates = 3;

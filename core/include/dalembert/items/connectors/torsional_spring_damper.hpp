@@ -10,7 +10,7 @@
 
 namespace dalembert {
 
-struct ObjectConnectorTorsionalSpringDamper : HasPairHistory, AlwaysNeedsData, NoConnectorForms {
+struct ObjectConnectorTorsionalSpringDamper : HasPairHistory, NoSwitches, AlwaysNeedsData, NoConnectorForms {
   using Parameters = ObjectConnectorTorsionalSpringDamperParameters;
   using Port = RigidPort;
   static constexpr int data_coordinates = 1;

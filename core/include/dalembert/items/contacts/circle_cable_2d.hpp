@@ -8,7 +8,7 @@
 
 namespace dalembert {
 
-struct ObjectContactCircleCable2D : AllMarkersAct, NoAlgebraicEquations, NoOutputs {
+struct ObjectContactCircleCable2D : AllMarkersAct, NoAlgebraicEquations, SwitchesByUpdate, NoOutputs {
   using Parameters = ObjectContactCircleCable2DParameters;
 
   // A spring and a damper per segment, between the centre and the nearest point, while the gap of the last update is not positive.
@@ -40,6 +40,18 @@ struct ObjectContactCircleCable2D : AllMarkersAct, NoAlgebraicEquations, NoOutpu
       h.data[i] = gap;
     }
     return verdict;
+  }
+
+  static int switch_count(const Parameters& p) { return 2 * p.numberOfContactSegments; }
+  static void find_switches(const Parameters& p, const Context& c, const Exchange<double>& x, Switches& switches) {
+    for (int i = 0; i < p.numberOfContactSegments; ++i) {
+      const CircleOnCable<double> touch = nearest(p, x, i);
+      const bool touches = !(c.data[i] > 0);
+      switches.holds("contact", touches ? -touch.gap : touch.gap);
+      const double elastic = -p.contactStiffness * touch.gap;
+      if (touches) switches.kink("pull", pull_margin(elastic - p.contactDamping * dot(touch.direction, touch.velocity), elastic));
+      else switches.none();
+    }
   }
 
   static void check(const Parameters& p, const Connections& on) {

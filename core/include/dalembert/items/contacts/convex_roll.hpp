@@ -12,7 +12,7 @@
 
 namespace dalembert {
 
-struct ObjectContactConvexRoll : AllMarkersAct, NoAlgebraicEquations {
+struct ObjectContactConvexRoll : AllMarkersAct, NoAlgebraicEquations, SwitchesByUpdate {
   using Parameters = ObjectContactConvexRollParameters;
 
   // Pressure and friction at the lowest point of the roll, while the gap of the last update is not positive.
@@ -39,6 +39,16 @@ struct ObjectContactConvexRoll : AllMarkersAct, NoAlgebraicEquations {
     h.data[slip_x] = slip[0];
     h.data[slip_y] = slip[1];
     return verdict;
+  }
+  static int switch_count(const Parameters&) { return 3; }
+  static void find_switches(const Parameters& p, const Context& c, const Exchange<double>& x, Switches& switches) {
+    const Touch<double> touch = lowest(p, x.frame<RigidPort>(ground), x.frame<RigidPort>(roll));
+    const bool touches = c.data[gap] <= 0;
+    switches.holds("contact", touches ? -touch.gap : touch.gap);
+    if (!touches) return switches.none(2);
+    switches.kink("friction", norm(touch.slip) - p.frictionProportionalZone);
+    const double elastic = -p.contactStiffness * touch.gap;
+    switches.kink("pull", pull_margin(elastic + p.contactDamping * touch.penetration_rate, elastic));
   }
 
   static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable, std::vector<double>& values) {

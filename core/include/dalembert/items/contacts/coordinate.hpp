@@ -9,7 +9,7 @@
 
 namespace dalembert {
 
-struct ObjectContactCoordinate : HasPairHistory, AlwaysNeedsData, NoPairOutputs, NoConnectorForms {
+struct ObjectContactCoordinate : HasPairHistory, SwitchesByUpdate, AlwaysNeedsData, NoPairOutputs, NoConnectorForms {
   using Parameters = ObjectContactCoordinateParameters;
   using Port = ScalarPort;
   static constexpr int data_coordinates = 1;
@@ -33,6 +33,11 @@ struct ObjectContactCoordinate : HasPairHistory, AlwaysNeedsData, NoPairOutputs,
     const double rate = m1.rate - m0.rate;
     if (rate != 0) verdict.recommended_step_size = std::abs(start[0] / rate);
     return verdict;
+  }
+
+  static int switch_count(const Parameters&) { return 1; }
+  static void find_switches(const Parameters& p, const Context& c, const ScalarFrame<double>& m0, const ScalarFrame<double>& m1, Switches& switches) {
+    switches.holds("contact", c.data[0] > 0 ? gap(p, m0, m1) : -gap(p, m0, m1));
   }
 
  private:

@@ -12,7 +12,7 @@
 
 namespace dalembert {
 
-struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations {
+struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations, SwitchesByUpdate {
   using Parameters = ObjectContactCurveCirclesParameters;
 
   // Pressure and friction on the circle that the last update has found at a segment.
@@ -51,6 +51,33 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations {
       if ((now.gap() > 0) != (before > 0)) verdict.error = std::max(verdict.error, error);
     }
     return verdict;
+  }
+
+  // What a segment touches ends where nothing is pressed, or where another circle is deeper.
+  static int switch_count(const Parameters& p) { return 3 * segments(p); }
+  static void find_switches(const Parameters& p, const Context& c, const Exchange<double>& x, Switches& switches) {
+    for (int segment = 0; segment < segments(p); ++segment) {
+      const Data at(c.data, segment);
+      const int touched = at.touches(circles(p)) ? at.circle() : -1;
+      double own = 0, nearest = std::numeric_limits<double>::max(), pressed = 0, slip = 0;
+      for (int circle = 0; circle < circles(p); ++circle) {
+        const Meeting<double> touch(p, x, segment, circle);
+        if (circle == touched) own = touch.gap, slip = touch.slip;
+        else if (!(touch.gap < nearest)) continue;
+        else nearest = touch.gap;
+        if (circle == touched || touched < 0) pressed = touch.unclipped_pressure(p);
+      }
+      if (touched < 0) {
+        switches.holds("contact", std::max(nearest, -pressed));
+        switches.none(2);
+        continue;
+      }
+      const double zone = p.frictionProportionalZone, excess = std::abs(slip) - zone;
+      switches.holds("contact", std::min(-own, pressed));
+      switches.holds("circle", nearest - own);
+      if (zone == 0 || p.dynamicFriction == 0) switches.none();
+      else switches.holds("friction", at.speed() < zone ? -excess : excess);
+    }
   }
 
   static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable, std::vector<double>& values) {
@@ -165,10 +192,8 @@ struct ObjectContactCurveCircles : AllMarkersAct, NoAlgebraicEquations {
     }
     Vec<S, 2> tangent() const { return {-normal[1], normal[0]}; }
     Vec3<S> direct(const Vec<S, 2>& v) const { return axes * Vec3<S>{v[0], v[1], S(0)}; }
-    S pressure(const Parameters& p) const {
-      const S elastic = p.contactStiffness * extent;
-      return without_pull<S>(elastic + p.contactDamping * extent_rate, elastic);
-    }
+    S unclipped_pressure(const Parameters& p) const { return p.contactStiffness * extent + p.contactDamping * extent_rate; }
+    S pressure(const Parameters& p) const { return without_pull<S>(unclipped_pressure(p), p.contactStiffness * extent); }
 
    private:
     static S norm_or_zero(const Vec<S, 2>& v) {

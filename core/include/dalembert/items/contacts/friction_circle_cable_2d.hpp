@@ -10,7 +10,7 @@
 
 namespace dalembert {
 
-struct ObjectContactFrictionCircleCable2D : AllMarkersAct, NoAlgebraicEquations {
+struct ObjectContactFrictionCircleCable2D : AllMarkersAct, NoAlgebraicEquations, NoSwitches {
   using Parameters = ObjectContactFrictionCircleCable2DParameters;
 
   // Normal and tangential force per segment while the gap of the last update is not positive, shared by the ends of the segment.

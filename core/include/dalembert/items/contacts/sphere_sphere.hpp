@@ -11,7 +11,7 @@
 
 namespace dalembert {
 
-struct ObjectContactSphereSphere : AllMarkersAct, NoAlgebraicEquations {
+struct ObjectContactSphereSphere : AllMarkersAct, NoAlgebraicEquations, SwitchesByUpdate {
   using Parameters = ObjectContactSphereSphereParameters;
 
   // Pressure and friction at the middle of the overlap, while the gap of the last update is negative.
@@ -33,6 +33,11 @@ struct ObjectContactSphereSphere : AllMarkersAct, NoAlgebraicEquations {
         touch.gap < 0 ? std::max(h.start[TouchData::overlap], AdhesiveLaw(p).plastic_overlap(-touch.gap)) : 0.0;
     if (touch.gap < 0) verdict.error += friction_error(p, pressure(p, h.data, touch), speed, h.data[TouchData::speed]);
     return verdict;
+  }
+  static int switch_count(const Parameters&) { return touch_switches; }
+  static void find_switches(const Parameters& p, const Context& c, const Exchange<double>& x, Switches& switches) {
+    const Touch<double> touch = closest(p, body_frame(x, 0), body_frame(x, 1));
+    find_touch_switches(p, touch, c.data, pull_margin(p, c.data, touch), switches);
   }
 
   static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable, std::vector<double>& values) {
@@ -79,6 +84,11 @@ struct ObjectContactSphereSphere : AllMarkersAct, NoAlgebraicEquations {
     if (p.impactModel != 0) return ImpactLaw(p, data[TouchData::impact]).pressure(-touch.gap, touch.penetration_rate);
     const S lossless = AdhesiveLaw(p).pressure(-touch.gap, data[TouchData::overlap]);
     return without_pull<S>(lossless + p.contactDamping * touch.penetration_rate, lossless);
+  }
+  static double pull_margin(const Parameters& p, const double* data, const Touch<double>& touch) {
+    if (p.impactModel != 0) return ImpactLaw(p, data[TouchData::impact]).pull_margin(-touch.gap, touch.penetration_rate);
+    const double lossless = AdhesiveLaw(p).pressure(-touch.gap, data[TouchData::overlap]);
+    return dalembert::pull_margin(lossless + p.contactDamping * touch.penetration_rate, lossless);
   }
 };
 

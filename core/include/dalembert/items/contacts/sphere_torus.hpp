@@ -12,7 +12,7 @@
 
 namespace dalembert {
 
-struct ObjectContactSphereTorus : HasPairHistory, AlwaysNeedsData, NoConnectorForms {
+struct ObjectContactSphereTorus : HasPairHistory, SwitchesByUpdate, AlwaysNeedsData, NoConnectorForms {
   using Parameters = ObjectContactSphereTorusParameters;
   using Port = RigidPort;
   static constexpr int data_coordinates = TouchData::count;
@@ -29,6 +29,11 @@ struct ObjectContactSphereTorus : HasPairHistory, AlwaysNeedsData, NoConnectorFo
   static PostNewton update(const Parameters& p, const Context& c, const RigidFrame<double>& m0, const RigidFrame<double>& m1,
                            const double* start, double* data) {
     return update_touch(p, InTube<double>(p, c, m0, m1), start, data);
+  }
+  static int switch_count(const Parameters&) { return touch_switches; }
+  static void find_switches(const Parameters& p, const Context& c, const RigidFrame<double>& m0, const RigidFrame<double>& m1, Switches& switches) {
+    const InTube<double> touch(p, c, m0, m1);
+    find_touch_switches(p, touch, c.data, ImpactLaw(p, c.data[TouchData::impact]).pull_margin(-touch.gap, touch.penetration_rate), switches);
   }
 
   static bool output(const Parameters& p, const Context& c, const RigidFrame<double>& m0, const RigidFrame<double>& m1,

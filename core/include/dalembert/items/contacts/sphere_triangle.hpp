@@ -10,7 +10,7 @@
 
 namespace dalembert {
 
-struct ObjectContactSphereTriangle : AllMarkersAct, NoAlgebraicEquations {
+struct ObjectContactSphereTriangle : AllMarkersAct, NoAlgebraicEquations, SwitchesByUpdate {
   using Parameters = ObjectContactSphereTriangleParameters;
 
   // Pressure and friction at the nearest point of the triangle, while the gap of the last update is negative.
@@ -23,15 +23,18 @@ struct ObjectContactSphereTriangle : AllMarkersAct, NoAlgebraicEquations {
     push(x, 1, touch.arm1, -force);
   }
 
-  // A sphere that is nearest to an edge that is left out does not touch, unless its centre is above that edge, on the border of the face.
   static constexpr bool has_history = true;
   static PostNewton update(const Parameters& p, const Context&, const Exchange<double>& x, const History& h) {
-    Nearest<double> touch(p, body_frame(x, 0), x.frame<RigidPort>(1));
-    if (touch.share == 0) touch.gap += p.radiusSphere;
+    const Nearest<double> touch = nearest(p, x);
     const double speed = h.data[TouchData::speed];
     PostNewton verdict = update_touch(p, touch, h.start, h.data);
     if (touch.gap < 0) verdict.error += friction_error(p, pressure(p, h.data, touch), speed, h.data[TouchData::speed]);
     return verdict;
+  }
+  static int switch_count(const Parameters&) { return touch_switches; }
+  static void find_switches(const Parameters& p, const Context& c, const Exchange<double>& x, Switches& switches) {
+    const Nearest<double> touch = nearest(p, x);
+    find_touch_switches(p, touch, c.data, ImpactLaw(p, c.data[TouchData::impact]).pull_margin(-touch.gap, touch.penetration_rate), switches);
   }
 
   static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable, std::vector<double>& values) {
@@ -87,6 +90,13 @@ struct ObjectContactSphereTriangle : AllMarkersAct, NoAlgebraicEquations {
       this->move(sphere, carrier);
     }
   };
+
+  // A sphere that is nearest to an edge that is left out does not touch, unless its centre is above that edge, on the border of the face.
+  static Nearest<double> nearest(const Parameters& p, const Exchange<double>& x) {
+    Nearest<double> touch(p, body_frame(x, 0), x.frame<RigidPort>(1));
+    if (touch.share == 0) touch.gap += p.radiusSphere;
+    return touch;
+  }
 
   template <class S>
   static bool is_above(const Triangle& triangle, const Vec3<S>& span, double rounding) {

@@ -12,7 +12,7 @@
 namespace dalembert {
 
 template <class P>
-struct AlongCable {
+struct AlongCable : NoSwitches {
   enum Marker { body = 0, cable = 1 };  // of those that act
   enum Data { current_element = 0, start_of_step = 1 };
 

@@ -1,0 +1,34 @@
+// What items tell of the places where they switch.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace dalembert {
+
+// Where an item switches, from contact to none or from stick to slip: a function of the state that is not negative as long as its data
+// coordinates are right.
+struct Switch {
+  const char* what;    // "contact"
+  double value = 1;
+  bool kink = false;   // forces have one where it changes its sign, either way, and data coordinates stay as they are
+  double noise = 0;    // numbers of this size say nothing just after the item has switched
+  int item = -1;       // object
+};
+
+// What an item tells of its switches: always as many, in one order.
+class Switches {
+ public:
+  explicit Switches(std::vector<Switch>& found) : found_(found) {}
+  void of(int item) { item_ = item; }
+  void holds(const char* what, double value, double noise = 0) { found_.push_back({what, value, false, noise, item_}); }
+  void kink(const char* what, double value) { found_.push_back({what, value, true, 0, item_}); }
+  // In the place of those that cannot come.
+  void none(int count = 1) { found_.insert(found_.end(), static_cast<std::size_t>(count), {.what = "", .item = item_}); }
+
+ private:
+  std::vector<Switch>& found_;
+  int item_ = -1;
+};
+
+}  // namespace dalembert

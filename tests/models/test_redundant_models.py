@@ -1,0 +1,187 @@
+"""Machines whose constraints follow from each other: vehicles, robots, ladders; and what else than solvers looks at them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from solving import Variable, new_system, settings
+from test_redundant import Door, assert_smallest, redundancy
+
+import dalembert as exu
+from dalembert.rigidBodyUtilities import InertiaCuboid, InertiaCylinder
+
+
+def bar(mbs: Any, start: Any, end: Any, gravity: Any = (0, 0, -9.81)) -> Any:
+    start, end = np.array(start, dtype=float), np.array(end, dtype=float)
+    length = float(np.linalg.norm(end - start))
+    along = (end - start) / length
+    side = np.cross([0, 1, 0] if abs(along[2]) > 0.9 else [0, 0, 1], along)
+    side /= np.linalg.norm(side)
+    return mbs.CreateRigidBody(
+        referencePosition=(start + end) / 2,
+        referenceRotationMatrix=np.column_stack([along, side, np.cross(along, side)]),
+        inertia=InertiaCuboid(1000, [length, 0.05, 0.05]),
+        gravity=gravity,
+    )
+
+
+# ---- a vehicle with doubled joints ----------------------------------------------------------------------------------------
+
+
+def trolley(bearings: int) -> Any:
+    """Four wheels, each in so many bearings along its axle; the chassis stands on springs under its corners."""
+    mbs = new_system()
+    ground = mbs.CreateGround()
+    chassis = mbs.CreateRigidBody(
+        referencePosition=[0, 0, 1], inertia=InertiaCuboid(200, [2, 1, 0.2]), gravity=[0, 0, -9.81]
+    )
+    for x in (-0.8, 0.8):
+        for y in (-0.5, 0.5):
+            mbs.CreateCartesianSpringDamper(
+                bodyNumbers=[ground, chassis],
+                localPosition0=[x, y, 1],
+                localPosition1=[x, y, 0],
+                stiffness=[1e4] * 3,
+                damping=[300] * 3,
+            )
+            wheel = mbs.CreateRigidBody(
+                referencePosition=[x, y, 0.8],
+                inertia=InertiaCylinder(1000, 0.1, 0.2, axis=1),
+                initialAngularVelocity=[0, 10 * (x + 1), 0],
+                gravity=[0, 0, -9.81],
+            )
+            for k in range(bearings):
+                mbs.CreateRevoluteJoint(bodyNumbers=[chassis, wheel], position=[x, y - 0.1 * k, 0.8], axis=[0, 1, 0])
+    mbs.Assemble()
+    return mbs
+
+
+def test_a_vehicle_with_doubled_joints() -> None:
+    results = []
+    for bearings in (1, 2):
+        mbs = trolley(bearings)
+        s = settings(0.5, 100, tolerance=1e-12)
+        s.redundantConstraints.momentLength = 1.0
+        mbs.SolveDynamic(s)
+        assert redundancy(mbs)["count"] == 5 * 4 * (bearings - 1)
+        counts = mbs.ComputeSystemDegreeOfFreedom()
+        assert (counts["degreeOfFreedom"], counts["redundantConstraints"]) == (10, 20 * (bearings - 1))
+        results.append(
+            [mbs.GetObjectOutputBody(exu.ObjectIndex(1), Variable.Position, [x, 0.4, 0]) for x in (-0.9, 0.9)]
+        )
+    assert np.array(results[1]) == pytest.approx(np.array(results[0]), abs=1e-9)
+    assert_smallest(mbs, 1.0)
+
+
+# ---- a parallel robot -----------------------------------------------------------------------------------------------------
+
+
+def delta_robot() -> Any:
+    """Three arms with parallelograms of four hinges each, which keep the platform level: far more equations than needed."""
+    mbs = new_system()
+    ground = mbs.CreateGround()
+    platform = mbs.CreateRigidBody(
+        referencePosition=[0, 0, -0.8], inertia=InertiaCuboid(1000, [0.2, 0.2, 0.02]), gravity=[0, 0, -9.81]
+    )
+    for angle in 2 * np.pi / 3 * np.arange(3):
+        out, side = np.array([np.cos(angle), np.sin(angle), 0]), np.array([-np.sin(angle), np.cos(angle), 0])
+        shoulder, elbow, wrist = 0.3 * out, 0.7 * out + [0, 0, -0.1], 0.1 * out + [0, 0, -0.8]
+        normal = np.cross(wrist - elbow, side) / np.linalg.norm(wrist - elbow)
+        upper = bar(mbs, shoulder, elbow)
+        mbs.CreateRevoluteJoint(bodyNumbers=[ground, upper], position=shoulder, axis=side)
+        crossbars = [bar(mbs, place - 0.1 * side, place + 0.1 * side) for place in (elbow, wrist)]
+        mbs.CreateRevoluteJoint(bodyNumbers=[upper, crossbars[0]], position=elbow, axis=side)
+        mbs.CreateRevoluteJoint(bodyNumbers=[crossbars[1], platform], position=wrist, axis=side)
+        for sign in (-0.1, 0.1):
+            rod = bar(mbs, elbow + sign * side, wrist + sign * side)
+            for crossbar, place in zip(crossbars, (elbow, wrist), strict=True):
+                mbs.CreateRevoluteJoint(bodyNumbers=[crossbar, rod], position=place + sign * side, axis=normal)
+    mbs.Assemble()
+    return mbs
+
+
+@pytest.mark.parametrize("linear", [exu.LinearSolverType.EXUdense, exu.LinearSolverType.EigenSparse])
+def test_a_parallel_robot(linear: Any) -> None:
+    """Sixteen bodies in space with 21 hinges: three motions are left."""
+    mbs = delta_robot()
+    counts = mbs.ComputeSystemDegreeOfFreedom()
+    bodies, joints = 1 + 3 * 5, 3 * 7
+    assert counts["degreeOfFreedom"] == 3
+    assert counts["redundantConstraints"] == 5 * joints - 6 * bodies + 3
+    s = settings(0.05, 50, tolerance=1e-12)
+    s.linearSolverType = linear
+    s.redundantConstraints.momentLength = 1.0
+    mbs.SolveDynamic(s)
+    assert redundancy(mbs)["count"] == counts["redundantConstraints"]
+    assert_smallest(mbs, 1.0)
+    platform = exu.ObjectIndex(1)
+    level = mbs.GetObjectOutputBody(platform, Variable.RotationMatrix, [0, 0, 0]).reshape(3, 3)
+    assert level == pytest.approx(np.eye(3), abs=1e-9)
+    assert mbs.GetObjectOutputBody(platform, Variable.Position, [0, 0, 0])[:2] == pytest.approx(np.zeros(2), abs=1e-9)
+
+
+# ---- large, and not only solvers --------------------------------------------------------------------------------------------
+
+
+def test_many_equations() -> None:
+    """A ladder of 200 loops in space: 4000 equations, of which three per loop follow from others."""
+    loops = 200
+    mbs = new_system()
+    ground = mbs.CreateGround()
+    below = ground
+    for k in range(loops):
+        left, right, rung = (
+            bar(mbs, [0, k, 0], [0, k + 1, 0]),
+            bar(mbs, [1, k, 0], [1, k + 1, 0]),
+            bar(mbs, [0, k + 1, 0], [1, k + 1, 0]),
+        )
+        for one, other, place in (
+            (below, left, [0, k, 0]),
+            (below, right, [1, k, 0]),
+            (left, rung, [0, k + 1, 0]),
+            (right, rung, [1, k + 1, 0]),
+        ):
+            mbs.CreateRevoluteJoint(bodyNumbers=[one, other], position=place, axis=[0, 0, 1])
+        below = rung
+    mbs.Assemble()
+    counts = mbs.ComputeSystemDegreeOfFreedom()
+    assert (counts["degreeOfFreedom"], counts["redundantConstraints"]) == (loops, 3 * loops)
+
+
+def sprung_door(heights: Any) -> Any:
+    door = Door(heights)
+    marker = door.mbs.AddMarker(exu.itemInterface.MarkerBodyRigid(bodyNumber=door.door, localPosition=[0.45, 0, 0]))
+    ground = door.mbs.AddMarker(exu.itemInterface.MarkerBodyPosition(bodyNumber=0, localPosition=[0.9, 0.5, 1]))
+    door.mbs.AddObject(
+        exu.itemInterface.ObjectConnectorSpringDamper(
+            markerNumbers=[ground, marker], referenceLength=0.5, stiffness=1e4
+        )
+    )
+    door.mbs.Assemble()
+    return door
+
+
+def test_eigenvalues_do_not_see_the_second_hinge() -> None:
+    values = []
+    for heights in ((1.0,), (0.3, 1.7), (0.3, 1.0, 1.7)):
+        found = np.asarray(sprung_door(heights).mbs.ComputeODE2Eigenvalues()[0])
+        values.append(found[np.isfinite(found)])
+    assert len(values[0]) == len(values[1]) == len(values[2]) == 1
+    assert values[1] == pytest.approx(values[0], rel=1e-6) and values[2] == pytest.approx(values[0], rel=1e-6)
+
+
+def test_variations_of_a_door() -> None:
+    """Each as if it had been solved alone."""
+    door = Door()
+    hinge = int(door.hinges[0])
+    door.mbs.AddSensor(
+        exu.itemInterface.SensorObject(objectNumber=hinge, outputVariableType=Variable.ForceLocal, storeInternal=True)
+    )
+    door.mbs.Assemble()
+    masses = [10.0, 30.0, 50.0]
+    results = door.mbs.SolveVariations({(door.door, "physicsMass"): masses}, settings(0.2, 20))
+    assert results.success.all()
+    weights = np.array(masses) * 9.81 * np.cos(0.2) / 2
+    assert np.abs(results.sensorValues[:, 2]) == pytest.approx(weights, abs=1e-6)

@@ -1,0 +1,365 @@
+"""Contact, friction and stops of items whose switching ends steps (events.ofItems)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+from oscillators import MASS, dynamic_settings, friction_or_stop, mass
+from scipy.integrate import solve_ivp
+
+import dalembert as exu
+from dalembert import itemInterface as eii
+from dalembert.solver import SolverError
+from dalembert.utilities import InertiaSphere
+
+Solver = exu.DynamicSolverType
+GRAVITY, STIFFNESS, DAMPING, HEIGHT, RADIUS = 9.81, 1e5, 50.0, 0.5, 0.1
+AFTER_TWO_SECONDS = 0.0074473638  # of a ball whose floor does not pull: pieces of exact motion, twelve digits
+
+
+def solve(
+    mbs: Any,
+    end: float,
+    steps: int,
+    solver: Any = Solver.GeneralizedAlpha,
+    located: bool = True,
+    damped: bool = True,
+    **options: Any,
+) -> Any:
+    settings = dynamic_settings(end, steps)
+    settings.events.ofItems = located
+    settings.timeIntegration.generalizedAlpha.spectralRadius = 0.8 if damped else 1.0
+    settings.timeIntegration.verboseMode = 0
+    for name, value in options.items():
+        setattr(settings.timeIntegration, name, value)
+    mbs.SolveDynamic(settings, solverType=solver)
+    return mbs.sys["dynamicSolver"].it
+
+
+# ---- a ball that falls: contacts with the same law of force ----------------------------------------------------------------
+
+LAW = {"contactStiffness": STIFFNESS, "contactDamping": DAMPING}
+
+
+def falling() -> tuple[Any, Any]:
+    mbs = exu.SystemContainer().AddSystem()
+    inertia = InertiaSphere(1, RADIUS)
+    return mbs, mbs.CreateRigidBody(referencePosition=[0, 0, HEIGHT], inertia=inertia, gravity=[0, 0, -GRAVITY])
+
+
+def on_sphere() -> tuple[Any, Any]:
+    mbs, ball = falling()
+    mbs.CreateSphereSphereContact(
+        name="floor",
+        bodyNumbers=[ball, mbs.CreateGround(referencePosition=[0, 0, -2 * RADIUS])],
+        spheresRadii=[RADIUS, RADIUS],
+        dataInitialCoordinates=[1, 0, 0, 0],
+        **LAW,
+    )
+    return mbs, ball
+
+
+def with_markers(ground: list[float], data: int = 3) -> tuple[Any, Any, dict[str, Any]]:
+    mbs, ball = falling()
+    on = [
+        mbs.AddMarker(eii.MarkerBodyRigid(bodyNumber=b))
+        for b in (mbs.AddObject(eii.ObjectGround(referencePosition=ground)), ball)
+    ]
+    node = mbs.AddNode(eii.NodeGenericData(initialCoordinates=[1] + [0] * (data - 1), numberOfDataCoordinates=data))
+    return mbs, ball, {"markerNumbers": on, "nodeNumber": node}
+
+
+def on_triangle() -> tuple[Any, Any]:
+    mbs, ball, on = with_markers(ground=[0, 0, -RADIUS], data=4)
+    on["markerNumbers"].reverse()
+    mbs.AddObject(
+        eii.ObjectContactSphereTriangle(
+            **on, radiusSphere=RADIUS, trianglePoints=[[-1, -1, 0], [2, -1, 0], [-1, 2, 0]], **LAW
+        )
+    )
+    return mbs, ball
+
+
+def on_plane() -> tuple[Any, Any]:
+    """A roll, whose lowest point is under its centre."""
+    mbs, ball, on = with_markers(ground=[0, 0, -RADIUS])
+    mbs.AddObject(
+        eii.ObjectContactConvexRoll(**on, rollLength=1, coefficientsHull=[-0.1, 0, RADIUS], dynamicFriction=0, **LAW)
+    )
+    return mbs, ball
+
+
+def in_torus() -> tuple[Any, Any]:
+    """The floor is the lowest place of the tube."""
+    mbs, ball, on = with_markers(ground=[0, 0, 3.6], data=4)
+    on["markerNumbers"].reverse()
+    mbs.AddObject(
+        eii.ObjectContactSphereTorus(
+            **on,
+            radiusSphere=RADIUS,
+            torusMajorRadius=3,
+            torusMinorRadius=0.6 + RADIUS,
+            torusAxis=[0, 1, 0],
+            **LAW,
+        )
+    )
+    return mbs, ball
+
+
+def on_curve() -> tuple[Any, Any]:
+    mbs, ball, on = with_markers(ground=[0, 0, -RADIUS])
+    turned = exu.utilities.RotationMatrixX(np.pi / 2)
+    mbs.AddObject(
+        eii.ObjectContactCurveCircles(
+            **on,
+            circlesRadii=[RADIUS],
+            segmentsData=exu.MatrixContainer(np.array([[0.5, 0, -0.5, 0]])),
+            rotationMarker0=turned,
+            **LAW,
+        )
+    )
+    return mbs, ball
+
+
+MODELS = (on_sphere, on_triangle, on_plane, in_torus, on_curve)
+
+
+def height(mbs: Any, ball: Any) -> float:
+    return float(mbs.GetObjectOutputBody(ball, exu.OutputVariableType.Position, [0, 0, 0])[2])
+
+
+@pytest.mark.parametrize("build", MODELS)
+def test_second_order_although_forces_jump(build: Callable[[], Any]) -> None:
+    """As acceptance number P8, whose bounds these are, with the items' own events."""
+    steps = [4000, 8000, 16000]
+    errors = []
+    for n in steps:
+        mbs, ball = build()
+        mbs.Assemble()
+        it = solve(mbs, 2, n)
+        errors.append(abs(height(mbs, ball) - AFTER_TWO_SECONDS))
+    for coarse, fine in zip(errors[:-1], errors[1:], strict=True):
+        assert np.log2(coarse / fine) == pytest.approx(2, abs=0.2)
+    assert errors[-1] < 3e-4
+    assert it.eventsCount > 4
+    assert it.currentStepIndex - 1 + it.eventSolutions - it.eventsCount <= 1.01 * steps[-1]
+
+
+@pytest.mark.parametrize(
+    ("solver", "tolerance", "bound"),
+    [
+        (Solver.DOPRI5, 1e-10, 1e-7),
+        (Solver.DOP853, 1e-11, 1e-8),
+        (Solver.ESDIRK43, 1e-10, 1e-7),
+        (Solver.ODE23, 1e-9, 1e-5),
+    ],
+    ids=str,
+)
+def test_steps_with_error_control_find_events(solver: Any, tolerance: float, bound: float) -> None:
+    mbs, ball = on_sphere()
+    mbs.Assemble()
+    it = solve(mbs, 2, 20, solver, automaticStepSize=True, absoluteTolerance=tolerance, relativeTolerance=tolerance)
+    assert height(mbs, ball) == pytest.approx(AFTER_TWO_SECONDS, abs=bound)
+    assert it.eventsCount > 4
+
+
+def test_it_is_a_choice() -> None:
+    """Without it, items switch at the ends of steps, which costs the order; and solvers do not look for events."""
+    errors = []
+    for n in (16000, 32000):
+        mbs, ball = on_sphere()
+        mbs.Assemble()
+        it = solve(mbs, 2, n, located=False)
+        errors.append(abs(height(mbs, ball) - AFTER_TWO_SECONDS))
+    assert it.eventsCount == 0
+    assert errors[1] > errors[0] / 2
+
+
+# ---- friction and stops ----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("speed", [2.0, -2.0])
+@pytest.mark.parametrize("steps", [17, 170])
+def test_friction_stops_a_mass(speed: float, steps: int) -> None:
+    """It slides v^2 m / (2 F): exactly, whatever the steps; what stick holds springs back by F / k, at worst as numerical damping lets it."""
+    friction, stiffness = 5.0, 1e3
+    model = mass(position=0.0, speed=speed)
+    friction_or_stop(
+        model,
+        np.sign(speed),
+        stiffness=0.0,
+        fDynamicFriction=friction,
+        stickingStiffness=stiffness,
+        stickingDamping=200.0,
+    )
+    model.mbs.Assemble()
+    it = solve(model.mbs, 5, steps)
+    assert it.eventsCount == 1
+    slid = speed**2 * MASS / (2 * friction)
+    left = friction / stiffness * 0.8 ** (0.8 * steps) + 1e-9
+    assert model.position == pytest.approx(np.sign(speed) * (slid - friction / stiffness), abs=left)
+
+
+def stick_and_slip(t: float, y: np.ndarray) -> list[float]:
+    return [y[1], (3 * np.sin(2 * t) - 2.0 - 0.5 * y[1]) / MASS]
+
+
+def test_slip_begins_and_ends() -> None:
+    """A mass on a bristle that a growing load tears off: order 2 against pieces of smooth motion."""
+    bound, stiffness, damping, viscous = 2.0, 400.0, 20.0, 0.5
+
+    def stick(t: float, y: np.ndarray) -> list[float]:
+        return [y[1], (3 * np.sin(2 * t) - stiffness * y[0] - damping * y[1]) / MASS]
+
+    def torn(t: float, y: np.ndarray) -> float:
+        return float(stiffness * y[0] + damping * y[1] - bound)
+
+    def stands(t: float, y: np.ndarray) -> float:
+        return float(y[1])
+
+    torn.terminal, stands.terminal = True, True  # type: ignore[attr-defined]
+    precise = {"method": "DOP853", "rtol": 1e-12, "atol": 1e-13}
+    first = solve_ivp(stick, [0, 1.5], [0, 0], events=torn, **precise)
+    second = solve_ivp(stick_and_slip, [first.t[-1], 2], first.y[:, -1], events=stands, **precise)
+    assert first.status == second.status == 1
+    place = second.y[0, -1] - bound / stiffness
+
+    def stick_again(t: float, y: np.ndarray) -> list[float]:
+        return [y[1], (3 * np.sin(2 * t) - stiffness * (y[0] - place) - damping * y[1]) / MASS]
+
+    end = second.t[-1] + 0.1
+    third = solve_ivp(stick_again, [second.t[-1], end], second.y[:, -1], **precise)
+    errors = []
+    for steps in (200, 400, 800):
+        model = mass(position=0.0, speed=0.0)
+        friction_or_stop(
+            model,
+            stiffness=0.0,
+            fDynamicFriction=bound,
+            fViscousFriction=viscous,
+            stickingStiffness=stiffness,
+            stickingDamping=damping,
+        )
+        model.mbs.AddLoad(
+            eii.LoadCoordinate(
+                markerNumber=model.marker, load=3, loadUserFunction=lambda mbs, t, load: load * float(np.sin(2 * t))
+            )
+        )
+        model.mbs.Assemble()
+        it = solve(model.mbs, end, steps)
+        assert it.eventsCount == 2
+        errors.append(abs(model.position - third.y[0, -1]))
+    assert errors[-1] < 1e-4
+    for coarse, fine in zip(errors[:-1], errors[1:], strict=True):
+        assert np.log2(coarse / fine) == pytest.approx(2, abs=0.3)
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_a_stop_throws_back(side: float) -> None:
+    """Half a period at the stop without losses, then back with the same speed: two events, order 2."""
+    errors = []
+    for steps in (400, 800, 1600):
+        model = mass(position=0.2 * side, speed=-side)
+        friction_or_stop(
+            model,
+            useLimitStops=True,
+            limitStopsLower=0.0 if side > 0 else -10.0,
+            limitStopsUpper=10.0 if side > 0 else 0.0,
+            limitStopsStiffness=1e4,
+        )
+        model.mbs.Assemble()
+        it = solve(model.mbs, 0.4, steps)
+        assert it.eventsCount == 2
+        contact = np.pi * np.sqrt(MASS / 1e4)
+        errors.append(abs(side * model.position - (0.4 - 0.2 - contact)))
+    for coarse, fine in zip(errors[:-1], errors[1:], strict=True):
+        assert np.log2(coarse / fine) == pytest.approx(2, abs=0.3)
+
+
+def test_coordinates_that_touch() -> None:
+    """ObjectContactCoordinate pulls as well: a damped oscillation about m g / k while the gap is closed."""
+    model = mass(position=0.1, speed=0, physics_mass=1)
+    model.load(-GRAVITY)
+    stiffness, damping = 1e3, 5.0
+    node = model.mbs.AddNode(eii.NodeGenericData(initialCoordinates=[1], numberOfDataCoordinates=1))
+    model.mbs.AddObject(
+        eii.ObjectContactCoordinate(
+            markerNumbers=[model.ground, model.marker],
+            nodeNumber=node,
+            contactStiffness=stiffness,
+            contactDamping=damping,
+        )
+    )
+    model.mbs.Assemble()
+    events = [lambda t, y: y[0]]
+    events[0].terminal = True  # type: ignore[attr-defined]
+    t, y, touches = 0.0, np.array([0.1, 0.0]), False
+    while t < 1:
+
+        def motion(t: float, y: np.ndarray, touches: bool = touches) -> list[float]:
+            return [y[1], -GRAVITY - touches * (stiffness * y[0] + damping * y[1])]
+
+        piece = solve_ivp(motion, [t, 1], y, method="DOP853", rtol=1e-12, atol=1e-14, events=events)
+        t, y, touches = piece.t[-1], piece.y[:, -1], not touches
+        if piece.status == 1:
+            y[0] = 1e-15 * np.sign(y[1])
+    errors = []
+    for steps in (500, 1000, 2000):
+        model.mbs.Assemble()
+        solve(model.mbs, 1, steps)
+        errors.append(abs(model.position - y[0]))
+    for coarse, fine in zip(errors[:-1], errors[1:], strict=True):
+        assert np.log2(coarse / fine) == pytest.approx(2, abs=0.3)
+
+
+# ---- what ends with an error, and what has no effect -----------------------------------------------------------------------
+
+
+def floor_of(mbs: Any) -> int:
+    return next(i for i in range(mbs.systemData.NumberOfObjects()) if mbs.GetObject(i)["name"] == "floor")
+
+
+def test_ever_faster_events_name_the_item() -> None:
+    """Bounces without losses that are shorter than a step, and contacts that are shorter still."""
+    mbs, ball = on_sphere()
+    contact = floor_of(mbs)
+    mbs.SetObjectParameter(contact, "contactDamping", 0)
+    mbs.SetObjectParameter(contact, "contactStiffness", 2e6)
+    height_of_fall = 3e-5 - HEIGHT
+    mbs.SetNodeParameter(mbs.GetObject(ball)["nodeNumber"], "initialCoordinates", [0, 0, height_of_fall, 0, 0, 0, 0])
+    mbs.Assemble()
+    with pytest.raises(
+        SolverError,
+        match=rf"event 'contact' of object {contact} 'floor' \(ObjectContactSphereSphere\) has come 20 times",
+    ) as caught:
+        solve(mbs, 1, 100, damped=False)
+    assert caught.value.reason == "eventChatter"
+
+
+def test_an_item_that_is_switched_off_has_no_events() -> None:
+    mbs, ball = on_sphere()
+    mbs.Assemble()
+    mbs.SetObjectParameter(floor_of(mbs), "activeConnector", False)
+    it = solve(mbs, 1, 100)
+    assert it.eventsCount == 0
+    assert height(mbs, ball) == pytest.approx(HEIGHT - GRAVITY / 2, abs=1e-10)
+
+
+def test_models_without_such_items_say_so(capsys: pytest.CaptureFixture[str]) -> None:
+    model = mass()
+    model.mbs.Assemble()
+    solve(model.mbs, 1, 10)
+    assert "events.ofItems has no effect: no item of this model has events of its own" in "".join(capsys.readouterr())
+
+
+def test_wrong_data_at_the_start_are_settled() -> None:
+    """The data say that the ball touches; it does not."""
+    mbs, ball = on_sphere()
+    mbs.SetNodeParameter(mbs.GetObject(floor_of(mbs))["nodeNumber"], "initialCoordinates", [-1, 0, 0, 0])
+    mbs.Assemble()
+    it = solve(mbs, 0.3, 30)
+    assert it.eventsCount == 0
+    assert height(mbs, ball) == pytest.approx(HEIGHT - GRAVITY * 0.3**2 / 2, abs=1e-10)
