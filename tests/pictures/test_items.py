@@ -94,3 +94,16 @@ def test_an_item_is_drawn_before_the_system_is_assembled(SC: Any, mbs: Any) -> N
     centers = [center for center, *_ in scene.spheres]
     assert any(np.allclose(center, [1, 2, 3]) for center in centers)
     assert scene.time == 0
+
+
+def test_markers_on_connectors_do_not_lead_in_circles(SC: Any, mbs: Any) -> None:
+    """Assemble refuses them; until then the rest is drawn."""
+    mbs.CreateMassPoint(physicsMass=1)
+    first, second = (mbs.AddMarker(exu.MarkerBodyPosition(bodyNumber=number)) for number in (1, 2))
+    for _ in range(2):
+        mbs.AddObject(exu.ObjectConnectorSpringDamper(markerNumbers=[first, second], stiffness=1))
+    seen = drawn(Studio(SC).scene())
+    assert ("Node", 0) in seen
+    assert not {("Object", 1), ("Object", 2)} & seen
+    with pytest.raises(Exception, match="marker"):
+        mbs.Assemble()

@@ -18,7 +18,9 @@ namespace {
 
 constexpr int block_size = 8;
 constexpr int iterations = 2;
-constexpr int refinements = 2;  // of solutions
+constexpr int most_refinements = 2;         // of solutions
+constexpr double accurate = 1e-5;           // corrections of multipliers that change nothing of what is found
+constexpr double evidently_regular = 1e-3;  // eigenvalues of combinations that do not vanish
 constexpr double removable_share = 1e-10;  // squared: of the equations of an item in combinations that vanish
 
 using Block = Eigen::MatrixXd;
@@ -44,7 +46,13 @@ bool RedundantConstraints::find(const Pattern& pattern, std::span<const double> 
   Eigen::VectorXd root(m);
   for (Eigen::Index i = 0; i < m; ++i) root[i] = std::sqrt(weight_[rows_[i]]);
   std::vector<double> lambda(weight_.size()), wanted, rest;
-  // As `apply`; in large systems, factors alone leave too much of the small numbers that count here.
+  const auto largest_multiplier = [&](const std::vector<double>& x) {
+    double size = 0;
+    for (const int k : rows_) size = std::max(size, std::abs(x[static_cast<std::size_t>(first_ae_ + k)]));
+    return size;
+  };
+  // As `apply`; in large systems, factors alone leave too much of the small numbers that count here, as the first solution shows.
+  int refinements = most_refinements;
   const auto apply_with_care = [&](std::vector<double>& multipliers) {
     wanted.assign(x_.size(), 0.0);
     for (const int k : rows_) wanted[static_cast<std::size_t>(first_ae_ + k)] = -eps * row_factor(k) * weight_[k] * multipliers[static_cast<std::size_t>(k)];
@@ -54,6 +62,7 @@ bool RedundantConstraints::find(const Pattern& pattern, std::span<const double> 
       if (time > 0) for_each_entry(pattern, [&](int row, int column, std::size_t slot) { rest[row] -= matrix[slot] * x_[column]; });
       factors->solve(rest);
       for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += rest[i];
+      if (time > 0 && largest_multiplier(rest) < accurate * largest_multiplier(x_)) refinements = time - 1;
     }
     for (std::size_t k = 0; k < multipliers.size(); ++k) multipliers[k] = multiplier_[k] ? x_[static_cast<std::size_t>(first_ae_) + k] : 0;
   };
@@ -88,7 +97,8 @@ bool RedundantConstraints::find(const Pattern& pattern, std::span<const double> 
     Block more(m, known.cols() + vanishing);
     more << known, block * shares.eigenvectors().rightCols(vanishing);
     known = std::move(more);
-    if (vanishing == 0) break;  // in large systems, round-off may have spoilt some of those before
+    // Round-off may have spoilt some of those before, but not where factors do by themselves.
+    if (vanishing == 0 || (vanishing < block.cols() && rest_ < evidently_regular && refinements == 0)) break;
   }
   count_ = static_cast<int>(known.cols());
   weakest_ = rest_ > 0 ? eps * (1 / rest_ - 1) : 1;

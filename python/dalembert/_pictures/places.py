@@ -130,7 +130,10 @@ class Places:
         kind, owner = self._owner(number)
         if kind == "Node":
             return self.node(owner)
-        return self.object(owner) if kind == "Object" else None
+        # Markers are on bodies; one on a connector, which Assemble refuses, might lead back to itself.
+        if kind == "Object" and "markerNumbers" not in self.item("Object", owner):
+            return self.object(owner)
+        return None
 
     def _owner(self, marker: int) -> tuple[str, int]:
         """Return what a marker is on."""
