@@ -39,9 +39,11 @@ INTERRUPTED_AT = [np.inf]  # s
 @contextlib.contextmanager
 def ctrl_c_at(time: float) -> Iterator[None]:
     INTERRUPTED_AT[0] = time
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)  # processes in the background ignore it
     try:
         yield
     finally:
+        signal.signal(signal.SIGINT, before)
         INTERRUPTED_AT[0] = np.inf
 
 
