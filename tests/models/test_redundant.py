@@ -84,6 +84,17 @@ class Door:
         ]
         return self.mbs.AddObject(exu.itemInterface.ObjectJointRevoluteZ(name=f"hinge {i}", markerNumbers=markers))
 
+    def add_spring(self) -> None:
+        """Hold the edge."""
+        markers = [
+            self.mbs.AddMarker(exu.itemInterface.MarkerBodyPosition(bodyNumber=0, localPosition=[0.9, 0.5, 1])),
+            self.mbs.AddMarker(exu.itemInterface.MarkerBodyRigid(bodyNumber=self.door, localPosition=[0.45, 0, 0])),
+        ]
+        self.mbs.AddObject(
+            exu.itemInterface.ObjectConnectorSpringDamper(markerNumbers=markers, referenceLength=0.5, stiffness=1e4)
+        )
+        self.mbs.Assemble()
+
     def axial_forces(self) -> list[float]:
         return [abs(self.mbs.GetObjectOutput(hinge, Variable.ForceLocal)[2]) for hinge in self.hinges]
 
@@ -155,14 +166,7 @@ def test_a_larger_misfit_may_be_allowed() -> None:
 def test_a_door_at_rest() -> None:
     """A spring holds it: the static solver finds the same weights."""
     door = Door()
-    marker = door.mbs.AddMarker(exu.itemInterface.MarkerBodyRigid(bodyNumber=door.door, localPosition=[0.45, 0, 0]))
-    ground = door.mbs.AddMarker(exu.itemInterface.MarkerBodyPosition(bodyNumber=0, localPosition=[0.9, 0.5, 1]))
-    door.mbs.AddObject(
-        exu.itemInterface.ObjectConnectorSpringDamper(
-            markerNumbers=[ground, marker], referenceLength=0.5, stiffness=1e4
-        )
-    )
-    door.mbs.Assemble()
+    door.add_spring()
     s = settings(1, 1)
     s.staticSolver.verboseMode = 0
     door.mbs.SolveStatic(s)

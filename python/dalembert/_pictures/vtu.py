@@ -5,7 +5,6 @@ from __future__ import annotations
 import base64
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
-from xml.sax.saxutils import quoteattr
 
 import numpy as np
 import numpy.typing as npt
@@ -50,7 +49,7 @@ def SaveVTU(
     for number, scene in enumerate(motion.scenes):
         name = f"{path.stem}_{number:04d}.vtu"
         _write(path.with_name(name), grid(scene))
-        entries.append(f'<DataSet timestep="{scene.time!r}" part="0" file={quoteattr(name)}/>')
+        entries.append(f'<DataSet timestep="{scene.time!r}" part="0" file={_quoted(name)}/>')
     _write(path, _file("Collection", "<Collection>\n" + "\n".join(entries) + "\n</Collection>"))
 
 
@@ -110,12 +109,19 @@ def _file(kind: str, body: str) -> str:
     )
 
 
+def _quoted(text: str) -> str:
+    """Return a text as the value of an attribute."""
+    from xml.sax.saxutils import quoteattr  # slow: it imports urllib and email
+
+    return quoteattr(text)
+
+
 def _array(name: str, kind: str, values: npt.ArrayLike, components: int = 1) -> str:
     """Return numbers in base64, behind the number of their bytes."""
     data = np.ascontiguousarray(values, {"Float64": "<f8", "Int64": "<i8", "UInt8": "u1"}[kind]).tobytes()
     text = base64.b64encode(np.array([len(data)], "<u4").tobytes() + data).decode()
     return (
-        f'<DataArray type="{kind}" Name={quoteattr(name)} NumberOfComponents="{components}" format="binary">'
+        f'<DataArray type="{kind}" Name={_quoted(name)} NumberOfComponents="{components}" format="binary">'
         f"{text}</DataArray>"
     )
 
