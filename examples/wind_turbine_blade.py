@@ -54,15 +54,17 @@ mbs.Assemble()
 found = np.array([mbs.ComputeVibrationModes(4, [0, 0, rpm * np.pi / 30]).frequencies for rpm in speeds])
 
 
+places_of_fit = np.linspace(0, 1, 9)
+sections_of_fit = [section(place) for place in places_of_fit]
+
+
 def ritz(rpm, out_of_plane, terms=7):
     """The first two frequencies (Hz), from stiffness and mass of the sections along the blade."""
-    fine = [section(s) for s in np.linspace(0, 1, 9)]
-    bending = [part.stiffnessMatrix[4 if out_of_plane else 5, 4 if out_of_plane else 5] for part in fine]
-    nodes_of_fit = np.linspace(0, 1, 9)
+    bending = [part.stiffnessMatrix[4 if out_of_plane else 5, 4 if out_of_plane else 5] for part in sections_of_fit]
     s, weights = np.polynomial.legendre.leggauss(40)
     s, weights = (s + 1) / 2, weights / 2 * length
-    stiffness = np.polyval(np.polyfit(nodes_of_fit, bending, 6), s)
-    mass = np.polyval(np.polyfit(nodes_of_fit, [part.massMatrix[0, 0] for part in fine], 6), s)
+    stiffness = np.polyval(np.polyfit(places_of_fit, bending, 6), s)
+    mass = np.polyval(np.polyfit(places_of_fit, [part.massMatrix[0, 0] for part in sections_of_fit], 6), s)
     pull = np.array([np.sum(weights * mass * s * length * (s > here)) for here in s])
     pull += 0.5 * weights * mass * s * length  # half of what is at the place itself
     omega = rpm * np.pi / 30

@@ -1,7 +1,6 @@
 """Pages of the examples: what a file says of itself, its pictures, what it prints, and its code.
 
-Examples are run when pages are built, side by side, each in a folder of its own below docs/_generated/examples; and not
-again before the file or the compiled package has changed.
+Examples are run when pages are built, side by side.
 """
 
 from __future__ import annotations
@@ -9,17 +8,11 @@ from __future__ import annotations
 import ast
 import os
 import re
-import subprocess
-import sys
 from concurrent.futures import ThreadPoolExecutor
 from importlib.util import find_spec
 from pathlib import Path
 
-from sphinx.errors import ExtensionError
-
-ROOT = Path(__file__).parents[2]
-RUNS = ROOT / "docs/_generated/examples"
-EXAMPLES = sorted((ROOT / "examples").glob("*.py"))
+from example_runs import EXAMPLES, run
 
 INTRO = """\
 Complete models, each one file, which run as they are by ``dalembert run examples/name.py`` or by Python. Most print a
@@ -31,23 +24,6 @@ def pictures(path: Path) -> list[str]:
     """Names of the files that an example draws and plots into. The first stands for it: the model, if it is drawn."""
     names = re.findall(r'fileName="(\w+\.(?:png|gif))"', path.read_text("utf-8"))
     return sorted(names, key=lambda name: "_picture" not in name)
-
-
-def run(path: Path) -> None:
-    """Leave the pictures of an example in its folder, and what it prints in printed.txt."""
-    folder = RUNS / path.stem
-    folder.mkdir(parents=True, exist_ok=True)
-    core = Path(find_spec("dalembert._core").origin)
-    state = f"{core.stat().st_mtime_ns}\n{path.read_text('utf-8')}"
-    done = folder / "done.txt"
-    if done.exists() and done.read_text("utf-8") == state:
-        return
-    environment = os.environ | {"MPLBACKEND": "Agg"}
-    result = subprocess.run([sys.executable, str(path)], cwd=folder, env=environment, capture_output=True, text=True)
-    if result.returncode != 0:
-        raise ExtensionError(f"{path.name} fails: {result.stdout}{result.stderr}")
-    (folder / "printed.txt").write_text(result.stdout, "utf-8")
-    done.write_text(state, "utf-8")
 
 
 def title(path: Path) -> str:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import shutil
 import sys
 from pathlib import Path
 
 import pytest
+from repositories import bare_repository
 
 ROOT = Path(__file__).parents[2]
 if str(ROOT) not in sys.path:
@@ -28,8 +28,4 @@ def root() -> Path:
 
 @pytest.fixture
 def copy(root: Path, tmp_path: Path) -> Path:
-    """A repository with the specs of this one and nothing generated."""
-    shutil.copytree(root / "specs", tmp_path / "specs")
-    if (root / "examples").exists():
-        (tmp_path / "examples").symlink_to(root / "examples")
-    return tmp_path
+    return bare_repository(root, tmp_path)

@@ -7,6 +7,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
+from repositories import bare_repository
 
 from codegen.__main__ import main
 from codegen.load import load
@@ -31,20 +32,28 @@ def test_every_kind_is_tested() -> None:
     assert [kind for kind, *_ in CASES] == list(KINDS)
 
 
-@pytest.mark.parametrize(("kind", "name", "folder", "full", "stem"), CASES, ids=[case[3] for case in CASES])
-def test_new_item(copy: Path, root: Path, kind: str, name: str, folder: str, full: str, stem: str) -> None:
-    """The spec passes, the kernel fits its contract, and what is generated of both compiles."""
-    assert main(["--root", str(copy), "new", kind, name]) == 0
-    item = next(item for item in load(copy).items if item.name == full)
-    assert (item.stem, item.physics) == (f"{folder}/{stem}", "ready")
+@pytest.fixture(scope="module")
+def with_new_items(root: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A repository with a new item of each kind, and all that is generated."""
+    copy = bare_repository(root, tmp_path_factory.mktemp("new"))
+    for kind, name, *_ in CASES:
+        assert main(["--root", str(copy), "new", kind, name]) == 0
     assert main(["--root", str(copy)]) == 0
     assert main(["--root", str(copy), "--check"]) == 0
+    return copy
+
+
+@pytest.mark.parametrize(("kind", "name", "folder", "full", "stem"), CASES, ids=[case[3] for case in CASES])
+def test_new_item(with_new_items: Path, root: Path, kind: str, name: str, folder: str, full: str, stem: str) -> None:
+    """The spec passes, the kernel fits its contract, and what is generated of both compiles."""
+    item = next(item for item in load(with_new_items).items if item.name == full)
+    assert (item.stem, item.physics) == (f"{folder}/{stem}", "ready")
     kernel = f"dalembert/items/{folder}/{stem}.hpp"
-    assert (copy / "core/include" / kernel).read_text().startswith(f"// {full}, specs/{folder}/{stem}.toml\n")
-    generated = copy / f"generated/src/{folder}/{stem}.cpp"
-    both = copy / "both.cpp"  # the kernel first: it includes what it needs by itself
+    assert (with_new_items / "core/include" / kernel).read_text().startswith(f"// {full}, specs/{folder}/{stem}.toml\n")
+    generated = with_new_items / f"generated/src/{folder}/{stem}.cpp"
+    both = with_new_items / f"{stem}.cpp"  # the kernel first: it includes what it needs by itself
     both.write_text(f'#include "{kernel}"\n#include "{generated}"\n')
-    check_syntax(both, copy, root)
+    check_syntax(both, with_new_items, root)
 
 
 def check_syntax(source: Path, copy: Path, root: Path) -> None:

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import json
+from functools import cache
 from pathlib import Path
 from typing import Any
 
+import jsonschema
 import numpy as np
 import pytest
 from sample_values import CLASSES, ITEMS, parameters, sample
@@ -73,9 +75,15 @@ def test_round_trip(item: Item, make: Any, tmp_path: Path) -> None:
     assert (tmp_path / "again.json").read_text() == (tmp_path / "model.json").read_text()
 
 
+@cache
+def validator() -> Any:
+    schema = json.loads(model_files.SCHEMA.read_text())
+    jsonschema.Draft202012Validator.check_schema(schema)
+    return jsonschema.Draft202012Validator(schema)
+
+
 @pytest.mark.parametrize("item", [item for item in READY if item.example], ids=lambda item: item.name)
 def test_files_of_examples_keep_to_the_schema(item: Item, tmp_path: Path) -> None:
-    jsonschema = pytest.importorskip("jsonschema")
     mbs = empty()
     exec("import dalembert as exu\nfrom dalembert.utilities import *\n" + item.example.code, {"mbs": mbs})
     for name in model_files.KINDS:
@@ -87,9 +95,7 @@ def test_files_of_examples_keep_to_the_schema(item: Item, tmp_path: Path) -> Non
         getattr(mbs, f"Set{function}UserFunction")(0)
     mbs.Save(tmp_path / "model.json", exu.SimulationSettings())
     content = json.loads((tmp_path / "model.json").read_text())
-    schema = json.loads(model_files.SCHEMA.read_text())
-    jsonschema.Draft202012Validator.check_schema(schema)
-    jsonschema.Draft202012Validator(schema).validate(content)
+    validator().validate(content)
     other = empty()
     other.Load(tmp_path / "model.json")
     if mbs.systemIsConsistent:
@@ -106,14 +112,13 @@ def test_files_of_examples_keep_to_the_schema(item: Item, tmp_path: Path) -> Non
     ],
 )
 def test_the_schema_tells_what_is_wrong_of_an_item(edit: Any, path: Any, words: str, tmp_path: Path) -> None:
-    jsonschema = pytest.importorskip("jsonschema")
     mbs = empty()
     mbs.CreateMassPoint(physicsMass=2)
     mbs.Save(tmp_path / "model.json")
     content = json.loads((tmp_path / "model.json").read_text())
     content["objects"][0].update(edit)
     with pytest.raises(jsonschema.ValidationError, match=words) as caught:
-        jsonschema.validate(content, json.loads(model_files.SCHEMA.read_text()))
+        validator().validate(content)
     assert list(caught.value.absolute_path) == path
 
 

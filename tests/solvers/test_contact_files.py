@@ -218,13 +218,16 @@ def sliding_cloud() -> Any:
     return world.mbs
 
 
-@pytest.mark.parametrize("linear", [exu.LinearSolverType.EXUdense, exu.LinearSolverType.EigenSparse])
-@pytest.mark.parametrize("solver", [EXPLICIT, IMPLICIT, exu.DynamicSolverType.VelocityVerlet])
+SPARSE, DENSE = exu.LinearSolverType.EigenSparse, exu.LinearSolverType.EXUdense
+
+
+@pytest.mark.parametrize(
+    ("solver", "linear"),
+    [(EXPLICIT, SPARSE), (exu.DynamicSolverType.VelocityVerlet, SPARSE), (IMPLICIT, SPARSE), (IMPLICIT, DENSE)],
+)
 def test_restart_continues_bit_for_bit(
     solver: Any, linear: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    if linear == exu.LinearSolverType.EXUdense and solver != IMPLICIT:
-        linear = exu.LinearSolverType.EigenSparse
     monkeypatch.chdir(tmp_path)
     settings = exu.SimulationSettings()
     settings.linearSolverType = linear

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import re
 import subprocess
@@ -26,36 +27,39 @@ mbs.SolveDynamic(settings)
 """
 
 
-def on_a_terminal() -> str:
-    pty = pytest.importorskip("pty")
-    main, side = pty.openpty()
-    process = subprocess.Popen([sys.executable, "-c", MODEL], stdout=side, stderr=side, close_fds=True)
-    os.close(side)
+def start(**streams: int) -> subprocess.Popen[bytes]:
+    return subprocess.Popen([sys.executable, "-c", MODEL], close_fds=True, **streams)
+
+
+def shown_on(main: int) -> str:
+    """All that comes to a terminal until its other side is closed."""
     text = b""
-    while True:
-        try:
-            part = os.read(main, 4096)
-        except OSError:  # the other side is closed
-            break
-        if not part:
-            break
-        text += part
+    with contextlib.suppress(OSError):
+        while part := os.read(main, 4096):
+            text += part
     os.close(main)
-    assert process.wait() == 0, text
     return text.decode().replace("\r\n", "\n")
 
 
-def test_a_terminal_shows_one_line() -> None:
-    lines = on_a_terminal().split("\n")
-    (progress,) = (line for line in lines if "STEP" in line)
+def outputs() -> tuple[str, str]:
+    """What is seen on a terminal and in a file; both solutions, at the same time, take some seconds, most of which they sleep."""
+    pty = pytest.importorskip("pty")
+    main, side = pty.openpty()
+    of_file, of_terminal = start(stdout=subprocess.PIPE), start(stdout=side, stderr=side)
+    os.close(side)
+    on_terminal, in_file = shown_on(main), of_file.communicate()[0].decode()
+    assert of_terminal.wait() == of_file.returncode == 0, on_terminal + in_file
+    return on_terminal, in_file
+
+
+def test_a_terminal_shows_one_line_and_a_file_has_the_last_alone() -> None:
+    on_terminal, in_file = outputs()
+    (progress,) = (line for line in on_terminal.split("\n") if "STEP" in line)
     passing, last = progress.split("\r")[1:-1], progress.split("\r")[-1]
     (first, *_) = (part for part in passing if part.strip())
     assert re.match(r"STEP\d+, t = 0\.\d+s \(\d+(\.\d)? %\), dt = 0\.0133\d*s, timeToGo = [\d.]+s$", first.rstrip())
     assert last.startswith("STEP75, t = 1s (100 %), dt = 0.0133") and "timeToGo" not in last
 
-
-def test_a_file_has_the_last_line_alone() -> None:
-    done = subprocess.run([sys.executable, "-c", MODEL], capture_output=True, text=True, check=True)
-    assert "\r" not in done.stdout
-    (line,) = (line for line in done.stdout.splitlines() if line.startswith("STEP"))
+    assert "\r" not in in_file
+    (line,) = (line for line in in_file.splitlines() if line.startswith("STEP"))
     assert "(100 %)" in line and "timeToGo" not in line

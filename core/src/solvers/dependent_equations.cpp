@@ -1,6 +1,6 @@
 #include "dependent_equations.hpp"
 
-#include <Eigen/LU>
+#include "dalembert/math/decompositions.hpp"
 
 namespace dalembert {
 
@@ -36,10 +36,8 @@ std::vector<int> rows_of_kernel(const Pattern& pattern, std::span<const double> 
   if (!a.allFinite()) return rows;
   equilibrate(a);
   if (transposed) a.transposeInPlace();
-  Eigen::FullPivLU<Eigen::MatrixXd> lu(a);
-  lu.setThreshold(negligible_pivot);
-  if (lu.isInvertible()) return rows;
-  Eigen::MatrixXd combinations = lu.kernel();
+  Eigen::MatrixXd combinations = kernel_of(a, negligible_pivot);
+  if (combinations.cols() == 0) return rows;
   for (Eigen::Index j = 0; j < combinations.cols(); ++j) combinations.col(j).normalize();
   for (int i = 0; i < pattern.size(); ++i) {
     if (combinations.row(i).cwiseAbs().maxCoeff() > negligible_share) rows.push_back(i);

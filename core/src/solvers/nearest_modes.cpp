@@ -1,8 +1,9 @@
 #include "nearest_modes.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+
+#include "dalembert/math/decompositions.hpp"
 
 namespace dalembert {
 
@@ -66,13 +67,13 @@ void NearestModes::find(const Solve& solve, std::size_t ode2, std::size_t total)
   for (Eigen::Index i = 0; i < m; ++i)
     for (Eigen::Index j = 0; j < m; ++j) projected(i, j) = dot(basis_[static_cast<std::size_t>(i)], images[static_cast<std::size_t>(j)]);
   if (m == 0 || !projected.allFinite()) return;
-  const Eigen::EigenSolver<Eigen::MatrixXd> pairs(projected);
+  const Eigenpairs pairs = eigenpairs(projected);
   for (Eigen::Index k = 0; k < m; ++k) {
-    const std::complex<double> inverse = pairs.eigenvalues()[k];
+    const std::complex<double> inverse = pairs.values[k];
     if (std::abs(inverse.imag()) > real * std::abs(inverse) || inverse.real() == 0) continue;
     Mode mode{1 / inverse.real(), Vector(ode2, 0.0)};
     for (Eigen::Index j = 0; j < m; ++j) {
-      const double share = pairs.eigenvectors()(j, k).real();
+      const double share = pairs.vectors(j, k).real();
       for (std::size_t i = 0; i < ode2; ++i) mode.vector[i] += share * images[static_cast<std::size_t>(j)][i];
     }
     const double size = std::sqrt(dot(mode.vector, mode.vector));

@@ -1,13 +1,11 @@
 // Combinations of constraint equations that vanish, by block inverse iteration: P has the eigenvalue one for them, and eps/(eps + s)
 // for all others.
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <random>
 
+#include "dalembert/math/decompositions.hpp"
 #include "dalembert/output/numbers.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
 #include "dalembert/solvers/redundant_constraints.hpp"
@@ -24,11 +22,6 @@ constexpr double evidently_regular = 1e-3;  // eigenvalues of combinations that 
 constexpr double removable_share = 1e-10;  // squared: of the equations of an item in combinations that vanish
 
 using Block = Eigen::MatrixXd;
-
-Block orthonormal(const Block& block) {
-  const Eigen::HouseholderQR<Block> qr(block);
-  return qr.householderQ() * Block::Identity(block.rows(), block.cols());
-}
 
 }  // namespace
 
@@ -78,24 +71,19 @@ bool RedundantConstraints::find(const Pattern& pattern, std::span<const double> 
 
   std::mt19937 random(1);
   Block known(m, 0);
-  // Once is not enough where most of a column is known.
-  const auto beside_known = [&](const Block& block) {
-    const Block once = orthonormal(block - known * (known.transpose() * block));
-    return orthonormal(once - known * (known.transpose() * once));
-  };
   rest_ = 0;
   while (known.cols() < m) {
     Block block(m, std::min<Eigen::Index>(block_size, m - known.cols()));
     for (double& x : block.reshaped()) x = static_cast<double>(random()) / 2147483648.0 - 1;
-    block = beside_known(block);
-    for (int i = 0; i < iterations; ++i) block = beside_known(image(block));
+    block = orthonormal_beside(known, block);
+    for (int i = 0; i < iterations; ++i) block = orthonormal_beside(known, image(block));
     const Block small = block.transpose() * image(block);
     if (!small.allFinite()) return false;
-    const Eigen::SelfAdjointEigenSolver<Block> shares((small + small.transpose()) / 2);
-    const auto vanishing = static_cast<Eigen::Index>(std::ranges::count_if(shares.eigenvalues(), [](double x) { return x > 0.5; }));
-    rest_ = vanishing < block.cols() ? std::max(0.0, shares.eigenvalues()[block.cols() - vanishing - 1]) : 0;
+    const SymmetricEigenpairs shares = symmetric_eigenpairs((small + small.transpose()) / 2);
+    const auto vanishing = static_cast<Eigen::Index>(std::ranges::count_if(shares.values, [](double x) { return x > 0.5; }));
+    rest_ = vanishing < block.cols() ? std::max(0.0, shares.values[block.cols() - vanishing - 1]) : 0;
     Block more(m, known.cols() + vanishing);
-    more << known, block * shares.eigenvectors().rightCols(vanishing);
+    more << known, block * shares.vectors.rightCols(vanishing);
     known = std::move(more);
     // Round-off may have spoilt some of those before, but not where factors do by themselves.
     if (vanishing == 0 || (vanishing < block.cols() && rest_ < evidently_regular && refinements == 0)) break;
@@ -117,8 +105,7 @@ std::vector<RedundantConstraints::Item> RedundantConstraints::items(const System
     if (begin == end) continue;
     const Block part = all.middleRows(begin - rows_.begin(), end - begin);
     if (!(part.squaredNorm() > removable_share)) continue;
-    const Eigen::SelfAdjointEigenSolver<Block> shares(part * part.transpose(), Eigen::EigenvaluesOnly);
-    const auto rank = std::ranges::count_if(shares.eigenvalues(), [](double x) { return x > removable_share; });
+    const auto rank = std::ranges::count_if(symmetric_eigenvalues(part * part.transpose()), [](double x) { return x > removable_share; });
     const auto acting = std::count(acting_.begin() + owner.first, acting_.begin() + owner.first + owner.count, 1);
     found.push_back({owner.number, system.describe(owner), owner.first, owner.count, static_cast<int>(acting), static_cast<int>(rank)});
   }
@@ -137,8 +124,7 @@ std::vector<std::string> RedundantConstraints::contradictions(std::span<const do
   for (const Item& item : items(system)) {
     const auto first = std::ranges::lower_bound(rows_, item.first) - rows_.begin();
     const auto count = std::ranges::lower_bound(rows_, item.first + item.rows) - rows_.begin() - first;
-    const Eigen::CompleteOrthogonalDecomposition<Block> part(all.middleRows(first, count).transpose());
-    Eigen::VectorXd gap = part.solve(whole);
+    Eigen::VectorXd gap = smallest_solution(all.middleRows(first, count).transpose(), whole);
     if ((all.middleRows(first, count).transpose() * gap - whole).norm() > not_all * whole.norm()) continue;
     for (Eigen::Index i = 0; i < count; ++i) gap[i] *= std::sqrt(weight_[rows_[first + i]]);
     Eigen::Index worst = 0;

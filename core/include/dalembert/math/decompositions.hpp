@@ -1,0 +1,31 @@
+// Decompositions of matrices of any size, for set-up and diagnosis. Eigen's templates for them take long to compile: they are
+// instantiated in one place.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace dalembert {
+
+// Orthonormal columns that span what is left of a matrix beside known ones, which are orthonormal.
+Eigen::MatrixXd orthonormal_beside(const Eigen::MatrixXd& known, const Eigen::MatrixXd& columns);
+
+struct SymmetricEigenpairs {
+  Eigen::VectorXd values;  // ascending
+  Eigen::MatrixXd vectors;
+};
+SymmetricEigenpairs symmetric_eigenpairs(const Eigen::MatrixXd& matrix);
+Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& matrix);
+
+struct Eigenpairs {
+  Eigen::VectorXcd values;
+  Eigen::MatrixXcd vectors;
+};
+Eigenpairs eigenpairs(const Eigen::MatrixXd& matrix);
+
+// The smallest x of all that bring matrix x nearest to the right-hand side.
+Eigen::VectorXd smallest_solution(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right_hand_side);
+
+// Columns that span what the matrix takes to zero; pivots count as zero below that share of the largest.
+Eigen::MatrixXd kernel_of(const Eigen::MatrixXd& matrix, double negligible_pivot);
+
+}  // namespace dalembert

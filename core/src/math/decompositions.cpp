@@ -1,0 +1,51 @@
+#include "dalembert/math/decompositions.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/QR>
+
+namespace dalembert {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+MatrixXd orthonormal(const MatrixXd& columns) {
+  const Eigen::HouseholderQR<MatrixXd> qr(columns);
+  return qr.householderQ() * MatrixXd::Identity(columns.rows(), columns.cols());
+}
+
+}  // namespace
+
+// Once is not enough where most of a column is known.
+MatrixXd orthonormal_beside(const MatrixXd& known, const MatrixXd& columns) {
+  const MatrixXd once = orthonormal(columns - known * (known.transpose() * columns));
+  return orthonormal(once - known * (known.transpose() * once));
+}
+
+SymmetricEigenpairs symmetric_eigenpairs(const MatrixXd& matrix) {
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> pairs(matrix);
+  return {pairs.eigenvalues(), pairs.eigenvectors()};
+}
+
+VectorXd symmetric_eigenvalues(const MatrixXd& matrix) {
+  return Eigen::SelfAdjointEigenSolver<MatrixXd>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
+}
+
+Eigenpairs eigenpairs(const MatrixXd& matrix) {
+  const Eigen::EigenSolver<MatrixXd> pairs(matrix);
+  return {pairs.eigenvalues(), pairs.eigenvectors()};
+}
+
+VectorXd smallest_solution(const MatrixXd& matrix, const VectorXd& right_hand_side) {
+  return Eigen::CompleteOrthogonalDecomposition<MatrixXd>(matrix).solve(right_hand_side);
+}
+
+MatrixXd kernel_of(const MatrixXd& matrix, double negligible_pivot) {
+  Eigen::FullPivLU<MatrixXd> lu(matrix);
+  lu.setThreshold(negligible_pivot);
+  return lu.isInvertible() ? MatrixXd(matrix.cols(), 0) : MatrixXd(lu.kernel());
+}
+
+}  // namespace dalembert
