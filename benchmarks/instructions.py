@@ -16,7 +16,6 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 HERE = Path(__file__).parent
@@ -33,26 +32,47 @@ CASES = {
 }
 
 
-def counted(job: str) -> int:
-    """Return the instructions of one solve, in a process of its own."""
-    script = f"from models import *\np = Package.load('dalembert')\n{job}.solve()\n"
+# What takes longest is the start: processes for the cases branch off after it.
+SCRIPT = """
+import json, os, sys
+from models import *
+p = Package.load("dalembert")
+processes = {}
+for name, job in json.loads(sys.argv[1]).items():
+    processes[name] = os.fork()
+    if not processes[name]:
+        eval(job).solve()
+        os._exit(0)
+failed = [name for name, process in processes.items() if os.waitpid(process, 0)[1]]
+json.dump(processes, sys.stdout) if not failed else sys.exit(f"these fail: {failed}")
+"""
+
+
+def count_all() -> dict[str, int]:
+    """Return the instructions of each solve, in a process of its own."""
     with tempfile.TemporaryDirectory() as folder:
         command = [
             "valgrind",
             "--tool=callgrind",
             "--collect-atstart=no",
             "--toggle-collect=dalembert::Solver::solve_system*",
-            f"--callgrind-out-file={folder}/counts",
+            f"--callgrind-out-file={folder}/%p",
             sys.executable,
             "-c",
-            script,
+            SCRIPT,
+            json.dumps(CASES),
         ]
         environment = os.environ | SETTINGS
         run = subprocess.run(command, capture_output=True, text=True, cwd=HERE, env=environment, check=False)
-        found = re.search(r"Collected : (\d+)", run.stderr)
-        if run.returncode != 0 or found is None:
+        if run.returncode != 0:
             raise RuntimeError(run.stderr)
-    return int(found[1])
+        counts = {}
+        for name, process in json.loads(run.stdout.splitlines()[-1]).items():
+            found = re.search(r"^summary: (\d+)$", Path(folder, str(process)).read_text(), re.MULTILINE)
+            if found is None:
+                raise RuntimeError(f"no instructions were counted for {name}")
+            counts[name] = int(found[1])
+    return counts
 
 
 def main() -> int:
@@ -63,8 +83,7 @@ def main() -> int:
     if shutil.which("valgrind") is None:
         print("valgrind is not installed: nothing was counted")
         return 0
-    with ThreadPoolExecutor(os.cpu_count()) as together:  # counts do not depend on what else runs
-        counts = dict(zip(CASES, together.map(counted, CASES.values()), strict=True))
+    counts = count_all()
     if arguments.write:
         STORED.write_text(json.dumps(counts, indent=2) + "\n")
     stored = json.loads(STORED.read_text())
