@@ -117,24 +117,7 @@ struct StrainElement {
                                     const Weights& w)
     requires Map::derives
   {
-    Mat<T, size, size> r{};
-    if (w.q != 0 || w.v != 0) {
-      const Local<T> y = Map::local(k.constants, x);
-      Local<T> forces{};
-      LocalMatrix<T> m{}, damping{};
-      damped_or_not<T>(p, k, [&]<bool damped>() {
-        Local<T> rate{};
-        if constexpr (damped) rate = Map::local_rate(k.constants, x);
-        each_family<T>(p, k, [&]<class F>(const auto& free) {
-          add_tangent<F, damped>(p, k.constants, c, free, y, rate, w, forces, m);
-          if constexpr (damped && !Map::linear) {
-            Local<T> ignored{};
-            add_tangent<F, damped>(p, k.constants, c, free, y, rate, Weights{.q = 0, .v = 1, .a = 0}, ignored, damping);
-          }
-        });
-      });
-      r = Map::tangent(k.constants, x, forces, m, damping, w);
-    }
+    Mat<T, size, size> r = tangent_of_stresses(p, k, c, x, w);
     E::add_inertia_tangent(k.constants, x, w, r);
     return r;
   }
@@ -202,7 +185,37 @@ struct StrainElement {
   }
 
  private:
+  template <class T>
+  static Mat<T, size, size> tangent_of_stresses(const Parameters& p, const Prepared& k, const Context& c, const Coordinates<T, size>& x,
+                                                const Weights& w) {
+    if (w.q == 0 && w.v == 0) return {};
+    const Local<T> y = Map::local(k.constants, x);
+    Local<T> forces{};
+    LocalMatrix<T> m{}, damping{};
+    damped_or_not<T>(p, k, [&]<bool damped>() {
+      // Stress is the derivative of an energy.
+      constexpr bool symmetric = !damped && one_strain_each(static_cast<const typename E::Families*>(nullptr));
+      Local<T> rate{};
+      if constexpr (damped) rate = Map::local_rate(k.constants, x);
+      each_family<T>(p, k, [&]<class F>(const auto& free) {
+        add_tangent<F, damped, symmetric>(p, k.constants, c, free, y, rate, w, forces, m);
+        if constexpr (damped && !Map::linear) {
+          Local<T> ignored{};
+          add_tangent<F, damped, false>(p, k.constants, c, free, y, rate, Weights{.q = 0, .v = 1, .a = 0}, ignored, damping);
+        }
+      });
+      if constexpr (symmetric)
+        for (int i = 0; i < numbers; ++i)
+          for (int j = i + 1; j < numbers; ++j) m(i, j) = m(j, i);
+    });
+    return Map::tangent(k.constants, x, forces, m, damping, w);
+  }
+
   // ---- families ----
+  template <class... F>
+  static consteval bool one_strain_each(const std::tuple<F...>*) {
+    return ((F::strains == 1 && !LawFamily<F, E>) && ...);
+  }
   template <class Families, class Free, class Call>
   static void each_of(Free& free, const Call& call) {
     [&]<std::size_t... i>(std::index_sequence<i...>) {
@@ -259,8 +272,8 @@ struct StrainElement {
   }
 
   // Forces on the local vectors, and their derivatives by these along the weights. Directions are the numbers of the fields, or
-  // those of the local vectors where these are fewer.
-  template <class F, bool damped, class Free, class T>
+  // those of the local vectors where these are fewer. Of a symmetric matrix the lower half.
+  template <class F, bool damped, bool symmetric, class Free, class T>
   static void add_tangent(const Parameters& p, const Constants& k, const Context& c, const Free& free, const Local<T>& y,
                           const Local<T>& rate, const Weights& w, Local<T>& forces, LocalMatrix<T>& m) {
     const auto& points = F::points(k);
@@ -270,7 +283,7 @@ struct StrainElement {
         const auto force = forces_at<F, damped>(p, k, c, points.at[i], free[i], interpolated<F>(shape, each_moving(y, w.q)),
                                                 interpolated<F>(shape, each_moving(rate, w.v)));
         add_rows<F>(shape, force, forces, [&](int row, int f, int d, double share) {
-          for (int j = 0; j < numbers; ++j) m(row, j) += share * force[f][d].d[j];
+          for (int j = 0; j < (symmetric ? row + 1 : numbers); ++j) m(row, j) += share * force[f][d].d[j];
         });
       } else {
         const auto force = forces_at<F, damped>(p, k, c, points.at[i], free[i], each_moving(interpolated<F>(shape, y), w.q),
@@ -283,7 +296,7 @@ struct StrainElement {
         for (int v = 0; v < Map::vectors; ++v)
           for (int d = 0; d < dimension; ++d) {
             forces[v][d] += sum_of_shares<F, T>(shape, v, [&](int f) { return force[f][d].value; });
-            for (int j = 0; j < numbers; ++j)
+            for (int j = 0; j < (symmetric ? dimension * v + d + 1 : numbers); ++j)
               m(dimension * v + d, j) += sum_of_shares<F, T>(shape, v, [&](int f) { return by_local(dimension * f + d, j); });
           }
       }
