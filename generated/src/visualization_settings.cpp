@@ -316,24 +316,15 @@ constexpr std::array<Row, 17> VSettingsContact_rows{{
     {.name = "tilingCurves", .storage = Storage::integer, .offset = offsetof(VSettingsContact, tilingCurves), .role = Role::parameter, .check = Check::positive},
     {.name = "tilingSpheres", .storage = Storage::integer, .offset = offsetof(VSettingsContact, tilingSpheres), .role = Role::parameter, .check = Check::positive},
 }};
-constexpr std::array<SettingRule, 17> VSettingsContact_rules{{
-    {.name = "colorBoundingBoxes", .no_effect = "general contact is not drawn"},
-    {.name = "colorSearchTree", .no_effect = "general contact is not drawn"},
-    {.name = "colorSpheres", .no_effect = "general contact is not drawn"},
-    {.name = "colorTori", .no_effect = "general contact is not drawn"},
-    {.name = "colorTriangles", .no_effect = "general contact is not drawn"},
-    {.name = "contactForcesFactor", .no_effect = "general contact is not drawn"},
-    {.name = "contactPointsDefaultSize", .no_effect = "general contact is not drawn"},
-    {.name = "showBoundingBoxes", .no_effect = "general contact is not drawn"},
-    {.name = "showContactForces", .no_effect = "general contact is not drawn"},
-    {.name = "showContactForcesValues", .no_effect = "general contact is not drawn"},
-    {.name = "showSearchTree", .no_effect = "general contact is not drawn"},
-    {.name = "showSearchTreeCells", .no_effect = "general contact is not drawn"},
-    {.name = "showSpheres", .no_effect = "general contact is not drawn"},
-    {.name = "showTori", .no_effect = "general contact is not drawn"},
-    {.name = "showTriangles", .no_effect = "general contact is not drawn"},
-    {.name = "tilingCurves", .no_effect = "general contact is not drawn"},
-    {.name = "tilingSpheres", .no_effect = "general contact is not drawn"},
+constexpr std::array<SettingRule, 8> VSettingsContact_rules{{
+    {.name = "colorTori", .no_effect = "general contact has no tori"},
+    {.name = "contactForcesFactor", .no_effect = "forces of general contact are not drawn"},
+    {.name = "contactPointsDefaultSize", .no_effect = "forces of general contact are not drawn"},
+    {.name = "showContactForces", .no_effect = "forces of general contact are not drawn"},
+    {.name = "showContactForcesValues", .no_effect = "forces of general contact are not drawn"},
+    {.name = "showTori", .no_effect = "general contact has no tori"},
+    {.name = "tilingCurves", .no_effect = "general contact has no curves of its own"},
+    {.name = "tilingSpheres", .no_effect = "spheres are round"},
 }};
 constexpr SettingsGroup VSettingsContact_group{"VSettingsContact", VSettingsContact_rows, {}, VSettingsContact_rules};
 

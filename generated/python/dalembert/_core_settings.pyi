@@ -1023,53 +1023,53 @@ class VSettingsContact(_Settings):
 
     @property
     def colorBoundingBoxes(self) -> list[float]:
-        """red, green, blue and opacity of bounding boxes, each from 0 to 1 [4; 1]; no effect: general contact is not drawn; default: [0.9, 0.1, 0.1, 1.0]"""
+        """red, green, blue and opacity of bounding boxes, each from 0 to 1 [4; 1]; default: [0.9, 0.1, 0.1, 1.0]"""
     @colorBoundingBoxes.setter
     def colorBoundingBoxes(self, value: ArrayLike) -> None: ...
     @property
     def colorSearchTree(self) -> list[float]:
-        """red, green, blue and opacity of the search tree, each from 0 to 1 [4; 1]; no effect: general contact is not drawn; default: [0.1, 0.1, 0.9, 1.0]"""
+        """red, green, blue and opacity of the search tree, each from 0 to 1 [4; 1]; default: [0.1, 0.1, 0.9, 1.0]"""
     @colorSearchTree.setter
     def colorSearchTree(self, value: ArrayLike) -> None: ...
     @property
     def colorSpheres(self) -> list[float]:
-        """red, green, blue and opacity of contact spheres, each from 0 to 1 [4; 1]; no effect: general contact is not drawn; default: [0.8, 0.5, 0.2, 1.0]"""
+        """red, green, blue and opacity of contact spheres, each from 0 to 1 [4; 1]; default: [0.8, 0.5, 0.2, 1.0]"""
     @colorSpheres.setter
     def colorSpheres(self, value: ArrayLike) -> None: ...
     @property
     def colorTori(self) -> list[float]:
-        """red, green, blue and opacity of contact tori, each from 0 to 1 [4; 1]; no effect: general contact is not drawn; default: [0.8, 0.2, 0.8, 1.0]"""
+        """red, green, blue and opacity of contact tori, each from 0 to 1 [4; 1]; no effect: general contact has no tori; default: [0.8, 0.2, 0.8, 1.0]"""
     @colorTori.setter
     def colorTori(self, value: ArrayLike) -> None: ...
     @property
     def colorTriangles(self) -> list[float]:
-        """red, green, blue and opacity of contact triangles, each from 0 to 1 [4; 1]; no effect: general contact is not drawn; default: [0.5, 0.5, 0.5, 1.0]"""
+        """red, green, blue and opacity of contact triangles, each from 0 to 1 [4; 1]; default: [0.5, 0.5, 0.5, 1.0]"""
     @colorTriangles.setter
     def colorTriangles(self, value: ArrayLike) -> None: ...
     contactForcesFactor: float
-    """length of a contact force in the drawing per newton [m/N]; no effect: general contact is not drawn; default: 0.001"""
+    """length of a contact force in the drawing per newton [m/N]; no effect: forces of general contact are not drawn; default: 0.001"""
     contactPointsDefaultSize: float
-    """size of contact points; negative: chosen from the size of the scene [m]; no effect: general contact is not drawn; default: 0.001"""
+    """size of contact points; negative: chosen from the size of the scene [m]; no effect: forces of general contact are not drawn; default: 0.001"""
     showBoundingBoxes: bool
-    """draw the bounding boxes of contact partners; slow if there are many; no effect: general contact is not drawn; default: False"""
+    """draw the bounding boxes of contact partners; slow if there are many; default: False"""
     showContactForces: bool
-    """draw contact forces, of contacts that support it; no effect: general contact is not drawn; default: False"""
+    """draw contact forces, of contacts that support it; no effect: forces of general contact are not drawn; default: False"""
     showContactForcesValues: bool
-    """write the values of contact forces that are drawn; no effect: general contact is not drawn; default: False"""
+    """write the values of contact forces that are drawn; no effect: forces of general contact are not drawn; default: False"""
     showSearchTree: bool
-    """draw the outer box of the search tree; no effect: general contact is not drawn; default: False"""
+    """draw the outer box of the search tree; default: False"""
     showSearchTreeCells: bool
-    """draw all cells of the search tree, the redder the more partners they hold; slow if there are many; no effect: general contact is not drawn; default: False"""
+    """draw all cells of the search tree, the redder the more partners they hold; slow if there are many; default: False"""
     showSpheres: bool
-    """draw contact spheres; no effect: general contact is not drawn; default: False"""
+    """draw contact spheres; default: False"""
     showTori: bool
-    """draw contact tori; no effect: general contact is not drawn; default: False"""
+    """draw contact tori; no effect: general contact has no tori; default: False"""
     showTriangles: bool
-    """draw contact triangles; no effect: general contact is not drawn; default: False"""
+    """draw contact triangles; default: False"""
     tilingCurves: int
-    """number of segments of contact curves; no effect: general contact is not drawn; default: 8"""
+    """number of segments of contact curves; no effect: general contact has no curves of its own; default: 8"""
     tilingSpheres: int
-    """number of segments of contact spheres; no effect: general contact is not drawn; default: 4"""
+    """number of segments of contact spheres; no effect: spheres are round; default: 4"""
     def __init__(self) -> None: ...
 
 @final

@@ -9,10 +9,11 @@ import numpy as np
 from dalembert import _core
 from dalembert._checks import FloatArray
 from dalembert._core import ConfigurationType
-from dalembert._pictures import connectors, flexible, symbols, traces
+from dalembert._pictures import connectors, contacts, flexible, symbols, traces
 from dalembert._pictures.bodies import Bodies
 from dalembert._pictures.contour import Contour
 from dalembert._pictures.looks import Looks, rgba
+from dalembert._pictures.meshes import edges_of_box
 from dalembert._pictures.pen import Pen
 from dalembert._pictures.places import Places
 from dalembert._pictures.scene import DrawnItem, Instance, Scene
@@ -83,6 +84,9 @@ class SceneMaker:
         pen, colors = Pen(scene, places, self.looks), Contour(self.looks)
         for kind in KINDS:
             self._draw_kind(pen, colors, kind)
+        for item in contacts.drawn_items(self.mbs, self.looks):
+            pen.take(item)
+            contacts.draw(pen, item)
         self._trace = len(scene.items)
         pen.take(DrawnItem("Trace", 0, "", ""))
         self._finish(pen, colors)
@@ -156,6 +160,9 @@ class SceneMaker:
 
     def _draw_item(self, pen: Pen, colors: Contour, drawn: DrawnItem) -> None:
         """Draw one item."""
+        if drawn.kind == contacts.KIND:
+            contacts.draw(pen, drawn)
+            return
         kind, number = drawn.kind, drawn.number
         item = pen.places.item(kind, number)
         self._draw(pen, colors, kind, number, item)
@@ -243,9 +250,8 @@ def add_box(pen: Pen) -> bool:
     if box is None:
         return False
     pen.go_on(-1)
-    corner = np.array([[box[i, 0], box[j, 1], box[k, 2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)])
-    for a, b in ((a, a | bit) for bit in (1, 2, 4) for a in range(8) if not a & bit):
-        pen.line(corner[[a, b]], (0.3, 0.3, 0.3, 1.0))
+    for edge in edges_of_box(box):
+        pen.line(edge, (0.3, 0.3, 0.3, 1.0))
     return True
 
 

@@ -61,6 +61,12 @@ def sharp_edges(mesh: Mesh) -> IntArray:
     return mesh.sharp
 
 
+def edges_of_box(box: FloatArray) -> FloatArray:
+    """Return the ends (12 x 2 x 3) of the edges of a box, which is given by its smallest and largest coordinates."""
+    corner = np.array([[box[i, 0], box[j, 1], box[k, 2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)])
+    return corner[[(a, a | bit) for bit in (1, 2, 4) for a in range(8) if not a & bit]]
+
+
 def rows(values: npt.ArrayLike, columns: int, kind: Any = float) -> npt.NDArray[Any]:
     """Return values as an array with so many columns."""
     return np.asarray(values, dtype=kind).reshape(-1, columns)

@@ -18,7 +18,7 @@ WIDE = 3.0  # ground that is larger than all the rest by this factor is a floor 
 class DrawnItem:
     """What a part of a picture belongs to."""
 
-    kind: str  # Node, Object, Marker, Load, Sensor
+    kind: str  # Node, Object, Marker, Load, Sensor, GeneralContact
     number: int
     type_name: str
     name: str
@@ -131,7 +131,10 @@ class Scene:
 
         Symbols of nodes, markers and sensors count only where there is nothing else, ground unless it is wide.
         """
-        counted = [(item.kind in ("Object", "Load", "Trace")) + (item.type_name == "Ground") for item in self.items]
+        counted = [
+            (item.kind in ("Object", "Load", "Trace", "GeneralContact")) + (item.type_name == "Ground")
+            for item in self.items
+        ]
         kinds = np.array([*counted, 1])  # the last one is of what belongs to no item, -1
         moving, objects = self._corners(kinds == 1), self._corners(kinds > 0)
         if moving is None or objects is None:

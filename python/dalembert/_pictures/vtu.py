@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from dalembert._pictures.scene import Scene
 
 LINE, TRIANGLE = 3, 5  # types of cells
-KINDS = ("Node", "Object", "Marker", "Load", "Sensor", "Trace")
+KINDS = ("Node", "Object", "Marker", "Load", "Sensor", "Trace", "GeneralContact")
 
 
 def SaveVTU(

@@ -1,0 +1,101 @@
+"""What general contact holds: spheres and triangles that move with markers, and the boxes in which it searches."""
+
+from __future__ import annotations
+
+import itertools
+from typing import Any
+
+import numpy as np
+
+from dalembert._checks import FloatArray
+from dalembert._pictures import meshes
+from dalembert._pictures.looks import Looks, rgba
+from dalembert._pictures.meshes import Mesh, Rgba
+from dalembert._pictures.pen import Pen
+from dalembert._pictures.scene import DrawnItem
+
+KIND = "GeneralContact"
+SHAPES, SEARCH = "shapes", "search"  # what keeps its shape, and what is drawn anew in each scene
+CROWDED = (1.0, 0.0, 0.0)  # the cell that holds most
+
+
+def drawn_items(mbs: Any, looks: Looks) -> list[DrawnItem]:
+    """Return what is to be drawn of all general contacts, as the settings say."""
+    contact = looks.setting("contact")
+    parts = [SHAPES] if contact.showSpheres or contact.showTriangles else []
+    if contact.showBoundingBoxes or contact.showSearchTree or contact.showSearchTreeCells:
+        parts.append(SEARCH)
+    return (
+        [DrawnItem(KIND, k, part, "") for k in range(mbs.NumberOfGeneralContacts()) for part in parts] if parts else []
+    )
+
+
+def draw(pen: Pen, item: DrawnItem) -> None:
+    """Draw a part of one general contact, once the system is assembled."""
+    if pen.places.source is None:
+        return
+    held = pen.places.mbs.GetDictionary()["generalContactList"][item.number]
+    if item.type_name == SHAPES:
+        _draw_shapes(pen, held)
+    else:
+        _draw_search(pen, held, pen.places.mbs.GetGeneralContact(item.number))
+
+
+def _draw_shapes(pen: Pen, held: dict[str, Any]) -> None:
+    contact = pen.looks.setting("contact")
+    if contact.showSpheres:
+        for marker, radius in zip(held["spheres"]["markerIndex"], held["spheres"]["radius"], strict=True):
+            if (center := pen.places.marker(marker)) is not None:
+                pen.stick("Marker", marker)
+                pen.sphere(center, float(radius), rgba(contact.colorSpheres))
+    if contact.showTriangles:
+        for marker, corners in _corners(held):
+            if (place := pen.places.marker(marker)) is not None:
+                pen.stick("Marker", marker)
+                mesh = Mesh(corners.reshape(-1, 3), np.arange(corners.size // 3).reshape(-1, 3))
+                pen.mesh(mesh, place, pen.places.marker_rotation(marker), rgba(contact.colorTriangles))
+
+
+def _corners(held: dict[str, Any]) -> list[tuple[int, FloatArray]]:
+    """Return the marker of each body with triangles, and their corners (n x 3 x 3) in its frame."""
+    owner, corners = held["triangles"]["contactRigidBodyIndex"], held["triangles"]["points"]
+    return [(int(m), corners[owner == k]) for k, m in enumerate(held["triangleBodies"]["rigidBodyMarkerIndex"])]
+
+
+def _draw_search(pen: Pen, held: dict[str, Any], contact: Any) -> None:
+    settings = pen.looks.setting("contact")
+    if settings.showBoundingBoxes:
+        color = rgba(settings.colorBoundingBoxes)
+        for marker, radius in zip(held["spheres"]["markerIndex"], held["spheres"]["radius"], strict=True):
+            if (center := pen.places.marker(marker)) is not None:
+                _draw_box(pen, np.array([center - radius, center + radius]), color)
+        for marker, corners in _corners(held):
+            if (place := pen.places.marker(marker)) is not None:
+                turned = corners @ pen.places.marker_rotation(marker).T + place
+                for box in np.stack([turned.min(axis=1), turned.max(axis=1)], axis=1):
+                    _draw_box(pen, box, color)
+    if not (settings.showSearchTree or settings.showSearchTreeCells):
+        return
+    now = contact.GetPythonObject()
+    whole, sizes = np.array(now["searchTreeBox"], float).reshape(2, 3), [int(n) for n in now["searchTreeSize"]]
+    if not np.all(whole[1] > whole[0]):
+        return  # nothing has been searched yet
+    color = rgba(settings.colorSearchTree)
+    if settings.showSearchTree:
+        _draw_box(pen, whole, color)
+    if settings.showSearchTreeCells:
+        step = (whole[1] - whole[0]) / sizes
+        corners = [whole[0] + step * np.array(cell) for cell in itertools.product(*map(range, sizes))]
+        cells = [np.array([corner, corner + step]) for corner in corners]
+        counts = [sum(map(len, (contact.GetItemsInBox(*cell) or {}).values())) for cell in cells]
+        most = max(counts)
+        for cell, count in zip(cells, counts, strict=True):
+            share = count / most if most else 0.0
+            mixed = np.array(color[:3]) + share * (np.array(CROWDED) - color[:3])
+            _draw_box(pen, cell, (float(mixed[0]), float(mixed[1]), float(mixed[2]), color[3]))
+
+
+def _draw_box(pen: Pen, box: FloatArray, color: Rgba) -> None:
+    pen.stick()
+    for edge in meshes.edges_of_box(box):
+        pen.line(edge, color)
