@@ -90,6 +90,17 @@ def test_cells_are_the_redder_the_more_they_hold(world: Any) -> None:
     assert {line[1] for line in left} == {(1.0, 0.0, 0.0, 1.0)}
 
 
+def test_searches_without_a_box_or_cells(world: Any) -> None:
+    mbs, settings = world
+    settings.contact.showSearchTree = settings.contact.showSearchTreeCells = True
+    mbs.AddGeneralContact()
+    mbs.AddGeneralContact().SetSearchTreeBox([-1, -1, -1], [1, 1, 1])
+    mbs.Assemble()
+    scene = SceneMaker(mbs, settings).scene()
+    of = [scene.items[line[3]].number for line in scene.lines if scene.items[line[3]].kind == "GeneralContact"]
+    assert [of.count(i) for i in range(3)] == [36, 0, 12]
+
+
 def test_they_move_with_their_bodies(world: Any) -> None:
     """Scenes one after the other are as if each was drawn by itself; so is what files hold."""
     mbs, settings = world

@@ -1057,9 +1057,9 @@ class VSettingsContact(_Settings):
     showContactForcesValues: bool
     """write the values of contact forces that are drawn; no effect: forces of general contact are not drawn; default: False"""
     showSearchTree: bool
-    """draw the outer box of the search tree; default: False"""
+    """draw the outer box of the search tree, where SetSearchTreeBox has given one; default: False"""
     showSearchTreeCells: bool
-    """draw all cells of the search tree, the redder the more partners they hold; slow if there are many; default: False"""
+    """draw all cells of the search tree, where its box and SetSearchTreeCellSize have given them, the redder the more partners they hold; slow if there are many; default: False"""
     showSpheres: bool
     """draw contact spheres; default: False"""
     showTori: bool

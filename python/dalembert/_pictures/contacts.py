@@ -79,11 +79,11 @@ def _draw_search(pen: Pen, held: dict[str, Any], contact: Any) -> None:
     now = contact.GetPythonObject()
     whole, sizes = np.array(now["searchTreeBox"], float).reshape(2, 3), [int(n) for n in now["searchTreeSize"]]
     if not np.all(whole[1] > whole[0]):
-        return  # nothing has been searched yet
+        return  # it is chosen by itself
     color = rgba(settings.colorSearchTree)
     if settings.showSearchTree:
         _draw_box(pen, whole, color)
-    if settings.showSearchTreeCells:
+    if settings.showSearchTreeCells and all(sizes):
         step = (whole[1] - whole[0]) / sizes
         corners = [whole[0] + step * np.array(cell) for cell in itertools.product(*map(range, sizes))]
         cells = [np.array([corner, corner + step]) for corner in corners]
