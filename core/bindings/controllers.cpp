@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "conversion.hpp"
 #include "dalembert/control/laws.hpp"
@@ -115,7 +116,7 @@ class SampledControllers final : public Schedule {
 
   void begin(const State& state, bool is_static) override {
     const auto main = main_.lock();
-    objects_ = sampled_objects(*main);
+    find_objects(*main);
     if (is_static && !objects_.empty())
       refuse(ErrorKind::state, {.item = "user function 'forceUserFunction' of " + main->model.describe(ItemKind::object, objects_.front().number),
                                 .problem = "a sampled controller acts in time, which static solutions do not know",
@@ -130,7 +131,7 @@ class SampledControllers final : public Schedule {
   bool act(const State& state) override {
     const auto main = main_.lock();
     if (!main) return false;
-    objects_ = sampled_objects(*main);
+    if (others_may_be_sampled(main->model)) find_objects(*main);
     const State& reference = main->system.state(ConfigurationType::Reference);
     bool changed = false;
     for (const SampledObject& o : objects_) {
@@ -162,8 +163,21 @@ class SampledControllers final : public Schedule {
   }
 
  private:
+  void find_objects(const MainSystem& main) {
+    objects_ = sampled_objects(main);
+    structure_ = main.model.structure_changes();
+    values_ = main.model.value_changes();
+  }
+  // Whether there are other objects since, or some have been given other parameters.
+  bool others_may_be_sampled(const Model& model) {
+    const auto [changed, known] = model.changed_since(std::exchange(values_, model.value_changes()));
+    return structure_ != model.structure_changes() || !known ||
+           std::ranges::any_of(changed, [](const ItemReference& item) { return item.kind == ItemKind::object; });
+  }
+
   std::weak_ptr<MainSystem> main_;
   std::vector<SampledObject> objects_;
+  std::uint64_t structure_ = 0, values_ = 0;  // of the model, when they were found
 };
 
 std::vector<double> forces(const Controller& controller, double time, const std::vector<double>& q, const std::vector<double>& v) {

@@ -186,6 +186,18 @@ void add_schedule(SolverHooks& hooks, const std::shared_ptr<MainSystem>& main) {
   if (hooks.schedule && !hooks.pre_step) hooks.pre_step = [](double) { return true; };
 }
 
+// What trees of recognised bodies say of their angles (mbs.sys["lockingTurns"]): names of joints, nodes, and their first coordinates there.
+void add_locking_turns(SolverHooks& hooks, const std::shared_ptr<MainSystem>& main) {
+  if (!main->sys.contains("lockingTurns") || !main->consistent()) return;
+  for (const py::handle entry : main->sys["lockingTurns"]) {
+    const auto [name, node, coordinate] = entry.cast<std::tuple<std::string, int, int>>();
+    if (node >= main->model.count(ItemKind::node)) continue;
+    const int first = main->system.node_index(node, System::Coordinates::ode2);
+    hooks.locking_turns.push_back({name, static_cast<std::size_t>(first + coordinate)});
+  }
+  if (!hooks.locking_turns.empty() && !hooks.post_step) hooks.post_step = [](double) { return true; };
+}
+
 // Where a line can be written over, progress is one line; elsewhere, in files for instance, a line after 10 s and then every
 // 30 s. A solver marks it by a leading '\r'.
 class Progress {
@@ -337,6 +349,7 @@ SolverEnvironment make_environment(const std::shared_ptr<MainSystem>& main) {
   SolverEnvironment environment;
   add_user_functions(environment.hooks, main);
   add_schedule(environment.hooks, main);
+  add_locking_turns(environment.hooks, main);
   add_console(environment.hooks);
   add_interruption(environment.hooks, main);
   environment.hooks.timeout = solver_switches().timeout;

@@ -32,12 +32,14 @@ class TreeDynamics:
 
     TreeDynamics(mbs, objectNumber) takes the tree from an assembled system, as its parameters are now;
     TreeDynamics(ObjectKinematicTree(...)) needs no system. Coordinates are total ones: rad or m. Of the tree's forces,
-    gravity acts; controllers, user functions, jointForceVector, linkForces and linkTorques do not.
+    gravity acts; controllers, user functions, jointForceVector, linkForces and linkTorques do not. linkNumbers has the
+    names that stand for numbers of links; that of a robot (Robot.Dynamics) knows its links and joints.
     """
 
     def __init__(self, tree: Any, objectNumber: Any = None) -> None:
         self._functions = _TreeFunctions(*(_assembled(tree) if objectNumber is None else (tree, objectNumber)))
         self.numberOfLinks: int = self._functions.links()
+        self.linkNumbers: dict[str, int] = {}
 
     def _states(self, **given: npt.ArrayLike) -> tuple[list[FloatArray], tuple[int, ...]]:
         """Return states as rows, broadcast against each other, and the shape that results begin with."""
@@ -98,13 +100,16 @@ class TreeDynamics:
         n = self.numberOfLinks
         return rotations.reshape(*shape, n, 3, 3), origins.reshape(*shape, n, 3)
 
-    def Jacobian(self, q: npt.ArrayLike, linkNumber: int, localPosition: npt.ArrayLike = [0, 0, 0]) -> FloatArray:
+    def Jacobian(self, q: npt.ArrayLike, linkNumber: int | str, localPosition: npt.ArrayLike = [0, 0, 0]) -> FloatArray:
         """Return 6 x n: velocity of a point of a link, then angular velocity, by joint velocities; in global axes."""
-        if not 0 <= linkNumber < self.numberOfLinks:
-            raise ValueError(f"TreeDynamics: linkNumber: received {linkNumber}; expected 0 to {self.numberOfLinks - 1}")
+        number = self.linkNumbers.get(linkNumber, -1) if isinstance(linkNumber, str) else linkNumber
+        if not 0 <= number < self.numberOfLinks:
+            names = f", or one of {', '.join(self.linkNumbers)}" if self.linkNumbers else ""
+            expected = f"expected 0 to {self.numberOfLinks - 1}{names}"
+            raise ValueError(f"TreeDynamics: linkNumber: received {linkNumber}; {expected}")
         (q,), shape = self._states(q=q)
         local = as_vector("TreeDynamics: localPosition", localPosition, 3)
-        return self._functions.jacobian(q, linkNumber, local).reshape(*shape, 6, self.numberOfLinks)
+        return self._functions.jacobian(q, number, local).reshape(*shape, 6, self.numberOfLinks)
 
     def CenterOfMass(self, q: npt.ArrayLike) -> FloatArray:
         """Return the centre of mass of all links (m), in the global frame."""

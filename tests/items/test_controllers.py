@@ -281,6 +281,29 @@ def test_restart_files_know_what_is_on_its_way(tmp_path: Any, monkeypatch: Any) 
         assert [*part.coordinates, *part.rates] == pytest.approx([*whole.coordinates, *whole.rates], abs=1e-9)
 
 
+def test_another_controller_acts_from_its_first_sample_on() -> None:
+    """It is set half way, and another item changes with each step: as two solutions, one after the other."""
+    pulls, brakes = (SampledController(PDController([to], STIFFNESS, DAMPING), 0.01) for to in (0.7, -0.2))
+    tree = slider(pulls)
+    marker = tree.mbs.AddMarker(items.MarkerNodeCoordinate(nodeNumber=tree.node, coordinate=0))
+    load = tree.mbs.AddLoad(items.LoadCoordinate(markerNumber=marker, load=0.0))
+    tree.mbs.Assemble()
+
+    def change(mbs: Any, t: float) -> bool:
+        mbs.SetLoadParameter(load, "load", 1e-20 * t)
+        if abs(t - 0.2) < 1e-9:
+            mbs.SetObjectParameter(tree.body, "forceUserFunction", brakes)
+        return True
+
+    tree.mbs.SetPostStepUserFunction(change)
+    tree.mbs.SolveDynamic(settings_of(0.4, 400))
+    first = slider(pulls)
+    first.mbs.SolveDynamic(settings_of(0.2, 200))
+    second = slider(brakes, start=first.coordinates[0], rate=first.rates[0])
+    second.mbs.SolveDynamic(settings_of(0.2, 200))
+    assert [*tree.coordinates, *tree.rates] == pytest.approx([*second.coordinates, *second.rates], abs=1e-9)
+
+
 def test_steps_have_their_size_again_after_a_sample() -> None:
     tree = slider(SampledController(PDController([0.7], STIFFNESS, DAMPING), 0.1, 0.03))
     times: list[float] = []

@@ -79,6 +79,16 @@ def test_names_of_links_go_before_those_of_joints():
     assert robot.GetLink("elbow").name == "forearm" and robot.LinkNumbers()["shoulder"] == 0
 
 
+def test_names_stand_for_links_in_dynamics():
+    robot = ReadRobot(Path(__file__).parents[2] / "examples/six_axis_arm.urdf", graphics=False)
+    q, dynamics = np.full(robot.NumberOfLinks(), 0.3), robot.Dynamics()
+    number = robot.GetLinkIndex("forearm")
+    for name in ("elbow", "forearm"):  # joint and link
+        np.testing.assert_array_equal(dynamics.Jacobian(q, name), dynamics.Jacobian(q, number))
+    with pytest.raises(ValueError, match=r"linkNumber: received knee; expected 0 to \d+, or one of .*elbow"):
+        dynamics.Jacobian(q, "knee")
+
+
 def test_inertias_of_a_urdf_file(package):
     """Against links that are added by hand, with fixed ones as masses of their own."""
     robot = ReadRobot(package / "arm/arm.urdf", graphics=False)

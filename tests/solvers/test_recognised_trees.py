@@ -9,7 +9,13 @@ import pytest
 
 import dalembert as exu
 from dalembert.itemInterface import SensorBody, SensorNode
-from dalembert.rigidBodyUtilities import InertiaCuboid, RotationMatrixX, RotationMatrixZ
+from dalembert.rigidBodyUtilities import (
+    InertiaCuboid,
+    InertiaSphere,
+    RotationMatrixX,
+    RotationMatrixZ,
+    RotationVector2RotationMatrix,
+)
 from dalembert.treeDynamics import RecogniseTrees
 
 Variable, Node, Solver = exu.OutputVariableType, exu.NodeType, exu.DynamicSolverType
@@ -179,6 +185,69 @@ def test_pendulums_and_tops_on_spherical_joints(spin: Any, level: bool) -> None:
         bodies.append(body)
     sensors = watched(mbs, bodies[1:], ("Position",))
     compare(mbs, sensors, 6, duration=1.0, tolerance=1e-2 if max(np.abs(spin)) > 1 else 2e-4)
+
+
+def beside_the_lock(apart: float, floats: bool = False) -> tuple[Any, Any]:
+    """A ball under a constant torque: its z axis passes beside the axis of the first turn, in the distance `apart`."""
+    mbs = exu.SystemContainer().AddSystem()
+    ball = {"inertia": InertiaSphere(2.5, 1.0)}  # 1 kg m^2
+    bodies = [mbs.CreateRigidBody(name="ball", **ball)]
+    if floats:  # with another one, on a joint through its center, that turns along
+        bodies.append(mbs.CreateRigidBody(name="core", inertia=InertiaSphere(1e-9, 0.01)))
+        mbs.CreateGenericJoint(bodyNumbers=bodies, position=[0, 0, 0], constrainedAxes=[1] * 6)
+    else:
+        mbs.CreateSphericalJoint(name="hip", bodyNumbers=[mbs.CreateGround(), bodies[0]], position=[0, 0, 0])
+    mbs.CreateTorque(bodyNumber=bodies[0], loadVector=[1.0, apart, 0])
+    sensor = mbs.AddSensor(SensorBody(bodyNumber=bodies[0], outputVariableType=Variable.RotationMatrix))
+    mbs.Assemble()
+    return RecogniseTrees(mbs), sensor
+
+
+def turned_ball(apart: float, time: float) -> Any:
+    """Its axes: it turns about the torque."""
+    axis = np.array([1.0, apart, 0])
+    return RotationVector2RotationMatrix(axis * time**2 / 2)
+
+
+def doubts(trees: Any) -> list[str]:
+    found: list[str] = trees.sys["dynamicSolver"].GetDoubts()
+    return found
+
+
+@pytest.mark.parametrize(("floats", "name"), [(False, "joint 'hip' (object 2)"), (True, "body 'ball' (object 0)")])
+@pytest.mark.parametrize("solver", [Solver.GeneralizedAlpha, Solver.RK44])
+@pytest.mark.parametrize("apart", [0.03, 0.001])
+def test_what_locks_is_named(apart: float, solver: Any, floats: bool, name: str, capfd: Any) -> None:
+    """At the time of a quarter turn: steps there turn the body by about as much as it is apart, or by far more."""
+    trees, sensor = beside_the_lock(apart, floats)
+    try:
+        solve(trees, 2.5, 200, solver)
+    except exu.SolverError as error:
+        text = error.advice[0]
+    else:
+        (text,) = doubts(trees)
+        assert not trees.sys["dynamicSolver"].output.trusted
+        time = float(text.partition("at time ")[2].partition(";")[0])
+        assert abs(time - np.sqrt(np.pi)) < 0.05
+    assert name in text and "lock where the second is at 90 degrees; it came to" in text
+    assert "RecogniseTrees" in text and 70 < abs(float(text.partition("it came to ")[2].split()[0].rstrip(":"))) < 110
+
+
+@pytest.mark.parametrize("apart", [0.03, 0.001, 0.0])
+def test_small_steps_pass_where_turns_lock(apart: float) -> None:
+    """With error control; about one axis, in any steps: there is nothing to see."""
+    trees, sensor = beside_the_lock(apart)
+    if apart:
+        settings = exu.SimulationSettings()
+        settings.timeIntegration.endTime = 2.5
+        settings.timeIntegration.numberOfSteps = 1
+        settings.timeIntegration.relativeTolerance = settings.timeIntegration.absoluteTolerance = 1e-10
+        trees.Assemble()
+        trees.SolveDynamic(settings, solverType=Solver.DOPRI5)
+    else:
+        solve(trees, 2.5, 200, Solver.RK44)
+    assert trees.GetSensorValues(sensor).reshape(3, 3) == pytest.approx(turned_ball(apart, 2.5), abs=1e-6)
+    assert not doubts(trees)
 
 
 def test_fixed_joints_make_one_link_and_what_is_bolted_to_ground_becomes_ground() -> None:

@@ -75,6 +75,7 @@ bool Solver::initialize() {
   output = SolverOutputData();
   diagnosis_ = Diagnosis();
   doubts_.clear();
+  locks_.clear();
   stop_ = silent_ = false;
   unwritten_ = nullptr;
   output.cpuStartTime = output.cpuLastTimePrinted = output.cpuSolverStartTime = SolverTimer::now();
@@ -291,6 +292,7 @@ void Solver::begin_step() {
   if (!may_be_reduced || !reduce_step_size()) {
     conv.stepReductionFailed = true;
     if (!diagnosis_.failed()) diagnose(FailureReason::discontinuous, {});
+    advise_on_locking_turns();
     return;
   }
   steps_since_reduction_ = 0;

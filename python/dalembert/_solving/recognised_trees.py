@@ -498,6 +498,15 @@ def _weights(model: Model, tree: Tree) -> FloatArray:
     )
 
 
+def _locking(model: Model, tree: Tree, node: NodeIndex) -> Iterator[tuple[str, int, int]]:
+    """Yield what solvers watch: the name of what turns about three axes, the node, and its first coordinate there."""
+    for seat in tree.seats:
+        if seat.joint.free in (ROTATIONS, ALL_AXES):
+            number, kind = (seat.body, "body") if seat.joint.free == ALL_AXES else (seat.joint.number, "joint")
+            name = model.items("object")[number]["name"]
+            yield f"{kind} '{name}' (object {number})", int(node), seat.link - 2
+
+
 def _parameters(model: Model, tree: Tree, node: NodeIndex) -> dict[str, Any]:
     inertias: list[RigidBodyInertia] = [RigidBodyInertia() for _ in tree.links]
     drawn: list[list[Any]] = [[] for _ in tree.links]
@@ -629,8 +638,8 @@ def RecogniseTrees(mbs: MainSystem) -> MainSystem:
     A spherical joint becomes three rotations about different axes, as does the rotation of a body that floats. They
     lock where the second has turned by 90 degrees; axes are chosen far from that. On the ground and where a body
     floats, with weight, the first is vertical, so that only the elevation of the last is limited, which is level at the
-    start. Motions that come close to it need smaller steps than those of bodies with Euler parameters, and are better
-    left to them.
+    start. Solvers tell, naming the joint, where steps are too large for motions that come close to it
+    (solver.GetDoubts()); such motions need error control, or are better left to bodies with Euler parameters.
 
     Markers, loads and sensors keep their numbers and act on the links; where bodies, their nodes and joints were, there
     are ground items; bodies that are fixed to the ground become ground. A body stays as it is if something refers to it
@@ -666,6 +675,10 @@ def RecogniseTrees(mbs: MainSystem) -> MainSystem:
     for coordinates, parameters in added:
         model.items("node").append(coordinates | {"name": f"coordinates of {parameters['name']}"})
         model.items("object").append(parameters)
+    nodes = [parameters["nodeNumber"] for _, parameters in added]
+    locking = [turns for tree, node in zip(trees, nodes, strict=True) for turns in _locking(model, tree, node)]
+    if locking:
+        model.entries["systemVariables"]["lockingTurns"] = locking
     made = MainSystem()
     made.SetDictionary(model.entries)
     return made

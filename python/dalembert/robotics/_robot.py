@@ -239,7 +239,9 @@ class Robot:
         Damping, friction and rotors are not in there. gravity is that of the robot unless it is given.
         """
         given = self.gravity if gravity is None else as_vector("Robot: gravity", gravity, 3)
-        return _tree.dynamics(self, given)
+        found = _tree.dynamics(self, given)
+        found.linkNumbers = self.LinkNumbers()
+        return found
 
     def _rotors(self) -> FloatArray:
         return np.array([link.rotorInertia for link in self.links])

@@ -118,6 +118,9 @@ DALEMBERT_INLINE inline Vec3<Spread> operator*(const Mat3<Spread>& m, const Vec3
 DALEMBERT_INLINE inline Mat3<Spread> operator*(const Mat3<Spread>& a, const Mat3<double>& b) {
   return spreads::each_column([&](std::size_t j) { return a * column(b, static_cast<int>(j)); });
 }
+DALEMBERT_INLINE inline Mat3<Spread> operator*(const Mat3<Spread>& a, const Mat3<Spread>& b) {
+  return spreads::each_column([&](std::size_t j) { return a * b[j]; });
+}
 DALEMBERT_INLINE inline Mat3<Spread> transpose(const Mat3<Spread>& m) {
   using Register = Pack<4>::Register;
   const Register none{}, a = m[0].x.x, b = m[1].x.x, c = m[2].x.x;
@@ -130,7 +133,7 @@ DALEMBERT_INLINE inline Vec3<Spread> transposed_times(const Mat3<Spread>& m, con
 DALEMBERT_INLINE inline Vec3<Spread> column(const Mat3<Spread>& m, int j) { return m[static_cast<std::size_t>(j)]; }
 DALEMBERT_INLINE inline void set_column(Mat3<Spread>& m, int j, const Vec3<Spread>& v) { m[static_cast<std::size_t>(j)] = v; }
 
-// r m r^T, m - a b^T, a x m, diag(a, a, a) and the matrix of v x, as math/tensors.hpp has them for other scalars.
+// r m r^T, m - a b^T, a x m, diag(a, a, a), (a . b) I - a b^T and the matrix of v x, as math/tensors.hpp has them for other scalars.
 DALEMBERT_INLINE inline Mat3<Spread> turned(const Mat3<Spread>& r, const Mat3<double>& symmetric) {
   using namespace spreads;
   const Mat3<Spread> m = r * symmetric;
@@ -150,6 +153,10 @@ DALEMBERT_INLINE inline Mat3<Spread> crossed(const Vec3<Spread>& v) {
 }
 DALEMBERT_INLINE inline Mat3<Spread> diagonal(const Spread& a) {
   return spreads::each_column([&](std::size_t j) { return a * spreads::unit(j); });
+}
+
+DALEMBERT_INLINE inline Mat3<Spread> projection(const Vec3<Spread>& a, const Vec3<Spread>& b) {
+  return without_product(diagonal(dot(a, b)), a, b);
 }
 
 }  // namespace dalembert

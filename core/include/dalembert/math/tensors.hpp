@@ -43,6 +43,12 @@ Mat3<S> crossed(const Vec3<S>& v) {
   const S none(0.0);
   return {none, -v[2], v[1], v[2], none, -v[0], -v[1], v[0], none};
 }
+// (a . b) I - a b^T.
+template <class S>
+Mat3<S> projection(const Vec3<S>& a, const Vec3<S>& b) {
+  const S product = dot(a, b);
+  return matrix_of<3, 3>([&](int i, int j) { return i == j ? product - a[i] * b[j] : -(a[i] * b[j]); });
+}
 template <class S>
 Mat3<S> diagonal(const S& a) {
   const S none(0.0);

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -24,6 +25,12 @@ struct EventValue {
   int direction;  // 1: only where it rises, -1: only where it falls, 0: both
 };
 
+// Three angles, one after the other, in the place of a ball joint: they lock where the second is a quarter turn.
+struct LockingTurns {
+  std::string name;   // of the joint
+  std::size_t first;  // the ODE2 coordinate of the first angle
+};
+
 struct SolverHooks {
   // False: stop after this step.
   std::function<bool(double time)> pre_step, post_step;
@@ -36,6 +43,8 @@ struct SolverHooks {
   std::function<bool(double time, int event, int direction)> event_action;
   // Null: nothing acts at times that are known beforehand. Otherwise there is a pre_step, which may do nothing.
   std::shared_ptr<Schedule> schedule;
+  // Not empty: there is a post_step, which may do nothing.
+  std::vector<LockingTurns> locking_turns;
   // Entries to add to the system matrix, for the given weights of derivatives by q, v and ODE1 coordinates.
   std::function<std::vector<MatrixEntry>(double time, double q, double v, double y)> system_jacobian;
   // True once: the Jacobian has to be computed anew (mbs.systemData or user functions asked for it).

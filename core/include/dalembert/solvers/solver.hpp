@@ -235,6 +235,17 @@ class Solver {
   void act_on_events();
   void end_as_scheduled();  // a step that would go further
   void act_as_scheduled();
+  // ---- angles of trees that lock (locking_turns.cpp) ----------------------------------------------------------------
+  void watch_locking_turns();
+  void doubt_locking_turns();
+  void advise_on_locking_turns();
+  struct Lock {
+    std::size_t first;  // coordinate
+    StepCount steps;    // that were too large, and the time of the first of them
+    double time;
+    std::string text;
+  };
+  std::vector<Lock> locks_;
   // ---- the parts of solve_steps ------------------------------------------------------------------------------------
   void start_steps();
   bool next_step();

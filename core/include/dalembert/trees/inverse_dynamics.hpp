@@ -43,10 +43,17 @@ DALEMBERT_INLINE inline LinkWrench<S> inertia_force(const TreeLink& link, const 
 template <class S, class F>
 DALEMBERT_INLINE inline void sum_to_base(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<LinkWrench<S>> wrenches,
                                          const F& f) {
+  LinkWrench<S> behind{};  // of the link after, if it is on this one: of chains, what is summed up stays at hand
   for (std::size_t i = tree.links.size(); i-- > 0;) {
     const TreeLink& link = tree.links[i];
-    f(i, along_joint(link, places[i].axis, wrenches[i]));
-    if (link.parent >= 0) wrenches[static_cast<std::size_t>(link.parent)] += shifted(wrenches[i], places[i].arm);
+    LinkWrench<S> sum = wrenches[i];
+    sum += behind;
+    wrenches[i] = sum;
+    f(i, along_joint(link, places[i].axis, sum));
+    behind = shifted(sum, places[i].arm);
+    if (link.parent + 1 == static_cast<int>(i)) continue;
+    if (link.parent >= 0) wrenches[static_cast<std::size_t>(link.parent)] += behind;
+    behind = {};
   }
 }
 

@@ -81,34 +81,46 @@ DALEMBERT_INLINE inline void find_sines(const NumberOf<S>* q, std::span<LinkPlac
   }
 }
 
-template <class S>
-DALEMBERT_INLINE inline void turn_about(Mat3<S>& m, int axis, const S& s, const S& c) {
-  const int y = (axis + 1) % 3, z = (axis + 2) % 3;
-  const Vec3<S> along_y = column(m, y), along_z = column(m, z);
-  set_column(m, y, c * along_y + s * along_z);
-  set_column(m, z, c * along_z - s * along_y);
+// Calls f.operator()<axis>(): what is known in advance stays in registers.
+template <class F>
+DALEMBERT_INLINE inline void with_axis(int axis, const F& f) {
+  if (axis == 2) f.template operator()<2>();
+  else if (axis == 1) f.template operator()<1>();
+  else f.template operator()<0>();
+}
+
+// Of the frame of a link, at its coordinate.
+template <int axis, class S>
+DALEMBERT_INLINE inline Mat3<S> turned_about(const Mat3<double>& orientation, const S& sine, const S& cosine) {
+  constexpr int y = (axis + 1) % 3, z = (axis + 2) % 3;
+  const Vec3<S> zero{}, along_y = zero + column(orientation, y), along_z = zero + column(orientation, z);
+  Mat3<S> m{};
+  set_column(m, axis, zero + column(orientation, axis));
+  set_column(m, y, cosine * along_y + sine * along_z);
+  set_column(m, z, cosine * along_z - sine * along_y);
+  return m;
 }
 
 template <class S>
 DALEMBERT_INLINE inline void place_links(const Tree& tree, const NumberOf<S>* q, std::span<LinkPlace<S>> places) {
   find_sines(q, places);
+  const Mat3<S> base = diagonal(S(1.0));
+  Mat3<S> parent = base;  // of chains, the link before, which is at hand
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
     const TreeLink& link = tree.links[i];
     LinkPlace<S>& place = places[i];
-    if (link.parent < 0) {
-      place.rotation = Mat3<S>{} + link.orientation;
-      place.arm = Vec3<S>{} + link.offset;
-    } else {
-      const Mat3<S>& parent = places[static_cast<std::size_t>(link.parent)].rotation;
-      place.rotation = parent * link.orientation;
+    if (link.parent + 1 != static_cast<int>(i)) parent = link.parent < 0 ? base : places[static_cast<std::size_t>(link.parent)].rotation;
+    with_axis(link.axis, [&]<int axis>() {
+      place.axis = parent * column(link.orientation, axis);
       place.arm = parent * link.offset;
-    }
-    place.axis = column(place.rotation, link.axis);
-    if (link.slides) {
-      place.arm += q[i] * place.axis;
-    } else {
-      turn_about(place.rotation, link.axis, place.sine, place.cosine);
-    }
+      if (link.slides) {
+        place.arm += q[i] * place.axis;
+        parent = parent * link.orientation;
+      } else {
+        parent = parent * turned_about<axis>(link.orientation, place.sine, place.cosine);
+      }
+      place.rotation = parent;
+    });
   }
 }
 
@@ -125,16 +137,14 @@ template <class S>
 DALEMBERT_INLINE inline void move_links(const Tree& tree, std::span<const LinkPlace<S>> places, const NumberOf<S>* v, const NumberOf<S>* a,
                                         const Vec3<S>& base, std::span<LinkMotion<S>> motions) {
   const LinkMotion<S> rest{{}, {}, {}, base};
+  LinkMotion<S> own = rest;  // of the link before at first
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
     const TreeLink& link = tree.links[i];
     const Vec3<S>&axis = places[i].axis, &arm = places[i].arm;
-    const LinkMotion<S>& parent = link.parent < 0 ? rest : motions[static_cast<std::size_t>(link.parent)];
-    LinkMotion<S>& own = motions[i];
-    const Vec3<S> swing = cross(parent.spin, arm), turning = v[i] * cross(parent.spin, axis);
-    own.spin = parent.spin;
-    own.spin_rate = parent.spin_rate;
-    own.velocity = parent.velocity + swing;
-    own.acceleration = parent.acceleration + cross(parent.spin_rate, arm) + cross(parent.spin, swing);
+    if (link.parent + 1 != static_cast<int>(i)) own = link.parent < 0 ? rest : motions[static_cast<std::size_t>(link.parent)];
+    const Vec3<S> swing = cross(own.spin, arm), turning = v[i] * cross(own.spin, axis);
+    own.velocity += swing;
+    own.acceleration += cross(own.spin_rate, arm) + cross(own.spin, swing);
     if (link.slides) {
       own.velocity += v[i] * axis;
       own.acceleration += turning + turning;
@@ -144,6 +154,7 @@ DALEMBERT_INLINE inline void move_links(const Tree& tree, std::span<const LinkPl
       own.spin_rate += turning;
       if (a != nullptr) own.spin_rate += a[i] * axis;
     }
+    motions[i] = own;
   }
 }
 

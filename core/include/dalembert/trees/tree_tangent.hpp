@@ -14,10 +14,20 @@ namespace dalembert {
 
 // A link with all behind it, about the origin of the link.
 template <class S>
-struct CompositeBody {
+struct CompositeMass {
   S mass{};
-  Vec3<S> moment{};    // mass times position
+  Vec3<S> moment{};  // mass times position
   Mat3<S> inertia{};
+
+  CompositeMass& operator+=(const CompositeMass& m) {
+    mass = mass + m.mass;
+    moment += m.moment;
+    inertia = inertia + m.inertia;
+    return *this;
+  }
+};
+template <class S>
+struct CompositeBody : CompositeMass<S> {
   Vec3<S> momentum{};
   Mat3<S> momentum_arms{};  // sum of 2 m ((r . v) I - v r^T): times w, the sum of 2 m r x (w x v)
 };
@@ -30,16 +40,9 @@ struct JointIncrement {
 
 namespace trees {
 
-// (a . b) I - a b^T.
 template <class S>
-Mat3<S> projection(const Vec3<S>& a, const Vec3<S>& b) {
-  const S product = dot(a, b);
-  return matrix_of<3, 3>([&](int i, int j) { return i == j ? product - a[i] * b[j] : -(a[i] * b[j]); });
-}
-
-template <class S>
-CompositeBody<S> single_body(const TreeLink& link, const LinkMass<S>& mass) {
-  return {.mass = S(link.mass), .moment = mass.moment, .inertia = mass.inertia, .momentum = {}, .momentum_arms = {}};
+CompositeMass<S> single_mass(const TreeLink& link, const LinkMass<S>& mass) {
+  return {S(link.mass), mass.moment, mass.inertia};
 }
 template <class S>
 void add_momentum(CompositeBody<S>& body, const LinkMotion<S>& motion) {
@@ -58,14 +61,12 @@ void add_momentum(CompositeBody<S>& body, const LinkMotion<S>& motion) {
   body.momentum_arms = matrix_of<3, 3>([&](int i, int j) { return i == j ? 2.0 * (trace - v_r(i, j)) : -2.0 * v_r(i, j); });
 }
 
-// A body whose origin is at `arm` from that of the other. Of the momentum only where there is one.
+// About a point from which `arm` leads to where it was.
 template <class S>
-void add_inertia(CompositeBody<S>& to, const CompositeBody<S>& b, const Vec3<S>& arm) {
-  const Vec3<S> shift = b.mass * arm;
-  const Mat3<S> crossed = projection(b.moment, arm), own = projection(arm, b.moment + shift);
-  to.mass += b.mass;
-  to.moment += b.moment + shift;
-  for (std::size_t i = 0; i < 9; ++i) to.inertia.x[i] += b.inertia.x[i] + crossed.x[i] + own.x[i];
+CompositeMass<S> shifted(const CompositeMass<S>& b, const Vec3<S>& arm) {
+  const Vec3<S> moment = b.moment + b.mass * arm;
+  const Mat3<S> shift = without_product(without_product(diagonal(dot(b.moment + moment, arm)), b.moment, arm), arm, moment);
+  return {b.mass, moment, b.inertia + shift};
 }
 template <class S>
 void add_momentum(CompositeBody<S>& to, const CompositeBody<S>& b, const Vec3<S>& arm) {
@@ -76,28 +77,36 @@ void add_momentum(CompositeBody<S>& to, const CompositeBody<S>& b, const Vec3<S>
 
 // What moves the body with unit acceleration of the joint before it.
 template <class S>
-LinkWrench<S> inertia_along(const TreeLink& link, const Vec3<S>& axis, const CompositeBody<S>& body) {
+LinkWrench<S> inertia_along(const TreeLink& link, const Vec3<S>& axis, const CompositeMass<S>& body) {
   if (link.slides) return {body.mass * axis, cross(body.moment, axis)};
   return {cross(axis, body.moment), body.inertia * axis};
 }
 
-template <class S>
-void compose(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<const LinkMass<S>> masses, std::span<CompositeBody<S>> bodies) {
-  for (std::size_t i = 0; i < tree.links.size(); ++i) bodies[i] = single_body(tree.links[i], masses[i]);
-  for (std::size_t i = tree.links.size(); i-- > 0;)
-    if (const int parent = tree.links[i].parent; parent >= 0) add_inertia(bodies[static_cast<std::size_t>(parent)], bodies[i], places[i].arm);
+template <class S, class Bodies>
+void compose(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<const LinkMass<S>> masses, Bodies& bodies) {
+  for (std::size_t i = 0; i < tree.links.size(); ++i) static_cast<CompositeMass<S>&>(bodies[i]) = single_mass(tree.links[i], masses[i]);
+  CompositeMass<S> behind{};  // of the link after, as in sum_to_base
+  for (std::size_t i = tree.links.size(); i-- > 0;) {
+    const int parent = tree.links[i].parent;
+    bodies[i] += behind;
+    behind = shifted<S>(bodies[i], places[i].arm);
+    if (parent + 1 == static_cast<int>(i)) continue;
+    if (parent >= 0) bodies[static_cast<std::size_t>(parent)] += behind;
+    behind = {};
+  }
 }
 template <class S>
 void compose(const Tree& tree, std::span<const LinkPlace<S>> places, std::span<const LinkMass<S>> masses, std::span<const LinkMotion<S>> motions,
              std::span<CompositeBody<S>> bodies) {
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
-    bodies[i] = single_body(tree.links[i], masses[i]);
+    static_cast<CompositeMass<S>&>(bodies[i]) = single_mass(tree.links[i], masses[i]);
     add_momentum(bodies[i], motions[i]);
   }
   for (std::size_t i = tree.links.size(); i-- > 0;)
     if (const int parent = tree.links[i].parent; parent >= 0) {
-      add_inertia(bodies[static_cast<std::size_t>(parent)], bodies[i], places[i].arm);
-      add_momentum(bodies[static_cast<std::size_t>(parent)], bodies[i], places[i].arm);
+      CompositeBody<S>& to = bodies[static_cast<std::size_t>(parent)];
+      to += shifted<S>(bodies[i], places[i].arm);
+      add_momentum(to, bodies[i], places[i].arm);
     }
 }
 

@@ -11,6 +11,7 @@
 #include "dalembert/system/physics.hpp"
 #include "dalembert/system/tree_term.hpp"
 #include "dalembert/trees/articulated_bodies.hpp"
+#include "dalembert/trees/joint_masses.hpp"
 #include "dalembert/trees/link_loads.hpp"
 #include "dalembert/trees/tree_tangent.hpp"
 
@@ -59,7 +60,8 @@ struct Links {
 // What the recursions of one tree write, again and again: forces and accelerations have vectors in registers.
 struct Room {
   Links<Spread> links;
-  AlignedVector<ArticulatedBody<Spread>> articulated;
+  AlignedVector<ArticulatedBody<Spread>> articulated;  // of many links
+  JointMasses masses;                                  // of few
   Links<double> single;
   std::vector<CompositeBody<double>> bodies;
   std::vector<JointIncrement<double>> increments;
@@ -102,6 +104,8 @@ class TreeBody {
   }
   void make(Room& room) const {
     room.make(tree_.links.size());
+    if (count() > few_links) room.articulated.resize(tree_.links.size());
+    else room.masses.make(tree_);
     room.law.make_room(law_);
   }
   int item() const { return law_.item(); }
@@ -163,12 +167,12 @@ class TreeBody {
   }
 
   int solve_masses(const Evaluation& e, Room& room, double* x) const {
-    room.articulated.resize(tree_.links.size());
     int loose = -1;
     in_wide_registers([&] {
       Links<Spread>& links = room.links;
       links.place(tree_, q(e));
-      loose = trees::accelerate<Spread>(tree_, links.places, links.masses, room.articulated, links.wrenches, x + first_);
+      loose = count() > few_links ? trees::accelerate<Spread>(tree_, links.places, links.masses, room.articulated, links.wrenches, x + first_)
+                                  : trees::accelerate(tree_, links.places, links.masses, room.masses, x + first_);
     });
     return loose < 0 ? -1 : first_ + loose;
   }

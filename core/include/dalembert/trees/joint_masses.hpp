@@ -1,0 +1,125 @@
+// Accelerations from joint forces by a mass matrix and its factors: for trees of few links. They wait less for each other there than
+// articulated bodies do (trees/articulated_bodies.hpp), each of which waits for a quotient of the one behind.
+//
+// The matrix is that of composite bodies; its factors L^T D L, from the leaves on, keep the zeros between branches (Featherstone 2008, sections
+// 6.2 and 6.5). A row belongs to a joint: its force, then one entry for each joint, of which those on the way to the base count.
+#pragma once
+
+#include "dalembert/math/aligned_vector.hpp"
+#include "dalembert/trees/tree_tangent.hpp"
+
+namespace dalembert {
+
+// With more links, articulated bodies are faster.
+constexpr int few_links = 16;
+
+// Room for one tree, and what is constant of it.
+struct JointMasses {
+  AlignedVector<CompositeMass<Spread>> bodies;
+  AlignedVector<LinkWrench<Spread>> answers;   // to unit accelerations of joints: forces and moments about a point that all share
+  AlignedVector<Vec3<Spread>> origins, turns, shifts;  // of links; of all that moves with a joint, which is number i + 1, at this point
+  AlignedVector<std::array<Pack<4>, 6>> columns;  // the same of four joints: x, y, z of shifts, then of turns
+  AlignedVector<double> rows, shares;
+  std::size_t width = 0;              // of a row
+  int first_turn = -1;                // the first link that turns; -1: none
+  std::vector<int> before, first;     // joints on the way to the base, base first; where those of each link begin
+
+  void make(const Tree& tree) {
+    const auto links = static_cast<std::size_t>(tree.count());
+    width = (links + 4) / 4 * 4;
+    bodies.resize(links);
+    answers.resize(links);
+    origins.resize(links);
+    turns.assign(width, {});
+    shifts.assign(width, {});
+    columns.resize(width / 4);
+    rows.assign(links * width, 0.0);
+    shares.assign(links * width, 0.0);
+    first_turn = -1;
+    before.clear();
+    first.assign(1, 0);
+    for (int i = 0; i < tree.count(); ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      if (first_turn < 0 && !tree.links[at].slides) first_turn = i;
+      if (const int parent = tree.links[at].parent; parent >= 0) {
+        const std::vector<int> way(before.begin() + first[static_cast<std::size_t>(parent)], before.begin() + first[static_cast<std::size_t>(parent) + 1]);
+        before.insert(before.end(), way.begin(), way.end());
+        before.push_back(parent);
+      }
+      first.push_back(static_cast<int>(before.size()));
+    }
+  }
+};
+
+namespace trees {
+
+// The point is the origin of the first link that turns: it stays with a tree that slides far away.
+DALEMBERT_INLINE inline void find_answers(const Tree& tree, std::span<const LinkPlace<Spread>> places, JointMasses& room) {
+  Vec3<Spread> base{};
+  for (int i = room.first_turn; i >= 0; i = tree.links[static_cast<std::size_t>(i)].parent) base -= places[static_cast<std::size_t>(i)].arm;
+  for (std::size_t i = 0; i < tree.links.size(); ++i) {
+    const TreeLink& link = tree.links[i];
+    const Vec3<Spread>& axis = places[i].axis;
+    const Vec3<Spread> origin = (link.parent < 0 ? base : room.origins[static_cast<std::size_t>(link.parent)]) + places[i].arm;
+    room.origins[i] = origin;
+    room.answers[i] = shifted(inertia_along(link, axis, room.bodies[i]), origin);
+    room.turns[i + 1] = link.slides ? Vec3<Spread>{} : axis;
+    room.shifts[i + 1] = link.slides ? axis : cross(origin, axis);
+  }
+}
+
+DALEMBERT_INLINE inline void find_rows(JointMasses& room, std::size_t links, const double* x) {
+  for (std::size_t g = 0; g < room.columns.size(); ++g) {
+    const auto four = [g](const AlignedVector<Vec3<Spread>>& all) {
+      return transposed<4>({all[4 * g].x, all[4 * g + 1].x, all[4 * g + 2].x, all[4 * g + 3].x});
+    };
+    const std::array<Pack<4>, 4> shifts = four(room.shifts), turns = four(room.turns);
+    room.columns[g] = {shifts[0], shifts[1], shifts[2], turns[0], turns[1], turns[2]};
+  }
+  for (std::size_t k = 0; k < links; ++k) {
+    const Pack<4>::Register &f = room.answers[k].force.x.x, &m = room.answers[k].moment.x.x;
+    double* row = room.rows.data() + k * room.width;
+    for (std::size_t g = 0; 4 * g <= k + 1; ++g) {
+      const std::array<Pack<4>, 6>& c = room.columns[g];
+      Pack<4> entries = (f[0] * c[0] + f[1] * c[1] + f[2] * c[2]) + (m[0] * c[3] + m[1] * c[4] + m[2] * c[5]);
+      if (g == 0) entries.x[0] = x[k];
+      entries.store(row + 4 * g);
+    }
+  }
+}
+
+// As the function of the same name for articulated bodies.
+DALEMBERT_INLINE inline int accelerate(const Tree& tree, std::span<const LinkPlace<Spread>> places, std::span<const LinkMass<Spread>> masses,
+                                       JointMasses& room, double* x) {
+  const std::size_t links = tree.links.size();
+  compose<Spread>(tree, places, masses, room.bodies);
+  find_answers(tree, places, room);
+  find_rows(room, links, x);
+  int loose = -1;
+  for (std::size_t k = links; k-- > 0;) {
+    const double *row = room.rows.data() + k * room.width, pivot = row[k + 1];
+    double* shares = room.shares.data() + k * room.width;
+    if (loose < 0 && !(pivot > 0)) loose = static_cast<int>(k);
+    const double inverse = 1 / pivot;
+    x[k] = row[0] * inverse;
+    for (int at = room.first[k + 1]; at-- > room.first[k];) {
+      const auto i = static_cast<std::size_t>(room.before[static_cast<std::size_t>(at)]);
+      const double share = shares[i] = row[i + 1] * inverse;
+      double* other = room.rows.data() + i * room.width;
+      for (std::size_t c = 0; c <= i + 1; c += 4) (Pack<4>::load(other + c) - share * Pack<4>::load(row + c)).store(other + c);
+    }
+  }
+  for (std::size_t k = 0; k < links; ++k) {
+    const double* shares = room.shares.data() + k * room.width;
+    double own = x[k];
+    for (int at = room.first[k]; at < room.first[k + 1]; ++at) {
+      const auto i = static_cast<std::size_t>(room.before[static_cast<std::size_t>(at)]);
+      own -= shares[i] * x[i];
+    }
+    x[k] = own;
+  }
+  return loose;
+}
+
+}  // namespace trees
+}  // namespace dalembert
