@@ -6,6 +6,8 @@ import difflib
 from collections.abc import Iterable
 from typing import Any
 
+from dalembert import _core
+
 _COUNTS = {kind: f"NumberOf{kind}s" for kind in ("Object", "Marker", "Node", "Load", "Sensor")}
 
 
@@ -16,6 +18,14 @@ def names_of(mbs: Any, kinds: Iterable[str]) -> list[str]:
         for kind in kinds
         for number in range(getattr(mbs.systemData, _COUNTS[kind])())
     ]
+
+
+def index_of(mbs: Any, kind: str, item: Any, where: str) -> Any:
+    """Return the index of an item of a kind, such as 'Marker', given by its index, number or name."""
+    if isinstance(item, str):
+        return find_item(mbs, item, (kind,), where)
+    getattr(mbs, f"Get{kind}Parameter")(item, "name")  # refuses what is no item of this kind
+    return getattr(_core, f"{kind}Index")(int(item))
 
 
 def find_item(mbs: Any, name: str, kinds: Iterable[str], where: str) -> Any:
