@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Iterable
 from typing import Any
 
@@ -39,6 +38,8 @@ def find_item(mbs: Any, name: str, kinds: Iterable[str], where: str) -> Any:
     if found:
         several = " and ".join(f"{index.GetTypeString().removesuffix('Index').lower()} {index}" for index in found)
         raise ValueError(f"{where}: received '{name}', the name of {several}. Pass the index of the one you mean.")
+    import difflib
+
     near = difflib.get_close_matches(name, names_of(mbs, kinds), 1)
     advice = f"Did you mean '{near[0]}'?" if near else "Names are given by name='...' when an item is added."
     raise ValueError(f"{where}: received '{name}', but no {noun} of the system has this name. {advice}")
