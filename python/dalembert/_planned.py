@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Sequence
-from importlib.abc import MetaPathFinder
 from types import ModuleType
 from typing import Any, NoReturn
 
@@ -52,7 +51,7 @@ def module_text(name: str) -> str:
     return _text(f"the module {_PACKAGE}.{name}", MODULES[name]) if name in MODULES else ""
 
 
-class _Finder(MetaPathFinder):
+class _Finder:
     """Is asked last, for modules that nobody else has found."""
 
     def find_spec(self, fullname: str, path: Sequence[str] | None = None, target: ModuleType | None = None) -> None:

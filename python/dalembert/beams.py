@@ -24,6 +24,7 @@ from dalembert._fem.section_outlines import (
     SectionTube,
 )
 from dalembert._geometry.reeving import CreateReevingCurve
+from dalembert._tools.found_items import index_of
 
 __all__ = [
     "ComputeSectionConstants",
@@ -84,8 +85,9 @@ def _fix(mbs: Any, ground: Any, node: Any, flags: Sequence[float], chain: Chain,
             chain[4].append(mbs.AddObject(constraint))
 
 
-def _is_given(nodeNumber: Any) -> bool:
-    return nodeNumber is not None and nodeNumber != -1
+def _given_node(mbs: Any, node: Any, where: str) -> Any:
+    """Return the index of a node that is given by its index, number or name; None if none is given."""
+    return None if node is None or node == -1 else index_of(mbs, "Node", node, where)
 
 
 def _check_number(function: str, numberOfElements: Any) -> None:
@@ -148,16 +150,18 @@ def GenerateStraightBeam(
     def add_node(position: Sequence[float]) -> Any:
         return mbs.AddNode(node_type(referenceCoordinates=[*position[:dimension], *direction]))
 
+    first = _given_node(mbs, nodeNumber0, f"{function}: nodeNumber0")
+    last = _given_node(mbs, nodeNumber1, f"{function}: nodeNumber1")
     chain: Chain = [[], [], [], [positionOfNode0], []]
     nodes, positions = chain[0], chain[3]
-    nodes.append(nodeNumber0 if _is_given(nodeNumber0) else add_node(positionOfNode0))
+    nodes.append(add_node(positionOfNode0) if first is None else first)
     beamTemplate.physicsLength = length / numberOfElements
     intervals = 2 if is_exact and len(beamTemplate.nodeNumbers) == 3 else 1  # between the ends of an element
     for i in range(int(numberOfElements)):
         for j in range(1, intervals + 1):
             positions.append((start + line * ((i + j / intervals) / numberOfElements)).tolist())
             is_last = i == numberOfElements - 1 and j == intervals
-            nodes.append(nodeNumber1 if is_last and _is_given(nodeNumber1) else add_node(positions[-1]))
+            nodes.append(last if is_last and last is not None else add_node(positions[-1]))
         _add_element(mbs, beamTemplate, nodes[-intervals - 1 :], gravity, chain)
 
     ends = ((nodes[0], positionOfNode0, fixedConstraintsNode0), (nodes[-1], positionOfNode1, fixedConstraintsNode1))
@@ -262,9 +266,11 @@ def GenerateCircularArcANCFCable2D(
     def add_node(angle: float) -> Any:
         return mbs.AddNode(eii.NodePoint2DSlope1(referenceCoordinates=list(point_and_slope(angle))))
 
+    first = _given_node(mbs, nodeNumber0, f"{function}: nodeNumber0")
+    last = _given_node(mbs, nodeNumber1, f"{function}: nodeNumber1")
     chain: Chain = [[], [], [], [positionOfNode0], []]
     nodes, positions = chain[0], chain[3]
-    nodes.append(nodeNumber0 if _is_given(nodeNumber0) else add_node(startAngle))
+    nodes.append(add_node(startAngle) if first is None else first)
     curvature = cableTemplate.physicsReferenceCurvature
     cableTemplate.physicsLength = radius * abs(arcAngle) / numberOfElements
     if setCurvedReferenceConfiguration:
@@ -272,8 +278,7 @@ def GenerateCircularArcANCFCable2D(
     for i in range(1, int(numberOfElements) + 1):
         angle = startAngle + i * arcAngle / numberOfElements
         positions.append([*point_and_slope(angle)[:2].tolist(), 0.0])
-        is_given = i == numberOfElements and _is_given(nodeNumber1)
-        nodes.append(nodeNumber1 if is_given else add_node(angle))
+        nodes.append(last if i == numberOfElements and last is not None else add_node(angle))
         _add_element(mbs, cableTemplate, nodes[-2:], massProportionalLoad, chain)
     cableTemplate.physicsReferenceCurvature = curvature
 

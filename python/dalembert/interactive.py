@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import shutil
-import subprocess
 from collections.abc import Callable
 from typing import Any
 
@@ -297,6 +296,8 @@ def ConvertImages2Video(
     compressionCRF: 0 is lossless, larger values give smaller files. FileNotFoundError if ffmpeg is not installed,
     RuntimeError with its message if it fails.
     """
+    import subprocess
+
     program = shutil.which("ffmpeg")
     if program is None:
         raise FileNotFoundError("ConvertImages2Video: the program ffmpeg is not installed, or not in the search path")

@@ -137,13 +137,15 @@ def SaveHDF5(
     """Write what sensors have stored, and perhaps a solution file, into an HDF5 file, with units, settings and version.
 
     /sensors/NAME has the datasets time and values; attributes are variable, unit and components. /solution has a
-    dataset per kind of coordinates. The settings stand as JSON in the attribute settings of the file.
+    dataset per kind of coordinates. The settings, where none are given those of the last simulation, stand as JSON in
+    the attribute settings of the file.
     """
     h5py = _extra("h5py", "SaveHDF5")
     found = list(_measured(mbs, sensors, continuousAngles, "SaveHDF5"))
     solution = None if solutionFile is None else SolutionToXarray(solutionFile)
     with replacing(fileName) as written, h5py.File(written, "w") as file:
         file.attrs["dalembert"] = _version.__version__
+        simulationSettings = simulationSettings or mbs.sys.get("simulationSettings")
         if simulationSettings is not None:
             file.attrs["settings"] = json.dumps(simulationSettings.GetDictionary(), default=str)
         for each in found:

@@ -278,14 +278,17 @@ def _joint_frames(
 ) -> tuple[FloatArray, list[FloatArray], list[FloatArray]]:
     """Return the global joint axis, and per body the local joint position and rotation matrix (local to global)."""
     import dalembert as exu
+    from dalembert._tools.found_items import index_of
 
     p, a = as_vector(where + "point", point, 3), as_vector(where + "axis", axis, 3)
     if not IsValidBool(useGlobalFrame):
         raise shape_error(where + "useGlobalFrame", "a bool", useGlobalFrame)
     positions, rotations = [], []
     for i, body in enumerate(bodies):
+        if isinstance(body, str):
+            body = bodies[i] = index_of(mbs, "Object", body, f"{where}body{i}")
         if not IsValidObjectIndex(body):
-            raise shape_error(f"{where}body{i}", "an ObjectIndex", body)
+            raise shape_error(f"{where}body{i}", "an ObjectIndex or a name", body)
         where_ = {"localPosition": [0, 0, 0], "configuration": exu.ConfigurationType.Reference}
         output = exu.OutputVariableType
         positions.append(np.asarray(mbs.GetObjectOutputBody(body, output.Position, **where_)))

@@ -35,6 +35,7 @@ from dalembert._io.solution_states import (
 )
 from dalembert._io.text_solutions import RecoverSolutionFile as RecoverSolutionFile
 from dalembert._plots.system_graph import DrawSystemGraph as DrawSystemGraph
+from dalembert._tools.found_items import index_of
 from dalembert._io.tcpip import (
     CloseTCPIPconnection as CloseTCPIPconnection,
     CreateTCPIPconnection as CreateTCPIPconnection,
@@ -85,11 +86,13 @@ MergeGraphicsDataTriangleList = graphics.MergeTriangleLists
 # ---- joints ---------------------------------------------------------------------------------------------------------
 
 
-def _marker_at(mbs: Any, bodyNumber: Any, existingMarker: Any, **options: Any) -> tuple[Any, FloatArray]:
+def _marker_at(where: str, mbs: Any, bodyNumber: Any, existingMarker: Any, **options: Any) -> tuple[Any, FloatArray]:
     """Add a rigid marker on a body where another marker is in the reference configuration; return it and the rotation.
 
     The rotation is that of the body, local to global.
     """
+    bodyNumber = index_of(mbs, "Object", bodyNumber, f"{where}: body")
+    existingMarker = index_of(mbs, "Marker", existingMarker, f"{where}: marker")
     rotation = reference_rotation(mbs, bodyNumber)
     local = rotation.T @ (reference_position(mbs, existingMarker) - reference_position(mbs, bodyNumber))
     return mbs.AddMarker(eii.MarkerBodyRigid(bodyNumber=bodyNumber, localPosition=local, **options)), rotation
@@ -97,7 +100,8 @@ def _marker_at(mbs: Any, bodyNumber: Any, existingMarker: Any, **options: Any) -
 
 def GetOtherMarker(mbs: Any, bodyNumber: Any, existingMarker: Any, show: bool = True) -> Any:
     """Add a rigid marker on a body, at the place of an existing marker in the reference state; return its index."""
-    return _marker_at(mbs, bodyNumber, existingMarker, visualization=eii.VMarkerBodyRigid(show=show))[0]
+    view = eii.VMarkerBodyRigid(show=show)
+    return _marker_at("GetOtherMarker", mbs, bodyNumber, existingMarker, visualization=view)[0]
 
 
 def GetJointArgs(
@@ -123,7 +127,8 @@ def GetJointArgs(
         raise ValueError(f"GetJointArgs: with markerNumber{1 - other}, bodyNumber{other} must be given")
 
     given = np.eye(3) if rotation is None else np.asarray(rotation, dtype=float)
-    marker, bodyRotation = _marker_at(mbs, body, existing)
+    existing = index_of(mbs, "Marker", existing, "GetJointArgs: marker")
+    marker, bodyRotation = _marker_at("GetJointArgs", mbs, body, existing)
     found = bodyRotation.T @ reference_rotation(mbs, existing) @ given
     markers, rotations = ([existing, marker], [given, found]) if first else ([marker, existing], [found, given])
     return {"markerNumbers": markers, "rotationMarker0": rotations[0], "rotationMarker1": rotations[1]}
@@ -134,8 +139,8 @@ def GetJointArgs(
 
 def ShowOnlyObjects(mbs: Any, objectNumbers: Any = [], showOthers: bool = False) -> None:
     """Draw only the given objects, or all but these if showOthers; an empty list stands for all objects."""
-    chosen = objectNumbers if isinstance(objectNumbers, list) else [objectNumbers]
-    numbers = {int(number) for number in chosen}
+    chosen = objectNumbers if isinstance(objectNumbers, (list, tuple)) else [objectNumbers]
+    numbers = {int(index_of(mbs, "Object", number, "ShowOnlyObjects: objectNumbers")) for number in chosen}
     for i in range(mbs.systemData.NumberOfObjects()):
         if "Vshow" in mbs.GetObject(i):
             is_chosen = i in numbers or not numbers
@@ -148,6 +153,8 @@ def HighlightItem(
 ) -> None:
     """Highlight one item, and show the numbers of all items of its kind; an itemNumber of -1 ends it."""
     settings = SC.visualizationSettings
+    if isinstance(itemNumber, str) or int(itemNumber) != -1:
+        itemNumber = index_of(mbs, itemType.name, itemNumber, "HighlightItem: itemNumber")
     settings.interactive.highlightItemIndex = int(itemNumber)
     settings.interactive.highlightItemType = itemType
     groups = {
@@ -189,6 +196,7 @@ def AddSensorRecorder(
     """
     Print("WARNING: AddSensorRecorder is deprecated, use sensors with storeInternal=True")
     rows = int(endTime / sensorsWritePeriod) + 1
+    sensorNumber = index_of(mbs, "Sensor", sensorNumber, "AddSensorRecorder: sensorNumber")
     mbs.variables[f"sensorRecord{sensorNumber}"] = np.zeros((rows, 1 + sensorOutputSize))
     return mbs.AddSensor(
         eii.SensorUserFunction(
@@ -203,7 +211,7 @@ def AddSensorRecorder(
 # Names of other modules' insides that are no part of what users get.
 _HIDDEN = {
     *("Any", "FloatArray", "GraphicsData", "IntArray", "ItemType", "Print", "Sequence", "TYPE_CHECKING", "annotations"),
-    *("Lines", "as_matrix", "as_points", "as_vector", "color", "colorList", "npt", "reference_position"),
+    *("Lines", "index_of", "as_matrix", "as_points", "as_vector", "color", "colorList", "npt", "reference_position"),
     *("reference_rotation", "triangle_normals", "unit_rows", "warnings"),
 }
 if not TYPE_CHECKING:  # type checkers follow the imports; they would take a computed list for an empty one

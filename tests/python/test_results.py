@@ -95,6 +95,8 @@ def test_hdf5(solved: Any, tmp_path: Path) -> None:
     assert (place["unit"], place["variable"], place["components"]) == ("m", "Position", ["X", "Y", "Z"])
     assert np.array_equal(place["values"], mbs.GetSensorStoredData("place")[:, 1:])
     assert read["solution"]["time"]["unit"] == "s" and len(read["solution"]["ODE2Coordinates"]["values"]) == 21
+    results.SaveHDF5(mbs, tmp_path / "last.h5")  # with the settings of the last simulation
+    assert results.LoadHDF5(tmp_path / "last.h5")["settings"] == read["settings"]
     (tmp_path / "other.h5").write_bytes(b"nothing")
     with pytest.raises(OSError, match="other.h5"):
         results.LoadHDF5(tmp_path / "other.h5")

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import errno
 import os
-import shutil
-import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 
@@ -38,6 +36,9 @@ def replacing(fileName: Path) -> Iterator[str]:
 
     It lies in the same folder and has the same ending. Devices and pipes are written to directly; links stay links.
     """
+    import shutil
+    import tempfile
+
     target = os.path.realpath(os.fspath(fileName))
     exists = os.path.exists(target)
     with naming(fileName):

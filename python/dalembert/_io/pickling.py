@@ -8,23 +8,10 @@ from collections.abc import Callable
 from pickle import Unpickler
 from typing import Any, Self
 
-import cloudpickle
-
 from dalembert._core import MainSystem
 
 _dictionary: Callable[[MainSystem], dict[str, Any]] = MainSystem.GetDictionary  # the compiled one, replaced below
 _variables = ("variables", "systemVariables")
-
-
-class _Pickler(cloudpickle.Pickler):  # type: ignore[misc]  # cloudpickle has no types
-    """Leaves out the system itself and its container, to which user functions may refer as global variables."""
-
-    def __init__(self, file: io.BytesIO, mbs: MainSystem) -> None:
-        super().__init__(file)
-        self._left_out = {"system": mbs, "container": mbs.GetSystemContainer()}
-
-    def persistent_id(self, thing: Any) -> str | None:
-        return next((name for name, known in self._left_out.items() if thing is known), None)
 
 
 class _Unpickler(Unpickler):
@@ -39,8 +26,10 @@ class _Unpickler(Unpickler):
 
 
 def _dumps(mbs: MainSystem, content: Any) -> bytes:
+    from dalembert._io.system_pickler import SystemPickler  # its package takes long to load
+
     file = io.BytesIO()
-    _Pickler(file, mbs).dump(content)
+    SystemPickler(file, mbs).dump(content)
     return file.getvalue()
 
 

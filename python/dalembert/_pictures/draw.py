@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dalembert._checks import as_array, shape_error
+from dalembert._tools.found_items import index_of
 
 if TYPE_CHECKING:
     from PIL.Image import Image as PillowImage
@@ -33,13 +34,15 @@ def Draw(
     'back', 'left', 'right', 'top', 'bottom', 'axonometric', or a rotation matrix with the rows right, up, towards the
     viewer; without one, it is that of SC.renderer.SetModelView, or what suits the system. `windowSize` are width and
     height in pixels; `zoom` > 1 shows things larger; `around` is an object, or a list of objects, in the middle of the
-    picture. Sizes, colors and what is shown: SC.visualizationSettings.
+    picture, by index or name. Sizes, colors and what is shown: SC.visualizationSettings.
     """
     from PIL import Image as Pillow
 
     from dalembert._pictures.films import save_image
     from dalembert._pictures.studio import Studio
 
+    if around is not None:
+        around = [index_of(mbs, "Object", item, "Draw: around") for item in np.atleast_1d(np.asarray(around, object))]
     studio = Studio(mbs.GetSystemContainer(), [mbs])
     scene = studio.scene(configuration)
     size = studio.size(0) if windowSize is None else _size(windowSize)

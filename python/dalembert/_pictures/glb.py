@@ -16,7 +16,7 @@ import numpy.typing as npt
 
 from dalembert._checks import FloatArray
 from dalembert._io.files import replacing
-from dalembert._pictures import contour, meshes
+from dalembert._pictures import meshes
 from dalembert._pictures.meshes import Mesh, Rgba
 
 if TYPE_CHECKING:
@@ -210,6 +210,8 @@ class Exporter:
         first, looks = history[0][1], self._motion.looks
         shades = None
         if first.values is not None:
+            from dalembert._pictures import contour
+
             shades = contour.colors(looks, first.values, self._motion.scenes[0].value_range)
         frames = [part.mesh.points @ part.matrix.T + part.place for _, part in history]
         mesh = Mesh(frames[0], first.mesh.triangles, None, first.mesh.colors)

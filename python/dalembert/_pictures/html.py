@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import base64
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -41,10 +40,12 @@ def page(motion: Motion, words: dict[str, Any]) -> str:
 
     Texts of the model are in its data, packed; none becomes a part of the page.
     """
+    from base64 import b64encode
+
     from dalembert._pictures.replay import pack
 
     data = pack(motion, words)
     folder = Path(__file__).parent / "page"
     bundle = (folder / "bundle.js").read_text("utf-8").replace("</script", "<\\/script")
     text = (folder / "page.html").read_text("utf-8").replace("@STYLE@", (folder / "style.css").read_text("utf-8"))
-    return text.replace("@DATA@", base64.b64encode(data).decode()).replace("@BUNDLE@", bundle)
+    return text.replace("@DATA@", b64encode(data).decode()).replace("@BUNDLE@", bundle)

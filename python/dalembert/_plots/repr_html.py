@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from base64 import b64encode
 from collections import Counter
 from collections.abc import Sequence
-from html import escape
 from io import BytesIO
 from typing import Any
 
@@ -15,6 +13,8 @@ _KINDS = ("node", "object", "marker", "load", "sensor")
 
 def _repr_html_(mbs: Any) -> str:
     """Return a table of the items: a row per kind and type with their number and names."""
+    from html import escape
+
     items = mbs.GetDictionary()
     rows = []
     for kind in _KINDS:
@@ -31,6 +31,8 @@ def _picture(mbs: Any, items: dict[str, Any]) -> str:
     number = sum(len(items[f"{kind}List"]) for kind in _KINDS)
     if not 0 < number <= _LARGE:
         return ""
+    from base64 import b64encode
+
     file = BytesIO()
     try:
         mbs.Draw(windowSize=[480, 320]).save(file, "png")
@@ -45,6 +47,8 @@ def _shortened(names: list[str], most: int = 4) -> str:
 
 
 def _table(head: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> str:
+    from html import escape
+
     def line(cells: tuple[str, ...], tag: str) -> str:
         return "<tr>" + "".join(f"<{tag}>{escape(cell)}</{tag}>" for cell in cells) + "</tr>"
 

@@ -14,6 +14,8 @@ import numpy as np
 from dalembert._checks import FloatArray
 from dalembert._io.files import read_table, require_last_line
 from dalembert._io.result_files import ParseOutputFileHeader
+from dalembert._tools.found_items import names_of
+from dalembert._tools.missing_names import nearest
 from dalembert._tools.sensor_facts import component_name, continuous, unit_of, variable_of
 
 # Instead of a component number: the norm of all values of a sensor.
@@ -161,7 +163,8 @@ def make_curves(
             sensor = system.GetSensorNumber(sensor)
         if isinstance(sensor, str):
             if system is not None and not os.path.exists(sensor):
-                raise FileNotFoundError(f"PlotSensor: there is neither a sensor nor a file named {sensor!r}")
+                hint = nearest(sensor, names_of(system, ["Sensor"]))
+                raise FileNotFoundError(f"PlotSensor: there is neither a sensor nor a file named {sensor!r}{hint}")
             title = f"file {sensor!r}"
             name, variable, data = _file_information(sensor, comments, delimiter)
         elif isinstance(sensor, np.ndarray) and sensor.ndim > 0:

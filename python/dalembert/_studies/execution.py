@@ -3,7 +3,6 @@
 # ruff: noqa: B006  (the interface has these defaults; they are never written to)
 from __future__ import annotations
 
-import difflib
 import functools
 import os
 import platform
@@ -11,7 +10,6 @@ import sys
 import time
 import warnings
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from concurrent.futures import Executor
 from contextlib import ExitStack, contextmanager
 from numbers import Real
 from typing import Any, NamedTuple
@@ -35,6 +33,8 @@ def check_names(function: str, given: Iterable[str], known: Iterable[str]) -> No
     known = sorted(known)
     for name in given:
         if name not in known:
+            import difflib
+
             close = difflib.get_close_matches(name, known, n=1)
             hint = f"did you mean {close[0]!r}?" if close else "further arguments are " + ", ".join(known)
             raise TypeError(f"{function}: unknown argument {name!r}; {hint}")
@@ -269,6 +269,8 @@ def _choose(
     function: Function, sets: Sequence[ParameterSet], parallel: Any, cluster: Any, use_mpi: bool, threads: int | None
 ) -> tuple[Iterator[Any], str]:
     """Return the results, evaluated on the way, and a word on how they are made."""
+    from concurrent.futures import Executor
+
     if hasattr(function, "in_portions"):  # a VariedModel, which solves many sets at once
         return function.in_portions(sets, threads), "SolveVariations"
     if _is_client(parallel):

@@ -16,6 +16,7 @@ from dalembert._solving.integrators import Kind, kind_of, trapezoidal_rule
 from dalembert._solving.quiet import assemble_if_needed, given_or_default
 from dalembert._studies.execution import number_of_threads
 from dalembert._tools.found_items import find_item
+from dalembert._tools.missing_names import nearest
 
 _Parameters = Mapping[tuple[Any, str], ArrayLike]
 
@@ -73,7 +74,8 @@ class VariationResults:
         if isinstance(sensor, str):
             known = ", ".join(self._names) or "none"
             if sensor not in self._names:
-                raise ValueError(f"sensor '{sensor}' was not among those that SolveVariations was given: {known}")
+                hint = nearest(sensor, self._names)
+                raise ValueError(f"sensor '{sensor}' was not among those that SolveVariations was given: {known}{hint}")
             return self._columns[self._names[sensor]]
         if int(sensor) not in self._columns:
             known = ", ".join(map(str, self._columns)) or "none"

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Iterable
 from typing import Any
+
+from dalembert import _core
 
 _COUNTS = {kind: f"NumberOf{kind}s" for kind in ("Object", "Marker", "Node", "Load", "Sensor")}
 
@@ -18,6 +19,14 @@ def names_of(mbs: Any, kinds: Iterable[str]) -> list[str]:
     ]
 
 
+def index_of(mbs: Any, kind: str, item: Any, where: str) -> Any:
+    """Return the index of an item of a kind, such as 'Marker', given by its index, number or name."""
+    if isinstance(item, str):
+        return find_item(mbs, item, (kind,), where)
+    getattr(mbs, f"Get{kind}Parameter")(item, "name")  # refuses what is no item of this kind
+    return getattr(_core, f"{kind}Index")(int(item))
+
+
 def find_item(mbs: Any, name: str, kinds: Iterable[str], where: str) -> Any:
     """Return the index of the only item with this name; ValueError, which begins with `where`, otherwise."""
     kinds = tuple(kinds)
@@ -29,6 +38,8 @@ def find_item(mbs: Any, name: str, kinds: Iterable[str], where: str) -> Any:
     if found:
         several = " and ".join(f"{index.GetTypeString().removesuffix('Index').lower()} {index}" for index in found)
         raise ValueError(f"{where}: received '{name}', the name of {several}. Pass the index of the one you mean.")
+    import difflib
+
     near = difflib.get_close_matches(name, names_of(mbs, kinds), 1)
     advice = f"Did you mean '{near[0]}'?" if near else "Names are given by name='...' when an item is added."
     raise ValueError(f"{where}: received '{name}', but no {noun} of the system has this name. {advice}")

@@ -19,8 +19,9 @@ def checks(function: Callable[..., Any]) -> dict[str, Check]:
 
 def _made(function: Callable[..., Any]) -> Callable[..., Any]:
     """Return the function with checks and documentation of its arguments."""
-    made = checked(function, checks(function))
-    made.__doc__ = documentation(function, checks(function))
+    tests = checks(function)
+    made = checked(function, tests)
+    made.__doc__ = documentation(function, tests)
     return made
 
 

@@ -204,7 +204,7 @@ def checked(function: Callable[..., Any], checks: dict[str, Check]) -> Callable[
                 refuse(name, value)
         for name in numbered:
             if name in given and _has_names(given[name]):
-                given = {**given, name: _with_indices(args[0], function.__name__, name, given[name])}
+                given = {**given, name: with_indices(args[0], function.__name__, name, given[name])}
                 args, kwargs = args[:1], {key: value for key, value in given.items() if key != names[0]}
         return created(args[0], function(*args, **kwargs))
 
@@ -215,11 +215,13 @@ def _has_names(value: Any) -> bool:
     return isinstance(value, str) or (isinstance(value, (list, tuple)) and any(isinstance(v, str) for v in value))
 
 
-def _with_indices(mbs: Any, function: str, argument: str, value: Any) -> Any:
+def with_indices(mbs: Any, function: str, argument: str, value: Any) -> Any:
     """Return the argument with indices in place of names: of a body, or else of a marker or node."""
+    if not _has_names(value):
+        return value
     if not isinstance(value, str):
         named = enumerate(value)
-        return [_with_indices(mbs, function, f"{argument}[{i}]", v) if isinstance(v, str) else v for i, v in named]
+        return [with_indices(mbs, function, f"{argument}[{i}]", v) if isinstance(v, str) else v for i, v in named]
     if int(body := mbs.GetObjectNumber(value)) >= 0:
         return body
     return find_item(mbs, value, ("Object", "Marker", "Node"), f"MainSystem.{function}(...): argument '{argument}'")

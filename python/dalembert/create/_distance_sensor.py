@@ -10,6 +10,7 @@ import numpy.typing as npt
 from dalembert import itemInterface as items
 from dalembert._checks import FloatArray
 from dalembert._core import ConfigurationType, ContactTypeIndex, MarkerIndex, OutputVariableType
+from dalembert._tools.found_items import find_item
 
 RED = [1.0, 0.0, 0.0, 1.0]
 
@@ -94,6 +95,8 @@ def CreateDistanceSensor(
     addGraphicsObject draws the ray as a ground object, at its end if drawDisplaced.
     """
     marker = -1
+    if isinstance(positionOrMarker, str):
+        positionOrMarker = find_item(mbs, positionOrMarker, ("Marker",), "CreateDistanceSensor: positionOrMarker")
     if isinstance(positionOrMarker, MarkerIndex):
         marker = int(positionOrMarker)
         try:
@@ -106,7 +109,7 @@ def CreateDistanceSensor(
         position = positionOrMarker
     else:
         raise ValueError(
-            "CreateDistanceSensor: positionOrMarker: expected a MarkerIndex or a position with 3 components, "
+            "CreateDistanceSensor: positionOrMarker: expected a MarkerIndex, a name or a position with 3 components, "
             f"received {positionOrMarker!r} ({type(positionOrMarker).__name__})"
         )
     start, direction = [float(x) for x in position], [float(x) for x in dirSensor]

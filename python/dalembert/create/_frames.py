@@ -99,7 +99,7 @@ def connector_ends(
 
     numbers, localPositions = list(candidates[name]), [localPosition0, localPosition1]
     for i, (number, local) in enumerate(zip(numbers, localPositions, strict=True)):
-        if is_body(number):
+        if is_body(number) or isinstance(number, str):
             continue
         if not isinstance(number, (NodeIndex, MarkerIndex)):
             raise argument_error(function, f"{name}[{i}]", "an ObjectIndex, a NodeIndex or a MarkerIndex", number)

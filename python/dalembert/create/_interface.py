@@ -9,7 +9,7 @@ import numpy as np
 
 from dalembert._checks import FloatArray
 from dalembert._core import JointType, MarkerIndex
-from dalembert.create._arguments import NO_PAIR, Vector
+from dalembert.create._arguments import NO_PAIR, Vector, with_indices
 from dalembert.create._frames import (
     Ends,
     add_end_markers,
@@ -43,6 +43,7 @@ def JointPreCheckCalcBodyMarkers(
     p and A are position (m) and rotation matrix of both in the reference configuration, markers are None for bodies,
     and the position is global; given in the frame of body 0 if not useGlobalFrame. ValueError names `where`.
     """
+    bodyNumbers = with_indices(mbs, where, "bodyNumbers", bodyNumbers)
     place = joint_place(mbs, where, bodyNumbers, position, useGlobalFrame)
     positions = [reference_position(mbs, number) for number in bodyNumbers]
     markers = [number if isinstance(number, MarkerIndex) else None for number in bodyNumbers]
@@ -80,7 +81,8 @@ def GetMarkersPosRot(
     Markers among the numbers are taken as they are. Positions (m) and rotation matrices in the reference configuration
     are None unless asked for.
     """
-    numbers, local = list(internBodyNodeMarkerList), [localPosition0, localPosition1]
+    numbers = list(with_indices(mbs, "GetMarkersPosRot", "internBodyNodeMarkerList", internBodyNodeMarkerList))
+    local = [localPosition0, localPosition1]
     positions = [reference_position(mbs, *end) if getPosition else None for end in zip(numbers, local, strict=True)]
     rotations = [reference_rotation(mbs, number) if getRotationMatrix else None for number in numbers]
     markers = add_end_markers(mbs, Ends("internBodyNodeMarkerList", numbers, local), name, useRigidMarker)

@@ -10,6 +10,7 @@ import inspect
 import re
 from collections.abc import Callable
 from enum import Enum
+from functools import cache
 from textwrap import indent
 from typing import Any, NamedTuple
 
@@ -97,13 +98,25 @@ _VECTORS = {"unit_vector": unit_vector, "color": color}
 _NUMBERS = {"": NUMBER, "non_negative": NOT_NEGATIVE, "positive": POSITIVE}
 
 
+@cache
+def _rows(name: str) -> tuple[Row, ...]:
+    """Return the parameters of an item, and of its visualization."""
+    return tuple(Row(*row) for prefix in ("", "V") for row in _parameters_of(getattr(items, prefix + name)))
+
+
+@cache
+def parameters(function: Callable[..., Any]) -> dict[str, inspect.Parameter]:
+    """Return the parameters of a function by their names."""
+    return dict(inspect.signature(function).parameters)
+
+
+@cache
 def mirrored(function: Callable[..., Any]) -> dict[str, Row]:
     """Return the parameters of items that arguments of the function stand for."""
-    classes = [getattr(items, prefix + name) for name in MIRRORS[function.__name__] for prefix in ("", "V")]
     rows: dict[str, Row] = {}
-    for row in (Row(*row) for cls in classes for row in _parameters_of(cls)):
+    for row in (row for name in MIRRORS[function.__name__] for row in _rows(name)):
         rows.setdefault(row.name, row)
-    names = {name: RENAMED.get(name, name) for name in inspect.signature(function).parameters}
+    names = {name: RENAMED.get(name, name) for name in parameters(function)}
     return {name: rows[row] for name, row in names.items() if row in rows and name not in TEXTS}
 
 
@@ -124,9 +137,9 @@ def check_of(row: Row) -> Check:
 
 def checks_of(function: Callable[..., Any]) -> dict[str, Check]:
     """Return the checks of the arguments that stand for parameters; None is accepted where it is the default."""
-    defaults = {name: p.default for name, p in inspect.signature(function).parameters.items()}
+    known = parameters(function)
     checks = {name: check_of(row) for name, row in mirrored(function).items()}
-    return {name: check.optional() if defaults[name] is None else check for name, check in checks.items()}
+    return {name: check.optional() if known[name].default is None else check for name, check in checks.items()}
 
 
 def _literal(value: Any) -> str:
@@ -161,7 +174,7 @@ class Argument(NamedTuple):
 def arguments(function: Callable[..., Any], checks: dict[str, Check]) -> list[Argument]:
     """Return what is to be said of the arguments of a Create function, after mbs."""
     rows, found = mirrored(function), []
-    for name, parameter in list(inspect.signature(function).parameters.items())[1:]:
+    for name, parameter in list(parameters(function).items())[1:]:
         row = rows.get(name)
         kind = row.type if row else _type_of(parameter, checks.get(name))
         text, facts = (row.text, row.facts) if row else (TEXTS[name], "")

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from inspect import cleandoc, signature
-from typing import Any
+from inspect import cleandoc
+from types import FunctionType
 
 # Of all functions, unless the function says it otherwise below.
 _COMMON = {
@@ -229,11 +228,12 @@ _OWN: dict[str, dict[str, str]] = {
 }
 
 
-def describe(function: Callable[..., Any]) -> None:
+def describe(function: FunctionType) -> None:
     """Append the parameters of a graphics function to its docstring, those that it takes by ** among them."""
     own = _OWN.get(function.__name__, {})
     texts = _COMMON | own
-    named = [name for name, each in signature(function).parameters.items() if each.kind is not each.VAR_KEYWORD]
+    code = function.__code__
+    named = code.co_varnames[: code.co_argcount + code.co_kwonlyargcount]
     names = [*named, *(name for name in own if name not in named)]
     entries = [f"{name}: {texts[name]}" for name in names]
     function.__doc__ = "\n".join([cleandoc(function.__doc__ or ""), "", *entries])

@@ -2,8 +2,21 @@
 
 from __future__ import annotations
 
+from typing import NoReturn
 
-class color:
+from dalembert._tools.missing_names import nearest
+
+
+class _Named(type):
+    """Type of classes whose attributes are what there is to choose from."""
+
+    def __getattr__(cls, name: str) -> NoReturn:
+        known = [each for each in vars(cls) if not each.startswith("_")]
+        hint = "" if name.startswith("_") else nearest(name, known) or f"; known are: {', '.join(known)}"
+        raise AttributeError(f"graphics.{cls.__name__} has no attribute '{name}'{hint}", name=name, obj=cls)
+
+
+class color(metaclass=_Named):
     """Named RGBA colours."""
 
     red = [1.0, 0.0, 0.0, 1.0]
@@ -35,7 +48,7 @@ class color:
     defaultFFRF = green
 
 
-class material:
+class material(metaclass=_Named):
     """Indices of the standard materials, and colours that use the material's own RGB values.
 
     A material is chosen with an index in the place of alpha, e.g. [1, 0, 0, material.indexChrome].

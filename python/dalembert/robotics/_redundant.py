@@ -14,6 +14,7 @@ from dalembert._checks import FloatArray, as_rotation, shape_error
 from dalembert._core import NodeType
 from dalembert._geometry.inertia import RigidBodyInertia
 from dalembert._geometry.transformations import InverseHT
+from dalembert._tools.found_items import index_of
 from dalembert.create._frames import reference_rotation
 from dalembert.robotics import _drawing, _kinematics
 from dalembert.robotics._parts import JOINT_AXES, REGULAR_VELOCITY, GraphicsList, RobotLink, is_revolute
@@ -206,6 +207,7 @@ def _add_spring_damper(mbs: Any, link: RobotLink, q: float, ends: Ends, i: int, 
 
 def create(robot: Robot, mbs: Any, baseMarker: Any, options: Options) -> dict[str, Any]:
     """Add bodies, joints and drives; see Robot.CreateRedundantCoordinateMBS."""
+    baseMarker = index_of(mbs, "Marker", baseMarker, "Robot.CreateRedundantCoordinateMBS: baseMarker")
     _check(robot, mbs, baseMarker, options)
     lists = "nodeList bodyList jointList markerList0 markerList1 springDamperList jointTorque0List jointTorque1List"
     result: dict[str, Any] = {name: [] for name in (*lists.split(), "unitTorque0List", "unitTorque1List")}
