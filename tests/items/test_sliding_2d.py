@@ -217,6 +217,9 @@ def test_steps_end_between_elements(classical: bool, index2: bool) -> None:
         errors.append(abs(bead.place() - wanted))
     for coarse, fine in zip(errors[:-1], errors[1:], strict=True):
         assert np.log2(coarse / fine) == pytest.approx(2, abs=0.3)
+    bead = Bead(wire, start, speed=speed, classicalFormulation=classical)
+    bead.solve(end, 50, index2)
+    assert abs(bead.place() - wanted) > 3 * errors[0]  # steps that end anywhere
 
 
 @pytest.mark.parametrize("force", [3.0, -5.0])
