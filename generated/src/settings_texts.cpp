@@ -50,7 +50,7 @@ constexpr std::array<std::string_view, 1> DenseOutputSettings_rows{
 };
 
 constexpr std::array<std::string_view, 1> EventsSettings_rows{
-    "true: ObjectContactCoordinate, the contacts of spheres with spheres, triangles and tori, ObjectContactConvexRoll, ObjectContactCircleCable2D, ObjectContactCurveCircles and ObjectConnectorCoordinateSpringDamperExt are followed by dynamic solvers: a step within which one of them switches is solved again such that it ends there, and accelerations are found anew. What switches again and again, each time within two steps, ends the simulation with an error that names the item. False: they switch in the discontinuous iteration, at the end of a step, as all other items always do",
+    "true: contact, friction and stops of items, GeneralContact, and sliding joints that pass from element to element are followed by dynamic solvers: a step within which one of them switches is solved again such that it ends there, and accelerations are found anew. What switches again and again, each time within two steps, ends the simulation with an error that names the item. False: they switch in the discontinuous iteration, at the end of a step, as all other items always do",
 };
 
 constexpr std::array<std::string_view, 4> InitialConditionsSettings_rows{

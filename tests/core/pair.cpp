@@ -54,17 +54,22 @@ static_assert(PairConnectorKernel<CompleteHistory>);
 static_assert(!PairConnectorKernel<MisspeltHistory>);
 
 struct WithSwitches : CompleteHistory, SwitchesByUpdate {
-  static constexpr bool has_switches = SwitchesByUpdate::has_switches, switches_by_update = SwitchesByUpdate::switches_by_update;
+  static constexpr bool has_switches = SwitchesByUpdate::has_switches, switches_by_update = SwitchesByUpdate::switches_by_update,
+                        settles = SwitchesByUpdate::settles;
   static int switch_count(const Parameters&) { return 0; }
 };
 struct CompleteSwitches : WithSwitches {
   static void find_switches(const Parameters&, const Context&, const PointFrame<double>&, const PointFrame<double>&, Switches&) {}
+};
+struct MissesSettle : CompleteSwitches {
+  static constexpr bool settles = true;
 };
 struct MissesSwitchOver : CompleteSwitches {
   static constexpr bool switches_by_update = false;
 };
 static_assert(PairConnectorKernel<CompleteSwitches>);
 static_assert(!PairConnectorKernel<WithSwitches>);
+static_assert(!PairConnectorKernel<MissesSettle>);
 static_assert(!PairConnectorKernel<MissesSwitchOver>);
 
 struct OneForceOnly : NoPairHistory, NoPairOutputs, NoConnectorForms {

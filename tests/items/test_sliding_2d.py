@@ -120,9 +120,10 @@ class Bead:
         )
         mbs.Assemble()
 
-    def solve(self, end: float, steps: int, index2: bool = False) -> None:
+    def solve(self, end: float, steps: int, index2: bool = False, located: bool = False) -> None:
         settings = exu.SimulationSettings()
         settings.solutionSettings.writeSolutionToFile = False
+        settings.events.ofItems = located
         time = settings.timeIntegration
         time.endTime, time.numberOfSteps, time.verboseMode = end, steps, 0
         time.newton.relativeTolerance = 1e-10
@@ -199,6 +200,26 @@ def test_along_a_curved_cable(classical: bool, index2: bool, rotation: bool) -> 
     coarse, fine = np.array(errors)
     assert coarse[0] < 1e-3 and coarse[1] < 1e-3 * energy
     np.testing.assert_array_less(fine, 0.3 * coarse + 1e-9)
+
+
+@FORMULATIONS
+@LEVELS
+def test_steps_end_between_elements(classical: bool, index2: bool) -> None:
+    """The wire is straight, then curved: the force that leads the bead jumps. Steps that end there keep their order."""
+    wire = Wire(np.array([[0, 0, 1, 0], [1, 0, 1, 0], [2, 0.6, 1, 1.2]], float), np.ones(2))
+    start, speed, end = 0.3, 2.0, 0.6
+    wanted = bead_on_wire(wire, Bead.mass, 0, start, speed, end)
+    errors = []
+    for steps in (50, 100, 200):
+        bead = Bead(wire, start, speed=speed, classicalFormulation=classical)
+        bead.solve(end, steps, index2, located=True)
+        assert bead.mbs.sys["dynamicSolver"].it.eventsCount == 1
+        errors.append(abs(bead.place() - wanted))
+    for coarse, fine in zip(errors[:-1], errors[1:], strict=True):
+        assert np.log2(coarse / fine) == pytest.approx(2, abs=0.3)
+    bead = Bead(wire, start, speed=speed, classicalFormulation=classical)
+    bead.solve(end, 50, index2)
+    assert abs(bead.place() - wanted) > 3 * errors[0]  # steps that end anywhere
 
 
 @pytest.mark.parametrize("force", [3.0, -5.0])

@@ -124,7 +124,27 @@ def on_curve() -> tuple[Any, Any]:
     return mbs, ball
 
 
-MODELS = (on_sphere, on_triangle, on_plane, in_torus, on_curve)
+def in_general_contact(on_mesh: bool = False) -> tuple[Any, Any]:
+    mbs, ball = falling()
+    contact = mbs.AddGeneralContact()
+    contact.SetFrictionPairings(np.zeros((1, 1)))
+    surface = (2 * STIFFNESS, DAMPING / 2, 0)  # springs in series, dampers side by side
+    contact.AddSphereWithMarker(mbs.AddMarker(eii.MarkerBodyRigid(bodyNumber=ball)), RADIUS, *surface)
+    ground = mbs.CreateGround(referencePosition=[0, 0, -RADIUS if on_mesh else -2 * RADIUS])
+    marker = mbs.AddMarker(eii.MarkerBodyRigid(bodyNumber=ground))
+    if on_mesh:
+        floor = [[-1, -1, 0], [2, -1, 0], [-1, 2, 0]]
+        contact.AddTrianglesRigidBodyBased(marker, *surface, floor, [[0, 1, 2]])
+    else:
+        contact.AddSphereWithMarker(marker, RADIUS, *surface)
+    return mbs, ball
+
+
+def on_mesh() -> tuple[Any, Any]:
+    return in_general_contact(on_mesh=True)
+
+
+MODELS = (on_sphere, on_triangle, on_plane, in_torus, on_curve, in_general_contact, on_mesh)
 
 
 def height(mbs: Any, ball: Any) -> float:
@@ -148,6 +168,7 @@ def test_second_order_although_forces_jump(build: Callable[[], Any]) -> None:
     assert it.currentStepIndex - 1 + it.eventSolutions - it.eventsCount <= 1.01 * steps[-1]
 
 
+@pytest.mark.parametrize("build", [on_sphere, in_general_contact])
 @pytest.mark.parametrize(
     ("solver", "tolerance", "bound"),
     [
@@ -158,8 +179,10 @@ def test_second_order_although_forces_jump(build: Callable[[], Any]) -> None:
     ],
     ids=str,
 )
-def test_steps_with_error_control_find_events(solver: Any, tolerance: float, bound: float) -> None:
-    mbs, ball = on_sphere()
+def test_steps_with_error_control_find_events(
+    build: Callable[[], Any], solver: Any, tolerance: float, bound: float
+) -> None:
+    mbs, ball = build()
     mbs.Assemble()
     it = solve(mbs, 2, 20, solver, automaticStepSize=True, absoluteTolerance=tolerance, relativeTolerance=tolerance)
     assert height(mbs, ball) == pytest.approx(AFTER_TWO_SECONDS, abs=bound)
@@ -311,6 +334,151 @@ def test_coordinates_that_touch() -> None:
         model.mbs.Assemble()
         solve(model.mbs, 1, steps)
         errors.append(abs(model.position - y[0]))
+    for coarse, fine in zip(errors[:-1], errors[1:], strict=True):
+        assert np.log2(coarse / fine) == pytest.approx(2, abs=0.3)
+
+
+# ---- rolling and sliding ---------------------------------------------------------------------------------------------------
+
+
+DISC_RADIUS, DISC_MASS, DISC_INERTIA = 0.2, 2.0, 0.04
+
+
+def disc(height: float, speed: list[float], spin: float, guided: bool = False, **contact: Any) -> tuple[Any, Any]:
+    """It stands upright on a plane and rolls along y."""
+    mbs = exu.SystemContainer().AddSystem()
+    inertia = exu.utilities.RigidBodyInertia(mass=DISC_MASS, inertiaTensor=np.diag([DISC_INERTIA, 0.03, 0.03]))
+    body = mbs.CreateRigidBody(
+        referencePosition=[0, 0, height],
+        initialVelocity=speed,
+        initialAngularVelocity=[spin, 0, 0],
+        inertia=inertia,
+        gravity=[0, 0, -GRAVITY],
+    )
+    ground = mbs.CreateGround()
+    on = [mbs.AddMarker(eii.MarkerBodyRigid(bodyNumber=b)) for b in (ground, body)]
+    data = mbs.AddNode(eii.NodeGenericData(initialCoordinates=[0, 0, 1], numberOfDataCoordinates=3))
+    mbs.AddObject(
+        eii.ObjectConnectorRollingDiscPenalty(markerNumbers=on, nodeNumber=data, discRadius=DISC_RADIUS, **contact)
+    )
+    if guided:
+        mbs.CreateGenericJoint(bodyNumbers=[ground, body], position=[0, 0, height], constrainedAxes=[0, 0, 0, 0, 1, 1])
+    mbs.Assemble()
+    return mbs, body
+
+
+def test_a_disc_falls_slides_and_rolls() -> None:
+    """It bounces once; friction turns it until it hardly slips: pieces of smooth motion in the plane y, z."""
+    stiffness, damping, friction, zone, end = 1e4, 60.0, 0.4, 0.3, 0.35
+
+    def motion(t: float, x: np.ndarray) -> list[float]:
+        gap, slip = x[1] - DISC_RADIUS, x[3] + DISC_RADIUS * x[5]
+        pressure = -(stiffness * gap + damping * x[4]) if gap < 0 else 0.0
+        force = -friction * abs(pressure) * float(np.clip(slip / zone, -1, 1))
+        return [*x[3:], force / DISC_MASS, pressure / DISC_MASS - GRAVITY, DISC_RADIUS * force / DISC_INERTIA]
+
+    start = np.array([0, DISC_RADIUS + 0.01, 0, 1.0, 0, 5.0])
+    exact = solve_ivp(motion, [0, end], start, method="LSODA", rtol=1e-10, atol=1e-12, max_step=1e-4).y[:, -1]
+    errors = []
+    for steps in (1000, 2000, 4000):
+        mbs, body = disc(
+            start[1], [0, 1, 0], 5, contactStiffness=stiffness, contactDamping=damping, dryFriction=[friction] * 2,
+            dryFrictionProportionalZone=zone, useLinearProportionalZone=True,
+        )  # fmt: skip
+        it = solve(mbs, end, steps)
+        assert it.eventsCount > 3
+        place = mbs.GetObjectOutputBody(body, exu.OutputVariableType.Position, [0, 0, 0])
+        errors.append(np.abs(place[1:] - exact[:2]).max())
+    assert errors[-1] < 1e-4
+    for coarse, fine in zip(errors[:-1], errors[1:], strict=True):
+        assert np.log2(coarse / fine) == pytest.approx(2, abs=0.3)
+
+
+def test_the_direction_of_slip_turns() -> None:
+    """A disc slides along its axis and rolls up at the same time: friction follows the direction, which no event tells of."""
+    stiffness, friction, end = 1e4, 0.3, 0.3
+
+    def motion(t: float, x: np.ndarray) -> np.ndarray:
+        slip = np.array([x[2], x[3] + DISC_RADIUS * x[4]])
+        force = -friction * DISC_MASS * GRAVITY * slip / np.linalg.norm(slip)
+        return np.array([x[2], x[3], *(force / DISC_MASS), DISC_RADIUS * force[1] / DISC_INERTIA])
+
+    exact = solve_ivp(motion, [0, end], [0, 0, 2.0, 3.0, 0], rtol=1e-11, atol=1e-12).y[:2, -1]
+    errors = []
+    for steps in (60, 120, 240):
+        mbs, body = disc(
+            DISC_RADIUS - DISC_MASS * GRAVITY / stiffness, [2, 3, 0], 0, guided=True, contactStiffness=stiffness,
+            dryFriction=[friction] * 2, dryFrictionProportionalZone=1e-3,
+        )  # fmt: skip
+        settings = dynamic_settings(end, steps)
+        settings.events.ofItems = True
+        settings.timeIntegration.verboseMode = 0
+        settings.timeIntegration.discontinuous.iterationTolerance = 1e-6
+        mbs.SolveDynamic(settings)
+        place = mbs.GetObjectOutputBody(body, exu.OutputVariableType.Position, [0, 0, 0])
+        errors.append(np.abs(place[:2] - exact).max())
+    for coarse, fine in zip(errors[:-1], errors[1:], strict=True):
+        assert np.log2(coarse / fine) == pytest.approx(2, abs=0.3)
+
+
+def test_a_circle_sticks_and_slides_on_a_cable() -> None:
+    """As the mass on a bristle above, without viscous friction: the weight presses the circle on a cable that does not move."""
+    bound, stiffness, damping, contact, radius = 2.0, 400.0, 20.0, 1e4, 0.2
+
+    def pulled(force: Callable[[np.ndarray], float]) -> Callable[[float, np.ndarray], list[float]]:
+        return lambda t, y: [y[1], (3 * np.sin(2 * t) - force(y)) / MASS]
+
+    def torn(t: float, y: np.ndarray) -> float:
+        return float(stiffness * y[0] + damping * y[1] - bound)
+
+    def stands(t: float, y: np.ndarray) -> float:
+        return float(y[1])
+
+    torn.terminal, stands.terminal = True, True  # type: ignore[attr-defined]
+    precise = {"method": "DOP853", "rtol": 1e-12, "atol": 1e-13}
+    first = solve_ivp(pulled(lambda y: torn(0, y) + bound), [0, 1.5], [0, 0], events=torn, **precise)
+    second = solve_ivp(pulled(lambda y: bound), [first.t[-1], 2], first.y[:, -1], events=stands, **precise)
+    assert first.status == second.status == 1
+    place = second.y[0, -1] - bound / stiffness
+    end = second.t[-1] + 0.1
+    again = pulled(lambda y: stiffness * (y[0] - place) + damping * y[1])
+    exact = solve_ivp(again, [second.t[-1], end], second.y[:, -1], **precise).y[0, -1]
+    errors = []
+    for steps in (200, 400, 800):
+        mbs = exu.SystemContainer().AddSystem()
+        ground = mbs.AddMarker(eii.MarkerNodeCoordinate(nodeNumber=mbs.AddNode(eii.NodePointGround()), coordinate=0))
+        nodes = [mbs.AddNode(eii.NodePoint2DSlope1(referenceCoordinates=[x, 0, 1, 0])) for x in (-2, 2)]
+        circle = mbs.AddNode(eii.NodeRigidBody2D(referenceCoordinates=[0, radius - MASS * GRAVITY / contact, 0]))
+        held = [(node, k) for node in nodes for k in range(4)] + [(circle, 2)]
+        for node, k in held:
+            marker = mbs.AddMarker(eii.MarkerNodeCoordinate(nodeNumber=node, coordinate=k))
+            mbs.AddObject(eii.ObjectConnectorCoordinate(markerNumbers=[ground, marker]))
+        cable = mbs.AddObject(
+            eii.ObjectANCFCable2D(
+                physicsLength=4, physicsMassPerLength=1, physicsBendingStiffness=1, physicsAxialStiffness=1, nodeNumbers=nodes
+            )
+        )  # fmt: skip
+        body = mbs.AddObject(eii.ObjectRigidBody2D(physicsMass=MASS, physicsInertia=1, nodeNumber=circle))
+        centre = mbs.AddMarker(eii.MarkerBodyRigid(bodyNumber=body))
+        mbs.AddLoad(
+            eii.LoadForceVector(
+                markerNumber=centre, loadVector=[3, -MASS * GRAVITY, 0],
+                loadVectorUserFunction=lambda mbs, t, load: [load[0] * float(np.sin(2 * t)), load[1], 0],
+            )
+        )  # fmt: skip
+        mbs.AddObject(
+            eii.ObjectContactFrictionCircleCable2D(
+                markerNumbers=[centre, mbs.AddMarker(eii.MarkerBodyCable2DShape(bodyNumber=cable, numberOfSegments=1))],
+                nodeNumber=mbs.AddNode(eii.NodeGenericData(initialCoordinates=[-1e-3, -2, 0], numberOfDataCoordinates=3)),
+                numberOfContactSegments=1, circleRadius=radius, contactStiffness=contact, frictionStiffness=stiffness,
+                frictionVelocityPenalty=damping, frictionCoefficient=bound / (MASS * GRAVITY),
+            )
+        )  # fmt: skip
+        mbs.Assemble()
+        it = solve(mbs, end, steps)
+        assert it.eventsCount == 2
+        errors.append(abs(float(mbs.GetNodeOutput(circle, exu.OutputVariableType.Coordinates)[0]) - exact))
+    assert errors[-1] < 1e-4
     for coarse, fine in zip(errors[:-1], errors[1:], strict=True):
         assert np.log2(coarse / fine) == pytest.approx(2, abs=0.3)
 

@@ -106,16 +106,16 @@ void StepInterpolation::evaluate(double time, State& state) const {
   };
   state = *end_;
   state.time = time;
-  Ends now{std::vector<double>(n), std::vector<double>(n), std::vector<double>(n)};
+  for (std::vector<double>* numbers : {&now_.q, &now_.v, &now_.a}) numbers->resize(n);
   for (std::size_t i = 0; i < n; ++i) {
-    now.q[i] = combine(weights.value, i);
-    now.v[i] = combine(weights.rate, i);
-    now.a[i] = combine(weights.second, i);
-    state.q[i] = start_->q[i] + now.q[i];
-    state.v[i] = now.v[i] / h;
-    state.a[i] = now.a[i] / (h * h);
+    now_.q[i] = combine(weights.value, i);
+    now_.v[i] = combine(weights.rate, i);
+    now_.a[i] = combine(weights.second, i);
+    state.q[i] = start_->q[i] + now_.q[i];
+    state.v[i] = now_.v[i] / h;
+    state.a[i] = now_.a[i] / (h * h);
   }
-  if (system_->has_lie_nodes()) turn_back(now, h, state);
+  if (system_->has_lie_nodes()) turn_back(now_, h, state);
   const double s2 = s * s, s3 = s2 * s;
   for (std::size_t i = 0; i < y0_.size(); ++i) {
     const double chord = end_->y[i] - start_->y[i];

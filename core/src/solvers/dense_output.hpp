@@ -28,6 +28,7 @@ class StepInterpolation {
   const State *start_ = nullptr, *end_ = nullptr;
   Ends first_, last_;
   std::vector<double> y0_, y1_;  // rates of ODE1 coordinates
+  mutable Ends now_;             // at the time that is asked for
 };
 
 }  // namespace dalembert

@@ -5,6 +5,7 @@
 #include "events.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -13,7 +14,6 @@
 #include "dalembert/model/errors.hpp"
 #include "dalembert/model/model.hpp"
 #include "dalembert/solvers/solver.hpp"
-#include "dense_output.hpp"
 
 namespace dalembert {
 
@@ -143,9 +143,10 @@ void EventWatch::take_numbers(std::span<const double> numbers, const std::string
 
 // ---- steps -------------------------------------------------------------------------------------------------------------
 
-// Of the user, then those of items.
-std::vector<WatchedValue> Solver::event_values() {
-  std::vector<WatchedValue> values;
+// Of the user, then those of items; until they are asked for again.
+const std::vector<WatchedValue>& Solver::event_values() {
+  std::vector<WatchedValue>& values = look_->values;
+  values.clear();
   if (hooks().events) {
     const TimedPart time(timer, timer.python);
     for (const EventValue& value : hooks().events(current().time)) values.push_back({value});
@@ -172,6 +173,8 @@ void Solver::begin_to_watch_events() {
   iterates_without_ = locates ? System::Updates::without_switches : System::Updates::all;
   if (!hooks().events && !hooks().schedule && !locates) return;
   watch_ = std::make_unique<EventWatch>();
+  look_ = std::make_unique<EventLook>();
+  system_->forget_switches();
   if (locates && !continues()) settle_switches();
   watch_->begin(event_values());
   if (!hooks().schedule) return;
@@ -214,10 +217,12 @@ void Solver::settle_switches() {
   const auto unsettled = [](const WatchedValue& value) { return value.holds && value.value < 0; };
   bool settles = false;
   for (int i = 0; i < most_rounds && std::ranges::any_of(event_values(), unsettled); ++i) {
-    system_->switch_over(current(), conditions_);
+    switch_over();
     settles = true;
   }
-  if (settles) renew_accelerations();
+  if (!settles) return;
+  if (system_->searches()) search();
+  renew_accelerations();
 }
 
 // At the end of a step: items go on with what they have come to, those that switch and those that do not.
@@ -239,23 +244,22 @@ bool Solver::solve_again(double step_size) {
 namespace {
 
 // Places of the step, as parts of it, where functions are looked at. One that was zero at an event may be so again very soon.
-std::vector<double> places_to_look(bool after_event) {
-  std::vector<double> places;
-  for (double part = 1e-7; after_event && part < 1.0 / inner_points; part *= 10) places.push_back(part);
-  for (int i = 1; i <= inner_points + 1; ++i) places.push_back(i / (inner_points + 1.0));
-  std::ranges::sort(places);
-  return places;
+std::span<const double> places_to_look(bool after_event) {
+  static constexpr std::array places{1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.25, 0.5, 0.75, 1.0};
+  return std::span(places).last(after_event ? places.size() : inner_points + 1);
 }
 
 }  // namespace
 
 // Part of the step after which functions have changed their sign, as far as the Hermite polynomial tells; negative: none. `seen` becomes
 // what is known of them at the last place before, at part `before`.
-double Solver::look_into_step(const State& end, EventWatch& seen, double& before) {
-  StepInterpolation between;
+double Solver::look_into_step(double& before) {
+  const State& end = look_->end;
+  EventWatch& seen = look_->seen;
+  StepInterpolation& between = look_->between;
   between.prepare(*system_, start_of_step(), end, false, false);
   const double start = start_of_step().time, h = end.time - start;
-  const auto values_at = [&](double part) {
+  const auto values_at = [&](double part) -> const std::vector<WatchedValue>& {
     if (part == 1) current() = end;
     else between.evaluate(start + part * h, current());
     return event_values();
@@ -263,7 +267,7 @@ double Solver::look_into_step(const State& end, EventWatch& seen, double& before
   double found = -1;
   before = 0;
   for (const double part : places_to_look(seen.just_after_event())) {
-    const std::vector<WatchedValue> values = values_at(part);
+    const std::vector<WatchedValue>& values = values_at(part);
     const auto changed = seen.changed(values);
     if (changed.empty()) {
       seen.go_on(values);
@@ -295,18 +299,20 @@ bool Solver::end_with_event() {
   if (!hooks().events && !locates_switches()) return true;
   EventWatch& watch = *watch_;
   watch.events.clear();
-  std::vector<WatchedValue> values = event_values();
-  const State end = current();
-  const double whole = end.time - start_of_step().time, next = it.currentStepSize;
-  EventWatch seen = watch;
+  std::vector<WatchedValue>& values = look_->at_end;
+  EventWatch& seen = look_->seen;
+  values = event_values();
+  look_->end = current();
+  seen = watch;
+  const double end = current().time, whole = end - start_of_step().time, next = it.currentStepSize;
   double before = 0;
-  const double guess = look_into_step(end, seen, before);
+  const double guess = look_into_step(before);
   if (guess < 0) {
-    watch = std::move(seen);
+    std::swap(watch, seen);
     return true;
   }
   watch.regular_step_size = it.automaticStepSize ? std::min(next, std::max(whole, it.minStepSize)) : next;
-  const double close = std::max(1e-11 * whole, 8 * std::numeric_limits<double>::epsilon() * std::abs(end.time));
+  const double close = std::max(1e-11 * whole, 8 * std::numeric_limits<double>::epsilon() * std::abs(end));
   double a = before * whole, b = whole, x = std::clamp(guess * whole + close, close, whole);
   std::vector<Bracket> brackets;
   for (std::size_t i = 0; i < values.size(); ++i) brackets.push_back({.a = a, .b = b, .at_a = seen.at_start(static_cast<int>(i)), .at_b = values[i].value});
@@ -370,6 +376,7 @@ bool Solver::event_reached() const {
   }
   if (hooks().event_action || locates_switches()) {
     conv.jacobianUpdateRequested = true;
+    if (system_->searches()) search();
     renew_accelerations();
   }
   if (repeated >= 0) diagnose_chatter(repeated);
@@ -380,6 +387,7 @@ std::string Solver::describe_event(int event) const {
   const auto users = static_cast<int>(*watch_->users);
   if (event < users) return "event " + std::to_string(event) + " of mbs.EventsUserFunction";
   const Switch& at = switches_[static_cast<std::size_t>(event - users)];
+  if (at.owner != nullptr) return std::string("event '") + at.what + "' of sphere " + std::to_string(at.part) + " of " + *at.owner;
   const std::string item = environment_->model == nullptr ? "object " + std::to_string(at.item) : environment_->model->describe(ItemKind::object, at.item);
   return std::string("event '") + at.what + "' of " + item;
 }

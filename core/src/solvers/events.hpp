@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dalembert/solvers/hooks.hpp"
+#include "dense_output.hpp"
 
 namespace dalembert {
 
@@ -58,6 +59,14 @@ class EventWatch {
   std::vector<double> dead_band_;  // negative: the function is watched
   std::vector<double> last_time_;  // of its last event
   std::vector<int> in_a_row_;      // of its events, each within a regular step of the one before
+};
+
+// Memory for looks into steps.
+struct EventLook {
+  std::vector<WatchedValue> values, at_end;  // of the last look; at the end of the step that was solved last
+  State end;
+  EventWatch seen;  // what would be known after the step
+  StepInterpolation between;
 };
 
 }  // namespace dalembert

@@ -71,10 +71,12 @@ void ExplicitSolver::pre_initialize() {
   third_ = that_count(method_.b_third);
   end_known_ = first_stage_known_ = searching_ = told_stiff_ = false;
   stiff_signs_ = calm_signs_ = 0;
-  conditions_ = {.rate_level = false, .inertia = true, .direct = true};
+  conditions_ = {.rate_level = false, .inertia = true};
 }
 
 void ExplicitSolver::initialize_data() {
+  conditions_.holds_contact = settings().events.ofItems && system().has_switches();  // a step ends where that changes
+  conditions_.direct = !conditions_.holds_contact;
   Solver::initialize_data();
   const auto n = static_cast<std::size_t>(sizes_.ode2), n1 = static_cast<std::size_t>(sizes_.ode1);
   const auto stages = static_cast<std::size_t>(method_.stages);

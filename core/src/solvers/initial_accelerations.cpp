@@ -60,6 +60,8 @@ InitialAccelerations initial_accelerations(System& system, const State& state, c
   motion.solve(x);
   result.a.assign(x.begin(), x.begin() + s.ode2);
   result.lambda.assign(x.begin() + s.first_ae(), x.end());
+  for (int i = 0; i < s.ae; ++i)
+    if (!system.constrains_motion(i)) result.lambda[i] = 0;  // what has moved within the step
   return result;
 }
 

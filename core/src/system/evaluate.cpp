@@ -256,7 +256,7 @@ void System::right_hand_sides(const State& state, const Conditions& conditions, 
   const std::span<double> residual(parts.work.data(), static_cast<std::size_t>(sizes_.total()));
   Evaluation e = view_of(parts, state, conditions);
   e.inertia = false;
-  e.direct = true;
+  e.direct = !conditions.holds_contact;
   e.lambda = residual.data() + residual.size();  // zeros
   find_residual(parts, e, residual.data());
   each_number(*this, rhs.size(), [to = rhs.data(), from = residual.data()](std::size_t i) { to[i] = -from[i]; });
@@ -330,8 +330,10 @@ Discontinuity System::post_newton(State& state, const Conditions& conditions, Up
   parts.update_ports(e);
   const double* start = parts.state(ConfigurationType::StartOfStep).data.data();
   for (const auto& term : parts.terms) {
-    if (!term->has_history() || (updates == Updates::without_switches && term->has_switches())) continue;
-    verdict.add(term->post_newton(e, parts.ports, start, state.data.data(), state.lambda.data()));
+    if (!term->has_history()) continue;
+    const bool settles = updates == Updates::without_switches && term->has_switches();
+    double *data = state.data.data(), *lambda = state.lambda.data();
+    verdict.add(settles ? term->settle(e, parts.ports, start, data, lambda) : term->post_newton(e, parts.ports, start, data, lambda));
   }
   each(parts.marker_batches, [&](const MarkerBatch& batch) { batch.post_newton(e, parts.ports, state.data.data()); });
   return {verdict.error, verdict.recommended_step_size};
@@ -349,10 +351,11 @@ void System::find_switches(const State& state, const Conditions& conditions, std
 void System::switch_over(State& state, const Conditions& conditions) {
   evaluated_ = nullptr;
   SystemParts& parts = *parts_;
-  const std::vector<double> before = state.data;
+  parts.data_before.assign(state.data.begin(), state.data.end());
   const Evaluation e = parts.evaluation(state, conditions);
   parts.update_ports(e);
-  for (const auto& term : parts.terms) term->switch_over(e, parts.ports, before.data(), state.data.data());
+  for (const auto& term : parts.terms)
+    term->switch_over(e, parts.ports, parts.data_before.data(), state.data.data(), state.lambda.data());
 }
 
 }  // namespace dalembert

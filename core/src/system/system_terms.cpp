@@ -32,6 +32,7 @@ void System::add(std::unique_ptr<SystemTerm> term) {
   parts.plan.regions[Regions::whole].terms.push_back(term.get());
   bool& has_history = term->direct() ? parts.has_direct_history : parts.has_history;
   has_history = has_history || term->has_history();
+  parts.has_switches = parts.has_switches || term->has_switches();
   parts.system_terms.push_back(term.get());
   parts.terms.push_back(std::move(term));
   parts.bound = nullptr;
@@ -94,6 +95,9 @@ void System::forces_of_term(int number, std::span<double> forces) {
   for (std::size_t i = 0; i < forces.size(); ++i) forces[i] = -r[i];
 }
 
+void System::forget_switches() {
+  for (SystemTerm* term : parts_->system_terms) term->forget_switches();
+}
 void System::keep_history() {
   for (SystemTerm* term : parts_->system_terms) term->keep();
 }

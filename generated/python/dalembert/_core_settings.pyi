@@ -111,7 +111,7 @@ class EventsSettings(_Settings):
     """contact that opens or closes, friction that begins to slide or to stick, and stops"""
 
     ofItems: bool
-    """true: ObjectContactCoordinate, the contacts of spheres with spheres, triangles and tori, ObjectContactConvexRoll, ObjectContactCircleCable2D, ObjectContactCurveCircles and ObjectConnectorCoordinateSpringDamperExt are followed by dynamic solvers: a step within which one of them switches is solved again such that it ends there, and accelerations are found anew. What switches again and again, each time within two steps, ends the simulation with an error that names the item. False: they switch in the discontinuous iteration, at the end of a step, as all other items always do; default: False"""
+    """true: contact, friction and stops of items, GeneralContact, and sliding joints that pass from element to element are followed by dynamic solvers: a step within which one of them switches is solved again such that it ends there, and accelerations are found anew. What switches again and again, each time within two steps, ends the simulation with an error that names the item. False: they switch in the discontinuous iteration, at the end of a step, as all other items always do; default: False"""
     def __init__(self) -> None: ...
 
 @final

@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "dalembert/batches/histories.hpp"
 #include "dalembert/batches/span_laws.hpp"
 #include "dalembert/batches/many_ports.hpp"
 #include "dalembert/batches/port_sweep.hpp"
@@ -105,38 +106,21 @@ class PortBatch final : public Term {
 
   // K::update(p, c, m0, m1, start, data): new history from the frames; returns the error and a recommended step size.
   PostNewton post_newton(const Evaluation& evaluation, const Ports& ports, const double* start, double* data, double*) override {
-    PostNewton result;
-    if constexpr (has_update)
-      for (const Entry& e : entries_) {
-        if (e.first_data < 0 || !is_active(e.parameters)) continue;
-        const auto frames = read(ports, e);
-        result.add(K::update(e.parameters, context(evaluation, e), frames[0], frames[1], start + e.first_data, data + e.first_data));
-      }
-    return result;
+    return Histories<History>::update(entries_, with_history(evaluation, ports, start, data));
   }
   bool has_history() const override { return has_update; }
   bool has_switches() const override { return History::has_switches; }
   void find_switches(const Evaluation& evaluation, const Ports& ports, Switches& switches) const override {
-    if constexpr (History::has_switches)
-      for (const Entry& e : entries_) {
-        switches.of(e.item);
-        if (!is_active(e.parameters)) {
-          switches.none(K::switch_count(e.parameters));
-          continue;
-        }
-        const auto frames = read(ports, e);
-        K::find_switches(e.parameters, context(evaluation, e), frames[0], frames[1], switches);
-      }
+    Histories<History>::find_switches(entries_, [&](const Entry& e, const auto& call) {
+      const auto frames = read(ports, e);
+      call(context(evaluation, e), frames[0], frames[1]);
+    }, switches);
   }
-  void switch_over(const Evaluation& evaluation, const Ports& ports, const double* before, double* data) const override {
-    if constexpr (History::has_switches)
-      for (const Entry& e : entries_) {
-        if (e.first_data < 0 || !is_active(e.parameters)) continue;
-        const auto frames = read(ports, e);
-        const Context c = context(evaluation, e);
-        if constexpr (K::switches_by_update) K::update(e.parameters, c, frames[0], frames[1], before + e.first_data, data + e.first_data);
-        else K::switch_over(e.parameters, c, frames[0], frames[1], before + e.first_data, data + e.first_data);
-      }
+  void switch_over(const Evaluation& evaluation, const Ports& ports, const double* before, double* data, double*) override {
+    Histories<History>::switch_over(entries_, with_history(evaluation, ports, before, data));
+  }
+  PostNewton settle(const Evaluation& evaluation, const Ports& ports, const double* start, double* data, double*) override {
+    return Histories<History>::settle(entries_, with_history(evaluation, ports, start, data));
   }
 
   bool output(int entry, OutputVariableType variable, const Vec3<double>&, const Evaluation& evaluation, const Ports& ports,
@@ -200,6 +184,13 @@ class PortBatch final : public Term {
     }
   };
 
+  auto with_history(const Evaluation& evaluation, const Ports& ports, const double* start, double* data) const {
+    return [=, &evaluation, &ports](const Entry& e, const auto& call) {
+      if (e.first_data < 0) return;
+      const auto frames = read(ports, e);
+      call(context(evaluation, e), frames[0], frames[1], start + e.first_data, data + e.first_data);
+    };
+  }
   static Context context(const Evaluation& evaluation, const Entry& e) {
     Context c = Context::of(evaluation, e.item);
     e.place(c, evaluation);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "dalembert/batches/histories.hpp"
 #include "dalembert/batches/port_sweep.hpp"
 #include "dalembert/contracts/many_ports.hpp"
 #include "dalembert/system/algebraic_coordinates.hpp"
@@ -98,41 +99,21 @@ class ManyPortsBatch final : public Term, public AlgebraicCoordinates {
   }
 
   PostNewton post_newton(const Evaluation& evaluation, const Ports& ports, const double* start, double* data, double* lambda) override {
-    PostNewton result;
-    if constexpr (K::has_history)
-      for (const Entry& e : entries_) {
-        if (!is_active(e.parameters)) continue;
-        take_unknowns(e, evaluation);
-        const auto x = exchange(e, evaluation, ports, nullptr);
-        const History history{start + std::max(e.first_data, 0), data + std::max(e.first_data, 0), {lambda + std::max(e.first_ae, 0), static_cast<std::size_t>(e.algebraic)}};
-        result.add(K::update(e.parameters, context(e, evaluation), x, history));
-      }
-    return result;
+    return Histories<K>::update(entries_, with_history(evaluation, ports, start, data, lambda));
   }
   bool has_history() const override { return K::has_history; }
   bool has_switches() const override { return K::has_switches; }
   void find_switches(const Evaluation& evaluation, const Ports& ports, Switches& switches) const override {
-    if constexpr (K::has_switches)
-      for (const Entry& e : entries_) {
-        switches.of(e.item);
-        if (!is_active(e.parameters)) {
-          switches.none(K::switch_count(e.parameters));
-          continue;
-        }
-        take_unknowns(e, evaluation);
-        K::find_switches(e.parameters, context(e, evaluation), exchange(e, evaluation, ports, nullptr), switches);
-      }
+    Histories<K>::find_switches(entries_, [&](const Entry& e, const auto& call) {
+      take_unknowns(e, evaluation);
+      call(context(e, evaluation), exchange(e, evaluation, ports, nullptr));
+    }, switches);
   }
-  void switch_over(const Evaluation& evaluation, const Ports& ports, const double* before, double* data) const override {
-    if constexpr (K::has_switches)
-      for (const Entry& e : entries_) {
-        if (!is_active(e.parameters)) continue;
-        take_unknowns(e, evaluation);
-        const auto x = exchange(e, evaluation, ports, nullptr);
-        const History history{before + std::max(e.first_data, 0), data + std::max(e.first_data, 0), {}};
-        if constexpr (K::switches_by_update) K::update(e.parameters, context(e, evaluation), x, history);
-        else K::switch_over(e.parameters, context(e, evaluation), x, history);
-      }
+  void switch_over(const Evaluation& evaluation, const Ports& ports, const double* before, double* data, double* lambda) override {
+    Histories<K>::switch_over(entries_, with_history(evaluation, ports, before, data, lambda));
+  }
+  PostNewton settle(const Evaluation& evaluation, const Ports& ports, const double* start, double* data, double* lambda) override {
+    return Histories<K>::settle(entries_, with_history(evaluation, ports, start, data, lambda));
   }
 
   bool output(int entry, OutputVariableType variable, const Vec3<double>&, const Evaluation& evaluation, const Ports& ports,
@@ -183,6 +164,14 @@ class ManyPortsBatch final : public Term, public AlgebraicCoordinates {
     return Context::of(evaluation, e.item, e.first_data, e.data_count);
   }
 
+  auto with_history(const Evaluation& evaluation, const Ports& ports, const double* start, double* data, double* lambda) const {
+    return [=, this, &evaluation, &ports](const Entry& e, const auto& call) {
+      take_unknowns(e, evaluation);
+      const int first = std::max(e.first_data, 0);
+      call(context(e, evaluation), exchange(e, evaluation, ports, nullptr),
+           History{start + first, data + first, {lambda + std::max(e.first_ae, 0), static_cast<std::size_t>(e.algebraic)}});
+    };
+  }
   void take_unknowns(const Entry& e, const Evaluation& evaluation) const {
     unknowns_.clear();
     for (int k = 0; k < e.algebraic; ++k) unknowns_.push_back(evaluation.lambda[e.first_ae + k]);

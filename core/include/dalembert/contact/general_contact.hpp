@@ -8,6 +8,7 @@
 // something has begun or ended to touch.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -57,6 +58,11 @@ class GeneralContact final : public SystemTerm {
   void tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports, double* values) const override;
   PostNewton post_newton(const Evaluation& evaluation, const Ports& ports, const double* start, double* data, double* lambda) override;
   bool has_history() const override { return true; }
+  // Two for each sphere: how many push, and how many of these stick, must not change.
+  bool has_switches() const override { return true; }
+  void find_switches(const Evaluation& evaluation, const Ports& ports, Switches& switches) const override;
+  void switch_over(const Evaluation& evaluation, const Ports& ports, const double* before, double* data, double* lambda) override;
+  void forget_switches() override { verges_before_.clear(); }
   bool forget() override;
 
   // ---- questions, by frames in the ports ----
@@ -86,6 +92,20 @@ class GeneralContact final : public SystemTerm {
     std::size_t first_slot = 0;
     auto key() const { return std::tuple(sphere, with, number); }
   };
+
+  // Of what is near a sphere, with larger numbers: how many push and stick, and how near the next change is.
+  struct Verge {
+    int touching = 0, sticking = 0;
+    double open = std::numeric_limits<double>::infinity(), closed = open, slip = open;  // N, N, m/s
+    void add(double margin);  // negative: it pushes
+    void add_slip(double excess);
+    double contact(const Verge& before) const;  // negative: other numbers than before
+    double friction(const Verge& before) const;
+  };
+  void add_verge(const HeldContact& contact, const Ports& ports, Verge& verge) const;
+  void add_open_triangles(int sphere, Verge& verge) const;
+  void add_cables(const Ports& ports, std::vector<Verge>& verges) const;
+  void find_verges(const Evaluation& evaluation, const Ports& ports, std::vector<Verge>& verges) const;
 
   int spheres() const { return static_cast<int>(set_->spheres.size()); }
   const ContactSphere& sphere(int i) const { return set_->spheres[static_cast<std::size_t>(i)]; }
@@ -201,6 +221,7 @@ class GeneralContact final : public SystemTerm {
   mutable std::vector<Chunk> chunks_;
   Workers* workers_ = nullptr;
   std::vector<HeldContact> touching_;
+  mutable std::vector<Verge> verges_, verges_before_;  // by sphere: now, and after the last step; empty: not known
 };
 
 }  // namespace dalembert

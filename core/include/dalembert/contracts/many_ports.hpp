@@ -171,6 +171,7 @@ concept ManyPortsKernel = requires(const typename K::Parameters& p, const Contex
     { K::find_switches(p, c, given, switches) } -> std::same_as<void>;  // so many
   };
   requires K::switches_by_update != requires { { K::switch_over(p, c, given, history) } -> std::same_as<void>; };
+  requires K::settles == requires { { K::settle(p, c, given, history) } -> std::same_as<PostNewton>; };
   { K::output(p, c, given, variable, values) } -> std::same_as<bool>;
   { K::check(p, on) } -> std::same_as<void>;
 };

@@ -68,6 +68,7 @@ concept PairConnectorKernel = requires(const typename K::Parameters& p, const Co
     { K::find_switches(p, c, m, m, switches) } -> std::same_as<void>;  // so many
   };
   requires K::switches_by_update != requires { { K::switch_over(p, c, m, m, start, data) } -> std::same_as<void>; };
+  requires K::settles == requires { { K::settle(p, c, m, m, start, data) } -> std::same_as<PostNewton>; };
   { K::output(p, c, m, m, variable, values) } -> std::same_as<bool>;
   requires std::same_as<decltype(K::closed_forms), const ConnectorForms>;
   requires K::closed_forms.tangent == SpanConnector<K>;

@@ -8,15 +8,19 @@
 namespace dalembert {
 
 struct NoSwitches {
-  static constexpr bool has_switches = false, switches_by_update = true;
+  static constexpr bool has_switches = false, switches_by_update = true, settles = false;
 };
 // `update`, called where a function has become negative, switches.
 struct SwitchesByUpdate {
-  static constexpr bool has_switches = true, switches_by_update = true;
+  static constexpr bool has_switches = true, switches_by_update = true, settles = false;
 };
 // `switch_over` does, of the same arguments.
 struct SwitchesByItself {
-  static constexpr bool has_switches = true, switches_by_update = false;
+  static constexpr bool has_switches = true, switches_by_update = false, settles = false;
+};
+// As by `update`; `settle`, of the same arguments, takes its place in the discontinuous iteration, for what changes at no place of its own.
+struct SwitchesAndSettles {
+  static constexpr bool has_switches = true, switches_by_update = true, settles = true;
 };
 
 }  // namespace dalembert

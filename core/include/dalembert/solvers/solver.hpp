@@ -22,6 +22,7 @@
 
 namespace dalembert {
 
+struct EventLook;
 class EventWatch;
 struct WatchedValue;
 class Model;
@@ -224,11 +225,11 @@ class Solver {
   void begin_to_watch_events();
   void settle_switches();
   void switch_over();
-  std::vector<WatchedValue> event_values();
+  const std::vector<WatchedValue>& event_values();
   bool locates_switches() const { return iterates_without_ != System::Updates::all; }
   void diagnose_chatter(int event);
   std::string describe_event(int event) const;
-  double look_into_step(const State& end, EventWatch& seen, double& before);
+  double look_into_step(double& before);
   bool solve_again(double step_size);
   bool end_with_event();
   bool event_reached() const;
@@ -298,6 +299,7 @@ class Solver {
   std::unique_ptr<RestartData> continuation_;  // null: from the initial values
   std::unique_ptr<StepInterpolation> between_;
   std::unique_ptr<EventWatch> watch_;  // null: there are no events
+  std::unique_ptr<EventLook> look_;    // with it
   std::vector<Switch> switches_;       // of items, as far as they have been asked
   System::Updates iterates_without_ = System::Updates::all;  // items whose switches are events
   std::exception_ptr unwritten_;  // the first FileError of the run

@@ -214,6 +214,7 @@ struct SystemParts {
   std::vector<double> output_total;  // the same for outputs, which user functions ask for in the middle of an evaluation; empty before
   std::vector<int> free_numbers;     // memory for lists of outputs
   std::vector<double> work;
+  std::vector<double> data_before;   // items switch over
   bool evaluating = false;
   bool current_moved = false;       // away from what is being evaluated, to see what user functions make of it
   bool recording = false;           // outputs are asked for one after the other, in one state:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace dalembert {
@@ -14,21 +15,31 @@ struct Switch {
   bool kink = false;   // forces have one where it changes its sign, either way, and data coordinates stay as they are
   double noise = 0;    // numbers of this size say nothing just after the item has switched
   int item = -1;       // object
+  const std::string* owner = nullptr;  // in its place: a term that is no item,
+  int part = -1;                       // and which of its spheres
 };
 
 // What an item tells of its switches: always as many, in one order.
 class Switches {
  public:
   explicit Switches(std::vector<Switch>& found) : found_(found) {}
-  void of(int item) { item_ = item; }
-  void holds(const char* what, double value, double noise = 0) { found_.push_back({what, value, false, noise, item_}); }
-  void kink(const char* what, double value) { found_.push_back({what, value, true, 0, item_}); }
+  void of(int item) {
+    item_ = item;
+    owner_ = nullptr;
+  }
+  void of_part(const std::string& owner, int part) {
+    owner_ = &owner;
+    part_ = part;
+  }
+  void holds(const char* what, double value, double noise = 0) { found_.push_back({what, value, false, noise, item_, owner_, part_}); }
+  void kink(const char* what, double value) { found_.push_back({what, value, true, 0, item_, owner_, part_}); }
   // In the place of those that cannot come.
   void none(int count = 1) { found_.insert(found_.end(), static_cast<std::size_t>(count), {.what = "", .item = item_}); }
 
  private:
   std::vector<Switch>& found_;
-  int item_ = -1;
+  int item_ = -1, part_ = -1;
+  const std::string* owner_ = nullptr;
 };
 
 }  // namespace dalembert

@@ -38,6 +38,7 @@ struct Conditions {
   bool inertia = true;
   bool loads = true;
   bool direct = false;  // explicit integration: no step is iterated, and nothing has to be held for that
+  bool holds_contact = false;  // right-hand sides: what touches is what has touched at the start of the step
   int load_dependencies = 0;      // tangent: of the values of loads on coordinates: 0 none, 1 positions, 2 velocities as well
   bool follows_residual = false;  // tangent: the last call was `residual`, of this state: forces on markers are in place
 };
@@ -164,6 +165,8 @@ class System {
   bool has_switches() const;
   void find_switches(const State& state, const Conditions& conditions, std::vector<Switch>& found);
   void switch_over(State& state, const Conditions& conditions);
+  // What terms that are no items watch is what they find next.
+  void forget_switches();
 
   // Which items act on a row of the system vector, for diagnoses: "object 3 'joint' (JointRevoluteZ), equation 2".
   std::string describe_row(int row) const;

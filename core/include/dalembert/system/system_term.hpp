@@ -42,6 +42,8 @@ class SystemTerm : public Term {
   // Drops what it has kept of earlier searches, on which the pattern depends; true: there was something.
   virtual bool forget() { return false; }
   virtual void restore() {}
+  // What it has found when it was told to switch over; it begins with what it finds next.
+  virtual void forget_switches() {}
 
   void add(const void*, const Placement&, const Ports&) final {}  // it is no list of items
   void refresh(int, const void*) final {}

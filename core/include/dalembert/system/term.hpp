@@ -161,7 +161,9 @@ class Term : public Batch {
   // `post_newton`.
   virtual bool has_switches() const { return false; }
   virtual void find_switches(const Evaluation&, const Ports&, Switches&) const {}
-  virtual void switch_over(const Evaluation&, const Ports&, const double* /*before*/, double* /*data*/) const {}
+  virtual void switch_over(const Evaluation&, const Ports&, const double* /*before*/, double* /*data*/, double* /*lambda*/) {}
+  // What such solvers have to iterate all the same.
+  virtual PostNewton settle(const Evaluation&, const Ports&, const double* /*start*/, double* /*data*/, double* /*lambda*/) { return {}; }
 
   // Outputs. `motion` for bodies; `output` for what only the item knows; false: not an output of this item.
   virtual bool motion(int /*entry*/, const Evaluation&, const Vec3<double>& /*local*/, Motion<double>&) const { return false; }

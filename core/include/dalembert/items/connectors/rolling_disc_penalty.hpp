@@ -1,6 +1,7 @@
 // ObjectConnectorRollingDiscPenalty, specs/connectors/rolling_disc_penalty.toml
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "dalembert/connectors/rolling_disc_penalty_parameters.hpp"
@@ -9,7 +10,7 @@
 
 namespace dalembert {
 
-struct ObjectConnectorRollingDiscPenalty : HasPairHistory, NoSwitches, AlwaysNeedsData, NoConnectorForms {
+struct ObjectConnectorRollingDiscPenalty : HasPairHistory, SwitchesAndSettles, AlwaysNeedsData, NoConnectorForms {
   using Parameters = ObjectConnectorRollingDiscPenaltyParameters;
   using Port = RigidPort;
   static constexpr int data_coordinates = 3;
@@ -35,8 +36,7 @@ struct ObjectConnectorRollingDiscPenalty : HasPairHistory, NoSwitches, AlwaysNee
                            const double*, double* data) {
     const RollingContact<double> contact(p, m0, m1);
     const double now = dot(contact.arm, contact.normal), before = data[gap];
-    const Slip<double> slip{dot(contact.slip, contact.lateral), dot(contact.slip, contact.forward)};
-    const Slip<double> assumed{data[lateral], data[forward]};
+    const Slip<double> slip = slip_of(contact), assumed{data[lateral], data[forward]};
     const double pressure = now < 0 ? normal_force(p, contact) : 0.0;
     const Slip<double> friction = friction_force(p, slip, slip, pressure);
     PostNewton verdict;
@@ -49,6 +49,38 @@ struct ObjectConnectorRollingDiscPenalty : HasPairHistory, NoSwitches, AlwaysNee
     data[forward] = slip[1];
     data[gap] = now;
     return verdict;
+  }
+  // The direction of slip follows by and by; whether it is slip does not.
+  static PostNewton settle(const Parameters& p, const Context&, const RigidFrame<double>& m0, const RigidFrame<double>& m1,
+                           const double*, double* data) {
+    const Slip<double> assumed{data[lateral], data[forward]};
+    if (!(data[gap] < 0) || sticks(p, norm(assumed))) return {};
+    const RollingContact<double> contact(p, m0, m1);
+    const Slip<double> slip = slip_of(contact);
+    const double speed = norm(slip), pressure = normal_force(p, contact);
+    if (speed == 0) return {};
+    const Slip<double> next = slip_beyond_zone(p, slip, speed);
+    PostNewton verdict;
+    verdict.error = norm(friction_force(p, slip, next, pressure) - friction_force(p, slip, assumed, pressure));
+    data[lateral] = next[0];
+    data[forward] = next[1];
+    return verdict;
+  }
+
+  // Contact, friction that slides, and where the plane would begin to pull.
+  static int switch_count(const Parameters&) { return 3; }
+  static void find_switches(const Parameters& p, const Context& c, const RigidFrame<double>& m0, const RigidFrame<double>& m1, Switches& switches) {
+    const RollingContact<double> contact(p, m0, m1);
+    const double now = dot(contact.arm, contact.normal);
+    if (!(c.data[gap] < 0)) {
+      switches.holds("contact", now);
+      return switches.none(2);
+    }
+    switches.holds("contact", -now);
+    const double excess = norm(slip_of(contact)) - p.dryFrictionProportionalZone;
+    if (p.dryFrictionProportionalZone == 0 || (p.dryFriction[0] == 0 && p.dryFriction[1] == 0)) switches.none();
+    else switches.holds("friction", sticks(p, norm(Slip<double>{c.data[lateral], c.data[forward]})) ? -excess : excess);
+    switches.kink("pull", normal_force(p, contact));
   }
 
   static bool output(const Parameters& p, const Context& c, const RigidFrame<double>& m0, const RigidFrame<double>& m1,
@@ -70,6 +102,18 @@ struct ObjectConnectorRollingDiscPenalty : HasPairHistory, NoSwitches, AlwaysNee
   using Slip = Vec<S, 2>;  // in the plane: lateral, forward
 
   template <class S>
+  static Slip<S> slip_of(const RollingContact<S>& contact) {
+    return {dot(contact.slip, contact.lateral), dot(contact.slip, contact.forward)};
+  }
+  static bool sticks(const Parameters& p, double assumed_speed) {
+    return p.dryFrictionProportionalZone != 0 && assumed_speed <= p.dryFrictionProportionalZone;
+  }
+  static Slip<double> slip_beyond_zone(const Parameters& p, const Slip<double>& slip, double speed) {
+    constexpr double beyond = 1 + 1e-12;
+    return std::max(1.0, beyond * p.dryFrictionProportionalZone / speed) * slip;
+  }
+
+  template <class S>
   static S normal_force(const Parameters& p, const RollingContact<S>& contact) {
     return -(p.contactStiffness * dot(contact.arm, contact.normal) + p.contactDamping * dot(contact.slip, contact.normal));
   }
@@ -79,7 +123,7 @@ struct ObjectConnectorRollingDiscPenalty : HasPairHistory, NoSwitches, AlwaysNee
   static Vec3<S> contact_force(const Parameters& p, const Context& c, const RollingContact<S>& contact) {
     if (!(c.data[gap] < 0)) return {};
     const S pressure = normal_force(p, contact);
-    const Slip<S> slip{dot(contact.slip, contact.lateral), dot(contact.slip, contact.forward)};
+    const Slip<S> slip = slip_of(contact);
     const Slip<S> friction = friction_force(p, slip, {c.data[lateral], c.data[forward]}, pressure);
     return {friction[0], friction[1], pressure};
   }
@@ -89,7 +133,7 @@ struct ObjectConnectorRollingDiscPenalty : HasPairHistory, NoSwitches, AlwaysNee
   static Slip<S> friction_force(const Parameters& p, const Slip<S>& slip, const Slip<double>& assumed, const S& pressure) {
     using std::abs;
     const double assumed_speed = norm(assumed), zone = p.dryFrictionProportionalZone;
-    const bool sticking = zone != 0 && assumed_speed <= zone;
+    const bool sticking = sticks(p, assumed_speed);
     const S speed = value_of(slip[0]) == 0 && value_of(slip[1]) == 0 ? S(0) : norm(slip);
     if (assumed_speed == 0 || (value_of(speed) == 0 && !sticking)) return {};
     Slip<S> direction;

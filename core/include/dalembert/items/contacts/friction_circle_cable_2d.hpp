@@ -10,7 +10,7 @@
 
 namespace dalembert {
 
-struct ObjectContactFrictionCircleCable2D : AllMarkersAct, NoAlgebraicEquations, NoSwitches {
+struct ObjectContactFrictionCircleCable2D : AllMarkersAct, NoAlgebraicEquations, SwitchesByItself {
   using Parameters = ObjectContactFrictionCircleCable2DParameters;
 
   // Normal and tangential force per segment while the gap of the last update is not positive, shared by the ends of the segment.
@@ -53,6 +53,37 @@ struct ObjectContactFrictionCircleCable2D : AllMarkersAct, NoAlgebraicEquations,
       verdict.error += update_friction(p, touch, h.start[segments + i] == undefined, h.start[2 * segments + i], state, h.data[2 * segments + i]);
     }
     return verdict;
+  }
+
+  // Of each segment: contact; where damping begins to pull; friction that slides, or does not go on in its direction; and pressure that has
+  // grown so much that springs hold what slides.
+  static int switch_count(const Parameters& p) { return 4 * p.numberOfContactSegments; }
+  static void find_switches(const Parameters& p, const Context& c, const Exchange<double>& x, Switches& switches) {
+    for (int i = 0; i < p.numberOfContactSegments; ++i) {
+      const Touching<double> touch(p, x, i);
+      if (c.data[i] > 0) {
+        switches.holds("contact", touch.gap);
+        switches.none(3);
+        continue;
+      }
+      switches.holds("contact", -touch.gap);
+      const double elastic = -p.contactStiffness * touch.gap;
+      switches.kink("pull", pull_margin(elastic - p.contactDamping * touch.away, elastic));
+      find_friction_switches(p, c.data, i, touch, switches);
+    }
+  }
+  // What no longer slides is held where it is, with the same force.
+  static void switch_over(const Parameters& p, const Context& c, const Exchange<double>& x, const History& h) {
+    update(p, c, x, h);
+    const int segments = p.numberOfContactSegments;
+    for (int i = 0; i < segments; ++i) {
+      const double before = h.start[segments + i];
+      if (!(h.data[i] <= 0) || std::abs(before) != 1 || p.frictionStiffness == 0) continue;
+      const Touching<double> touch(p, x, i);
+      if (before * touch.along >= 0) continue;
+      h.data[segments + i] = stick;
+      h.data[2 * segments + i] = touch.way - (before * bound(p, touch) - p.frictionVelocityPenalty * touch.along) / p.frictionStiffness;
+    }
   }
 
   static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable, std::vector<double>& values) {
@@ -118,6 +149,19 @@ struct ObjectContactFrictionCircleCable2D : AllMarkersAct, NoAlgebraicEquations,
     const S elastic = -(p.contactStiffness * touch.gap);
     return -without_pull<S>(elastic - p.contactDamping * touch.away, elastic);
   }
+  static double bound(const Parameters& p, const Touching<double>& touch) { return p.frictionCoefficient * std::abs(normal_force(p, touch)); }
+  static void find_friction_switches(const Parameters& p, const double* data, int i, const Touching<double>& touch, Switches& switches) {
+    constexpr double rounding = 1e-9;  // of forces, relative to the bound
+    const double state = data[p.numberOfContactSegments + i], limit = bound(p, touch), viscous = p.frictionVelocityPenalty * touch.along;
+    if (state == undefined) return switches.none(2);
+    const double held = p.frictionStiffness == 0 ? viscous : viscous + p.frictionStiffness * way_from(p, touch, data[2 * p.numberOfContactSegments + i]);
+    if (state == stick) switches.holds("friction", limit - std::abs(held), rounding * limit);
+    else if (p.frictionStiffness == 0) switches.holds("friction", std::abs(held) - limit, rounding * limit);
+    else switches.holds("friction", state * touch.along);
+    if (state == stick || p.frictionStiffness == 0) switches.none();
+    else switches.holds("grip", state * held - limit, rounding * limit);
+  }
+
   // From the last sticking position, less whole turns.
   template <class S>
   static S way_from(const Parameters& p, const Touching<S>& touch, double last) {
@@ -143,11 +187,11 @@ struct ObjectContactFrictionCircleCable2D : AllMarkersAct, NoAlgebraicEquations,
       displacement = way_from(p, touch, last);
       force += p.frictionStiffness * displacement;
     }
-    const double bound = p.frictionCoefficient * std::abs(normal_force(p, touch)), excess = std::abs(force) - bound;
+    const double limit = bound(p, touch), excess = std::abs(force) - limit;
     const double sign = displacement > 0 ? 1 : displacement < 0 ? -1 : 0;
     const double next = excess > 0 ? sign : stick;
     if (excess <= 0) position = last;
-    else if (p.frictionStiffness != 0) position = touch.way - (sign < 0 ? -1 : 1) * bound / p.frictionStiffness;
+    else if (p.frictionStiffness != 0) position = touch.way - (sign < 0 ? -1 : 1) * limit / p.frictionStiffness;
     else position = last;
     const double error = state == next ? 0 : std::abs(excess);
     state = next;

@@ -41,7 +41,11 @@ struct ObjectJointALEMoving2D : AlongCable<ObjectJointALEMoving2DParameters> {
 
   static constexpr bool has_history = true;
   static PostNewton update(const Parameters& p, const Context&, const Exchange<double>& x, const History& h) {
-    return go_on(p, x, x.values(cable)[way] + p.slidingOffset, h.data).verdict;
+    return go_on(p, x, place(p, x), h.data).verdict;
+  }
+  static PostNewton settle(const Parameters& p, const Context&, const Exchange<double>& x, const History& h) { return leave(p, x, place(p, x), h.data); }
+  static void find_switches(const Parameters& p, const Context& c, const Exchange<double>& x, Switches& switches) {
+    find_switch(p, x, place(p, x), c.data, switches);
   }
 
   static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable, std::vector<double>& values) {
@@ -74,6 +78,7 @@ struct ObjectJointALEMoving2D : AlongCable<ObjectJointALEMoving2DParameters> {
 
  private:
   static constexpr int way = 8, speeds = 9;  // among the numbers of a cable
+  static double place(const Parameters& p, const Exchange<double>& x) { return x.values(cable)[way] + p.slidingOffset; }
 };
 
 }  // namespace dalembert

@@ -12,9 +12,10 @@
 namespace dalembert {
 
 template <class P>
-struct AlongCable : NoSwitches {
+struct AlongCable : SwitchesAndSettles {
   enum Marker { body = 0, cable = 1 };  // of those that act
   enum Data { current_element = 0, start_of_step = 1 };
+  static constexpr double round_off = 1e-12;  // of places, relative to an element
 
   // The body, the cable that it was put on (the data coordinate says where it is now), and all cables.
   static ActingMarkers acting(const P&, int markers) {
@@ -34,6 +35,23 @@ struct AlongCable : NoSwitches {
   template <class S>
   static double length(const Exchange<S>& x) {
     return value_of(x.values(cable).back());
+  }
+
+  // Another element takes over at its end, but for the ends of all.
+  static int switch_count(const P&) { return 1; }
+  static void find_switch(const P& p, const Exchange<double>& x, double place, const double* data, Switches& switches) {
+    const int element = element_of(p, data);
+    const double before = element > 0 ? place - offset(p, data) : length(x);
+    const double behind = element + 1 < elements(p) ? offset(p, data) + length(x) - place : length(x);
+    switches.holds("element", std::min(before, behind), round_off * length(x));
+  }
+  // How far the body has left the cable.
+  static PostNewton leave(const P& p, const Exchange<double>& x, double place, const double* data) {
+    const int element = element_of(p, data);
+    PostNewton verdict;
+    if (element == 0) verdict.error = std::max(verdict.error, offset(p, data) - place);
+    if (element + 1 == elements(p)) verdict.error = std::max(verdict.error, place - offset(p, data) - length(x));
+    return verdict;
   }
 
   // How far the body has left its element is the error of the step; it goes on in the next one, if there is one.

@@ -37,6 +37,12 @@ struct ObjectJointSliding : AlongCable<ObjectJointSlidingParameters> {
   static PostNewton update(const Parameters& p, const Context&, const Exchange<double>& x, const History& h) {
     return take_over(p, x, h, h.algebraic[way]);
   }
+  static PostNewton settle(const Parameters& p, const Context&, const Exchange<double>& x, const History& h) {
+    return leave(p, x, h.data[start_of_step] + x.unknowns[way], h.data);
+  }
+  static void find_switches(const Parameters& p, const Context& c, const Exchange<double>& x, Switches& switches) {
+    find_switch(p, x, c.data[start_of_step] + x.unknowns[way], c.data, switches);
+  }
 
   static bool output(const Parameters&, const Context& c, const Exchange<double>& x, OutputVariableType variable, std::vector<double>& values) {
     const PointFrame<double>& frame = x.frame<PointPort>(body);
