@@ -186,14 +186,29 @@ PyTypeObject* make_type(ItemKind kind) {
   return type;
 }
 
+// _created(cls, mbs, index): what Create functions return, an object of a class that knows the system too, if it is an ObjectIndex.
+PyObject* created(PyObject*, PyObject* const* arguments, Py_ssize_t count) {
+  static PyObject* owner = PyUnicode_InternFromString("_mbs");
+  PyTypeObject* object_index = types[static_cast<std::size_t>(ItemKind::object)];
+  if (count != 3 || !PyType_Check(arguments[0]) || !PyType_IsSubtype(reinterpret_cast<PyTypeObject*>(arguments[0]), object_index))
+    return PyErr_Format(PyExc_TypeError, "_created(cls, mbs, index) takes a class of ObjectIndex");
+  if (Py_TYPE(arguments[2]) != object_index) return Py_NewRef(arguments[2]);
+  auto* type = reinterpret_cast<PyTypeObject*>(arguments[0]);
+  PyObject* made = type->tp_alloc(type, 0);
+  if (made == nullptr) return nullptr;
+  number_of(made) = number_of(arguments[2]);
+  if (PyObject_SetAttr(made, owner, arguments[1]) == 0) return made;
+  Py_DECREF(made);
+  return nullptr;
+}
+
 }  // namespace
 
 PyObject* make_index(ItemKind kind, int number) {
-  PyTypeObject* type = types[static_cast<std::size_t>(kind)];
-  PyObject* self = type->tp_alloc(type, 0);
+  auto* self = PyObject_New(IndexObject, types[static_cast<std::size_t>(kind)]);
   if (self == nullptr) throw py::error_already_set();
-  number_of(self) = number;
-  return self;
+  self->number = number;
+  return reinterpret_cast<PyObject*>(self);
 }
 
 bool read_index(PyObject* value, ItemKind& kind, int& number) {
@@ -211,6 +226,10 @@ void register_index_types(py::module_& module) {
     module.add_object(std::string(index_name(kind)).c_str(),
                       py::reinterpret_borrow<py::object>(reinterpret_cast<PyObject*>(types[static_cast<std::size_t>(k)])));
   }
+  static PyMethodDef definition{"_created", reinterpret_cast<PyCFunction>(reinterpret_cast<void*>(created)), METH_FASTCALL,
+                                "_created(cls, mbs, index, /)\n--\n\nThe index as one of the class, with the attribute _mbs; what is no "
+                                "ObjectIndex, as it is."};
+  module.add_object("_created", py::reinterpret_steal<py::object>(PyCFunction_New(&definition, nullptr)));
 }
 
 }  // namespace dalembert

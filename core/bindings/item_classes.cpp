@@ -1,6 +1,7 @@
 #include "item_classes.hpp"
 
 #include <array>
+#include <cstdint>
 #include <deque>
 #include <new>
 #include <unordered_map>
@@ -32,6 +33,17 @@ const char* keep(std::string text) {
 
 // Python classes may be derived from ours; the nearest of ours counts.
 const ItemClass& class_of_python_type(PyTypeObject* type) {
+  struct Known {
+    const PyTypeObject* type = nullptr;
+    const ItemClass* item_class = nullptr;
+  };
+  static std::array<Known, 64> last_asked{};  // of types with the same hash; those of ours are never freed
+  Known& known = last_asked[reinterpret_cast<std::uintptr_t>(type) / 512 % last_asked.size()];
+  if (known.type == type) return *known.item_class;
+  if (const auto own = by_python_type.find(type); own != by_python_type.end()) {
+    known = {type, own->second};
+    return *own->second;
+  }
   for (PyTypeObject* t = type; t != nullptr; t = t->tp_base)
     if (const auto found = by_python_type.find(t); found != by_python_type.end()) return *found->second;
   throw std::logic_error("not an item class");
@@ -70,7 +82,7 @@ int object_init(PyObject* self, PyObject* args, PyObject* kwargs) {
   });
 }
 
-// The way of NodePoint(...): no tuple, no dictionary.
+// The way of NodePoint(...): no tuple, no dictionary, and no class that Python code has derived, which may need more memory.
 template <class Object>
 PyObject* object_call(PyObject* type, PyObject* const* values, std::size_t flags, PyObject* keywords) {
   return guarded([&] {
@@ -79,7 +91,12 @@ PyObject* object_call(PyObject* type, PyObject* const* values, std::size_t flags
     std::shared_ptr<void> record = item_class.type->record.create();
     assign_arguments({item_class, record.get(), std::is_same_v<Object, VisualizationObject>}, values,
                      static_cast<std::size_t>(PyVectorcall_NARGS(flags)), keywords);
-    return reinterpret_cast<PyObject*>(allocate<Object>(python_type, item_class, std::move(record)));
+    auto* self = PyObject_New(Object, python_type);
+    if (self == nullptr) throw py::error_already_set();
+    self->item_class = &item_class;
+    new (&self->record) std::shared_ptr<void>(std::move(record));
+    if constexpr (std::is_same_v<Object, ItemObject>) self->exposed = self->shared = false;
+    return reinterpret_cast<PyObject*>(self);
   });
 }
 

@@ -7,6 +7,7 @@
 #include "conversion.hpp"
 #include "dalembert/model/member.hpp"
 #include "garbage.hpp"
+#include "main_system_attributes.hpp"
 #include "item_classes.hpp"
 #include "python_callback.hpp"
 #include "python_errors.hpp"
@@ -292,7 +293,10 @@ std::string system_summary(const MainSystem& main) {
 
 void register_main_system(py::module_& module) {
   Class main_system(module, "MainSystem", "One multibody system: items, their states, and what is computed from them.",
-                    py::custom_type_setup(collect_main_systems));
+                    py::custom_type_setup([](PyHeapTypeObject* type) {
+                      collect_main_systems(type);
+                      explain_attributes_of(type);
+                    }));
   main_system.def(py::init([] { return std::make_shared<MainSystem>(); }));
   main_system.def_readwrite("variables", &MainSystem::variables, "A dictionary that is free for the user.");
   main_system.def_readwrite("sys", &MainSystem::sys, "A dictionary in which utilities keep their data.");
@@ -307,7 +311,7 @@ void register_main_system(py::module_& module) {
   register_functions(main_system);
   register_state(main_system);
   register_rendering(main_system);
-  register_main_system_items(main_system);
+  register_main_system_items(module, main_system);
   register_main_system_assembled(main_system);
 }
 

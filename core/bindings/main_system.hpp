@@ -84,7 +84,7 @@ struct SystemData {
 };
 
 void register_main_system(py::module_& module);
-void register_main_system_items(py::class_<MainSystem, std::shared_ptr<MainSystem>>& main_system);
+void register_main_system_items(py::module_& module, py::class_<MainSystem, std::shared_ptr<MainSystem>>& main_system);
 void register_main_system_assembled(py::class_<MainSystem, std::shared_ptr<MainSystem>>& main_system);
 void register_system_container(py::module_& module);
 

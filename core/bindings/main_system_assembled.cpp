@@ -3,6 +3,8 @@
 #include <pybind11/stl.h>
 
 #include "conversion.hpp"
+#include "dalembert/model/errors.hpp"
+#include "dalembert/model/member.hpp"
 #include "item_arguments.hpp"
 #include "main_system.hpp"
 #include "python_errors.hpp"
@@ -153,6 +155,11 @@ void register_outputs(Class& main_system) {
       py::arg("markerNumber"), py::arg("variableType"), py::arg("configuration") = py::none(), "An output variable of a marker.");
 }
 
+bool keeps_values(const Item& sensor) {
+  const Row* row = find_row(*sensor.type, "storeInternal");
+  return row == nullptr || *static_cast<const bool*>(member(sensor.record.get(), *row));
+}
+
 void register_loads_and_sensors(Class& main_system) {
   main_system.def(
       "GetLoadValues",
@@ -180,6 +187,11 @@ void register_loads_and_sensors(Class& main_system) {
         const int number = item_number_argument(main, ItemKind::sensor, sensor.ptr(), "GetSensorStoredData");
         require_own_thread(main, "mbs.GetSensorStoredData(...)");
         const SensorTable table = main.sensor_storage.table(number);
+        if (table.rows() == 0 && !keeps_values(main.model.item(ItemKind::sensor, number))) {
+          refuse(ErrorKind::value, {.item = main.model.describe(ItemKind::sensor, number),
+                                    .problem = "it has stored no values, because it was added with storeInternal=False",
+                                    .advice = "Add it with storeInternal=True."});
+        }
         return new_array({table.rows(), table.columns}, table.values.data());
       },
       py::arg("sensorNumber"), "Rows of time and values that a sensor with storeInternal=True has recorded.");

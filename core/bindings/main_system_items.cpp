@@ -1,4 +1,6 @@
 // The methods of MainSystem that add, read and change items, for all five kinds.
+#include <algorithm>
+
 #include "conversion.hpp"
 #include "dalembert/model/member.hpp"
 #include "dalembert/model/references.hpp"
@@ -6,6 +8,7 @@
 #include "item_arguments.hpp"
 #include "item_classes.hpp"
 #include "main_system.hpp"
+#include "main_system_attributes.hpp"
 #include "python_callback.hpp"
 #include "python_errors.hpp"
 #include "sequence.hpp"
@@ -105,7 +108,12 @@ PyObject* add_item(PyObject* self, PyObject* value) {
     auto* main = instance->get_value_and_holder().value_ptr<MainSystem>();
     if (main == nullptr) refuse(ErrorKind::state, {"mbs", "", "MainSystem.__init__ was not called", "", "", ""});
     Item item = item_argument(K, value);
-    item.record = bind_user_functions(*item.type, std::move(item.record), *main);
+    static const ItemType* without_functions = nullptr;  // the last one of these
+    if (item.type != without_functions) {
+      const auto is_function = [](const Row& row) { return row.storage == Storage::user_function; };
+      if (std::ranges::none_of(item.type->rows, is_function)) without_functions = item.type;
+      else item.record = bind_user_functions(*item.type, std::move(item.record), *main);
+    }
     return make_index(K, main->restructure([] { return "mbs." + method_name("Add", K) + "(...)"; }).add(std::move(item)));
   });
 }
@@ -299,12 +307,14 @@ py::dict factory_items() {
 
 }  // namespace
 
-void register_main_system_items(Class& main_system) {
+void register_main_system_items(py::module_& module, Class& main_system) {
   register_add<ItemKind::node>(main_system);
   register_add<ItemKind::object>(main_system);
   register_add<ItemKind::marker>(main_system);
   register_add<ItemKind::load>(main_system);
   register_add<ItemKind::sensor>(main_system);
+  register_main_system_attributes(module, main_system, {add_item<ItemKind::node>, add_item<ItemKind::object>, add_item<ItemKind::marker>,
+                                                        add_item<ItemKind::load>, add_item<ItemKind::sensor>});
   for (int k = 0; k < item_kinds; ++k) {
     const ItemKind kind = static_cast<ItemKind>(k);
     register_reading(main_system, kind);

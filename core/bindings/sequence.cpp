@@ -67,24 +67,53 @@ bool read_plain_array(PyObject* value, int dimensions, std::span<double> out) {
   return plain;
 }
 
-PyObject* is_plain_vector(PyObject*, PyObject* const* arguments, Py_ssize_t count) {
-  std::array<double, 16> numbers{};
-  const Py_ssize_t size = count == 2 ? PyLong_AsSsize_t(arguments[1]) : -1;
-  if (PyErr_Occurred() != nullptr) return nullptr;
-  if (size < 0 || size > static_cast<Py_ssize_t>(numbers.size()))
-    return PyErr_Format(PyExc_TypeError, "_is_plain_vector(value, size) takes sizes from 0 to %zu", numbers.size());
+constexpr Py_ssize_t largest_plain = 16;
+
+PyObject* is_plain_vector(PyObject* size, PyObject* value) {
+  std::array<double, largest_plain> numbers{};
   return guarded([&] {
-    return PyBool_FromLong(read_plain_reals(arguments[0], 1, {numbers.data(), static_cast<std::size_t>(size)}) ? 1 : 0);
+    const auto count = static_cast<std::size_t>(PyLong_AsSsize_t(size));
+    return PyBool_FromLong(read_plain_reals(value, 1, {numbers.data(), count}) ? 1 : 0);
   });
 }
+
+PyObject* plain_vectors(PyObject*, PyObject* size) {
+  static PyMethodDef definition{"plain_vector", is_plain_vector, METH_O,
+                                "Whether the value is a list or tuple of so many finite floats or integers, or an array of floats."};
+  const Py_ssize_t count = PyLong_AsSsize_t(size);
+  if (PyErr_Occurred() != nullptr) return nullptr;
+  if (count < 0 || count > largest_plain) return PyErr_Format(PyExc_TypeError, "_plain_vectors(size) takes sizes from 0 to %zd", largest_plain);
+  return PyCFunction_New(&definition, size);
+}
+
+// Of the types that most numbers have.
+template <bool (*holds)(double)>
+PyObject* is_plain_number(PyObject*, PyObject* value) {
+  if (PyFloat_CheckExact(value)) {
+    const double number = PyFloat_AS_DOUBLE(value);
+    return PyBool_FromLong(std::isfinite(number) && holds(number) ? 1 : 0);
+  }
+  int overflow = 1;
+  const long long whole = PyLong_CheckExact(value) ? PyLong_AsLongLongAndOverflow(value, &overflow) : 0;
+  return PyBool_FromLong(overflow == 0 && holds(static_cast<double>(whole)) ? 1 : 0);
+}
+
+bool any_number(double) { return true; }
+bool no_negative_number(double number) { return number >= 0; }
+bool positive_number(double number) { return number > 0; }
 
 }  // namespace
 
 void register_plain_vectors(py::module_& module) {
-  static PyMethodDef definition{"_is_plain_vector", reinterpret_cast<PyCFunction>(reinterpret_cast<void*>(is_plain_vector)), METH_FASTCALL,
-                                "_is_plain_vector(value, size, /)\n--\n\nWhether the value is a list or tuple of so many finite "
-                                "floats or integers, or an array of floats."};
-  module.add_object("_is_plain_vector", py::reinterpret_steal<py::object>(PyCFunction_New(&definition, nullptr)));
+  static PyMethodDef definitions[] = {
+      {"_plain_vectors", plain_vectors, METH_O,
+       "_plain_vectors(size, /)\n--\n\nA function that tells at once whether a value is a vector; if not, it may be one of another type."},
+      {"_is_plain_number", is_plain_number<any_number>, METH_O, "_is_plain_number(value, /)\n--\n\nWhether a float or int is finite."},
+      {"_is_plain_not_negative", is_plain_number<no_negative_number>, METH_O, "_is_plain_not_negative(value, /)\n--\n\nThe same, and not negative."},
+      {"_is_plain_positive", is_plain_number<positive_number>, METH_O, "_is_plain_positive(value, /)\n--\n\nThe same, and positive."},
+  };
+  for (PyMethodDef& definition : definitions)
+    module.add_object(definition.ml_name, py::reinterpret_steal<py::object>(PyCFunction_New(&definition, nullptr)));
 }
 
 bool read_plain_reals(PyObject* value, int dimensions, std::span<double> out) {

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import shutil
 from collections.abc import Callable
 from typing import Any
 
@@ -296,6 +295,7 @@ def ConvertImages2Video(
     compressionCRF: 0 is lossless, larger values give smaller files. FileNotFoundError if ffmpeg is not installed,
     RuntimeError with its message if it fails.
     """
+    import shutil
     import subprocess
 
     program = shutil.which("ffmpeg")

@@ -196,8 +196,8 @@ class Checker {
 
   // A load that turns with its marker reads the marker's orientation.
   void check_follower() const {
-    const auto* physics = dynamic_cast<const LoadPhysics*>(item_.type->physics);
-    if (physics == nullptr || !physics->body_fixed(item_.record.get())) return;
+    const auto* physics = static_cast<const LoadPhysics*>(item_.type->physics);
+    if (!physics->body_fixed(item_.record.get())) return;
     const Row& row = *std::ranges::find(item_.type->rows, "markerNumber", &Row::name);
     const int marker = index_values(row, item_.record.get()).front();
     if (meets(provisions_.of(*model_.item(ItemKind::marker, marker).type), Capability::orientation)) return;

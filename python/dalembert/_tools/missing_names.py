@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import enum
 from collections.abc import Callable, Iterable
 from typing import Any, NoReturn
@@ -13,6 +12,8 @@ from dalembert._core import MainSystem, Renderer, SystemContainer, SystemData
 
 def nearest(name: str, known: Iterable[str]) -> str:
     """Return '. Did you mean ...?' for the nearest known name; nothing if none is near."""
+    import difflib
+
     public = [each for each in known if not each.startswith("_")]
     parts = [each for each in public if len(name) >= 4 and name.lower() in each.lower()]
     close = difflib.get_close_matches(name, public, n=1, cutoff=0.7) or sorted(parts, key=len)
@@ -52,12 +53,15 @@ class _ExplainingEnum(enum.EnumType):
 
 
 def _explain_setting(cls: type) -> None:
-    """Let a class with a few switches name the nearest one when another is set."""
+    """Let a class name the nearest attribute when one is set that it has not."""
 
     def __setattr__(self: Any, name: str, value: Any) -> None:
-        if not hasattr(cls, name):
-            getattr(self, name)  # which explains
-        object.__setattr__(self, name, value)
+        try:
+            object.__setattr__(self, name, value)
+        except AttributeError:
+            if not hasattr(type(self), name):
+                getattr(self, name)  # which explains
+            raise
 
     cls.__setattr__ = __setattr__  # type: ignore[assignment]
 
@@ -65,9 +69,10 @@ def _explain_setting(cls: type) -> None:
 def explain() -> None:
     """Let the classes of the core explain themselves."""
     switches = {type(each) for each in (_core.config, _core.special, _core.special.solver, _core.experimental)}
-    for cls in {*_OWNERS, *switches}:
+    _core._explain_missing_attributes(_explaining(MainSystem))  # models call its methods very often
+    for cls in {*_OWNERS, *switches} - {MainSystem}:
         cls.__getattr__ = _explaining(cls)  # type: ignore[attr-defined]
-    for cls in switches:
+    for cls in {*_OWNERS, *switches}:
         _explain_setting(cls)
     for made in vars(_core).values():
         if type(made) is enum.EnumType:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
+from types import FunctionType
 from typing import Any
 
 from dalembert.create import bodies, connectors, contacts, flexible, joints, loads, trees
@@ -17,7 +18,7 @@ def checks(function: Callable[..., Any]) -> dict[str, Check]:
     return checks_of(function) | COMMON | own
 
 
-def _made(function: Callable[..., Any]) -> Callable[..., Any]:
+def _made(function: FunctionType) -> Callable[..., Any]:
     """Return the function with checks and documentation of its arguments."""
     tests = checks(function)
     made = checked(function, tests)

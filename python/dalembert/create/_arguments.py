@@ -3,17 +3,25 @@
 from __future__ import annotations
 
 import functools
-import inspect
 from collections.abc import Callable, Sequence
-from math import isfinite
 from sys import float_info
+from types import FunctionType
 from typing import Any, Literal, NamedTuple, NoReturn
 
 import numpy as np
 import numpy.typing as npt
 
 from dalembert._checks import COLOR, ROTATION, color_problem, rotation_problem, shape_error
-from dalembert._core import MarkerIndex, NodeIndex, ObjectIndex, _is_plain_vector, _problem_of
+from dalembert._core import (
+    MarkerIndex,
+    NodeIndex,
+    ObjectIndex,
+    _is_plain_not_negative,
+    _is_plain_number,
+    _is_plain_positive,
+    _plain_vectors,
+    _problem_of,
+)
 from dalembert._tools.found_items import find_item
 from dalembert._tools.missing_names import nearest
 from dalembert.create._created import created
@@ -31,11 +39,15 @@ UserFunction = Callable[..., Any] | Literal[0]
 
 
 class Check(NamedTuple):
-    """What an argument must be: a test and the words for it, perhaps a function that says what is wrong."""
+    """What an argument must be: a test and the words for it, perhaps a function that says what is wrong.
+
+    quick: a compiled function that accepts most of what the test does.
+    """
 
     test: Callable[[Any], bool]
     expected: str
     problem: Callable[[Any], str] | None = None
+    quick: Callable[[Any], bool] | None = None
 
     def optional(self) -> Check:
         """Return the check that also accepts None."""
@@ -43,10 +55,7 @@ class Check(NamedTuple):
 
 
 def _is_number(value: Any) -> bool:
-    kind = type(value)
-    if kind is float:
-        return isfinite(value)
-    if kind is int:
+    if type(value) in (float, int):
         return -float_info.max <= value <= float_info.max
     return isinstance(value, (int, float, np.integer, np.floating)) and bool(np.isfinite(value))
 
@@ -64,8 +73,9 @@ def _has_shape(value: Any, shape: tuple[int, ...]) -> bool:
 def vector(size: int) -> Check:
     """Return the check for a list or array of `size` finite numbers."""
     return Check(
-        lambda value: _is_plain_vector(value, size) or _has_shape(value, (size,)),
+        lambda value: _has_shape(value, (size,)),
         f"a vector with {size} finite components",
+        quick=_plain_vectors(size),
     )
 
 
@@ -138,9 +148,15 @@ def list_of(size: int, what: str) -> Check:
 ANYTHING = Check(lambda value: True, "anything")
 TEXT = Check(lambda value: isinstance(value, str), "a string")
 FLAG = Check(lambda value: isinstance(value, (bool, int, np.bool_, np.integer)), "a bool")
-NUMBER = Check(_is_number, "a finite number")
-POSITIVE = Check(lambda value: _is_number(value) and value > 0, "a finite number greater than zero")
-NOT_NEGATIVE = Check(lambda value: _is_number(value) and value >= 0, "a finite number that is not negative")
+NUMBER = Check(_is_number, "a finite number", quick=_is_plain_number)
+POSITIVE = Check(
+    lambda value: _is_number(value) and value > 0, "a finite number greater than zero", quick=_is_plain_positive
+)
+NOT_NEGATIVE = Check(
+    lambda value: _is_number(value) and value >= 0,
+    "a finite number that is not negative",
+    quick=_is_plain_not_negative,
+)
 GRAPHICS = Check(
     lambda value: isinstance(value, list) and all(isinstance(entry, (dict, list)) for entry in value),
     "a (possibly empty) list of graphics data, e.g. [graphics.Sphere(radius=0.1)]",
@@ -169,17 +185,20 @@ def argument_error(function: str, argument: str, expected: str, received: Any) -
     return shape_error(f"MainSystem.{function}(...): argument '{argument}'", expected, received)
 
 
-def checked(function: Callable[..., Any], checks: dict[str, Check]) -> Callable[..., Any]:
+def checked(function: FunctionType, checks: dict[str, Check]) -> Callable[..., Any]:
     """Return the function with a check of the arguments that a caller gives, by `checks`.
 
     Raises ValueError for a wrong value and TypeError for an unknown argument, with the nearest known one, before any
     item has been added.
     """
-    names = list(inspect.signature(function).parameters)
-    numbered = REFERENCES.intersection(names)
+    names = function.__code__.co_varnames[: function.__code__.co_argcount]
+    numbered = tuple(REFERENCES.intersection(names))
     table = {name: checks.get(name, ANYTHING) for name in names}
-    tests = {name: check.test for name, check in table.items()}
+    tests = {name: check.quick or check.test for name, check in table.items()}
     anything = ANYTHING.test
+
+    def accepts(name: str, value: Any) -> bool:
+        return name in table and table[name].quick is not None and table[name].test(value)
 
     def refuse(name: str, value: Any) -> NoReturn:
         if name in table:
@@ -200,7 +219,7 @@ def checked(function: Callable[..., Any], checks: dict[str, Check]) -> Callable[
         given = kwargs if len(args) < 2 else dict(zip(names, args, strict=False)) | kwargs
         for name, value in given.items():
             test = tests.get(name)
-            if test is not anything and (test is None or not test(value)):
+            if test is not anything and (test is None or not test(value)) and not accepts(name, value):
                 refuse(name, value)
         for name in numbered:
             if name in given and _has_names(given[name]):

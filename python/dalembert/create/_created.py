@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 from typing import Any
 
-from dalembert._core import LoadIndex, MarkerIndex, NodeIndex, ObjectIndex
+from dalembert._core import LoadIndex, MarkerIndex, NodeIndex, ObjectIndex, _created
 
 
 class CreatedObject(ObjectIndex):
@@ -59,10 +60,5 @@ def _numbers(item: dict[str, Any], key: str) -> list[Any]:
     return [index for index in [*single, *item.get(f"{key}s", [])] if int(index) >= 0]
 
 
-def created(mbs: Any, index: Any) -> Any:
-    """Return the index of an object as a CreatedObject, all else as it is."""
-    if type(index) is not ObjectIndex:
-        return index
-    made = CreatedObject(index)
-    made._mbs = mbs
-    return made
+# created(mbs, index): the index of an object as a CreatedObject, all else as it is.
+created = partial(_created, CreatedObject)

@@ -1,0 +1,158 @@
+// Attributes of a MainSystem: those that it has not are explained, and mbs.AddNode and the like are there at once. Python (up to 3.11)
+// looks up methods of classes that explain attributes without its caches, and makes a new object of each; models add very many items.
+#include "main_system_attributes.hpp"
+
+#include <structmember.h>
+
+#include <algorithm>
+#include <cstddef>
+
+#include "index_types.hpp"
+
+namespace dalembert {
+namespace {
+
+// In the place of the bound method, which it asks for everything but the call.
+struct Adder {
+  PyObject_HEAD
+  vectorcallfunc call;
+  PyObject* main;
+  std::size_t kind;
+};
+
+struct Method {
+  PyObject* name;
+  PyObject* descriptor;  // of the class
+  AddItem add;
+};
+
+std::array<Method, item_kinds> adders{};
+PyTypeObject* adder_type = nullptr;
+Adder* spare = nullptr;  // the memory of one that is gone
+PyObject* explainer = nullptr;  // function(object, name), which raises
+
+Adder* as_adder(PyObject* object) { return reinterpret_cast<Adder*>(object); }
+
+PyObject* bound_method(PyObject* self) { return PyObject_GenericGetAttr(as_adder(self)->main, adders[as_adder(self)->kind].name); }
+
+PyObject* call_adder(PyObject* self, PyObject* const* arguments, std::size_t flags, PyObject* names) {
+  const Adder* adder = as_adder(self);
+  if (PyVectorcall_NARGS(flags) == 1 && names == nullptr) [[likely]] return adders[adder->kind].add(adder->main, arguments[0]);
+  const auto method = py::reinterpret_steal<py::object>(bound_method(self));
+  return method ? PyObject_Vectorcall(method.ptr(), arguments, flags & ~PY_VECTORCALL_ARGUMENTS_OFFSET, names) : nullptr;
+}
+
+PyObject* make_adder(PyObject* main, std::size_t kind) {
+  Adder* adder = spare;
+  if (adder != nullptr) {
+    spare = nullptr;
+    PyObject_Init(reinterpret_cast<PyObject*>(adder), adder_type);
+  } else {
+    adder = PyObject_GC_New(Adder, adder_type);
+    if (adder == nullptr) return nullptr;
+  }
+  adder->call = call_adder;
+  adder->main = Py_NewRef(main);
+  adder->kind = kind;
+  PyObject_GC_Track(reinterpret_cast<PyObject*>(adder));
+  return reinterpret_cast<PyObject*>(adder);
+}
+
+void adder_dealloc(PyObject* self) {
+  PyObject_GC_UnTrack(self);
+  PyTypeObject* type = Py_TYPE(self);
+  PyObject* main = as_adder(self)->main;
+  if (spare == nullptr) {
+    spare = as_adder(self);
+  } else {
+    PyObject_GC_Del(self);
+  }
+  Py_XDECREF(main);
+  Py_DECREF(type);
+}
+
+int adder_traverse(PyObject* self, visitproc visit, void* arg) {
+  Py_VISIT(Py_TYPE(self));
+  Py_VISIT(as_adder(self)->main);
+  return 0;
+}
+
+template <class Ask>
+PyObject* ask_method(PyObject* self, Ask&& ask) {
+  const auto method = py::reinterpret_steal<py::object>(bound_method(self));
+  return method ? ask(method.ptr()) : nullptr;
+}
+
+PyObject* adder_attribute(PyObject* self, PyObject* name) {
+  return ask_method(self, [&](PyObject* method) { return PyObject_GetAttr(method, name); });
+}
+PyObject* adder_repr(PyObject* self) { return ask_method(self, PyObject_Repr); }
+Py_hash_t adder_hash(PyObject* self) {
+  const auto method = py::reinterpret_steal<py::object>(bound_method(self));
+  return method ? PyObject_Hash(method.ptr()) : -1;
+}
+PyObject* adder_compare(PyObject* self, PyObject* other, int operation) {
+  if (Py_TYPE(other) != adder_type) Py_RETURN_NOTIMPLEMENTED;
+  return ask_method(self, [&](PyObject* method) {
+    return ask_method(other, [&](PyObject* with) { return PyObject_RichCompare(method, with, operation); });
+  });
+}
+
+PyTypeObject* make_adder_type() {
+  static PyMemberDef members[] = {{"__vectorcalloffset__", T_PYSSIZET, offsetof(Adder, call), READONLY, nullptr},
+                                  {nullptr, 0, 0, 0, nullptr}};
+  PyType_Slot slots[] = {
+      {Py_tp_doc, const_cast<char*>("A method of a system that adds items.")},
+      {Py_tp_dealloc, reinterpret_cast<void*>(adder_dealloc)},
+      {Py_tp_traverse, reinterpret_cast<void*>(adder_traverse)},
+      {Py_tp_call, reinterpret_cast<void*>(PyVectorcall_Call)},
+      {Py_tp_getattro, reinterpret_cast<void*>(adder_attribute)},
+      {Py_tp_repr, reinterpret_cast<void*>(adder_repr)},
+      {Py_tp_hash, reinterpret_cast<void*>(adder_hash)},
+      {Py_tp_richcompare, reinterpret_cast<void*>(adder_compare)},
+      {Py_tp_members, members},
+      {0, nullptr},
+  };
+  PyType_Spec spec{"dalembert._core._Adder", sizeof(Adder), 0,
+                   Py_TPFLAGS_DEFAULT | Py_TPFLAGS_HAVE_GC | Py_TPFLAGS_HAVE_VECTORCALL | Py_TPFLAGS_DISALLOW_INSTANTIATION, slots};
+  PyObject* type = PyType_FromSpec(&spec);
+  if (type == nullptr) throw py::error_already_set();
+  return reinterpret_cast<PyTypeObject*>(type);
+}
+
+// Whether nobody has replaced the methods in the class; its version changes when somebody does.
+bool has_adders(PyTypeObject* type) {
+  static unsigned int version = 0;
+  if (type->tp_version_tag == version && version != 0) return true;
+  const auto kept = [&](const Method& each) { return _PyType_Lookup(type, each.name) == each.descriptor; };
+  if (!std::ranges::all_of(adders, kept)) return false;
+  version = type->tp_version_tag;
+  return true;
+}
+
+PyObject* system_attribute(PyObject* self, PyObject* name) {
+  for (std::size_t k = 0; k < adders.size(); ++k)
+    if (name == adders[k].name && has_adders(Py_TYPE(self))) return make_adder(self, k);
+  PyObject* value = PyObject_GenericGetAttr(self, name);
+  if (value != nullptr || explainer == nullptr || PyErr_ExceptionMatches(PyExc_AttributeError) == 0) return value;
+  PyErr_Clear();
+  return PyObject_CallFunctionObjArgs(explainer, self, name, nullptr);
+}
+
+}  // namespace
+
+void explain_attributes_of(PyHeapTypeObject* type) { type->ht_type.tp_getattro = system_attribute; }
+
+void register_main_system_attributes(py::module_& module, const py::object& main_system, const std::array<AddItem, item_kinds>& add) {
+  adder_type = make_adder_type();
+  for (std::size_t k = 0; k < adders.size(); ++k) {
+    const std::string name = "Add" + std::string(kind_title(static_cast<ItemKind>(k)));
+    adders[k] = {PyUnicode_InternFromString(name.c_str()), py::object(main_system.attr(name.c_str())).release().ptr(), add[k]};
+  }
+  module.def("_explain_missing_attributes", [](const py::function& function) {
+    Py_XDECREF(explainer);
+    explainer = Py_NewRef(function.ptr());
+  }, py::arg("function"), py::pos_only(), "Let a function of a MainSystem and a name raise the error for an attribute that the system has not.");
+}
+
+}  // namespace dalembert

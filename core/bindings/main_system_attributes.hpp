@@ -1,0 +1,21 @@
+// How attributes of a MainSystem are found. Bound in main_system_attributes.cpp.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <array>
+
+#include "dalembert/model/item.hpp"
+
+namespace dalembert {
+
+namespace py = pybind11;
+
+using AddItem = PyObject* (*)(PyObject* main_system, PyObject* item);  // as Python calls it
+
+// Before the class is ready: classes that Python code derives of it take over how attributes are found.
+void explain_attributes_of(PyHeapTypeObject* type);
+// `add` by kind, as the class has them.
+void register_main_system_attributes(py::module_& module, const py::object& main_system, const std::array<AddItem, item_kinds>& add);
+
+}  // namespace dalembert
