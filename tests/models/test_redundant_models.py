@@ -126,8 +126,8 @@ def test_a_parallel_robot(linear: Any) -> None:
 
 
 def test_many_equations() -> None:
-    """A ladder of 200 loops in space: 4000 equations, of which three per loop follow from others."""
-    loops = 200
+    """A ladder of 600 loops in space: 12000 equations, of which three per loop follow from others."""
+    loops = 600
     mbs = new_system()
     ground = mbs.CreateGround()
     below = ground

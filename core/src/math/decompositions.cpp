@@ -9,19 +9,9 @@ namespace dalembert {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-namespace {
-
 MatrixXd orthonormal(const MatrixXd& columns) {
   const Eigen::HouseholderQR<MatrixXd> qr(columns);
   return qr.householderQ() * MatrixXd::Identity(columns.rows(), columns.cols());
-}
-
-}  // namespace
-
-// Once is not enough where most of a column is known.
-MatrixXd orthonormal_beside(const MatrixXd& known, const MatrixXd& columns) {
-  const MatrixXd once = orthonormal(columns - known * (known.transpose() * columns));
-  return orthonormal(once - known * (known.transpose() * once));
 }
 
 SymmetricEigenpairs symmetric_eigenpairs(const MatrixXd& matrix) {

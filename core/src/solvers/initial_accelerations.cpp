@@ -50,7 +50,7 @@ InitialAccelerations initial_accelerations(System& system, const State& state, c
   InitialAccelerations result;
   result.singular_row = motion.factorize(system, still, position);
   if (result.singular_row != LinearSolver::success) return result;
-  result.independent_constraints = !motion.redundant().in_use();
+  result.redundant = motion.redundant();
   const std::vector<char> jumping = jumping_equations(system, still, position, system.pattern(is_dense(type)));
   system.forces(still, position, std::span(x).first(static_cast<std::size_t>(s.ode2)));
   const std::vector<double> gap = ConstrainedMotion::gap_acceleration(system, still, position);

@@ -123,7 +123,7 @@ void NewtonSolver::begin_newton() {
   if (treatment_ != Treatment::none) [[unlikely]] {
     misfit_.clear();
     if (treatment_ == Treatment::unknown) look_for_redundancy_at_start();
-    else if (it.currentStepIndex != treated_since_) look_again_at_redundancy();
+    else if (treatment_ != Treatment::announced && it.currentStepIndex != treated_since_) look_again_at_redundancy();
   }
   State& now = current();
   clear_numbers(now.lambda.data(), now.lambda.size());
@@ -150,7 +150,7 @@ bool NewtonSolver::goes_on() const {
 
 bool NewtonSolver::factorize() {
   const TimedPart time(timer, timer.factorization);
-  if (redundant_.in_use()) [[unlikely]] redundant_.regularize(*pattern_, jacobian_, rate_factor());
+  if (redundant_.in_use()) [[unlikely]] regularize();
   conv.linearSolverCausingRow = linear_->factorize(jacobian_);
   conv.linearSolverFailed = conv.linearSolverCausingRow != LinearSolver::success;
   if (looks_at_next_ || conv.linearSolverFailed) [[unlikely]] look_for_redundancy();

@@ -11,6 +11,8 @@ namespace dalembert {
 namespace {
 
 constexpr double counting_eps = RedundantConstraints::counting_eps, silent_misfit = RedundantConstraints::silent_misfit;
+// Before anything is known of the matrix: large enough that round-off hardly shows, and if that is too large, `try_harder` takes less.
+constexpr double first_eps = 1e-9;
 
 }  // namespace
 
@@ -23,19 +25,63 @@ void NewtonSolver::forget_redundancy() {
   treatment_ = looks_at_next_ ? Treatment::unknown : Treatment::none;
 }
 
+// At the start of a solution, and after events.
+void NewtonSolver::constraints_are_known(RedundantConstraints found) {
+  if (treatment_ != Treatment::none && treatment_ != Treatment::unknown) return;
+  if (found.in_use() && (treatment_ == Treatment::none || found.count() == 0 || !found.consistent())) return;
+  looks_at_next_ = false;
+  treatment_ = found.in_use() ? Treatment::announced : Treatment::none;
+  if (treatment_ == Treatment::none) return;
+  redundant_ = std::move(found);
+  linear_ = regularized_solver();
+}
+
+// Combinations are those of all matrices at this place, weights are not.
+void NewtonSolver::begin_announced_treatment() {
+  const RedundantConstraints found = std::exchange(redundant_, {});
+  const double moment_length = settings().redundantConstraints.momentLength;
+  if (!redundant_.measure(system(), *pattern_, jacobian_, moment_length, rate_factor()) || !redundant_.take_over(found)) {
+    forget_redundancy();
+    linear_ = make_linear_solver(*pattern_, linear_type(), linear_options());
+    return;
+  }
+  treatment_ = Treatment::lasting;
+  treated_since_ = it.currentStepIndex;
+  redundant_.use(std::max(redundant_.eps_for(0, conditions_.rate_level), first_eps));
+  announce_redundancy();
+}
+
+void NewtonSolver::regularize() {
+  if (treatment_ == Treatment::announced) begin_announced_treatment();
+  if (redundant_.in_use()) redundant_.regularize(*pattern_, jacobian_, rate_factor());
+}
+
+std::unique_ptr<LinearSolver> NewtonSolver::regularized_solver() const {
+  return make_linear_solver(*pattern_, linear_type(), redundant_.options(linear_options()));
+}
+
+// With the factors; none: the matrix is singular for other reasons as well.
+std::unique_ptr<LinearSolver> NewtonSolver::find_redundancy() {
+  auto factors = make_linear_solver(*pattern_, linear_type(), RedundantConstraints::options_to_find(linear_options()));
+  if (!redundant_.find(*pattern_, jacobian_, counting_eps, *factors)) factors.reset();
+  return factors;
+}
+
 // Before the first prediction of a solution: constraints follow from others where they are fulfilled, and not quite beside that. The factors of
-// regular systems do not notice.
+// regular systems do not notice. Static solvers begin where they are, with a matrix that tells all.
 [[gnu::noinline]] void NewtonSolver::look_for_redundancy_at_start() {
   treatment_ = Treatment::none;
-  looks_at_next_ = false;
+  looks_at_next_ = is_static() && !settings().staticSolver.arcLength.active;
+  if (looks_at_next_) return;
   compute_residual();
   compute_jacobian();
   if (RedundantConstraints::evidently_none(system(), *pattern_, jacobian_)) return;
   if (!redundant_.measure(system(), *pattern_, jacobian_, settings().redundantConstraints.momentLength, rate_factor())) return;
-  const auto factors = make_linear_solver(*pattern_, linear_type(), linear_options());
-  const bool regular = factors->factorize(jacobian_) == LinearSolver::success;
-  if ((regular && !redundant_.suspected(*factors)) || !redundant_.find(*pattern_, jacobian_, counting_eps, linear_type(), linear_options())) return;
-  if (redundant_.count() > 0) begin_treatment();
+  const auto plain = make_linear_solver(*pattern_, linear_type(), linear_options());
+  const bool regular = plain->factorize(jacobian_) == LinearSolver::success;
+  if (regular && !redundant_.suspected(*plain)) return;
+  const auto factors = find_redundancy();
+  if (factors && redundant_.count() > 0) begin_treatment(*factors);
 }
 
 // At each matrix that cannot be factorized, and at the next one after a singular position.
@@ -47,35 +93,31 @@ void NewtonSolver::forget_redundancy() {
   if (!conv.linearSolverFailed && RedundantConstraints::evidently_none(system(), *pattern_, jacobian_)) return;
   if (!redundant_.measure(system(), *pattern_, jacobian_, s.momentLength, rate_factor())) return;
   if (!conv.linearSolverFailed && !redundant_.suspected(*linear_)) return;
-  if (!redundant_.find(*pattern_, jacobian_, counting_eps, linear_type(), linear_options())) return;
-  if (redundant_.count() > 0 || conv.linearSolverFailed) begin_treatment();
+  const auto factors = find_redundancy();
+  if (factors && (redundant_.count() > 0 || conv.linearSolverFailed)) begin_treatment(*factors);
 }
 
-void NewtonSolver::begin_treatment() {
+void NewtonSolver::begin_treatment(LinearSolver& factors) {
   treatment_ = redundant_.count() > 0 ? Treatment::lasting : Treatment::passing;
   double eps = RedundantConstraints::passing_eps;
   if (treatment_ == Treatment::lasting) {
     const auto gaps = std::span<const double>(residual_).subspan(static_cast<std::size_t>(sizes_.first_ae()));
-    eps = redundant_.eps_for_gaps(gaps, conditions_.rate_level, *pattern_, jacobian_, linear_type(), linear_options());
-    if (!announced_) announce_redundancy();
-    announced_ = true;
+    eps = redundant_.eps_for_gaps(gaps, conditions_.rate_level, *pattern_, jacobian_, factors);
+    announce_redundancy();
   } else {
     passing_singular_position();
     plain_ = std::move(linear_);
   }
   treated_since_ = it.currentStepIndex;
-  use_regularized(eps);
+  redundant_.use(eps);
+  linear_ = regularized_solver();
+  redundant_.regularize(*pattern_, jacobian_, rate_factor());
   conv.linearSolverCausingRow = linear_->factorize(jacobian_);
   conv.linearSolverFailed = conv.linearSolverCausingRow != LinearSolver::success;
 }
 
-void NewtonSolver::use_regularized(double eps) {
-  redundant_.use(eps);
-  linear_ = make_linear_solver(*pattern_, linear_type(), redundant_.options(linear_options()));
-  redundant_.regularize(*pattern_, jacobian_, rate_factor());
-}
-
-// In the next step: redundancy may have been that of a singular position only, and what was to be passed may have come to stay.
+// In the next step: redundancy may have been that of a singular position only, and what was to be passed may have come to stay. The
+// factors at hand have their pivots already, which mostly are good enough.
 [[gnu::noinline]] void NewtonSolver::look_again_at_redundancy() {
   if (treatment_ == Treatment::passing) return end_treatment();
   if (confirmed_) return;
@@ -83,8 +125,8 @@ void NewtonSolver::use_regularized(double eps) {
   if (largest_misfit_ > silent_misfit) return;
   compute_residual();
   compute_jacobian();
-  if (!redundant_.find(*pattern_, jacobian_, counting_eps, linear_type(), linear_options())) return;
   conv.jacobianUpdateRequested = true;
+  if (!redundant_.find(*pattern_, jacobian_, counting_eps, *linear_) && !find_redundancy()) return;
   const bool gone = redundant_.count() == 0;
   redundant_.use(gone ? 0 : redundant_.eps_for(0, conditions_.rate_level));
   if (!gone) return;
@@ -111,11 +153,12 @@ void NewtonSolver::end_treatment() {
   } else {
     const auto& s = settings().redundantConstraints;
     if (!s.treat || settings().linearSolverSettings.ignoreSingularJacobian ||
-        !redundant_.measure(system(), *pattern_, jacobian_, s.momentLength, rate_factor()) || !redundant_.suspected(*linear_) ||
-        !redundant_.find(*pattern_, jacobian_, counting_eps, linear_type(), linear_options())) {
+        !redundant_.measure(system(), *pattern_, jacobian_, s.momentLength, rate_factor()) || !redundant_.suspected(*linear_)) {
       return false;
     }
-    begin_treatment();
+    const auto factors = find_redundancy();
+    if (!factors) return false;
+    begin_treatment(*factors);
   }
   conv.jacobianUpdateRequested = true;
   reset_to_start_of_step();
@@ -177,7 +220,7 @@ double NewtonSolver::residual_without_misfit() {
 }
 
 [[gnu::noinline]] void NewtonSolver::announce_redundancy() {
-  if (!verbose(1)) return;
+  if (std::exchange(announced_, true) || !verbose(1)) return;
   std::string text = "  " + std::to_string(redundant_.count()) + " of " + std::to_string(redundant_.rows().size()) +
                      " constraint equations follow from others; where reactions are not unique, the smallest are taken:\n";
   for (const auto& item : redundant_.items(system()))

@@ -100,7 +100,7 @@ bool RedundantConstraints::measure(System& system, const Pattern& pattern, std::
   first_ae_ = s.first_ae();
   rate_factor_ = rate_factor;
   count_ = 0;
-  combinations_.clear();
+  parts_.clear();
   const auto n = static_cast<std::size_t>(s.ae);
   x_.resize(static_cast<std::size_t>(s.total()));
   length_ = system.extent();
@@ -113,6 +113,7 @@ bool RedundantConstraints::measure(System& system, const Pattern& pattern, std::
   for (int k = 0; k < s.ae; ++k)
     if (eligible[k]) rows_.push_back(k);
   if (rows_.empty()) return false;
+  if (rows_.size() > few_rows) nodes_ = system.nodes_of_coordinates();
 
   std::vector<double> diagonal(static_cast<std::size_t>(s.ode2)), largest(n, 0.0), ratio(n, 0.0), columns(n, 0.0), lines(n, 0.0);
   for (int j = 0; j < s.ode2; ++j) diagonal[j] = std::abs(values[static_cast<std::size_t>(pattern.slot(j, j))]);
@@ -202,21 +203,25 @@ bool RedundantConstraints::suspected(LinearSolver& factors) {
 std::vector<int> RedundantConstraints::equations() const {
   constexpr double noticeable = 1e-6;
   std::vector<int> found;
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    double sum = 0;
-    for (int k = 0; k < count_; ++k) sum += combination(k)[i] * combination(k)[i];
-    if (sum > noticeable * noticeable) found.push_back(rows_[i]);
-  }
+  for (const Part& part : parts_)
+    for (std::size_t i = 0; i < part.rows.size(); ++i) {
+      double sum = 0;
+      for (int k = 0; k < part.count; ++k) sum += part.combination(k)[i] * part.combination(k)[i];
+      if (sum > noticeable * noticeable) found.push_back(rows_[part.rows[i]]);
+    }
+  std::ranges::sort(found);
   return found;
 }
 
 std::vector<double> RedundantConstraints::misfit(std::span<const double> gaps) const {
   std::vector<double> open(gaps.size(), 0.0);
-  for (int k = 0; k < count_; ++k) {
-    double share = 0;
-    for (std::size_t i = 0; i < rows_.size(); ++i) share += combination(k)[i] * gaps[rows_[i]] / std::sqrt(weight_[rows_[i]]);
-    for (std::size_t i = 0; i < rows_.size(); ++i) open[rows_[i]] += share * combination(k)[i] * std::sqrt(weight_[rows_[i]]);
-  }
+  for (const Part& part : parts_)
+    for (int k = 0; k < part.count; ++k) {
+      const std::span<const double> combination = part.combination(k);
+      double share = 0;
+      for (std::size_t i = 0; i < part.rows.size(); ++i) share += combination[i] * gaps[rows_[part.rows[i]]] / std::sqrt(weight_[rows_[part.rows[i]]]);
+      for (std::size_t i = 0; i < part.rows.size(); ++i) open[rows_[part.rows[i]]] += share * combination[i] * std::sqrt(weight_[rows_[part.rows[i]]]);
+    }
   return open;
 }
 
@@ -234,10 +239,16 @@ double RedundantConstraints::eps_for(double misfit, bool of_rates) const {
 }
 
 double RedundantConstraints::eps_for_gaps(std::span<const double> gaps, bool of_rates, const Pattern& pattern, std::span<const double> values,
-                                          LinearSolverType type, const LinearSolverOptions& options) {
+                                          LinearSolver& factors) {
   const double open = largest(misfit(gaps));
-  if (open > silent_misfit) find(pattern, values, eps_for_misfits, type, options);
+  consistent_ = !(open > silent_misfit);
+  if (!consistent_) find(pattern, values, eps_for_misfits, factors);
   return eps_for(open, of_rates);
+}
+
+LinearSolverOptions RedundantConstraints::options_to_find(LinearSolverOptions options) {
+  options.unsettled_matrices = 0;
+  return options;
 }
 
 LinearSolverOptions RedundantConstraints::options(LinearSolverOptions options) const {
@@ -245,17 +256,39 @@ LinearSolverOptions RedundantConstraints::options(LinearSolverOptions options) c
   return options;
 }
 
+namespace {
+
+// Patterns may be revised; mostly, the entry is where it was.
+int diagonal_slot(const Pattern& pattern, int unknown, int before) {
+  if (!pattern.is_dense() && before >= 0) {
+    const auto starts = pattern.column_start();
+    if (starts[unknown] <= before && before < starts[unknown + 1] && pattern.row_index()[before] == unknown) return before;
+  }
+  return pattern.slot(unknown, unknown);
+}
+
+double largest_number(std::span<const double> numbers) {
+  double size = 0;
+  for (const double x : numbers) size = std::max(size, std::abs(x));
+  return size;
+}
+
+}  // namespace
+
 // Equations that are off state their multipliers themselves.
 void RedundantConstraints::regularize(const Pattern& pattern, std::span<double> values, double rate_factor) {
   rate_factor_ = rate_factor;
-  for (const int k : rows_) {
-    double& entry = values[static_cast<std::size_t>(pattern.slot(first_ae_ + k, first_ae_ + k))];
-    if (entry == 0) entry = -eps_ * row_factor(k) * weight_[k];
+  slots_.resize(rows_.size(), -1);
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    slots_[i] = diagonal_slot(pattern, first_ae_ + rows_[i], slots_[i]);
+    double& entry = values[static_cast<std::size_t>(slots_[i])];
+    if (entry == 0) entry = -eps_ * row_factor(rows_[i]) * weight_[rows_[i]];
   }
 }
 
-// Twice: the first time leaves what is round-off beside a large idle part.
+// Again where the idle part is so large that its round-off would show.
 void RedundantConstraints::take_off_idle_part(LinearSolver& factors, std::span<double> multipliers) {
+  constexpr double large = 1e-3;
   for (int time = 0; time < 2; ++time) {
     idle_.assign(multipliers.begin(), multipliers.end());
     double share = 1;
@@ -264,6 +297,7 @@ void RedundantConstraints::take_off_idle_part(LinearSolver& factors, std::span<d
       share *= eps_ / (eps_ + weakest_);
     }
     for (std::size_t k = 0; k < idle_.size(); ++k) multipliers[k] -= idle_[k];
+    if (largest_number(idle_) <= large * largest_number(multipliers)) break;
   }
 }
 
@@ -301,7 +335,9 @@ RedundantConstraints redundant_constraints(System& system, const State& state, C
   system.tangent(still, conditions, {.q = 0, .v = 1, .a = 0, .y = 1, .y_t = 0}, pattern, part);
   take([&](int row, int column) { return row >= s.first_ae() && column < s.ode2; });
   RedundantConstraints found;
-  if (found.measure(system, pattern, matrix, moment_length, 1)) found.find(pattern, matrix, RedundantConstraints::counting_eps, LinearSolverType::EigenSparse, {});
+  if (!found.measure(system, pattern, matrix, moment_length, 1)) return found;
+  const auto factors = make_linear_solver(pattern, LinearSolverType::EigenSparse, {});
+  found.find(pattern, matrix, RedundantConstraints::counting_eps, *factors);
   return found;
 }
 

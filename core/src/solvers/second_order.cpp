@@ -136,7 +136,7 @@ bool SecondOrderSolver::find_accelerations() {
   State& now = current();
   const auto& l = settings().linearSolverSettings;
   const bool shares_analysis = full_newton_ && sizes_.ae > 0;  // with Newton's first matrix; masses alone are less work by themselves
-  const InitialAccelerations found =
+  InitialAccelerations found =
       dalembert::initial_accelerations(system(), now, conditions_, linear_type(),
                                        {.pivot_threshold = l.pivotThreshold, .ignore_singular = l.ignoreSingularJacobian, .unsettled_matrices = shares_analysis ? 1 : 0},
                                        settings().redundantConstraints);
@@ -147,7 +147,7 @@ bool SecondOrderSolver::find_accelerations() {
   }
   now.a = found.a;  // in place: views stay valid
   now.lambda = found.lambda;
-  if (found.independent_constraints) constraints_are_independent();
+  constraints_are_known(std::move(found.redundant));
   return true;
 }
 

@@ -2,13 +2,15 @@
 // for all others.
 #include <algorithm>
 #include <cmath>
-#include <memory>
+#include <map>
+#include <numeric>
 #include <random>
 
 #include "dalembert/math/decompositions.hpp"
 #include "dalembert/output/numbers.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
 #include "dalembert/solvers/redundant_constraints.hpp"
+#include "constraint_blocks.hpp"
 
 namespace dalembert {
 
@@ -16,123 +18,295 @@ namespace {
 
 constexpr int block_size = 8;
 constexpr int iterations = 2;
-constexpr int most_refinements = 2;         // of solutions
+constexpr int most_refinements = 5;         // of solutions
 constexpr double accurate = 1e-5;           // corrections of multipliers that change nothing of what is found
 constexpr double evidently_regular = 1e-3;  // eigenvalues of combinations that do not vanish
-constexpr double removable_share = 1e-10;  // squared: of the equations of an item in combinations that vanish
+constexpr int most_projections = 5;
+constexpr double unknown = 1e-10;           // the share of what is known in a column
+constexpr double separate = 0.25;           // what others add to a combination that vanishes by itself
+constexpr double removable_share = 1e-10;   // squared: of the equations of an item in combinations that vanish
 
 using Block = Eigen::MatrixXd;
+using GivenBlock = Eigen::Map<const Block>;
+
+// Columns that are nothing but round-off beside others may become anything, also what is known.
+Block beside(const Block& known, const Block& block) {
+  Block columns = orthonormal(block);
+  for (int time = 0; time < most_projections && known.cols() > 0; ++time) {
+    const Block share = known.transpose() * columns;
+    if (time > 0 && share.cwiseAbs().maxCoeff() < unknown) break;
+    columns = orthonormal(columns - known * share);
+  }
+  return columns;
+}
 
 }  // namespace
 
-bool RedundantConstraints::find(const Pattern& pattern, std::span<const double> values, double eps, LinearSolverType type,
-                                LinearSolverOptions linear_options) {
-  linear_options.unsettled_matrices = 0;
-  std::vector<double> matrix(values.begin(), values.end());
-  const double in_use = std::exchange(eps_, eps);
-  regularize(pattern, matrix, rate_factor_);
-  eps_ = in_use;
-  const auto factors = make_linear_solver(pattern, type, linear_options);
-  if (factors->factorize(matrix) != LinearSolver::success) return false;
-
-  const auto m = static_cast<Eigen::Index>(rows_.size());
-  Eigen::VectorXd root(m);
-  for (Eigen::Index i = 0; i < m; ++i) root[i] = std::sqrt(weight_[rows_[i]]);
-  std::vector<double> lambda(weight_.size()), wanted, rest;
-  const auto largest_multiplier = [&](const std::vector<double>& x) {
-    double size = 0;
-    for (const int k : rows_) size = std::max(size, std::abs(x[static_cast<std::size_t>(first_ae_ + k)]));
-    return size;
-  };
-  // As `apply`; in large systems, factors alone leave too much of the small numbers that count here, as the first solution shows.
-  int refinements = most_refinements;
-  const auto apply_with_care = [&](std::vector<double>& multipliers) {
-    wanted.assign(x_.size(), 0.0);
-    for (const int k : rows_) wanted[static_cast<std::size_t>(first_ae_ + k)] = -eps * row_factor(k) * weight_[k] * multipliers[static_cast<std::size_t>(k)];
-    std::ranges::fill(x_, 0.0);
-    for (int time = 0; time <= refinements; ++time) {
-      rest = wanted;
-      if (time > 0) for_each_entry(pattern, [&](int row, int column, std::size_t slot) { rest[row] -= matrix[slot] * x_[column]; });
-      factors->solve(rest);
-      for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += rest[i];
-      if (time > 0 && largest_multiplier(rest) < accurate * largest_multiplier(x_)) refinements = time - 1;
-    }
-    for (std::size_t k = 0; k < multipliers.size(); ++k) multipliers[k] = multiplier_[k] ? x_[static_cast<std::size_t>(first_ae_) + k] : 0;
-  };
-  const auto image = [&](Block block) {
-    for (Eigen::Index j = 0; j < block.cols(); ++j) {
-      std::ranges::fill(lambda, 0.0);
-      for (Eigen::Index i = 0; i < m; ++i) lambda[rows_[i]] = block(i, j) / root[i];
-      apply_with_care(lambda);
-      for (Eigen::Index i = 0; i < m; ++i) block(i, j) = lambda[rows_[i]] * root[i];
-    }
-    return block;
-  };
-
-  std::mt19937 random(1);
-  Block known(m, 0);
-  rest_ = 0;
-  while (known.cols() < m) {
-    Block block(m, std::min<Eigen::Index>(block_size, m - known.cols()));
-    for (double& x : block.reshaped()) x = static_cast<double>(random()) / 2147483648.0 - 1;
-    block = orthonormal_beside(known, block);
-    for (int i = 0; i < iterations; ++i) block = orthonormal_beside(known, image(block));
-    const Block small = block.transpose() * image(block);
-    if (!small.allFinite()) return false;
-    const SymmetricEigenpairs shares = symmetric_eigenpairs((small + small.transpose()) / 2);
-    const auto vanishing = static_cast<Eigen::Index>(std::ranges::count_if(shares.values, [](double x) { return x > 0.5; }));
-    rest_ = vanishing < block.cols() ? std::max(0.0, shares.values[block.cols() - vanishing - 1]) : 0;
-    Block more(m, known.cols() + vanishing);
-    more << known, block * shares.vectors.rightCols(vanishing);
-    known = std::move(more);
-    // Round-off may have spoilt some of those before, but not where factors do by themselves.
-    if (vanishing == 0 || (vanishing < block.cols() && rest_ < evidently_regular && refinements == 0)) break;
+// P with this eps, for columns in sqrt(D) lambda.
+class RedundantConstraints::Search {
+ public:
+  Search(RedundantConstraints& all, const Pattern& pattern, std::span<const double> values, double eps, LinearSolver& factors)
+      : all_(all), pattern_(pattern), matrix_(values.begin(), values.end()), factors_(factors), eps_(eps), x_(all.x_.size()) {
+    const double in_use = std::exchange(all.eps_, eps);
+    all.regularize(pattern, matrix_, all.rate_factor_);
+    all.eps_ = in_use;
+    for (const int k : all.rows_) root_.push_back(std::sqrt(all.weight_[k]));
   }
-  count_ = static_cast<int>(known.cols());
-  weakest_ = rest_ > 0 ? eps * (1 / rest_ - 1) : 1;
-  combinations_.assign(known.data(), known.data() + known.size());
+  bool factorize() { return factors_.factorize(matrix_) == LinearSolver::success; }
+  // Fills the parts; what they have is only looked at again. False, with `is_finite`: they are not independent of each other.
+  bool find_in(std::vector<Part>& parts, bool are_independent) {
+    compares = parts.size() > 1 && !are_independent;
+    bool looks_again = std::ranges::any_of(parts, [](const Part& part) { return part.count > 0; });
+    is_finite = true;
+    std::vector<PartAtWork> work;
+    for (Part& part : parts) work.emplace_back(part);
+    while (std::ranges::any_of(work, [](const PartAtWork& w) { return !w.done; }))
+      if (!one_round(work, std::exchange(looks_again, false))) return false;
+    return true;
+  }
+  bool is_finite = true;
+  bool compares = false;    // whether parts turn out to be independent of each other
+  double largest_rest = 0;  // the largest eigenvalue of P that is not one
+
+ private:
+  struct PartAtWork {
+    Part& part;
+    Block guess, known, block;
+    bool done = false;
+    double rest = 0;
+    explicit PartAtWork(Part& p) : part(p) {
+      const auto m = static_cast<Eigen::Index>(p.rows.size());
+      guess = GivenBlock(p.combinations.data(), m, p.count);
+      known.resize(m, 0);
+    }
+  };
+
+  // All parts at once: their columns are side by side in the same vectors.
+  bool one_round(std::vector<PartAtWork>& work, bool looks_again) {
+    for (PartAtWork& w : work) {
+      if (w.done) continue;
+      const Eigen::Index m = w.known.rows(), guessed = w.guess.cols();
+      const Eigen::Index others = std::min<Eigen::Index>(looks_again ? 1 : block_size, m - w.known.cols() - guessed);
+      w.block.resize(m, guessed + others);
+      w.block.leftCols(guessed) = w.guess;
+      for (double& x : w.block.rightCols(others).reshaped()) x = number_at_random();
+      w.guess.resize(m, 0);
+      w.block = beside(w.known, w.block);
+    }
+    for (int i = 0; i < (looks_again ? 1 : iterations); ++i) {
+      image(work);
+      for (PartAtWork& w : work)
+        if (!w.done) w.block = beside(w.known, w.block);
+    }
+    return judge(work);
+  }
+
+  // Mixed in another way in each part, they show where parts are not independent of each other.
+  bool judge(std::vector<PartAtWork>& work) {
+    std::vector<Block> before(work.size()), mixture(work.size());
+    for (std::size_t i = 0; i < work.size(); ++i) {
+      PartAtWork& w = work[i];
+      if (w.done) continue;
+      before[i] = w.block;
+      if (!compares) continue;
+      Block mixed(w.block.cols(), w.block.cols());
+      for (double& x : mixed.reshaped()) x = number_at_random();
+      mixture[i] = orthonormal(mixed);
+      w.block *= mixture[i];
+    }
+    image(work);
+    largest_rest = 0;
+    for (std::size_t i = 0; i < work.size(); ++i) {
+      PartAtWork& w = work[i];
+      if (!w.done) {
+        if (compares) w.block *= mixture[i].transpose();
+        if (!take_vanishing(before[i], w)) return false;
+      }
+      largest_rest = std::max(largest_rest, w.rest);
+    }
+    return true;
+  }
+
+  // Rayleigh-Ritz, of vectors and their images.
+  bool take_vanishing(const Block& vectors, PartAtWork& w) {
+    const Block small = vectors.transpose() * w.block;
+    is_finite = is_finite && small.allFinite();
+    if (!is_finite) return false;
+    const SymmetricEigenpairs shares = symmetric_eigenpairs((small + small.transpose()) / 2);
+    const Eigen::Index columns = vectors.cols();
+    const auto vanishing = static_cast<Eigen::Index>(std::ranges::count_if(shares.values, [](double x) { return x > 0.5; }));
+    w.rest = vanishing < columns ? std::max(0.0, shares.values[columns - vanishing - 1]) : 0;
+    Block more(w.known.rows(), w.known.cols() + vanishing);
+    more << w.known, vectors * shares.vectors.rightCols(vanishing);
+    if (compares && vanishing > 0 &&
+        (w.block * shares.vectors.rightCols(vanishing) - more.rightCols(vanishing)).colwise().norm().maxCoeff() > separate)
+      return false;
+    w.known = std::move(more);
+    // Round-off may have spoilt some of those before, but not where factors do by themselves.
+    w.done = vanishing == 0 || w.known.cols() == w.known.rows() || (vanishing < columns && w.rest < evidently_regular && refinements_ == 0);
+    if (!w.done) return true;
+    w.part.count = static_cast<int>(w.known.cols());
+    w.part.combinations.assign(w.known.data(), w.known.data() + w.known.size());
+    return true;
+  }
+
+  double number_at_random() { return static_cast<double>(random_()) / 2147483648.0 - 1; }
+
+  // Blocks become their images.
+  void image(std::vector<PartAtWork>& work) {
+    Eigen::Index columns = 0;
+    for (const PartAtWork& w : work) columns = std::max(columns, w.done ? 0 : w.block.cols());
+    column_.resize(root_.size());
+    for (Eigen::Index j = 0; j < columns; ++j) {
+      std::ranges::fill(column_, 0.0);
+      const auto each = [&](auto&& f) {
+        for (PartAtWork& w : work)
+          for (std::size_t i = 0; !w.done && j < w.block.cols() && i < w.part.rows.size(); ++i)
+            f(static_cast<std::size_t>(w.part.rows[i]), w.block(static_cast<Eigen::Index>(i), j));
+      };
+      each([&](std::size_t row, double& x) { column_[row] = x * root_[row]; });
+      apply(column_.data());
+      each([&](std::size_t row, double& x) { x = column_[row] * root_[row]; });
+    }
+  }
+
+  // From sqrt(D) times columns to multipliers. In large systems, factors alone leave too much of the small numbers that count here, as
+  // the first solution shows.
+  void apply(double* column) {
+    wanted_.assign(x_.size(), 0.0);
+    for (std::size_t i = 0; i < root_.size(); ++i) wanted_[unknown(i)] = -eps_ * all_.row_factor(all_.rows_[i]) * column[i];
+    std::ranges::fill(x_, 0.0);
+    for (int time = 0; time <= refinements_; ++time) {
+      rest_ = wanted_;
+      if (time > 0) for_each_entry(pattern_, [&](int row, int column, std::size_t slot) { rest_[row] -= matrix_[slot] * x_[column]; });
+      factors_.solve(rest_);
+      for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += rest_[i];
+      if (time > 0 && largest_multiplier(rest_) < accurate * largest_multiplier(x_)) refinements_ = time - 1;
+    }
+    for (std::size_t i = 0; i < root_.size(); ++i) column[i] = x_[unknown(i)];
+  }
+  std::size_t unknown(std::size_t i) const { return static_cast<std::size_t>(all_.first_ae_ + all_.rows_[i]); }
+  double largest_multiplier(const std::vector<double>& x) const {
+    double size = 0;
+    for (std::size_t i = 0; i < root_.size(); ++i) size = std::max(size, std::abs(x[unknown(i)]));
+    return size;
+  }
+
+  const RedundantConstraints& all_;
+  const Pattern& pattern_;
+  std::vector<double> matrix_;
+  LinearSolver& factors_;
+  double eps_;
+  int refinements_ = most_refinements;
+  std::vector<double> root_, wanted_, rest_, x_, column_;
+  std::mt19937 random_{1};
+};
+
+std::vector<RedundantConstraints::Part> RedundantConstraints::all_in_one() const {
+  Part all;
+  all.rows.resize(rows_.size());
+  std::iota(all.rows.begin(), all.rows.end(), 0);
+  return {std::move(all)};
+}
+
+// Combinations that are known from a state close by become those of this one by one application of P. A vector at random beside them tells
+// whether there are more. Large systems are taken apart, such that few vectors are enough for many combinations.
+bool RedundantConstraints::find(const Pattern& pattern, std::span<const double> values, double eps, LinearSolver& factors) {
+  Search search(*this, pattern, values, eps, factors);
+  if (!search.factorize()) return false;
+  const auto blocks = [&](BlocksOf kind) {
+    std::vector<Part> parts;
+    for (std::vector<int>& rows : constraint_blocks(kind, pattern, values, first_ae_, nodes_, rows_)) parts.push_back({.rows = std::move(rows), .count = 0, .combinations = {}});
+    return parts;
+  };
+  const bool small = rows_.size() <= few_rows;
+  if (parts_.empty()) parts_ = small ? all_in_one() : blocks(BlocksOf::loops);
+  if (!search.find_in(parts_, false)) {
+    if (!search.is_finite || small) return false;
+    parts_ = blocks(BlocksOf::coordinates);
+    if (!search.find_in(parts_, true)) return false;
+  }
+  count_ = 0;
+  for (const Part& part : parts_) count_ += part.count;
+  weakest_ = search.largest_rest > 0 ? eps * (1 / search.largest_rest - 1) : 1;
   return true;
+}
+
+bool RedundantConstraints::take_over(const RedundantConstraints& found) {
+  if (found.rows_ != rows_) return false;
+  parts_ = found.parts_;
+  for (Part& part : parts_) {
+    Block all = GivenBlock(part.combinations.data(), static_cast<Eigen::Index>(part.rows.size()), part.count);
+    for (std::size_t i = 0; i < part.rows.size(); ++i) {
+      const auto row = static_cast<std::size_t>(rows_[part.rows[i]]);
+      all.row(static_cast<Eigen::Index>(i)) *= std::sqrt(weight_[row] / found.weight_[row]);
+    }
+    if (part.count > 0) all = orthonormal(all);
+    part.combinations.assign(all.data(), all.data() + all.size());
+  }
+  count_ = found.count_;
+  weakest_ = found.weakest_;
+  return true;
+}
+
+// f(part, owner, rows, first) for the rows of each owner in the combinations of each part, of which the first is rows[first] there.
+template <class F>
+void RedundantConstraints::each_owner(F&& f, const System& system) const {
+  const auto owners = system.equation_owners();
+  for (const Part& part : parts_) {
+    if (part.count == 0) continue;
+    const GivenBlock all(part.combinations.data(), static_cast<Eigen::Index>(part.rows.size()), part.count);
+    auto owner = owners.begin();
+    for (std::size_t i = 0; i < part.rows.size();) {
+      while (rows_[part.rows[i]] >= owner->first + owner->count) ++owner;
+      std::size_t end = i;
+      while (end < part.rows.size() && rows_[part.rows[end]] < owner->first + owner->count) ++end;
+      f(part, *owner, all.middleRows(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(end - i)), static_cast<int>(i));
+      i = end;
+    }
+  }
 }
 
 // Equations of one item can be left out as long as the rest of the combinations stays independent of them: as many as the rank of
 // their part of the combinations.
 std::vector<RedundantConstraints::Item> RedundantConstraints::items(const System& system) const {
-  std::vector<Item> found;
-  if (count_ == 0) return found;
-  const Eigen::Map<const Block> all(combinations_.data(), static_cast<Eigen::Index>(rows_.size()), count_);
-  for (const System::EquationOwner& owner : system.equation_owners()) {
-    const auto begin = std::ranges::lower_bound(rows_, owner.first), end = std::ranges::lower_bound(rows_, owner.first + owner.count);
-    if (begin == end) continue;
-    const Block part = all.middleRows(begin - rows_.begin(), end - begin);
-    if (!(part.squaredNorm() > removable_share)) continue;
-    const auto rank = std::ranges::count_if(symmetric_eigenvalues(part * part.transpose()), [](double x) { return x > removable_share; });
+  std::map<int, Item> found;  // by equation
+  each_owner([&](const Part&, const System::EquationOwner& owner, const Block& rows, int) {
+    if (!(rows.squaredNorm() > removable_share)) return;
+    const auto rank = static_cast<int>(std::ranges::count_if(symmetric_eigenvalues(rows * rows.transpose()), [](double x) { return x > removable_share; }));
     const auto acting = std::count(acting_.begin() + owner.first, acting_.begin() + owner.first + owner.count, 1);
-    found.push_back({owner.number, system.describe(owner), owner.first, owner.count, static_cast<int>(acting), static_cast<int>(rank)});
-  }
-  return found;
+    const auto known = found.try_emplace(owner.first, Item{owner.number, system.describe(owner), owner.first, owner.count, static_cast<int>(acting), 0}).first;
+    known->second.removable += rank;
+  }, system);
+  std::vector<Item> items;
+  for (auto& [equation, item] : found) items.push_back(std::move(item));
+  return items;
 }
 
 // What vanishes of a gap is the same wherever it is: the smallest gap of the item alone that has as much of it.
 std::vector<std::string> RedundantConstraints::contradictions(std::span<const double> misfit, const System& system) const {
   constexpr double not_all = 1e-2;
   std::vector<std::string> lines;
-  if (count_ == 0) return lines;
-  const Eigen::Map<const Block> all(combinations_.data(), static_cast<Eigen::Index>(rows_.size()), count_);
-  Eigen::VectorXd scaled(all.rows());
-  for (Eigen::Index i = 0; i < scaled.size(); ++i) scaled[i] = misfit[rows_[i]] / std::sqrt(weight_[rows_[i]]);
-  const Eigen::VectorXd whole = all.transpose() * scaled;
-  for (const Item& item : items(system)) {
-    const auto first = std::ranges::lower_bound(rows_, item.first) - rows_.begin();
-    const auto count = std::ranges::lower_bound(rows_, item.first + item.rows) - rows_.begin() - first;
-    Eigen::VectorXd gap = smallest_solution(all.middleRows(first, count).transpose(), whole);
-    if ((all.middleRows(first, count).transpose() * gap - whole).norm() > not_all * whole.norm()) continue;
-    for (Eigen::Index i = 0; i < count; ++i) gap[i] *= std::sqrt(weight_[rows_[first + i]]);
+  const auto whole_of = [&](const Part& part) -> Eigen::VectorXd {
+    Eigen::VectorXd scaled(static_cast<Eigen::Index>(part.rows.size()));
+    for (std::size_t i = 0; i < part.rows.size(); ++i) scaled[static_cast<Eigen::Index>(i)] = misfit[rows_[part.rows[i]]] / std::sqrt(weight_[rows_[part.rows[i]]]);
+    return GivenBlock(part.combinations.data(), scaled.size(), part.count).transpose() * scaled;
+  };
+  double largest = 0;
+  for (const Part& part : parts_) largest = std::max(largest, part.count > 0 ? whole_of(part).norm() : 0.0);
+  each_owner([&](const Part& part, const System::EquationOwner& owner, const Block& rows, int first) {
+    const Eigen::VectorXd whole = whole_of(part);
+    if (!(whole.norm() > not_all * largest)) return;
+    Eigen::VectorXd gap = smallest_solution(rows.transpose(), whole);
+    if ((rows.transpose() * gap - whole).norm() > not_all * whole.norm()) return;
+    const auto equation_at = [&](Eigen::Index i) { return rows_[part.rows[static_cast<std::size_t>(first + i)]]; };
+    for (Eigen::Index i = 0; i < gap.size(); ++i) gap[i] *= std::sqrt(weight_[equation_at(i)]);
     Eigen::Index worst = 0;
     gap.cwiseAbs().maxCoeff(&worst);
-    const int equation = rows_[first + worst];
+    const int equation = equation_at(worst);
     const char* unit = units_[equation] == CoordinateUnit::meter ? " m" : units_[equation] == CoordinateUnit::radian ? " rad" : "";
-    lines.push_back(item.item + ", equation " + std::to_string(equation - item.first) + ": " + format_number(gap[worst]) + unit);
-  }
+    lines.push_back(system.describe(owner) + ", equation " + std::to_string(equation - owner.first) + ": " + format_number(gap[worst]) + unit);
+  }, system);
   return lines;
 }
 

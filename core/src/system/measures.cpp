@@ -29,6 +29,15 @@ std::vector<CoordinateUnit> System::coordinate_units() const {
   return units;
 }
 
+std::vector<int> System::nodes_of_coordinates() const {
+  std::vector<int> nodes(static_cast<std::size_t>(sizes_.ode2), -1);
+  for (std::size_t i = 0; i < parts_->nodes.size(); ++i) {
+    const NodePlace& node = parts_->nodes[i];
+    if (node.sizes.ode2 > 0) std::fill_n(nodes.begin() + node.ode2, node.sizes.ode2, static_cast<int>(i));
+  }
+  return nodes;
+}
+
 double System::extent() const {
   SystemParts& parts = *parts_;
   const Ports& ports = parts.ports;

@@ -6,8 +6,8 @@
 
 namespace dalembert {
 
-// Orthonormal columns that span what is left of a matrix beside known ones, which are orthonormal.
-Eigen::MatrixXd orthonormal_beside(const Eigen::MatrixXd& known, const Eigen::MatrixXd& columns);
+// Orthonormal columns that span those of a matrix, by Householder reflections.
+Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns);
 
 struct SymmetricEigenpairs {
   Eigen::VectorXd values;  // ascending

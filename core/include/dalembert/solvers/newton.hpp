@@ -47,10 +47,8 @@ class NewtonSolver : public Solver {
     else return sqrt(sum_of_squares<S>(residual)) / conv.errorCoordinateFactor;
   }
   bool near_singular_position() override;
-  void constraints_are_independent() {  // as another matrix with them has shown
-    treatment_ = Treatment::none;
-    looks_at_next_ = false;
-  }
+  // As another matrix with them has shown.
+  void constraints_are_known(RedundantConstraints found);
   // Make the factors of the matrix in `jacobian_`; false, with the flags set, if it is singular.
   bool factorize();
 
@@ -77,15 +75,18 @@ class NewtonSolver : public Solver {
 
   // ---- redundant constraints (newton_redundancy.cpp) ---------------------------------------------------------------
   // A singular position is passed with the matrix that redundant constraints have, for one step.
-  // `unknown`: nobody has looked yet.
-  enum class Treatment { none, passing, lasting, unknown };
+  // `unknown`: nobody has looked yet; `announced`: another matrix has shown what the first one will have.
+  enum class Treatment { none, passing, lasting, announced, unknown };
 
   void forget_redundancy();
   void look_for_redundancy_at_start();
   void look_for_redundancy();
-  void begin_treatment();
+  void begin_treatment(LinearSolver& factors);
+  void begin_announced_treatment();
+  void regularize();
+  std::unique_ptr<LinearSolver> regularized_solver() const;
+  std::unique_ptr<LinearSolver> find_redundancy();
   void end_treatment();
-  void use_regularized(double eps);
   void look_again_at_redundancy();
   bool try_harder();
   void take_off_misfit();

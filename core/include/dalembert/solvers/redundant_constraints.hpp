@@ -42,8 +42,12 @@ class RedundantConstraints {
   bool suspected(LinearSolver& factors);
   // Whether multipliers outgrow what they state by far more than when they were `suspected` for the first time.
   bool much_weaker(LinearSolver& factors) { return growth(factors) > weaker_by * std::max(usual_growth_, smallest_growth); }
-  // Finds the combinations that vanish; factorizes the matrix with this eps. False: it is singular for other reasons as well.
-  bool find(const Pattern& pattern, std::span<const double> values, double eps, LinearSolverType type, LinearSolverOptions options);
+  // Finds the combinations that vanish; factorizes the matrix with this eps, by a solver with `options_to_find`. Those that are known from a state
+  // close by are only looked at again. False: the matrix is singular for other reasons as well.
+  static LinearSolverOptions options_to_find(LinearSolverOptions options);
+  bool find(const Pattern& pattern, std::span<const double> values, double eps, LinearSolver& factors);
+  // After `measure`: combinations that have been found for the same equations around another matrix. False: other equations have been measured.
+  bool take_over(const RedundantConstraints& found);
   int count() const { return count_; }
   double weakest() const { return weakest_; }  // the smallest eigenvalue of D^-1 S that is not zero
   std::vector<Item> items(const System& system) const;
@@ -65,8 +69,9 @@ class RedundantConstraints {
   // For combinations that have been found, and a misfit of that size; `of_rates`: of constraints of velocities, which drift.
   double eps_for(double misfit, bool of_rates) const;
   // The same after a look at the gaps: where they contradict each other, combinations that nearly vanish are found as well.
-  double eps_for_gaps(std::span<const double> gaps, bool of_rates, const Pattern& pattern, std::span<const double> values,
-                      LinearSolverType type, const LinearSolverOptions& options);
+  double eps_for_gaps(std::span<const double> gaps, bool of_rates, const Pattern& pattern, std::span<const double> values, LinearSolver& factors);
+  // Whether these gaps did not contradict each other.
+  bool consistent() const { return consistent_; }
   bool in_use() const { return eps_ > 0; }
   double eps() const { return eps_; }
   void use(double eps) { eps_ = eps; }  // zero: not any more
@@ -85,6 +90,7 @@ class RedundantConstraints {
   std::span<const int> rows() const { return rows_; }
 
  private:
+  static constexpr std::size_t few_rows = 40;  // not worth to be taken apart
   // A singular position takes the weakest constraint to zero; elsewhere it changes by less than this.
   static constexpr double weaker_by = 100, smallest_growth = 100;
 
@@ -92,9 +98,20 @@ class RedundantConstraints {
   // P with another eps, for all equations with a weight.
   void apply(LinearSolver& factors, double eps, std::span<double> multipliers);
   void find_weights(const std::vector<double>& ratios, const std::vector<CoordinateUnit>& units, double moment_length);
-  std::span<const double> combination(int k) const { return std::span(combinations_).subspan(rows_.size() * static_cast<std::size_t>(k), rows_.size()); }
+  class Search;
+  // Combinations that vanish, of equations that may follow from each other.
+  struct Part {
+    std::vector<int> rows;             // places in rows_
+    int count = 0;
+    std::vector<double> combinations;  // one after the other, orthonormal in sqrt(D) lambda
+    std::span<const double> combination(int k) const { return std::span(combinations).subspan(rows.size() * static_cast<std::size_t>(k), rows.size()); }
+  };
+  std::vector<Part> all_in_one() const;
+  template <class F>
+  void each_owner(F&& f, const System& system) const;
 
   int first_ae_ = 0;
+  std::vector<int> nodes_;           // of ODE2 coordinates
   double length_ = 1;                // the size of the model
   std::vector<double> weight_;       // D, by equation; zero: it is never redundant
   std::vector<double> unit_;
@@ -106,8 +123,10 @@ class RedundantConstraints {
   double rest_ = 0;                  // the largest eigenvalue of P that is not one
   double usual_growth_ = 0;          // where the constraints were looked at first
   int count_ = 0;
-  std::vector<double> combinations_;  // one after the other, orthonormal in sqrt(D) lambda, by rows_
+  bool consistent_ = true;
+  std::vector<Part> parts_;
   std::vector<double> x_, idle_;
+  std::vector<int> slots_;  // of the diagonal, by rows_
 };
 
 // Of the constraints as they are in a state.

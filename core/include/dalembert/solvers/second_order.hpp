@@ -107,7 +107,7 @@ class SecondOrderSolver : public NewtonSolver {
 struct InitialAccelerations {
   std::vector<double> a, lambda;
   int singular_row = LinearSolver::success;
-  bool independent_constraints = false;
+  RedundantConstraints redundant;
 };
 InitialAccelerations initial_accelerations(System& system, const State& state, const Conditions& conditions, LinearSolverType type,
                                            const LinearSolverOptions& options, const RedundantConstraintsSettings& redundancy);

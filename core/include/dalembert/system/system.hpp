@@ -113,6 +113,7 @@ class System {
   void gaps(const State& state, const Conditions& conditions, std::span<double> g);
   // What each ODE2 coordinate measures: components of positions, the other coordinates of such nodes, or no one knows what.
   std::vector<CoordinateUnit> coordinate_units() const;
+  std::vector<int> nodes_of_coordinates() const;  // ODE2
   // The diagonal of the box around all markers, nodes and meshes in space, in m, as the last evaluation has left them; 1 if all is one point.
   double extent() const;
 
