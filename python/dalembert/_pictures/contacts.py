@@ -85,8 +85,8 @@ def _draw_search(pen: Pen, held: dict[str, Any], contact: Any) -> None:
         _draw_box(pen, whole, color)
     if settings.showSearchTreeCells and all(sizes):
         step = (whole[1] - whole[0]) / sizes
-        corners = [whole[0] + step * np.array(cell) for cell in itertools.product(*map(range, sizes))]
-        cells = [np.array([corner, corner + step]) for corner in corners]
+        firsts = [whole[0] + step * np.array(cell) for cell in itertools.product(*map(range, sizes))]
+        cells = [np.array([first, first + step]) for first in firsts]
         counts = [sum(map(len, (contact.GetItemsInBox(*cell) or {}).values())) for cell in cells]
         most = max(counts)
         for cell, count in zip(cells, counts, strict=True):
