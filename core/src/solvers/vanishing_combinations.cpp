@@ -252,6 +252,7 @@ bool RedundantConstraints::take_over(const RedundantConstraints& found) {
 // f(part, owner, rows, first) for the rows of each owner in the combinations of each part, of which the first is rows[first] there.
 template <class F>
 void RedundantConstraints::each_owner(F&& f, const System& system) const {
+  if (count_ == 0) return;  // solvers that have not begun have no system either
   const auto owners = system.equation_owners();
   for (const Part& part : parts_) {
     if (part.count == 0) continue;
