@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -34,48 +35,58 @@ def draw(pen: Pen, item: DrawnItem) -> None:
     """Draw a part of one general contact, once the system is assembled."""
     if pen.places.source is None:
         return
-    held = pen.places.mbs.GetDictionary()["generalContactList"][item.number]
     if item.type_name == SHAPES:
-        _draw_shapes(pen, held)
+        _draw_shapes(pen, item.number)
     else:
-        _draw_search(pen, held, pen.places.mbs.GetGeneralContact(item.number))
+        _draw_search(pen, item.number)
 
 
-def _draw_shapes(pen: Pen, held: dict[str, Any]) -> None:
-    contact = pen.looks.setting("contact")
+def _draw_shapes(pen: Pen, number: int) -> None:
+    contact, held = pen.looks.setting("contact"), _held(pen, number)
     if contact.showSpheres:
-        for marker, radius in zip(held["spheres"]["markerIndex"], held["spheres"]["radius"], strict=True):
-            if (center := pen.places.marker(marker)) is not None:
-                pen.stick("Marker", marker)
-                pen.sphere(center, float(radius), rgba(contact.colorSpheres))
+        for marker, center, radius in _spheres(pen, held):
+            pen.stick("Marker", marker)
+            pen.sphere(center, radius, rgba(contact.colorSpheres))
     if contact.showTriangles:
-        for marker, corners in _corners(held):
-            if (place := pen.places.marker(marker)) is not None:
-                pen.stick("Marker", marker)
-                mesh = Mesh(corners.reshape(-1, 3), np.arange(corners.size // 3).reshape(-1, 3))
-                pen.mesh(mesh, place, pen.places.marker_rotation(marker), rgba(contact.colorTriangles))
+        for marker, place, rotation, corners in _triangles(pen, held):
+            pen.stick("Marker", marker)
+            mesh = Mesh(corners.reshape(-1, 3), np.arange(corners.size // 3).reshape(-1, 3))
+            pen.mesh(mesh, place, rotation, rgba(contact.colorTriangles))
 
 
-def _corners(held: dict[str, Any]) -> list[tuple[int, FloatArray]]:
-    """Return the marker of each body with triangles, and their corners (n x 3 x 3) in its frame."""
+def _held(pen: Pen, number: int) -> dict[str, Any]:
+    """Return what the model says of a general contact."""
+    return dict(pen.places.mbs.GetDictionary()["generalContactList"][number])
+
+
+def _spheres(pen: Pen, held: dict[str, Any]) -> Iterator[tuple[int, FloatArray, float]]:
+    """Yield marker, center and radius of spheres that have a place."""
+    for marker, radius in zip(held["spheres"]["markerIndex"], held["spheres"]["radius"], strict=True):
+        if (center := pen.places.marker(marker)) is not None:
+            yield int(marker), center, float(radius)
+
+
+def _triangles(pen: Pen, held: dict[str, Any]) -> Iterator[tuple[int, FloatArray, FloatArray, FloatArray]]:
+    """Yield marker, place and rotation of bodies, and the corners (n x 3 x 3) of their triangles in their frames."""
     owner, corners = held["triangles"]["contactRigidBodyIndex"], held["triangles"]["points"]
-    return [(int(m), corners[owner == k]) for k, m in enumerate(held["triangleBodies"]["rigidBodyMarkerIndex"])]
+    for k, marker in enumerate(held["triangleBodies"]["rigidBodyMarkerIndex"]):
+        if (place := pen.places.marker(marker)) is not None:
+            yield int(marker), place, pen.places.marker_rotation(marker), corners[owner == k]
 
 
-def _draw_search(pen: Pen, held: dict[str, Any], contact: Any) -> None:
+def _draw_search(pen: Pen, number: int) -> None:
     settings = pen.looks.setting("contact")
     if settings.showBoundingBoxes:
-        color = rgba(settings.colorBoundingBoxes)
-        for marker, radius in zip(held["spheres"]["markerIndex"], held["spheres"]["radius"], strict=True):
-            if (center := pen.places.marker(marker)) is not None:
-                _draw_box(pen, np.array([center - radius, center + radius]), color)
-        for marker, corners in _corners(held):
-            if (place := pen.places.marker(marker)) is not None:
-                turned = corners @ pen.places.marker_rotation(marker).T + place
-                for box in np.stack([turned.min(axis=1), turned.max(axis=1)], axis=1):
-                    _draw_box(pen, box, color)
+        color, held = rgba(settings.colorBoundingBoxes), _held(pen, number)
+        for _, center, radius in _spheres(pen, held):
+            _draw_box(pen, np.array([center - radius, center + radius]), color)
+        for _, place, rotation, corners in _triangles(pen, held):
+            turned = corners @ rotation.T + place
+            for box in np.stack([turned.min(axis=1), turned.max(axis=1)], axis=1):
+                _draw_box(pen, box, color)
     if not (settings.showSearchTree or settings.showSearchTreeCells):
         return
+    contact = pen.places.mbs.GetGeneralContact(number)
     now = contact.GetPythonObject()
     whole, sizes = np.array(now["searchTreeBox"], float).reshape(2, 3), [int(n) for n in now["searchTreeSize"]]
     if not np.all(whole[1] > whole[0]):
