@@ -10,9 +10,16 @@ from registers import each_width, numbers_in_registers
 
 import dalembert as exu
 from dalembert._core import testing
-from dalembert.itemInterface import MarkerNodePosition, NodePoint, ObjectConnectorSpringDamper, ObjectMassPoint
+from dalembert.itemInterface import (
+    MarkerNodePosition,
+    NodePoint,
+    NodePointGround,
+    ObjectConnectorSpringDamper,
+    ObjectMassPoint,
+)
 
 ROUNDING = 1e-13  # of the largest force: wide registers fuse products and sums
+POSITION, VELOCITY = {"cq": 1.0, "cv": 0.0}, {"cq": 0.0, "cv": 1.0}  # by what a tangent is taken
 
 
 def law(i: int) -> dict[str, float]:
@@ -26,13 +33,17 @@ def law(i: int) -> dict[str, float]:
     }
 
 
-def star(laws: list[dict[str, Any]]) -> exu.MainSystem:
-    """Springs from one free point, node 0, to as many others."""
+def star(laws: list[dict[str, Any]], grounded: tuple[int, ...] = ()) -> exu.MainSystem:
+    """Springs from one free point, node 0, to as many others, some of which are ground."""
     mbs = exu.SystemContainer().AddSystem()
     markers = []
     for i in range(len(laws) + 1):
-        node = mbs.AddNode(NodePoint(referenceCoordinates=[np.cos(i), np.sin(i), 0.3 * i] if i else [0, 0, 0]))
-        mbs.AddObject(ObjectMassPoint(nodeNumber=node, physicsMass=1))
+        place = [np.cos(i), np.sin(i), 0.3 * i] if i else [0, 0, 0]
+        if i in grounded:
+            node = mbs.AddNode(NodePointGround(referenceCoordinates=place))
+        else:
+            node = mbs.AddNode(NodePoint(referenceCoordinates=place))
+            mbs.AddObject(ObjectMassPoint(nodeNumber=node, physicsMass=1))
         markers.append(mbs.AddMarker(MarkerNodePosition(nodeNumber=node)))
     for marker, one in zip(markers[1:], laws, strict=True):
         mbs.AddObject(ObjectConnectorSpringDamper(markerNumbers=[markers[0], marker], **one))
@@ -150,6 +161,73 @@ def test_points_that_coincide() -> None:
     points = reference(mbs)
     q[0], q[3] = 0, -points[3]  # both in the origin, exactly
     assert agree(residual(mbs, q, v), expected(laws, points + q, v))
+
+
+def check_tangent(mbs: exu.MainSystem, q: np.ndarray, v: np.ndarray) -> None:
+    """By positions and by velocities, against central differences of second order, which are exact to about 1e-10 of the largest entry."""
+    state = testing.State(mbs)
+    state.q, state.v = q.ravel(), v.ravel()
+    h = 1e-5
+    for weights, moved in ((POSITION, "q"), (VELOCITY, "v")):
+        columns = []
+        for k in range(q.size):
+            sides = []
+            for step in (h, -h):
+                at = {"q": q.ravel().copy(), "v": v.ravel().copy()}
+                at[moved][k] += step
+                sides.append(residual(mbs, at["q"], at["v"]).ravel())
+            columns.append((sides[0] - sides[1]) / (2 * h))
+        differences = np.array(columns).T
+        tangent = testing.tangent(mbs, state, **weights)
+        np.testing.assert_allclose(tangent, differences, rtol=0, atol=1e-7 * np.abs(differences).max())
+
+
+@pytest.mark.parametrize("count", [1, 2, 7, 8, 9, 21], ids="{} springs".format)
+def test_tangents_side_by_side(count: int) -> None:
+    mbs = star([law(i) for i in range(count)])
+    check_tangent(mbs, *motion(count))
+
+
+def test_tangents_of_all_kinds_of_ends() -> None:
+    """Ground in the midst of points, at the end of a block and alone in one; a user function, and a connector that is off, among them."""
+    laws: list[dict[str, Any]] = [law(i) for i in range(17)]
+    laws[4]["springForceUserFunction"] = lambda mbs, t, i, elongation, rate, k, d, f: k * elongation**2 + d * rate
+    laws[6]["activeConnector"] = False
+    mbs = star(laws, grounded=(1, 3, 8, 17))
+    q, v = np.random.default_rng(3).normal(scale=0.1, size=(2, 14, 3))
+    check_tangent(mbs, q, v)
+
+
+def test_tangents_where_points_coincide() -> None:
+    """One spring of a block has no length: its force changes with the velocity as stated, and not with the position; others are as if alone."""
+    laws = [law(i) for i in range(5)]
+    mbs = star(laws)
+    q, v = motion(5)
+    q[0], q[3] = 0, -reference(mbs)[3]
+    state = testing.State(mbs)
+    state.q, state.v = q.ravel(), v.ravel()
+    by_position, by_velocity = (testing.tangent(mbs, state, **w).reshape(6, 3, 6, 3) for w in (POSITION, VELOCITY))
+
+    rate = v[3] - v[0]
+    speed = np.linalg.norm(rate)
+    axis = rate / speed
+    one = laws[2]
+    tension = (
+        -one["stiffness"] * one["referenceLength"] + one["damping"] * (speed - one["velocityOffset"]) + one["force"]
+    )
+    along = np.outer(axis, axis)
+    np.testing.assert_allclose(by_position[3, :, 3], one["stiffness"] * along, rtol=1e-12, atol=1e-10)
+    np.testing.assert_allclose(
+        by_velocity[3, :, 3], one["damping"] * along + tension / speed * (np.eye(3) - along), rtol=1e-12, atol=1e-10
+    )
+
+    apart = star(laws)
+    apart.SetObjectParameter(6 + 2, "activeConnector", False)
+    state = testing.State(apart)
+    state.q, state.v = q.ravel(), v.ravel()
+    others = testing.tangent(apart, state, **POSITION).reshape(6, 3, 6, 3)
+    for i in (1, 2, 4, 5):
+        np.testing.assert_array_equal(others[i, :, i], by_position[i, :, i])
 
 
 FORCES = """

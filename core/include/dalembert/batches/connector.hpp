@@ -51,7 +51,7 @@ class PortBatch final : public Term {
     e.data_count = placement.data_count;
     entries_.push_back(std::move(e));
     if constexpr (SpanLawConnector<K>) {
-      spans_.add(entries_.back().offsets);
+      spans_.add(entries_.back().markers, ports);
       take_law(static_cast<int>(entries_.size()) - 1);
     }
   }
@@ -78,16 +78,16 @@ class PortBatch final : public Term {
   }
   void tangent(const Evaluation& evaluation, const Weights&, Ports& ports, double* values) const override {
     if constexpr (is_constant) return;
-    each_block(ports, [&](const Entry& e, const Columns<M>& columns, const int* slot) {
-      if (add_in_closed_form(e, ports, slot, values)) return;
-      for (int first = 0; first < columns.total; first += sweep_width) {
-        std::array<typename Port::template Frame<SweepDual>, M> frames;
-        for (int m = 0; m < M; ++m)
-          frames[m] = read_moving_frame<Port>(ports, e.markers[m], columns.offset[m], first);
-        const auto forces = kernel_forces<K, M, SweepDual>(e.parameters, context(evaluation, e), frames);
-        scatter_forces<Port, M>(ports, e.markers, columns, first, -1.0, forces, slot, values);
-      }
-    });
+    const auto add = [&](const Entry& e, const Columns<M>& columns, const int* slot) {
+      if (!add_in_closed_form(e, ports, slot, values)) sweep(e, evaluation, columns, ports, slot, values);
+    };
+    if constexpr (SpanLawConnector<K>) {
+      spans_.add_tangents(ports, slots.data(), values, [&](int entry, const int* slot) [[gnu::noinline]] {
+        return with_block(entries_[entry], ports, slot, add);
+      });
+    } else {
+      each_block(ports, add);
+    }
   }
 
   bool has_tangent() const override { return !is_constant; }
@@ -148,17 +148,6 @@ class PortBatch final : public Term {
     }
   }
 
-  // Calls f(entry, columns, slots) for those that act, with the block of the tangent that is theirs.
-  template <class S, class F>
-  void each_block(const PortsOf<S>& ports, const F& f) const {
-    const int* slot = slots.data();
-    for (const Entry& e : entries_) {
-      const Columns<M> columns(ports, e.markers);
-      if (is_active(e.parameters)) f(e, columns, slot);
-      slot += columns.total * columns.total;
-    }
-  }
-
   static constexpr bool is_load = M == 1;
   // Loads have no history, and connectors are never constant.
   using History = std::conditional_t<is_load, NoPairHistory, K>;
@@ -201,6 +190,27 @@ class PortBatch final : public Term {
     std::array<typename Port::template Frame<S>, M> frames;
     for (int m = 0; m < M; ++m) frames[m] = read_frame<Port>(ports, e.markers[m]);
     return frames;
+  }
+
+  // Calls f(entry, columns, slots) for those that act, with the block of the tangent that is theirs.
+  template <class S, class F>
+  void each_block(const PortsOf<S>& ports, const F& f) const {
+    const int* slot = slots.data();
+    for (const Entry& e : entries_) slot = with_block(e, ports, slot, f);
+  }
+  template <class S, class F>
+  static const int* with_block(const Entry& e, const PortsOf<S>& ports, const int* slot, const F& f) {
+    const Columns<M> columns(ports, e.markers);
+    if (is_active(e.parameters)) f(e, columns, slot);
+    return slot + columns.total * columns.total;
+  }
+  static void sweep(const Entry& e, const Evaluation& evaluation, const Columns<M>& columns, Ports& ports, const int* slot, double* values) {
+    for (int first = 0; first < columns.total; first += sweep_width) {
+      std::array<typename Port::template Frame<SweepDual>, M> frames;
+      for (int m = 0; m < M; ++m) frames[m] = read_moving_frame<Port>(ports, e.markers[m], columns.offset[m], first);
+      const auto forces = kernel_forces<K, M, SweepDual>(e.parameters, context(evaluation, e), frames);
+      scatter_forces<Port, M>(ports, e.markers, columns, first, -1.0, forces, slot, values);
+    }
   }
 
   // A load that does not read its marker adds nothing.

@@ -32,12 +32,14 @@ concept TracedSpanConnector = SpanConnector<K> && requires(const typename K::Par
 };
 
 // Besides span and rate, the force depends on a few numbers alone, its law: several connectors are computed side by side.
-// Law<S> consists of scalars; `force(law, span, rate)` acts on the first marker. A connector has it where `has_tangent`.
+// Law<S> consists of scalars; `force(law, span, rate)` acts on the first marker, and `tangent(law, span, rate)` has its derivatives.
+// A connector has it where `has_tangent`.
 template <class K>
 concept SpanLawConnector = SpanConnector<K> &&
     requires(const typename K::Parameters& p, const typename K::template Law<double>& law, const Vec3<double>& v) {
       { K::law(p) } -> std::same_as<typename K::template Law<double>>;
       { K::force(law, v, v) } -> std::same_as<Vec3<double>>;
+      { K::tangent(law, v, v) } -> std::same_as<SpanTangent<3>>;
     };
 
 }  // namespace dalembert

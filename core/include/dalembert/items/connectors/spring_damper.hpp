@@ -43,25 +43,29 @@ struct ObjectConnectorSpringDamper : NoPairHistory {
     return law.tension(line.length, line.rate) * line.axis;
   }
 
-  // The tension changes along the line, the line turns with what moves across it. Where the points coincide, it is the relative
-  // velocity that turns it; that the line jumps once they part has no derivative.
   template <class S>
   static SpanTangent<3, S> tangent(const Parameters& p, const PointFrame<S>& m0, const PointFrame<S>& m1) {
-    const Line<S> line(m0, m1);
-    if (is_zero(line.axis)) return {};
-    const bool coincide = is_zero(line.span);
-    Vec3<S> slope = p.stiffness * line.axis;
-    if (!coincide) slope += (p.damping / line.length) * (m1.velocity - m0.velocity - line.rate * line.axis);
+    return tangent(law(p), Vec3<S>(m1.position - m0.position), Vec3<S>(m1.velocity - m0.velocity));
+  }
+  // The tension changes along the line, the line turns with what moves across it. Where the points coincide, it is the relative
+  // velocity that turns it; that the line jumps once they part has no derivative.
+  template <class L, class S>
+  static SpanTangent<3, S> tangent(const Law<L>& law, const Vec3<S>& span, const Vec3<S>& rate) {
+    const Line<S> line(span, rate);
+    const S per_length = inverse_or_zero(line.length), tension = law.tension(line.length, line.rate), turning = tension * per_length;
+    const Vec3<S> slope = law.stiffness * line.axis + (law.damping * per_length) * (rate - line.rate * line.axis);
     SpanTangent<3, S> t;
+    const auto across = [&](int i, int j) DALEMBERT_INLINE { return (i == j ? 1.0 : 0.0) - line.axis[i] * line.axis[j]; };
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
-        t.by_span(i, j) = line.axis[i] * slope[j];
-        t.by_rate(i, j) = p.damping * line.axis[i] * line.axis[j];
+        t.by_span(i, j) = line.axis[i] * slope[j] + turning * across(i, j);
+        t.by_rate(i, j) = law.damping * (line.axis[i] * line.axis[j]);
       }
-    const S turning = tension(p, Context{}, line) / (coincide ? line.rate : line.length);
-    Mat3<S>& turned = coincide ? t.by_rate : t.by_span;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) turned(i, j) += turning * ((i == j ? 1.0 : 0.0) - line.axis[i] * line.axis[j]);
+    if (any_zero(line.length)) [[unlikely]] {
+      const S turning_by_rate = where_zero(line.length, tension * inverse_or_zero(line.rate), S(0.0));
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) t.by_rate(i, j) += turning_by_rate * across(i, j);
+    }
     return t;
   }
 
@@ -87,21 +91,26 @@ struct ObjectConnectorSpringDamper : NoPairHistory {
 
     Line(const PointFrame<S>& m0, const PointFrame<S>& m1) : Line(m1.position - m0.position, m1.velocity - m0.velocity) {}
     Line(const Vec3<S>& from_0_to_1, const Vec3<S>& velocity) : span(from_0_to_1) {
-      Vec3<S> along = span;
-      S square = dot(along, along);
-      const bool coincide = any_zero(square);
-      if (coincide) [[unlikely]] {
-        along = where_zero(square, velocity, span);
-        square = dot(along, along);
+      const S square = dot(span, span);
+      if (any_zero(square)) [[unlikely]] {
+        const Vec3<S> along = where_zero(square, velocity, span);
+        const S square_along = dot(along, along);
         if constexpr (OneNumber<S>) {
-          if (any_zero(square)) return;  // derivatives have no value there
+          if (any_zero(square_along)) return;  // derivatives have no value there
         }
+        take(along, square_along);
+        length = where_zero(square, dot(axis, span), length);
+      } else {
+        take(span, square);
       }
+      rate = dot(axis, velocity);
+    }
+
+   private:
+    void take(const Vec3<S>& along, const S& square) {
       using std::sqrt;
       length = sqrt(square);
       axis = (1.0 / one_for_zero(length)) * along;
-      if (coincide) [[unlikely]] length = dot(axis, span);
-      rate = dot(axis, velocity);
     }
   };
 
@@ -117,14 +126,26 @@ struct ObjectConnectorSpringDamper : NoPairHistory {
     for (int lane = 1; lane < N; ++lane) any |= zero[lane];
     return any != 0;
   }
-  // The first vector where the square is zero, else the second.
-  template <OneNumber S>
-  static Vec3<S> where_zero(const S&, const Vec3<S>& first, const Vec3<S>&) {
+  // The first value where `number` is zero, else the second. Of a single number, callers know that it is.
+  template <OneNumber S, class V>
+  static V where_zero(const S&, const V& first, const V&) {
     return first;
   }
   template <int N>
-  DALEMBERT_INLINE static Vec3<Pack<N>> where_zero(const Pack<N>& square, const Vec3<Pack<N>>& first, const Vec3<Pack<N>>& second) {
-    return vector_of<3>([&](int i) { return Pack<N>(square.x == 0.0 ? first[i].x : second[i].x); });
+  DALEMBERT_INLINE static Pack<N> where_zero(const Pack<N>& number, const Pack<N>& first, const Pack<N>& second) {
+    return Pack<N>(number.x == 0.0 ? first.x : second.x);
+  }
+  template <int N>
+  DALEMBERT_INLINE static Vec3<Pack<N>> where_zero(const Pack<N>& number, const Vec3<Pack<N>>& first, const Vec3<Pack<N>>& second) {
+    return vector_of<3>([&](int i) { return where_zero(number, first[i], second[i]); });
+  }
+  template <class S>
+  DALEMBERT_INLINE static S inverse_or_zero(const S& number) {
+    if (any_zero(number)) [[unlikely]] {
+      if constexpr (OneNumber<S>) return 0.0;
+      else return where_zero(number, S(0.0), 1.0 / one_for_zero(number));
+    }
+    return 1.0 / number;
   }
 
   template <class S>
