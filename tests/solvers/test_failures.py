@@ -169,3 +169,20 @@ def test_systems_that_cannot_be_solved_are_refused() -> None:
     empty.Assemble()
     with pytest.raises((ValueError, RuntimeError), match="no unknowns"):
         empty.SolveDynamic(settings_of(1.0, 10))
+
+
+@pytest.mark.parametrize("solver", ["GeneralizedAlpha", "TrapezoidalIndex2", "ESDIRK43", "ExplicitEuler", "DOPRI5"])
+def test_the_state_stays_finite_when_no_step_is_possible(solver: str) -> None:
+    """The square of this velocity is no number, and with it the force of the rod; what is left is the initial state."""
+    mbs = exu.SystemContainer().AddSystem()
+    ground = mbs.CreateGround()
+    fast = mbs.CreateMassPoint(
+        referencePosition=[1, 0, 0], initialDisplacement=[0, 0.1, 0], initialVelocity=[0, 1e300, 0], physicsMass=1
+    )
+    mbs.CreateDistanceConstraint(bodyNumbers=[ground, fast], distance=1.0)
+    mbs.Assemble()
+    before = mbs.systemData.GetSystemState(exu.ConfigurationType.Initial)
+    with pytest.raises(SolverError, match="not finite"):
+        mbs.SolveDynamic(settings_of(1.0, 10), solverType=getattr(exu.DynamicSolverType, solver))
+    for left, initial in zip(mbs.systemData.GetSystemState(), before, strict=True):
+        np.testing.assert_array_equal(left, initial)

@@ -89,7 +89,10 @@ bool Solver::initialize() {
   initial_conditions();
   if (!continues()) check_constraints();
   post_initialize();
-  if (!diagnosis_.failed() && !all_finite(current())) diagnose_not_finite();
+  if (!diagnosis_.failed() && !all_finite(current())) {
+    diagnose_not_finite();
+    current() = system_->state(ConfigurationType::Initial);
+  }
   output.initializationSuccessful = !diagnosis_.failed();
   return output.initializationSuccessful;
 }
