@@ -1,11 +1,12 @@
-// Attributes of a MainSystem: those that it has not are explained, and mbs.AddNode and the like are there at once. Python (up to 3.11)
-// looks up methods of classes that explain attributes without its caches, and makes a new object of each; models add very many items.
+// Attributes of a MainSystem: those that it has not are explained, and mbs.AddNode and the like are there at once. Python looks up
+// methods of classes that explain attributes without its caches, and makes a new object of each; models add very many items.
 #include "main_system_attributes.hpp"
 
 #include <structmember.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "index_types.hpp"
 
@@ -28,8 +29,12 @@ struct Method {
 
 std::array<Method, item_kinds> adders{};
 PyTypeObject* adder_type = nullptr;
-Adder* spare = nullptr;  // the memory of one that is gone
+PyTypeObject* system_type = nullptr;
+bool has_adders = false;  // nobody has replaced the methods in the class
 PyObject* explainer = nullptr;  // function(object, name), which raises
+#ifndef Py_GIL_DISABLED
+Adder* spare = nullptr;  // the memory of one that is gone
+#endif
 
 Adder* as_adder(PyObject* object) { return reinterpret_cast<Adder*>(object); }
 
@@ -42,15 +47,27 @@ PyObject* call_adder(PyObject* self, PyObject* const* arguments, std::size_t fla
   return method ? PyObject_Vectorcall(method.ptr(), arguments, flags & ~PY_VECTORCALL_ARGUMENTS_OFFSET, names) : nullptr;
 }
 
-PyObject* make_adder(PyObject* main, std::size_t kind) {
-  Adder* adder = spare;
-  if (adder != nullptr) {
-    spare = nullptr;
-    PyObject_Init(reinterpret_cast<PyObject*>(adder), adder_type);
-  } else {
-    adder = PyObject_GC_New(Adder, adder_type);
-    if (adder == nullptr) return nullptr;
+Adder* new_adder() {
+#ifndef Py_GIL_DISABLED
+  if (Adder* adder = std::exchange(spare, nullptr))
+    return reinterpret_cast<Adder*>(PyObject_Init(reinterpret_cast<PyObject*>(adder), adder_type));
+#endif
+  return PyObject_GC_New(Adder, adder_type);
+}
+
+void free_adder(PyObject* self) {
+#ifndef Py_GIL_DISABLED
+  if (spare == nullptr) {
+    spare = as_adder(self);
+    return;
   }
+#endif
+  PyObject_GC_Del(self);
+}
+
+PyObject* make_adder(PyObject* main, std::size_t kind) {
+  Adder* adder = new_adder();
+  if (adder == nullptr) return nullptr;
   adder->call = call_adder;
   adder->main = Py_NewRef(main);
   adder->kind = kind;
@@ -62,11 +79,7 @@ void adder_dealloc(PyObject* self) {
   PyObject_GC_UnTrack(self);
   PyTypeObject* type = Py_TYPE(self);
   PyObject* main = as_adder(self)->main;
-  if (spare == nullptr) {
-    spare = as_adder(self);
-  } else {
-    PyObject_GC_Del(self);
-  }
+  free_adder(self);
   Py_XDECREF(main);
   Py_DECREF(type);
 }
@@ -120,19 +133,26 @@ PyTypeObject* make_adder_type() {
   return reinterpret_cast<PyTypeObject*>(type);
 }
 
-// Whether nobody has replaced the methods in the class; its version changes when somebody does.
-bool has_adders(PyTypeObject* type) {
-  static unsigned int version = 0;
-  if (type->tp_version_tag == version && version != 0) return true;
-  const auto kept = [&](const Method& each) { return _PyType_Lookup(type, each.name) == each.descriptor; };
-  if (!std::ranges::all_of(adders, kept)) return false;
-  version = type->tp_version_tag;
-  return true;
+void look_for_adders() {
+  has_adders = std::ranges::all_of(adders, [](const Method& each) {
+    const auto found = py::reinterpret_steal<py::object>(PyObject_GetAttr(reinterpret_cast<PyObject*>(system_type), each.name));
+    return found.ptr() == each.descriptor;
+  });
+  PyErr_Clear();
+}
+
+// Whoever replaces a method does it by way of the class of the class.
+int set_class_attribute(PyObject* type, PyObject* name, PyObject* value) {
+  const int result = py::detail::get_internals().default_metaclass->tp_setattro(type, name, value);
+  if (result == 0 && type == reinterpret_cast<PyObject*>(system_type)) look_for_adders();
+  return result;
 }
 
 PyObject* system_attribute(PyObject* self, PyObject* name) {
-  for (std::size_t k = 0; k < adders.size(); ++k)
-    if (name == adders[k].name && has_adders(Py_TYPE(self))) return make_adder(self, k);
+  if (Py_TYPE(self) == system_type && has_adders) [[likely]] {
+    for (std::size_t k = 0; k < adders.size(); ++k)
+      if (name == adders[k].name) return make_adder(self, k);
+  }
   PyObject* value = PyObject_GenericGetAttr(self, name);
   if (value != nullptr || explainer == nullptr || PyErr_ExceptionMatches(PyExc_AttributeError) == 0) return value;
   PyErr_Clear();
@@ -143,12 +163,23 @@ PyObject* system_attribute(PyObject* self, PyObject* name) {
 
 void explain_attributes_of(PyHeapTypeObject* type) { type->ht_type.tp_getattro = system_attribute; }
 
+py::object class_of_main_system() {
+  PyType_Slot slots[] = {{Py_tp_setattro, reinterpret_cast<void*>(set_class_attribute)}, {0, nullptr}};
+  PyType_Spec spec{"dalembert._core._SystemType", 0, 0, Py_TPFLAGS_DEFAULT, slots};
+  const py::tuple bases = py::make_tuple(py::handle(reinterpret_cast<PyObject*>(py::detail::get_internals().default_metaclass)));
+  auto made = py::reinterpret_steal<py::object>(PyType_FromSpecWithBases(&spec, bases.ptr()));
+  if (!made) throw py::error_already_set();
+  return made;
+}
+
 void register_main_system_attributes(py::module_& module, const py::object& main_system, const std::array<AddItem, item_kinds>& add) {
   adder_type = make_adder_type();
+  system_type = reinterpret_cast<PyTypeObject*>(main_system.ptr());
   for (std::size_t k = 0; k < adders.size(); ++k) {
     const std::string name = "Add" + std::string(kind_title(static_cast<ItemKind>(k)));
     adders[k] = {PyUnicode_InternFromString(name.c_str()), py::object(main_system.attr(name.c_str())).release().ptr(), add[k]};
   }
+  look_for_adders();
   module.def("_explain_missing_attributes", [](const py::function& function) {
     Py_XDECREF(explainer);
     explainer = Py_NewRef(function.ptr());
