@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import enum
+import sys
 from collections.abc import Callable, Iterable
+from types import ModuleType
 from typing import Any, NoReturn
 
 from dalembert import _core
@@ -77,6 +79,84 @@ def explain() -> None:
     for made in vars(_core).values():
         if type(made) is enum.EnumType:
             made.__class__ = _ExplainingEnum
+
+
+# ---- modules ---------------------------------------------------------------------------------------------------------
+
+
+def _is_import() -> bool:
+    """Return whether `from ... import ...` asks __getattr__ for a name: of an AttributeError, it tells nothing."""
+    from opcode import opmap
+
+    frame = sys._getframe(3)  # beyond missing_in, __getattr__
+    return frame.f_lasti >= 0 and frame.f_code.co_code[frame.f_lasti] == opmap["IMPORT_FROM"]
+
+
+def _offers(module: ModuleType, name: str) -> bool:
+    value, public = vars(module).get(name), vars(module).get("__all__")
+    return value is not None and (name in public if public else getattr(value, "__module__", "") == module.__name__)
+
+
+def _module_with(name: str) -> str:
+    """Return '; it belongs to dalembert....' for a name that a module of the package has."""
+    from importlib import import_module
+
+    for each in sorted(sys.modules["dalembert"]._submodules):
+        try:
+            module = import_module(f"dalembert.{each}")
+        except ImportError:  # it needs what is not installed
+            continue
+        if _offers(module, name):
+            return f"; it belongs to {module.__name__}"
+    return ""
+
+
+def _hint(module: ModuleType, name: str) -> str:
+    if name.startswith("_"):
+        return ""
+    if hasattr(MainSystem, name):
+        return f"; it is a method of a system: mbs.{name}(...)"
+    if hasattr(_core, name) and module.__name__ != "dalembert":
+        return "; it belongs to dalembert"
+    names = vars(module)
+    known = dir(module) if "__dir__" in names else names.get("__all__") or dir(module)
+    hint = nearest(name, known) or _module_with(name)
+    return hint or (f"; known are: {', '.join(known)}" if len(known) <= _FEW else "")
+
+
+_FEW = 60  # names: all of them are told
+
+
+def missing_in(module: ModuleType, name: str) -> Exception:
+    """Return the error of a name that a module has not: for its __getattr__, which raises it."""
+    where, hint = module.__name__, _hint(module, name)
+    if _is_import():
+        return ImportError(f"cannot import name '{name}' from '{where}'{hint}", name=where, path=module.__file__)
+    return AttributeError(f"module '{where}' has no attribute '{name}'{hint}", name=name, obj=module)
+
+
+class ExplainingPackage(ModuleType):
+    """A package whose modules tell the nearest name of one that they have not."""
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if isinstance(value, ModuleType) and not name.startswith("_"):
+            explain_module(value)
+        super().__setattr__(name, value)
+
+
+def explain_module(module: ModuleType) -> None:
+    """Let a module explain names that it has not; of a package, also the modules in it, now and later."""
+    if "__getattr__" not in vars(module):
+
+        def __getattr__(name: str) -> NoReturn:
+            raise missing_in(module, name)
+
+        module.__getattr__ = __getattr__  # type: ignore[method-assign]
+    if "__path__" in vars(module) and not isinstance(module, ExplainingPackage):
+        module.__class__ = ExplainingPackage
+        for name, part in list(vars(module).items()):
+            if isinstance(part, ModuleType) and part.__name__ == f"{module.__name__}.{name}":
+                setattr(module, name, part)
 
 
 def paths_of_setting(name: str) -> list[str]:
