@@ -18,6 +18,7 @@ from dalembert._studies.execution import (
     WriteToFile,
     check_names,
     number_of_threads,
+    results_file,
     write,
 )
 from dalembert._studies.genetic import GeneticOptimization
@@ -113,6 +114,7 @@ def ParameterVariation(
     be a VariedModel, which solves many combinations at once without Python in between.
     """
     check_names("ParameterVariation", kwargs, {"useMPI", "useDispyWebMonitor", "restart", "keepFailures"})
+    resultsFile = results_file("ParameterVariation", {"resultsFile": resultsFile})
     if not parameters:
         raise ValueError("ParameterVariation: parameters must not be empty")
     values, convert = {}, {}

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from dalembert._checks import FloatArray
-from dalembert._io.files import read_table, require_last_line
+from dalembert._io.files import file_to_read, read_table, require_last_line
 from dalembert._io.result_files import ParseOutputFileHeader
 from dalembert._tools.found_items import names_of
 from dalembert._tools.missing_names import nearest
@@ -107,6 +107,7 @@ def _component(given: Any) -> int:
 
 def _file_information(fileName: str, comments: str, delimiter: str) -> tuple[str, str, FloatArray]:
     """Return name, output variable and data of a sensor or solution file."""
+    fileName = file_to_read("PlotSensor: sensorNumbers", fileName)
     with open(fileName, errors="replace") as file:
         header = ParseOutputFileHeader(list(islice(file, 20)))
     name = os.path.basename(fileName.replace("\\", "/")).split(".")[0]

@@ -19,6 +19,7 @@ from dalembert._studies.execution import (
     check_names,
     known_values,
     number_of_threads,
+    results_file,
     scalar_objective,
     write,
 )
@@ -181,7 +182,7 @@ def GeneticOptimization(
             "GeneticOptimization: restart needs the randomizerInitialization that the search began with, so that its "
             "parameter sets are those of the resultsFile"
         )
-    file, threads = kwargs.get("resultsFile", ""), number_of_threads(kwargs.get("numberOfThreads"))
+    file, threads = results_file("GeneticOptimization", kwargs), number_of_threads(kwargs.get("numberOfThreads"))
     mode = f"multiprocessing.Pool, numberOfThreads={threads}" if useMultiProcessing else ""
 
     breeding = _Breeding(parameters, childDistribution, crossoverProbability)

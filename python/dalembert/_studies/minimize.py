@@ -17,6 +17,7 @@ from dalembert._studies.execution import (
     WriteToFile,
     check_names,
     kept_workers,
+    results_file,
     write,
 )
 
@@ -159,6 +160,7 @@ def Minimize(
     Powell and COBYLA, choose each point by the value of the last one.
     """
     check_names("Minimize", kwargs, {"resultsFile", "useScipyBounds", *_WORKERS})
+    file = results_file("Minimize", kwargs)
     if not parameters:
         raise ValueError("Minimize: parameters must not be empty")
     names, bounds = list(parameters), _bounds(parameters)
@@ -181,9 +183,7 @@ def Minimize(
         inner = bounds if enforceBounds and not scipy_bounds else None
         objective = _Objective(objectiveFunction, names, inner, addComputationIndex, evaluate)
         iterations = options.get("maxiter", 1000 if method == _GLOBAL else 200 * len(names))
-        report = _Report(
-            objective, parameters, method, iterations, kwargs.get("resultsFile", ""), storeFunctionValues, showProgress
-        )
+        report = _Report(objective, parameters, method, iterations, file, storeFunctionValues, showProgress)
         if method == _GLOBAL:
             guess = start if len(initialGuess) else None
             result = _evolve(objective, bounds, guess, tol, options, report)
