@@ -58,11 +58,11 @@ class _Finder:
         package, _, name = fullname.partition(".")
         if package == _PACKAGE and (text := module_text(name)):
             raise ModuleNotFoundError(text, name=fullname)
-        if package == _PACKAGE and name and not name.rpartition(".")[2].startswith("_"):
-            from dalembert._tools.missing_names import nearest
+        parent, _, missing = fullname.rpartition(".")
+        if package == _PACKAGE and parent in sys.modules:
+            from dalembert._tools.missing_names import refuse_import
 
-            if hint := nearest(name, sys.modules[_PACKAGE]._submodules):
-                raise ModuleNotFoundError(f"No module named '{fullname}'{hint}", name=fullname)
+            refuse_import(sys.modules[parent], missing)
 
 
 if not any(type(finder).__qualname__ == _Finder.__qualname__ for finder in sys.meta_path):

@@ -84,14 +84,6 @@ def explain() -> None:
 # ---- modules ---------------------------------------------------------------------------------------------------------
 
 
-def _is_import() -> bool:
-    """Return whether `from ... import ...` asks __getattr__ for a name: of an AttributeError, it tells nothing."""
-    from opcode import opmap
-
-    frame = sys._getframe(3)  # beyond missing_in, __getattr__
-    return frame.f_lasti >= 0 and frame.f_code.co_code[frame.f_lasti] == opmap["IMPORT_FROM"]
-
-
 def _offers(module: ModuleType, name: str) -> bool:
     value, public = vars(module).get(name), vars(module).get("__all__")
     return value is not None and (name in public if public else getattr(value, "__module__", "") == module.__name__)
@@ -127,36 +119,48 @@ def _hint(module: ModuleType, name: str) -> str:
 _FEW = 60  # names: all of them are told
 
 
-def missing_in(module: ModuleType, name: str) -> Exception:
+def missing_in(module: ModuleType, name: str) -> AttributeError:
     """Return the error of a name that a module has not: for its __getattr__, which raises it."""
-    where, hint = module.__name__, _hint(module, name)
-    if _is_import():
-        return ImportError(f"cannot import name '{name}' from '{where}'{hint}", name=where, path=module.__file__)
-    return AttributeError(f"module '{where}' has no attribute '{name}'{hint}", name=name, obj=module)
+    text = f"module '{module.__name__}' has no attribute '{name}'{_hint(module, name)}"
+    return AttributeError(text, name=name, obj=module)
+
+
+def refuse_import(module: ModuleType, name: str) -> None:
+    """Raise the ImportError of a name that a module has not, if there is anything to tell."""
+    where = module.__name__
+    if where == "dalembert" and not name.startswith("_") and (near := nearest(name, sys.modules[where]._submodules)):
+        raise ModuleNotFoundError(f"No module named '{where}.{name}'{near}", name=where)
+    if hint := _hint(module, name):
+        raise ImportError(f"cannot import name '{name}' from '{where}'{hint}", name=where, path=module.__file__)
 
 
 class ExplainingPackage(ModuleType):
     """A package whose modules tell the nearest name of one that they have not."""
 
     def __setattr__(self, name: str, value: Any) -> None:
-        if isinstance(value, ModuleType) and not name.startswith("_"):
+        if isinstance(value, ModuleType) and value.__name__ == f"{self.__name__}.{name}" and not name.startswith("_"):
             explain_module(value)
         super().__setattr__(name, value)
 
 
+# Python finds names of modules with a __getattr__ in ten times as long, and of this one many.
+_QUICK = ("dalembert.itemInterface",)
+
+
 def explain_module(module: ModuleType) -> None:
     """Let a module explain names that it has not; of a package, also the modules in it, now and later."""
-    if "__getattr__" not in vars(module):
+    if "__getattr__" not in vars(module) and module.__name__ not in _QUICK:
 
         def __getattr__(name: str) -> NoReturn:
             raise missing_in(module, name)
 
         module.__getattr__ = __getattr__  # type: ignore[method-assign]
-    if "__path__" in vars(module) and not isinstance(module, ExplainingPackage):
+    if "__path__" not in vars(module):
+        module.__path__ = []  # `from module import name` asks the finders of _planned.py for what it has not
+    elif not isinstance(module, ExplainingPackage):
         module.__class__ = ExplainingPackage
         for name, part in list(vars(module).items()):
-            if isinstance(part, ModuleType) and part.__name__ == f"{module.__name__}.{name}":
-                setattr(module, name, part)
+            setattr(module, name, part)
 
 
 def paths_of_setting(name: str) -> list[str]:
