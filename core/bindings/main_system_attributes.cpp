@@ -1,5 +1,6 @@
 // Attributes of a MainSystem: those that it has not are explained, and mbs.AddNode and the like are there at once. Python looks up
-// methods of classes that explain attributes without its caches, and makes a new object of each; models add very many items.
+// methods of classes that explain attributes without its caches, and makes a new object of each; models add very many items. From
+// Python 3.12 on, it has caches for classes with a __getattr__, and all of this is left to one.
 #include "main_system_attributes.hpp"
 
 #include <structmember.h>
@@ -11,6 +12,26 @@
 #include "index_types.hpp"
 
 namespace dalembert {
+
+namespace {
+constexpr const char* explaining = "Let a function of a MainSystem and a name raise the error for an attribute that the system has not.";
+}
+
+#if PY_VERSION_HEX >= 0x030c0000
+
+void explain_attributes_of(PyHeapTypeObject*) {}
+
+py::object class_of_main_system() {
+  return py::reinterpret_borrow<py::object>(reinterpret_cast<PyObject*>(py::detail::get_internals().default_metaclass));
+}
+
+void register_main_system_attributes(py::module_& module, const py::object& main_system, const std::array<AddItem, item_kinds>&) {
+  module.def("_explain_missing_attributes", [main_system](const py::function& function) { main_system.attr("__getattr__") = function; },
+             py::arg("function"), py::pos_only(), explaining);
+}
+
+#else
+
 namespace {
 
 // In the place of the bound method, which it asks for everything but the call.
@@ -18,6 +39,7 @@ struct Adder {
   PyObject_HEAD
   vectorcallfunc call;
   PyObject* main;
+  AddItem add;
   std::size_t kind;
 };
 
@@ -32,9 +54,7 @@ PyTypeObject* adder_type = nullptr;
 PyTypeObject* system_type = nullptr;
 bool has_adders = false;  // nobody has replaced the methods in the class
 PyObject* explainer = nullptr;  // function(object, name), which raises
-#ifndef Py_GIL_DISABLED
-Adder* spare = nullptr;  // the memory of one that is gone
-#endif
+Adder* spare = nullptr;  // one that is not used now, without a system
 
 Adder* as_adder(PyObject* object) { return reinterpret_cast<Adder*>(object); }
 
@@ -42,46 +62,39 @@ PyObject* bound_method(PyObject* self) { return PyObject_GenericGetAttr(as_adder
 
 PyObject* call_adder(PyObject* self, PyObject* const* arguments, std::size_t flags, PyObject* names) {
   const Adder* adder = as_adder(self);
-  if (PyVectorcall_NARGS(flags) == 1 && names == nullptr) [[likely]] return adders[adder->kind].add(adder->main, arguments[0]);
+  if (PyVectorcall_NARGS(flags) == 1 && names == nullptr) [[likely]] return adder->add(adder->main, arguments[0]);
   const auto method = py::reinterpret_steal<py::object>(bound_method(self));
   return method ? PyObject_Vectorcall(method.ptr(), arguments, flags & ~PY_VECTORCALL_ARGUMENTS_OFFSET, names) : nullptr;
 }
 
-Adder* new_adder() {
-#ifndef Py_GIL_DISABLED
-  if (Adder* adder = std::exchange(spare, nullptr))
-    return reinterpret_cast<Adder*>(PyObject_Init(reinterpret_cast<PyObject*>(adder), adder_type));
-#endif
-  return PyObject_GC_New(Adder, adder_type);
-}
-
-void free_adder(PyObject* self) {
-#ifndef Py_GIL_DISABLED
-  if (spare == nullptr) {
-    spare = as_adder(self);
-    return;
-  }
-#endif
-  PyObject_GC_Del(self);
-}
-
 PyObject* make_adder(PyObject* main, std::size_t kind) {
-  Adder* adder = new_adder();
-  if (adder == nullptr) return nullptr;
-  adder->call = call_adder;
+  Adder* adder = std::exchange(spare, nullptr);
+  if (adder == nullptr) [[unlikely]] {
+    adder = PyObject_GC_New(Adder, adder_type);
+    if (adder == nullptr) return nullptr;
+    adder->call = call_adder;
+    adder->main = nullptr;
+    PyObject_GC_Track(reinterpret_cast<PyObject*>(adder));
+  }
   adder->main = Py_NewRef(main);
+  adder->add = adders[kind].add;
   adder->kind = kind;
-  PyObject_GC_Track(reinterpret_cast<PyObject*>(adder));
   return reinterpret_cast<PyObject*>(adder);
 }
 
+// What nobody uses any more is kept for the next one, alive.
 void adder_dealloc(PyObject* self) {
-  PyObject_GC_UnTrack(self);
-  PyTypeObject* type = Py_TYPE(self);
-  PyObject* main = as_adder(self)->main;
-  free_adder(self);
+  PyObject* main = std::exchange(as_adder(self)->main, nullptr);
+  if (spare == nullptr) [[likely]] {
+    Py_SET_REFCNT(self, 1);
+    spare = as_adder(self);
+  } else {
+    PyObject_GC_UnTrack(self);
+    PyTypeObject* type = Py_TYPE(self);
+    PyObject_GC_Del(self);
+    Py_DECREF(type);
+  }
   Py_XDECREF(main);
-  Py_DECREF(type);
 }
 
 int adder_traverse(PyObject* self, visitproc visit, void* arg) {
@@ -183,7 +196,9 @@ void register_main_system_attributes(py::module_& module, const py::object& main
   module.def("_explain_missing_attributes", [](const py::function& function) {
     Py_XDECREF(explainer);
     explainer = Py_NewRef(function.ptr());
-  }, py::arg("function"), py::pos_only(), "Let a function of a MainSystem and a name raise the error for an attribute that the system has not.");
+  }, py::arg("function"), py::pos_only(), explaining);
 }
+
+#endif
 
 }  // namespace dalembert

@@ -108,12 +108,13 @@ PyObject* add_item(PyObject* self, PyObject* value) {
     auto* main = instance->get_value_and_holder().value_ptr<MainSystem>();
     if (main == nullptr) refuse(ErrorKind::state, {"mbs", "", "MainSystem.__init__ was not called", "", "", ""});
     Item item = item_argument(K, value);
-    static const ItemType* without_functions = nullptr;  // the last one of these
-    if (item.type != without_functions) {
-      const auto is_function = [](const Row& row) { return row.storage == Storage::user_function; };
-      if (std::ranges::none_of(item.type->rows, is_function)) without_functions = item.type;
-      else item.record = bind_user_functions(*item.type, std::move(item.record), *main);
+    static const ItemType* last = nullptr;
+    static bool has_functions = false;  // the last type that was added
+    if (item.type != last) {
+      has_functions = std::ranges::any_of(item.type->rows, [](const Row& row) { return row.storage == Storage::user_function; });
+      last = item.type;
     }
+    if (has_functions) item.record = bind_user_functions(*item.type, std::move(item.record), *main);
     return make_index(K, main->restructure([] { return "mbs." + method_name("Add", K) + "(...)"; }).add(std::move(item)));
   });
 }

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import pickle
 import sys
 from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
+import cloudpickle
 import pytest
 
 import dalembert as exu
@@ -47,7 +49,10 @@ def test_names_of_other_modules() -> None:
     assert imported("dalembert.graphics", "LoadSolutionFile").endswith("; it belongs to dalembert.utilities")
     assert imported("dalembert.utilities", "SystemContainer").endswith("; it belongs to dalembert")
     assert imported("dalembert.utilities", "CreateGround").endswith("it is a method of a system: mbs.CreateGround(...)")
-    assert "known are: AddEdges" in imported("dalembert.graphics", "Box")
+    with pytest.raises(AttributeError, match="known are: AddEdges"):
+        exu.graphics.Box  # noqa: B018
+    for name in ("", "zzz", "__none__"):  # with which modules in packages are loaded, as others are
+        assert __import__("dalembert.graphics", fromlist=[name]) is exu.graphics
 
 
 def test_modules_that_are_not_there() -> None:
@@ -58,6 +63,11 @@ def test_modules_that_are_not_there() -> None:
     with pytest.raises(ModuleNotFoundError, match=r"No module named 'dalembert\.qqq'$"):
         import_module("dalembert.qqq")
     assert imported("dalembert", "utilties") == "No module named 'dalembert.utilties'. Did you mean 'utilities'?"
+
+
+def test_packages_can_be_sent_to_processes() -> None:
+    for module in (exu, exu.graphics, exu.robotics, exu.utilities):
+        assert pickle.loads(cloudpickle.dumps(module)) is module
 
 
 def test_names_of_insides_are_not_told() -> None:

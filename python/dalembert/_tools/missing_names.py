@@ -103,17 +103,19 @@ def _module_with(name: str) -> str:
     return ""
 
 
+def _names_in(module: ModuleType) -> list[str]:
+    names = vars(module)
+    return dir(module) if "__dir__" in names else names.get("__all__") or [n for n in names if not n.startswith("_")]
+
+
 def _hint(module: ModuleType, name: str) -> str:
-    if name.startswith("_"):
+    if not name or name.startswith("_"):
         return ""
     if hasattr(MainSystem, name):
         return f"; it is a method of a system: mbs.{name}(...)"
     if hasattr(_core, name) and module.__name__ != "dalembert":
         return "; it belongs to dalembert"
-    names = vars(module)
-    known = dir(module) if "__dir__" in names else names.get("__all__") or dir(module)
-    hint = nearest(name, known) or _module_with(name)
-    return hint or (f"; known are: {', '.join(known)}" if len(known) <= _FEW else "")
+    return nearest(name, _names_in(module)) or _module_with(name)
 
 
 _FEW = 60  # names: all of them are told
@@ -121,8 +123,10 @@ _FEW = 60  # names: all of them are told
 
 def missing_in(module: ModuleType, name: str) -> AttributeError:
     """Return the error of a name that a module has not: for its __getattr__, which raises it."""
-    text = f"module '{module.__name__}' has no attribute '{name}'{_hint(module, name)}"
-    return AttributeError(text, name=name, obj=module)
+    known, hint = _names_in(module), _hint(module, name)
+    if not hint and len(known) <= _FEW and not name.startswith("_"):
+        hint = f"; known are: {', '.join(known)}"
+    return AttributeError(f"module '{module.__name__}' has no attribute '{name}'{hint}", name=name, obj=module)
 
 
 def refuse_import(module: ModuleType, name: str) -> None:
@@ -141,6 +145,11 @@ class ExplainingPackage(ModuleType):
         if isinstance(value, ModuleType) and value.__name__ == f"{self.__name__}.{name}" and not name.startswith("_"):
             explain_module(value)
         super().__setattr__(name, value)
+
+    def __reduce__(self) -> Any:
+        from importlib import import_module
+
+        return import_module, (self.__name__,)  # as cloudpickle does it for plain modules
 
 
 # Python finds names of modules with a __getattr__ in ten times as long, and of this one many.
