@@ -102,6 +102,9 @@ def _check_ranges(parameters: Ranges) -> None:
     for name, limits in parameters.items():
         if len(limits) < 2 or not limits[0] < limits[1]:
             raise ValueError(f"GeneticOptimization: range of {name!r} must be (begin, end), begin < end, not {limits}")
+        if len(limits) > 2:
+            text = f"GeneticOptimization: of the range {limits} of {name!r}, begin and end alone have an effect"
+            warnings.warn(text, stacklevel=3)
 
 
 def _number_of_survivors(elitistRatio: float, populationSize: int, extra: Mapping[str, Any]) -> int:
