@@ -294,6 +294,17 @@ void register_writing(Class& main_system, ItemKind kind) {
       py::arg(number.c_str()), py::arg((noun + "Dict").c_str()), "Set the parameters that the dictionary names; the others stay.");
 }
 
+// _item_counts(mbs): what a function of several steps needs to know to take back those that it has made.
+PyObject* item_counts(PyObject*, PyObject* self) {
+  return guarded([&]() -> PyObject* {
+    const auto& main = py::cast<const MainSystem&>(py::handle(self));
+    PyObject* counts = PyTuple_New(item_kinds);
+    if (counts == nullptr) throw py::error_already_set();
+    for (int k = 0; k < item_kinds; ++k) PyTuple_SET_ITEM(counts, k, PyLong_FromLong(main.model.count(static_cast<ItemKind>(k))));
+    return counts;
+  });
+}
+
 py::dict factory_items() {
   py::dict result;
   for (int k = 0; k < item_kinds; ++k) {
@@ -322,6 +333,9 @@ void register_main_system_items(py::module_& module, Class& main_system) {
     register_writing(main_system, kind);
     register_delete(main_system, kind);
   }
+  static PyMethodDef counts{"_item_counts", item_counts, METH_O,
+                            "_item_counts(mbs, /)\n--\n\nThe numbers of nodes, objects, markers, loads and sensors."};
+  module.add_object("_item_counts", py::reinterpret_steal<py::object>(PyCFunction_New(&counts, nullptr)));
   main_system.def("GetAvailableFactoryItems", [](const MainSystem&) { return factory_items(); },
                   "The names of all item types, by kind.");
 }
