@@ -100,13 +100,18 @@ Item item_argument(ItemKind kind, PyObject* value) {
   return take_item(object);
 }
 
+// Of an object that is known to be a system.
+MainSystem* system_of(PyObject* self) {
+  auto* main = reinterpret_cast<py::detail::instance*>(self)->get_value_and_holder().value_ptr<MainSystem>();
+  if (main == nullptr) refuse(ErrorKind::state, {"mbs", "", "MainSystem.__init__ was not called", "", "", ""});
+  return main;
+}
+
 // As a plain method descriptor: pybind11 would take longer to find the arguments than all the rest takes.
 template <ItemKind K>
 PyObject* add_item(PyObject* self, PyObject* value) {
   return guarded([&] {
-    auto* instance = reinterpret_cast<py::detail::instance*>(self);
-    auto* main = instance->get_value_and_holder().value_ptr<MainSystem>();
-    if (main == nullptr) refuse(ErrorKind::state, {"mbs", "", "MainSystem.__init__ was not called", "", "", ""});
+    MainSystem* main = system_of(self);
     Item item = item_argument(K, value);
     static const ItemType* last = nullptr;
     static bool has_functions = false;  // the last type that was added
@@ -295,9 +300,11 @@ void register_writing(Class& main_system, ItemKind kind) {
 }
 
 // _item_counts(mbs): what a function of several steps needs to know to take back those that it has made.
-PyObject* item_counts(PyObject*, PyObject* self) {
+PyObject* item_counts(PyObject* system_class, PyObject* self) {
   return guarded([&]() -> PyObject* {
-    const auto& main = py::cast<const MainSystem&>(py::handle(self));
+    if (!PyObject_TypeCheck(self, reinterpret_cast<PyTypeObject*>(system_class)))
+      return PyErr_Format(PyExc_TypeError, "_item_counts(mbs) takes a MainSystem");
+    const MainSystem& main = *system_of(self);
     PyObject* counts = PyTuple_New(item_kinds);
     if (counts == nullptr) throw py::error_already_set();
     for (int k = 0; k < item_kinds; ++k) PyTuple_SET_ITEM(counts, k, PyLong_FromLong(main.model.count(static_cast<ItemKind>(k))));
@@ -335,7 +342,7 @@ void register_main_system_items(py::module_& module, Class& main_system) {
   }
   static PyMethodDef counts{"_item_counts", item_counts, METH_O,
                             "_item_counts(mbs, /)\n--\n\nThe numbers of nodes, objects, markers, loads and sensors."};
-  module.add_object("_item_counts", py::reinterpret_steal<py::object>(PyCFunction_New(&counts, nullptr)));
+  module.add_object("_item_counts", py::reinterpret_steal<py::object>(PyCFunction_New(&counts, main_system.ptr())));
   main_system.def("GetAvailableFactoryItems", [](const MainSystem&) { return factory_items(); },
                   "The names of all item types, by kind.");
 }
