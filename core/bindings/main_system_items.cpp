@@ -1,5 +1,6 @@
 // The methods of MainSystem that add, read and change items, for all five kinds.
 #include <algorithm>
+#include <array>
 
 #include "conversion.hpp"
 #include "dalembert/model/member.hpp"
@@ -305,10 +306,9 @@ PyObject* item_counts(PyObject* system_class, PyObject* self) {
     if (!PyObject_TypeCheck(self, reinterpret_cast<PyTypeObject*>(system_class)))
       return PyErr_Format(PyExc_TypeError, "_item_counts(mbs) takes a MainSystem");
     const MainSystem& main = *system_of(self);
-    PyObject* counts = PyTuple_New(item_kinds);
-    if (counts == nullptr) throw py::error_already_set();
-    for (int k = 0; k < item_kinds; ++k) PyTuple_SET_ITEM(counts, k, PyLong_FromLong(main.model.count(static_cast<ItemKind>(k))));
-    return counts;
+    std::array<int, item_kinds> counts{};
+    for (int k = 0; k < item_kinds; ++k) counts[static_cast<std::size_t>(k)] = main.model.count(static_cast<ItemKind>(k));
+    return PyBytes_FromStringAndSize(reinterpret_cast<const char*>(counts.data()), sizeof(counts));  // quicker than five integers
   });
 }
 
@@ -341,7 +341,7 @@ void register_main_system_items(py::module_& module, Class& main_system) {
     register_delete(main_system, kind);
   }
   static PyMethodDef counts{"_item_counts", item_counts, METH_O,
-                            "_item_counts(mbs, /)\n--\n\nThe numbers of nodes, objects, markers, loads and sensors."};
+                            "_item_counts(mbs, /)\n--\n\nThe numbers of nodes, objects, markers, loads and sensors, as the bytes of integers of C."};
   module.add_object("_item_counts", py::reinterpret_steal<py::object>(PyCFunction_New(&counts, main_system.ptr())));
   main_system.def("GetAvailableFactoryItems", [](const MainSystem&) { return factory_items(); },
                   "The names of all item types, by kind.");

@@ -245,10 +245,10 @@ _DELETING = {
 }
 
 
-def _take_back(mbs: Any, before: Sequence[int]) -> None:
+def _take_back(mbs: Any, before: bytes) -> None:
     """Delete the items that have been added since there were so many of each kind."""
-    counts = zip(reversed(_item_counts(mbs)), reversed(before), _DELETING.items(), strict=True)
-    for count, was, (kind, options) in counts:
+    now, then = (reversed(memoryview(counts).cast("i")) for counts in (_item_counts(mbs), before))
+    for count, was, (kind, options) in zip(now, then, _DELETING.items(), strict=True):
         for number in range(count - 1, was - 1, -1):
             getattr(mbs, f"Delete{kind}")(number, suppressWarnings=True, **options)
 
