@@ -296,7 +296,8 @@ void register_main_system(py::module_& module) {
                     py::custom_type_setup([](PyHeapTypeObject* type) {
                       collect_main_systems(type);
                       explain_attributes_of(type);
-                    }));
+                    }),
+                    py::metaclass(class_of_main_system()));
   main_system.def(py::init([] { return std::make_shared<MainSystem>(); }));
   main_system.def_readwrite("variables", &MainSystem::variables, "A dictionary that is free for the user.");
   main_system.def_readwrite("sys", &MainSystem::sys, "A dictionary in which utilities keep their data.");

@@ -1,15 +1,37 @@
-// Attributes of a MainSystem: those that it has not are explained, and mbs.AddNode and the like are there at once. Python (up to 3.11)
-// looks up methods of classes that explain attributes without its caches, and makes a new object of each; models add very many items.
+// Attributes of a MainSystem: those that it has not are explained, and mbs.AddNode and the like are there at once. Python looks up
+// methods of classes that explain attributes without its caches, and makes a new object of each; models add very many items. From
+// Python 3.12 on, it has caches for classes with a __getattr__, and all of this is left to one.
 #include "main_system_attributes.hpp"
 
 #include <structmember.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "index_types.hpp"
 
 namespace dalembert {
+
+namespace {
+constexpr const char* explaining = "Let a function of a MainSystem and a name raise the error for an attribute that the system has not.";
+}
+
+#if PY_VERSION_HEX >= 0x030c0000
+
+void explain_attributes_of(PyHeapTypeObject*) {}
+
+py::object class_of_main_system() {
+  return py::reinterpret_borrow<py::object>(reinterpret_cast<PyObject*>(py::detail::get_internals().default_metaclass));
+}
+
+void register_main_system_attributes(py::module_& module, const py::object& main_system, const std::array<AddItem, item_kinds>&) {
+  module.def("_explain_missing_attributes", [main_system](const py::function& function) { main_system.attr("__getattr__") = function; },
+             py::arg("function"), py::pos_only(), explaining);
+}
+
+#else
+
 namespace {
 
 // In the place of the bound method, which it asks for everything but the call.
@@ -17,6 +39,7 @@ struct Adder {
   PyObject_HEAD
   vectorcallfunc call;
   PyObject* main;
+  AddItem add;
   std::size_t kind;
 };
 
@@ -28,8 +51,10 @@ struct Method {
 
 std::array<Method, item_kinds> adders{};
 PyTypeObject* adder_type = nullptr;
-Adder* spare = nullptr;  // the memory of one that is gone
+PyTypeObject* system_type = nullptr;
+bool has_adders = false;  // nobody has replaced the methods in the class
 PyObject* explainer = nullptr;  // function(object, name), which raises
+Adder* spare = nullptr;  // one that is not used now, without a system
 
 Adder* as_adder(PyObject* object) { return reinterpret_cast<Adder*>(object); }
 
@@ -37,38 +62,39 @@ PyObject* bound_method(PyObject* self) { return PyObject_GenericGetAttr(as_adder
 
 PyObject* call_adder(PyObject* self, PyObject* const* arguments, std::size_t flags, PyObject* names) {
   const Adder* adder = as_adder(self);
-  if (PyVectorcall_NARGS(flags) == 1 && names == nullptr) [[likely]] return adders[adder->kind].add(adder->main, arguments[0]);
+  if (PyVectorcall_NARGS(flags) == 1 && names == nullptr) [[likely]] return adder->add(adder->main, arguments[0]);
   const auto method = py::reinterpret_steal<py::object>(bound_method(self));
   return method ? PyObject_Vectorcall(method.ptr(), arguments, flags & ~PY_VECTORCALL_ARGUMENTS_OFFSET, names) : nullptr;
 }
 
 PyObject* make_adder(PyObject* main, std::size_t kind) {
-  Adder* adder = spare;
-  if (adder != nullptr) {
-    spare = nullptr;
-    PyObject_Init(reinterpret_cast<PyObject*>(adder), adder_type);
-  } else {
+  Adder* adder = std::exchange(spare, nullptr);
+  if (adder == nullptr) [[unlikely]] {
     adder = PyObject_GC_New(Adder, adder_type);
     if (adder == nullptr) return nullptr;
+    adder->call = call_adder;
+    adder->main = nullptr;
+    PyObject_GC_Track(reinterpret_cast<PyObject*>(adder));
   }
-  adder->call = call_adder;
   adder->main = Py_NewRef(main);
+  adder->add = adders[kind].add;
   adder->kind = kind;
-  PyObject_GC_Track(reinterpret_cast<PyObject*>(adder));
   return reinterpret_cast<PyObject*>(adder);
 }
 
+// What nobody uses any more is kept for the next one, alive.
 void adder_dealloc(PyObject* self) {
-  PyObject_GC_UnTrack(self);
-  PyTypeObject* type = Py_TYPE(self);
-  PyObject* main = as_adder(self)->main;
-  if (spare == nullptr) {
+  PyObject* main = std::exchange(as_adder(self)->main, nullptr);
+  if (spare == nullptr) [[likely]] {
+    Py_SET_REFCNT(self, 1);
     spare = as_adder(self);
   } else {
+    PyObject_GC_UnTrack(self);
+    PyTypeObject* type = Py_TYPE(self);
     PyObject_GC_Del(self);
+    Py_DECREF(type);
   }
   Py_XDECREF(main);
-  Py_DECREF(type);
 }
 
 int adder_traverse(PyObject* self, visitproc visit, void* arg) {
@@ -120,19 +146,26 @@ PyTypeObject* make_adder_type() {
   return reinterpret_cast<PyTypeObject*>(type);
 }
 
-// Whether nobody has replaced the methods in the class; its version changes when somebody does.
-bool has_adders(PyTypeObject* type) {
-  static unsigned int version = 0;
-  if (type->tp_version_tag == version && version != 0) return true;
-  const auto kept = [&](const Method& each) { return _PyType_Lookup(type, each.name) == each.descriptor; };
-  if (!std::ranges::all_of(adders, kept)) return false;
-  version = type->tp_version_tag;
-  return true;
+void look_for_adders() {
+  has_adders = std::ranges::all_of(adders, [](const Method& each) {
+    const auto found = py::reinterpret_steal<py::object>(PyObject_GetAttr(reinterpret_cast<PyObject*>(system_type), each.name));
+    return found.ptr() == each.descriptor;
+  });
+  PyErr_Clear();
+}
+
+// Whoever replaces a method does it by way of the class of the class.
+int set_class_attribute(PyObject* type, PyObject* name, PyObject* value) {
+  const int result = py::detail::get_internals().default_metaclass->tp_setattro(type, name, value);
+  if (result == 0 && type == reinterpret_cast<PyObject*>(system_type)) look_for_adders();
+  return result;
 }
 
 PyObject* system_attribute(PyObject* self, PyObject* name) {
-  for (std::size_t k = 0; k < adders.size(); ++k)
-    if (name == adders[k].name && has_adders(Py_TYPE(self))) return make_adder(self, k);
+  if (Py_TYPE(self) == system_type && has_adders) [[likely]] {
+    for (std::size_t k = 0; k < adders.size(); ++k)
+      if (name == adders[k].name) return make_adder(self, k);
+  }
   PyObject* value = PyObject_GenericGetAttr(self, name);
   if (value != nullptr || explainer == nullptr || PyErr_ExceptionMatches(PyExc_AttributeError) == 0) return value;
   PyErr_Clear();
@@ -143,16 +176,29 @@ PyObject* system_attribute(PyObject* self, PyObject* name) {
 
 void explain_attributes_of(PyHeapTypeObject* type) { type->ht_type.tp_getattro = system_attribute; }
 
+py::object class_of_main_system() {
+  PyType_Slot slots[] = {{Py_tp_setattro, reinterpret_cast<void*>(set_class_attribute)}, {0, nullptr}};
+  PyType_Spec spec{"dalembert._core._SystemType", 0, 0, Py_TPFLAGS_DEFAULT, slots};
+  const py::tuple bases = py::make_tuple(py::handle(reinterpret_cast<PyObject*>(py::detail::get_internals().default_metaclass)));
+  auto made = py::reinterpret_steal<py::object>(PyType_FromSpecWithBases(&spec, bases.ptr()));
+  if (!made) throw py::error_already_set();
+  return made;
+}
+
 void register_main_system_attributes(py::module_& module, const py::object& main_system, const std::array<AddItem, item_kinds>& add) {
   adder_type = make_adder_type();
+  system_type = reinterpret_cast<PyTypeObject*>(main_system.ptr());
   for (std::size_t k = 0; k < adders.size(); ++k) {
     const std::string name = "Add" + std::string(kind_title(static_cast<ItemKind>(k)));
     adders[k] = {PyUnicode_InternFromString(name.c_str()), py::object(main_system.attr(name.c_str())).release().ptr(), add[k]};
   }
+  look_for_adders();
   module.def("_explain_missing_attributes", [](const py::function& function) {
     Py_XDECREF(explainer);
     explainer = Py_NewRef(function.ptr());
-  }, py::arg("function"), py::pos_only(), "Let a function of a MainSystem and a name raise the error for an attribute that the system has not.");
+  }, py::arg("function"), py::pos_only(), explaining);
 }
+
+#endif
 
 }  // namespace dalembert

@@ -15,6 +15,8 @@ using AddItem = PyObject* (*)(PyObject* main_system, PyObject* item);  // as Pyt
 
 // Before the class is ready: classes that Python code derives of it take over how attributes are found.
 void explain_attributes_of(PyHeapTypeObject* type);
+// The class of the class, which notices when somebody replaces a method of it.
+py::object class_of_main_system();
 // `add` by kind, as the class has them.
 void register_main_system_attributes(py::module_& module, const py::object& main_system, const std::array<AddItem, item_kinds>& add);
 

@@ -1,5 +1,6 @@
 // The methods of MainSystem that add, read and change items, for all five kinds.
 #include <algorithm>
+#include <array>
 
 #include "conversion.hpp"
 #include "dalembert/model/member.hpp"
@@ -100,20 +101,26 @@ Item item_argument(ItemKind kind, PyObject* value) {
   return take_item(object);
 }
 
+// Of an object that is known to be a system.
+MainSystem* system_of(PyObject* self) {
+  auto* main = reinterpret_cast<py::detail::instance*>(self)->get_value_and_holder().value_ptr<MainSystem>();
+  if (main == nullptr) refuse(ErrorKind::state, {"mbs", "", "MainSystem.__init__ was not called", "", "", ""});
+  return main;
+}
+
 // As a plain method descriptor: pybind11 would take longer to find the arguments than all the rest takes.
 template <ItemKind K>
 PyObject* add_item(PyObject* self, PyObject* value) {
   return guarded([&] {
-    auto* instance = reinterpret_cast<py::detail::instance*>(self);
-    auto* main = instance->get_value_and_holder().value_ptr<MainSystem>();
-    if (main == nullptr) refuse(ErrorKind::state, {"mbs", "", "MainSystem.__init__ was not called", "", "", ""});
+    MainSystem* main = system_of(self);
     Item item = item_argument(K, value);
-    static const ItemType* without_functions = nullptr;  // the last one of these
-    if (item.type != without_functions) {
-      const auto is_function = [](const Row& row) { return row.storage == Storage::user_function; };
-      if (std::ranges::none_of(item.type->rows, is_function)) without_functions = item.type;
-      else item.record = bind_user_functions(*item.type, std::move(item.record), *main);
+    static const ItemType* last = nullptr;
+    static bool has_functions = false;  // the last type that was added
+    if (item.type != last) {
+      has_functions = std::ranges::any_of(item.type->rows, [](const Row& row) { return row.storage == Storage::user_function; });
+      last = item.type;
     }
+    if (has_functions) item.record = bind_user_functions(*item.type, std::move(item.record), *main);
     return make_index(K, main->restructure([] { return "mbs." + method_name("Add", K) + "(...)"; }).add(std::move(item)));
   });
 }
@@ -293,6 +300,18 @@ void register_writing(Class& main_system, ItemKind kind) {
       py::arg(number.c_str()), py::arg((noun + "Dict").c_str()), "Set the parameters that the dictionary names; the others stay.");
 }
 
+// _item_counts(mbs): what a function of several steps needs to know to take back those that it has made.
+PyObject* item_counts(PyObject* system_class, PyObject* self) {
+  return guarded([&]() -> PyObject* {
+    if (!PyObject_TypeCheck(self, reinterpret_cast<PyTypeObject*>(system_class)))
+      return PyErr_Format(PyExc_TypeError, "_item_counts(mbs) takes a MainSystem");
+    const MainSystem& main = *system_of(self);
+    std::array<int, item_kinds> counts{};
+    for (int k = 0; k < item_kinds; ++k) counts[static_cast<std::size_t>(k)] = main.model.count(static_cast<ItemKind>(k));
+    return PyBytes_FromStringAndSize(reinterpret_cast<const char*>(counts.data()), sizeof(counts));  // quicker than five integers
+  });
+}
+
 py::dict factory_items() {
   py::dict result;
   for (int k = 0; k < item_kinds; ++k) {
@@ -321,6 +340,9 @@ void register_main_system_items(py::module_& module, Class& main_system) {
     register_writing(main_system, kind);
     register_delete(main_system, kind);
   }
+  static PyMethodDef counts{"_item_counts", item_counts, METH_O,
+                            "_item_counts(mbs, /)\n--\n\nThe numbers of nodes, objects, markers, loads and sensors, as the bytes of integers of C."};
+  module.add_object("_item_counts", py::reinterpret_steal<py::object>(PyCFunction_New(&counts, main_system.ptr())));
   main_system.def("GetAvailableFactoryItems", [](const MainSystem&) { return factory_items(); },
                   "The names of all item types, by kind.");
 }

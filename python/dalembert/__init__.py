@@ -9,6 +9,7 @@ mbs = SC.AddSystem()
 
 from __future__ import annotations
 
+import sys as _sys
 from typing import TYPE_CHECKING, Any
 
 try:
@@ -19,7 +20,7 @@ except ImportError as _error:
         "install the package, e.g. by 'pip install .' in the source folder"
     ) from _error
 from dalembert import _planned
-from dalembert._tools import completion as _completion
+from dalembert._tools import completion as _completion, missing_names as _missing_names
 from dalembert._core import *
 from dalembert._planned import (
     SolverFileData as SolverFileData,
@@ -55,6 +56,7 @@ _submodules = frozenset(
         "basicUtilities",
         "beams",
         "compiled",
+        "control",
         "demos",
         "graphics",
         "graphicsDataUtilities",
@@ -93,6 +95,7 @@ if TYPE_CHECKING:
         basicUtilities as basicUtilities,
         beams as beams,
         compiled as compiled,
+        control as control,
         demos as demos,
         graphics as graphics,
         graphicsDataUtilities as graphicsDataUtilities,
@@ -145,11 +148,9 @@ else:
             return import_module(f"dalembert.{name}")
         if text := _planned.module_text(name):
             raise AttributeError(text)
-        hint = f"; it is a method of a system: mbs.{name}(...)" if hasattr(_core.MainSystem, name) else ""
-        from dalembert._tools.missing_names import nearest
-
-        hint = hint or ("" if name.startswith("_") else nearest(name, __dir__()))
-        raise AttributeError(f"module 'dalembert' has no attribute '{name}'{hint}")
+        raise _missing_names.missing_in(_sys.modules[__name__], name)
 
     def __dir__() -> list[str]:
         return sorted({*globals(), *_submodules})
+
+    _missing_names.explain_module(_sys.modules[__name__])

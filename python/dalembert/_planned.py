@@ -58,6 +58,11 @@ class _Finder:
         package, _, name = fullname.partition(".")
         if package == _PACKAGE and (text := module_text(name)):
             raise ModuleNotFoundError(text, name=fullname)
+        parent, _, missing = fullname.rpartition(".")
+        if package == _PACKAGE and parent in sys.modules:
+            from dalembert._tools.missing_names import refuse_import
+
+            refuse_import(sys.modules[parent], missing)
 
 
 if not any(type(finder).__qualname__ == _Finder.__qualname__ for finder in sys.meta_path):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import difflib
+import os
 import runpy
 import sys
 import textwrap
@@ -61,11 +62,17 @@ def _solve(model: Path, arguments: Sequence[str]) -> int:
     parser = argparse.ArgumentParser(prog=f"dalembert run {model.name}")
     parser.add_argument("--allow-code", action="store_true", help="load user functions, which is to run their code")
     parser.add_argument("--static", action="store_true", help="find the equilibrium instead of the motion")
+    from dalembert import SolverError
+
     options = parser.parse_args(arguments)
     mbs, settings = _loaded(model, options.allow_code)
     mbs.Assemble()
     solve = mbs.SolveStatic if options.static else mbs.SolveDynamic
-    done = solve(*([settings] if settings is not None else []))
+    try:
+        done = solve(*([settings] if settings is not None else []))
+    except SolverError as error:
+        print(error, file=sys.stderr)
+        return 1
     for sensor in range(mbs.systemData.NumberOfSensors()):
         print(f"{mbs.GetSensorParameter(sensor, 'name')}: {mbs.GetSensorValues(sensor)}")
     return 0 if done else 1
@@ -357,4 +364,8 @@ def _parser() -> argparse.ArgumentParser:
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command with the given arguments (default: those of the process) and return its exit code."""
     options = _parser().parse_args(arguments)
-    return int(options.function(options))
+    try:
+        return int(options.function(options))
+    except BrokenPipeError:  # of a reader that has seen enough, as head has
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 1

@@ -12,6 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from dalembert._checks import FloatArray
+from dalembert._io.files import file_to_write
 from dalembert._io.result_files import FileStripSpaces, ParseOutputFileHeader
 from dalembert._plots.images import LoadImage, PlotImage, save_figure, show_figure
 from dalembert._plots.phase_and_spectrum import PlotPhase, PlotSensorFFT
@@ -223,6 +224,8 @@ def PlotSensor(
     if not isinstance(colorCodeOffset, (int, np.integer)):
         expected = "an integer, of the first color; colors=['red'] chooses colors by name"
         raise TypeError(f"PlotSensor: colorCodeOffset: received {colorCodeOffset!r}, but expected {expected}")
+    if fileName not in ("", None):  # said before anything is drawn
+        fileName = file_to_write("PlotSensor: fileName", fileName, newFolder=True)
     matched = match_lengths(sensorNumbers, components, componentsX)
     n = len(matched)
     if closeAll:
@@ -273,7 +276,7 @@ def PlotSensor(
     if not kwargs.get("logScaleX"):
         _part_labels(figure, ax, style["majorTicksX"])
     show_figure(plt, figure)
-    save_figure(figure, fileName)
+    save_figure(figure, fileName, "PlotSensor")
     return [plt, figure, ax, line]
 
 

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from dalembert._checks import as_number
 from dalembert._plots.images import show_figure
 from dalembert._studies.execution import (
     AddComputationIndexAndFunctionData,
@@ -18,6 +19,7 @@ from dalembert._studies.execution import (
     WriteToFile,
     check_names,
     number_of_threads,
+    results_file,
     write,
 )
 from dalembert._studies.genetic import GeneticOptimization
@@ -70,7 +72,7 @@ def _values_of(name: str, given: Any, useLogSpace: bool) -> tuple[np.ndarray, Ca
             f"ParameterVariation: {name!r} must be a range (begin, end, number of values) or a list of values, "
             f"not {given!r}"
         )
-    begin, end, n = given
+    begin, end, n = (as_number(f"ParameterVariation: range of {name!r}", value) for value in given)
     if int(n) != n or n < 1 or begin > end:
         raise ValueError(
             f"ParameterVariation: range of {name!r} must be (begin, end, number of values) with begin <= end and a "
@@ -78,7 +80,7 @@ def _values_of(name: str, given: Any, useLogSpace: bool) -> tuple[np.ndarray, Ca
         )
     n = int(n)
     values = np.geomspace(begin, end, n) if useLogSpace else np.linspace(begin, end, n)
-    steady = integer(begin) and integer(end) and (end - begin + 1) % n == 0
+    steady = integer(given[0]) and integer(given[1]) and (end - begin + 1) % n == 0
     if steady and np.allclose(values, np.round(values), rtol=1e-12, atol=0):
         return np.round(values), int
     return values, float
@@ -113,6 +115,7 @@ def ParameterVariation(
     be a VariedModel, which solves many combinations at once without Python in between.
     """
     check_names("ParameterVariation", kwargs, {"useMPI", "useDispyWebMonitor", "restart", "keepFailures"})
+    resultsFile = results_file("ParameterVariation", {"resultsFile": resultsFile})
     if not parameters:
         raise ValueError("ParameterVariation: parameters must not be empty")
     values, convert = {}, {}

@@ -16,7 +16,7 @@ import numpy as np
 from dalembert import _version
 from dalembert._checks import FloatArray
 from dalembert._core import SimulationSettings
-from dalembert._io.files import naming, replacing
+from dalembert._io.files import file_to_read, file_to_write, naming, replacing
 from dalembert._io.solution_rows import COLUMNS
 from dalembert._io.solution_states import LoadSolutionFile
 from dalembert._tools.found_items import find_item
@@ -113,7 +113,8 @@ def SensorsToXarray(mbs: Any, sensors: Sequence[Any] | None = None, continuousAn
 def SolutionToXarray(fileName: str | os.PathLike[str]) -> Any:
     """Return a solution file as an xarray.Dataset: ODE2Coordinates and what else it has, over time and coordinate."""
     xarray = _extra("xarray", "SolutionToXarray")
-    solution = LoadSolutionFile(os.fspath(fileName), verbose=False)
+    fileName = file_to_read("SolutionToXarray: fileName", fileName)
+    solution = LoadSolutionFile(fileName, verbose=False)
     data, start = np.atleast_2d(solution["data"]), 1
     variables = {}
     for name, count, unit in zip(COLUMNS, solution["columnsExported"], _SOLUTION_UNITS, strict=False):
@@ -122,7 +123,7 @@ def SolutionToXarray(fileName: str | os.PathLike[str]) -> Any:
             variables[name] = (("time", axis), data[:, start : start + count], {"units": unit})
         start += count
     made = xarray.Dataset(variables, coords={"time": ("time", data[:, 0], {"units": "s"})})
-    made.attrs = {"dalembert": _version.__version__, "file": os.fspath(fileName)}
+    made.attrs = {"dalembert": _version.__version__, "file": fileName}
     return made
 
 
@@ -141,6 +142,9 @@ def SaveHDF5(
     the attribute settings of the file.
     """
     h5py = _extra("h5py", "SaveHDF5")
+    fileName = file_to_write("SaveHDF5: fileName", fileName)
+    if solutionFile is not None:
+        solutionFile = file_to_read("SaveHDF5: solutionFile", solutionFile)
     found = list(_measured(mbs, sensors, continuousAngles, "SaveHDF5"))
     solution = None if solutionFile is None else SolutionToXarray(solutionFile)
     with replacing(fileName) as written, h5py.File(written, "w") as file:
@@ -166,6 +170,7 @@ def LoadHDF5(fileName: str | os.PathLike[str]) -> dict[str, Any]:
     result['sensors']['tip'] has time, values, variable, unit and components.
     """
     h5py = _extra("h5py", "LoadHDF5")
+    fileName = file_to_read("LoadHDF5: fileName", fileName)
     with naming(fileName), h5py.File(fileName, "r") as file:
         if "dalembert" not in file.attrs:
             raise ValueError(

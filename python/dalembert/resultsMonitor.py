@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from dalembert._checks import FloatArray
+from dalembert._io.files import file_to_read
 from dalembert._io.result_files import ParseOutputFileHeader
 
 __all__ = ["Monitor", "main"]
@@ -54,8 +55,7 @@ class Monitor:
     ) -> None:
         import matplotlib.pyplot as plt
 
-        if not os.path.isfile(fileName):
-            raise FileNotFoundError(f"resultsMonitor: there is no file '{fileName}'")
+        fileName = file_to_read("resultsMonitor: fileName", fileName, empty=True)
         xcols = list(xcols) * (len(ycols) if len(xcols) == 1 else 1)
         if len(xcols) != len(ycols):
             raise ValueError(

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import dalembert as exu
-from dalembert import graphics, processing
+from dalembert import FEM, beams, graphics, processing
 from dalembert.itemInterface import (
     LoadForceVector,
     MarkerBodyPosition,
@@ -33,6 +33,7 @@ from dalembert.rigidBodyUtilities import (
     RotationMatrixX,
 )
 from dalembert.robotics import Robot
+from dalembert.utilities import TreeLink
 
 BAR = InertiaCuboid(1000, [1, 0.1, 0.1])
 Variable = exu.OutputVariableType
@@ -259,6 +260,39 @@ MISTAKES: list[tuple[str, Callable[[Model], Any], list[str]]] = [
     ("sensor of another name", lambda m: (m.mbs.Assemble(), m.mbs.GetSensorValues("wy")), ["GetSensorValues", "'wy'", "Did you mean 'way'?"]),
     ("two sensors of one name", lambda m: m.measured(SensorBody(name="way", bodyNumber="mass", outputVariableType=Variable.Position)), ["'name'", "'way'", "belongs to sensor 0"]),
     ("version to come", lambda m: exu.RequireVersion("9.9"), ["9.9", "1.11.0"]),
+    ("type of a joint in quotes", lambda m: m.mbs.CreateKinematicTree("t", [TreeLink(linkInertia=BAR, jointType="RevoluteZ")]), ["CreateKinematicTree", "'listOfTreeLinks[0].jointType'", "exu.JointType.RevoluteZ"]),
+    ("range in quotes", lambda m: processing.ParameterVariation(lambda p: 0, {"a": ("0", "1", 3)}, showProgress=False), ["ParameterVariation: range of 'a'", "a finite number", "'0' (str)"]),
+    ("method that scipy has not", lambda m: processing.Minimize(lambda p: p["a"], {"a": (0, 1)}, method="newton", showProgress=False), ["Minimize: method", "'newton'", "Did you mean 'newton-cg'?"]),
+    ("reference in words", lambda m: processing.ComputeSensitivities(lambda p: 1, {"a": "large"}, showProgress=False), ["ComputeSensitivities: 'a'", "a finite number", "'large' (str)"]),
+    ("systems for sensors", lambda m: m.mbs.PlotSensor([m.mbs, m.mbs], "way"), ["PlotSensor: sensorNumbers", "dalembert.plot.PlotSensor([mbs, other]"]),
+    ("body of a mesh without modes", lambda m: FEM.ObjectFFRFreducedOrderInterface(FEM.FEMinterface()), ["femInterface", "ComputeEigenmodes(...)"]),
+    ("cable without elements", lambda m: beams.GenerateStraightLineANCFCable2D(m.mbs, [0, 0, 0], [1, 0, 0], 0, exu.ObjectANCFCable2D()), ["numberOfElements", "a positive integer", "0 (int)"]),
+    ("joint types for half of the tree", lambda m: (m.mbs.AddObject(exu.ObjectKinematicTree("tree", nodeNumber=m.mbs.AddNode(exu.NodeGenericODE2(numberOfODE2Coordinates=2, referenceCoordinates=[0, 0], initialCoordinates=[0, 0], initialCoordinates_t=[0, 0])), jointTypes=[exu.JointType.RevoluteZ], linkParents=[-1])), m.mbs.Assemble()), ["'tree' (ObjectKinematicTree)", "'jointTypes'", "length 1", "length 2"]),
+    ("mass matrix of another size", lambda m: (m.mbs.AddObject(exu.ObjectGenericODE2("o", nodeNumbers=[m.mbs.AddNode(NodePoint())], massMatrix=np.eye(2))), m.mbs.Assemble()), ["'o' (ObjectGenericODE2)", "'massMatrix'", "2 x 2", "3 x 3"]),
+    ("local position in the plane", lambda m: (m.mbs.Assemble(), m.mbs.GetObjectOutputBody("bar", Variable.Position, [0, 0])), ["GetObjectOutputBody", "'localPosition'", "3 finite numbers"]),
+    ("configuration in quotes", lambda m: (m.mbs.Assemble(), m.mbs.GetNodeOutput(0, Variable.Position, "Initial")), ["'configuration'", "'Initial' (str)", "ConfigurationType.Current"]),
+    ("coordinates of two", lambda m: (m.mbs.Assemble(), m.mbs.systemData.SetODE2Coordinates([0, 1])), ["SetODE2Coordinates", "10 finite numbers"]),
+    ("changes in a list", lambda m: m.mbs.ModifyObject("bar", ["physicsMass", 3]), ["ModifyObject", "'objectDict'", "a dictionary"]),
+    ("stiffness of a body", lambda m: m.mbs.SetObjectParameter("bar", "stiffness", 3), ["object 1 'bar'", "'stiffness'", "Known are: name, physicsMass"]),
+    ("number for a group of settings", lambda m: setattr(exu.SimulationSettings().timeIntegration, "newton", 5), ["'timeIntegration.newton'", "5 (int)", "NewtonSettings or a dictionary"]),
+    ("no threads", lambda m: setattr(exu.SimulationSettings().parallel, "numberOfThreads", 0), ["'parallel.numberOfThreads'", "greater than zero"]),
+    ("settings misspelt in a dictionary", lambda m: exu.SimulationSettings().SetDictionary({"timeIntegration": {"endtime": 3}}), ["SimulationSettings.timeIntegration", "'endtime'", "Did you mean 'endTime'?"]),
+    ("range of no values", lambda m: processing.ParameterVariation(lambda p: 0, {"a": (0, 1, 0)}), ["range of 'a'", "at least 1", "(0, 1, 0)"]),
+    ("modes without matrices", lambda m: FEM.FEMinterface().ComputeEigenmodes(4), ["FEMinterface", "no mass matrix", "AssembleMatrices"]),
+    ("modulus below zero", lambda m: FEM.KirchhoffMaterial(-1, 0.3, 1000), ["youngsModulus", "a positive number"]),
+    ("ratio above a half", lambda m: FEM.KirchhoffMaterial(1e9, 0.7, 1000), ["poissonsRatio", "0.5", "0.7"]),
+    ("spectrum of one value", lambda m: exu.signalProcessing.ComputeFFT([0], [1]), ["ComputeFFT: data", ">= 2"]),
+    ("values in words", lambda m: m.varied(["a"]), ["SolveVariations", "'physicsMass'", "an array of numbers"]),
+    ("name that nothing has in a study", lambda m: (m.mbs.Assemble(), processing.VariedModel(m.mbs, {"k": ("spring", "stiffness")}, lambda r, i: 0)), ["VariedModel: parameters['k']", "'spring'"]),
+    ("step function that is none", lambda m: m.mbs.SetPreStepUserFunction(5), ["SetPreStepUserFunction", "5 (int)", "without calling it"]),
+    ("step function without answer", lambda m: (m.mbs.SetPreStepUserFunction(lambda mbs, t: None), m.solve()), ["PreStepUserFunction", "None", "True to go on"]),
+    ("axis in quotes", lambda m: m.mbs.CreatePrismaticJoint("slide", ["ground", "bar"], [0, 0, 0], "x"), ["CreatePrismaticJoint", "'axis'", "3 finite components", "'x' (str)"]),
+    ("one radius for two spheres", lambda m: m.mbs.CreateSphereSphereContact("touch", ["ground", "mass"], spheresRadii=[1]), ["CreateSphereSphereContact", "'spheresRadii'", "2 finite components"]),
+    ("picture around what is not there", lambda m: m.mbs.Draw(around="barr"), ["Draw: around", "'barr'", "Did you mean 'bar'?"]),
+    ("one size of a picture", lambda m: m.mbs.Draw(windowSize=1024), ["windowSize", "width and height", "1024"]),
+    ("spin as a number", lambda m: m.mbs.CreateRigidBody("bar2", inertia=BAR, initialAngularVelocity=5), ["CreateRigidBody", "'initialAngularVelocity'", "3 finite components"]),
+    ("index beyond the last sensor", lambda m: m.mbs.GetSensorStoredData(9), ["GetSensorStoredData", "no sensor with number 9", "from 0 to 0"]),
+    ("solution that is not there", lambda m: exu.utilities.LoadSolutionFile("nowhere.txt"), ["LoadSolutionFile: fileName", "there is no such file"]),
 ]  # fmt: skip
 
 

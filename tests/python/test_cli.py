@@ -165,6 +165,28 @@ def test_model_files(tmp_path):
     )
 
 
+FREE = """
+import dalembert as exu
+mbs = exu.SystemContainer().AddSystem()
+mbs.AddMarker(exu.MarkerNodePosition("here", nodeNumber=mbs.AddNode(exu.NodePoint("free"))))
+mbs.Save("free.json")
+"""
+
+
+def test_a_model_file_that_cannot_be_solved(tmp_path):
+    (tmp_path / "free.py").write_text(FREE)
+    checked = run("check", "free.py", cwd=tmp_path)
+    assert "node 0 'free' (Point) belongs to no object" in checked.stdout and checked.returncode == 1
+    failed = run("run", "free.json", cwd=tmp_path)
+    assert failed.returncode == 1 and "node 0 'free'" in failed.stderr and "Traceback" not in failed.stderr
+
+
+def test_who_has_read_enough(tmp_path):
+    command = f"{sys.executable} -m dalembert items | head -n 1; exit ${{PIPESTATUS[0]}}"
+    done = subprocess.run(["bash", "-c", command], capture_output=True, text=True, check=False)
+    assert done.stdout.startswith("Node (") and done.stderr == ""
+
+
 def test_what_looks_wrong_is_told(tmp_path):
     (tmp_path / "wrong.py").write_text(WRONG)
     checked = run("check", "wrong.py", cwd=tmp_path)

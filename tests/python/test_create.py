@@ -284,3 +284,21 @@ def test_examples_of_docstrings_run(mbs, name):
     settings.timeIntegration.endTime, settings.timeIntegration.numberOfSteps = 0.01, 10
     settings.solutionSettings.writeSolutionToFile = False
     assert mbs.SolveDynamic(settings)
+
+
+def test_what_fails_leaves_the_system_as_it_was():
+    mbs = exu.SystemContainer().AddSystem()
+    ground = mbs.CreateGround("ground")
+    body = mbs.CreateMassPoint("body", [1, 0, 0], physicsMass=1, gravity=[0, -9.81, 0])
+    mbs.CreateForce("push", ground, [1, 0, 0])
+    before = repr(mbs.GetDictionary())
+    for wrong in (
+        lambda: mbs.CreateMassPoint("ground", [2, 0, 0], physicsMass=1),  # after its node
+        lambda: mbs.CreateRigidBody("ground", [2, 0, 0], inertia=exu.utilities.InertiaCuboid(1, [1, 1, 1])),
+        lambda: mbs.CreateSpringDamper("body", [ground, body], stiffness=1),  # after two markers
+        lambda: mbs.CreateForce("push", body, [1, 0, 0]),  # after its marker
+    ):
+        with pytest.raises(ValueError, match="belongs to"):
+            wrong()
+        assert repr(mbs.GetDictionary()) == before
+    mbs.CreateMassPoint("other", [2, 0, 0], physicsMass=1)

@@ -173,7 +173,7 @@ def save_figure(name: str) -> None:
 
     figure = plt.figure()
     try:
-        save(figure, name)
+        save(figure, name, "PlotSensor")
     finally:
         plt.close(figure)
 

@@ -162,7 +162,7 @@ void GeneralContact::list_blocks(const Ports& ports) {
     for (std::size_t k = first_triangle_[static_cast<std::size_t>(i)]; k < first_triangle_[static_cast<std::size_t>(i) + 1]; ++k)
       carriers.push_back(triangle(near_triangles_[k]).carrier);
     std::ranges::sort(carriers);
-    carriers.erase(std::ranges::unique(carriers).begin(), carriers.end());
+    carriers.erase(std::unique(carriers.begin(), carriers.end()), carriers.end());
     for (const int c : carriers) add(i, With::carrier, c, carrier(c).marker);
   }
 }

@@ -124,7 +124,7 @@ double SpherePairs::compute_pairs(std::size_t begin, std::size_t end, const Cont
       friction = P::of_each([&](int lane) { return of[lane].friction; });
     }
     P pressure = stiffness * (reach - distance) - damping * away;
-    pressure = P((square.x < (reach * reach).x) & (pressure.x > 0.0) ? pressure.x : P::Register{});
+    pressure = P(((square.x < (reach * reach).x) & (pressure.x > 0.0)) ? pressure.x : P::Register{});
     if (is_zero(pressure)) continue;
     PackedVector on_first = (-pressure) * normal;
     if constexpr (rubs) {

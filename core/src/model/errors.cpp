@@ -13,7 +13,7 @@ bool same_letter(char a, char b) {
 }
 
 bool contains(std::string_view text, std::string_view part) {
-  return std::ranges::search(text, part, same_letter).begin() != text.end();
+  return std::search(text.begin(), text.end(), part.begin(), part.end(), same_letter) != text.end();
 }
 
 int edit_distance(std::string_view a, std::string_view b) {

@@ -14,6 +14,7 @@ from dalembert._checks import FloatArray, shape_error
 from dalembert._fem.elements import blocks
 from dalembert._fem.sparse import CheckForSciPyMatrix, ScipySparseCSRtoCSR, SparseTripletsToScipySparseCSR
 from dalembert._io import foreign_pickles
+from dalembert._io.files import file_name, file_to_read, file_to_write
 from dalembert._io.hdf5 import LoadDictFromHDF5, SaveDictToHDF5
 
 KEPT = (
@@ -84,7 +85,9 @@ class MeshData:
 
     def SaveToFile(self, fileName: str, fileVersion: int = 4, mode: str | None = None) -> None:
         """Save all data; the format is that of the ending, .npz (default), .pkl, .hdf5 or .npy, or that of `mode`."""
-        stem, ending, mode = FileNameToMode(fileName, mode)
+        where = "FEMinterface.SaveToFile: fileName"
+        stem, ending, mode = FileNameToMode(file_name(where, fileName), mode)
+        file_to_write(where, stem + ending, newFolder=True)
         if fileVersion != int(fileVersion) or not 1 <= fileVersion <= 4:
             raise shape_error("FEMinterface.SaveToFile: fileVersion", "an integer from 1 to 4", fileVersion)
         data = self.GetDictionary() | {"fileVersion": int(fileVersion), "type": "FEMinterface"}
@@ -101,7 +104,9 @@ class MeshData:
 
     def LoadFromFile(self, fileName: str, forceVersion: int | None = None, mode: str | None = None) -> int | None:
         """Load what SaveToFile has saved, and return the version of the file; pickles run code: load only your own."""
-        stem, ending, mode = FileNameToMode(fileName, mode)
+        where = "FEMinterface.LoadFromFile: fileName"
+        stem, ending, mode = FileNameToMode(file_name(where, fileName), mode)
+        file_to_read(where, stem + ending)
         if mode == "NPY":
             return self._load_npy(stem + ending, forceVersion)
         data: dict[str, Any]

@@ -23,6 +23,7 @@ from dalembert._io.ansys import (
     ReadMatrixFromAnsysMMF,
     ReadNodalCoordinatesFromAnsysTxt,
 )
+from dalembert._io.files import file_to_read
 
 # Kinds of elements by their names in meshio; all of them order their nodes as VTK does, as we do.
 _MESHIO = {
@@ -55,6 +56,7 @@ class Imports(Surfaces):
         Numbers are those of the order in the file, from 0. Positions are those of the part: where an instance lies in
         the assembly does not count. Element sets with a section keep its material for AssembleMatrices.
         """
+        fileName = file_to_read("FEMinterface.ImportFromAbaqusInputFile: fileName", fileName)
         mesh = read_abaqus(fileName, typeName, name)
         self._new_mesh("ABAQUS", fileName, mesh.positions)
         if (mesh.node_labels != np.arange(1, len(mesh.positions) + 1)).any():
@@ -76,11 +78,15 @@ class Imports(Surfaces):
 
     def ReadMassMatrixFromAbaqus(self, fileName: str, type: str = "SparseRowColumnValue") -> None:
         """Read a mass matrix that ABAQUS writes with *MATRIX OUTPUT, FORMAT=COORDINATE (or MATRIX INPUT)."""
-        self.massMatrix = self._exported("ReadMassMatrixFromAbaqus", fileName, read_abaqus_matrix(fileName))
+        self.massMatrix = self._from_abaqus("ReadMassMatrixFromAbaqus", fileName)
 
     def ReadStiffnessMatrixFromAbaqus(self, fileName: str, type: str = "SparseRowColumnValue") -> None:
         """Read a stiffness matrix that ABAQUS writes with *MATRIX OUTPUT, FORMAT=COORDINATE (or MATRIX INPUT)."""
-        self.stiffnessMatrix = self._exported("ReadStiffnessMatrixFromAbaqus", fileName, read_abaqus_matrix(fileName))
+        self.stiffnessMatrix = self._from_abaqus("ReadStiffnessMatrixFromAbaqus", fileName)
+
+    def _from_abaqus(self, function: str, fileName: str) -> Any:
+        fileName = file_to_read(f"FEMinterface.{function}: fileName", fileName)
+        return self._exported(function, fileName, read_abaqus_matrix(fileName))
 
     # -- ANSYS
 
@@ -111,6 +117,8 @@ class Imports(Surfaces):
         self.VolumeToSurfaceElements(verbose)
 
     def _from_ansys(self, function: str, fileName: str, mapping: str, sparse: bool, verbose: bool) -> Any:
+        fileName = file_to_read(f"FEMinterface.{function}: fileName", fileName)
+        mapping = file_to_read(f"FEMinterface.{function}: dofMappingVectorFile", mapping)
         order = ReadMatrixDOFmappingVectorFromAnsysTxt(mapping)
         if sparse:
             triplets = ReadMatrixFromAnsysMMF(fileName, verbose)

@@ -10,6 +10,7 @@ import numpy as np
 
 from dalembert._checks import FloatArray, IntArray
 from dalembert._fem.elements import KINDS
+from dalembert._io.files import file_to_read
 
 # Types of ABAQUS by their beginning; what follows says how they are integrated, which does not matter for a mesh.
 _TYPES = {"C3D4": "Tet4", "C3D10": "Tet10", "C3D8": "Hex8", "C3D20": "Hex20", "C3D6": "Wedge6", "C3D15": "Wedge15"}
@@ -248,7 +249,7 @@ def ReadNodesFromAbaqusInp(
 
     Elements are a dictionary with their nodes as the file numbers them, and their types; FEMinterface reads more.
     """
-    mesh = read_abaqus(fileName, typeName, name)
+    mesh = read_abaqus(file_to_read("ReadNodesFromAbaqusInp: fileName", fileName), typeName, name)
     if not exportElements:
         return mesh.positions
     rows = [row for nodes in mesh.elements.values() for row in mesh.node_labels[nodes].astype(float).tolist()]

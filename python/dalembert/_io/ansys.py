@@ -10,12 +10,14 @@ import scipy.sparse
 
 from dalembert._checks import FloatArray
 from dalembert._fem.elements import KINDS
+from dalembert._io.files import file_to_read
 
 
 def ReadMatrixFromAnsysMMF(fileName: str, verbose: bool = False) -> FloatArray:
     """Array of [row, column, value] of a matrix that ANSYS exported in the Matrix Market format (MMF)."""
     from scipy.io import mmread
 
+    fileName = file_to_read("ReadMatrixFromAnsysMMF: fileName", fileName)
     try:
         matrix = scipy.sparse.coo_matrix(mmread(fileName))
     except ValueError as error:
@@ -31,6 +33,7 @@ def ReadMatrixDOFmappingVectorFromAnsysTxt(fileName: str) -> npt.NDArray[np.int_
     The file has comments that begin with '%', a line with the number of nodes and 1, and one node number per line,
     counted from 1.
     """
+    fileName = file_to_read("ReadMatrixDOFmappingVectorFromAnsysTxt: fileName", fileName)
     with open(fileName, encoding="utf-8") as file:
         lines = [line.split() for line in file if line.strip() and not line.startswith("%")]
     header, numbers = [int(word) for word in lines[0]], [int(line[0]) for line in lines[1:]]
@@ -45,6 +48,7 @@ def ReadMatrixDOFmappingVectorFromAnsysTxt(fileName: str) -> npt.NDArray[np.int_
 
 def ReadNodalCoordinatesFromAnsysTxt(fileName: str, verbose: bool = False) -> FloatArray:
     """Positions of nodes, ordered by node number, of an exported list: a title, then number, x, y, z per line."""
+    fileName = file_to_read("ReadNodalCoordinatesFromAnsysTxt: fileName", fileName)
     with open(fileName, encoding="utf-8") as file:
         lines = [line.replace(",", ".").split() for line in file.readlines()[1:] if line.strip()]
     table = np.array([[float(word) for word in line[:4]] for line in lines])
@@ -61,6 +65,7 @@ def ReadElementsFromAnsysTxt(fileName: str, verbose: bool = False) -> dict[str, 
 
     A dictionary with 'Name' and, for each type, an array of nodes, counted from 0.
     """
+    fileName = file_to_read("ReadElementsFromAnsysTxt: fileName", fileName)
     expected = "an element number, counted from 1, a type and nodes"
     by_type: dict[str, list[list[int]]] = {}
     with open(fileName, encoding="utf-8", errors="replace") as file:

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from dalembert._core import Print
-from dalembert._io.files import Path
+from dalembert._io.files import Path, file_to_read
 from dalembert._io.solution_rows import COLUMNS, solution_of
 
 MAGIC = b"EXUBIN"
@@ -106,6 +106,7 @@ def LoadBinarySolutionFile(
     A file without its end, because a solver still runs, gives its rows and a warning. ValueError with the byte if it is
     damaged or ends inside of a row; safeMode takes the complete rows before.
     """
+    fileName = file_to_read("LoadBinarySolutionFile: fileName", fileName)
     with open(fileName, "rb") as file:
         header, intType, realType = _binary_header(file, fileName)
         columns = [int(n) for n in header["columns"]]

@@ -6,15 +6,65 @@ import errno
 import os
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import Any
 
 import numpy as np
 
-from dalembert._checks import FloatArray
+from dalembert._checks import FloatArray, shape_error
 
 Path = str | os.PathLike[str]
 
 _SHOWN = 60  # characters of a line that is refused
 _AT_WORK = ".writing-"  # folders of files that are being written
+
+
+def path_name(name: str, value: Any, expected: str = "the name of a file") -> str:
+    """Return a string or path as string; TypeError or ValueError name the argument if it is neither, or empty."""
+    if not isinstance(value, (str, os.PathLike)):
+        raise TypeError(str(shape_error(name, expected, value)))
+    path = os.fsdecode(value)
+    if not path.strip():
+        raise shape_error(name, expected, value)
+    return path
+
+
+def file_name(name: str, value: Any) -> str:
+    """Return the name of a file, given as string or path; errors name the argument if it is none, or a folder."""
+    path = path_name(name, value)
+    if os.path.isdir(path):
+        raise IsADirectoryError(errno.EISDIR, f"{name}: expected a file, but this is a folder", path)
+    return path
+
+
+def file_to_read(name: str, value: Any, empty: bool = False) -> str:
+    """Return the name of a file that is there and, unless it may be empty, has content.
+
+    Errors name the argument, and near files.
+    """
+    path = file_name(name, value)
+    if not os.path.exists(path):
+        from dalembert._tools.missing_names import nearest
+
+        folder = os.path.dirname(os.path.abspath(path))
+        text = f"there is no such file in the folder '{folder}'"
+        if os.path.isdir(folder):
+            text += nearest(os.path.basename(path), os.listdir(folder))
+        else:
+            text = f"there is no such file, nor the folder '{folder}'"
+        raise FileNotFoundError(errno.ENOENT, f"{name}: {text}", path)
+    if not empty and os.path.isfile(path) and os.path.getsize(path) == 0:
+        raise ValueError(f"{name}: the file {path!r} is empty")
+    return path
+
+
+def file_to_write(name: str, value: Any, newFolder: bool = False) -> str:
+    """Return the name of a file to write, whose folder is there, or will be made; errors name the argument."""
+    path = file_name(name, value)
+    folder = os.path.dirname(os.path.abspath(path))
+    if not newFolder and not os.path.isdir(folder):
+        text = f"{name}: there is no folder '{folder}' for the file; make it first"
+        raise FileNotFoundError(errno.ENOENT, text, path)
+    return path
 
 
 @contextmanager

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from dalembert._checks import as_array, shape_error
-from dalembert._io.files import naming, replacing
+from dalembert._io.files import file_to_read, file_to_write, naming, replacing
 
 _numbers = (bool, int, float, np.bool_, np.integer, np.floating)
 _enumerations = (
@@ -112,6 +112,7 @@ def SaveDictToHDF5(fileName: str, dataDict: Mapping[str, Any]) -> None:
     Values are numbers, None, str, numpy arrays, scipy sparse matrices, item indices, enumerations, and lists and
     dictionaries of them; Python functions are stored by name. Raises ValueError for other types.
     """
+    fileName = file_to_write("SaveDictToHDF5: fileName", fileName)
     with replacing(fileName) as written, _h5py("SaveDictToHDF5").File(written, "w") as file:
         for key, value in dataDict.items():
             _store(file, str(key), value, str(key))
@@ -172,5 +173,6 @@ def _load(node: Any, callerGlobals: Mapping[str, Any] | None, path: str) -> Any:
 
 def LoadDictFromHDF5(fileName: str, callerGlobals: Mapping[str, Any] | None = None) -> dict[str, Any]:
     """Return the dictionary that SaveDictToHDF5 wrote; callerGlobals=globals() is needed for user functions."""
+    fileName = file_to_read("LoadDictFromHDF5: fileName", fileName)
     with naming(fileName), _h5py("LoadDictFromHDF5").File(fileName, "r") as file:
         return {key: _load(member, callerGlobals, key) for key, member in file.items()}

@@ -21,7 +21,7 @@ import numpy as np
 from dalembert import _core, _version
 from dalembert._core import MainSystem, SimulationSettings, _parameters_of
 from dalembert._io.encoded_values import Decoder, Encoder, Refused
-from dalembert._io.files import naming, replacing
+from dalembert._io.files import file_to_read, file_to_write, naming, replacing
 
 FORMAT = "dalembert model"
 FORMAT_VERSION = 1
@@ -88,7 +88,7 @@ def Save(
     refused unless sourceOfFunctions, which writes their code. mbs.variables are written as far as they are numbers,
     texts, lists and arrays; the state of a solver, and mbs.sys, are not.
     """
-    path = Path(fileName)
+    path = Path(file_to_write("mbs.Save(...): fileName", fileName))
     encoder = Encoder(sourceOfFunctions)
     place = _Place("mbs.Save(...)")
     system = mbs.GetDictionary()
@@ -210,10 +210,11 @@ def Load(mbs: MainSystem, fileName: str | os.PathLike[str], allowCode: bool = Fa
     Nothing in the file is run: a user function, which the file has by module and name or as code, is refused unless
     allowCode. A wrong file is refused with the place inside, e.g. objects[3].physicsMass, and the model stays as it is.
     """
-    if not isinstance(fileName, (str, os.PathLike)):
-        advice = "; a dictionary is read by mbs.SetDictionary(...)" if isinstance(fileName, dict) else ""
-        raise TypeError(f"mbs.Load(...): fileName: expected the name of a file, received {fileName!r}{advice}")
-    path = Path(fileName)
+    if isinstance(fileName, dict):
+        raise TypeError(
+            "mbs.Load(...): fileName: expected the name of a file, received a dictionary: mbs.SetDictionary(...)"
+        )
+    path = Path(file_to_read("mbs.Load(...): fileName", fileName))
     place = _Place(os.fspath(fileName))
     content = _content(path, place)
     decoder = Decoder(_arrays(path.with_suffix(".npz"), place), allowCode)

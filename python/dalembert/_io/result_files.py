@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any
 
-from dalembert._io.files import replacing
+from dalembert._io.files import file_to_read, file_to_write, replacing
 
 _MAXIMUM_HEADER = 10
 
@@ -117,6 +117,8 @@ def FileStripSpaces(filename: str, outputFilename: str, fileCommentChar: str = "
     Lines that start with `fileCommentChar` are copied as they are; repetitions of the string `removeDoubleChars`
     become one, e.g. ' ' turns '1.0   3.0' into '1.0 3.0'.
     """
+    filename = file_to_read("FileStripSpaces: filename", filename, empty=True)
+    outputFilename = file_to_write("FileStripSpaces: outputFilename", outputFilename)
     if filename == outputFilename or (os.path.exists(outputFilename) and os.path.samefile(filename, outputFilename)):
         raise ValueError(f"FileStripSpaces: filename and outputFilename must differ, both are {filename!r}")
     with open(filename) as file:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from typing import Any
 
 import numpy as np
@@ -10,7 +9,7 @@ import numpy as np
 from dalembert._checks import FloatArray
 from dalembert._core import ConfigurationType, MainSolverImplicitSecondOrder
 from dalembert._io.binary_solutions import MAGIC, LoadBinarySolutionFile
-from dalembert._io.files import Path
+from dalembert._io.files import Path, file_to_read
 from dalembert._io.solution_rows import COLUMNS
 from dalembert._io.text_solutions import load_text_solution
 
@@ -26,6 +25,7 @@ def LoadSolutionFile(
     ODE2_t, ODE2_tt, ODE1, ODE1_t, AE, Data). safeMode leaves out damaged rows, maxRows limits their number (-1: all).
     ValueError with line or byte if the header is missing, or if a row is damaged or incomplete.
     """
+    fileName = file_to_read("LoadSolutionFile: fileName", fileName)
     with open(fileName, "rb") as file:
         if file.read(len(MAGIC)) == MAGIC:
             return LoadBinarySolutionFile(fileName, maxRows, verbose, safeMode)
@@ -70,10 +70,11 @@ def InitializeFromRestartFile(mbs: Any, simulationSettings: Any, restartFileName
     What a solver has besides the state, as generalized alpha its algorithmic accelerations, starts anew; with
     ContinueFromRestartFile of the solver, it goes on bit for bit.
     """
+    restartFileName = file_to_read("InitializeFromRestartFile: restartFileName", restartFileName)
     with open(restartFileName, "rb") as file:
         of_solver = file.read(len(_RESTART_MAGIC)) == _RESTART_MAGIC
     if of_solver:
-        MainSolverImplicitSecondOrder().ContinueFromRestartFile(mbs, os.fspath(restartFileName))
+        MainSolverImplicitSecondOrder().ContinueFromRestartFile(mbs, restartFileName)
         time = mbs.systemData.GetTime(ConfigurationType.Initial)
         for configuration in (ConfigurationType.Current, ConfigurationType.Visualization):
             mbs.systemData.SetSystemState(mbs.systemData.GetSystemState(ConfigurationType.Initial), configuration)
@@ -84,7 +85,7 @@ def InitializeFromRestartFile(mbs: Any, simulationSettings: Any, restartFileName
     state, columns = solution["data"][-1], solution["columnsExported"]
     if columns[0] != mbs.systemData.ODE2Size() or columns[1] != columns[0]:
         raise ValueError(
-            f"{os.fspath(restartFileName)}: expected {mbs.systemData.ODE2Size()} ODE2 coordinates and as many "
+            f"{restartFileName}: expected {mbs.systemData.ODE2Size()} ODE2 coordinates and as many "
             f"velocities, found {columns[0]} and {columns[1]}; does the file belong to this system?"
         )
     for configuration in (ConfigurationType.Current, ConfigurationType.Initial, ConfigurationType.Visualization):

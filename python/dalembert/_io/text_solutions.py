@@ -11,7 +11,16 @@ from typing import Any
 import numpy as np
 
 from dalembert._core import Print
-from dalembert._io.files import Path, numbers_of, read_table, refuse_line, replacing, require_last_line
+from dalembert._io.files import (
+    Path,
+    file_to_read,
+    file_to_write,
+    numbers_of,
+    read_table,
+    refuse_line,
+    replacing,
+    require_last_line,
+)
 from dalembert._io.solution_rows import solution_of
 
 _HEADER_LINES = 5
@@ -77,8 +86,10 @@ def RecoverSolutionFile(fileName: Path, newFileName: Path, verbose: int = 0) -> 
 
     verbose 1 reports rows left out, 2 all rows. ValueError if the header is missing, or if both names are one file's.
     """
+    fileName = file_to_read("RecoverSolutionFile: fileName", fileName)
+    newFileName = file_to_write("RecoverSolutionFile: newFileName", newFileName)
     if os.path.exists(newFileName) and os.path.samefile(fileName, newFileName):
-        raise ValueError(f"RecoverSolutionFile: newFileName: expected another file than {os.fspath(fileName)!r}")
+        raise ValueError(f"RecoverSolutionFile: newFileName: expected another file than {fileName!r}")
     with open(fileName, encoding="utf-8", errors="replace") as source:
         expected = sum(_columns_of_header(fileName, list(islice(source, _HEADER_LINES)))) + 1
         source.seek(0)

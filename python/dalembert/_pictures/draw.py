@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dalembert._checks import as_array, shape_error
+from dalembert._io.files import file_to_write
 from dalembert._tools.found_items import index_of
 
 if TYPE_CHECKING:
@@ -41,6 +42,8 @@ def Draw(
     from dalembert._pictures.films import save_image
     from dalembert._pictures.studio import Studio
 
+    if fileName not in ("", None):
+        fileName = file_to_write("Draw: fileName", fileName, newFolder=True)
     if around is not None:
         around = [index_of(mbs, "Object", item, "Draw: around") for item in np.atleast_1d(np.asarray(around, object))]
     studio = Studio(mbs.GetSystemContainer(), [mbs])
@@ -73,6 +76,7 @@ def DrawSolution(
     from dalembert._pictures.films import require_ffmpeg, save_film, save_image
     from dalembert._pictures.motion import Motion
 
+    fileName = file_to_write("DrawSolution: fileName", fileName, newFolder=True)
     numbered = "%" in fileName
     if not numbered:
         require_ffmpeg(Path(fileName))

@@ -15,7 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from dalembert._checks import FloatArray
-from dalembert._io.files import replacing
+from dalembert._io.files import file_to_write, replacing
 from dalembert._pictures import meshes
 from dalembert._pictures.meshes import Mesh, Rgba
 
@@ -43,7 +43,7 @@ def SaveGLB(
     """
     from dalembert._pictures.motion import Motion
 
-    path = Path(fileName)
+    path = Path(file_to_write("SaveGLB: fileName", fileName, newFolder=True))
     if path.suffix != ".glb":
         raise ValueError(f"SaveGLB: fileName: expected a name that ends with .glb, received '{fileName}'")
     motion = Motion(mbs, "SaveGLB", solution, framesPerSecond, speed, None, (1024, 768), optional=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from dalembert._io.files import replacing
+from dalembert._io.files import file_to_write, replacing
 
 if TYPE_CHECKING:
     from dalembert._pictures.motion import Motion
@@ -28,8 +28,8 @@ def SaveHTML(
     """
     from dalembert._pictures.motion import Motion
 
+    path = Path(file_to_write("SaveHTML: fileName", fileName, newFolder=True))
     motion = Motion(mbs, "SaveHTML", solution, framesPerSecond, speed, view, (1024, 768), optional=True)
-    path = Path(fileName)
     path.parent.mkdir(parents=True, exist_ok=True)
     with replacing(path) as written:
         Path(written).write_text(page(motion, {"title": title or path.stem, "plays": True, "again": True}), "utf-8")

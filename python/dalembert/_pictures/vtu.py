@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from dalembert._checks import FloatArray, IntArray
-from dalembert._io.files import replacing
+from dalembert._io.files import file_to_write, replacing
 from dalembert._pictures import meshes
 
 if TYPE_CHECKING:
@@ -37,7 +37,7 @@ def SaveVTU(
     from dalembert._pictures.motion import Motion
     from dalembert._pictures.studio import Studio
 
-    path = Path(fileName)
+    path = Path(file_to_write("SaveVTU: fileName", fileName, newFolder=True))
     if path.suffix not in (".pvd", ".vtu"):
         raise ValueError(f"SaveVTU: fileName: expected a name that ends with .pvd or .vtu, received '{fileName}'")
     path.parent.mkdir(parents=True, exist_ok=True)

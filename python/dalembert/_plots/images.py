@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from dalembert._checks import FloatArray, as_array, shape_error
-from dalembert._io.files import numbers_of, refuse_line, replacing
+from dalembert._io.files import file_to_read, file_to_write, numbers_of, refuse_line, replacing
 
 Image = dict[str, list[Any]]
 
@@ -25,6 +25,7 @@ def LoadImage(fileName: str, trianglesAsLines: bool = True, verbose: bool = Fals
     (red, green, blue, alpha)) and 'triangles' (per triangle 9 coordinates and its colour). With `trianglesAsLines`,
     triangles become closed lines. `verbose` prints the numbers of lines, segments and triangles.
     """
+    fileName = file_to_read("LoadImage: fileName", fileName)
     with open(fileName) as file:
         lines = [line.rstrip("\n") for line in file]
     if not lines:
@@ -104,10 +105,11 @@ def show_figure(plt: Any, figure: Any) -> None:
         figure.show()
 
 
-def save_figure(figure: Any, fileName: str) -> None:
+def save_figure(figure: Any, fileName: str, where: str) -> None:
     """Save a figure to a file, making its folder if needed; nothing for an empty name."""
-    if not fileName:
+    if fileName in ("", None):
         return
+    fileName = file_to_write(f"{where}: fileName", fileName, newFolder=True)
     folder = os.path.dirname(fileName)
     if folder:
         os.makedirs(folder, exist_ok=True)
@@ -174,4 +176,4 @@ def PlotImage(
         ax.set_title(title)
     figure.tight_layout()
     show_figure(plt, figure)
-    save_figure(figure, fileName)
+    save_figure(figure, fileName, "PlotImage")

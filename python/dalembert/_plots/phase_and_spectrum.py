@@ -39,7 +39,7 @@ def PlotPhase(
     ax.plot(x, y)
     ax.set(xlabel=_title(x_curve), ylabel=_title(y_curve))
     ax.grid(True)
-    return _shown(plt, ax, fileName, own)
+    return _shown(plt, ax, fileName, own, "PlotPhase")
 
 
 def PlotSensorFFT(mbs: Any, sensor: Any, component: int = 0, fileName: str = "", ax: Any = None) -> Any:
@@ -64,7 +64,7 @@ def PlotSensorFFT(mbs: Any, sensor: Any, component: int = 0, fileName: str = "",
     ax.plot(frequency, magnitude)
     ax.set(xlabel="frequency (Hz)", ylabel=f"amplitude of {_title(curve)}")
     ax.grid(True)
-    return _shown(plt, ax, fileName, own)
+    return _shown(plt, ax, fileName, own, "PlotSensorFFT")
 
 
 def _title(curve: Curve) -> str:
@@ -72,10 +72,10 @@ def _title(curve: Curve) -> str:
     return curve.label + unit
 
 
-def _shown(plt: Any, ax: Any, fileName: str, own: bool) -> Any:
+def _shown(plt: Any, ax: Any, fileName: str, own: bool, where: str) -> Any:
     figure = ax.get_figure()
     if own:
         figure.tight_layout()
         show_figure(plt, figure)
-    save_figure(figure, fileName)
+    save_figure(figure, fileName, where)
     return ax

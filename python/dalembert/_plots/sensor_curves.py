@@ -12,7 +12,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from dalembert._checks import FloatArray
-from dalembert._io.files import read_table, require_last_line
+from dalembert._core import MainSystem
+from dalembert._io.files import file_to_read, read_table, require_last_line
 from dalembert._io.result_files import ParseOutputFileHeader
 from dalembert._tools.found_items import names_of
 from dalembert._tools.missing_names import nearest
@@ -74,6 +75,11 @@ def match_lengths(sensorNumbers: Any, components: Any, componentsX: Any) -> list
     # A numpy array with two axes is data of one sensor.
     is_data = isinstance(sensorNumbers, np.ndarray) and sensorNumbers.ndim > 1
     sensors = list(sensorNumbers) if is_list(sensorNumbers) and not is_data else [sensorNumbers]
+    if any(isinstance(sensor, MainSystem) for sensor in sensors):
+        raise ValueError(
+            "PlotSensor: sensorNumbers: received systems; several are compared by "
+            "dalembert.plot.PlotSensor([mbs, other], sensorNumbers)"
+        )
     values = list(components) if is_list(components) else [components]
     if len(values) == 1:
         values *= len(sensors)
@@ -107,6 +113,7 @@ def _component(given: Any) -> int:
 
 def _file_information(fileName: str, comments: str, delimiter: str) -> tuple[str, str, FloatArray]:
     """Return name, output variable and data of a sensor or solution file."""
+    fileName = file_to_read("PlotSensor: sensorNumbers", fileName)
     with open(fileName, errors="replace") as file:
         header = ParseOutputFileHeader(list(islice(file, 20)))
     name = os.path.basename(fileName.replace("\\", "/")).split(".")[0]

@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from dalembert._io.files import naming
+from dalembert._io.files import file_to_write, naming
 
 ParameterSet = dict[str, Any]
 Function = Callable[[ParameterSet], Any]
@@ -108,8 +108,9 @@ def WriteToFile(
     `parameters` are the ranges that the header shows; with `writeHeader`, the file starts anew. Nothing happens
     without a file name.
     """
-    if not resultsFile:
+    if resultsFile in ("", None):
         return globalCnt
+    resultsFile = file_to_write("WriteToFile: resultsFile", resultsFile, newFolder=True)
     if writeHeader:
         os.makedirs(os.path.dirname(resultsFile) or ".", exist_ok=True)
     with naming(resultsFile), open(resultsFile, "w" if writeHeader else "a") as file:
@@ -120,6 +121,12 @@ def WriteToFile(
             row = [number, value, *without_function_data(individual).values()]
             file.write(", ".join(map(str, row)) + "\n")
     return globalCnt + len(values)
+
+
+def results_file(function: str, arguments: Mapping[str, Any]) -> str:
+    """Return the argument resultsFile of a study; "" if there is none."""
+    given = arguments.get("resultsFile", "")
+    return "" if given in ("", None) else file_to_write(f"{function}: resultsFile", given, newFolder=True)
 
 
 class FailedEvaluation(float):
@@ -363,7 +370,7 @@ def ProcessParameterList(
     """
     known = {"showProgress", "numberOfThreads", "resultsFile", "parameters", "useMPI", "useDispyWebMonitor", *_GUARDS}
     check_names("ProcessParameterList", kwargs, known)
-    file, parameters = kwargs.get("resultsFile", ""), kwargs.get("parameters", {})
+    file, parameters = results_file("ProcessParameterList", kwargs), kwargs.get("parameters", {})
     values: list[Any] = []
     if kwargs.get("restart", False):
         values += known_values(file, parameterList)

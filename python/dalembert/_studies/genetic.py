@@ -19,6 +19,7 @@ from dalembert._studies.execution import (
     check_names,
     known_values,
     number_of_threads,
+    results_file,
     scalar_objective,
     write,
 )
@@ -101,6 +102,9 @@ def _check_ranges(parameters: Ranges) -> None:
     for name, limits in parameters.items():
         if len(limits) < 2 or not limits[0] < limits[1]:
             raise ValueError(f"GeneticOptimization: range of {name!r} must be (begin, end), begin < end, not {limits}")
+        if len(limits) > 2:
+            text = f"GeneticOptimization: of the range {limits} of {name!r}, begin and end alone have an effect"
+            warnings.warn(text, stacklevel=3)
 
 
 def _number_of_survivors(elitistRatio: float, populationSize: int, extra: Mapping[str, Any]) -> int:
@@ -181,7 +185,7 @@ def GeneticOptimization(
             "GeneticOptimization: restart needs the randomizerInitialization that the search began with, so that its "
             "parameter sets are those of the resultsFile"
         )
-    file, threads = kwargs.get("resultsFile", ""), number_of_threads(kwargs.get("numberOfThreads"))
+    file, threads = results_file("GeneticOptimization", kwargs), number_of_threads(kwargs.get("numberOfThreads"))
     mode = f"multiprocessing.Pool, numberOfThreads={threads}" if useMultiProcessing else ""
 
     breeding = _Breeding(parameters, childDistribution, crossoverProbability)

@@ -17,8 +17,10 @@ from dalembert._studies.execution import (
     WriteToFile,
     check_names,
     kept_workers,
+    results_file,
     write,
 )
+from dalembert._tools.missing_names import nearest
 
 _GLOBAL = "differential_evolution"
 # Of scipy.optimize.minimize: those that follow gradients, and the steps of differences that each takes.
@@ -27,6 +29,7 @@ _DIFFERENCES = {
     "bfgs": _SMALL, "cg": _SMALL, "l-bfgs-b": 1e-8, "newton-cg": _SMALL, "slsqp": _SMALL, "tnc": 1e-8,
     "trust-constr": _SMALL,
 }  # fmt: skip
+_METHODS = (*_DIFFERENCES, "nelder-mead", "powell", "cobyla", "cobyqa")
 _VALUE_FIRST = ("slsqp", "trust-constr")  # the gradient is asked for at some points only
 _WORKERS = {"useMultiProcessing", "clusterHostNames", "numberOfThreads", "useMPI"}
 
@@ -159,6 +162,10 @@ def Minimize(
     Powell and COBYLA, choose each point by the value of the last one.
     """
     check_names("Minimize", kwargs, {"resultsFile", "useScipyBounds", *_WORKERS})
+    if method != _GLOBAL and (not isinstance(method, str) or method.lower() not in _METHODS):
+        hint = nearest(str(method), known := [_GLOBAL, *_METHODS]) or f"; known are: {', '.join(known)}"
+        raise ValueError(f"Minimize: method: scipy.optimize has no {method!r}{hint}")
+    file = results_file("Minimize", kwargs)
     if not parameters:
         raise ValueError("Minimize: parameters must not be empty")
     names, bounds = list(parameters), _bounds(parameters)
@@ -181,9 +188,7 @@ def Minimize(
         inner = bounds if enforceBounds and not scipy_bounds else None
         objective = _Objective(objectiveFunction, names, inner, addComputationIndex, evaluate)
         iterations = options.get("maxiter", 1000 if method == _GLOBAL else 200 * len(names))
-        report = _Report(
-            objective, parameters, method, iterations, kwargs.get("resultsFile", ""), storeFunctionValues, showProgress
-        )
+        report = _Report(objective, parameters, method, iterations, file, storeFunctionValues, showProgress)
         if method == _GLOBAL:
             guess = start if len(initialGuess) else None
             result = _evolve(objective, bounds, guess, tol, options, report)

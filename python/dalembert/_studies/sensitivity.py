@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from dalembert._checks import as_number
 from dalembert._studies.execution import (
     AddComputationIndexAndFunctionData,
     Function,
@@ -28,6 +29,8 @@ def _variation(name: str, value: Any) -> tuple[float, float, int]:
             f"not {value!r}"
         )
     defaults: tuple[Any, ...] = (None, 1e-3, 0)
+    for entry in entries:
+        as_number(f"ComputeSensitivities: {name!r}", entry)
     reference, step, steps = entries + defaults[len(entries) :]
     if step == 0 or int(steps) != steps or steps < 0:
         raise ValueError(

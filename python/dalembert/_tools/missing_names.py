@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import enum
+import sys
 from collections.abc import Callable, Iterable
+from types import ModuleType
 from typing import Any, NoReturn
 
 from dalembert import _core
@@ -77,6 +79,97 @@ def explain() -> None:
     for made in vars(_core).values():
         if type(made) is enum.EnumType:
             made.__class__ = _ExplainingEnum
+
+
+# ---- modules ---------------------------------------------------------------------------------------------------------
+
+
+def _offers(module: ModuleType, name: str) -> bool:
+    value, public = vars(module).get(name), vars(module).get("__all__")
+    return value is not None and (name in public if public else getattr(value, "__module__", "") == module.__name__)
+
+
+def _module_with(name: str) -> str:
+    """Return '; it belongs to dalembert....' for a name that a module of the package has."""
+    from importlib import import_module
+
+    for each in sorted(sys.modules["dalembert"]._submodules):
+        try:
+            module = import_module(f"dalembert.{each}")
+        except ImportError:  # it needs what is not installed
+            continue
+        if _offers(module, name):
+            return f"; it belongs to {module.__name__}"
+    return ""
+
+
+def _names_in(module: ModuleType) -> list[str]:
+    names = vars(module)
+    return dir(module) if "__dir__" in names else names.get("__all__") or [n for n in names if not n.startswith("_")]
+
+
+def _hint(module: ModuleType, name: str) -> str:
+    if not name or name.startswith("_"):
+        return ""
+    if hasattr(MainSystem, name):
+        return f"; it is a method of a system: mbs.{name}(...)"
+    if hasattr(_core, name) and module.__name__ != "dalembert":
+        return "; it belongs to dalembert"
+    return nearest(name, _names_in(module)) or _module_with(name)
+
+
+_FEW = 60  # names: all of them are told
+
+
+def missing_in(module: ModuleType, name: str) -> AttributeError:
+    """Return the error of a name that a module has not: for its __getattr__, which raises it."""
+    known, hint = _names_in(module), _hint(module, name)
+    if not hint and len(known) <= _FEW and not name.startswith("_"):
+        hint = f"; known are: {', '.join(known)}"
+    return AttributeError(f"module '{module.__name__}' has no attribute '{name}'{hint}", name=name, obj=module)
+
+
+def refuse_import(module: ModuleType, name: str) -> None:
+    """Raise the ImportError of a name that a module has not, if there is anything to tell."""
+    where = module.__name__
+    if where == "dalembert" and not name.startswith("_") and (near := nearest(name, sys.modules[where]._submodules)):
+        raise ModuleNotFoundError(f"No module named '{where}.{name}'{near}", name=where)
+    if hint := _hint(module, name):
+        raise ImportError(f"cannot import name '{name}' from '{where}'{hint}", name=where, path=module.__file__)
+
+
+class ExplainingPackage(ModuleType):
+    """A package whose modules tell the nearest name of one that they have not."""
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if isinstance(value, ModuleType) and value.__name__ == f"{self.__name__}.{name}" and not name.startswith("_"):
+            explain_module(value)
+        super().__setattr__(name, value)
+
+    def __reduce__(self) -> Any:
+        from importlib import import_module
+
+        return import_module, (self.__name__,)  # as cloudpickle does it for plain modules
+
+
+# Python finds names of modules with a __getattr__ in ten times as long, and of this one many.
+_QUICK = ("dalembert.itemInterface",)
+
+
+def explain_module(module: ModuleType) -> None:
+    """Let a module explain names that it has not; of a package, also the modules in it, now and later."""
+    if "__getattr__" not in vars(module) and module.__name__ not in _QUICK:
+
+        def __getattr__(name: str) -> NoReturn:
+            raise missing_in(module, name)
+
+        module.__getattr__ = __getattr__  # type: ignore[method-assign]
+    if "__path__" not in vars(module):
+        module.__path__ = []  # `from module import name` asks the finders of _planned.py for what it has not
+    elif not isinstance(module, ExplainingPackage):
+        module.__class__ = ExplainingPackage
+        for name, part in list(vars(module).items()):
+            setattr(module, name, part)
 
 
 def paths_of_setting(name: str) -> list[str]:

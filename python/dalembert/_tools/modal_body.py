@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy.typing as npt
 
-from dalembert._checks import FloatArray
-from dalembert._io.files import replacing
+from dalembert._checks import FloatArray, shape_error
+from dalembert._io.files import file_name, file_to_read, file_to_write, replacing
 from dalembert._io.hdf5 import LoadDictFromHDF5, SaveDictToHDF5
 from dalembert._names import eii, exu, np
 from dalembert.physics import VonMisesStress
@@ -73,6 +73,9 @@ class ObjectFFRFreducedOrderInterface:
         self.rigidBodyNodeType = rigidBodyNodeType
         if femInterface is None:
             return
+        if "matrix" not in getattr(femInterface, "modeBasis", {}):
+            expected = "an FEMinterface with modes, as its ComputeEigenmodes(...) makes them"
+            raise shape_error("ObjectFFRFreducedOrderInterface: femInterface", expected, femInterface)
         modes, mass = np.asarray(femInterface.modeBasis["matrix"], dtype=float), femInterface.GetMassMatrix(sparse=True)
         points = np.asarray(femInterface.GetNodePositionsAsArray(), dtype=float)
         self.modeBasis, self.xRef, self.trigList = modes, points.ravel(), triangles_of(femInterface)
@@ -123,7 +126,9 @@ class ObjectFFRFreducedOrderInterface:
 
     def SaveToFile(self, fileName: str, fileVersion: int = 1) -> None:
         """Save all data; the format is that of the ending: .npz (default), .pkl or .hdf5."""
-        stem, ending, mode = self._file(fileName, None)
+        where = "ObjectFFRFreducedOrderInterface.SaveToFile: fileName"
+        stem, ending, mode = self._file(file_name(where, fileName), None)
+        file_to_write(where, stem + ending)
         data = self.GetDictionary() | {"fileVersion": int(fileVersion), "type": "ObjectFFRFreducedOrderInterface"}
         if mode == "HDF5":
             SaveDictToHDF5(stem + ending, data)
@@ -136,7 +141,9 @@ class ObjectFFRFreducedOrderInterface:
 
     def LoadFromFile(self, fileName: str, mode: str | None = None) -> int:
         """Load what SaveToFile has saved; returns the version of the file."""
-        stem, ending, mode = self._file(fileName, mode)
+        where = "ObjectFFRFreducedOrderInterface.LoadFromFile: fileName"
+        stem, ending, mode = self._file(file_name(where, fileName), mode)
+        file_to_read(where, stem + ending)
         data: Any
         if mode == "HDF5":
             data = LoadDictFromHDF5(stem + ending)

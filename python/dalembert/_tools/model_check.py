@@ -108,19 +108,39 @@ def _self_connections(mbs: Any) -> Iterator[str]:
             )
 
 
+def _references(item: dict[str, Any]) -> Iterator[tuple[str, list[int]]]:
+    """Give the kinds and numbers of items that an item refers to."""
+    for key, value in item.items():
+        if target := _TARGETS.get(key.removesuffix("s")):
+            yield target, [int(number) for number in (value if isinstance(value, list) else [value])]
+
+
+def _nodes_of_objects(mbs: Any) -> set[int]:
+    """Return the nodes that have an object, or on which one acts by a marker."""
+    found: set[int] = set()
+    for number in range(mbs.systemData.NumberOfObjects()):
+        for target, numbers in _references(mbs.GetObject(number)):
+            if target == "Node":
+                found.update(numbers)
+            elif target == "Marker":
+                acted = [dict(_references(mbs.GetMarker(marker))) for marker in numbers if marker >= 0]
+                found.update(node for each in acted for node in each.get("Node", []))
+    return found
+
+
 def _unused(mbs: Any) -> Iterator[str]:
     used: dict[str, set[int]] = {kind: set() for kind in _KINDS}
     for kind in _KINDS:
         for number in range(getattr(mbs.systemData, f"NumberOf{kind}s")()):
-            for key, value in getattr(mbs, f"Get{kind}")(number).items():
-                target = _TARGETS.get(key.removesuffix("s"))
-                if target is not None:
-                    used[target].update(map(int, value if isinstance(value, list) else [value]))
+            for target, numbers in _references(getattr(mbs, f"Get{kind}")(number)):
+                used[target].update(numbers)
+    moved = _nodes_of_objects(mbs)
     for number in range(mbs.systemData.NumberOfNodes()):
         node = mbs.GetNode(number)
-        if number not in used["Node"] and node["nodeType"] not in _FREE_NODES:
+        if number not in moved and node["nodeType"] not in _FREE_NODES:
             title = f"node {number} '{node['name']}' ({node['nodeType']})"
-            yield f"{title} is used by nothing: its coordinates have no equations."
+            user = "belongs to no object" if number in used["Node"] else "is used by nothing"
+            yield f"{title} {user}: its coordinates have no equations."
     for number in range(mbs.systemData.NumberOfMarkers()):
         if number not in used["Marker"]:
             yield f"marker {number} '{mbs.GetMarkerParameter(number, 'name')}' is used by nothing."

@@ -19,6 +19,7 @@ from dalembert._core import (
     _is_plain_not_negative,
     _is_plain_number,
     _is_plain_positive,
+    _item_counts,
     _plain_vectors,
     _problem_of,
 )
@@ -189,7 +190,7 @@ def checked(function: FunctionType, checks: dict[str, Check]) -> Callable[..., A
     """Return the function with a check of the arguments that a caller gives, by `checks`.
 
     Raises ValueError for a wrong value and TypeError for an unknown argument, with the nearest known one, before any
-    item has been added.
+    item has been added. If items refuse each other later, those that have been added are taken back.
     """
     names = function.__code__.co_varnames[: function.__code__.co_argcount]
     numbered = tuple(REFERENCES.intersection(names))
@@ -225,9 +226,31 @@ def checked(function: FunctionType, checks: dict[str, Check]) -> Callable[..., A
             if name in given and _has_names(given[name]):
                 given = {**given, name: with_indices(args[0], function.__name__, name, given[name])}
                 args, kwargs = args[:1], {key: value for key, value in given.items() if key != names[0]}
-        return created(args[0], function(*args, **kwargs))
+        before = _item_counts(args[0])
+        try:
+            return created(args[0], function(*args, **kwargs))
+        except BaseException:
+            _take_back(args[0], before)
+            raise
 
     return call
+
+
+_DELETING = {
+    "Sensor": {},
+    "Load": {"deleteDependentMarkers": False},
+    "Marker": {},
+    "Object": {"deleteDependentItems": False},
+    "Node": {},
+}
+
+
+def _take_back(mbs: Any, before: bytes) -> None:
+    """Delete the items that have been added since there were so many of each kind."""
+    now, then = (reversed(memoryview(counts).cast("i")) for counts in (_item_counts(mbs), before))
+    for count, was, (kind, options) in zip(now, then, _DELETING.items(), strict=True):
+        for number in range(count - 1, was - 1, -1):
+            getattr(mbs, f"Delete{kind}")(number, suppressWarnings=True, **options)
 
 
 def _has_names(value: Any) -> bool:

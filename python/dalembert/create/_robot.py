@@ -9,6 +9,7 @@ from typing import Any
 import numpy.typing as npt
 
 from dalembert._checks import as_vector
+from dalembert._io.files import file_to_read
 
 
 def CreateRobot(
@@ -35,6 +36,7 @@ def CreateRobot(
     """
     from dalembert.robotics.utilities import ReadRobot  # a system without robots does without
 
+    fileName = file_to_read("CreateRobot: fileName", fileName)
     if baseMarker is not None and (forceUserFunction or limitStiffness or limitDamping):
         raise ValueError(
             "CreateRobot: forceUserFunction, limitStiffness and limitDamping belong to kinematic trees; leave out "

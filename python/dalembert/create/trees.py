@@ -10,7 +10,7 @@ import numpy as np
 from dalembert import graphics
 from dalembert import itemInterface as items
 from dalembert._checks import as_color
-from dalembert._core import MainSystem, Matrix3DList, ObjectIndex, Vector3DList
+from dalembert._core import JointType, MainSystem, Matrix3DList, ObjectIndex, Vector3DList
 from dalembert._geometry.inertia import TreeLink
 from dalembert.create import bodies
 from dalembert.create._arguments import (
@@ -96,6 +96,12 @@ def CreateKinematicTree(
     graphics is empty.
     """
     links, n = list(listOfTreeLinks), len(listOfTreeLinks)
+    for i, link in enumerate(links):
+        if not isinstance(link, TreeLink):
+            raise argument_error("CreateKinematicTree", f"listOfTreeLinks[{i}]", "a TreeLink(...)", link)
+        if not isinstance(link.jointType, JointType):
+            expected = "a member of JointType, e.g. exu.JointType.RevoluteZ"
+            raise argument_error("CreateKinematicTree", f"listOfTreeLinks[{i}].jointType", expected, link.jointType)
     parents = _parents(links)
     controlled = any(link.PDcontrol is not None for link in links)
     offsets = {

@@ -4,9 +4,6 @@ A TriangleList has flat arrays: points (3 per point), colors (RGBA per point), t
 normals (3 per point) and edges (2 indices each) with one edgeColor. Triangles are counter-clockwise seen from outside.
 """
 
-from typing import TYPE_CHECKING as _TYPE_CHECKING
-from typing import Any as _Any
-
 from dalembert.graphics._elements import Circle, Lines, Text
 from dalembert.graphics._extrusion import (
     BallBearingRings,
@@ -96,13 +93,3 @@ __all__ = [
 for _name in __all__:
     if _name[0].isupper():
         _describe(globals()[_name])
-
-if not _TYPE_CHECKING:
-
-    def __getattr__(name: str) -> _Any:
-        if name.startswith("_"):
-            raise AttributeError(f"module 'dalembert.graphics' has no attribute '{name}'")
-        from dalembert._tools.missing_names import nearest
-
-        hint = nearest(name, __all__) or f"; known are: {', '.join(__all__)}"
-        raise AttributeError(f"module 'dalembert.graphics' has no attribute '{name}'{hint}")

@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from dalembert import graphicsDataUtilities as meshes
 from dalembert._checks import FloatArray, as_color, as_matrix, as_vector
-from dalembert._io.files import replacing
+from dalembert._io.files import file_to_read, file_to_write, replacing
 from dalembert.graphics._mesh import GraphicsData, require_type, triangle_list, triangle_normals
 from dalembert.graphics._operations import FromPointsAndTrigs, _normalized
 
@@ -49,7 +49,7 @@ def _facets_from_text(text: str, fileName: str) -> tuple[FloatArray, FloatArray]
 
 def _read_facets(fileName: str) -> tuple[FloatArray, FloatArray]:
     """Return normals and corner points of a binary or text STL file."""
-    content = Path(fileName).read_bytes()
+    content = Path(file_to_read("FromSTLfile: fileName", fileName)).read_bytes()
     if len(content) >= 84:
         nFacets = int.from_bytes(content[80:84], "little")
         if len(content) == 84 + nFacets * _BINARY_FACET.itemsize:
@@ -71,6 +71,7 @@ def FromSTLfileASCII(
 
     By default normals and orientation of the triangles are inverted. Errors name the line of the file.
     """
+    fileName = file_to_read("FromSTLfileASCII: fileName", fileName)
     normals, corners = _facets_from_text(Path(fileName).read_text(), fileName)
     if verbose:
         print(f"FromSTLfileASCII: {fileName}: {len(normals)} triangles")
@@ -148,6 +149,7 @@ def FromPyMeshlabFile(
         import pymeshlab
     except ImportError:
         raise ImportError("FromPyMeshlabFile: the package pymeshlab is needed: pip install pymeshlab") from None
+    fileName = file_to_read("FromPyMeshlabFile: fileName", fileName)
     meshes = pymeshlab.MeshSet()
     meshes.load_new_mesh(fileName)
     mesh = meshes.current_mesh()
@@ -213,6 +215,7 @@ def ExportSTL(
 ) -> None:
     """Write a TriangleList to a text STL file, by default with inverted normals and orientation of the triangles."""
     require_type("ExportSTL", graphicsData, "TriangleList")
+    fileName = file_to_write("ExportSTL: fileName", fileName)
     points = np.asarray(graphicsData["points"], dtype=float).reshape(-1, 3)
     triangles = np.asarray(graphicsData["triangles"], dtype=int).reshape(-1, 3)
     normals = (-1.0 if invertNormals else 1.0) * triangle_normals(points, triangles) + 0.0  # no negative zeros

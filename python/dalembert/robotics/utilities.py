@@ -15,6 +15,7 @@ import numpy.typing as npt
 
 from dalembert._checks import FloatArray, as_rotation, as_vector, shape_error
 from dalembert._core import ContactTypeIndex
+from dalembert._io.files import file_to_read, path_name
 from dalembert.robotics import _drawing, _tree
 from dalembert.robotics._description import robot_of
 from dalembert.robotics._mjcf import read_mjcf
@@ -41,6 +42,7 @@ def ReadRobot(
 
     ValueError names file, line and element of what is wrong.
     """
+    fileName = file_to_read("ReadRobot: fileName", fileName)
     if read(fileName).tag == "mujoco":
         robot = robot_of(read_mjcf(fileName, graphics))
     else:
@@ -62,10 +64,11 @@ def LoadURDFrobot(
 
     Its entries urdf, urdfBasePath and urdfFilePath are for GetURDFrobotData; further arguments change nothing.
     """
-    path = Path(urdfBasePath) / urdfFilePath
+    folder = path_name("LoadURDFrobot: urdfBasePath", urdfBasePath, "the name of a folder")
+    path = Path(folder) / path_name("LoadURDFrobot: urdfFilePath", urdfFilePath)
     if path.suffix == ".xacro":
         raise ValueError(f"LoadURDFrobot: {path}: a xacro file is a program; run xacro of ROS, and load its URDF file")
-    robot = ReadRobot(path, packages=urdfBasePath)
+    robot = ReadRobot(file_to_read("LoadURDFrobot: urdfFilePath", path), packages=urdfBasePath)
     return {"robot": robot, "urdf": robot, "urdfBasePath": str(urdfBasePath), "urdfFilePath": str(urdfFilePath)}
 
 
