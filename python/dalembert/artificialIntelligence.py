@@ -104,8 +104,7 @@ class OpenAIGymInterfaceEnv(Env):  # type: ignore[misc,unused-ignore]  # gymnasi
         }
         self.dynamicSolver: Any = classes[kind]()
         self.dynamicSolver.InitializeSolver(self.mbs, self.simulationSettings)
-        if integration.endTime != integration.startTime:  # else the first step is the first to integrate
-            self.dynamicSolver.SolveSteps(self.mbs, self.simulationSettings)
+        self.dynamicSolver.SolveSteps(self.mbs, self.simulationSettings)
 
     def IntegrateStep(self) -> None:
         """Integrate over stepUpdateTime; the result is the initial state of the next step."""
