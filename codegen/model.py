@@ -26,6 +26,8 @@ CHECKS: dict[str, tuple[str, ...]] = {
     "color": ("vector4",),
 }
 CHANGES = ("any", "assemble")
+# What integers may count, and names may stand for.
+NAMED = ("no", "links", "joints")
 SOURCES = ("frame", "coordinates", "kernel")
 PHYSICS = ("ready", "planned")
 BODY_FOLDERS = ("bodies", "super_elements", "finite_elements")
@@ -87,6 +89,8 @@ class Parameter:
     internal: bool = False
     change: str = ""
     aliases: tuple[str, ...] = ()
+    named: str = "no"
+    beyond_reference: str = ""  # what it adds
     typical: tuple[float, ...] = ()  # lower and upper bound of values that show in a small model; tests draw from them
 
     def __post_init__(self) -> None:
@@ -96,6 +100,9 @@ class Parameter:
         if (fitting := CHECKS[self.check or "none"]) and self.type.storage not in fitting:
             raise SpecError(f"check: {self.check!r} is not for {self.type.name}")
         _one_of("change", self.change or "any", CHANGES)
+        _one_of("named", self.named, NAMED)
+        if self.named != "no" and self.type.storage != "integer":
+            raise SpecError(f"named: {self.type.name} is not one integer")
         if self.size and self.type.shape[:1] != (None,):
             raise SpecError(f"size: {self.type.name} has no free length")
         if self.unit and not self.type.real:
@@ -136,6 +143,9 @@ def default_problem(type_: ParameterType, default: Any, size: int) -> str:
         return "" if isinstance(default, bool) else f"{default!r} is not true or false"
     if type_.storage in ("text", "output_variable", "enumeration"):
         return "" if isinstance(default, str) else f"{default!r} is not a string"
+    if type_.storage == "texts":
+        strings = isinstance(default, list) and all(isinstance(entry, str) for entry in default)
+        return "" if strings else f"{default!r} is not a list of strings"
     if not type_.shape:
         return _number_problem(type_, default)
     shape = (size, *type_.shape[1:]) if size else type_.shape

@@ -12,12 +12,14 @@ from codegen.model_settings import Enum, parameter_type
 from codegen.names import nearest
 
 PARAMETER_KEYS = (
-    "type", "default", "unit", "symbol", "check", "size", "optional", "internal", "change", "aliases", "typical", "doc",
+    "type", "default", "unit", "symbol", "check", "size", "optional", "internal", "change", "aliases", "typical",
+    "named", "beyond_reference", "doc",
 )  # fmt: skip
 _KEY_TYPES: dict[str, type] = {
     "size": int, "optional": bool, "internal": bool, "aliases": list, "typical": list,
     "range": str, "no_effect": str,
-    "doc": str, "unit": str, "symbol": str, "check": str, "change": str, "summary": str, "beyond_reference": str,
+    "doc": str, "unit": str, "symbol": str, "check": str, "change": str, "named": str,
+    "summary": str, "beyond_reference": str,
 }  # fmt: skip
 _KINDS: dict[type, str] = {str: "a string", bool: "true or false", list: "a list"}
 

@@ -94,6 +94,7 @@ def _arrays() -> list[ParameterType]:
         many("Vector6DList", "Vec<double, 6>", "vector6s", "Sequence[ArrayLike] | Vector6DList", 6),
         many("Matrix3DList", "Mat<double, 3, 3>", "matrix3s", "Sequence[ArrayLike] | Matrix3DList", 3, 3),
         many("ArrayIndex", "int", "integers", "Sequence[int]"),
+        many("StringList", "std::string", "texts", "Sequence[str]"),
         many("JointTypeList", "JointType", "joint_types", "Sequence[JointType]"),
     ]
 

@@ -134,6 +134,8 @@ def cpp_row(row: Parameter, offset: str, role: str, enum_number: int | None = No
     ]
     if row.effective_check != "none":
         fields.append(f".check = Check::{row.effective_check}")
+    if row.named != "no":
+        fields.append(f".named = Named::{row.named}")
     if size := required_length(row):
         fields.append(f".size = {size}")
     if row.internal:

@@ -35,7 +35,9 @@ def python_type(row: Parameter) -> str:
 def argument_type(row: Parameter, item: Item) -> str:
     """What the parameter of an item may be set to."""
     function = next((f for f in item.user_functions if f.name == row.name), None)
-    return f"{_callable(function)} | Literal[0]" if function else row.type.python
+    if function:
+        return f"{_callable(function)} | Literal[0]"
+    return row.type.python if row.named == "no" else f"{row.type.python} | str"
 
 
 def value_type(row: Parameter, item: Item) -> str:

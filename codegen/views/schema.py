@@ -12,7 +12,7 @@ from codegen.types import ParameterType
 
 KINDS = tuple(dict.fromkeys(kind for kind, _ in FOLDERS.values()))
 _NPZ = {"type": "object", "required": ["npz"], "properties": {"npz": {"type": "string"}}, "additionalProperties": False}
-_SCALARS = {"boolean": "boolean", "text": "string", "integer": "integer", "integers": "integer"}
+_SCALARS = {"boolean": "boolean", "text": "string", "integer": "integer", "integers": "integer", "texts": "string"}
 _SHAPE = {"type": "array", "items": {"type": "integer"}}
 _FUNCTION = {
     "type": "object",
@@ -180,7 +180,8 @@ def _type(row: Parameter, type_: ParameterType, enums: dict[str, list[str]]) -> 
     scalar = _SCALARS.get(storage, "number")
     if not type_.shape:
         bounds = _bounds(row) if scalar in ("number", "integer") else {}
-        return {"type": scalar} | bounds
+        number = {"type": scalar} | bounds
+        return number if row.named == "no" else {"oneOf": [number, {"type": "string"}]}
     array = _array(row.shape, scalar)
     return {"oneOf": [array, {"$ref": "#/$defs/npz"}]} if None in row.shape else array
 

@@ -59,7 +59,13 @@ void read(PyObject* value, const Row&, bool& out) {
   throw Refusal{ErrorKind::type, "True or False", ""};
 }
 
+bool is_name(PyObject* value) { return PyUnicode_Check(value) && PyUnicode_GET_LENGTH(value) > 0; }
+
 void read(PyObject* value, const Row& row, int& out) {
+  if (row.named != Named::no && is_name(value)) {
+    out = named_reference(to_string(value));
+    return;
+  }
   const int number = read_integer(value);
   check_sign(number, row.check, "an integer");
   out = number;
@@ -81,6 +87,18 @@ void read(PyObject* value, const Row& row, double& out) {
 void read(PyObject* value, const Row&, std::string& out) {
   if (!PyUnicode_Check(value)) throw Refusal{ErrorKind::type, "a string", ""};
   out = to_string(value);
+}
+
+void read(PyObject* value, const Row&, std::vector<std::string>& out) {
+  const char* const what = "a list of strings";
+  if (PyUnicode_Check(value)) throw Refusal{ErrorKind::type, what, "Write [...] around it."};
+  const Items items(value, what);
+  std::vector<std::string> texts;
+  for (Py_ssize_t i = 0; i < items.size(); ++i) {
+    if (!PyUnicode_Check(items[i])) throw Refusal{ErrorKind::type, what, "Entry " + std::to_string(i) + " is " + show(items[i]) + "."};
+    texts.push_back(to_string(items[i]));
+  }
+  out = std::move(texts);
 }
 
 void read_fixed(PyObject* value, const Row& row, double* out, int n) {
@@ -265,7 +283,7 @@ int read_item_number(PyObject* value, ItemKind wanted) {
                       std::string(kind_name(wanted)) + "s. " + advice()};
   }
   if (PyBool_Check(value)) throw Refusal{ErrorKind::type, what(), advice()};
-  if (PyUnicode_Check(value) && PyUnicode_GET_LENGTH(value) > 0) return named_reference(to_string(value));
+  if (is_name(value)) return named_reference(to_string(value));
   try {
     number = read_integer(value);
   } catch (Refusal& refusal) {
@@ -383,6 +401,11 @@ py::object write(bool value, Form, PyObject*) { return py::bool_(value); }
 py::object write(int value, Form, PyObject*) { return py::int_(value); }
 py::object write(double value, Form, PyObject*) { return py::float_(value); }
 py::object write(const std::string& value, Form, PyObject*) { return py::str(value); }
+py::object write(const std::vector<std::string>& value, Form, PyObject*) {
+  py::list list;
+  for (const std::string& text : value) list.append(text);
+  return list;
+}
 template <int N>
 py::object write(const Vec<double, N>& value, Form form, PyObject* owner) {
   return array_of({N}, value.x.data(), form, owner);
@@ -475,6 +498,8 @@ void from_python(PyObject* value, const Row& row, void* member) {
 PyObject* to_python(const Row& row, const void* member, Form form, PyObject* owner) {
   if (row.storage == Storage::opaque && opaque_object(*static_cast<const Opaque*>(member)) == nullptr)
     return empty_opaque(row).release().ptr();
+  if (row.named != Named::no)
+    if (const int number = *static_cast<const int*>(member); is_named_reference(number)) return py::str(referred_name(number)).release().ptr();
   return with_type(row.storage, [&]<class T>(TypeTag<T>) {
     return write(*static_cast<const T*>(member), form, owner).release().ptr();
   });

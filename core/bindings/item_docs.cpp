@@ -19,6 +19,7 @@ std::string_view storage_text(Storage storage) {
     case Storage::integer: return "int";
     case Storage::real: return "float";
     case Storage::text: return "str";
+    case Storage::texts: return "list of str";
     case Storage::vector2: return "2 numbers";
     case Storage::vector3: return "3 numbers";
     case Storage::vector4: return "4 numbers";
@@ -66,7 +67,8 @@ std::string literal(const Row& row, const void* record) {
     case Storage::vector3s:
     case Storage::matrix3s:
     case Storage::vector6s:
-    case Storage::joint_types: return "[]";
+    case Storage::joint_types:
+    case Storage::texts: return "[]";
     default: break;
   }
   py::object value = py::reinterpret_steal<py::object>(to_python(row, member(record, row), Form::copy, nullptr));
@@ -122,6 +124,7 @@ std::string facts_after_type(const Row& row) {
   std::string text;
   if (row.check == Check::positive) text += ", > 0";
   if (row.check == Check::non_negative) text += ", >= 0";
+  if (row.named != Named::no) text += row.named == Named::links ? ", or the name of a link" : ", or the name of a joint";
   if (const std::string demanded = demand(row.check); !demanded.empty()) text += ", " + demanded;
   if (!row.unit.empty()) text += ", unit " + std::string(row.unit);
   if (row.needs_assemble) text += "; changes need Assemble()";

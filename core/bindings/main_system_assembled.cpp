@@ -5,6 +5,7 @@
 #include "conversion.hpp"
 #include "dalembert/model/errors.hpp"
 #include "dalembert/model/member.hpp"
+#include "dalembert/model/references.hpp"
 #include "item_arguments.hpp"
 #include "main_system.hpp"
 #include "python_errors.hpp"
@@ -43,6 +44,17 @@ std::array<double, 3> position_argument(const py::object& value, const char* met
     refuse(refusal.kind, {called(method), "localPosition", "", show(value.ptr()), "3 finite numbers (unit m)", ""});
   }
   return position;
+}
+
+// A number; of kinematic trees also the name of a link.
+int mesh_node_argument(const MainSystem& main, int object, const py::object& value, const char* method) {
+  if (PyUnicode_Check(value.ptr()))
+    return number_of_link(main.model.item(ItemKind::object, object), Named::links, to_string(value.ptr()), called(method), "meshNodeNumber");
+  try {
+    return read_integer(value.ptr());
+  } catch (const Refusal& refusal) {
+    refuse(refusal.kind, {called(method), "meshNodeNumber", "", show(value.ptr()), "an integer, or the name of a link", ""});
+  }
 }
 
 py::object array(const std::vector<double>& values) {
@@ -131,12 +143,12 @@ void register_outputs(Class& main_system) {
       py::arg("configuration") = py::none(), "An output variable of a body at a local position.");
   main_system.def(
       "GetObjectOutputSuperElement",
-      [](MainSystem& main, const py::object& object, const py::object& variable, int mesh_node, const py::object& configuration) {
+      [](MainSystem& main, const py::object& object, const py::object& variable, const py::object& mesh_node, const py::object& configuration) {
         const char* const method = "GetObjectOutputSuperElement";
         const int number = item_number_argument(main, ItemKind::object, object.ptr(), method);
         std::vector<double> values;
         main.assembled(method)
-            .super_element_output(number, variable_argument(variable, method), mesh_node,
+            .super_element_output(number, variable_argument(variable, method), mesh_node_argument(main, number, mesh_node, method),
                                   current_or(main, configuration, method), values);
         return number_or_array(values);
       },

@@ -580,7 +580,7 @@ constexpr std::array<OutputText, 5> ObjectGenericODE2_outputs{{
     {"Force", 0, "various", "generalized forces of the object without inertia, one per coordinate, as they stand on the left hand side of the equations of motion"},
 }};
 
-constexpr std::array<std::string_view, 24> ObjectKinematicTree_rows{
+constexpr std::array<std::string_view, 26> ObjectKinematicTree_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "generic node of second order with one coordinate per joint: rad for revolute, m for prismatic joints",
     "gravity in global components; mass proportional loads do not act on this object",
@@ -600,6 +600,8 @@ constexpr std::array<std::string_view, 24> ObjectKinematicTree_rows{
     "proportional gain of each joint (Nm/rad or N/m); empty for zero",
     "derivative gain of each joint (Nm s/rad or Ns/m); empty for zero",
     "function that gives further joint forces, which act as those of ``jointForceVector``",
+    "for each link a name, which may stand wherever the number of a link is asked for, or an empty string; empty for no names",
+    "for each joint a name, which may stand for the number of the joint and for that of the link which it carries, or an empty string; empty for no names",
     "False: the item is not drawn",
     "draw the links, as given by ``graphicsDataList`` or, if that is empty, as cylinders between the joints",
     "draw the joints in a standard form; only if ``graphicsDataList`` is empty",
@@ -1595,7 +1597,7 @@ constexpr std::array<std::string_view, 4> MarkerBodyRigid_rows{
 constexpr std::array<std::string_view, 5> MarkerKinematicTreeRigid_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "kinematic tree to which the marker is attached",
-    "number of the link within the tree, from 0; -1 means not set and is refused",
+    "number of the link within the tree, from 0, or its name, or that of its joint; -1 means not set and is refused",
     "position of the marker in the frame of the link",
     "False: the item is not drawn",
 };
@@ -1603,7 +1605,7 @@ constexpr std::array<std::string_view, 5> MarkerKinematicTreeRigid_rows{
 constexpr std::array<std::string_view, 4> MarkerNodeCoordinate_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "node to which the marker is attached",
-    "number of the coordinate within the node, from 0; -1 means not set and is refused; any number reads zero at a ground node",
+    "number of the coordinate within the node, from 0, or the name of a joint of the kinematic tree on the node; -1 means not set and is refused; any number reads zero at a ground node",
     "False: the item is not drawn",
 };
 
@@ -1714,7 +1716,7 @@ constexpr std::array<std::string_view, 8> SensorBody_rows{
 constexpr std::array<std::string_view, 9> SensorKinematicTree_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "kinematic tree that is measured",
-    "link, numbered within the tree from 0; -1 means not set and is refused",
+    "link, numbered within the tree from 0, or its name, or that of its joint; -1 means not set and is refused",
     "point in the frame of the link",
     "write the measured values to a file while a solver runs; without effect if ``fileName`` is empty",
     "file with the time in the first and the values in the further columns; the path is relative to the working directory, missing directories are created",
@@ -1765,7 +1767,7 @@ constexpr std::array<std::string_view, 7> SensorObject_rows{
 constexpr std::array<std::string_view, 8> SensorSuperElement_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "super element that is measured",
-    "mesh node, numbered within the super element from 0; -1 means not set and is refused",
+    "mesh node, numbered within the super element from 0, or the name of a link of a kinematic tree; -1 means not set and is refused",
     "write the measured values to a file while a solver runs; without effect if ``fileName`` is empty",
     "file with the time in the first and the values in the further columns; the path is relative to the working directory, missing directories are created",
     "output variable that is measured; one that the measured item does not provide is refused in Assemble",

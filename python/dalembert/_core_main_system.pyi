@@ -160,7 +160,7 @@ class MainSystem(_Bound):
         self,
         objectNumber: ObjectIndex | int | str,
         variableType: OutputVariableType,
-        meshNodeNumber: int,
+        meshNodeNumber: int | str,
         configuration: ConfigurationType | None = None,
     ) -> Any: ...
     def GetMarkerOutput(

@@ -33,13 +33,19 @@ class TreeDynamics:
     TreeDynamics(mbs, objectNumber) takes the tree from an assembled system, as its parameters are now;
     TreeDynamics(ObjectKinematicTree(...)) needs no system. Coordinates are total ones: rad or m. Of the tree's forces,
     gravity acts; controllers, user functions, jointForceVector, linkForces and linkTorques do not. linkNumbers has the
-    names that stand for numbers of links; that of a robot (Robot.Dynamics) knows its links and joints.
+    names that stand for numbers of links: those of the tree, or of the robot (Robot.Dynamics).
     """
 
     def __init__(self, tree: Any, objectNumber: Any = None) -> None:
-        self._functions = _TreeFunctions(*(_assembled(tree) if objectNumber is None else (tree, objectNumber)))
+        mbs, number = _assembled(tree) if objectNumber is None else (tree, objectNumber)
+        self._functions = _TreeFunctions(mbs, number)
         self.numberOfLinks: int = self._functions.links()
-        self.linkNumbers: dict[str, int] = {}
+        self.linkNumbers: dict[str, int] = {
+            name: i
+            for parameter in ("jointNames", "linkNames")  # where a link and another joint have one name: the link
+            for i, name in enumerate(mbs.GetObjectParameter(number, parameter))
+            if name
+        }
 
     def _states(self, **given: npt.ArrayLike) -> tuple[list[FloatArray], tuple[int, ...]]:
         """Return states as rows, broadcast against each other, and the shape that results begin with."""
@@ -48,7 +54,10 @@ class TreeDynamics:
             if array.ndim == 0 or array.shape[-1] != self.numberOfLinks:
                 expected = f"an array whose last axis has {self.numberOfLinks} numbers, one per joint"
                 raise shape_error(f"TreeDynamics: {name}", expected, given[name])
-        shape = np.broadcast_shapes(*(array.shape for array in arrays.values()))
+        shapes = {array.shape for array in arrays.values()}
+        if len(shapes) == 1:
+            return [array.reshape(-1, self.numberOfLinks) for array in arrays.values()], shapes.pop()[:-1]
+        shape = np.broadcast_shapes(*shapes)
         rows = [np.broadcast_to(array, shape).reshape(-1, self.numberOfLinks) for array in arrays.values()]
         return rows, shape[:-1]
 

@@ -77,6 +77,7 @@ def sample(row: Parameter) -> Any:
         "integer": 7,
         "real": 0.125,
         "text": "words",
+        "texts": ["first", "second"],
         "vector": [0.25 * (i + 1) for i in range(length(row))],
         "matrix": [[1.0, 2.0], [3.0, 4.0]],
         "integer_matrix": [[1, 2, 3], [4, 5, 6]],
@@ -136,7 +137,7 @@ def bad_values(row: Parameter) -> dict[str, Any]:
     if storage == "opaque":
         return {}
     bad: dict[str, Any] = {"dictionary": {"a": 1}}
-    if storage != "text" and not row.type.index:  # indices may be names, which a system knows
+    if storage != "text" and not row.type.index and row.named == "no":  # numbers may be names, which a system knows
         bad["string"] = "words"
     bad |= _bad_entries(row) if row.shape and storage != "matrix_container" else _bad_scalars(row)
     if storage in ("matrix", "matrix_container", "integer_matrix"):
@@ -190,6 +191,9 @@ def _bad_entries(row: Parameter) -> dict[str, Any]:
     elif kind in INDEX:
         wrong |= {"real": 1.5, "huge": HUGE, "negative": -2}
         wrong |= {f"{other} index": index(0) for other, index in INDEX.items() if other != kind}
+    elif storage == "texts":
+        del wrong["nested string"]
+        wrong |= {"integer": 3, "bytes": b"words"}
     elif storage == "joint_types":
         wrong |= {"integer": 3, "other enumeration": exu.ConfigurationType.Current}
     else:
@@ -216,6 +220,6 @@ def wrong_type(row: Parameter) -> Any:
     """What no parameter of this type accepts, whatever its length."""
     if row.type.storage == "text":
         return 5
-    if row.type.index and not row.type.shape:
+    if row.named != "no" or row.type.index and not row.type.shape:
         return 0.5  # a text is a name
     return {"a": 1} if row.type.storage == "user_function" else "words"

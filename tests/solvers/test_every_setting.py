@@ -160,12 +160,18 @@ def test_there_must_be_something_to_integrate(start: float, end: float, solver: 
 
 
 def test_a_solver_may_be_initialized_before_the_end_is_known() -> None:
-    """As environments do that integrate piece by piece."""
+    """As environments do that integrate piece by piece: steps to the time where it is are none."""
     mbs, settings = models.oscillation(), exu.SimulationSettings()
     settings.timeIntegration.endTime = 0
     settings.solutionSettings.writeSolutionToFile = False
     solver = exu.MainSolverImplicitSecondOrder()
     assert solver.InitializeSolver(mbs, settings)
+    assert solver.SolveSteps(mbs, settings) and solver.it.currentStepIndex == 0
+    settings.timeIntegration.endTime = 0.1
+    solver.InitializeSolverInitialConditions(mbs, settings)
+    assert solver.SolveSteps(mbs, settings) and mbs.systemData.GetTime() == pytest.approx(0.1)
+    settings.timeIntegration.startTime, settings.timeIntegration.endTime = 0.2, 0.1
+    solver.InitializeSolverInitialConditions(mbs, settings)
     with pytest.raises(ValueError, match="there is nothing to integrate"):
         solver.SolveSteps(mbs, settings)
 

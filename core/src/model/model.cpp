@@ -155,7 +155,7 @@ void Model::edit(ItemKind kind, int number, const Row& row, const std::function<
   const Item& old = item(kind, number);
   std::shared_ptr<void> record = old.type->record.copy(old.record.get());
   write(member(record.get(), row));
-  if (names_are_used()) resolve_names(*this, row, record.get(), describe(kind, number));
+  if (names_are_used()) resolve_names(*this, *old.type, row, record.get(), describe(kind, number));
   if (row.role == Role::name) {
     rename(kind, number, *static_cast<const std::string*>(member(record.get(), row)));
     return;

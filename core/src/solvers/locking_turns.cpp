@@ -24,7 +24,7 @@ const char* const remedy = "solve the system that was given to RecogniseTrees, a
 }  // namespace
 
 void Solver::watch_locking_turns() {
-  if (it.automaticStepSize || is_static()) return;
+  if (is_static()) return;
   const State &now = current(), &start = start_of_step();
   const std::vector<double>& reference = system_->state(ConfigurationType::Reference).q;
   const double h = now.time - start.time;
@@ -35,7 +35,8 @@ void Solver::watch_locking_turns() {
     // A second angle that goes beyond a quarter turn, while the first moves, has missed what happens there.
     const bool goes_beyond = std::cos(angle) * std::cos(before) < 0 && turn > no_turn,
                turns_far = std::min(std::abs(std::cos(angle)), std::abs(std::cos(before))) < close_to_lock && turn > largest_turn;
-    if (!goes_beyond && !turns_far) continue;
+    // Error control has seen to it that what turns far does so rightly, but not what it has jumped over.
+    if (!goes_beyond && (it.automaticStepSize || !turns_far)) continue;
     const auto known = std::ranges::find(locks_, turns.first, &Lock::first);
     if (known == locks_.end()) locks_.push_back({turns.first, 1, it.currentTime, text_of(turns, angle)});
     else ++known->steps;
@@ -43,9 +44,10 @@ void Solver::watch_locking_turns() {
 }
 
 void Solver::doubt_locking_turns() {
+  const std::string steps = it.automaticStepSize ? "smaller tolerances" : "more steps there, error control (exu.DynamicSolverType.DOPRI5)";
   for (const Lock& lock : locks_) {
     doubts_.push_back(lock.text + " at time " + format_number(lock.time) + "; " + std::to_string(lock.steps) +
-                      (lock.steps == 1 ? " step was" : " steps were") + " too large for it: use more steps there, error control (exu.DynamicSolverType.DOPRI5), or " + remedy);
+                      (lock.steps == 1 ? " step was" : " steps were") + " too large for it: use " + steps + ", or " + remedy);
     if (!verbose(1)) warn(doubts_.back());
   }
 }

@@ -5,7 +5,7 @@
 
 #include "dalembert/math/aligned_vector.hpp"
 #include "dalembert/math/wide_registers.hpp"
-#include "dalembert/trees/articulated_bodies.hpp"
+#include "dalembert/trees/joint_masses.hpp"
 #include "dalembert/trees/tree_tangent.hpp"
 
 namespace dalembert {
@@ -28,7 +28,22 @@ struct States {
   DALEMBERT_INLINE void gather(const double* from, AlignedVector<S>& to) const {
     std::array<const double*, N> rows;
     for (int lane = 0; lane < N; ++lane) rows[lane] = from + offsets[lane];
-    for (std::size_t i = 0; i < links; ++i) to[i] = S::of_each([&](int lane) { return rows[lane][i]; });
+    if (links < 4)
+      for (std::size_t i = 0; i < links; ++i) to[i] = S::of_each([&](int lane) { return rows[lane][i]; });
+    each_four([&](std::size_t i) DALEMBERT_INLINE {
+      const auto four = columns_of<N>([&](int lane) DALEMBERT_INLINE { return Pack<4>::load(rows[lane] + i); });
+      for (std::size_t k = 0; k < 4; ++k) to[i + k] = four[k];
+    });
+  }
+  // A result with one number per joint.
+  DALEMBERT_INLINE void give(double* to, const AlignedVector<S>& from) const {
+    if (links < 4)
+      for (std::size_t i = 0; i < links; ++i) give(to, links, i, from[i]);
+    each_four([&](std::size_t i) DALEMBERT_INLINE {
+      double* rows = to + first * links + i;
+      each_row<N>({from[i], from[i + 1], from[i + 2], from[i + 3]}, count,
+                  [&](int lane, const Pack<4>& row) DALEMBERT_INLINE { row.store(rows + static_cast<std::size_t>(lane) * links); });
+    });
   }
   // Number `at` of the `size` numbers that a result has per state.
   DALEMBERT_INLINE void give(double* to, std::size_t size, std::size_t at, const S& value) const {
@@ -58,6 +73,13 @@ struct States {
     trees::sum_to_base<S>(tree, places, wrenches, [&](std::size_t i, const S& force) { x[i] = force; });
   }
 
+  // f(i) for joints i to i + 3, of all joints: the last four may have been among those before. Without four, never.
+  template <class F>
+  DALEMBERT_INLINE void each_four(const F& f) const {
+    for (std::size_t i = 0; i + 4 <= links; i += 4) f(i);
+    if (links > 4 && links % 4 != 0) f(links - 4);
+  }
+
   const Tree& tree;
   std::size_t links, first = 0;
   int count = 0;
@@ -68,7 +90,9 @@ struct States {
   AlignedVector<LinkMotion<S>> motions;
   AlignedVector<LinkWrench<S>> wrenches;
   // Room that some functions need: made when it is asked for first.
-  AlignedVector<ArticulatedBody<S>> articulated;
+  AlignedVector<S> sines, cosines, rows;
+  AlignedVector<LaneStation<S>> stations;
+  AlignedVector<LaneFork<S>> forks;
   AlignedVector<CompositeBody<S>> bodies;
   AlignedVector<JointIncrement<S>> increments;
   AlignedVector<Vec3<S>> origins;
@@ -87,14 +111,48 @@ void each_group(const Tree& tree, std::size_t states, const F& f) {
   states > 4 ? in_lanes(in_groups) : in_lanes<4>(in_groups);  // few states fill no wider registers
 }
 
+// In a frame whose first axis is that of its joint.
+Mat3<double> axis_first(const TreeLink& link) {
+  Mat3<double> turn{};
+  for (int j = 0; j < 3; ++j) turn((link.axis + j) % 3, j) = 1;
+  return turn;
+}
+
 }  // namespace
+
+std::vector<LaneLink> lane_links(const Tree& tree) {
+  std::vector<LaneLink> lanes(tree.links.size());
+  for (std::size_t i = 0; i < lanes.size(); ++i) {
+    const TreeLink& link = tree.links[i];
+    LaneLink& lane = lanes[i];
+    const Mat3<double> own = axis_first(link), carrier = link.parent < 0 ? identity<double>() : axis_first(tree.links[static_cast<std::size_t>(link.parent)]),
+                       orientation = transpose(carrier) * link.orientation * own, inertia = transpose(own) * link.inertia * own;
+    const double half = 0.5 * (inertia(0, 0) + inertia(1, 1) + inertia(2, 2));
+    lane = {.parent = link.parent,
+            .depth = link.parent < 0 ? 0 : lanes[static_cast<std::size_t>(link.parent)].depth + 1,
+            .slides = link.slides,
+            .follows = i > 0 && link.parent + 1 == static_cast<int>(i),
+            .axis = column(orientation, 0),
+            .second = column(orientation, 1),
+            .third = column(orientation, 2),
+            .offset = transposed_times(carrier, link.offset),
+            .mass = link.mass,
+            .mass_behind = link.mass,
+            .moment = transposed_times(own, link.moment),
+            .second_moment = {half - inertia(0, 0), -inertia(0, 1), -inertia(0, 2), half - inertia(1, 1), -inertia(1, 2), half - inertia(2, 2)}};
+    if (link.parent >= 0 && !lane.follows) lanes[static_cast<std::size_t>(link.parent)].forks = true;
+  }
+  for (std::size_t i = lanes.size(); i-- > 0;)
+    if (lanes[i].parent >= 0) lanes[static_cast<std::size_t>(lanes[i].parent)].mass_behind += lanes[i].mass_behind;
+  return lanes;
+}
 
 void TreeFunctions::inverse_dynamics(std::size_t states, const double* q, const double* v, const double* a, double* forces) const {
   each_group(tree_, states, [&](auto& group) {
     group.place(q);
     group.move(v, a, gravity_);
     group.sum_inertia_forces();
-    for (std::size_t i = 0; i < group.links; ++i) group.give(forces, group.links, i, group.x[i]);
+    group.give(forces, group.x);
   });
 }
 
@@ -102,14 +160,28 @@ int TreeFunctions::forward_dynamics(std::size_t states, const double* q, const d
   int loose = -1;
   each_group(tree_, states, [&]<int N>(States<N>& group) {
     using S = Pack<N>;
-    group.articulated.resize(group.links);
-    group.place(q);
-    group.move(v, nullptr, gravity_);
-    group.sum_inertia_forces();
-    group.gather(forces, group.a);
-    for (std::size_t i = 0; i < group.links; ++i) group.x[i] = group.a[i] - group.x[i];
-    loose = std::max(loose, trees::accelerate<S>(tree_, group.places, group.masses, group.articulated, group.wrenches, group.x.data()));
-    for (std::size_t i = 0; i < group.links; ++i) group.give(a, group.links, i, group.x[i]);
+    group.sines.resize(group.links);
+    group.cosines.resize(group.links);
+    group.stations.resize(group.links);
+    group.forks.resize(group.links);
+    group.gather(q, group.q);
+    group.gather(v, group.v);
+    group.gather(forces, group.x);
+    each_sine_cosine(group.q.data(), group.links, [&](std::size_t i, const S& sine, const S& cosine) DALEMBERT_INLINE {
+      group.sines[i] = sine;
+      group.cosines[i] = cosine;
+    });
+    trees::go_outward<S>(lanes_, group.q.data(), group.sines.data(), group.cosines.data(), group.v.data(), Vec3<S>{} - gravity_, group.stations, group.forks);
+    if (tree_.count() > few_links) {
+      trees::go_inward<S>(lanes_, group.x.data(), group.stations, group.forks);
+      trees::go_outward_again<S>(lanes_, group.x.data(), group.stations, group.forks);
+    } else {
+      group.rows.resize(group.links * group.links);
+      trees::compose<S>(lanes_, group.stations, group.forks, group.x.data(), group.rows.data());
+      trees::eliminate<S>(lanes_, group.stations, group.x.data(), group.rows.data());
+    }
+    loose = std::max(loose, trees::loose_joint<N>(group.stations));
+    group.give(a, group.x);
   });
   return loose;
 }

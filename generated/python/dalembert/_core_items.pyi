@@ -1774,6 +1774,16 @@ class ObjectKinematicTree(_Object):
     forceUserFunction: Callable[[MainSystem, float, int, Array, Array], ArrayLike] | Literal[0]
     """function that gives further joint forces, which act as those of ``jointForceVector``"""
     @property
+    def linkNames(self) -> list[str]:
+        """for each link a name, which may stand wherever the number of a link is asked for, or an empty string; empty for no names [n]"""
+    @linkNames.setter
+    def linkNames(self, value: Sequence[str]) -> None: ...
+    @property
+    def jointNames(self) -> list[str]:
+        """for each joint a name, which may stand for the number of the joint and for that of the link which it carries, or an empty string; empty for no names [n]"""
+    @jointNames.setter
+    def jointNames(self, value: Sequence[str]) -> None: ...
+    @property
     def visualization(self) -> VObjectKinematicTree:
         """how the item is drawn"""
     @visualization.setter
@@ -1799,6 +1809,8 @@ class ObjectKinematicTree(_Object):
         jointPControlVector: ArrayLike = [],
         jointDControlVector: ArrayLike = [],
         forceUserFunction: Callable[[MainSystem, float, int, Array, Array], ArrayLike] | Literal[0] = 0,
+        linkNames: Sequence[str] = [],
+        jointNames: Sequence[str] = [],
         visualization: VObjectKinematicTree | dict[str, Any] = ...,
     ) -> None: ...
 
@@ -5084,8 +5096,8 @@ class MarkerKinematicTreeRigid(_Marker):
         """kinematic tree to which the marker is attached"""
     @objectNumber.setter
     def objectNumber(self, value: ObjectIndex | int | str) -> None: ...
-    linkNumber: int
-    """number of the link within the tree, from 0; -1 means not set and is refused"""
+    linkNumber: int | str
+    """number of the link within the tree, from 0, or its name, or that of its joint; -1 means not set and is refused"""
     @property
     def localPosition(self) -> Array:
         """position of the marker in the frame of the link [3; m]"""
@@ -5100,7 +5112,7 @@ class MarkerKinematicTreeRigid(_Marker):
         self,
         name: str = '',
         objectNumber: ObjectIndex | int | str = -1,
-        linkNumber: int = -1,
+        linkNumber: int | str = -1,
         localPosition: ArrayLike = [0.0, 0.0, 0.0],
         visualization: VMarkerKinematicTreeRigid | dict[str, Any] = ...,
     ) -> None: ...
@@ -5125,8 +5137,8 @@ class MarkerNodeCoordinate(_Marker):
         """node to which the marker is attached"""
     @nodeNumber.setter
     def nodeNumber(self, value: NodeIndex | int | str) -> None: ...
-    coordinate: int
-    """number of the coordinate within the node, from 0; -1 means not set and is refused; any number reads zero at a ground node"""
+    coordinate: int | str
+    """number of the coordinate within the node, from 0, or the name of a joint of the kinematic tree on the node; -1 means not set and is refused; any number reads zero at a ground node"""
     @property
     def visualization(self) -> VMarkerNodeCoordinate:
         """how the item is drawn"""
@@ -5136,7 +5148,7 @@ class MarkerNodeCoordinate(_Marker):
         self,
         name: str = '',
         nodeNumber: NodeIndex | int | str = -1,
-        coordinate: int = -1,
+        coordinate: int | str = -1,
         visualization: VMarkerNodeCoordinate | dict[str, Any] = ...,
     ) -> None: ...
 
@@ -5690,8 +5702,8 @@ class SensorKinematicTree(_Sensor):
         """kinematic tree that is measured"""
     @objectNumber.setter
     def objectNumber(self, value: ObjectIndex | int | str) -> None: ...
-    linkNumber: int
-    """link, numbered within the tree from 0; -1 means not set and is refused"""
+    linkNumber: int | str
+    """link, numbered within the tree from 0, or its name, or that of its joint; -1 means not set and is refused"""
     @property
     def localPosition(self) -> Array:
         """point in the frame of the link [3; m]"""
@@ -5714,7 +5726,7 @@ class SensorKinematicTree(_Sensor):
         self,
         name: str = '',
         objectNumber: ObjectIndex | int | str = -1,
-        linkNumber: int = -1,
+        linkNumber: int | str = -1,
         localPosition: ArrayLike = [0.0, 0.0, 0.0],
         writeToFile: bool = True,
         fileName: str = '',
@@ -5916,8 +5928,8 @@ class SensorSuperElement(_Sensor):
         """super element that is measured"""
     @bodyNumber.setter
     def bodyNumber(self, value: ObjectIndex | int | str) -> None: ...
-    meshNodeNumber: int
-    """mesh node, numbered within the super element from 0; -1 means not set and is refused"""
+    meshNodeNumber: int | str
+    """mesh node, numbered within the super element from 0, or the name of a link of a kinematic tree; -1 means not set and is refused"""
     writeToFile: bool
     """write the measured values to a file while a solver runs; without effect if ``fileName`` is empty"""
     fileName: str
@@ -5935,7 +5947,7 @@ class SensorSuperElement(_Sensor):
         self,
         name: str = '',
         bodyNumber: ObjectIndex | int | str = -1,
-        meshNodeNumber: int = -1,
+        meshNodeNumber: int | str = -1,
         writeToFile: bool = True,
         fileName: str = '',
         outputVariableType: OutputVariableType = OutputVariableType._None,

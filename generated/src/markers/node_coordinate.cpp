@@ -19,7 +19,7 @@ using Record = MarkerNodeCoordinateRecord;
 constexpr std::array<Row, 4> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
-    {.name = "coordinate", .storage = Storage::integer, .offset = offsetof(Record, parameters.coordinate), .role = Role::parameter, .check = Check::non_negative, .needs_assemble = true},
+    {.name = "coordinate", .storage = Storage::integer, .offset = offsetof(Record, parameters.coordinate), .role = Role::parameter, .check = Check::non_negative, .named = Named::joints, .needs_assemble = true},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
 }};
 

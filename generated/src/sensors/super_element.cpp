@@ -19,7 +19,7 @@ using Record = SensorSuperElementRecord;
 constexpr std::array<Row, 8> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "bodyNumber", .storage = Storage::object, .offset = offsetof(Record, parameters.bodyNumber), .role = Role::parameter, .needs_assemble = true},
-    {.name = "meshNodeNumber", .storage = Storage::integer, .offset = offsetof(Record, parameters.meshNodeNumber), .role = Role::parameter, .check = Check::non_negative},
+    {.name = "meshNodeNumber", .storage = Storage::integer, .offset = offsetof(Record, parameters.meshNodeNumber), .role = Role::parameter, .check = Check::non_negative, .named = Named::links},
     {.name = "writeToFile", .storage = Storage::boolean, .offset = offsetof(Record, parameters.writeToFile), .role = Role::parameter},
     {.name = "fileName", .storage = Storage::text, .offset = offsetof(Record, parameters.fileName), .role = Role::parameter},
     {.name = "outputVariableType", .storage = Storage::output_variable, .offset = offsetof(Record, parameters.outputVariableType), .role = Role::parameter},

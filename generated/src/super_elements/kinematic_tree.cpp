@@ -24,7 +24,7 @@ constexpr std::array<Signature::Kind, 2> forceUserFunction_arguments{
 };
 constexpr Signature forceUserFunction_signature{.arguments = forceUserFunction_arguments, .takes_time = true, .takes_item = true, .result = Signature::Kind::open_vector, .compiled = &compiled_call<forceUserFunction_arguments, true, true, Signature::Kind::open_vector>};
 
-constexpr std::array<Row, 24> rows{{
+constexpr std::array<Row, 26> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "nodeNumber", .storage = Storage::node, .offset = offsetof(Record, parameters.nodeNumber), .role = Role::parameter, .needs_assemble = true},
     {.name = "gravity", .storage = Storage::vector3, .offset = offsetof(Record, parameters.gravity), .role = Role::parameter, .unit = "m/s^2"},
@@ -44,6 +44,8 @@ constexpr std::array<Row, 24> rows{{
     {.name = "jointPControlVector", .storage = Storage::vector, .offset = offsetof(Record, parameters.jointPControlVector), .role = Role::parameter, .unit = "various"},
     {.name = "jointDControlVector", .storage = Storage::vector, .offset = offsetof(Record, parameters.jointDControlVector), .role = Role::parameter, .unit = "various"},
     {.name = "forceUserFunction", .storage = Storage::user_function, .offset = offsetof(Record, parameters.forceUserFunction), .role = Role::parameter, .signature = &forceUserFunction_signature},
+    {.name = "linkNames", .storage = Storage::texts, .offset = offsetof(Record, parameters.linkNames), .role = Role::parameter},
+    {.name = "jointNames", .storage = Storage::texts, .offset = offsetof(Record, parameters.jointNames), .role = Role::parameter},
     {.name = "show", .storage = Storage::boolean, .offset = offsetof(Record, visualization.show), .role = Role::visualization},
     {.name = "showLinks", .storage = Storage::boolean, .offset = offsetof(Record, visualization.showLinks), .role = Role::visualization},
     {.name = "showJoints", .storage = Storage::boolean, .offset = offsetof(Record, visualization.showJoints), .role = Role::visualization},

@@ -507,6 +507,16 @@ def _locking(model: Model, tree: Tree, node: NodeIndex) -> Iterator[tuple[str, i
             yield f"{kind} '{name}' (object {number})", int(node), seat.link - 2
 
 
+def _names(model: Model, tree: Tree) -> dict[str, list[str]]:
+    """Return names of links and joints: those of the body that a joint moves, and of the joint."""
+    links, joints = ([""] * len(tree.links) for _ in range(2))
+    for seat in tree.seats:
+        links[seat.link] = links[seat.link] or model.items("object")[seat.body]["name"]
+        if seat.joint.free and seat.joint.number >= 0:
+            joints[seat.link] = model.items("object")[seat.joint.number]["name"]
+    return {"linkNames": links, "jointNames": joints}
+
+
 def _parameters(model: Model, tree: Tree, node: NodeIndex) -> dict[str, Any]:
     inertias: list[RigidBodyInertia] = [RigidBodyInertia() for _ in tree.links]
     drawn: list[list[Any]] = [[] for _ in tree.links]
@@ -529,6 +539,7 @@ def _parameters(model: Model, tree: Tree, node: NodeIndex) -> dict[str, Any]:
         "linkCOMs": Vector3DList([inertia.COM() for inertia in inertias]),
         "linkMasses": [inertia.Mass() for inertia in inertias],
         "VgraphicsDataList": drawn,
+        **_names(model, tree),
     }
 
 

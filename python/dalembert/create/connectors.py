@@ -265,9 +265,12 @@ _NODES_WITHOUT_ODE2 = {"PointGround", "GenericODE1", "GenericAE", "GenericData"}
 
 def _coordinate_marker(mbs: Any, function: str, i: int, body: Any, coordinate: Any, name: str) -> Any:
     """Add the marker on one of a body's coordinates, counted over all of its nodes."""
+    body_data = mbs.GetObject(body)
+    if isinstance(coordinate, str) and body_data["objectType"] == "KinematicTree":
+        joint = items.MarkerNodeCoordinate(name=name, nodeNumber=body_data["nodeNumber"], coordinate=coordinate)
+        return mbs.AddMarker(joint)
     if not isinstance(coordinate, (int, np.integer)) or coordinate < 0:
         raise argument_error(function, f"coordinates[{i}]", "the index of a coordinate of the body", coordinate)
-    body_data = mbs.GetObject(body)
     nodes = body_data["nodeNumbers"] if "nodeNumbers" in body_data else [body_data["nodeNumber"]]
     first = 0
     for node in nodes:
@@ -290,7 +293,7 @@ def CreateCoordinateConstraint(
     mbs: MainSystem,
     name: str = "",
     bodyNumbers: Sequence[ObjectIndex | int | str | None] = NO_PAIR,
-    coordinates: Sequence[int | None] = NO_PAIR,
+    coordinates: Sequence[int | str | None] = NO_PAIR,
     offset: float = 0.0,
     factorValue1: float = 1.0,
     velocityLevel: bool = False,
@@ -302,8 +305,9 @@ def CreateCoordinateConstraint(
 ) -> ObjectIndex:
     """Constrain a coordinate of one body to that of another, or to ground; return the constraint's ObjectIndex.
 
-    A body number of None, or of a ground object, means ground: its coordinate does not count. The constraint reads
-    factorValue1*q1 - q0 - offset = 0, or its rate if velocityLevel. At least one of the bodies must not be ground.
+    A body number of None, or of a ground object, means ground: its coordinate does not count. Names of joints stand for
+    coordinates of kinematic trees. The constraint reads factorValue1*q1 - q0 - offset = 0, or its rate if
+    velocityLevel. At least one of the bodies must not be ground.
     """
     function = "CreateCoordinateConstraint"
     for i, body in enumerate(bodyNumbers):

@@ -134,6 +134,15 @@ def _mechanics(robot: Robot, gravity: FloatArray) -> dict[str, Any]:
     }
 
 
+def _names(robot: Robot) -> dict[str, Any]:
+    """Return the names of links and joints as parameters of a kinematic tree, as far as there are any."""
+    names = {
+        "linkNames": [link.name for link in robot.links],
+        "jointNames": [link.jointName for link in robot.links],
+    }
+    return {key: given for key, given in names.items() if any(given)}
+
+
 def _fingerprint(robot: Robot, gravity: FloatArray) -> tuple[Any, ...]:
     """Return what the mechanics are made of."""
     links = []
@@ -165,6 +174,7 @@ def create(robot: Robot, mbs: Any, name: str, forceUserFunction: Any, stops: tup
         visualization=items.VObjectKinematicTree(graphicsDataList=_graphics(robot)),
         **_mechanics(robot, robot.gravity),
         **_control(robot),
+        **_names(robot),
     )
     coordinates = items.NodeGenericODE2(
         referenceCoordinates=robot.referenceConfiguration[:n],

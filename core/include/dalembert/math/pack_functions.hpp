@@ -1,7 +1,9 @@
-// Sine and cosine of numbers side by side, to rounding: Taylor series within an eighth of a turn (the next terms are below 1e-17),
-// after the nearest quarter turn has been taken off in three parts (W. J. Cody, W. Waite, Software Manual for the Elementary Functions, 1980).
+// Sine and cosine of numbers side by side, to rounding: within an eighth of a turn the polynomials of fdlibm (Sun Microsystems, 1993), which are
+// wrong by less than 2^-57, after the nearest quarter turn has been taken off in three parts (W. J. Cody, W. Waite, Software Manual for the
+// Elementary Functions, 1980).
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -14,33 +16,61 @@ struct SineCosine {
   Pack<N> sine, cosine;
 };
 
-// 1 - x^2 / (k (k + 1)) (1 - ...), from k on.
-template <int k, int last, int N>
-DALEMBERT_INLINE inline Pack<N> alternating_series(const Pack<N>& square) {
-  constexpr double factor = 1.0 / (k * (k + 1.0));
-  if constexpr (k == last) return 1.0 - factor * square.x;
-  else return 1.0 - factor * (square.x * alternating_series<k + 2, last, N>(square).x);
+// c0 + x (c1 + x (...)).
+template <int N, std::size_t count>
+DALEMBERT_INLINE inline Pack<N> polynomial(const std::array<double, count>& coefficients, const Pack<N>& x) {
+  Pack<N> sum = x * Pack<N>(coefficients[count - 1]) + coefficients[count - 2];
+  for (std::size_t k = count - 2; k-- > 0;) sum = x * sum + coefficients[k];
+  return sum;
 }
 
+// 1 in lanes whose angle is beyond what the series below are good for, or not a number; `others` elsewhere.
 template <int N>
-DALEMBERT_INLINE inline SineCosine<N> sine_cosine(const Pack<N>& angle) {
+DALEMBERT_INLINE inline Pack<N> one_if_large(const Pack<N>& angle, const Pack<N>& others) {
+  return magnitude(angle).x < 1e5 ? others.x : 1.0 - typename Pack<N>::Register{};
+}
+template <int N>
+DALEMBERT_INLINE inline SineCosine<N> sine_cosine_of_any(const Pack<N>& angle) {
+  return {Pack<N>::of_each([&angle](int lane) { return std::sin(angle[lane]); }), Pack<N>::of_each([&angle](int lane) { return std::cos(angle[lane]); })};
+}
+template <int N>
+DALEMBERT_INLINE inline SineCosine<N> sine_cosine_of_moderate(const Pack<N>& angle) {
   using Register = typename Pack<N>::Register;
   using Integers = typename Pack<N>::Mask;
-  bool large = false;
-  for (int lane = 0; lane < N; ++lane) large = large || !(std::abs(angle[lane]) < 1e5);
-  if (large) [[unlikely]]
-    return {Pack<N>::of_each([&angle](int lane) { return std::sin(angle[lane]); }),
-            Pack<N>::of_each([&angle](int lane) { return std::cos(angle[lane]); })};
   constexpr double to_integer = 6755399441055744.0;  // 1.5 * 2^52: the last bits of a sum with it are an integer
   // Of a turn; products with the first two parts are exact.
   constexpr double quarter[] = {1.5707963267341256, 6.077100506303966e-11, 2.0222662487959506e-21};
   const Register shifted = angle.x * 0.6366197723675814 + to_integer, quarters = shifted - to_integer;
   const auto turns = std::bit_cast<Integers>(shifted);
   const Pack<N> x(((angle.x - quarters * quarter[0]) - quarters * quarter[1]) - quarters * quarter[2]), square = x * x;
-  const Pack<N> sine = x * alternating_series<2, 16, N>(square), cosine = alternating_series<1, 17, N>(square);
+  constexpr std::array sines{-0.166666666666666324348, 8.33333333332248946124e-3, -1.98412698298579493134e-4,
+                             2.75573137070700676789e-6, -2.50507602534068634195e-8, 1.58969099521155010221e-10};
+  constexpr std::array cosines{0.0416666666666666019037, -1.38888888888741095749e-3, 2.48015872894767294178e-5,
+                               -2.75573143513906633035e-7, 2.08757232129817482790e-9, -1.13596475577881948265e-11};
+  const Pack<N> sine = x + x * (square * polynomial(sines, square)), cosine = (1.0 - 0.5 * square.x) + (square * (square * polynomial(cosines, square))).x;
   const Integers is_odd = (turns & 1) != 0, turns_sine = (turns & 2) != 0, turns_cosine = ((turns + 1) & 2) != 0;
   const Register s = is_odd ? cosine.x : sine.x, c = is_odd ? sine.x : cosine.x;
   return {Pack<N>(turns_sine ? -s : s), Pack<N>(turns_cosine ? -c : c)};
+}
+template <int N>
+DALEMBERT_INLINE inline SineCosine<N> sine_cosine(const Pack<N>& angle) {
+  if (!is_zero(one_if_large(angle, Pack<N>()))) [[unlikely]]
+    return sine_cosine_of_any(angle);
+  return sine_cosine_of_moderate(angle);
+}
+// keep(i, sine, cosine) for `count` angles, which are looked at together.
+template <int N, class F>
+DALEMBERT_INLINE inline void each_sine_cosine(const Pack<N>* angles, std::size_t count, const F& keep) {
+  Pack<N> large;
+  for (std::size_t i = 0; i < count; ++i) large = one_if_large(angles[i], large);
+  const auto find = [&](const auto& of) DALEMBERT_INLINE {
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto [sine, cosine] = of(angles[i]);
+      keep(i, sine, cosine);
+    }
+  };
+  if (is_zero(large)) find([](const Pack<N>& angle) DALEMBERT_INLINE { return sine_cosine_of_moderate(angle); });
+  else find([](const Pack<N>& angle) DALEMBERT_INLINE { return sine_cosine_of_any(angle); });
 }
 
 }  // namespace dalembert

@@ -30,6 +30,7 @@ decltype(auto) with_type(Storage storage, F&& f) {
     case Storage::integer: return f(TypeTag<int>{});
     case Storage::real: return f(TypeTag<double>{});
     case Storage::text: return f(TypeTag<std::string>{});
+    case Storage::texts: return f(TypeTag<std::vector<std::string>>{});
     case Storage::vector2: return f(TypeTag<Vec<double, 2>>{});
     case Storage::vector3: return f(TypeTag<Vec<double, 3>>{});
     case Storage::vector4: return f(TypeTag<Vec<double, 4>>{});

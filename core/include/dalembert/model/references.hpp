@@ -1,5 +1,5 @@
 // Names in place of item numbers. An item is described before its system is known: until it is added, a name stands in its record as a
-// number below -1, and Model puts the number of the item there that has the name.
+// number below -1, and Model puts the number of the item there that has the name. So do names of links and joints of kinematic trees.
 #pragma once
 
 #include <string>
@@ -19,8 +19,11 @@ bool names_are_used();
 
 // Refused: a name that no item of the kind has, with the nearest one.
 int number_of(const Model& model, ItemKind kind, const std::string& name, const std::string& where, const std::string& parameter);
+// The number of a link of a kinematic tree, by its name or that of the joint which carries it; where one link and another joint have it, that counts
+// which is counted.
+int number_of_link(const Item& tree, Named counted, const std::string& name, const std::string& where, const std::string& parameter);
 // Put numbers in place of names in a record, or in one row of it. `where` is the item, for errors.
-void resolve_names(const Model& model, const Row& row, void* record, const std::string& where);
+void resolve_names(const Model& model, const ItemType& type, const Row& row, void* record, const std::string& where);
 Item with_numbers(const Model& model, Item item, const std::string& where);
 
 }  // namespace dalembert

@@ -13,6 +13,9 @@ namespace dalembert {
 // The last four are for vectors and matrices, see core/include/dalembert/model/value_checks.hpp.
 enum class Check : std::uint8_t { none, non_negative, positive, rotation, orthogonal, unit_vector, color };
 
+// Of integers: what they count has names, which may stand for them (model/references.hpp).
+enum class Named : std::uint8_t { no, links, joints };
+
 enum class Role : std::uint8_t { name, parameter, visualization };
 
 struct Argument;  // core/include/dalembert/reflection/callback.hpp
@@ -42,6 +45,7 @@ struct Row {
   std::uint32_t offset;  // of the member in the record
   Role role;
   Check check = Check::none;
+  Named named = Named::no;
   std::uint8_t size = 0;                      // required length of a dynamic array; 0: any
   bool internal = false;                      // never a constructor argument; read-only from outside
   bool optional = false;                      // indices: may stay invalid

@@ -69,6 +69,7 @@ enum class Storage : std::uint8_t {
   integer,       // int
   real,          // double
   text,          // std::string
+  texts,         // std::vector<std::string>
   vector2, vector3, vector4, vector6, vector7, vector9,  // Vec<double, N>
   matrix3, matrix6,                                      // Mat<double, N, N>
   vector,          // std::vector<double>

@@ -68,10 +68,7 @@ DALEMBERT_INLINE inline void find_sines(const NumberOf<S>* q, std::span<LinkPlac
     place.cosine = cosine;
   };
   if constexpr (holds_packs<S>) {
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      const auto [sine, cosine] = sine_cosine(q[i]);
-      keep(places[i], sine, cosine);
-    }
+    each_sine_cosine(q, places.size(), [&](std::size_t i, const S& sine, const S& cosine) DALEMBERT_INLINE { keep(places[i], sine, cosine); });
   } else {
     for (std::size_t first = 0; first < places.size(); first += 4) {
       const std::size_t count = std::min<std::size_t>(4, places.size() - first);

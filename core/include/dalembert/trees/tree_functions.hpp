@@ -4,13 +4,13 @@
 
 #include <cstddef>
 
-#include "dalembert/trees/tree.hpp"
+#include "dalembert/trees/lane_dynamics.hpp"
 
 namespace dalembert {
 
 class TreeFunctions {
  public:
-  TreeFunctions(Tree tree, const Vec3<double>& gravity) : tree_(std::move(tree)), gravity_(gravity) {}
+  TreeFunctions(Tree tree, const Vec3<double>& gravity) : tree_(std::move(tree)), lanes_(lane_links(tree_)), gravity_(gravity) {}
   const Tree& tree() const { return tree_; }
   const Vec3<double>& gravity() const { return gravity_; }
 
@@ -31,6 +31,7 @@ class TreeFunctions {
 
  private:
   Tree tree_;
+  std::vector<LaneLink> lanes_;
   Vec3<double> gravity_;
 };
 

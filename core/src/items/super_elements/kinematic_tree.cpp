@@ -313,6 +313,14 @@ void check_lengths(const Parameters& p, int links, const ItemLabel& item) {
   check_length("jointVelocityOffsetVector", p.jointVelocityOffsetVector.size(), links, false, item);
   check_length("jointPControlVector", p.jointPControlVector.size(), links, false, item);
   check_length("jointDControlVector", p.jointDControlVector.size(), links, false, item);
+  check_length("linkNames", p.linkNames.size(), links, false, item);
+  check_length("jointNames", p.jointNames.size(), links, false, item);
+}
+
+void check_names(const char* parameter, const std::vector<std::string>& names, const ItemLabel& item) {
+  for (std::size_t i = 1; i < names.size(); ++i)
+    if (const auto before = names.begin() + static_cast<std::ptrdiff_t>(i); !names[i].empty() && std::find(names.begin(), before, names[i]) != before)
+      refuse(ErrorKind::value, {item, parameter, "", "'" + names[i] + "' twice", "names that differ", "Links without a name have an empty string"});
 }
 
 void check_link(const Parameters& p, int i, const ItemLabel& item) {
@@ -338,6 +346,8 @@ struct KinematicTree final : ObjectPhysics {
     if (links == 0)
       refuse(ErrorKind::value, {item, "nodeNumber", "its node has no coordinates", "", "a NodeGenericODE2 with one coordinate per link", ""});
     check_lengths(p, links, item);
+    check_names("linkNames", p.linkNames, item);
+    check_names("jointNames", p.jointNames, item);
     for (int i = 0; i < links; ++i) check_link(p, i, item);
   }
 };

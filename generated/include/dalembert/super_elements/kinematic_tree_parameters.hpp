@@ -27,6 +27,8 @@ struct ObjectKinematicTreeParameters {
   std::vector<double> jointPControlVector;
   std::vector<double> jointDControlVector;
   UserFunction forceUserFunction;
+  std::vector<std::string> linkNames;
+  std::vector<std::string> jointNames;
 };
 
 struct ObjectKinematicTreeVisualization {
