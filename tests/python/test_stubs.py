@@ -177,7 +177,10 @@ def test_arguments_of_compiled_methods(name):
 
 def test_methods_of_main_system_written_in_python():
     functions = {name for name, value in vars(exu.MainSystem).items() if inspect.isfunction(value)}
-    attached = functions - {"__getattr__", "__setattr__"}  # tell of misspelt names; type checkers find them by themselves
+    attached = functions - {
+        "__getattr__",
+        "__setattr__",
+    }  # tell of misspelt names; type checkers find them by themselves
     assert attached == set(exu.mainSystemExtensions.methods)
     assert attached <= set(STUB["MainSystem"])
 
