@@ -148,7 +148,7 @@ constexpr std::array<EnumEntry, 10> ObjectType_entries{{
     {"EndOfEnumList", 1024},
 }};
 
-constexpr std::array<EnumEntry, 31> OutputVariableType_entries{{
+constexpr std::array<EnumEntry, 32> OutputVariableType_entries{{
     {"_None", 0},
     {"Distance", 1},
     {"Position", 2},
@@ -176,6 +176,7 @@ constexpr std::array<EnumEntry, 31> OutputVariableType_entries{{
     {"ForceLocal", 8388608},
     {"Torque", 16777216},
     {"TorqueLocal", 33554432},
+    {"NonUniqueReactions", 67108864},
     {"StrainLocal", 268435456},
     {"StressLocal", 536870912},
     {"CurvatureLocal", 1073741824},

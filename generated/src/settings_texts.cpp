@@ -768,7 +768,7 @@ constexpr std::array<std::string_view, 10> ObjectType_values{
     "upper bound of the values; not a kind of object",
 };
 
-constexpr std::array<std::string_view, 31> OutputVariableType_values{
+constexpr std::array<std::string_view, 32> OutputVariableType_values{
     "no output variable; sensors refuse it",
     "distance between two points, or gap of a contact",
     "position in global coordinates",
@@ -796,6 +796,7 @@ constexpr std::array<std::string_view, 31> OutputVariableType_values{
     "force in local coordinates; of beams the section forces",
     "torque in global coordinates",
     "torque in local coordinates; of beams the section moments",
+    "of a constraint or joint: how many of its equations have reactions that are not unique, because equations follow from others; solvers give the smallest ones. NaN as long as no solver has looked",
     "strain components in the local frame",
     "stress components in the local frame",
     "curvature and twist in the local frame",

@@ -33,7 +33,7 @@ from dalembert._version import (
 )
 from dalembert.mainSystemExtensions import methods as _methods  # noqa: F401  importing it extends MainSystem
 from dalembert._io.model_files import ModelFileError as ModelFileError
-from dalembert._solving.diagnosis import SolverError as SolverError
+from dalembert._solving.diagnosis import FinishedNotTrusted as FinishedNotTrusted, SolverError as SolverError
 from dalembert.solver import (
     ComputeLinearizedSystem as ComputeLinearizedSystem,
     ComputeODE2Eigenvalues as ComputeODE2Eigenvalues,
@@ -125,6 +125,7 @@ else:
         "ComputeLinearizedSystem",
         "ComputeODE2Eigenvalues",
         "ComputeSystemDegreeOfFreedom",
+        "FinishedNotTrusted",
         "ModelFileError",
         "RequireVersion",
         "SolveDynamic",

@@ -5,11 +5,11 @@ from __future__ import annotations
 import functools
 import inspect
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from dalembert import _core
 from dalembert._core import ConfigurationType, DynamicSolverType, SimulationSettings
-from dalembert._solving.diagnosis import CheckSolverInfoStatistics, SolverError, SolverErrorMessage
+from dalembert._solving.diagnosis import CheckSolverInfoStatistics, FinishedNotTrusted, SolverError, SolverErrorMessage
 from dalembert._solving.integrators import kind_of, trapezoidal_rule
 from dalembert._solving.linearized import ComputeLinearizedSystem, ComputeODE2Eigenvalues, ComputeSystemDegreeOfFreedom
 from dalembert._solving.quiet import (
@@ -26,6 +26,7 @@ __all__ = [
     "ComputeODE2Eigenvalues",
     "ComputeSystemDegreeOfFreedom",
     "DeactivateWritingOfSolvers",
+    "FinishedNotTrusted",
     "RestoreSimulationSettings",
     "SolveDynamic",
     "SolveStatic",
@@ -34,8 +35,10 @@ __all__ = [
     "SolverSuccess",
 ]
 
+Finished: TypeAlias = "bool | FinishedNotTrusted"
 
-def _run(function: str, solver: Any, mbs: Any, settings: Any, slot: str | None, showCausingItems: bool) -> bool:
+
+def _run(function: str, solver: Any, mbs: Any, settings: Any, slot: str | None, showCausingItems: bool) -> Finished:
     """Run a compiled solver; SolverError with the diagnosis if it gives up, False if it has run out of time.
 
     `slot` is the key in mbs.sys that keeps the solver. An exception of a user function surfaces as itself, with the
@@ -52,7 +55,8 @@ def _run(function: str, solver: Any, mbs: Any, settings: Any, slot: str | None, 
         raise
     if not success and not solver.output.simulationTimeout:
         raise SolverError.FromSolver(function, solver, showCausingItems)
-    return success
+    doubts = solver.GetDoubts() if success else []
+    return FinishedNotTrusted(doubts) if doubts else success
 
 
 def _keep_as_initial_values(mbs: Any, accelerations: bool) -> None:
@@ -63,13 +67,13 @@ def _keep_as_initial_values(mbs: Any, accelerations: bool) -> None:
         data.SetODE2Coordinates_tt(coordinates=data.GetODE2Coordinates_tt(), configuration=ConfigurationType.Initial)
 
 
-def _knows_settings(solve: Callable[..., bool]) -> Callable[..., bool]:
+def _knows_settings(solve: Callable[..., Finished]) -> Callable[..., Finished]:
     """Let a function tell where settings belong that are given as its arguments."""
     signature = inspect.signature(solve)
     names = set(signature.parameters)
 
     @functools.wraps(solve)
-    def call(*arguments: Any, **options: Any) -> bool:
+    def call(*arguments: Any, **options: Any) -> Finished:
         if unknown := next((name for name in options if name not in names), None):
             group = "staticSolver" if solve.__name__ == "SolveStatic" else "timeIntegration"
             paths = sorted(paths_of_setting(unknown), key=lambda path: not path.startswith(group))
@@ -89,8 +93,8 @@ def SolveStatic(
     showHints: bool = False,
     showCausingItems: bool = True,
     autoAssemble: bool = True,
-) -> bool:
-    """Find the static equilibrium by the settings in staticSolver and return True.
+) -> Finished:
+    """Find the static equilibrium by the settings in staticSolver; return True, or FinishedNotTrusted with doubts.
 
     storeSolver keeps the solver in mbs.sys['staticSolver']; updateInitialValues starts the next simulation from the
     result. SolverError (a ValueError) carries the diagnosis if there is no solution, without items unless
@@ -116,8 +120,8 @@ def SolveDynamic(
     showHints: bool = False,
     showCausingItems: bool = True,
     autoAssemble: bool = True,
-) -> bool:
-    """Integrate the equations of motion by the settings in timeIntegration and return True.
+) -> Finished:
+    """Integrate the equations of motion by the settings in timeIntegration; return True, or FinishedNotTrusted.
 
     solverType chooses among implicit (GeneralizedAlpha, TrapezoidalIndex2, ESDIRK43) and explicit methods. storeSolver
     keeps the solver in mbs.sys['dynamicSolver']; updateInitialValues starts the next simulation from the result.

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 import scipy.linalg
+from test_sliding_2d import bead_on_wire, bend_after_line
 
 import dalembert as exu
 from dalembert._core import testing
@@ -177,6 +178,65 @@ def test_belt_takes_a_mass_along(index2: bool) -> None:
     assert place == pytest.approx([0.55, 0, 0], abs=1e-8)
     assert np.abs(force) == pytest.approx([0, 2, 0], abs=1e-6)
     assert element == 1
+
+
+@pytest.mark.parametrize("index2", [False, True], ids=["index3", "index2"])
+def test_steps_end_between_elements(index2: bool) -> None:
+    """A weight on a belt that weighs next to nothing and does not move across: the belt is straight, then curved, and the force jumps."""
+    wire, mass, start, speed, end = bend_after_line(), 2.0, 0.3, 2.0, 0.6
+    wanted = bead_on_wire(wire, mass, 0, start, speed, end)
+
+    def error(steps: int, located: bool) -> float:
+        mbs = exu.SystemContainer().AddSystem()
+        ground = mbs.AddMarker(exu.MarkerNodeCoordinate(nodeNumber=mbs.AddNode(exu.NodePointGround()), coordinate=0))
+        nodes = [mbs.AddNode(exu.NodePoint2DSlope1(referenceCoordinates=row)) for row in wire.nodes]
+        for node in nodes:
+            for k in range(4):
+                held = mbs.AddMarker(exu.MarkerNodeCoordinate(nodeNumber=node, coordinate=k))
+                mbs.AddObject(exu.ObjectConnectorCoordinate(markerNumbers=[ground, held]))
+        way = mbs.AddNode(
+            exu.NodeGenericODE2(
+                numberOfODE2Coordinates=1, referenceCoordinates=[0], initialCoordinates=[0], initialCoordinates_t=[speed]
+            )
+        )  # fmt: skip
+        cables = [
+            mbs.AddObject(
+                exu.ObjectALEANCFCable2D(
+                    nodeNumbers=[*pair, way], physicsLength=1, physicsMassPerLength=1e-9, physicsBendingStiffness=1e-9,
+                    physicsAxialStiffness=1e-9,
+                )
+            )
+            for pair in zip(nodes[:-1], nodes[1:], strict=True)
+        ]  # fmt: skip
+        place, slope, _ = wire.at(start)
+        point = mbs.AddNode(exu.NodePoint2D(referenceCoordinates=place, initialVelocities=speed * slope))
+        body = mbs.AddObject(exu.ObjectMassPoint2D(physicsMass=mass, nodeNumber=point))
+        carried = mbs.AddMarker(exu.MarkerBodyPosition(bodyNumber=body))
+        mbs.AddLoad(exu.LoadForceVector(markerNumber=carried, loadVector=[0, -9 * mass, 0]))
+        markers = [mbs.AddMarker(exu.MarkerBodyCable2DCoordinates(bodyNumber=cable)) for cable in cables]
+        data = mbs.AddNode(exu.NodeGenericData(numberOfDataCoordinates=1, initialCoordinates=[0]))
+        joint = mbs.AddObject(
+            exu.ObjectJointALEMoving2D(
+                markerNumbers=[carried, markers[0]], slidingMarkerNumbers=markers, slidingMarkerOffsets=wire.offsets,
+                slidingOffset=start, nodeNumbers=[data, way],
+            )
+        )  # fmt: skip
+        mbs.Assemble()
+        settings = exu.SimulationSettings()
+        settings.solutionSettings.writeSolutionToFile = False
+        settings.timeIntegration.endTime, settings.timeIntegration.numberOfSteps = end, steps
+        settings.timeIntegration.newton.relativeTolerance = 1e-10
+        settings.timeIntegration.discontinuous.iterationTolerance = 1e-6  # m
+        settings.events.ofItems = located
+        solver = exu.DynamicSolverType.TrapezoidalIndex2 if index2 else exu.DynamicSolverType.GeneralizedAlpha
+        mbs.SolveDynamic(settings, solverType=solver)
+        assert mbs.sys["dynamicSolver"].it.eventsCount == located
+        return abs(float(mbs.GetObjectOutput(joint, Variable.SlidingCoordinate)) - wanted)
+
+    errors = [error(steps, located=True) for steps in (50, 100, 200)]
+    for coarse, fine in zip(errors[:-1], errors[1:], strict=True):
+        assert np.log2(coarse / fine) == pytest.approx(2, abs=0.3)
+    assert error(50, located=False) > 3 * errors[0]  # steps that end anywhere
 
 
 def test_soft_joint_gives_way() -> None:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
-from test_sliding_2d import Wire, straight, valley
+from test_sliding_2d import Wire, bead_on_wire, bend_after_line, straight, valley
 
 import dalembert as exu
 
@@ -78,12 +78,14 @@ class Bead:
             )
         )
 
-    def solve(self, end: float, steps: int, index2: bool = False) -> Bead:
+    def solve(self, end: float, steps: int, index2: bool = False, located: bool = False) -> Bead:
         self.mbs.Assemble()
         settings = exu.SimulationSettings()
         settings.timeIntegration.endTime = end
         settings.timeIntegration.numberOfSteps = steps
         settings.timeIntegration.newton.relativeTolerance = 1e-9
+        settings.timeIntegration.discontinuous.iterationTolerance = 1e-6  # m
+        settings.events.ofItems = located
         solver = exu.DynamicSolverType.TrapezoidalIndex2 if index2 else exu.DynamicSolverType.GeneralizedAlpha
         self.mbs.SolveDynamic(settings, solverType=solver)
         return self
@@ -135,6 +137,24 @@ def test_valley(index2: bool, rotations: list[int]) -> None:
     ]  # fmt: skip
     assert abs(errors[1]) < 2e-4
     assert errors[0] / errors[1] == pytest.approx(4, rel=0.35) or abs(errors[1]) < 1e-6
+
+
+@LEVELS
+def test_steps_end_between_elements(index2: bool) -> None:
+    """The wire is straight, then curved: the force that leads the bead jumps. Steps that end there keep their order."""
+    wire, start, speed, end = bend_after_line(), 0.3, 2.0, 0.6
+    wanted = bead_on_wire(wire, Bead.mass, 0, start, speed, end)
+
+    def error(steps: int, located: bool) -> float:
+        bead = Bead(wire, start, (0, -Bead.mass * 9, 0), speed, constrainRotations=[0, 0, 0])
+        bead.solve(end, steps, index2, located)
+        assert bead.mbs.sys["dynamicSolver"].it.eventsCount == located
+        return abs(float(bead.told(Variable.SlidingCoordinate)) - wanted)
+
+    errors = [error(steps, located=True) for steps in (50, 100, 200)]
+    for coarse, fine in zip(errors[:-1], errors[1:], strict=True):
+        assert np.log2(coarse / fine) == pytest.approx(2, abs=0.3)
+    assert error(50, located=False) > 3 * errors[0]  # steps that end anywhere
 
 
 def test_axial_force_drives_the_body() -> None:

@@ -202,11 +202,16 @@ def test_along_a_curved_cable(classical: bool, index2: bool, rotation: bool) -> 
     np.testing.assert_array_less(fine, 0.3 * coarse + 1e-9)
 
 
+def bend_after_line() -> Wire:
+    """Straight, then curved: the force that leads a bead jumps."""
+    return Wire(np.array([[0, 0, 1, 0], [1, 0, 1, 0], [2, 0.6, 1, 1.2]], float), np.ones(2))
+
+
 @FORMULATIONS
 @LEVELS
 def test_steps_end_between_elements(classical: bool, index2: bool) -> None:
-    """The wire is straight, then curved: the force that leads the bead jumps. Steps that end there keep their order."""
-    wire = Wire(np.array([[0, 0, 1, 0], [1, 0, 1, 0], [2, 0.6, 1, 1.2]], float), np.ones(2))
+    """Where the force jumps; so steps keep their order."""
+    wire = bend_after_line()
     start, speed, end = 0.3, 2.0, 0.6
     wanted = bead_on_wire(wire, Bead.mass, 0, start, speed, end)
     errors = []

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from bricard_reference import third_corners
 from scipy.spatial.transform import Rotation
-from solving import Variable, new_system, settings
+from solving import Solver, Variable, new_system, settings
 from test_bricard import Bricard
 
 import dalembert as exu
@@ -48,6 +48,18 @@ def multipliers_of_joints(mbs: Any, length: float) -> tuple[np.ndarray, np.ndarr
     return lam[of_joints], smallest
 
 
+def equations_without_unique_reactions(mbs: Any) -> int:
+    """Those of joints that take part in combinations from which no force comes."""
+    state = testing.State(mbs)
+    forces = testing.tangent(mbs, state)[: len(state.q), len(state.q) + len(state.y) :]
+    sizes, combinations = np.linalg.svd(forces)[1:]
+    vanishing = combinations[np.count_nonzero(sizes > 1e-7 * sizes[0]) :]
+    part = np.linalg.norm(vanishing, axis=0) > 1e-6
+    for node in range(mbs.systemData.NumberOfNodes()):
+        part[mbs.systemData.GetNodeLTGAE(node)] = False
+    return int(np.count_nonzero(part))
+
+
 def assert_smallest(mbs: Any, length: float, tolerance: float = 1e-6) -> None:
     lam, smallest = multipliers_of_joints(mbs, length)
     assert np.linalg.norm(lam - smallest) <= tolerance * np.linalg.norm(smallest)
@@ -56,6 +68,11 @@ def assert_smallest(mbs: Any, length: float, tolerance: float = 1e-6) -> None:
 def redundancy(mbs: Any, solver: str = "dynamicSolver") -> dict[str, Any]:
     found: dict[str, Any] = mbs.sys[solver].GetRedundantConstraints()
     return found
+
+
+def not_unique(mbs: Any, joints: Sequence[Any]) -> list[float]:
+    """How many reactions of each are not unique, as the last solution has told."""
+    return [mbs.GetObjectOutput(joint, Variable.NonUniqueReactions) for joint in joints]
 
 
 # ---- a door on hinges ----------------------------------------------------------------------------------------------------
@@ -118,6 +135,7 @@ def test_hinges_share_the_weight_of_a_door(linear: Any, node: Any, heights: Sequ
     counts = door.mbs.ComputeSystemDegreeOfFreedom()
     assert counts["degreeOfFreedom"] == 1 and counts["redundantConstraints"] == found["count"]
     assert counts["removableEquations"] == {int(hinge): [5, 5] for hinge in door.hinges}
+    assert not_unique(door.mbs, door.hinges) == [5] * len(heights)
 
 
 def test_a_door_moves_as_with_one_hinge() -> None:
@@ -125,6 +143,30 @@ def test_a_door_moves_as_with_one_hinge() -> None:
     for door in (two, one):
         door.mbs.SolveDynamic(settings(2, 200))
     assert two.edge() == pytest.approx(one.edge(), abs=1e-10)
+
+
+@pytest.mark.parametrize("solver", [Solver.GeneralizedAlpha, Solver.TrapezoidalIndex2, Solver.DOPRI5, Solver.ESDIRK43])
+def test_sensors_tell_of_reactions_that_are_not_unique(solver: Any) -> None:
+    """A weight hangs on a ball joint, whose reactions are unique, from a door whose hinges' are not."""
+    door = Door()
+    mbs = door.mbs
+    weight = mbs.CreateMassPoint(referencePosition=[0.9, 0, 0], physicsMass=1, gravity=[0, 0, -9.81])
+    ball = mbs.CreateDistanceConstraint(bodyNumbers=[door.door, weight], localPosition0=[0.45, 0, 0])
+    joints = [*door.hinges, ball]
+    sensors = [
+        mbs.AddSensor(
+            exu.SensorObject(objectNumber=joint, outputVariableType=Variable.NonUniqueReactions, storeInternal=True)
+        )
+        for joint in joints
+    ]
+    mbs.Assemble()
+    assert np.isnan(not_unique(mbs, joints)).all()  # nobody has looked
+    mbs.SolveDynamic(settings(0.1, 10), solverType=solver)
+    assert not_unique(mbs, joints) == [5, 5, 0]
+    told = np.array([mbs.GetSensorStoredData(sensor)[:, 1] for sensor in sensors])
+    assert (told[:, 1:] == np.array([[5], [5], [0]])).all()  # explicit solvers look in the first step
+    with pytest.raises(ValueError, match="no output variable NonUniqueReactions"):
+        mbs.GetObjectOutput(door.door, Variable.NonUniqueReactions)
 
 
 def test_without_treatment_a_door_is_singular() -> None:
@@ -217,6 +259,7 @@ class ClosedChain:
 
     def __init__(self, random: np.random.Generator, bars: int, node: Any) -> None:
         self.mbs = new_system()
+        self.joints: list[Any] = []
         ground = self.mbs.CreateGround()
         turn = Rotation.random(random_state=random).as_matrix()
         angles = np.sort(random.uniform(0, 2 * np.pi, bars + 1)) + np.arange(bars + 1) * 1e-2
@@ -227,7 +270,8 @@ class ClosedChain:
             bodies.append(self.bar(start, end, turn[:, 2], random, node))
         bodies.append(ground)
         for corner, pair in zip(corners, zip(bodies[:-1], bodies[1:], strict=True), strict=True):
-            self.mbs.CreateRevoluteJoint(bodyNumbers=list(pair), position=corner, axis=turn[:, 2])
+            joint = self.mbs.CreateRevoluteJoint(bodyNumbers=list(pair), position=corner, axis=turn[:, 2])
+            self.joints.append(joint)
         self.mbs.Assemble()
 
     def bar(
@@ -260,6 +304,7 @@ def test_planar_loops_in_space(node: Any, linear: Any, bars: int) -> None:
         assert_smallest(chain.mbs, 1.0)
         counts = chain.mbs.ComputeSystemDegreeOfFreedom()
         assert (counts["degreeOfFreedom"], counts["redundantConstraints"]) == (bars - 2, 3)
+        assert sum(not_unique(chain.mbs, chain.joints)) == equations_without_unique_reactions(chain.mbs)
 
 
 # ---- a platform on legs ------------------------------------------------------------------------------------------------

@@ -92,7 +92,7 @@ def test_action_is_reaction(friction: float) -> None:
 @pytest.mark.parametrize("friction", [0.0, 0.3])
 @pytest.mark.parametrize("weights", [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0)])
 def test_tangent_is_the_derivative_of_the_residual(friction: float, weights: tuple[float, float, float]) -> None:
-    """While stretches are held."""
+    """Also of the ends of stretches, which move."""
     world = World(friction=friction, zone=0.1)
     world.ball([0.05, 0.26, 0], [0.2, -0.5, 0], [0, 0, 3], radius=0.2, surface={"stiffness": 2 * K, "damping": 100.0})
     cable(world, CURVED, RATES, damping=50.0)

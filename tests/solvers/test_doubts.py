@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 from typing import Any
 
 import pytest
@@ -14,11 +15,22 @@ Solver = exu.DynamicSolverType
 
 
 def doubts(mbs: Any, settings: Any, solver: Any = Solver.GeneralizedAlpha) -> list[str]:
-    assert mbs.SolveDynamic(settings, solverType=solver)
+    result = mbs.SolveDynamic(settings, solverType=solver)
+    assert result
+    assert result == True  # noqa: E712  as a number, it is
     solved = mbs.sys["dynamicSolver"]
     found: list[str] = solved.GetDoubts()
+    told = list(result.doubts) if isinstance(result, exu.FinishedNotTrusted) else []
+    assert told == found and (result is True) == (found == [])
     assert solved.output.finishedSuccessfully and solved.output.trusted == (found == [])
     return found
+
+
+def test_the_value_that_is_returned_tells() -> None:
+    value = exu.FinishedNotTrusted(["one reason", "another one"])
+    assert value and repr(value) == str(value) == "finished, not trusted: one reason; another one"
+    again = pickle.loads(pickle.dumps(value))
+    assert again == value == 1 and again.doubts == value.doubts == ("one reason", "another one")
 
 
 def test_nothing_speaks_against_a_good_solution() -> None:

@@ -483,6 +483,45 @@ def test_a_circle_sticks_and_slides_on_a_cable() -> None:
         assert np.log2(coarse / fine) == pytest.approx(2, abs=0.3)
 
 
+def test_a_disc_bounces_on_a_cable_in_general_contact() -> None:
+    """The cable is straight and does not move; pressure acts along the chord of the disc, by the rule of Simpson."""
+    radius, half, stiffness, end, height = 0.2, 0.01, 1e5, 0.5, 0.2 + 0.01 + 0.1
+    reach = radius + half
+
+    def motion(t: float, y: np.ndarray) -> list[float]:
+        depth, chord = reach - y[0], 2 * np.sqrt(max(reach**2 - y[0] ** 2, 0))
+        return [y[1], -GRAVITY + stiffness * max(depth, 0.0) * 4 / 6 * chord]
+
+    exact = solve_ivp(motion, [0, end], [height, 0], method="LSODA", rtol=1e-11, atol=1e-13, max_step=1e-4).y[0, -1]
+    errors = []
+    for steps in (1000, 2000, 4000):
+        mbs = exu.SystemContainer().AddSystem()
+        contact = mbs.AddGeneralContact()
+        contact.SetFrictionPairings(np.zeros((1, 1)))
+        disc = mbs.CreateMassPoint(referencePosition=[0, height, 0], physicsMass=1, gravity=[0, -GRAVITY, 0])
+        marker = mbs.AddMarker(eii.MarkerBodyPosition(bodyNumber=disc))
+        contact.AddSphereWithMarker(marker, radius, 2 * stiffness, 0, 0)
+        nodes = [mbs.AddNode(eii.NodePoint2DSlope1(referenceCoordinates=[x, 0, 1, 0])) for x in (-0.5, 0.5)]
+        ground = mbs.AddMarker(eii.MarkerNodeCoordinate(nodeNumber=mbs.AddNode(eii.NodePointGround()), coordinate=0))
+        for node in nodes:
+            for k in range(4):
+                held = mbs.AddMarker(eii.MarkerNodeCoordinate(nodeNumber=node, coordinate=k))
+                mbs.AddObject(eii.ObjectConnectorCoordinate(markerNumbers=[ground, held]))
+        cable = mbs.AddObject(
+            eii.ObjectANCFCable2D(
+                nodeNumbers=nodes, physicsLength=1, physicsMassPerLength=1, physicsBendingStiffness=1, physicsAxialStiffness=1
+            )
+        )  # fmt: skip
+        contact.AddANCFCable(cable, half, 2 * stiffness, 0, 0)
+        mbs.Assemble()
+        it = solve(mbs, end, steps)
+        assert it.eventsCount > 1
+        place = mbs.GetObjectOutputBody(disc, exu.OutputVariableType.Position, [0, 0, 0])
+        errors.append(abs(place[1] - exact))
+    for coarse, fine in zip(errors[:-1], errors[1:], strict=True):
+        assert np.log2(coarse / fine) == pytest.approx(2, abs=0.3)
+
+
 # ---- what ends with an error, and what has no effect -----------------------------------------------------------------------
 
 

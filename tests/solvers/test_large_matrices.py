@@ -43,3 +43,21 @@ def test_solvers_name_the_setting(solve: str) -> None:
     solver.InitializeSolver(mbs, settings)
     with pytest.raises(ValueError, match=r"GetSystemJacobian\(\): an array of shape \(46400, 46400\) is too large"):
         solver.GetSystemJacobian()
+
+
+@pytest.mark.parametrize(("bodies", "kind"), [(10, "dense (EXUdense)"), (11, "sparse (EigenSparse)")])
+def test_solvers_say_what_matrices_they_have_chosen(bodies: int, kind: str, capfd: pytest.CaptureFixture[str]) -> None:
+    """Up to 32 unknowns, dense ones; nothing is said of what the user has set."""
+    for is_set in (False, True):
+        mbs = exu.SystemContainer().AddSystem()
+        for _ in range(bodies):
+            mbs.CreateMassPoint(physicsMass=1)
+        mbs.Assemble()
+        settings = exu.SimulationSettings()
+        settings.solutionSettings.writeSolutionToFile = False
+        settings.timeIntegration.numberOfSteps, settings.timeIntegration.verboseMode = 1, 1
+        if is_set:
+            settings.linearSolverType = exu.LinearSolverType.EXUdense
+        mbs.SolveDynamic(settings)
+        said = f"linear solver: {kind}, as linearSolverType has not been set"
+        assert (said in capfd.readouterr().out) is not is_set

@@ -62,6 +62,35 @@ ContactPairing GeneralContact::cable_pairing(const HeldContact& c) const {
   return set_->pairing(sphere(c.sphere).surface, set_->cables[static_cast<std::size_t>(c.other - set_->first_cable())].surface);
 }
 
+namespace {
+
+// Where an end of a stretch that has been found in another state is now, by Newton's method, and how it moves with the coordinates. The ends of
+// the element stay, and so does an end that the circle has left.
+template <class S>
+S end_now(const CableShape& cable, double x, bool is_begin, const std::array<S, 8>& q, const Vec<S, 2>& centre, double reach) {
+  constexpr int most_iterations = 12;
+  constexpr double settled = 1e-13;
+  if (x == (is_begin ? 0 : cable.length)) return S(x);
+  std::array<double, 8> places{};
+  for (std::size_t i = 0; i < 8; ++i) places[i] = value_of(q[i]);
+  double growth = 0;  // of the square of the distance, along the cable
+  for (int i = 0; i < most_iterations; ++i) {
+    const Vec<double, 2> place = cable.at(cable.weights(x), places), slope = cable.at(cable.slope_weights(x), places);
+    const double dx = place[0] - value_of(centre[0]), dy = place[1] - value_of(centre[1]);
+    growth = 2 * (dx * slope[0] + dy * slope[1]);
+    if (!(is_begin ? growth < 0 : growth > 0)) return S(x);
+    const double moved = (dx * dx + dy * dy - reach * reach) / growth;
+    x -= moved;
+    if (!(x > 0 && x < cable.length)) return S(is_begin ? 0 : cable.length);
+    if (std::abs(moved) <= settled * cable.length) break;
+  }
+  const Vec<S, 2> place = cable.at(cable.weights(x), q);
+  const S dx = place[0] - centre[0], dy = place[1] - centre[1];
+  return S(x) - (1 / growth) * (dx * dx + dy * dy - reach * reach);
+}
+
+}  // namespace
+
 // Forces per length at both ends and in the middle of the stretch, by the rule of Simpson; they act at the axis of the cable.
 template <class S>
 GeneralContact::CableForces<S> GeneralContact::cable_forces(const HeldContact& c, const RigidFrame<S>& circle, const std::array<S, 8>& q, const std::array<S, 8>& v,
@@ -71,9 +100,12 @@ GeneralContact::CableForces<S> GeneralContact::cable_forces(const HeldContact& c
   const ContactPairing pairing = cable_pairing(c);
   const double reach = sphere(c.sphere).radius + set_->cables[number].half_height;
   CableForces<S> result;
+  const Vec<S, 2> centre{circle.position[0], circle.position[1]};
+  const S begin = end_now(cable, c.along.begin, true, q, centre, reach), length = end_now(cable, c.along.end, false, q, centre, reach) - begin;
+  if (!(value_of(length) > 0)) return result;
   for (int k = 0; k < 3; ++k) {
-    const double x = c.along.begin + 0.5 * k * (c.along.end - c.along.begin), share = (c.along.end - c.along.begin) * (k == 1 ? 4 : 1) / 6;
-    const std::array<double, 4> weights = cable.weights(x);
+    const S x = begin + (0.5 * k) * length, share = ((k == 1 ? 4 : 1) / 6.0) * length;
+    const std::array<S, 4> weights = cable.weights(x);
     const Vec<S, 2> place = cable.at(weights, q), rate = cable.at(weights, v);
     Meeting<S> at;
     at.arm0 = {place[0] - circle.position[0], place[1] - circle.position[1], S(0)};

@@ -162,16 +162,24 @@ void ConstrainedMotion::look_for_redundancy(System& system, const State& state, 
   examined_ = true;
   const bool regular = singular == LinearSolver::success;
   if (system.sizes().ae == 0 || !settings_.treat || options_.ignore_singular) return;
+  system.reactions_are_known({});
   if (regular && RedundantConstraints::evidently_none(system, *pattern_, matrix_)) return;
   if (!redundant_.measure(system, *pattern_, matrix_, settings_.momentLength, 1) || (regular && !redundant_.suspected(*factors_))) return;
-  const auto factors = make_linear_solver(*pattern_, type_, RedundantConstraints::options_to_find(options_));
-  if (!redundant_.find(*pattern_, matrix_, RedundantConstraints::counting_eps, *factors) || (regular && redundant_.count() == 0)) return;
+  constexpr double eps = RedundantConstraints::regular_eps;
+  auto factors = make_linear_solver(*pattern_, type_, redundant_.options(options_));
+  const bool at_once = redundant_.find_at_once(*pattern_, matrix_, eps, *factors);
+  if (!at_once) {
+    factors = make_linear_solver(*pattern_, type_, RedundantConstraints::options_to_find(options_));
+    if (!redundant_.find(*pattern_, matrix_, RedundantConstraints::counting_eps, *factors)) return;
+  }
+  if (regular && redundant_.count() == 0) return;
+  system.reactions_are_known(redundant_.equations());
   std::vector<double> gaps(static_cast<std::size_t>(system.sizes().ae));
   system.gaps(without_multipliers(state), at_level(conditions, false), gaps);
   redundant_.use(redundant_.count() > 0 ? redundant_.eps_for_gaps(gaps, false, *pattern_, matrix_, *factors) : RedundantConstraints::passing_eps);
   redundant_.regularize(*pattern_, matrix_, 1);
-  factors_ = make_linear_solver(*pattern_, type_, redundant_.options(options_));
-  singular = factors_->factorize(matrix_);
+  factors_ = at_once ? std::move(factors) : make_linear_solver(*pattern_, type_, redundant_.options(options_));
+  singular = at_once && redundant_.eps() == eps ? LinearSolver::success : factors_->factorize(matrix_);
 }
 
 // Accelerations do not depend on which of the redundant equations hold a body; multipliers become the smallest ones. What eps leaves

@@ -25,7 +25,8 @@ class Groups {
   std::vector<int> parent_;
 };
 
-// Of an undirected graph without parallel edges: the block of each edge.
+// Of an undirected graph without parallel edges: the block of each edge. The last vertex is the root where it can be; blocks nearer to a root
+// have higher numbers.
 class GraphBlocks {
  public:
   GraphBlocks(int vertices, const std::vector<std::pair<int, int>>& edges)
@@ -34,10 +35,11 @@ class GraphBlocks {
       at_[edges[e].first].push_back(e);
       at_[edges[e].second].push_back(e);
     }
-    for (int v = 0; v < vertices; ++v)
+    for (int v = vertices - 1; v >= 0; --v)
       if (number_[v] == 0) search(v);
   }
   const std::vector<int>& of_edges() const { return block_; }
+  int hangs_on(int block) const { return hangs_on_[block]; }
 
  private:
   struct Visit {
@@ -56,7 +58,7 @@ class GraphBlocks {
       if (by < 0) continue;
       const int u = path.back().vertex;
       low_[u] = std::min(low_[u], low_[v]);
-      if (low_[v] >= number_[u]) close_block(by);
+      if (low_[v] >= number_[u]) close_block(by, u);
     }
   }
   void go_along(int edge, int v, int by, std::vector<Visit>& path) {
@@ -70,13 +72,14 @@ class GraphBlocks {
     number_[w] = low_[w] = ++visited_;
     path.push_back({w, edge});
   }
-  void close_block(int first) {
+  void close_block(int first, int vertex) {
     int edge = -1;
     do {
       edge = open_.back();
       open_.pop_back();
       block_[edge] = blocks_;
     } while (edge != first);
+    hangs_on_.push_back(vertex);
     ++blocks_;
   }
 
@@ -84,13 +87,13 @@ class GraphBlocks {
   std::vector<std::vector<int>> at_;
   std::vector<int> number_, low_;
   std::vector<std::size_t> next_;
-  std::vector<int> open_, block_;
+  std::vector<int> open_, block_, hangs_on_;
   int visited_ = 0, blocks_ = 0;
 };
 
 // The group of each row, in the order in which groups begin.
-std::vector<std::vector<int>> lists_of(Groups& groups, int rows) {
-  std::vector<std::vector<int>> lists;
+std::vector<ConstraintBlock> lists_of(Groups& groups, int rows) {
+  std::vector<ConstraintBlock> lists;
   std::vector<int> list(static_cast<std::size_t>(rows), -1);
   for (int i = 0; i < rows; ++i) {
     int& number = list[groups.of(i)];
@@ -98,15 +101,15 @@ std::vector<std::vector<int>> lists_of(Groups& groups, int rows) {
       number = static_cast<int>(lists.size());
       lists.emplace_back();
     }
-    lists[number].push_back(i);
+    lists[number].rows.push_back(i);
   }
   return lists;
 }
 
 }  // namespace
 
-std::vector<std::vector<int>> constraint_blocks(BlocksOf kind, const Pattern& pattern, std::span<const double> values, int first_ae,
-                                                std::span<const int> nodes, std::span<const int> rows) {
+std::vector<ConstraintBlock> constraint_blocks(BlocksOf kind, const Pattern& pattern, std::span<const double> values, int first_ae,
+                                               std::span<const int> nodes, std::span<const int> rows) {
   const int count = static_cast<int>(rows.size()), ode2 = static_cast<int>(nodes.size());
   std::vector<int> place(static_cast<std::size_t>(pattern.size() - first_ae), -1);
   for (int i = 0; i < count; ++i) place[rows[i]] = i;
@@ -142,14 +145,22 @@ std::vector<std::vector<int>> constraint_blocks(BlocksOf kind, const Pattern& pa
     }
   }
   const GraphBlocks graph(ground + 1, edges);
-  std::vector<int> first_of_block(edges.size(), -1);
+  std::vector<int> first_of_block(edges.size(), -1), block_of(rows.size(), -1);
   for (int i = 0; i < count; ++i)
     for (const int e : edges_of[i]) {
-      int& first = first_of_block[graph.of_edges()[e]];
+      const int block = graph.of_edges()[e];
+      int& first = first_of_block[block];
       if (first >= 0) groups.join(i, first);
       first = i;
+      block_of[i] = std::max(block_of[i], block);
     }
-  return lists_of(groups, count);
+  std::vector<ConstraintBlock> blocks = lists_of(groups, count);
+  for (ConstraintBlock& block : blocks) {
+    int nearest = -1;
+    for (const int i : block.rows) nearest = std::max(nearest, block_of[i]);
+    if (nearest >= 0 && graph.hangs_on(nearest) != ground) block.hangs_on = graph.hangs_on(nearest);
+  }
+  return blocks;
 }
 
 }  // namespace dalembert

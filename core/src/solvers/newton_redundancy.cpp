@@ -12,7 +12,7 @@ namespace {
 
 constexpr double counting_eps = RedundantConstraints::counting_eps, silent_misfit = RedundantConstraints::silent_misfit;
 // Before anything is known of the matrix: large enough that round-off hardly shows, and if that is too large, `try_harder` takes less.
-constexpr double first_eps = 1e-9;
+constexpr double first_eps = RedundantConstraints::regular_eps;
 
 }  // namespace
 
@@ -73,6 +73,7 @@ std::unique_ptr<LinearSolver> NewtonSolver::find_redundancy() {
   treatment_ = Treatment::none;
   looks_at_next_ = is_static() && !settings().staticSolver.arcLength.active;
   if (looks_at_next_) return;
+  system().reactions_are_known({});
   compute_residual();
   compute_jacobian();
   if (RedundantConstraints::evidently_none(system(), *pattern_, jacobian_)) return;
@@ -90,6 +91,7 @@ std::unique_ptr<LinearSolver> NewtonSolver::find_redundancy() {
   looks_at_next_ = false;
   if (treatment_ == Treatment::unknown) treatment_ = Treatment::none;
   if (sizes_.ae == 0 || !s.treat || settings().linearSolverSettings.ignoreSingularJacobian || redundant_.in_use()) return;
+  system().reactions_are_known({});
   if (!conv.linearSolverFailed && RedundantConstraints::evidently_none(system(), *pattern_, jacobian_)) return;
   if (!redundant_.measure(system(), *pattern_, jacobian_, s.momentLength, rate_factor())) return;
   if (!conv.linearSolverFailed && !redundant_.suspected(*linear_)) return;
@@ -103,6 +105,7 @@ void NewtonSolver::begin_treatment(LinearSolver& factors) {
   if (treatment_ == Treatment::lasting) {
     const auto gaps = std::span<const double>(residual_).subspan(static_cast<std::size_t>(sizes_.first_ae()));
     eps = redundant_.eps_for_gaps(gaps, conditions_.rate_level, *pattern_, jacobian_, factors);
+    system().reactions_are_known(redundant_.equations());
     announce_redundancy();
   } else {
     passing_singular_position();
@@ -111,13 +114,11 @@ void NewtonSolver::begin_treatment(LinearSolver& factors) {
   treated_since_ = it.currentStepIndex;
   redundant_.use(eps);
   linear_ = regularized_solver();
-  redundant_.regularize(*pattern_, jacobian_, rate_factor());
-  conv.linearSolverCausingRow = linear_->factorize(jacobian_);
-  conv.linearSolverFailed = conv.linearSolverCausingRow != LinearSolver::success;
+  factorize_anew();
 }
 
-// In the next step: redundancy may have been that of a singular position only, and what was to be passed may have come to stay. The
-// factors at hand have their pivots already, which mostly are good enough.
+// In the next step, unless the last factors of the first one have told already (`settle_multipliers`): redundancy may have been that of a
+// singular position only, and what was to be passed may have come to stay.
 [[gnu::noinline]] void NewtonSolver::look_again_at_redundancy() {
   if (treatment_ == Treatment::passing) return end_treatment();
   if (confirmed_) return;
@@ -128,10 +129,17 @@ void NewtonSolver::begin_treatment(LinearSolver& factors) {
   conv.jacobianUpdateRequested = true;
   if (!redundant_.find(*pattern_, jacobian_, counting_eps, *linear_) && !find_redundancy()) return;
   const bool gone = redundant_.count() == 0;
+  system().reactions_are_known(redundant_.equations());
   redundant_.use(gone ? 0 : redundant_.eps_for(0, conditions_.rate_level));
   if (!gone) return;
   treatment_ = Treatment::none;
   linear_ = make_linear_solver(*pattern_, linear_type(), linear_options());
+}
+
+void NewtonSolver::factorize_anew() {
+  if (redundant_.in_use()) redundant_.regularize(*pattern_, jacobian_, rate_factor());
+  conv.linearSolverCausingRow = linear_->factorize(jacobian_);
+  conv.linearSolverFailed = conv.linearSolverCausingRow != LinearSolver::success;
 }
 
 // The next matrix is looked at again.
@@ -212,6 +220,7 @@ double NewtonSolver::residual_without_misfit() {
     warn(text);
   }
   redundant_.take_off_idle_part(*linear_, current().lambda);
+  if (!confirmed_ && treatment_ == Treatment::lasting && !(largest_misfit_ > silent_misfit)) confirmed_ = redundant_.confirm(*pattern_, jacobian_, *linear_);
   if (const double eps = redundant_.eps_for(misfit, conditions_.rate_level); treatment_ == Treatment::lasting && (eps != redundant_.eps())) {
     redundant_.use(eps);
     conv.jacobianUpdateRequested = true;

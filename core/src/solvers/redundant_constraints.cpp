@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <random>
 
 #include "dalembert/solvers/numerical_tangent.hpp"
 #include "finite.hpp"
+#include "number_sequence.hpp"
 
 namespace dalembert {
 
@@ -20,7 +20,7 @@ constexpr double suspicious_growth = 1e8;
 constexpr double harmless_share = 1e-7;
 constexpr int most_passes = 3;
 // The range for redundancy that lasts: below, round-off of multipliers shows; above, singular positions are not passed.
-constexpr double smallest_eps = 1e-11, regular_eps = 1e-9;
+constexpr double smallest_eps = 1e-11;
 // Beside the weakest constraint that is none of the redundant ones.
 constexpr double share_of_weakest = 1e-3;
 // Joints apart by a misfit m (relative to the size of the model) constrain with m^2 what aligned ones would leave free, and so do those
@@ -50,7 +50,7 @@ void each_share(const Pattern& pattern, std::span<const double> values, std::spa
   const ColumnRange range = column_range(pattern, column, ode2);
   for (std::size_t slot = range.begin; slot < range.middle; ++slot) {
     if (values[slot] == 0) continue;
-    const int row = pattern.is_dense() ? static_cast<int>(slot - range.begin) : pattern.row_index()[slot];
+    const int row = row_in(pattern, range, slot);
     f(row, diagonal[static_cast<std::size_t>(row)] > 0 ? values[slot] * values[slot] / diagonal[static_cast<std::size_t>(row)] : 0);
   }
 }
@@ -113,16 +113,18 @@ bool RedundantConstraints::measure(System& system, const Pattern& pattern, std::
   for (int k = 0; k < s.ae; ++k)
     if (eligible[k]) rows_.push_back(k);
   if (rows_.empty()) return false;
-  if (rows_.size() > few_rows) nodes_ = system.nodes_of_coordinates();
+  nodes_ = system.nodes_of_coordinates();
 
   std::vector<double> diagonal(static_cast<std::size_t>(s.ode2)), largest(n, 0.0), ratio(n, 0.0), columns(n, 0.0), lines(n, 0.0);
   for (int j = 0; j < s.ode2; ++j) diagonal[j] = std::abs(values[static_cast<std::size_t>(pattern.slot(j, j))]);
   const std::vector<CoordinateUnit> units_of_coordinates = system.coordinate_units();
   std::vector<CoordinateUnit> units(n, CoordinateUnit::unknown);
   const auto each_force = [&](auto&& f) {  // f(equation, coordinate, entry) of G^T
-    for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
-      if (row < s.ode2 && column >= first_ae_ && values[slot] != 0) f(column - first_ae_, row, values[slot]);
-    });
+    for (int k = 0; k < s.ae; ++k) {
+      const ColumnRange column = column_range(pattern, first_ae_ + k, s.ode2);
+      for (std::size_t slot = column.begin; slot < column.middle; ++slot)
+        if (values[slot] != 0) f(k, row_in(pattern, column, slot), values[slot]);
+    }
   };
   each_force([&](int k, int j, double g) {
     largest[k] = std::max(largest[k], diagonal[j]);
@@ -132,9 +134,11 @@ bool RedundantConstraints::measure(System& system, const Pattern& pattern, std::
   each_force([&](int k, int j, double g) {
     if (diagonal[j] > no_inertia * largest[k]) ratio[k] += g * g / diagonal[j];
   });
-  for_each_entry(pattern, [&](int row, int column, std::size_t slot) {
-    if (row >= first_ae_ && column < s.ode2) lines[row - first_ae_] += values[slot] * values[slot];
-  });
+  for (int j = 0; j < s.ode2; ++j) {
+    const ColumnRange column = column_range(pattern, j, first_ae_);
+    for (std::size_t slot = column.middle; slot < column.end; ++slot)
+      if (values[slot] != 0) lines[row_in(pattern, column, slot) - first_ae_] += values[slot] * values[slot];
+  }
   acting_.assign(n, 0);
   std::ranges::transform(columns, acting_.begin(), [](double sum) { return sum > 0; });
   of_rate_.assign(n, 0);
@@ -181,9 +185,9 @@ void RedundantConstraints::apply(LinearSolver& factors, double eps, std::span<do
 // Without eps the operator is S^-1 D, which makes large what forces hardly come from. The factors of a matrix that is singular but for
 // round-off show it at once: combinations that vanish have a share in the mixture.
 double RedundantConstraints::growth(LinearSolver& factors) {
-  std::mt19937 random(1);
+  NumberSequence random;
   std::vector<double> lambda(weight_.size(), 0.0);
-  for (const int k : rows_) lambda[k] = static_cast<double>(random()) / 2147483648.0 - 1;
+  for (const int k : rows_) lambda[k] = random();
   const auto size = [&] {
     double sum = 0;
     for (const int k : rows_) sum += weight_[k] * lambda[k] * lambda[k];

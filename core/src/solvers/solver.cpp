@@ -119,13 +119,12 @@ void Solver::choose_linear_solver() {
   const auto& s = *settings_;
   const auto& differences = newton_settings.numericalDifferentiation;
   linear_type_ = s.linearSolverType;
-  if (!s.linearSolverChoice.automatic || linear_type_ != LinearSolverType::EXUdense || sizes_.total() <= most_dense_unknowns) return;
-  if (s.linearSolverSettings.ignoreSingularJacobian || s.linearSolverSettings.pivotThreshold > 0 || hooks().system_jacobian ||
-      differences.doSystemWideDifferentiation || has_replaced_parts()) {
-    return;
-  }
-  linear_type_ = LinearSolverType::EigenSparse;
-  if (verbose(1)) say(1, "  linear solver: sparse (EigenSparse), as linearSolverType has not been set\n");
+  if (!s.linearSolverChoice.automatic || linear_type_ != LinearSolverType::EXUdense) return;
+  const bool needs_dense = s.linearSolverSettings.ignoreSingularJacobian || s.linearSolverSettings.pivotThreshold > 0 || hooks().system_jacobian ||
+                           differences.doSystemWideDifferentiation || has_replaced_parts();
+  const bool sparse = sizes_.total() > most_dense_unknowns && !needs_dense;
+  if (sparse) linear_type_ = LinearSolverType::EigenSparse;
+  if (verbose(1)) say(1, std::string("  linear solver: ") + (sparse ? "sparse (EigenSparse)" : "dense (EXUdense)") + ", as linearSolverType has not been set\n");
 }
 
 void Solver::initialize_data() {

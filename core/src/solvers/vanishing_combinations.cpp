@@ -4,13 +4,14 @@
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <random>
 
 #include "dalembert/math/decompositions.hpp"
 #include "dalembert/output/numbers.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
 #include "dalembert/solvers/redundant_constraints.hpp"
 #include "constraint_blocks.hpp"
+#include "local_combinations.hpp"
+#include "number_sequence.hpp"
 
 namespace dalembert {
 
@@ -21,6 +22,8 @@ constexpr int iterations = 2;
 constexpr int most_refinements = 5;         // of solutions
 constexpr double accurate = 1e-5;           // corrections of multipliers that change nothing of what is found
 constexpr double evidently_regular = 1e-3;  // eigenvalues of combinations that do not vanish
+// At once: what is left of vectors at random by those that vanish and by all others, and how far P may be from one for the first.
+constexpr double evident = 1e-3, evident_rest = 1e-6, evident_loss = 1e-4;
 constexpr int most_projections = 5;
 constexpr double unknown = 1e-10;           // the share of what is known in a column
 constexpr double separate = 0.25;           // what others add to a combination that vanishes by itself
@@ -28,6 +31,8 @@ constexpr double removable_share = 1e-10;   // squared: of the equations of an i
 
 using Block = Eigen::MatrixXd;
 using GivenBlock = Eigen::Map<const Block>;
+
+std::span<const double> numbers_of(const Block& block) { return {block.data(), static_cast<std::size_t>(block.size())}; }
 
 // Columns that are nothing but round-off beside others may become anything, also what is known.
 Block beside(const Block& known, const Block& block) {
@@ -64,9 +69,52 @@ class RedundantConstraints::Search {
       if (!one_round(work, std::exchange(looks_again, false))) return false;
     return true;
   }
+  // One application of P to a few vectors shows all that vanish if the others are far from it; a second one, to what has been found, whether
+  // it does, and whether parts are independent. False: a closer look is needed, and parts are as before.
+  bool find_at_once(std::vector<Part>& parts) {
+    const bool guesses = std::ranges::any_of(parts, [](const Part& part) { return part.count > 0; });
+    std::vector<PartAtWork> work;
+    for (Part& part : parts) work.emplace_back(part);
+    begin_round(work, guesses);
+    image(work);
+    if (refinements_ > 0 || !std::ranges::all_of(work, [&](PartAtWork& w) { return take_what_is_left(w); })) return false;
+    std::vector<Block> found(work.size());
+    for (std::size_t i = 0; i < work.size(); ++i) {
+      found[i] = work[i].block;
+      work[i].block *= mixture(found[i].cols());
+      work[i].known = work[i].block;
+    }
+    image(work);
+    for (const PartAtWork& w : work)
+      if (w.block.cols() > 0 && !((w.block - w.known).colwise().norm().maxCoeff() < evident_loss)) return false;
+    for (std::size_t i = 0; i < work.size(); ++i) work[i].part.take(numbers_of(found[i]));
+    return true;
+  }
+  // How far the others are from vanishing where all that vanish are known. False: the matrix is singular for other reasons as well.
+  bool look_at_the_rest(std::vector<Part>& parts) {
+    std::vector<PartAtWork> work;
+    for (Part& part : parts) {
+      PartAtWork& w = work.emplace_back(part);
+      w.known = std::move(w.guess);
+      w.guess.resize(w.known.rows(), 0);
+    }
+    for (PartAtWork& w : work) {
+      w.block.resize(w.known.rows(), w.known.cols() < w.known.rows() ? 1 : 0);
+      for (double& x : w.block.reshaped()) x = number_at_random();
+      w.block = beside(w.known, w.block);
+    }
+    double before = 0;
+    for (int i = 0; i < iterations; ++i) {
+      image(work);
+      before = i + 1 < iterations ? size_of(work) : before;
+    }
+    largest_rest = before > 0 ? std::min(1.0, size_of(work) / before) : 0;
+    return std::isfinite(largest_rest);
+  }
   bool is_finite = true;
   bool compares = false;    // whether parts turn out to be independent of each other
   double largest_rest = 0;  // the largest eigenvalue of P that is not one
+  double weakest() const { return largest_rest > 0 ? eps_ * (1 / largest_rest - 1) : 1; }
 
  private:
   struct PartAtWork {
@@ -81,8 +129,24 @@ class RedundantConstraints::Search {
     }
   };
 
-  // All parts at once: their columns are side by side in the same vectors.
-  bool one_round(std::vector<PartAtWork>& work, bool looks_again) {
+  // Of all blocks together, without what is known.
+  static double size_of(std::vector<PartAtWork>& work) {
+    double sum = 0;
+    for (PartAtWork& w : work) {
+      if (w.block.cols() == 0) continue;
+      if (w.known.cols() > 0) w.block -= w.known * (w.known.transpose() * w.block);
+      sum += w.block.squaredNorm();
+    }
+    return std::sqrt(sum);
+  }
+
+  Block mixture(Eigen::Index columns) {
+    Block mixed(columns, columns);
+    for (double& x : mixed.reshaped()) x = number_at_random();
+    return orthonormal(mixed);
+  }
+
+  void begin_round(std::vector<PartAtWork>& work, bool looks_again) {
     for (PartAtWork& w : work) {
       if (w.done) continue;
       const Eigen::Index m = w.known.rows(), guessed = w.guess.cols();
@@ -93,6 +157,29 @@ class RedundantConstraints::Search {
       w.guess.resize(m, 0);
       w.block = beside(w.known, w.block);
     }
+  }
+
+  // Images of vectors at random, and of a guess.
+  bool take_what_is_left(PartAtWork& w) {
+    const Eigen::Index columns = w.block.cols(), others = columns - w.part.count;
+    if (!w.block.allFinite()) return false;
+    w.block *= symmetric_eigenpairs(w.block.transpose() * w.block).vectors;
+    const Eigen::VectorXd sizes = w.block.colwise().norm();
+    const auto vanishing = static_cast<Eigen::Index>(std::ranges::count_if(sizes, [](double x) { return x > evident; }));
+    if (vanishing == columns && columns < w.block.rows()) return false;  // there may be more
+    if (vanishing < columns && others > 0) {
+      const double share = std::sqrt(static_cast<double>(others) / static_cast<double>(w.block.rows()));
+      const double rest = sizes[columns - vanishing - 1] / share;
+      if (!(rest < evident_rest)) return false;
+      largest_rest = std::max(largest_rest, rest);
+    }
+    w.block = vanishing > 0 ? orthonormal(w.block.rightCols(vanishing)) : Block(w.block.rows(), 0);
+    return true;
+  }
+
+  // All parts at once: their columns are side by side in the same vectors.
+  bool one_round(std::vector<PartAtWork>& work, bool looks_again) {
+    begin_round(work, looks_again);
     for (int i = 0; i < (looks_again ? 1 : iterations); ++i) {
       image(work);
       for (PartAtWork& w : work)
@@ -103,23 +190,21 @@ class RedundantConstraints::Search {
 
   // Mixed in another way in each part, they show where parts are not independent of each other.
   bool judge(std::vector<PartAtWork>& work) {
-    std::vector<Block> before(work.size()), mixture(work.size());
+    std::vector<Block> before(work.size()), mixed(work.size());
     for (std::size_t i = 0; i < work.size(); ++i) {
       PartAtWork& w = work[i];
       if (w.done) continue;
       before[i] = w.block;
       if (!compares) continue;
-      Block mixed(w.block.cols(), w.block.cols());
-      for (double& x : mixed.reshaped()) x = number_at_random();
-      mixture[i] = orthonormal(mixed);
-      w.block *= mixture[i];
+      mixed[i] = mixture(w.block.cols());
+      w.block *= mixed[i];
     }
     image(work);
     largest_rest = 0;
     for (std::size_t i = 0; i < work.size(); ++i) {
       PartAtWork& w = work[i];
       if (!w.done) {
-        if (compares) w.block *= mixture[i].transpose();
+        if (compares) w.block *= mixed[i].transpose();
         if (!take_vanishing(before[i], w)) return false;
       }
       largest_rest = std::max(largest_rest, w.rest);
@@ -145,12 +230,9 @@ class RedundantConstraints::Search {
     // Round-off may have spoilt some of those before, but not where factors do by themselves.
     w.done = vanishing == 0 || w.known.cols() == w.known.rows() || (vanishing < columns && w.rest < evidently_regular && refinements_ == 0);
     if (!w.done) return true;
-    w.part.count = static_cast<int>(w.known.cols());
-    w.part.combinations.assign(w.known.data(), w.known.data() + w.known.size());
+    w.part.take(numbers_of(w.known));
     return true;
   }
-
-  double number_at_random() { return static_cast<double>(random_()) / 2147483648.0 - 1; }
 
   // Blocks become their images.
   void image(std::vector<PartAtWork>& work) {
@@ -199,7 +281,7 @@ class RedundantConstraints::Search {
   double eps_;
   int refinements_ = most_refinements;
   std::vector<double> root_, wanted_, rest_, x_, column_;
-  std::mt19937 random_{1};
+  NumberSequence number_at_random;
 };
 
 std::vector<RedundantConstraints::Part> RedundantConstraints::all_in_one() const {
@@ -209,26 +291,69 @@ std::vector<RedundantConstraints::Part> RedundantConstraints::all_in_one() const
   return {std::move(all)};
 }
 
+std::vector<RedundantConstraints::Part> RedundantConstraints::apart(bool by_loops, const Pattern& pattern, std::span<const double> values,
+                                                                    bool& is_local) const {
+  std::vector<Part> parts;
+  std::vector<ConstraintBlock> blocks = constraint_blocks(by_loops ? BlocksOf::loops : BlocksOf::coordinates, pattern, values, first_ae_, nodes_, rows_);
+  std::vector<Block> found;
+  if (by_loops) found = local_combinations({pattern, values, first_ae_, nodes_, rows_, weight_, multiplier_}, blocks);
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    parts.push_back({.rows = std::move(blocks[i].rows), .count = 0, .combinations = {}});
+    if (!found.empty()) parts.back().take(numbers_of(found[i]));
+  }
+  is_local = !found.empty();
+  return is_local || rows_.size() > few_rows ? parts : all_in_one();
+}
+
+void RedundantConstraints::count_parts() {
+  count_ = 0;
+  for (const Part& part : parts_) count_ += part.count;
+}
+
+void RedundantConstraints::Part::take(std::span<const double> found) {
+  count = static_cast<int>(found.size() / rows.size());
+  combinations.assign(found.begin(), found.end());
+}
+
 // Combinations that are known from a state close by become those of this one by one application of P. A vector at random beside them tells
 // whether there are more. Large systems are taken apart, such that few vectors are enough for many combinations.
 bool RedundantConstraints::find(const Pattern& pattern, std::span<const double> values, double eps, LinearSolver& factors) {
   Search search(*this, pattern, values, eps, factors);
   if (!search.factorize()) return false;
-  const auto blocks = [&](BlocksOf kind) {
-    std::vector<Part> parts;
-    for (std::vector<int>& rows : constraint_blocks(kind, pattern, values, first_ae_, nodes_, rows_)) parts.push_back({.rows = std::move(rows), .count = 0, .combinations = {}});
-    return parts;
-  };
-  const bool small = rows_.size() <= few_rows;
-  if (parts_.empty()) parts_ = small ? all_in_one() : blocks(BlocksOf::loops);
-  if (!search.find_in(parts_, false)) {
-    if (!search.is_finite || small) return false;
-    parts_ = blocks(BlocksOf::coordinates);
+  bool is_local = false;
+  std::vector<Part> parts = apart(true, pattern, values, is_local);
+  if (parts_.empty() || is_local) parts_ = std::move(parts);
+  if (is_local) {
+    if (!search.look_at_the_rest(parts_)) return false;
+  } else if (!search.find_in(parts_, false)) {
+    if (!search.is_finite || rows_.size() <= few_rows) return false;
+    parts_ = apart(false, pattern, values, is_local);
     if (!search.find_in(parts_, true)) return false;
   }
-  count_ = 0;
-  for (const Part& part : parts_) count_ += part.count;
-  weakest_ = search.largest_rest > 0 ? eps * (1 / search.largest_rest - 1) : 1;
+  count_parts();
+  weakest_ = search.weakest();
+  return true;
+}
+
+bool RedundantConstraints::find_at_once(const Pattern& pattern, std::span<const double> values, double eps, LinearSolver& factors) {
+  Search search(*this, pattern, values, eps, factors);
+  if (!search.factorize()) return false;
+  bool is_local = false;
+  std::vector<Part> parts = apart(true, pattern, values, is_local);
+  if (is_local ? !search.look_at_the_rest(parts) || search.largest_rest > evident_rest : !search.find_at_once(parts)) return false;
+  parts_ = std::move(parts);
+  count_parts();
+  weakest_ = search.weakest();
+  return true;
+}
+
+bool RedundantConstraints::confirm(const Pattern& pattern, std::span<const double> values, LinearSolver& factors) {
+  Search search(*this, pattern, values, eps_, factors);
+  std::vector<Part> parts = parts_;
+  if (!search.find_at_once(parts)) return false;
+  const auto same = [](const Part& one, const Part& other) { return one.count == other.count; };
+  if (!std::ranges::equal(parts, parts_, same)) return false;
+  parts_ = std::move(parts);
   return true;
 }
 

@@ -1,5 +1,6 @@
 // Output variables of nodes, objects, markers, loads and sensors, in any configuration.
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -82,6 +83,14 @@ bool coordinate_output(Variable variable, const Evaluation& e, std::span<const i
       return true;
     default: return false;
   }
+}
+
+// How many reactions of an object are not unique.
+double not_unique(const SystemParts& parts, const ObjectPlace& object) {
+  if (parts.not_unique.empty()) return std::numeric_limits<double>::quiet_NaN();
+  if (object.equations == 0) return 0;
+  const auto first = parts.not_unique.begin() + object.first_ae;
+  return static_cast<double>(std::count(first, first + object.equations, 1));
 }
 
 // Frames of the markers for an output. A user function may ask in the middle of an evaluation, which then goes on with its
@@ -188,6 +197,7 @@ void System::body_output(int object, Variable variable, std::array<double, 3> lo
                          Values& values) {
   SystemParts& parts = *parts_;
   const ObjectPlace& place = parts.objects.at(static_cast<std::size_t>(object));
+  if (variable == Variable::NonUniqueReactions && provides(*place.type, "Constraint")) return values.assign(1, not_unique(parts, place));
   const Vec3<double> at{local[0], local[1], local[2]};
   const State& state = parts.state(configuration);
   NumberList list(parts.free_numbers);
@@ -303,6 +313,7 @@ bool may_have(const ItemType& type, Variable variable) {
   if (std::ranges::find(type.outputs, variable) != type.outputs.end()) return true;
   Values values;
   if (coordinate_output(variable, {}, {}, {}, false, {}, values)) return true;
+  if (variable == Variable::NonUniqueReactions) return provides(type, "Constraint");
   const bool moves = type.kind != ItemKind::object || type.category == "Body" || type.category == "FiniteElement" ||
                      type.category == "SuperElement";
   return moves && !lacks(type, variable) && follows_from_motion(variable);

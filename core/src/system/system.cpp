@@ -285,6 +285,11 @@ std::vector<System::EquationOwner> System::equation_owners() const {
   return owners;
 }
 
+void System::reactions_are_known(std::span<const int> not_unique) {
+  parts_->not_unique.assign(static_cast<std::size_t>(sizes_.ae), 0);
+  for (const int k : not_unique) parts_->not_unique[static_cast<std::size_t>(k)] = 1;
+}
+
 std::string System::describe(const EquationOwner& owner) const {
   return parts_->describe(owner.of_node ? ItemKind::node : ItemKind::object, owner.number);
 }

@@ -190,6 +190,7 @@ enum class OutputVariableType : std::uint32_t {
   ForceLocal = 8388608,
   Torque = 16777216,
   TorqueLocal = 33554432,
+  NonUniqueReactions = 67108864,
   StrainLocal = 268435456,
   StressLocal = 536870912,
   CurvatureLocal = 1073741824,

@@ -318,6 +318,8 @@ class OutputVariableType(IntFlag):
     """torque in global coordinates"""
     TorqueLocal = 33554432
     """torque in local coordinates; of beams the section moments"""
+    NonUniqueReactions = 67108864
+    """of a constraint or joint: how many of its equations have reactions that are not unique, because equations follow from others; solvers give the smallest ones. NaN as long as no solver has looked"""
     StrainLocal = 268435456
     """strain components in the local frame"""
     StressLocal = 536870912

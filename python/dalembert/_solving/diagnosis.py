@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 
@@ -77,6 +77,32 @@ class SolverError(ValueError):
 
 
 SolverError.__module__ = "dalembert"  # where users find it
+
+
+class FinishedNotTrusted(int):
+    """What SolveDynamic and SolveStatic return instead of True if something speaks against the result.
+
+    It is true and equals True, as the solution has finished; doubts: what speaks against it, one sentence each.
+    """
+
+    doubts: tuple[str, ...]
+
+    def __new__(cls, doubts: Sequence[str]) -> Self:
+        """Return the value with these doubts."""
+        value = super().__new__(cls, True)
+        value.doubts = tuple(doubts)
+        return value
+
+    def __getnewargs__(self) -> tuple[Any, ...]:
+        return (self.doubts,)
+
+    def __repr__(self) -> str:
+        return "finished, not trusted: " + "; ".join(self.doubts)
+
+    __str__ = __repr__
+
+
+FinishedNotTrusted.__module__ = "dalembert"
 
 
 def SolverErrorMessage(

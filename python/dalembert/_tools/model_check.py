@@ -53,8 +53,8 @@ def _redundancy(mbs: Any) -> Iterator[str]:
     counted = mbs.ComputeSystemDegreeOfFreedom()
     if number := counted["redundantConstraints"]:
         yield (
-            f"{number} of {counted['nAE']} constraints are redundant: the matrix of the system is singular. Let joints "
-            "constrain only what is still free, see 'Modelling advice'."
+            f"{number} of {counted['nAE']} constraints are redundant. Solvers find the motion all the same, and the "
+            "smallest reactions, see 'Closed loops'; joints that constrain only what is still free have unique ones."
         )
     if counted["degreeOfFreedom"] == 0 and counted["nODE2"]:
         yield "no degree of freedom is left: nothing can move."

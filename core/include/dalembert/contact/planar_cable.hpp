@@ -18,13 +18,18 @@ struct CableShape {
   double length = 0;
 
   // What the coordinates of position and slope at both ends count at a place of the axis.
-  std::array<double, 4> weights(double x) const {
-    const double s = x / length, s2 = s * s, s3 = s2 * s;
-    return {1 - 3 * s2 + 2 * s3, length * (s - 2 * s2 + s3), 3 * s2 - 2 * s3, length * (s3 - s2)};
+  template <class S>
+  std::array<S, 4> weights(const S& x) const {
+    const S s = (1 / length) * x, s2 = s * s, s3 = s2 * s;
+    return {1.0 - 3.0 * s2 + 2.0 * s3, length * (s - 2.0 * s2 + s3), 3.0 * s2 - 2.0 * s3, length * (s3 - s2)};
+  }
+  std::array<double, 4> slope_weights(double x) const {
+    const double s = x / length, s2 = s * s;
+    return {6 * (s2 - s) / length, 1 - 4 * s + 3 * s2, 6 * (s - s2) / length, 3 * s2 - 2 * s};
   }
   // The component of a vector of all coordinates, or of their rates, at a place.
-  template <class S>
-  Vec<S, 2> at(const std::array<double, 4>& weights, const std::array<S, 8>& numbers) const {
+  template <class S, class W>
+  Vec<S, 2> at(const std::array<W, 4>& weights, const std::array<S, 8>& numbers) const {
     const auto component = [&](std::size_t i) { return weights[0] * numbers[i] + weights[1] * numbers[i + 2] + weights[2] * numbers[i + 4] + weights[3] * numbers[i + 6]; };
     return {component(0), component(1)};
   }

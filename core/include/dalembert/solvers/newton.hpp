@@ -88,6 +88,7 @@ class NewtonSolver : public Solver {
   std::unique_ptr<LinearSolver> find_redundancy();
   void end_treatment();
   void look_again_at_redundancy();
+  void factorize_anew();
   bool try_harder();
   void take_off_misfit();
   double residual_without_misfit();

@@ -61,5 +61,8 @@ inline ColumnRange column_range(const Pattern& pattern, int column, int split) {
   const auto middle = std::lower_bound(rows.begin() + begin, rows.begin() + end, split) - rows.begin();
   return {static_cast<std::size_t>(begin), static_cast<std::size_t>(middle), static_cast<std::size_t>(end)};
 }
+inline int row_in(const Pattern& pattern, const ColumnRange& column, std::size_t slot) {
+  return pattern.is_dense() ? static_cast<int>(slot - column.begin) : pattern.row_index()[slot];
+}
 
 }  // namespace dalembert

@@ -46,6 +46,11 @@ class RedundantConstraints {
   // close by are only looked at again. False: the matrix is singular for other reasons as well.
   static LinearSolverOptions options_to_find(LinearSolverOptions options);
   bool find(const Pattern& pattern, std::span<const double> values, double eps, LinearSolver& factors);
+  // The same where it is evident, in a fraction of the time: factors with `options` and this eps, which solutions can go on with. False: it
+  // is not, and nothing is known.
+  bool find_at_once(const Pattern& pattern, std::span<const double> values, double eps, LinearSolver& factors);
+  // Whether what is known is what vanishes of the regularized matrix as well, evidently; its factors are at hand.
+  bool confirm(const Pattern& pattern, std::span<const double> values, LinearSolver& factors);
   // After `measure`: combinations that have been found for the same equations around another matrix. False: other equations have been measured.
   bool take_over(const RedundantConstraints& found);
   int count() const { return count_; }
@@ -65,6 +70,7 @@ class RedundantConstraints {
   // A contradiction that is not worth a word, and what gaps are round-off below, in units of the equations.
   static constexpr double silent_misfit = 1e-11, round_off_of_gaps = 1e-12;
   static constexpr double passing_eps = 1e-11;  // in positions that are singular for a moment
+  static constexpr double regular_eps = 1e-9;   // of redundancy that lasts, unless something speaks against it
   static constexpr double largest_eps = 1e-7;
   // For combinations that have been found, and a misfit of that size; `of_rates`: of constraints of velocities, which drift.
   double eps_for(double misfit, bool of_rates) const;
@@ -104,9 +110,13 @@ class RedundantConstraints {
     std::vector<int> rows;             // places in rows_
     int count = 0;
     std::vector<double> combinations;  // one after the other, orthonormal in sqrt(D) lambda
+    void take(std::span<const double> found);
     std::span<const double> combination(int k) const { return std::span(combinations).subspan(rows.size() * static_cast<std::size_t>(k), rows.size()); }
   };
   std::vector<Part> all_in_one() const;
+  // `is_local`: with the combinations of each, which are all that there are.
+  std::vector<Part> apart(bool by_loops, const Pattern& pattern, std::span<const double> values, bool& is_local) const;
+  void count_parts();
   template <class F>
   void each_owner(F&& f, const System& system) const;
 

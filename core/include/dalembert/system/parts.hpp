@@ -193,6 +193,7 @@ struct SystemParts {
   std::vector<UnitVector> unit_vectors;
   Ports ports;
   std::vector<double> static_signs;  // of the algebraic variables
+  std::vector<char> not_unique;      // whether these are not, as solvers have found; empty: none has looked
   bool has_history = false;         // of items, and of terms that explicit integration searches for as well
   bool has_direct_history = false;  // of terms that it does not
   bool has_switches = false;

@@ -1,0 +1,134 @@
+#include "local_combinations.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dalembert/math/decompositions.hpp"
+#include "dalembert/solvers/numerical_tangent.hpp"
+
+namespace dalembert {
+
+namespace {
+
+constexpr std::size_t largest_block = 200;        // equations
+constexpr double vanishing = 1e-12, clear = 1e-8;  // squares of what is left of a combination, where entries are one
+
+using Block = Eigen::MatrixXd;
+
+class Loops {
+ public:
+  explicit Loops(const ConstraintEquations& all) : all_(all), unit_(all.nodes.size(), -1), place_(all.nodes.size(), -1) {
+    for (int k = 0; k < static_cast<int>(all.weights.size()); ++k) {
+      if (all.weights[static_cast<std::size_t>(k)] > 0) continue;
+      each(k, [&](int j, double) { unit_[static_cast<std::size_t>(j)] = k; });
+    }
+  }
+
+  // False: it does not tell.
+  bool find(const ConstraintBlock& block, Block& found) {
+    if (block.rows.size() > largest_block || !take(block)) return false;
+    const auto inside = static_cast<Eigen::Index>(inside_), m = static_cast<Eigen::Index>(block.rows.size());
+    found = Block::Zero(m, 0);
+    if (active_.empty()) return true;
+    const Block forces = entries(active_), units = entries(units_);
+    Block left = forces.topRows(inside);
+    Block basis = independent(units.topRows(inside));
+    left -= basis * (basis.transpose() * left);
+    const SymmetricEigenpairs shares = symmetric_eigenpairs(left.transpose() * left);
+    const auto count = std::ranges::count_if(shares.values, [](double x) { return x < vanishing; });
+    if (std::ranges::any_of(shares.values, [](double x) { return x >= vanishing && x < clear; })) return false;
+    const Block combinations = shares.vectors.leftCols(count);
+    if (count > 0 && inside < forces.rows()) {
+      // What the block hands on to the rest, by the node that it hangs on.
+      basis = independent(units);
+      Block handed_on = forces * combinations;
+      handed_on -= basis * (basis.transpose() * handed_on);
+      if (handed_on.colwise().squaredNorm().maxCoeff() >= vanishing) return false;
+    }
+    found = Block::Zero(m, count);
+    for (std::size_t i = 0; i < active_.size(); ++i) found.row(places_[i]) = combinations.row(static_cast<Eigen::Index>(i));
+    return true;
+  }
+
+ private:
+  template <class F>
+  void each(int equation, F&& f) const {
+    const ColumnRange column = column_range(all_.pattern, all_.first_ae + equation, static_cast<int>(all_.nodes.size()));
+    for (std::size_t slot = column.begin; slot < column.middle; ++slot)
+      if (all_.values[slot] != 0) f(row_in(all_.pattern, column, slot), all_.values[slot]);
+  }
+
+  // Coordinates that the equations of a block act on, those of the node that it hangs on last, and the conditions of unit length among them.
+  // Equations that state their multipliers by themselves have no part.
+  bool take(const ConstraintBlock& block) {
+    for (const int j : coordinates_) place_[static_cast<std::size_t>(j)] = -1;
+    coordinates_.clear();
+    active_.clear();
+    places_.clear();
+    units_.clear();
+    for (std::size_t i = 0; i < block.rows.size(); ++i) {
+      const int k = all_.rows[static_cast<std::size_t>(block.rows[i])];
+      bool states_itself = false;
+      const ColumnRange column = column_range(all_.pattern, all_.first_ae + k, all_.first_ae);
+      for (std::size_t slot = column.middle; slot < column.end; ++slot) {
+        if (all_.values[slot] == 0) continue;
+        if (row_in(all_.pattern, column, slot) != all_.first_ae + k) return false;
+        states_itself = true;
+      }
+      if (states_itself) continue;
+      active_.push_back(k);
+      places_.push_back(static_cast<Eigen::Index>(i));
+      each(k, [&](int j, double) { coordinates_.push_back(j); });
+    }
+    std::ranges::sort(coordinates_);
+    coordinates_.erase(std::unique(coordinates_.begin(), coordinates_.end()), coordinates_.end());
+    for (const int j : coordinates_)
+      if (const int k = unit_[static_cast<std::size_t>(j)]; k >= 0) units_.push_back(k);
+    std::ranges::sort(units_);
+    units_.erase(std::unique(units_.begin(), units_.end()), units_.end());
+    if (std::ranges::any_of(units_, [&](int k) { return all_.multipliers[static_cast<std::size_t>(k)] == 0; })) return false;
+    for (const int k : units_) each(k, [&](int j, double) { coordinates_.push_back(j); });
+    std::ranges::sort(coordinates_);
+    coordinates_.erase(std::unique(coordinates_.begin(), coordinates_.end()), coordinates_.end());
+    const auto outside = std::stable_partition(coordinates_.begin(), coordinates_.end(), [&](int j) { return all_.nodes[static_cast<std::size_t>(j)] != block.hangs_on; });
+    inside_ = static_cast<std::size_t>(outside - coordinates_.begin());
+    for (std::size_t i = 0; i < coordinates_.size(); ++i) place_[static_cast<std::size_t>(coordinates_[i])] = static_cast<int>(i);
+    return true;
+  }
+
+  // In sqrt(D), such that the largest entry of a column is one: what vanishes does so in any metric.
+  Block entries(const std::vector<int>& equations) const {
+    Block all = Block::Zero(static_cast<Eigen::Index>(coordinates_.size()), static_cast<Eigen::Index>(equations.size()));
+    for (std::size_t i = 0; i < equations.size(); ++i) {
+      const double weight = all_.weights[static_cast<std::size_t>(equations[i])], scale = weight > 0 ? 1 / std::sqrt(weight) : 1;
+      each(equations[i], [&](int j, double entry) { all(place_[static_cast<std::size_t>(j)], static_cast<Eigen::Index>(i)) = scale * entry; });
+    }
+    const double largest = all.size() > 0 ? all.cwiseAbs().maxCoeff() : 0;
+    return largest > 0 ? Block(all / largest) : all;
+  }
+
+  // Conditions of unit length have coordinates of their own.
+  static Block independent(Block columns) {
+    for (Eigen::Index i = 0; i < columns.cols(); ++i)
+      if (const double size = columns.col(i).norm(); size > 0) columns.col(i) /= size;
+    return columns;
+  }
+
+  const ConstraintEquations& all_;
+  std::vector<int> unit_, place_;  // by coordinate: an equation of its node; where it is in the block
+  std::vector<int> coordinates_, active_, units_;
+  std::vector<Eigen::Index> places_;  // of active equations in the block
+  std::size_t inside_ = 0;
+};
+
+}  // namespace
+
+std::vector<Eigen::MatrixXd> local_combinations(const ConstraintEquations& all, const std::vector<ConstraintBlock>& blocks) {
+  Loops loops(all);
+  std::vector<Eigen::MatrixXd> found(blocks.size());
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+    if (!loops.find(blocks[i], found[i])) return {};
+  return found;
+}
+
+}  // namespace dalembert
