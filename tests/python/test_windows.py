@@ -69,7 +69,7 @@ def test_the_monitor_follows_a_growing_file(tmp_path: Path, capsys: pytest.Captu
     with pytest.raises(ValueError, match="has columns 0 to 2, but not 3"):
         resultsMonitor.Monitor(str(file), ycols=[3])
     for arguments, text in (
-        (["none.txt"], "there is no file 'none.txt'"),
+        (["none.txt"], "there is no such file in the folder"),
         ([str(file)], "there is no display for a window"),
     ):
         with pytest.raises(SystemExit):

@@ -31,6 +31,7 @@ class Loops {
     found = Block::Zero(m, 0);
     if (active_.empty()) return true;
     const Block forces = entries(active_), units = entries(units_);
+    if (!forces.allFinite() || !units.allFinite()) return false;
     Block left = forces.topRows(inside);
     Block basis = independent(units.topRows(inside));
     left -= basis * (basis.transpose() * left);

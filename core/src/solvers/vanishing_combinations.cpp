@@ -37,7 +37,7 @@ std::span<const double> numbers_of(const Block& block) { return {block.data(), s
 // Columns that are nothing but round-off beside others may become anything, also what is known.
 Block beside(const Block& known, const Block& block) {
   Block columns = orthonormal(block);
-  for (int time = 0; time < most_projections && known.cols() > 0; ++time) {
+  for (int time = 0; time < most_projections && known.cols() > 0 && columns.cols() > 0; ++time) {
     const Block share = known.transpose() * columns;
     if (time > 0 && share.cwiseAbs().maxCoeff() < unknown) break;
     columns = orthonormal(columns - known * share);
