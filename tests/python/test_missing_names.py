@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pickle
+import subprocess
 import sys
 from importlib import import_module
 from pathlib import Path
@@ -74,3 +75,19 @@ def test_names_of_insides_are_not_told() -> None:
     told = imported("dalembert.utilities", "_LoadSolutionFile")
     assert told.startswith("cannot import name '_LoadSolutionFile' from 'dalembert.utilities' (/"), told
     assert "dalembert._checks" in sys.modules and "__getattr__" not in vars(sys.modules["dalembert._checks"])
+
+
+@pytest.mark.parametrize(
+    "expression",
+    [
+        "SystemContainer().AddSystem().CreateSphericalJont",
+        "SolveDinamic",
+        "OutputVariableType.Postion",
+        "graphics.color.redd",
+    ],
+)
+def test_one_hint_only(expression: str) -> None:
+    """The interpreter adds a hint of its own to errors that name the object and have none."""
+    script = f"import dalembert as exu; exu.{expression}"
+    run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
+    assert run.stderr.splitlines()[-1].lower().count("did you mean") == 1

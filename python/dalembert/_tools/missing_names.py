@@ -22,6 +22,11 @@ def nearest(name: str, known: Iterable[str]) -> str:
     return f". Did you mean '{close[0]}'?" if close else ""
 
 
+def missing(text: str, hint: str, name: str, owner: object) -> AttributeError:
+    """Return the error of an attribute that is not there. Where there is a hint, Python is not to add its own."""
+    return AttributeError(text + hint, name=name, obj=None if hint else owner)
+
+
 # How a method of each class is called in models.
 _OWNERS = {MainSystem: "mbs", SystemContainer: "SC", SystemData: "mbs.systemData", Renderer: "SC.renderer"}
 _IN_WORDS = {
@@ -41,7 +46,7 @@ def _explaining(cls: type) -> Callable[[Any, str], NoReturn]:
     def __getattr__(self: Any, name: str) -> NoReturn:
         text = f"'{cls.__name__}' object has no attribute '{name}'"
         hint = "" if name.startswith("_") else _belongs_to(cls, name) or nearest(name, dir(cls))
-        raise AttributeError(text + hint, name=name, obj=self)
+        raise missing(text, hint, name, self)
 
     return __getattr__
 
@@ -51,7 +56,7 @@ class _ExplainingEnum(enum.EnumType):
 
     def __getattr__(cls, name: str) -> NoReturn:
         hint = "" if name.startswith("_") else nearest(name, cls.__members__)
-        raise AttributeError(f"{cls.__name__} has no value '{name}'{hint}", name=name, obj=cls)
+        raise missing(f"{cls.__name__} has no value '{name}'", hint, name, cls)
 
 
 def _explain_setting(cls: type) -> None:
@@ -126,7 +131,7 @@ def missing_in(module: ModuleType, name: str) -> AttributeError:
     known, hint = _names_in(module), _hint(module, name)
     if not hint and len(known) <= _FEW and not name.startswith("_"):
         hint = f"; known are: {', '.join(known)}"
-    return AttributeError(f"module '{module.__name__}' has no attribute '{name}'{hint}", name=name, obj=module)
+    return missing(f"module '{module.__name__}' has no attribute '{name}'", hint, name, module)
 
 
 def refuse_import(module: ModuleType, name: str) -> None:

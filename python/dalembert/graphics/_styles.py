@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NoReturn
 
-from dalembert._tools.missing_names import nearest
+from dalembert._tools.missing_names import missing, nearest
 
 
 class _Named(type):
@@ -13,7 +13,7 @@ class _Named(type):
     def __getattr__(cls, name: str) -> NoReturn:
         known = [each for each in vars(cls) if not each.startswith("_")]
         hint = "" if name.startswith("_") else nearest(name, known) or f"; known are: {', '.join(known)}"
-        raise AttributeError(f"graphics.{cls.__name__} has no attribute '{name}'{hint}", name=name, obj=cls)
+        raise missing(f"graphics.{cls.__name__} has no attribute '{name}'", hint, name, cls)
 
 
 class color(metaclass=_Named):
