@@ -92,7 +92,7 @@ def test_missing_names_are_explained() -> None:
         AttributeError, match="'MainSystem' object has no attribute 'AddNodes'. Did you mean 'AddNode'"
     ) as told:
         mbs.AddNodes  # noqa: B018
-    assert told.value.name == "AddNodes" and told.value.obj is mbs
+    assert told.value.name == "AddNodes"
     with pytest.raises(AttributeError, match="it belongs to a system container: SC.AddSystem"):
         mbs.AddSystem  # noqa: B018
     assert not hasattr(mbs, "no_such_name") and getattr(mbs, "no_such_name", 3) == 3
