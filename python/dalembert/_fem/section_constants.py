@@ -12,8 +12,6 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-import scipy.sparse
-from scipy.sparse.linalg import splu
 
 from dalembert._checks import FloatArray, as_vector, shape_error
 from dalembert._fem.materials import as_material
@@ -179,13 +177,16 @@ class _Integrals:
 
     def _laplace(self) -> Any:
         """Factors of the matrix of Laplace's equation; the first value is 0."""
+        from scipy.sparse import csc_matrix  # here, as all models import this file and few need sections
+        from scipy.sparse.linalg import splu
+
         n, triangles = len(self._mesh.points), self._mesh.triangles
         flat = self._gradients.reshape(len(triangles), -1, 6)
         weighted = (self._gradients * self._weights[..., None, None]).reshape(flat.shape)
         entries = weighted.transpose(0, 2, 1) @ flat
         rows, columns = np.repeat(triangles, 6, axis=1), np.tile(triangles, (1, 6))
         self._used = np.unique(triangles)[1:]
-        matrix = scipy.sparse.csc_matrix((entries.ravel(), (rows.ravel(), columns.ravel())), shape=(n, n))
+        matrix = csc_matrix((entries.ravel(), (rows.ravel(), columns.ravel())), shape=(n, n))
         return splu(matrix[self._used][:, self._used].tocsc())
 
     def _field(self, vectors: Any = None, sources: Any = None) -> FloatArray:

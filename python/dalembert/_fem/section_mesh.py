@@ -9,7 +9,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.spatial import Delaunay, cKDTree
 
 from dalembert._checks import FloatArray, IntArray
 from dalembert._fem.section_outlines import Loop, SectionOutline
@@ -45,6 +44,8 @@ def mesh_of(outline: SectionOutline, fineness: float) -> SectionMesh:
 
 
 def _fill(outline: SectionOutline, divided: SectionOutline, h: float) -> tuple[FloatArray, IntArray]:
+    from scipy.spatial import Delaunay, cKDTree  # here, as all models import this file and few need sections
+
     rings = [ring for loop in outline.loops for ring in _rings(loop, h)]
     border = np.vstack([*(loop.points for loop in divided.loops), *(ring[divided.contains(ring)] for ring in rings)])
     low, high = border.min(axis=0), border.max(axis=0)

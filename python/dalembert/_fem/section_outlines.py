@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
-from matplotlib.path import Path
 
 from dalembert._checks import FloatArray, as_points, shape_error
 
@@ -34,6 +33,8 @@ class SectionOutline:
 
     def contains(self, points: FloatArray) -> npt.NDArray[np.bool_]:
         """Which points lie inside."""
+        from matplotlib.path import Path  # here, as all models import this file and few need sections
+
         inside = np.zeros(len(points), dtype=bool)
         for loop in self.loops:
             inside ^= Path(loop.points).contains_points(points)
