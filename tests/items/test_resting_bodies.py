@@ -103,3 +103,28 @@ def test_a_marker_between_bodies_takes_it_as_rest(carrier: tuple[str, str]) -> N
 def test_the_mass_point_may_rest() -> None:
     """The list above is not empty by mistake."""
     assert ("ObjectMassPoint", "NodePointGround") in RESTING
+
+
+@each_resting
+def test_follows_its_node(carrier: tuple[str, str]) -> None:
+    """A resting node that is put elsewhere takes the body, and markers on the body, with it at once."""
+    scene, resting, _ = scene_with(carrier)
+    mbs = scene.mbs
+    marker = mbs.AddMarker(exu.MarkerBodyPosition(bodyNumber=resting.body, localPosition=LOCAL))
+    mbs.Assemble()
+    position = exu.OutputVariableType.Position
+    for place in ([4.0, -5.0, 6.0], [1e-300, 0.0, 0.0]):
+        mbs.SetNodeParameter(resting.nodes[0], "referenceCoordinates", place)
+        assert mbs.GetObjectOutputBody(resting.body, position, LOCAL).tolist() == (place + LOCAL).tolist()
+        assert mbs.GetMarkerOutput(marker, position).tolist() == (place + LOCAL).tolist()
+
+
+def test_mesh_with_a_resting_node_follows_it(mbs: exu.MainSystem) -> None:
+    """The mean of a moving and a resting mesh node moves by half of what the resting one is moved by."""
+    nodes = [mbs.AddNode(exu.NodePoint(referenceCoordinates=[1, 0, 0])), mbs.AddNode(exu.NodePointGround())]
+    mesh = mbs.AddObject(exu.ObjectGenericODE2(nodeNumbers=nodes, massMatrix=np.eye(3)))
+    mean = exu.MarkerSuperElementPosition(bodyNumber=mesh, meshNodeNumbers=[0, 1], weightingFactors=[0.5, 0.5])
+    marker = mbs.AddMarker(mean)
+    mbs.Assemble()
+    mbs.SetNodeParameter(nodes[1], "referenceCoordinates", [0, 2, -4])
+    assert mbs.GetMarkerOutput(marker, exu.OutputVariableType.Position).tolist() == [0.5, 1, -2]

@@ -80,3 +80,21 @@ def test_ground_nodes_move_at_once(mbs: exu.MainSystem, point: exu.NodeIndex) ->
     assert mbs.systemIsConsistent
     assert mbs.GetNodeOutput(ground, POSITION).tolist() == [3, 4, 0]
     assert mbs.GetObjectOutput(spring, exu.OutputVariableType.Distance) == 5
+
+
+@pytest.mark.parametrize(
+    ("most", "node"), [(2**31 - 1, exu.NodePoint()), (2**31 - 3, exu.NodePoint()), (2**31 - 1, exu.NodeGenericData())]
+)
+def test_more_coordinates_than_numbers_are_refused(mbs: exu.MainSystem, most: int, node: Any) -> None:
+    """Before memory is asked for; the node at which the limit is passed is named."""
+    node.name = "last"
+    first = mbs.AddNode(exu.NodeGenericData(initialCoordinates=[]))
+    mbs.AddNode(node)
+    mbs.SetNodeParameter(first, "numberOfDataCoordinates", most)
+    if isinstance(node, exu.NodeGenericData):
+        mbs.SetNodeParameter(1, "numberOfDataCoordinates", 2**31 - 1)
+        mbs.SetNodeParameter(1, "initialCoordinates", [])
+    with pytest.raises(
+        ValueError, match=r"node 1 'last' \(Node.*the system has \d+: expected at most 2147483647 coordinates"
+    ):
+        mbs.Assemble()

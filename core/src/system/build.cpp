@@ -1,5 +1,6 @@
 // From a model to batches: numbers the coordinates, places every item, collects items of one kind side by side.
 #include <algorithm>
+#include <limits>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -84,8 +85,16 @@ class Builder {
 
   void divide() {
     node_sizes_.reserve(parts_.nodes.capacity());
-    for (const Item& item : model_.items(ItemKind::node))
-      node_sizes_.push_back(physics<NodePhysics>(item, static_cast<int>(node_sizes_.size())).sizes(item.record.get()));
+    std::int64_t sum = 0;
+    for (const Item& item : model_.items(ItemKind::node)) {
+      const int number = static_cast<int>(node_sizes_.size());
+      const Sizes& n = node_sizes_.emplace_back(physics<NodePhysics>(item, number).sizes(item.record.get()));
+      sum += std::int64_t{n.ode2} + n.ode1 + n.ae + n.data;
+      if (sum > std::numeric_limits<int>::max())
+        refuse(ErrorKind::value, {model_.describe(ItemKind::node, number), "",
+                                  "with its coordinates the system has " + std::to_string(sum), "",
+                                  "at most " + std::to_string(std::numeric_limits<int>::max()) + " coordinates of all kinds", ""});
+    }
     regions_ = Regions(node_sizes_, division_.coordinates);
     parts_.plan.regions.resize(static_cast<std::size_t>(regions_.count()));
   }

@@ -121,13 +121,35 @@ void System::refresh(const Model& model) {
       batch->refresh_owners(entry, which, record);
     }
   };
+  const auto passed_record = [](const MarkerPlace& marker, Vec3<double>& local) {
+    FrameShape shape{};
+    const bool frame = static_cast<const MarkerPhysics*>(marker.type->physics)->passes_frame(shape, local, marker.record.get());
+    return frame ? static_cast<const void*>(&local) : marker.record.get();
+  };
+  // What stands on a node that rests has read where it is.
+  const auto move_resting = [&](int node) {
+    for (std::size_t k = 0; k < parts.objects.size(); ++k) {
+      const ObjectPlace& place = parts.objects[k];
+      if (std::ranges::find(place.nodes.of(parts.references), node) == place.nodes.of(parts.references).end()) continue;
+      const int object = static_cast<int>(k);
+      place.member.batch->refresh_resting(place.member.entry, place.record.get(), placing.of_object(object));
+      for (const auto& [number, which] : parts.markers_on(ItemKind::object, object)) {
+        const MarkerPlace& marker = parts.markers[static_cast<std::size_t>(number)];
+        Vec3<double> local;
+        const void* record = passed_record(marker, local);
+        marker.member.batch->refresh_resting(marker.member.entry, record, placing.of_marker(number, marker));
+      }
+    }
+  };
   const auto renew = [&](ItemKind kind, int number) {
     const auto& record = model.item(kind, number).record;
     const auto i = static_cast<std::size_t>(number);
     switch (kind) {
       case ItemKind::node:  // its reference and initial values need another assembling, unless it rests
         parts.nodes[i].record = record;
-        if (parts.nodes[i].sizes.ode2 == 0) tell_markers(kind, number, record.get());
+        if (parts.nodes[i].sizes.ode2 > 0) break;
+        tell_markers(kind, number, record.get());
+        move_resting(number);
         break;
       case ItemKind::object:
         ++renewed_objects_;
@@ -140,10 +162,8 @@ void System::refresh(const Model& model) {
       case ItemKind::marker: {
         MarkerPlace& marker = parts.markers[i];
         marker.record = record;
-        FrameShape shape{};
         Vec3<double> local;
-        const bool frame = static_cast<const MarkerPhysics*>(marker.type->physics)->passes_frame(shape, local, record.get());
-        marker.member.batch->refresh(marker.member.entry, frame ? static_cast<const void*>(&local) : record.get());
+        marker.member.batch->refresh(marker.member.entry, passed_record(marker, local));
         break;
       }
       case ItemKind::load:

@@ -41,6 +41,9 @@ class ElementBatch : public Term {
     e.constants = prepared<E>(e.parameters, e.reference);
     compare_laws(entry);
   }
+  void refresh_resting(int entry, const void* record, const Placement& placement) override {
+    take_parameters<E, Record>(entries_[entry].parameters, record, placement);
+  }
   void visit(BlockVisitor& visitor, const Ports&) const override {
     if constexpr (n > 0)
       for (const Entry& e : entries_) {

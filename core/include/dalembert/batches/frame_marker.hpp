@@ -90,6 +90,9 @@ class FrameMarkerBatch : public MarkerBatch {
   void refresh_owner(int entry, const void* record) override {
     if constexpr (owner_has_parameters) renew_parameters<E, OwnerRecord>(owners_[entries_[entry].owner], record);
   }
+  void refresh_resting(int entry, const void*, const Placement& placement) override {
+    if constexpr (owner_has_parameters) take_parameters<E, OwnerRecord>(owners_[entries_[entry].owner], placement.owner, placement);
+  }
   void visit(BlockVisitor& visitor, const Ports&) const override {
     if constexpr (has_geometric)
       for (const Entry& e : entries_) visitor.block(e.dofs, e.dofs);

@@ -94,6 +94,9 @@ class SizedMarkerBatch final : public MarkerBatch {
   void refresh_owner(int entry, const void* record) override {
     entries_[entry].seat.refresh_owner(record, entries_[entry].marker);
   }
+  void refresh_resting(int entry, const void* record, const Placement& placement) override {
+    entries_[entry].seat.sit(record, placement, made_for_);
+  }
   void visit(BlockVisitor& visitor, const Ports&) const override {
     if constexpr (!is_constant)
       for (const Entry& e : entries_) visitor.block(e.dofs, e.dofs);

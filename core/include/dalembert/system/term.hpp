@@ -129,6 +129,8 @@ class Batch {
   virtual void reserve(int /*entries*/) {}
   virtual void add(const void* record, const Placement& placement, const Ports& ports) = 0;
   virtual void refresh(int entry, const void* record) = 0;
+  // Nodes without coordinates, under the entry, have new parameters.
+  virtual void refresh_resting(int /*entry*/, const void* /*record*/, const Placement& /*placement*/) {}
   // Entries of the tangent, in the order in which `tangent` writes.
   virtual void visit(BlockVisitor& visitor, const Ports& ports) const = 0;
   virtual bool traceable() const { return false; }
