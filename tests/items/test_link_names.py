@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import dalembert as exu
-from dalembert.rigidBodyUtilities import HTtranslate, InertiaCuboid
+from dalembert.rigidBodyUtilities import HTtranslate, InertiaCuboid, TreeLink
 from dalembert.robotics import InverseKinematicsNumerical, Robot, RobotLink, VRobotLink
 from dalembert.treeDynamics import RecogniseTrees, TreeDynamics
 
@@ -79,6 +79,13 @@ def from_dictionary(mbs: Any, made: dict[str, Any], place: Any) -> Any:
     return sensor(mbs, dict(item))
 
 
+def of_tree_links(mbs: Any, parent: Any) -> Any:
+    rod = InertiaCuboid(1000, [1, 0.1, 0.1])
+    names = (("column", "yaw", -1), ("upper", "shoulder", 0), ("forearm", "elbow", "upper"), ("hand", "wrist", parent))
+    links = [TreeLink(rod, parent=before, name=name, jointName=joint) for name, joint, before in names]
+    return mbs.CreateKinematicTree("hand", links)
+
+
 # By function or parameter: a call with a link, or a joint; what it returns is the same for number and name.
 CASES: dict[str, Callable[[Any, dict[str, Any], Any], Any]] = {
     "MarkerKinematicTreeRigid.linkNumber": force_on(
@@ -129,6 +136,7 @@ CASES: dict[str, Callable[[Any, dict[str, Any], Any], Any]] = {
         robot.AddLink(RobotLink(1, [0, 0, 0], np.eye(3), parent=i)),
         robot.GetParentIndex(3),
     )[-1],
+    "TreeLink.parent": lambda mbs, made, i: mbs.GetObjectParameter(of_tree_links(mbs, i), "linkParents"),
     "InverseKinematicsNumerical.link": lambda mbs, made, i: InverseKinematicsNumerical(arm(), link=i).robot.name,
 }
 
@@ -235,3 +243,13 @@ def test_recognised_trees_have_the_names_of_bodies_and_joints() -> None:
     trees.Assemble()
     assert trees.GetSensorValues(tip) == pytest.approx([1, 0, 0], abs=1e-14)
     assert trees.GetObjectParameter(tree, "linkNames") == ["thigh", "shank"]
+
+
+def test_links_of_create_functions_have_names() -> None:
+    mbs = exu.SystemContainer().AddSystem()
+    tree = of_tree_links(mbs, "elbow")
+    assert mbs.GetObjectParameter(tree, "linkParents") == [-1, 0, 1, 2]
+    marker = mbs.AddMarker(exu.MarkerKinematicTreeRigid(objectNumber="hand", linkNumber="wrist"))
+    assert mbs.GetMarkerParameter(marker, "linkNumber") == 3
+    with pytest.raises(ValueError, match="name of a link before, link 3 among them.*Did you mean 'forearm'"):
+        of_tree_links(exu.SystemContainer().AddSystem(), "forearn")

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+import shutil
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -381,9 +383,88 @@ def test_links_in_a_circle_and_other_refusals(tmp_path):
         ReadRobot(path)
     with pytest.raises(ValueError, match="a xacro file is a program; run xacro of ROS"):
         LoadURDFrobot("robot.urdf.xacro", tmp_path)
-    with pytest.raises(
-        NotImplementedError, match="'UR5': models inside .* give the URDF file of the robot to LoadURDFrobot"
-    ):
-        GetRoboticsToolboxInternalModel("UR5")
     with pytest.raises(FileNotFoundError):
         ReadRobot(tmp_path / "nothing.urdf")
+
+
+# ---- roboticstoolbox-python --------------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def toolbox(tmp_path, monkeypatch):
+    """Put a stand-in of the toolbox into a folder that imports find: its models read texts, as those of the toolbox do."""
+    files = {
+        "rtbdata/__init__.py": "",
+        "rtbdata/xacro/arm/__init__.py": "",
+        "roboticstoolbox/__init__.py": "from roboticstoolbox import models",
+        "roboticstoolbox/models/__init__.py": "from roboticstoolbox.models import URDF",
+        "roboticstoolbox/tools/__init__.py": "",
+        "roboticstoolbox/tools/urdf.py": "class URDF:\n    @staticmethod\n    def loadstr(text, file): return text, file\n",
+        "roboticstoolbox/models/URDF.py": f"""
+from roboticstoolbox.tools.urdf import URDF
+class URDFRobot:
+    count = 1
+    def __init__(self):
+        for i in range(self.count):
+            self.urdf_filepath = URDF.loadstr(TEXT, 'arm.urdf.xacro')[1]
+class Arm(URDFRobot): pass
+class TwoArms(URDFRobot): count = 2
+class Distant(URDFRobot):
+    def __init__(self): raise OSError('no internet')
+TEXT = {URDF!r}
+""",
+    }
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text)
+    for name in [name for name in sys.modules if name.split(".")[0] in ("roboticstoolbox", "rtbdata")]:
+        monkeypatch.delitem(sys.modules, name)
+    monkeypatch.syspath_prepend(tmp_path)
+    yield tmp_path / "rtbdata/xacro"
+    for name in [name for name in sys.modules if name.split(".")[0] in ("roboticstoolbox", "rtbdata")]:
+        del sys.modules[name]
+
+
+def test_models_of_the_toolbox_are_read_as_it_reads_them(toolbox, package):
+    with pytest.warns(UserWarning, match="shapes are left out: .*arm.urdf.xacro, line .* there is no file"):
+        found = GetRoboticsToolboxInternalModel("Arm")
+    assert found["urdfFilePath"] == "arm.urdf.xacro" and found["urdfBasePath"] == str(toolbox)
+    with pytest.raises(ValueError, match="there is no file 'package://arm/meshes/bar.stl'"):
+        GetRoboticsToolboxInternalModel("Arm", ignoreURDFerrors=False)
+    shutil.copytree(package / "arm", toolbox / "arm", dirs_exist_ok=True)
+    robot = GetRoboticsToolboxInternalModel("Arm", ignoreURDFerrors=False)["robot"]
+    data = [
+        GetURDFrobotData(each, returnStaticGraphicsList=True) for each in (robot, ReadRobot(package / "arm/arm.urdf"))
+    ]
+    assert repr(data[0]) == repr(data[1]) and len(data[0]["staticGraphicsList"]) > 0
+
+
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [
+        ("TwoArm", "modelName: expected one of Arm, Distant, TwoArms, received 'TwoArm'. Did you mean 'TwoArms'"),
+        ("TwoArms", "'TwoArms' is made of 2 URDF files"),
+        ("Distant", "the toolbox cannot make its model 'Distant': no internet"),
+    ],
+)
+def test_models_that_the_toolbox_does_not_have_or_make_are_refused(toolbox, name, message):
+    with pytest.raises(ValueError, match=message):
+        GetRoboticsToolboxInternalModel(name)
+
+
+def test_without_the_toolbox_the_error_says_what_to_install(monkeypatch):
+    monkeypatch.setitem(sys.modules, "roboticstoolbox", None)
+    with pytest.raises(ImportError, match="pip install roboticstoolbox-python.*given to ReadRobot or LoadURDFrobot"):
+        GetRoboticsToolboxInternalModel("UR5")
+
+
+def test_frames_of_a_model_are_those_of_the_toolbox():
+    rtb = pytest.importorskip("roboticstoolbox")
+    robot, other = GetRoboticsToolboxInternalModel("vx300")["robot"], rtb.models.URDF.vx300()
+    q = np.linspace(-1, 1, robot.NumberOfLinks())
+    numbers, theirs = robot.LinkNumbers(), np.zeros(other.n)
+    for link in other.links:
+        if link.isjoint:
+            theirs[link.jindex] = q[numbers[link.name]]
+    for link, T in zip(other.links, other.fkine_all(theirs)[1:], strict=True):
+        np.testing.assert_allclose(robot.FrameHT(link.name, q), np.asarray(T), atol=1e-14)

@@ -387,6 +387,66 @@ def test_ball_on_an_incline(mu: float, rolls: bool, solver: Any) -> None:
     assert world.output(body, "Velocity")[0] == pytest.approx(rate * end, abs=5e-4)
 
 
+@pytest.mark.parametrize(
+    ("gap", "rise", "slip"),
+    [
+        (-0.0046, 0.1051, 1.15),
+        (-0.0040, 0.1254, 1.35),
+        (-0.0012, 0.21, 2.2),
+        (-0.0004, -0.3, 0.5),
+        (-0.002, 0.01, 0.004),
+    ],
+)
+def test_what_leaves_a_plate_is_neither_pulled_nor_driven(gap: float, rise: float, slip: float) -> None:
+    """Foot of a robot that slides and rises, or sinks or sticks: pressure is cut at zero, so friction takes power only.
+
+    Without the cut, friction of a negative pressure would act along the slip: in the second state with 30 W.
+    """
+    stiffness, damping, friction, zone, radius = 5e4, 500.0, 0.8, 0.01, 0.05
+    pressure = max(0.0, -0.5 * stiffness * gap - 2 * damping * rise)
+    for spins in (False, True):
+        world = World(friction, zone)
+        lever = radius + gap
+        spin, velocity = ([0, -slip / lever, 0], [0, 0, rise]) if spins else ([0, 0, 0], [slip, 0, rise])
+        surface = {"stiffness": stiffness, "damping": damping}
+        body = world.ball([0.1, 0.2, radius + gap], velocity, spin, radius=radius, surface=surface)
+        world.mesh(*grid_mesh(1.0, 3), stiffness=stiffness, damping=damping)
+        world.mbs.Assemble()
+        force = world.contact.GetSystemODE2RhsContactForces()
+        rubbed = -friction * pressure * min(1.0, slip / zone)
+        np.testing.assert_allclose(force[:3], [rubbed, 0, pressure], rtol=1e-12, atol=1e-9)
+        # rotation vector and local axes are those of the frame in a state without rotation
+        np.testing.assert_allclose(force[3:], np.cross([0, 0, -lever], [rubbed, 0, 0]), rtol=1e-12, atol=1e-9)
+        before, step = world.output(body, "Velocity"), 1e-6
+        world.solve(step, 1, exu.DynamicSolverType.ExplicitEuler)
+        np.testing.assert_allclose((world.output(body, "Velocity") - before) / step, force[:3], rtol=1e-6, atol=1e-6)
+
+
+@pytest.mark.parametrize("slip", [0.0, 1.5])
+def test_a_damped_bounce_takes_energy_at_every_step(slip: float) -> None:
+    """A ball falls on a plate, slides, and leaves it: contact never gives energy, whatever the damping."""
+    world, k = World(0.8, 1e-2), 5e4
+    surface = {"stiffness": k, "damping": 500.0}
+    body = world.ball([0, 0, 0.051], [slip, 0, -0.5], [0, -10.0 * slip, 0], radius=0.05, surface=surface)
+    world.mesh(*grid_mesh(1.0, 3), stiffness=k, damping=500.0)
+    names = ("Position", "Velocity", "AngularVelocity")
+    sensors = [
+        world.mbs.AddSensor(
+            eii.SensorBody(bodyNumber=body, outputVariableType=getattr(exu.OutputVariableType, n), storeInternal=True)
+        )
+        for n in names
+    ]
+    world.solve(0.05, 50000, exu.DynamicSolverType.ExplicitEuler)
+    position, velocity, spin = (world.mbs.GetSensorStoredData(s)[:, 1:4] for s in sensors)
+    inertia = 0.4 * 0.05**2
+    energy = 0.5 * (velocity**2).sum(axis=1) + 0.5 * inertia * (spin**2).sum(axis=1)
+    elastic = 0.5 * (k / 2) * np.minimum(position[:, 2] - 0.05, 0) ** 2
+    assert velocity[-1, 2] > 0 and position[-1, 2] > 0.05
+    assert np.diff(velocity[:, 2]).min() > -1e-12  # never pulled
+    assert np.diff(energy + elastic).max() < 1e-5
+    assert energy[-1] < energy[0] - 0.05
+
+
 def test_materials_make_pairs() -> None:
     """A sliding ball is slowed by the coefficient of its own material and that of the ground."""
     world = World(friction=[[0.0, 0.2], [0.2, 0.7]])

@@ -18,8 +18,9 @@ class TreeLink:
     """A link with its joint, as used by MainSystem.CreateKinematicTree.
 
     jointType None means JointType.RevoluteZ; jointHT maps this link's joint frame to the frame of the parent link;
-    parent is the index of the parent link, -1 for ground, None for the previous link; PDcontrol holds the control
-    parameters; graphicsDataList None draws a default link, [] draws nothing.
+    parent is the index or name of the parent link, -1 for ground, None for the previous link; PDcontrol holds the
+    control parameters; graphicsDataList None draws a default link, [] draws nothing. name and jointName stand for the
+    number of the link and of its coordinate, wherever one is asked for.
     """
 
     def __init__(
@@ -27,9 +28,11 @@ class TreeLink:
         linkInertia: RigidBodyInertia,
         jointType: Any = None,
         jointHT: npt.ArrayLike = HT0(),
-        parent: int | None = None,
+        parent: int | str | None = None,
         PDcontrol: Any = None,
         graphicsDataList: list[dict[str, Any]] | None = None,
+        name: str = "",
+        jointName: str = "",
     ) -> None:
         if jointType is None:
             import dalembert as exu
@@ -41,6 +44,8 @@ class TreeLink:
         self.parent = parent
         self.PDcontrol = PDcontrol
         self.graphicsDataList = graphicsDataList
+        self.name = name
+        self.jointName = jointName
 
 
 class RigidBodyInertia:

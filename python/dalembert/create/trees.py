@@ -12,6 +12,7 @@ from dalembert import itemInterface as items
 from dalembert._checks import as_color
 from dalembert._core import JointType, MainSystem, Matrix3DList, ObjectIndex, Vector3DList
 from dalembert._geometry.inertia import TreeLink
+from dalembert._tools.missing_names import nearest
 from dalembert.create import bodies
 from dalembert.create._arguments import (
     DEFAULT_COLOR,
@@ -31,14 +32,30 @@ from dalembert.rigidBodyUtilities import HT2rotationMatrix, HT2translation
 
 def _parents(links: Sequence[TreeLink]) -> list[int]:
     """Return the parent of each link: all of them are given, or each link hangs on the one before."""
-    given = [link.parent for link in links]
-    if all(parent is None for parent in given):
+    if all(link.parent is None for link in links):
         return [i - 1 for i in range(len(links))]
-    for i, parent in enumerate(given):
+    parents: list[int] = []
+    numbers: dict[str, int] = {}  # of the links before; those of joints where no link is called so
+    for i, link in enumerate(links):
+        parent = numbers.get(link.parent) if isinstance(link.parent, str) else link.parent
         if parent is None or not -1 <= parent < i:
-            expected = f"links whose parent is -1 or the index of a link before, link {i} among them; or None for all"
-            raise argument_error("CreateKinematicTree", "listOfTreeLinks", expected, parent)
-    return [int(parent) for parent in given if parent is not None]
+            expected = (
+                f"links whose parent is -1 or the index or name of a link before, link {i} among them; or None for all"
+                + (nearest(link.parent, numbers) if isinstance(link.parent, str) else "")
+            )
+            raise argument_error("CreateKinematicTree", "listOfTreeLinks", expected, link.parent)
+        parents.append(int(parent))
+        if link.jointName:
+            numbers.setdefault(link.jointName, i)
+        if link.name:
+            numbers[link.name] = i
+    return parents
+
+
+def _names(links: Sequence[TreeLink], field: str) -> list[str]:
+    """Return the names of links or joints; nothing where there are none."""
+    names = [getattr(link, field) for link in links]
+    return names if any(names) else []
 
 
 def _of_joints(name: str, values: Any, count: int, default: Any) -> Any:
@@ -131,6 +148,8 @@ def CreateKinematicTree(
         baseOffset=baseOffset,
         jointTypes=[link.jointType for link in links],
         linkParents=parents,
+        linkNames=_names(links, "name"),
+        jointNames=_names(links, "jointName"),
         jointTransformations=Matrix3DList([HT2rotationMatrix(link.jointHT) for link in links]),
         jointOffsets=Vector3DList([HT2translation(link.jointHT) for link in links]),
         linkInertiasCOM=Matrix3DList([link.linkInertia.InertiaCOM() for link in links]),

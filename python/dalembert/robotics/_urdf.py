@@ -172,9 +172,11 @@ def _unique(things: Sequence[Body | Joint], what: str) -> None:
         seen[thing.name] = thing
 
 
-def read_urdf(fileName: str | Path, packages: Packages | None = None, shapes: bool = True) -> Description:
-    """Return what a URDF file says; ValueError with file and line of what is wrong."""
-    root = read(fileName)
+def read_urdf(
+    fileName: str | Path, packages: Packages | None = None, shapes: bool = True, text: str | None = None
+) -> Description:
+    """Return what a URDF file says, or a text in its place; ValueError with file and line of what is wrong."""
+    root = read(fileName, text)
     if root.tag != "robot":
         root.fail("expected <robot> as the first element of a URDF file")
     files = _Files(Path(fileName), packages) if shapes else None

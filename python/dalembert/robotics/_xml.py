@@ -71,8 +71,8 @@ class Element:
         return value if value >= 0 else self.fail(f"{name}: expected a number that is not negative, received {value:g}")
 
 
-def read(fileName: str | Path) -> Element:
-    """Return the root of an XML file; ValueError with the line of what is no XML."""
+def read(fileName: str | Path, text: str | None = None) -> Element:
+    """Return the root of an XML file, or of a text instead; ValueError with the line of what is no XML."""
     file = str(fileName)
     parser = expat.ParserCreate()
     root = Element("", {}, file, 0)
@@ -86,7 +86,7 @@ def read(fileName: str | Path) -> Element:
     parser.StartElementHandler = start
     parser.EndElementHandler = lambda tag: path.pop()
     try:
-        parser.Parse(Path(fileName).read_bytes(), True)
+        parser.Parse(Path(fileName).read_bytes() if text is None else text, True)
     except expat.ExpatError as error:
         raise ValueError(f"{file}, line {error.lineno}: no XML: {expat.ErrorString(error.code)}") from None
     return root.children[0]

@@ -6,9 +6,10 @@ for models that make their links themselves.
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -134,12 +135,23 @@ def GetURDFrobotData(
     }
 
 
-def GetRoboticsToolboxInternalModel(modelName: str = "", ignoreURDFerrors: bool = True) -> NoReturn:
-    """Refuse: models of the package roboticstoolbox-python are not read; LoadURDFrobot reads their URDF files."""
-    raise NotImplementedError(
-        f"GetRoboticsToolboxInternalModel: '{modelName}': models inside the package roboticstoolbox-python are not "
-        "read; give the URDF file of the robot to LoadURDFrobot"
-    )
+def GetRoboticsToolboxInternalModel(modelName: str = "", ignoreURDFerrors: bool = True) -> dict[str, Any]:
+    """Return the same as LoadURDFrobot, of a model that the package roboticstoolbox-python knows by name, as 'Puma560'.
+
+    The package must be installed (ImportError). It fetches some models from the internet when they are first used. With
+    ignoreURDFerrors, shapes that cannot be read are left out, with a warning; else they are a ValueError.
+    """
+    from dalembert.robotics._toolbox import toolbox_model
+
+    model = toolbox_model(modelName)
+    try:
+        robot = robot_of(read_urdf(model.file, model.packages, True, model.text))
+    except ValueError as error:
+        if not ignoreURDFerrors:
+            raise
+        robot = robot_of(read_urdf(model.file, model.packages, False, model.text))
+        warnings.warn(f"GetRoboticsToolboxInternalModel: shapes are left out: {error}", stacklevel=2)
+    return {"robot": robot, "urdf": robot, "urdfBasePath": str(model.packages), "urdfFilePath": str(model.file)}
 
 
 def AddLidar(
