@@ -13,11 +13,21 @@ from pathlib import Path
 from typing import Any
 
 from dalembert._core import Print
+from dalembert._live import widget
+from dalembert._live.server import PageServer
 from dalembert._live.viewer import Viewer, start, viewer_of
 
 
 def open_page(container: Any, where: str, verbose: int = 0) -> None:
-    """Start the viewer of a container, and bring a reader there; nothing more if it has one."""
+    """Start the viewer of a container, and bring a reader there; nothing more if it has one.
+
+    Notebooks show it below the cell that is running, also if it has been shown before.
+    """
+    if where == "notebook" and widget.is_installed():
+        from dalembert._live import notebook
+
+        notebook.show(container)
+        return
     if viewer_of(container) is not None:
         return
     viewer = start(container, _port())
@@ -28,7 +38,8 @@ def open_page(container: Any, where: str, verbose: int = 0) -> None:
     elif where == "notebook":
         shown = import_module("IPython.display")
         address = escape(viewer.server.address, quote=True)
-        shown.display(shown.HTML(f'<a href="{address}" target="_blank" rel="noreferrer">live view</a>'))
+        words = "in the notebook: pip install 'dalembert[notebook]'"
+        shown.display(shown.HTML(f'<a href="{address}" target="_blank" rel="noreferrer">live view</a> ({words})'))
     else:
         Print(_words(viewer))
 
@@ -42,6 +53,7 @@ def _port() -> int:
 
 
 def _words(viewer: Viewer) -> str:
+    assert isinstance(viewer.server, PageServer)
     port = viewer.server.port
     lines = [f"dalembert: the page is at {viewer.server.address}"]
     if "SSH_CONNECTION" in os.environ:

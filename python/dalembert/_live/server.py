@@ -77,6 +77,10 @@ class PageServer:
         """Return whether a page waits for something to draw."""
         return any(page.ready for page in list(self._pages.values()))
 
+    def answers(self) -> bool:
+        """Return whether pages can be heard now; by a thread of its own, always."""
+        return True
+
     def publish(self, scene_number: int, scene: Callable[[], bytes], frame: bytes) -> None:
         """Send a frame, or the whole scene to pages that have another; to those that are busy, when they are ready."""
         self._do(self._publish, scene_number, scene, frame)
