@@ -18,6 +18,7 @@ import numpy as np
 from dalembert import _core
 from dalembert._live import details, keys
 from dalembert._live.messages import Stage, palette
+from dalembert._live.opening import PATIENCE, RETURN
 from dalembert._live.server import PageServer
 from dalembert._live.widget import WidgetLink
 from dalembert._pictures import draw
@@ -29,8 +30,6 @@ from dalembert._pictures.studio import Studio
 SHORTEST = 1 / 30  # s between pictures, unless settings say otherwise
 SHARE = 0.25  # of the time, at most, is spent on pictures: the interpreter is needed by others
 OFTEN = 0.5  # s between looks at what has no signal: settings that scripts change, outputs of the selected item
-ARRIVAL = 20.0  # s until a browser that was opened has to ask for its page
-RETURN = 3.0  # s until a page that was reloaded is back
 
 Receive = Callable[[int, dict[str, Any]], None]
 Link = PageServer | WidgetLink
@@ -81,7 +80,7 @@ class Viewer:
         self._made = self._checked = self._next = 0.0
         self._known_settings = ""
         self._complaint = ""
-        self._seen = time.monotonic() + ARRIVAL - RETURN  # when a page was there, or is expected
+        self._seen = time.monotonic() + PATIENCE["browser"] - RETURN  # when a page was there, or is expected
         self.at_end: Callable[[], object] = lambda: None
         self.server = link(self._receive)
         self._thread = threading.Thread(target=self._work, name="dalembert viewer", daemon=True)

@@ -2,6 +2,7 @@
 import { read } from "./data.js";
 import { Socket } from "./link.js";
 import { Live } from "./live.js";
+import { Monitor } from "./monitor.js";
 import { Motion } from "./motion.js";
 
 export { widget } from "./notebook.js";
@@ -15,5 +16,6 @@ if (place && data) {
 } else if (place) {
   const token = location.hash.slice(1);
   history.replaceState(null, "", "/"); // it is not to be seen, nor to be in the history
-  window.page = new Live(place, new Socket(token || sessionStorage.getItem("token") || ""));
+  const link = new Socket(token || sessionStorage.getItem("token") || "");
+  window.page = place.dataset.shows === "monitor" ? new Monitor(place, link) : new Live(place, link);
 }
