@@ -315,6 +315,32 @@ py::object contact_forces(const ContactHandle& self, bool) {
   return new_array({static_cast<py::ssize_t>(forces.size())}, forces.data());
 }
 
+// Searched anew by a term of its own: nothing that a solver keeps is touched.
+py::tuple pushes(const ContactHandle& self, const py::object& value) {
+  constexpr const char* method = "_pushes";
+  const ConfigurationType configuration = configuration_argument(value, [] { return std::string("GeneralContact._pushes(...)"); });
+  System& system = self.system(method);
+  require_own_thread(*self.main, ContactHandle::called(method));
+  if (configuration == ConfigurationType::Visualization) self.main->look_wanted = true;
+  std::vector<GeneralContact::Push> found;
+  system.with_ports(configuration, [&](const Ports& ports) {
+    GeneralContact term(self.set, ports, Model::term_name(static_cast<std::size_t>(self.number())));
+    term.enter(system, self.main->model);
+    found = term.pushes(ports, configuration);
+  });
+  const auto n = static_cast<py::ssize_t>(found.size());
+  py::array_t<int> pairs({n, py::ssize_t{2}});
+  std::vector<double> points, forces;
+  for (py::ssize_t i = 0; i < n; ++i) {
+    const GeneralContact::Push& push = found[static_cast<std::size_t>(i)];
+    pairs.mutable_at(i, 0) = push.sphere;
+    pairs.mutable_at(i, 1) = push.other;
+    points.insert(points.end(), push.point.x.begin(), push.point.x.end());
+    forces.insert(forces.end(), push.force.x.begin(), push.force.x.end());
+  }
+  return py::make_tuple(pairs, new_array({n, 3}, points.data()), new_array({n, 3}, forces.data()));
+}
+
 // ---- settings --------------------------------------------------------------------------------------------------------
 
 // Search and threads find their own way: these have no effect.
@@ -443,6 +469,8 @@ void register_general_contact(py::module_& module) {
   contact.def("UpdateContacts", &update_contacts, py::arg("mainSystem"), "Find what touches in the current state.");
   contact.def("GetActiveContacts", &active_contacts, py::arg("typeIndex"), py::arg("itemIndex"), "What touched at the last search: global numbers, negative where it slips.");
   contact.def("GetSystemODE2RhsContactForces", &contact_forces, py::arg("copy") = false, "Generalised forces of contact in the current state.");
+  contact.def("_pushes", &pushes, py::arg("configuration"),
+              "What pushes: sphere and the other by global numbers (n x 2), points (n x 3), forces on the spheres (n x 3).");
   contact.def("GetPythonObject", &python_object, "Settings and counts as a dictionary.");
   contact.def("Reset", &reset, py::arg("freeMemory") = true, "Remove all spheres and triangles, and set everything back.");
   contact.def_property("isActive", [](const ContactHandle& self) { return self.set->active; }, [](const ContactHandle& self, bool flag) { self.set->active = flag; },

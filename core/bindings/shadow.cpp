@@ -1,5 +1,6 @@
 #include "shadow.hpp"
 
+#include "dalembert/contact/contact_set.hpp"
 #include "python_callback.hpp"
 
 namespace dalembert {
@@ -13,6 +14,9 @@ Shadow::News Shadow::follow() {
   const bool assembled = original->consistent();
   const std::uint64_t structure = original->model.structure_changes(), version = original->system.version();
   news.structure = structure != structure_ || assembled != assembled_ || (version != version_ && original->work == nullptr);
+  const std::uint64_t contacts = contacts_of(*original);
+  news.structure = news.structure || contacts != contacts_;
+  contacts_ = contacts;
   if (news.structure) {
     copy_items(*original);
     structure_ = structure;
@@ -37,10 +41,21 @@ void Shadow::copy_items(const MainSystem& original) {
       model.add(std::move(item));
     }
   }
+  for (const auto& source : original.model.term_sources()) model.add(std::make_shared<ContactSet>(static_cast<const ContactSet&>(*source)));
   system_->variables = original.variables;
   system_->sys = original.sys;
   system_->container = original.container;
   system_->become(std::move(model), original.consistent());
+}
+
+// Grows, or jumps, with what general contacts hold.
+std::uint64_t Shadow::contacts_of(const MainSystem& original) {
+  std::uint64_t result = 0;
+  for (const auto& source : original.model.term_sources()) {
+    const auto& set = static_cast<const ContactSet&>(*source);
+    result = 31 * result + 4 * set.shapes + 2 * (set.active ? 1 : 0) + (set.spheres_touch ? 1 : 0);
+  }
+  return result;
 }
 
 bool Shadow::renew_items(const MainSystem& original) {

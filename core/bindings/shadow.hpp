@@ -30,11 +30,12 @@ class Shadow {
   bool renew_items(const MainSystem& original);
   void copy_items(const MainSystem& original);
   bool follow_state(MainSystem& original);
+  static std::uint64_t contacts_of(const MainSystem& original);
 
   const std::weak_ptr<MainSystem> original_;
   const std::shared_ptr<MainSystem> system_ = std::make_shared<MainSystem>();
   std::array<std::vector<std::shared_ptr<const void>>, item_kinds> records_;  // of the original: a change replaces them
-  std::uint64_t structure_ = ~std::uint64_t{0}, version_ = 0;
+  std::uint64_t structure_ = ~std::uint64_t{0}, version_ = 0, contacts_ = 0;
   bool assembled_ = false;
 };
 

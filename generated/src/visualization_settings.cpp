@@ -316,12 +316,8 @@ constexpr std::array<Row, 17> VSettingsContact_rows{{
     {.name = "tilingCurves", .storage = Storage::integer, .offset = offsetof(VSettingsContact, tilingCurves), .role = Role::parameter, .check = Check::positive},
     {.name = "tilingSpheres", .storage = Storage::integer, .offset = offsetof(VSettingsContact, tilingSpheres), .role = Role::parameter, .check = Check::positive},
 }};
-constexpr std::array<SettingRule, 8> VSettingsContact_rules{{
+constexpr std::array<SettingRule, 4> VSettingsContact_rules{{
     {.name = "colorTori", .no_effect = "general contact has no tori"},
-    {.name = "contactForcesFactor", .no_effect = "forces of general contact are not drawn"},
-    {.name = "contactPointsDefaultSize", .no_effect = "forces of general contact are not drawn"},
-    {.name = "showContactForces", .no_effect = "forces of general contact are not drawn"},
-    {.name = "showContactForcesValues", .no_effect = "forces of general contact are not drawn"},
     {.name = "showTori", .no_effect = "general contact has no tori"},
     {.name = "tilingCurves", .no_effect = "general contact has no curves of its own"},
     {.name = "tilingSpheres", .no_effect = "spheres are round"},

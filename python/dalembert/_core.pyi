@@ -84,6 +84,7 @@ class Renderer(_NotMade):
     ResetState = renderer.ResetState
     SendRedrawSignal = renderer.SendRedrawSignal
     GetRenderCount = renderer.GetRenderCount
+    _ipython_display_ = renderer._ipython_display_
     materials: GraphicsMaterialList
 
 class _Shadow(_Bound):

@@ -358,6 +358,12 @@ def _parser() -> argparse.ArgumentParser:
     )
     demo.add_argument("-o", "--output", default="slider_crank.png", help="the PNG file to write")
     demo.set_defaults(function=_demo)
+
+    from dalembert import resultsMonitor
+
+    monitor = commands.add_parser("monitor", help="show a file of a sensor, a solution or a study while it is written")
+    resultsMonitor.add_arguments(monitor)
+    monitor.set_defaults(function=lambda given: resultsMonitor.show(given, monitor))
     return parser
 
 

@@ -88,7 +88,7 @@ class InteractiveDialog:
         self.InitializeSolver()
         self.InitializePlots()
         self.ProcessWidgetStates()
-        if self.SC.renderer.IsActive():
+        if self._has_readers():
             from dalembert._live import dialogs, viewer
 
             dialogs.run(self, viewer.start(self.SC), runOnStart)
@@ -97,6 +97,17 @@ class InteractiveDialog:
             if runOnStart:
                 self.StartSimulation()
         self.FinalizeSolver()
+
+    def _has_readers(self) -> bool:
+        """Return whether there is a page, and what its reader does is heard."""
+        if not self.SC.renderer.IsActive():
+            return False
+        from dalembert._live import viewer
+
+        found = viewer.start(self.SC).server.answers()
+        if not found:
+            Print("dalembert: pages cannot be heard while this cell runs; first SC.renderer.Start() in another cell.")
+        return found
 
     def OnQuit(self, event: Any = None) -> None:
         """Stop the simulation."""
@@ -272,11 +283,11 @@ def SolutionViewer(
         raise ValueError(f"SolutionViewer: runMode: expected 0, 1 or 2, received {runMode}")
     if not 1 <= rowIncrement <= data["nRows"]:
         raise ValueError(f"SolutionViewer: rowIncrement: expected 1 to {data['nRows']} (rows), received {rowIncrement}")
-    SetSolutionState(mainSystem, data, 0, ConfigurationType.Visualization)
     from dalembert._pictures.showing import show_solution
 
     rows = {**data, "data": np.asarray(data["data"], float)[::rowIncrement]}
     if not show_solution(mainSystem, rows, timeout, title, runOnStart, runMode):
+        SetSolutionState(mainSystem, data, 0, ConfigurationType.Visualization)
         _notice_once(title or "SolutionViewer")
 
 

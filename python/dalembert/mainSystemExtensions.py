@@ -13,7 +13,7 @@ from dalembert._pictures.draw import Draw, DrawSolution
 from dalembert._pictures.glb import SaveGLB
 from dalembert._pictures.html import SaveHTML
 from dalembert._pictures.vtu import SaveVTU
-from dalembert._plots.repr_html import _repr_html_
+from dalembert._plots.repr_html import _ipython_display_, _repr_html_
 from dalembert._plots.system_graph import DrawSystemGraph
 from dalembert._solving.buckling import ComputeBucklingLoads
 from dalembert._solving.consistent import ComputeConsistentInitialConditions
@@ -64,6 +64,7 @@ methods: dict[str, Callable[..., Any]] = (
             pickling.__copy__,
             pickling.__deepcopy__,
             pickling.__reduce__,
+            _ipython_display_,
             _repr_html_,
             solver.ComputeLinearizedSystem,
             solver.ComputeODE2Eigenvalues,

@@ -131,3 +131,147 @@ def test_files_of_other_programs_have_them(world: Any, tmp_path: Any) -> None:
     settings.contact.showTriangles = True
     mbs.SaveVTU(tmp_path / "contact.vtu")
     assert (tmp_path / "contact.vtu").stat().st_size > 0
+
+
+# ---- forces
+
+
+def solved(mbs: Any, steps: int, end: float) -> None:
+    settings = exu.SimulationSettings()
+    settings.timeIntegration.numberOfSteps = steps
+    settings.timeIntegration.endTime = end
+    settings.solutionSettings.writeSolutionToFile = False
+    mbs.SolveDynamic(settings, solverType=exu.DynamicSolverType.ExplicitMidpoint)
+
+
+@pytest.fixture
+def slide(SC: Any, mbs: Any) -> tuple[Any, Any]:
+    """A ball of radius 0.1 slides on a large triangle, another one sits on the first, with friction."""
+    ground = mbs.CreateGround()
+    markers = [mbs.AddMarker(eii.MarkerBodyRigid(bodyNumber=ground))]
+    inertia = exu.utilities.InertiaSphere(1, 0.1)
+    for place, speed in (([0, 0, 0.0995], [1, 0, 0]), ([0, 0, 0.2988], [1, 0.2, 0])):
+        body = mbs.CreateRigidBody(inertia, referencePosition=place, initialVelocity=speed, gravity=[0, 0, -10])
+        markers.append(mbs.AddMarker(eii.MarkerBodyRigid(bodyNumber=body)))
+    contact = mbs.AddGeneralContact()
+    contact.SetFrictionPairings([[0.3]])
+    contact.AddTrianglesRigidBodyBased(markers[0], 4e4, 20, 0, [[-9, -9, 0], [9, -9, 0], [0, 9, 0]], [[0, 1, 2]])
+    for marker in markers[1:]:
+        contact.AddSphereWithMarker(marker, 0.1, 4e4, 20, 0)
+    mbs.Assemble()
+    solved(mbs, 100, 0.01)
+    return mbs, SC.visualizationSettings
+
+
+def test_forces_are_those_of_the_equations(slide: tuple[Any, Any]) -> None:
+    """Their sums by sphere are the generalised forces, as are their moments; points lie on the spheres and on the triangle."""
+    mbs, _ = slide
+    contact = mbs.GetGeneralContact(0)
+    pairs, points, forces = contact._pushes(exu.ConfigurationType.Visualization)
+    assert pairs.tolist() == [[0, 1], [0, 2]] and (np.linalg.norm(forces, axis=1) > 0).all()
+    assert np.hypot(*forces[1, :2]) == pytest.approx(0.3 * forces[1, 2], rel=1e-9)  # it slides
+    whole = contact.GetSystemODE2RhsContactForces().reshape(2, 7)[:, :3]
+    np.testing.assert_allclose([forces.sum(axis=0), -forces[0]], whole, rtol=1e-9, atol=1e-9)
+    centers = [mbs.GetNodeOutput(n, exu.OutputVariableType.Position) for n in range(2)]
+    assert points[1, 2] == pytest.approx(0, abs=1e-15) and np.linalg.norm(points[1] - centers[0]) < 0.1
+    assert np.linalg.norm(points[0] - centers[0]) == pytest.approx(
+        np.linalg.norm(centers[1] - centers[0]) / 2, rel=1e-9
+    )
+
+
+def test_forces_are_drawn_where_they_push(slide: tuple[Any, Any]) -> None:
+    mbs, settings = slide
+    settings.contact.showContactForces = settings.contact.showContactForcesValues = True
+    settings.contact.contactForcesFactor, settings.contact.contactPointsDefaultSize = 0.02, 0.01
+    _, points, forces = mbs.GetGeneralContact(0)._pushes(exu.ConfigurationType.Visualization)
+    scene = SceneMaker(mbs, settings).scene()
+    spheres, arrows, lines = of_contact(scene)
+    np.testing.assert_allclose([center for center, *_ in spheres], points)
+    assert [radius for _, radius, _ in spheres] == pytest.approx([0.005, 0.005]) and not lines
+    tips = [
+        max(corners @ force) / np.linalg.norm(force) for corners, force in zip(_by_two(arrows), forces, strict=True)
+    ]
+    expected = [
+        (point + 0.02 * force) @ force / np.linalg.norm(force) for point, force in zip(points, forces, strict=True)
+    ]
+    np.testing.assert_allclose(tips, expected, rtol=1e-6)
+    assert [label.text for label in scene.labels] == [f"{np.linalg.norm(force):.4g} N" for force in forces]
+
+
+def _by_two(parts: list[Any]) -> list[Any]:
+    """An arrow has a shaft and a tip, in one mesh or in two."""
+    size = len(parts) // 2
+    return [np.concatenate(parts[:size]), np.concatenate(parts[size:])]
+
+
+def test_asking_for_forces_changes_no_result(slide: tuple[Any, Any]) -> None:
+    """Neither between two solutions nor between two steps."""
+    mbs, settings = slide
+
+    def end(asks: bool) -> Any:
+        def look(mbs: Any, t: float) -> bool:
+            if asks:
+                mbs.GetGeneralContact(0)._pushes(exu.ConfigurationType.Visualization)
+                mbs.GetGeneralContact(0)._pushes(exu.ConfigurationType.Current)
+            return True
+
+        mbs.SetPreStepUserFunction(look)
+        simulation = exu.SimulationSettings()
+        simulation.timeIntegration.numberOfSteps = 50
+        simulation.timeIntegration.endTime = 0.05
+        simulation.solutionSettings.writeSolutionToFile = False
+        mbs.SolveDynamic(simulation)
+        return mbs.systemData.GetSystemState()
+
+    for first, second in zip(end(True), end(False), strict=True):
+        np.testing.assert_array_equal(first, second)
+
+
+def test_forces_of_circles_on_cables(SC: Any, mbs: Any) -> None:
+    nodes = [mbs.AddNode(eii.NodePoint2DSlope1(referenceCoordinates=[x, 0, 1, 0])) for x in (0, 1)]
+    cable = mbs.AddObject(
+        eii.ObjectANCFCable2D(
+            nodeNumbers=nodes,
+            physicsLength=1,
+            physicsMassPerLength=1,
+            physicsBendingStiffness=1,
+            physicsAxialStiffness=1,
+        )
+    )
+    ball = mbs.CreateMassPoint(referencePosition=[0.4, 0.119, 0], physicsMass=1, create2D=True)
+    contact = mbs.AddGeneralContact()
+    contact.SetFrictionPairings([[0.0]])
+    contact.AddANCFCable(cable, 0.02, 1e5, 0, 0)
+    contact.AddSphereWithMarker(mbs.AddMarker(eii.MarkerBodyPosition(bodyNumber=ball)), 0.1, 1e5, 0, 0)
+    mbs.Assemble()
+    pairs, (point,), (force,) = contact._pushes(exu.ConfigurationType.Visualization)
+    assert pairs.tolist() == [[0, 1]]
+    np.testing.assert_allclose(point, [0.4, 0.019, 0], atol=1e-12)
+    np.testing.assert_allclose(force[:2], contact.GetSystemODE2RhsContactForces()[-2:], rtol=1e-12, atol=1e-12)
+    assert force[1] > 0
+
+
+def test_shadows_of_systems_have_their_contacts(slide: tuple[Any, Any]) -> None:
+    """What pages draw; they follow changes of what contact holds."""
+    mbs, settings = slide
+    settings.contact.showSpheres = settings.contact.showContactForces = True
+    shadow = exu._core._Shadow(mbs)
+    assert shadow.follow()[2] and not any(shadow.follow())
+    assert len(of_contact(SceneMaker(shadow.system, settings).scene())[0]) == 4
+    mbs.GetGeneralContact(0).SetSphereMarkerBased(1, radius=0.15)
+    assert shadow.follow()[2]
+    radii = [radius for _, radius, _ in of_contact(SceneMaker(shadow.system, settings).scene())[0]]
+    assert radii[:2] == pytest.approx([0.1, 0.15])
+
+
+def test_contacts_that_have_no_direction_are_not_drawn(SC: Any, mbs: Any) -> None:
+    markers = [mbs.AddMarker(eii.MarkerBodyPosition(bodyNumber=mbs.CreateMassPoint(physicsMass=1))) for _ in range(2)]
+    contact = mbs.AddGeneralContact()
+    contact.SetFrictionPairings([[0.0]])
+    for marker in markers:
+        contact.AddSphereWithMarker(marker, 0.1, 1e4, 0, 0)
+    mbs.Assemble()
+    SC.visualizationSettings.contact.showContactForces = True
+    assert of_contact(SceneMaker(mbs, SC.visualizationSettings).scene()) == ([], [], [])
+    contact.isActive = False
+    assert len(contact._pushes(exu.ConfigurationType.Visualization)[0]) == 0

@@ -149,6 +149,22 @@ def test_keys(viewer: Viewer, tab: Tab) -> None:
     assert tab.value("page.place.classList.contains('dark')")
 
 
+def test_all_is_seen_again_after_the_view_was_moved(SC: Any, tab: Tab) -> None:
+    """The state of the renderer is that of readers; a page that is opened does not fix it."""
+    assert "zoom" not in SC.renderer._state
+    first = tab.value("page.looking()")
+    tab.press(".", "Period")
+    tab.press("4", "Numpad4")
+    tab.wait("!page.turned")
+    turned = tab.value("page.looking().rotation")
+    while "zoom" not in SC.renderer._state or SC.renderer.GetState()["zoom"] == pytest.approx(first["zoom"]):
+        tab.value("new Promise((go) => setTimeout(go, 20))")
+    tab.press("a")
+    tab.wait(f"page.looking().zoom > {0.95 * first['zoom']}")
+    assert tab.value("page.looking().rotation") == pytest.approx(turned, abs=1e-5)
+    assert "zoom" not in SC.renderer._state
+
+
 def test_measuring_and_cutting(tab: Tab) -> None:
     """The brick is 0.4 wide; cut in the middle, it is not hit any more where it was."""
     tab.value("page.look({ rotation: [1, 0, 0, 0, 1, 0, 0, 0, 1], center: [1, 0, 0], zoom: 1 })")

@@ -1,15 +1,12 @@
-"""Dialogs and the monitor of results, as far as they need no display."""
+"""Dialogs, as far as they need no display."""
 
 from __future__ import annotations
 
-from pathlib import Path
-
-import matplotlib.pyplot
 import numpy as np
 import pytest
 
 import dalembert as exu
-from dalembert import GUI, resultsMonitor
+from dalembert import GUI
 
 
 def test_settings_are_edited_as_texts() -> None:
@@ -55,24 +52,3 @@ def test_without_a_display_dialogs_say_so(monkeypatch: pytest.MonkeyPatch) -> No
     monkeypatch.delenv("DISPLAY", raising=False)
     with pytest.raises((RuntimeError, ImportError), match="set the attributes instead"):
         GUI.EditDictionaryWithTypeInfo(exu.SimulationSettings())
-
-
-def test_the_monitor_follows_a_growing_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    file = tmp_path / "sensor.txt"
-    file.write_text("#header\n0,1,2\n0.1,3,4\n0.2,")  # the last line is being written
-    monitor = resultsMonitor.Monitor(str(file), ycols=[1, 2], addMarker=True)
-    assert [line.get_ydata().tolist() for line, _ in monitor._lines] == [[1, 3], [2, 4]]
-    assert not monitor.update()
-    with open(file, "a") as more:
-        more.write("5,6\n")
-    assert monitor.update() and monitor._lines[1][0].get_xydata()[-1].tolist() == [0.2, 6]
-    with pytest.raises(ValueError, match="has columns 0 to 2, but not 3"):
-        resultsMonitor.Monitor(str(file), ycols=[3])
-    for arguments, text in (
-        (["none.txt"], "there is no such file in the folder"),
-        ([str(file)], "there is no display for a window"),
-    ):
-        with pytest.raises(SystemExit):
-            resultsMonitor.main(arguments)
-        assert text in capsys.readouterr().err
-    matplotlib.pyplot.close("all")

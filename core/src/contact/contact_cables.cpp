@@ -39,9 +39,9 @@ void GeneralContact::take_cables(const double* q, const double* v) const {
 }
 
 // For questions between evaluations.
-void GeneralContact::take_cables_of_system() const {
+void GeneralContact::take_cables_of_system(ConfigurationType configuration) const {
   if (cables_.empty()) return;
-  const State& now = system_->state(ConfigurationType::Current);
+  const State& now = system_->state(configuration);
   std::vector<double> q = system_->state(ConfigurationType::Reference).q;
   for (std::size_t i = 0; i < q.size(); ++i) q[i] += now.q[i];
   take_cables(q.data(), now.v.data());

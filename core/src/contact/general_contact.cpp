@@ -60,6 +60,30 @@ void GeneralContact::add_held(const HeldContact& c, Ports& ports) const {
   push(second, -f, -cross(at.arm1, f));
 }
 
+std::vector<GeneralContact::Push> GeneralContact::pushes(const Ports& ports, ConfigurationType configuration) {
+  take_cables_of_system(configuration);
+  find(ports, touching_);
+  std::vector<Push> result;
+  for (const HeldContact& c : touching_) {
+    const Partner first{sphere(c.sphere).marker, turns(c.sphere)};
+    const Vec3<double>& centre = read_frame<PointPort>(ports, first.marker).position;
+    if (is_cable(c)) {
+      const CableNow& cable = cables_now_[static_cast<std::size_t>(c.other - set_->first_cable())];
+      const Vec3<double> f = cable_forces(c, frame_of(first.marker, ports), cable.q, cable.v, {}).on_circle.force;
+      const CableShape& shape = cables_[static_cast<std::size_t>(c.other - set_->first_cable())];
+      const Vec<double, 2> middle = shape.at(shape.weights(0.5 * (c.along.begin + c.along.end)), cable.q);
+      const Vec3<double> arm{middle[0] - centre[0], middle[1] - centre[1], 0};
+      result.push_back({c.sphere, c.other, centre + (sphere(c.sphere).radius / norm(arm)) * arm, f});
+      continue;
+    }
+    const Partner second = partner_of(c);
+    const Meeting<double> at = meet(c, ports);
+    const Vec3<double> velocity = velocity_at(second.marker, second.turns, at.arm1, ports) - velocity_at(first.marker, first.turns, at.arm0, ports);
+    result.push_back({c.sphere, c.other, centre + at.arm0, force(pairing_of(c), at, velocity, {})});
+  }
+  return result;
+}
+
 // What a sphere feels of triangles now; what they feel waits in the chunk.
 void GeneralContact::add_on_triangles(int number, const Ports& ports, Chunk& chunk) const {
   touching_triangles(number, chunk);

@@ -265,6 +265,12 @@ void System::super_element_output(int object, Variable variable, int mesh_node, 
                             "Position, Displacement, Velocity, Acceleration, DisplacementLocal, VelocityLocal, or that of its modes", ""});
 }
 
+void System::with_ports(ConfigurationType configuration, const std::function<void(const Ports&)>& look) {
+  const PortsFor ports(*parts_, configuration);
+  evaluated_ = parts_->evaluating ? evaluated_ : nullptr;
+  look(parts_->ports);
+}
+
 void System::marker_output(int marker, Variable variable, ConfigurationType configuration, Values& values) {
   SystemParts& parts = *parts_;
   const MarkerPlace& place = parts.markers.at(static_cast<std::size_t>(marker));

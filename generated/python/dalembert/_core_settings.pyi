@@ -1047,15 +1047,15 @@ class VSettingsContact(_Settings):
     @colorTriangles.setter
     def colorTriangles(self, value: ArrayLike) -> None: ...
     contactForcesFactor: float
-    """length of a contact force in the drawing per newton [m/N]; no effect: forces of general contact are not drawn; default: 0.001"""
+    """length of a contact force in the drawing per newton [m/N]; default: 0.001"""
     contactPointsDefaultSize: float
-    """size of contact points; negative: chosen from the size of the scene [m]; no effect: forces of general contact are not drawn; default: 0.001"""
+    """size of contact points, and twice the width of forces; negative, or not set: chosen from the size of the scene [m]; default: 0.001"""
     showBoundingBoxes: bool
     """draw the bounding boxes of contact partners; slow if there are many; default: False"""
     showContactForces: bool
-    """draw contact forces, of contacts that support it; no effect: forces of general contact are not drawn; default: False"""
+    """draw points of contact in general contact, and the forces there on the spheres; default: False"""
     showContactForcesValues: bool
-    """write the values of contact forces that are drawn; no effect: forces of general contact are not drawn; default: False"""
+    """write the values of contact forces that are drawn, in newton; default: False"""
     showSearchTree: bool
     """draw the outer box of the search tree, where SetSearchTreeBox has given one; default: False"""
     showSearchTreeCells: bool

@@ -48,7 +48,9 @@ class Page:
 class PageServer:
     """Runs in a thread of its own; `receive(page number, message)` is called there, and has to be quick."""
 
-    def __init__(self, receive: Callable[[int, dict[str, Any]], None], port: int = 0) -> None:
+    def __init__(self, receive: Callable[[int, dict[str, Any]], None], port: int = 0, shows: str = "live") -> None:
+        """`shows`: "live", the systems of a viewer, or "monitor", curves."""
+        self._shows = shows
         self.token = secrets.token_urlsafe(24)
         self.port = 0
         self._receive, self._pages, self._count, self._open = receive, dict[int, Page](), 0, 0
@@ -76,6 +78,10 @@ class PageServer:
     def wanted(self) -> bool:
         """Return whether a page waits for something to draw."""
         return any(page.ready for page in list(self._pages.values()))
+
+    def answers(self) -> bool:
+        """Return whether pages can be heard now; by a thread of its own, always."""
+        return True
 
     def publish(self, scene_number: int, scene: Callable[[], bytes], frame: bytes) -> None:
         """Send a frame, or the whole scene to pages that have another; to those that are busy, when they are ready."""
@@ -124,7 +130,10 @@ class PageServer:
         if request.path not in FILES:
             return connection.respond(HTTPStatus.NOT_FOUND, "not found\n")
         name, kind = FILES[request.path]
-        return self._file((FOLDER / name).read_text("utf-8").replace("@STYLE@", _style()).encode(), kind)
+        return self._file(self._filled((FOLDER / name).read_text("utf-8")), kind)
+
+    def _filled(self, text: str) -> bytes:
+        return text.replace("@STYLE@", _style()).replace("@SHOWS@", self._shows).encode()
 
     def _file(self, data: bytes, kind: str) -> Response:
         sockets = " ".join(f"ws://{host}" for host in sorted(self._hosts))

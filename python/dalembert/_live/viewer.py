@@ -18,7 +18,9 @@ import numpy as np
 from dalembert import _core
 from dalembert._live import details, keys
 from dalembert._live.messages import Stage, palette
+from dalembert._live.opening import PATIENCE, RETURN
 from dalembert._live.server import PageServer
+from dalembert._live.widget import WidgetLink
 from dalembert._pictures import draw
 from dalembert._pictures.camera import Camera
 from dalembert._pictures.looks import Looks
@@ -28,9 +30,9 @@ from dalembert._pictures.studio import Studio
 SHORTEST = 1 / 30  # s between pictures, unless settings say otherwise
 SHARE = 0.25  # of the time, at most, is spent on pictures: the interpreter is needed by others
 OFTEN = 0.5  # s between looks at what has no signal: settings that scripts change, outputs of the selected item
-ARRIVAL = 20.0  # s until a browser that was opened has to ask for its page
-RETURN = 3.0  # s until a page that was reloaded is back
 
+Receive = Callable[[int, dict[str, Any]], None]
+Link = PageServer | WidgetLink
 _viewers: list[Viewer] = []
 
 
@@ -39,11 +41,11 @@ def viewer_of(container: Any) -> Viewer | None:
     return next((viewer for viewer in _viewers if viewer.container is container), None)
 
 
-def start(container: Any, port: int = 0) -> Viewer:
+def start(container: Any, port: int = 0, link: Callable[[Receive], Link] | None = None) -> Viewer:
     """Return the viewer of a container; it is started if there is none."""
     viewer = viewer_of(container)
     if viewer is None:
-        viewer = Viewer(container, port)
+        viewer = Viewer(container, link or (lambda receive: PageServer(receive, port)))
         _viewers.append(viewer)
     return viewer
 
@@ -58,7 +60,8 @@ def stop_all() -> None:
 class Viewer:
     """Pages, the systems they show, and what their readers do."""
 
-    def __init__(self, container: Any, port: int = 0) -> None:
+    def __init__(self, container: Any, link: Callable[[Receive], Link]) -> None:
+        """`link` reaches pages: a server of this machine, or the channel of a notebook."""
         self.container, self.settings = container, container.visualizationSettings
         self.shadows: list[Any] = []
         self.studio: Studio | None = None
@@ -77,8 +80,9 @@ class Viewer:
         self._made = self._checked = self._next = 0.0
         self._known_settings = ""
         self._complaint = ""
-        self._seen = time.monotonic() + ARRIVAL - RETURN  # when a page was there, or is expected
-        self.server = PageServer(self._receive, port)
+        self._seen = time.monotonic() + PATIENCE["browser"] - RETURN  # when a page was there, or is expected
+        self.at_end: Callable[[], object] = lambda: None
+        self.server = link(self._receive)
         self._thread = threading.Thread(target=self._work, name="dalembert viewer", daemon=True)
         self._thread.start()
 
@@ -102,6 +106,7 @@ class Viewer:
         self.server.tell({"kind": "stopped"})
         if threading.current_thread() is not self._thread:
             self._thread.join(2.0)
+        self.at_end()
         self.server.stop()
 
     def redraw(self, home: bool = False) -> None:
@@ -126,6 +131,9 @@ class Viewer:
         self.redraw()
         forever = seconds < 0
         end = time.monotonic() + seconds
+        if forever and not self.server.answers():
+            _core.Print("dalembert: pages cannot be heard while this cell runs; nothing waits for them.")
+            return self.watched
         if forever:
             self._waits = True
             self._tell_state()
@@ -295,7 +303,7 @@ class Viewer:
         if key == " ":
             self._space()
         elif key.lower() == "a":
-            self.redraw(home=True)
+            self._see_all()
         elif key.lower() == "q":
             self._stop_solvers()
         elif key == "Escape":
@@ -372,6 +380,12 @@ class Viewer:
             self._released.set()
         elif self.settings.interactive.advanced.pauseWithSpacebar:
             self._pause(not self._paused)
+
+    def _see_all(self) -> None:
+        """Let pages see all from where they look."""
+        for name in ("zoom", "centerPoint"):
+            state_of(self.container.renderer, 0).pop(name, None)
+        self.redraw(home=True)
 
     def _pause(self, flag: bool) -> None:
         self._paused = flag

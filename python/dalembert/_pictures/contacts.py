@@ -1,4 +1,4 @@
-"""What general contact holds: spheres and triangles that move with markers, and the boxes in which it searches."""
+"""What general contact holds: spheres and triangles that move with markers, forces, and boxes in which it searches."""
 
 from __future__ import annotations
 
@@ -16,7 +16,8 @@ from dalembert._pictures.pen import Pen
 from dalembert._pictures.scene import DrawnItem
 
 KIND = "GeneralContact"
-SHAPES, SEARCH = "shapes", "search"  # what keeps its shape, and what is drawn anew in each scene
+SHAPES, SEARCH, FORCES = "shapes", "search", "forces"  # the first keeps its shape; others are drawn anew in each scene
+PUSHING = (0.85, 0.1, 0.1, 1.0)
 CROWDED = (1.0, 0.0, 0.0)  # the cell that holds most
 
 
@@ -26,6 +27,8 @@ def drawn_items(mbs: Any, looks: Looks) -> list[DrawnItem]:
     parts = [SHAPES] if contact.showSpheres or contact.showTriangles else []
     if contact.showBoundingBoxes or contact.showSearchTree or contact.showSearchTreeCells:
         parts.append(SEARCH)
+    if contact.showContactForces:
+        parts.append(FORCES)
     return (
         [DrawnItem(KIND, k, part, "") for k in range(mbs.NumberOfGeneralContacts()) for part in parts] if parts else []
     )
@@ -37,6 +40,8 @@ def draw(pen: Pen, item: DrawnItem) -> None:
         return
     if item.type_name == SHAPES:
         _draw_shapes(pen, item.number)
+    elif item.type_name == FORCES:
+        _draw_forces(pen, item.number)
     else:
         _draw_search(pen, item.number)
 
@@ -72,6 +77,24 @@ def _triangles(pen: Pen, held: dict[str, Any]) -> Iterator[tuple[int, FloatArray
     for k, marker in enumerate(held["triangleBodies"]["rigidBodyMarkerIndex"]):
         if (place := pen.places.marker(marker)) is not None:
             yield int(marker), place, pen.places.marker_rotation(marker), corners[owner == k]
+
+
+def _draw_forces(pen: Pen, number: int) -> None:
+    """Draw points of contact, and the force on the sphere at each; nothing while another thread solves the system."""
+    settings = pen.looks.setting("contact")
+    size = pen.looks.length("contact.contactPointsDefaultSize", 0.01)
+    try:
+        _, points, forces = pen.places.mbs.GetGeneralContact(number)._pushes(pen.places.configuration)
+    except (RuntimeError, ValueError):  # also: two spheres with one center
+        return
+    pen.stick()
+    for point, force in zip(points, forces, strict=True):
+        strength = float(np.linalg.norm(force))
+        pen.sphere(point, 0.5 * size, PUSHING)
+        if strength > 0:
+            pen.arrow(point, float(settings.contactForcesFactor) * force, 0.25 * size, PUSHING)
+            if settings.showContactForcesValues:
+                pen.label(point, f"{strength:.4g} N", PUSHING)
 
 
 def _draw_search(pen: Pen, number: int) -> None:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import gzip
+from base64 import b64encode
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from dalembert._io.files import file_to_write, replacing
 
 if TYPE_CHECKING:
-    from dalembert._pictures.motion import Motion
+    from dalembert._pictures.motion import Motion, Still
 
 
 def SaveHTML(
@@ -35,17 +37,25 @@ def SaveHTML(
         Path(written).write_text(page(motion, {"title": title or path.stem, "plays": True, "again": True}), "utf-8")
 
 
-def page(motion: Motion, words: dict[str, Any]) -> str:
+def page(motion: Motion | Still, words: dict[str, Any]) -> str:
     """Return the page of a motion; words: its title, whether it plays when it is opened, and begins again at its end.
 
     Texts of the model are in its data, packed; none becomes a part of the page.
     """
-    from base64 import b64encode
-
     from dalembert._pictures.replay import pack
 
-    data = pack(motion, words)
     folder = Path(__file__).parent / "page"
-    bundle = (folder / "bundle.js").read_text("utf-8").replace("</script", "<\\/script")
     text = (folder / "page.html").read_text("utf-8").replace("@STYLE@", (folder / "style.css").read_text("utf-8"))
-    return text.replace("@DATA@", b64encode(data).decode()).replace("@BUNDLE@", bundle)
+    code = gzip.compress((folder / "bundle.js").read_bytes(), 9, mtime=0)
+    return text.replace("@DATA@", _base64(pack(motion, words))).replace("@CODE@", _base64(code))
+
+
+def _base64(data: bytes) -> str:
+    return b64encode(data).decode()
+
+
+def page_of_state(container: Any) -> str:
+    """Return a page of what is visualized now, of all systems of a container."""
+    from dalembert._pictures.motion import Still
+
+    return page(Still(container), {"title": "dalembert", "plays": False, "again": False})

@@ -76,3 +76,15 @@ class Motion:
             mbs.systemData.SetSystemState(before, ConfigurationType.Visualization)
             mbs.systemData.SetTime(time, ConfigurationType.Visualization)
         return scenes
+
+
+class Still:
+    """What is visualized of all systems of a container, as the only scene of a motion."""
+
+    def __init__(self, container: Any, size: tuple[int, int] = (1024, 768)) -> None:
+        studio = Studio(container)
+        scene = studio.scene()
+        self.rate, self.scenes = 1.0, [scene]
+        self.camera = draw.camera_for(studio, scene, None, size, 1.0)
+        studio.fit(self.camera, scene, scene.box(), size)
+        self.looks = studio.makers[0].looks if studio.makers else Looks(container.visualizationSettings)

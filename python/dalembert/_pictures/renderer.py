@@ -53,7 +53,7 @@ def Start(self: Any, verbose: int = 0) -> bool:
     """Open a page in the browser that shows all systems of the container, also while they are being solved.
 
     Return False where there is no display, or DALEMBERT_VIEWER=off, or CI is set: nothing waits for a reader there. In
-    notebooks and terminals of other machines (SSH), the address of the page is printed.
+    notebooks, it is shown below the cell; in terminals of other machines (SSH), the address of the page is printed.
     """
     global _noticed
     from dalembert._pictures.showing import where_pages_open
@@ -249,7 +249,15 @@ def GetItemSelection(self: Any, resetSelection: bool = True, viewID: int = 0) ->
     return (system, int(getattr(_core.ItemType, kind)), number, depth)
 
 
+def _ipython_display_(self: Any) -> None:
+    """Show the live view in a notebook; NotImplementedError elsewhere."""
+    from dalembert._pictures.showing import show_widget
+
+    show_widget(self._container)
+
+
 METHODS = (
+    _ipython_display_,
     Start,
     Stop,
     IsActive,

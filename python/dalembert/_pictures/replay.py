@@ -22,7 +22,7 @@ from dalembert._pictures.meshes import Mesh, sharp_edges
 from dalembert._pictures.scene import Instance, Scene
 
 if TYPE_CHECKING:
-    from dalembert._pictures.motion import Motion
+    from dalembert._pictures.motion import Motion, Still
 
 SPARE_BITS = 7  # of 23 of a mantissa: places are right to 1e-5 of their size
 Key = tuple[int, int]  # item, and how manieth of its parts
@@ -76,17 +76,17 @@ class Packer:
         return gzip.compress(whole, 9, mtime=0)
 
 
-def pack(motion: Motion, words: dict[str, Any]) -> bytes:
+def pack(motion: Motion | Still, words: dict[str, Any]) -> bytes:
     """Return the data of a motion, and what else the page is to know."""
     packer, scenes, camera, looks = Packer(), motion.scenes, motion.camera, motion.looks
     limits = _limits(scenes)
-    items: dict[tuple[str, int], int] = {}
+    items: dict[tuple[str, int, int], int] = {}
     names: list[list[Any]] = []
     for scene in scenes:
         for item in scene.items:
-            if items.setdefault((item.kind, item.number), len(names)) == len(names):
+            if items.setdefault((item.kind, item.number, item.system), len(names)) == len(names):
                 names.append([item.kind, item.number, item.type_name, item.name])
-    numbered = [[items[item.kind, item.number] for item in scene.items] for scene in scenes]
+    numbered = [[items[item.kind, item.number, item.system] for item in scene.items] for scene in scenes]
     head = {
         "version": 1,
         **words,

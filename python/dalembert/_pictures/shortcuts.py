@@ -60,7 +60,15 @@ def SendRedrawSignalOfSystem(mbs: Any) -> None:
     mbs.GetSystemContainer().renderer.SendRedrawSignal()
 
 
+def _ipython_display_(container: Any) -> None:
+    """Show the live view in a notebook; NotImplementedError elsewhere."""
+    from dalembert._pictures.showing import show_widget
+
+    show_widget(container)
+
+
 METHODS = (
+    _ipython_display_,
     AttachToRenderEngine,
     DetachFromRenderEngine,
     GetCurrentMouseCoordinates,

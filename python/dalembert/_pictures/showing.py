@@ -44,7 +44,8 @@ def in_notebook() -> bool:
     """Return whether cells of a notebook show what is displayed."""
     ipython = sys.modules.get("IPython")
     shell = ipython.get_ipython() if ipython is not None else None
-    return shell is not None and type(shell).__name__ == "ZMQInteractiveShell"
+    kind = type(shell)
+    return kind.__name__ == "ZMQInteractiveShell" or kind.__module__.startswith("google.colab")
 
 
 def where_pages_open() -> str:
@@ -66,6 +67,22 @@ def _silent() -> bool:
     return off or bool(environment.get("CI")) or "PYTEST_CURRENT_TEST" in environment
 
 
+def show_widget(container: Any) -> None:
+    """Show a widget with all systems of a container below the cell that is running; NotImplementedError elsewhere.
+
+    That error lets IPython show objects as it would without this.
+    """
+    if where_pages_open() == "notebook":
+        from dalembert._live import widget
+
+        if widget.is_installed():
+            from dalembert._live import notebook
+
+            notebook.show(container)
+            return
+    raise NotImplementedError("widgets are shown in notebooks, with anywidget")
+
+
 def has_display() -> bool:
     """Return whether a browser has a place for its window; never in tests, where CI is set, or DALEMBERT_VIEWER=off."""
     if _silent():
@@ -76,14 +93,18 @@ def has_display() -> bool:
 
 
 def _show_in_notebook(text: str) -> None:
-    """Display a page in a frame of its own, which can reach neither the notebook nor the network."""
     from importlib import import_module
 
     shown = import_module("IPython.display")
-    frame = (
-        f'<iframe sandbox="allow-scripts allow-downloads" srcdoc="{escape(text)}" width="100%" height="520"></iframe>'
+    shown.display(shown.HTML(frame(text)))
+
+
+def frame(text: str) -> str:
+    """Return a page in a frame of its own, which can reach neither the notebook nor the network."""
+    return (
+        f'<div><iframe sandbox="allow-scripts allow-downloads" srcdoc="{escape(text)}" width="100%" height="480" '
+        f'style="border: 0"></iframe></div>'
     )
-    shown.display(shown.HTML(frame))
 
 
 def _open_in_browser(text: str) -> None:

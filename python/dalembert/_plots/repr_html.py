@@ -13,9 +13,24 @@ _KINDS = ("node", "object", "marker", "load", "sensor")
 
 def _repr_html_(mbs: Any) -> str:
     """Return a table of the items: a row per kind and type with their number and names."""
+    items = mbs.GetDictionary()
+    return _page(mbs, items, _picture(mbs, items))
+
+
+def _ipython_display_(mbs: Any) -> None:
+    """Show the live view and the table of the items; NotImplementedError where there are no widgets."""
+    from importlib import import_module
+
+    from dalembert._pictures.showing import show_widget
+
+    show_widget(mbs.GetSystemContainer())
+    shown = import_module("IPython.display")
+    shown.display(shown.HTML(_page(mbs, mbs.GetDictionary(), "")))
+
+
+def _page(mbs: Any, items: dict[str, Any], picture: str) -> str:
     from html import escape
 
-    items = mbs.GetDictionary()
     rows = []
     for kind in _KINDS:
         entries = items[f"{kind}List"]
@@ -23,7 +38,7 @@ def _repr_html_(mbs: Any) -> str:
             names = [entry["name"] for entry in entries if entry[f"{kind}Type"] == name]
             rows.append((kind, name, str(count), _shortened(names)))
     title = escape(repr(mbs).strip("<>"))
-    return f"<div><p>{title}</p>{_picture(mbs, items)}{_table(('kind', 'type', 'number', 'names'), rows)}</div>"
+    return f"<div><p>{title}</p>{picture}{_table(('kind', 'type', 'number', 'names'), rows)}</div>"
 
 
 def _picture(mbs: Any, items: dict[str, Any]) -> str:

@@ -75,6 +75,13 @@ class GeneralContact final : public SystemTerm {
   };
   Items items_in(const Box& box, const Ports& ports) const;
   RigidFrame<double> frame_of(int marker, const Ports& ports) const;
+  // What pushes, for pictures: between a sphere and another thing, at a point, with a force on the sphere. The lists of this term become those
+  // of the configuration: ask one that no solver has.
+  struct Push {
+    int sphere, other;
+    Vec3<double> point, force;
+  };
+  std::vector<Push> pushes(const Ports& ports, ConfigurationType configuration);
 
  private:
   // Where a sphere and another thing meet.
@@ -177,7 +184,7 @@ class GeneralContact final : public SystemTerm {
   };
   bool is_cable(const HeldContact& c) const { return c.other >= set_->first_cable() && c.other < set_->first_triangle(); }
   void take_cables(const double* q, const double* v) const;
-  void take_cables_of_system() const;
+  void take_cables_of_system(ConfigurationType configuration = ConfigurationType::Current) const;
   template <class F>
   void each_cable_near(double distance, F&& f) const;
   void find_cable_touches(std::vector<HeldContact>& found) const;

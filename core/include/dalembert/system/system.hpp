@@ -153,6 +153,8 @@ class System {
   void forces_of_term(int number, std::span<double> forces);
   // Frames of markers in the current state, for questions to such terms.
   const Ports& current_ports();
+  // The same in any configuration, as long as `look` runs.
+  void with_ports(ConfigurationType configuration, const std::function<void(const Ports&)>& look);
   // History of such terms, which is no part of a state: a step begins, or begins again.
   void keep_history();
   void restore_history();

@@ -3,7 +3,7 @@ import { createHash } from "node:crypto";
 import { readFileSync, writeFileSync } from "node:fs";
 import { build } from "esbuild";
 
-const SOURCES = ["axes.js", "data.js", "live.js", "motion.js", "page.js", "panels.js", "shapes.js", "view.js", "package.json", "package-lock.json"];
+const SOURCES = ["axes.js", "data.js", "link.js", "live.js", "monitor.js", "motion.js", "notebook.js", "page.js", "panels.js", "plot.js", "shapes.js", "view.js", "package.json", "package-lock.json"];
 
 await build({
   entryPoints: ["page.js"],
@@ -11,6 +11,7 @@ await build({
   bundle: true,
   minify: true,
   format: "iife",
+  globalName: "dalembert",
   charset: "ascii",
   legalComments: "eof",
 });

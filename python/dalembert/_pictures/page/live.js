@@ -1,5 +1,4 @@
-// The live page: it shows what the server sends, tells when it has drawn it, and passes on keys, choices and views.
-import { message } from "./data.js";
+// The live page: it shows what the viewer sends, tells when it has drawn it, and passes on keys, choices and views.
 import { Panels } from "./panels.js";
 import { lines, mesh, spheres } from "./shapes.js";
 import { View, element } from "./view.js";
@@ -12,20 +11,25 @@ const PLANES = {
 };
 const NAMES = { 1: "x, y", 2: "x, z", 3: "y, z", 4: "y, x", 5: "z, x", 6: "z, y" };
 const SENT = 100; // ms between what is told of mouse and view
-const AGAIN = 1000; // ms until a lost connection is tried again
 
 const cross = ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b * x];
 
 export class Live extends View {
-  constructor(place, token) {
+  // `link` reaches the viewer, `keys` is what they are taken from, `first` is called before the first picture.
+  constructor(place, link, { keys = window, first = () => {} } = {}) {
     super(place);
-    Object.assign(this, { token, frames: 0, number: -1, steps: [0.1, 5, 1.15], lost: false });
+    Object.assign(this, { link, first, frames: 0, number: -1, steps: [0.1, 5, 1.15], lost: false });
     this.panels = new Panels(place, (kind, words) => this.send(kind, words));
     this.tools();
-    this.connect();
-    this.controls.addEventListener("change", () => (this.turned = true));
-    setInterval(() => this.report(), SENT);
-    for (const kind of ["keydown", "keyup"]) window.addEventListener(kind, (event) => this.key(event));
+    this.controls.addEventListener("change", () => (this.turned ||= !this.led));
+    this.reports = setInterval(() => this.report(), SENT);
+    for (const kind of ["keydown", "keyup"]) keys.addEventListener(kind, (event) => this.key(event));
+    link.start(this);
+  }
+
+  end() {
+    clearInterval(this.reports);
+    super.end();
   }
 
   tools() {
@@ -58,30 +62,23 @@ export class Live extends View {
     return { center, size: 2 * zoom };
   }
 
-  connect() {
-    this.socket = new WebSocket(`ws://${location.host}/socket`);
-    this.socket.binaryType = "arraybuffer";
-    this.socket.onopen = () => {
-      this.socket.send(JSON.stringify({ kind: "hello", token: this.token }));
-      sessionStorage.setItem("token", this.token); // of this tab, for when it is loaded again
-      this.number = -1;
-    };
-    this.socket.onmessage = ({ data }) => (typeof data === "string" ? this.take(JSON.parse(data)) : this.draw(message(data)));
-    this.socket.onclose = ({ code, reason }) => {
-      this.lost = true;
-      this.state.textContent = code === 1008 ? `refused: ${reason}` : this.stopped ? "closed" : "no connection";
-      if (code !== 1008 && !this.stopped) setTimeout(() => this.connect(), AGAIN);
-    };
+  opened() {
+    this.number = -1;
+  }
+
+  closed(words) {
+    this.lost = true;
+    this.state.textContent = this.stopped ? "closed" : words;
   }
 
   send(kind, words = {}) {
-    if (this.socket.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify({ kind, ...words }));
+    this.link.send({ kind, ...words });
   }
 
-  // ---- what the server sends
+  // ---- what the viewer sends
 
   draw({ head, arrays }) {
-    if (head.kind === "scene") this.build(head, arrays);
+    if (head.kind === "scene" && head.scene !== this.number) this.build(head, arrays);
     else if (head.scene !== this.number) return this.send("shown"); // of a scene that is not here any more
     let next = 0;
     for (const { put, shaded } of this.movers) {
@@ -102,6 +99,7 @@ export class Live extends View {
   }
 
   build(head, arrays) {
+    if (!this.frames) this.first();
     this.number = head.scene;
     this.last = new Map();
     const first = this.number === undefined || !this.objects.length;
@@ -126,7 +124,7 @@ export class Live extends View {
     this.showEdges();
     this.fade(head.faces ? head.transparent : 0);
     if (String(head.clip) !== String(this.clip)) this.cut(...(this.clip = head.clip));
-    if (first) this.look(head.camera);
+    if (first) this.lead(head.camera);
   }
 
   take(words) {
@@ -136,15 +134,23 @@ export class Live extends View {
         this.state.textContent = words.text;
         this.pause.textContent = words.text && words.text !== "solving" ? "▶" : "❚❚";
       },
-      camera: () => this.look(words.camera),
+      camera: () => this.lead(words.camera),
       notice: () => (this.notice.textContent = words.text),
       stopped: () => ((this.stopped = true), (this.state.textContent = "closed")),
+      alive: () => this.send("alive"),
       details: () => this.panels.details(words),
       settings: () => this.panels.settings(words.rows),
       controls: () => this.panels.controls(words),
       plots: () => this.panels.plot(words.curves),
     };
     actions[words.kind]?.();
+  }
+
+  // Look as the viewer says; it need not be told.
+  lead(camera) {
+    this.led = true;
+    this.look(camera);
+    this.led = false;
   }
 
   when(time) {
@@ -158,7 +164,7 @@ export class Live extends View {
   // ---- what readers do
 
   home() {
-    this.press("a"); // the server knows from where all is seen
+    this.press("a"); // the viewer knows from where all is seen
   }
 
   plane(number, behind) {

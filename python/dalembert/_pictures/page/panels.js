@@ -1,8 +1,8 @@
 // Panels beside the scene: what is known of an item, settings, the widgets of a dialog, a cutting plane. All texts are set as text.
+import { Plot } from "./plot.js";
 import { element } from "./view.js";
 
-const PLOT = { width: 300, height: 150, left: 44, bottom: 18 };
-const COLORS = ["#3359e6", "#d92626", "#26a633", "#c77700", "#8a3fd1", "#00838f"];
+const PLOT = [320, 190]; // pixels
 
 export class Panels {
   constructor(place, send) {
@@ -90,6 +90,7 @@ export class Panels {
       this.widget(cell, { ...widget, value: values[widget.name] ?? widget.value });
     }
     this.curves = element(panel, "div");
+    this.plots = [];
   }
 
   widget(cell, { type, text, name, value, low, high, step, options }) {
@@ -117,33 +118,9 @@ export class Panels {
   // Curves: [{title, x, y: [numbers of each curve]}].
   plot(curves) {
     if (!this.open.controls) return;
-    curves.forEach((curve, i) => {
-      const canvas = this.curves.children[i] ?? element(this.curves, "canvas", { width: PLOT.width, height: PLOT.height });
-      this.draw(canvas, curve);
-    });
-  }
-
-  draw(canvas, { title, x, y }) {
-    const pen = canvas.getContext("2d"), { width, height, left, bottom } = PLOT, ink = getComputedStyle(canvas).color;
-    const range = (numbers) => {
-      const low = Math.min(...numbers), high = Math.max(...numbers);
-      return high > low ? [low, high] : [low - 0.5, low + 0.5];
-    };
-    pen.clearRect(0, 0, width, height);
-    if (!x.length) return;
-    const [a, b] = range(x), [c, d] = range(y.flat());
-    const across = (value) => left + ((value - a) / (b - a)) * (width - left - 4), down = (value) => 18 + ((d - value) / (d - c)) * (height - bottom - 18);
-    pen.fillStyle = pen.strokeStyle = ink;
-    pen.font = "11px sans-serif";
-    pen.fillText(title, left, 11);
-    for (const value of [c, d]) pen.fillText(value.toPrecision(3), 0, down(value) + 4);
-    for (const value of [a, b]) pen.fillText(value.toPrecision(3), Math.min(across(value), width - 34), height - 4);
-    pen.strokeRect(left, 18, width - left - 4, height - bottom - 18);
-    y.forEach((numbers, k) => {
-      pen.strokeStyle = COLORS[k % COLORS.length];
-      pen.beginPath();
-      numbers.forEach((value, i) => pen.lineTo(across(x[i]), down(value)));
-      pen.stroke();
+    curves.forEach(({ title, x, y }, i) => {
+      const plot = (this.plots[i] ??= new Plot(this.curves, ...PLOT));
+      plot.set({ title, curves: y.map((numbers) => ({ x, y: numbers })) });
     });
   }
 }

@@ -33,7 +33,8 @@ export class View {
     this.time = element(place, "div", { className: "time" });
     this.bar = element(place, "div", { className: "bar" });
     this.scale = element(place, "div", { className: "contour" });
-    new ResizeObserver(() => this.resize()).observe(place);
+    this.watcher = new ResizeObserver(() => this.resize());
+    this.watcher.observe(place);
     this.resize();
     this.canvas.addEventListener("pointermove", (event) => this.point(event));
     this.canvas.addEventListener("pointerdown", (event) => (this.down = [event.clientX, event.clientY]));
@@ -274,7 +275,18 @@ export class View {
 
   step() {}
 
+  // Give back what the browser has few of.
+  end() {
+    this.ended = true;
+    this.watcher.disconnect();
+    this.controls.dispose();
+    this.replace([], []);
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
+  }
+
   tick(now) {
+    if (this.ended) return;
     requestAnimationFrame((next) => this.tick(next));
     this.step(now);
     if (!this.wanted) return;
