@@ -66,7 +66,7 @@ def test_there_is_one_notice_for_each_reason(SC: Any, mbs: Any, capfd: Any, monk
     settings = SC.visualizationSettings
     mbs.Draw(windowSize=[40, 30])
     assert "no effect" not in capfd.readouterr().out
-    settings.nodes.tiling, settings.general.sphereTiling, settings.contact.showContactForces = 8, 12, True
+    settings.nodes.tiling, settings.general.sphereTiling, settings.contact.showTori = 8, 12, True
     mbs.Draw(windowSize=[40, 30])
     lines = [line for line in capfd.readouterr().out.splitlines() if "no effect" in line]
     assert len(lines) == 2
