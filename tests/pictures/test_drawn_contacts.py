@@ -151,7 +151,7 @@ def slide(SC: Any, mbs: Any) -> tuple[Any, Any]:
     markers = [mbs.AddMarker(eii.MarkerBodyRigid(bodyNumber=ground))]
     inertia = exu.utilities.InertiaSphere(1, 0.1)
     for place, speed in (([0, 0, 0.0995], [1, 0, 0]), ([0, 0, 0.2988], [1, 0.2, 0])):
-        body = mbs.CreateRigidBody(inertia, referencePosition=place, initialVelocity=speed, gravity=[0, 0, -10])
+        body = mbs.CreateRigidBody(inertia=inertia, referencePosition=place, initialVelocity=speed, gravity=[0, 0, -10])
         markers.append(mbs.AddMarker(eii.MarkerBodyRigid(bodyNumber=body)))
     contact = mbs.AddGeneralContact()
     contact.SetFrictionPairings([[0.3]])
