@@ -63,7 +63,10 @@ def of_one_coordinate(carrier: tuple[str, str]) -> bool:
 
 def on_one_frame(carrier: tuple[str, str]) -> bool:
     """A body that moves as its node does."""
-    return bool(carrier[0]) and carrier[1] in KINDS and not ITEMS[carrier[0]].scene.nodes
+    body, node = carrier
+    if not body or node not in KINDS or ITEMS[body].scene.nodes:
+        return False
+    return not moves_as_point(ITEMS[body]) or KINDS[node].frame == "point"
 
 
 def moves_as_point(item: Item) -> bool:
@@ -184,10 +187,18 @@ class Scene:
         number = self.node(node, reference, motion)
         made = self.mbs.AddObject(getattr(exu, body)(nodeNumber=number, **self._inertia(item) | self._fixed(item)))
         self.bodies.append(made)
-        point = kind.frame == "point"
+        point = moves_as_point(item)
         frame_motion = replace(motion, rotation=np.eye(3)) if point else motion
         coordinates = 0 if kind.resting else len(kind.total(motion))
+        if point and kind.frame != "point":
+            self._slopes_with_mass(number, coordinates, 2 if kind.planar else 3)
         return Carrier(made, [number], frame_motion, coordinates=coordinates, local=np.zeros((2, 3)) if point else BOX)
+
+    def _slopes_with_mass(self, node: Any, coordinates: int, dimensions: int) -> None:
+        """What a cable or plate would give to slopes, where a point mass stands on their node."""
+        of_vectors = np.r_[0, self.rng.uniform(0.5, 1.5, coordinates // dimensions - 1)]
+        mass = np.diag(np.repeat(of_vectors, dimensions))
+        self.mbs.AddObject(exu.ObjectGenericODE2(nodeNumbers=[node], massMatrix=mass))
 
     def _fixed(self, item: Item) -> dict[str, Any]:
         """Values of the spec and of the variant."""

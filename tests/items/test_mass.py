@@ -155,3 +155,37 @@ def test_explicit_solvers_notice_other_masses(solver: Any, parameter: str, value
 
     np.testing.assert_allclose(end(True, True), end(False, True), rtol=0, atol=1e-14 * np.abs(end(False, True)).max())
     assert np.abs(end(True, True) - end(True, False)).max() > 1e-3
+
+
+SLOPES = {
+    "NodePointSlope1": [1, 2, 3, 0, 0, 1],
+    "NodePointSlope12": [1, 2, 3, 0, 2, 0, -2, 0, 0],
+    "NodePointSlope23": [1, 2, 3, 0, 2, 0, -2, 0, 0],
+    "NodePoint2DSlope1": [1, 2, 0, -2],
+}
+
+
+@pytest.mark.parametrize("name", SLOPES)
+def test_point_masses_do_not_turn_with_slopes(mbs: exu.MainSystem, name: str) -> None:
+    """On a node with slopes, a point mass adds its mass to the position, and weighs; forces reach no slope, whatever their arm."""
+    size = 2 if name.endswith("2DSlope1") else 3
+    node = mbs.AddNode(getattr(exu, name)(referenceCoordinates=SLOPES[name]))
+    kind = exu.ObjectMassPoint2D if size == 2 else exu.ObjectMassPoint
+    body = mbs.AddObject(kind(nodeNumber=node, physicsMass=2.5))
+    at = mbs.AddMarker(exu.MarkerBodyPosition(bodyNumber=body, localPosition=[0.5, 0.25, 0]))
+    mass = mbs.AddMarker(exu.MarkerBodyMass(bodyNumber=body))
+    mbs.AddLoad(exu.LoadForceVector(markerNumber=at, loadVector=[1, 2, 4]))
+    mbs.AddLoad(exu.LoadMassProportional(markerNumber=mass, loadVector=[0, -10, 0]))
+    mbs.Assemble()
+    state = testing.State(mbs)
+    coordinates = len(state.q)
+    expected = np.zeros((coordinates, coordinates))
+    expected[:size, :size] = 2.5 * np.eye(size)
+    np.testing.assert_array_equal(testing.mass_matrix(mbs, state), expected)
+    np.testing.assert_array_equal(
+        testing.residual(mbs, state)[:coordinates], -np.r_[[1, 2 - 25, 4][:size], np.zeros(coordinates - size)]
+    )
+    place = np.r_[SLOPES[name][:size], np.zeros(3 - size)] + [0.5, 0.25, 0]
+    assert mbs.GetMarkerOutput(at, exu.OutputVariableType.Position).tolist() == place.tolist()
+    turn = mbs.GetObjectOutputBody(body, exu.OutputVariableType.RotationMatrix, [0, 0, 0])
+    np.testing.assert_array_equal(turn, np.eye(3).ravel())

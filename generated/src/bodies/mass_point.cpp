@@ -9,6 +9,9 @@
 #include "dalembert/items/bodies/mass_point.hpp"
 #include "dalembert/items/nodes/point.hpp"
 #include "dalembert/items/nodes/point_ground.hpp"
+#include "dalembert/items/nodes/point_slope1.hpp"
+#include "dalembert/items/nodes/point_slope12.hpp"
+#include "dalembert/items/nodes/point_slope23.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -39,7 +42,7 @@ constexpr std::array<OutputVariableType, 8> outputs{
     OutputVariableType::AngularVelocityLocal,
 };
 
-const auto& physics = BodyPhysics<ObjectMassPoint, ObjectMassPointRecord, NodePoint, NodePointGround>{};
+const auto& physics = BodyPhysics<ObjectMassPoint, ObjectMassPointRecord, NodePoint, NodePointGround, NodePointSlope1, NodePointSlope12, NodePointSlope23>{};
 
 }  // namespace object_mass_point
 

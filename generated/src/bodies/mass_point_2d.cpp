@@ -8,6 +8,7 @@
 #include "dalembert/batches/body.hpp"
 #include "dalembert/items/bodies/mass_point_2d.hpp"
 #include "dalembert/items/nodes/point_2d.hpp"
+#include "dalembert/items/nodes/point_2d_slope1.hpp"
 #include "dalembert/reflection/item_type.hpp"
 
 namespace dalembert {
@@ -38,7 +39,7 @@ constexpr std::array<OutputVariableType, 8> outputs{
     OutputVariableType::AngularVelocityLocal,
 };
 
-const auto& physics = BodyPhysics<ObjectMassPoint2D, ObjectMassPoint2DRecord, NodePoint2D>{};
+const auto& physics = BodyPhysics<ObjectMassPoint2D, ObjectMassPoint2DRecord, NodePoint2D, NodePoint2DSlope1>{};
 
 }  // namespace object_mass_point_2d
 

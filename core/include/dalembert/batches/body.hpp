@@ -43,7 +43,13 @@ struct BodyPhysics final : ObjectPhysics {
 
  private:
   template <class Node>
-  using StandingOn = std::conditional_t<Node::size == 0, OnRestingNode<Body, Node>, OnNode<Body, Node>>;
+  static auto standing_on() {
+    if constexpr (Node::size == 0) return std::type_identity<OnRestingNode<Body, Node>>{};
+    else if constexpr (Body::traits.pure_inertia && Node::traits.translations < Node::size) return std::type_identity<OnNode<Body, PositionOf<Node>>>{};
+    else return std::type_identity<OnNode<Body, Node>>{};
+  }
+  template <class Node>
+  using StandingOn = typename decltype(standing_on<Node>())::type;
 
   template <class F>
   static void choose(std::span<const ItemType* const> nodes, F&& f) {

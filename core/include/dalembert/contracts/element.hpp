@@ -246,6 +246,29 @@ constexpr auto lie_rotations_of() {
   else return std::array<int, 0>{};
 }
 
+// The position of a node alone, for bodies that do not turn with it.
+template <class Node>
+struct PositionOf : NoNodeOutputs {
+  using Parameters = typename Node::Parameters;
+  static constexpr std::string_view item = Node::item;
+  static constexpr int size = Node::size, dimensions = Node::traits.translations;
+  static constexpr NodeTraits traits{.translations = dimensions, .constant_jacobian = true, .oriented = false};
+
+  static void check(const Parameters& p, const ItemLabel& label) { Node::check(p, label); }
+  template <class S>
+  static Motion<S> motion(const Coordinates<S, size>& x) {
+    Motion<S> m;
+    for (int i = 0; i < dimensions; ++i) m.position[i] = x.q[i], m.velocity[i] = x.v[i], m.acceleration[i] = x.a[i];
+    return m;
+  }
+  template <class S>
+  static Vec<S, size> pull_back(const Coordinates<S, size>&, const Vec3<S>& force, const Vec3<S>&) {
+    Vec<S, size> q{};
+    for (int i = 0; i < dimensions; ++i) q[i] = force[i];
+    return q;
+  }
+};
+
 // A body on a node, as an element.
 template <class Body, class Node>
 struct OnNode {
@@ -260,6 +283,7 @@ struct OnNode {
   static constexpr ElementTraits traits{
       .translations = Node::traits.translations,
       .constant_mass = Body::traits.constant_mass && Node::traits.constant_jacobian,
+      .oriented = Node::traits.oriented,
       .planar = PlanarNode<Node>,
       .pure_inertia = pure_inertia,
       .diagonal = pure_inertia && Node::traits.translations == size,  // one mass in all directions
