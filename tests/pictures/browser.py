@@ -84,18 +84,11 @@ class Tab:
 
     def wait(self, expression: str, seconds: float = 40) -> Any:
         """Wait until an expression is true, and return it."""
-        value = self.comes_true(expression, seconds)
-        assert value, (expression, self.errors, self.value("document.body?.innerText"))
-        return value
-
-    def comes_true(self, expression: str, seconds: float) -> Any:
-        """Wait until an expression is true, but not for longer, and return it."""
         end = time.monotonic() + seconds
-        while True:
-            value = self.value(f"(() => {{ try {{ return {expression}; }} catch {{ return null; }} }})()")
-            if value or time.monotonic() > end:
-                return value
+        while not (value := self.value(f"(() => {{ try {{ return {expression}; }} catch {{ return null; }} }})()")):
+            assert time.monotonic() < end, (expression, self.errors, self.value("document.body?.innerText"))
             time.sleep(0.05)
+        return value
 
     def press(self, key: str, code: str = "", held: int = 0) -> None:
         """Press and release a key; held: 1 alt, 2 control, 8 shift."""

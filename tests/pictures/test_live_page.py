@@ -640,6 +640,24 @@ def test_selection(SC: Any, viewer: Viewer) -> None:
     assert SC.renderer.GetItemSelection()[0] == -1
 
 
+def test_what_was_picked_in_a_scene_before_is_selected_if_it_is_still_there(SC: Any, viewer: Viewer) -> None:
+    """A page may answer a scene that has been replaced meanwhile, whose numbers are others."""
+    reader = Reader(viewer)
+    head, _ = reader.message("scene")
+    names = [item[3] for item in head["items"]]
+    node = next(n for n, item in enumerate(head["items"]) if item[0] == "Node")
+    reader.press("n")
+    later, _ = reader.message("scene")
+    assert [item[3] for item in later["items"]] != names
+    reader.send("select", item=names.index("brick"), scene=head["scene"], depth=2.5)
+    assert reader.message("details")["title"] == "object 1"
+    assert SC.renderer.GetItemSelection()[1:3] == (int(exu.ItemType.Object), 1)
+    reader.send("select", item=node, scene=head["scene"], depth=2.5)
+    reader.press("b")
+    reader.until(lambda: not viewer.settings.bodies.show)
+    assert SC.renderer.GetItemSelection()[0] == -1
+
+
 def test_every_item_has_details(SC: Any, swinging: Any, viewer: Viewer) -> None:
     swinging.AddSensor(exu.itemInterface.SensorBody(bodyNumber=1, outputVariableType=exu.OutputVariableType.Position))
     swinging.Assemble()

@@ -54,18 +54,28 @@ class Arrays:
         return b"".join(data)
 
 
+SCENES = 4  # of which items are remembered: a page may speak of one that has just been replaced
+
+
 class Stage:
     """What pages have: it tells whether a scene has the same parts as the one before."""
 
     def __init__(self) -> None:
         self.number = 0  # of the whole scene
         self.items: list[list[Any]] = []  # of the scene: kind, number, type, name, number of the system
+        self._items_of: dict[int, list[list[Any]]] = {}  # by the number of a scene
         self._layout: Any = None
         self._kept: Any = None
         self._meshes: dict[Key, Mesh] = {}
         self._deforming: set[Key] = set()
         self._first: list[npt.NDArray[Any] | None] = []
         self._moved: set[int] = set()
+
+    def item(self, scene: int, number: int) -> list[Any] | None:
+        """Return the entry of an item that a page has picked; None if it is no longer there."""
+        items = self._items_of.get(scene, [])
+        entry = items[number] if 0 <= number < len(items) else None
+        return entry if entry in self.items else None
 
     def messages(
         self, scene: Scene, looks: Looks, words: dict[str, Any], camera: Callable[[], Camera]
@@ -93,6 +103,8 @@ class Stage:
             self._layout, self._first, self._moved = layout, moving.parts, set()
             self._kept = (list(scene.herds), scene.balls, scene.threads)  # as long as they are known by their id
             self.items = [[item.kind, item.number, item.type_name, item.name, item.system] for item in scene.items]
+            self._items_of[self.number] = self.items
+            self._items_of.pop(self.number - SCENES, None)
         head["scene"] = self.number
         items = self.items
 

@@ -329,11 +329,11 @@ class Viewer:
     def _on_select(self, page: int, message: dict[str, Any]) -> None:
         """Remember the item that was picked, and tell about it; item -1: nothing is selected any more."""
         advanced = self.settings.interactive.advanced
-        number = int(message["item"])
-        if number < 0 or int(message["scene"]) != self.stage.number or not advanced.selectionLeftMouse:
+        picked = self.stage.item(int(message["scene"]), int(message["item"]))
+        if picked is None or not advanced.selectionLeftMouse:
             self.selection = None
             return
-        kind, item, _, _, system = self.stage.items[number]
+        kind, item, _, _, system = picked
         if kind not in details.KINDS or not int(advanced.selectionLeftMouseItemTypes) >> details.KINDS.index(kind) & 1:
             self.selection = None
             return
