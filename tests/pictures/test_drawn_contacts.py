@@ -198,6 +198,22 @@ def test_forces_are_drawn_where_they_push(slide: tuple[Any, Any]) -> None:
     assert [label.text for label in scene.labels] == [f"{np.linalg.norm(force):.4g} N" for force in forces]
 
 
+def test_forces_without_a_direction_are_told(SC: Any, mbs: Any, capfd: Any) -> None:
+    """Two spheres with one center push each other nowhere: the picture is made, and one notice says what it lacks."""
+    contact = mbs.AddGeneralContact()
+    contact.SetFrictionPairings([[0.0]])
+    for _ in range(2):
+        ball = mbs.CreateMassPoint(physicsMass=1)
+        contact.AddSphereWithMarker(mbs.AddMarker(eii.MarkerBodyPosition(bodyNumber=ball)), 0.1, 1e4, 0, 0)
+    mbs.Assemble()
+    SC.visualizationSettings.contact.showContactForces = True
+    for _ in range(2):
+        spheres, arrows, _lines = of_contact(SceneMaker(mbs, SC.visualizationSettings).scene())
+        assert not spheres and not arrows
+    said = capfd.readouterr().out
+    assert said.count("forces of general contact 0 are not drawn: ") == 1
+
+
 def _by_two(parts: list[Any]) -> list[Any]:
     """An arrow has a shaft and a tip, in one mesh or in two."""
     size = len(parts) // 2

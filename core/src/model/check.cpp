@@ -124,12 +124,13 @@ class Checker {
     }
   }
 
+  static std::string number_of_values(auto n) { return std::to_string(n) + (n == 1 ? " value" : " values"); }
   template <class Expected>
   void check_length(const Row& row, Expected expected, const std::string& why) const {
     visit(row, item_.record.get(), [&](const auto& value) {
       if constexpr (requires { value.size(); value.begin(); }) {
         if (static_cast<int>(value.size()) != static_cast<int>(expected))
-          complain(row, std::to_string(value.size()) + " values", std::to_string(expected) + " values" + why,
+          complain(row, number_of_values(value.size()), number_of_values(expected) + why,
                    "Set the parameter with as many values");
       }
     });

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import functools
 import itertools
 from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 
+from dalembert import _core
 from dalembert._checks import FloatArray
 from dalembert._pictures import meshes
 from dalembert._pictures.looks import Looks, rgba
@@ -80,12 +82,13 @@ def _triangles(pen: Pen, held: dict[str, Any]) -> Iterator[tuple[int, FloatArray
 
 
 def _draw_forces(pen: Pen, number: int) -> None:
-    """Draw points of contact, and the force on the sphere at each; nothing while another thread solves the system."""
+    """Draw points of contact, and the force on the sphere at each; where they are not known, say once why."""
     settings = pen.looks.setting("contact")
     size = pen.looks.length("contact.contactPointsDefaultSize", 0.01)
     try:
         _, points, forces = pen.places.mbs.GetGeneralContact(number)._pushes(pen.places.configuration)
-    except (RuntimeError, ValueError):  # also: two spheres with one center
+    except (RuntimeError, ValueError) as error:  # another thread solves the system, or two spheres have one center
+        _notice_once(f"WARNING: forces of general contact {number} are not drawn: {error}")
         return
     pen.stick()
     for point, force in zip(points, forces, strict=True):
@@ -95,6 +98,11 @@ def _draw_forces(pen: Pen, number: int) -> None:
             pen.arrow(point, float(settings.contactForcesFactor) * force, 0.25 * size, PUSHING)
             if settings.showContactForcesValues:
                 pen.label(point, f"{strength:.4g} N", PUSHING)
+
+
+@functools.cache
+def _notice_once(text: str) -> None:
+    _core.Print(text)
 
 
 def _draw_search(pen: Pen, number: int) -> None:
