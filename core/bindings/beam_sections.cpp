@@ -117,7 +117,7 @@ void register_section(py::module_& module, const char* name, const char* doc,
       for (const auto& row : rows) known.emplace_back(row.name);
       if (found == rows.end())
         refuse(ErrorKind::name,
-               {.problem = std::string(name) + " has no parameter " + quoted(word), .advice = suggestion(word, known)});
+               {.problem = std::string(name) + " has no parameter " + in_quotes(word), .advice = suggestion(word, known)});
       found->set(changed, value.ptr());
     }
     section = std::move(changed);

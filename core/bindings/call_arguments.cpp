@@ -13,7 +13,7 @@ std::string CallTarget::where() const {
   const std::string name(item_class.type->name);
   if (visualization) return "V" + name;
   const std::string& own = name_in(*item_class.type, record);
-  return own.empty() ? name : name + " " + quoted(own);
+  return own.empty() ? name : name + " " + in_quotes(own);
 }
 
 void CallTarget::assign(std::size_t position, PyObject* value) const {
@@ -46,7 +46,7 @@ std::size_t find_argument(const CallTarget& target, PyObject* name) {
   }
   std::vector<std::string> names;
   for (const auto& argument : arguments) names.push_back(to_string(argument.name));
-  refuse(ErrorKind::type, {target.where(), "", "there is no parameter " + quoted(word), "", "",
+  refuse(ErrorKind::type, {target.where(), "", "there is no parameter " + in_quotes(word), "", "",
                            suggest_parameter(type, word, {names.begin(), names.end()})});
 }
 

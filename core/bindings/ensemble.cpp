@@ -70,7 +70,7 @@ void refuse_python_functions(const MainSystem& main) {
           refuse(ErrorKind::state, {.item = call, .problem = main.model.describe(kind, i) + " has a sampled controller, and variations are solved in steps that do not wait for samples",
                                     .advice = "Use its law without sampling, or dalembert.processing.ParameterVariation"});
         if (needs_interpreter(function))
-          refuse_function(main.model.describe(kind, i) + " has the Python function " + quoted(row.name) +
+          refuse_function(main.model.describe(kind, i) + " has the Python function " + in_quotes(row.name) +
                           ", and variations are solved without the interpreter");
       }
     }
@@ -117,7 +117,7 @@ VariedParameter read_parameter(const MainSystem& main, const py::tuple& entry, i
   const std::string where = main.model.describe(p.kind, p.number), name = entry[1].cast<std::string>();
   p.row = find_row(*item.type, name);
   if (p.row == nullptr)
-    refuse(ErrorKind::value, {where, "", "there is no parameter " + quoted(name), "", "", suggest_parameter(*item.type, name)});
+    refuse(ErrorKind::value, {where, "", "there is no parameter " + in_quotes(name), "", "", suggest_parameter(*item.type, name)});
   if (p.row->internal) refuse(ErrorKind::value, {where, name, "cannot be set", "", "", "It is computed by the system."});
   if (p.row->role != Role::parameter || !numeric(p.row->storage))
     refuse(ErrorKind::type, {where, name, "cannot be varied", "", "a parameter that is made of numbers", ""});
@@ -149,7 +149,7 @@ VariedSetting read_setting(const SimulationSettings& simulation, const py::tuple
   const auto path = entry[0].cast<std::string>();
   const SettingsField field = find_setting({&tree, tree.group, scratch, scratch.get(), ""}, path);
   if (field.row == nullptr || !numeric(field.row->storage))
-    refuse(ErrorKind::type, {.item = call, .parameter = "settings", .received = quoted(path),
+    refuse(ErrorKind::type, {.item = call, .parameter = "settings", .received = in_quotes(path),
                              .expected = "the path of a setting that is made of numbers, e.g. 'timeIntegration.endTime'"});
   const void* place = member(field.view.data, *field.row);
   VariedSetting s{static_cast<std::size_t>(static_cast<const char*>(place) - reinterpret_cast<const char*>(scratch.get())),
@@ -171,13 +171,13 @@ VariedCoordinates read_coordinates(const State& initial, const py::tuple& entry,
     const auto size = static_cast<py::ssize_t>((initial.*part.member).size());
     if (values.ndim() != 2 || values.shape(1) != size || values.shape(0) != variations)
       refuse(ErrorKind::value,
-             {.item = call, .parameter = "initialCoordinates[" + quoted(name) + "]",
+             {.item = call, .parameter = "initialCoordinates[" + in_quotes(name) + "]",
               .received = "an array of shape " + py::repr(entry[1].attr("shape")).cast<std::string>(),
               .expected = "shape (" + std::to_string(variations) + ", " + std::to_string(size) + ")",
               .advice = "A row for each variation, a column for each coordinate of the assembled system."});
     return {part.member, {values.data(), values.data() + values.size()}};
   }
-  refuse(ErrorKind::value, {.item = call, .parameter = "initialCoordinates", .received = quoted(name),
+  refuse(ErrorKind::value, {.item = call, .parameter = "initialCoordinates", .received = in_quotes(name),
                             .advice = suggestion(name, known)});
 }
 

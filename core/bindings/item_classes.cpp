@@ -180,7 +180,7 @@ int set_any_attribute(PyObject* self, PyObject* name, PyObject* value) {
     const std::string word = to_string(name);
     if (find_row(type, word) != nullptr || word == "visualization") throw py::error_already_set();
     PyErr_Clear();
-    refuse(ErrorKind::name, {std::string(type.name), "", "there is no parameter " + quoted(word), "", "", suggest_parameter(type, word)});
+    refuse(ErrorKind::name, {std::string(type.name), "", "there is no parameter " + in_quotes(word), "", "", suggest_parameter(type, word)});
   });
 }
 

@@ -157,7 +157,7 @@ void set_visualization(const ItemClass& item_class, PyObject* value, void* recor
       if (other != nullptr && is_at_default(*other, word)) continue;  // of another item: what both have in common counts
       std::vector<std::string_view> names;
       for (const auto& argument : item_class.visualization_arguments) names.push_back(argument.row->name);
-      complain("there is no visualization parameter " + quoted(word), suggestion(word, names));
+      complain("there is no visualization parameter " + in_quotes(word), suggestion(word, names));
     }
     set_member(item_class, *row, entry.ptr(), record, where);
   }
@@ -184,7 +184,7 @@ const ItemClass::Argument* find_spelt(const ItemClass& item_class, PyObject* key
   if (word == type_key(type.kind)) return nullptr;
   for (const auto& entry : item_class.entries)
     if (to_string(entry.name) == word) return &entry;
-  const Complaint text{where.text(), "", "there is no parameter " + quoted(word), "", "", suggest_parameter(type, word)};
+  const Complaint text{where.text(), "", "there is no parameter " + in_quotes(word), "", "", suggest_parameter(type, word)};
   if (unknown_keys == UnknownKeys::refuse) refuse(ErrorKind::value, text);
   warn_of_ignored(text);
   return nullptr;
@@ -217,10 +217,10 @@ const ItemClass& class_in(ItemKind kind, const py::dict& dictionary, const Label
     if (const ItemClass* found = find_class(kind, name)) return *found;
   const std::string key(type_key(kind));
   if (name == nullptr) {
-    refuse(ErrorKind::value, {where.text(), "", "the dictionary has no key " + quoted(key), show(dictionary.ptr()),
+    refuse(ErrorKind::value, {where.text(), "", "the dictionary has no key " + in_quotes(key), show(dictionary.ptr()),
                               "a dictionary of " + with_article(kind_name(kind)),
-                              "Name the type, e.g. {" + quoted(key) + ": " +
-                                  quoted(find_type(kind, "Point") != nullptr ? "Point" : "...") + ", ...}"});
+                              "Name the type, e.g. {" + in_quotes(key) + ": " +
+                                  in_quotes(find_type(kind, "Point") != nullptr ? "Point" : "...") + ", ...}"});
   }
   if (!PyUnicode_Check(name)) refuse(ErrorKind::type, {where.text(), key, "", show(name), "the name of a type as a string", ""});
   return class_of(require_type(kind, to_string(name), where.text()));

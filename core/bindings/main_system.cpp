@@ -104,7 +104,7 @@ Model& MainSystem::restructure(const Label& call) {
 
 void MainSystem::edit(ItemKind kind, int number, const Row& row, const std::function<void(void*)>& write) {
   const auto call = [&] { return "mbs.Set" + std::string(kind_title(kind)) + "Parameter(" + std::to_string(number) + ", " +
-                                 quoted(row.name) + ", ...)"; };
+                                 in_quotes(row.name) + ", ...)"; };
   Model::changes_structure(row) ? require_idle(*this, call) : require_own_thread(*this, call);
   model_.edit(kind, number, row, write);
 }

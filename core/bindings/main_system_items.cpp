@@ -147,7 +147,7 @@ const Row& require_row(const MainSystem& main, ItemKind kind, int number, const 
   const ItemType& type = *main.model.item(kind, number).type;
   const Row* row = find_row(type, name);
   if (row == nullptr) {
-    refuse(ErrorKind::value, {main.model.describe(kind, number), "", "there is no parameter " + quoted(name), "", "",
+    refuse(ErrorKind::value, {main.model.describe(kind, number), "", "there is no parameter " + in_quotes(name), "", "",
                               suggest_parameter(type, name)});
   }
   return *row;
@@ -204,7 +204,7 @@ void modify_item(MainSystem& main, ItemKind kind, int number, const py::dict& ch
   if (changes.contains(key.c_str())) {
     const ItemType& given = require_type(kind, py::str(changes[key.c_str()]).cast<std::string>(), where);
     if (&given != &type) {
-      refuse(ErrorKind::value, {where, key, "", quoted(given.type_name), quoted(type.type_name),
+      refuse(ErrorKind::value, {where, key, "", in_quotes(given.type_name), in_quotes(type.type_name),
                                 "The type of an item cannot change; delete the item and add another one."});
     }
   }

@@ -45,7 +45,7 @@ std::size_t position_of(const GraphicsMaterialList& list, const py::object& inde
     for (const py::object& material : list.materials) names.push_back(material.attr("name").cast<std::string>());
     const std::vector<std::string_view> known(names.begin(), names.end());
     const auto name = index_or_name.cast<std::string>();
-    refuse(ErrorKind::value, {.problem = "there is no material " + quoted(name), .advice = suggestion(name, known)});
+    refuse(ErrorKind::value, {.problem = "there is no material " + in_quotes(name), .advice = suggestion(name, known)});
   }
   const auto n = static_cast<py::ssize_t>(list.materials.size());
   const py::ssize_t index = PyNumber_AsSsize_t(index_or_name.ptr(), PyExc_IndexError);

@@ -78,7 +78,7 @@ SettingsField find_field(const SettingsView& view, std::string_view name) {
 }
 
 void refuse_unknown(const SettingsView& view, std::string_view name) {
-  const std::string problem = view.title() + " has no parameter " + quoted(name);
+  const std::string problem = view.title() + " has no parameter " + in_quotes(name);
   std::vector<std::string_view> known;
   for (const SettingsChild& child : view.group->children) known.push_back(child.name);
   for (const Row& row : view.group->rows) known.push_back(row.name);
@@ -92,7 +92,7 @@ void refuse_unknown(const SettingsView& view, std::string_view name) {
   std::string advice = suggestion(name, known);
   if (!near && !elsewhere.empty()) {
     advice = "Did you mean ";
-    for (const std::string& path : elsewhere) advice += (&path == &elsewhere.front() ? "" : " or ") + dalembert::quoted(path);
+    for (const std::string& path : elsewhere) advice += (&path == &elsewhere.front() ? "" : " or ") + dalembert::in_quotes(path);
     advice += "?";
   }
   refuse(ErrorKind::name, {.problem = problem, .advice = advice});

@@ -33,7 +33,7 @@ int edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::string quoted(std::string_view word) { return "'" + std::string(word) + "'"; }
+std::string in_quotes(std::string_view word) { return "'" + std::string(word) + "'"; }
 
 std::string with_article(std::string_view noun) {
   const bool vowel = !noun.empty() && std::string_view("aeiouAEIOU").find(noun.front()) != std::string_view::npos;
@@ -47,7 +47,7 @@ std::string Complaint::text() const {
     if (!text.empty()) text += separator;
     text += part;
   };
-  if (!parameter.empty()) join(", ", "parameter " + quoted(parameter));
+  if (!parameter.empty()) join(", ", "parameter " + in_quotes(parameter));
   join(": ", problem);
   if (!received.empty()) join(problem.empty() ? ": " : "; ", "received " + received);
   if (!expected.empty()) join(received.empty() ? ": " : ", but ", "expected " + expected);
@@ -75,7 +75,7 @@ std::string nearest(std::string_view word, const std::vector<std::string_view>& 
 }
 
 std::string suggestion(std::string_view word, const std::vector<std::string_view>& known) {
-  if (const std::string best = nearest(word, known); !best.empty()) return "Did you mean " + quoted(best) + "?";
+  if (const std::string best = nearest(word, known); !best.empty()) return "Did you mean " + in_quotes(best) + "?";
   if (known.empty()) return {};
   std::string text = "Known are: ";
   for (std::size_t i = 0; i < known.size(); ++i) text += (i == 0 ? "" : ", ") + std::string(known[i]);

@@ -68,10 +68,10 @@ const ItemType& require_type(ItemKind kind, std::string_view name, const std::st
     if (type->kind == kind && type->physics != nullptr) known.push_back(type->type_name);
   Complaint complaint;
   complaint.item = where;
-  complaint.problem = "there is no " + std::string(kind_name(kind)) + " type " + quoted(name);
+  complaint.problem = "there is no " + std::string(kind_name(kind)) + " type " + in_quotes(name);
   complaint.advice = suggestion(name, known);
   if (const ItemType* other = find_type(name))
-    complaint.advice = quoted(name) + " is " + with_article(kind_name(other->kind)) + " type; use Add" +
+    complaint.advice = in_quotes(name) + " is " + with_article(kind_name(other->kind)) + " type; use Add" +
                        std::string(kind_title(other->kind)) + "(...).";
   refuse(ErrorKind::value, complaint);
 }
@@ -99,7 +99,7 @@ std::string suggest_parameter(const ItemType& type, std::string_view name, const
   const bool of_body = name.starts_with("body") || name.starts_with("object") || name.starts_with("node");
   for (const char* markers : {"markerNumber", "markerNumbers"})
     if (of_body && name.find("umber") != std::string_view::npos && std::ranges::find(known, markers) != known.end())
-      return std::string(type.name) + " acts on markers: pass " + quoted(markers) + ", made of what AddMarker(...) returned. Functions of the system, such as " +
+      return std::string(type.name) + " acts on markers: pass " + in_quotes(markers) + ", made of what AddMarker(...) returned. Functions of the system, such as " +
              (type.kind == ItemKind::load ? "mbs.CreateForce(...) and CreateTorque(...)" : "mbs.CreateSpringDamper(...) and CreateGenericJoint(...)") +
              ", take body numbers and make the markers.";
   return suggestion(name, known);

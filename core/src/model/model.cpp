@@ -82,7 +82,7 @@ void Model::check_name(ItemKind kind, int number, std::string_view name, const I
   Complaint complaint;
   complaint.item = std::string(kind_name(kind)) + " " + std::to_string(number) + " (" + std::string(type.name) + ")";
   complaint.parameter = "name";
-  complaint.received = quoted(name);
+  complaint.received = in_quotes(name);
   if (const int reserved = default_name_number(kind, name); reserved >= 0 && reserved != number) {
     complaint.expected = "a name that is not of the form '" + std::string(kind_name(kind)) + "' + number";
     complaint.advice = "Such names are given to items without a name; choose another one, or leave the name empty.";

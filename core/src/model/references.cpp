@@ -92,7 +92,7 @@ int number_of(const Model& model, ItemKind kind, const std::string& name, const 
   for (int i = 0; i < model.count(kind); ++i) own.push_back(model.name(kind, i));
   std::string advice = suggestion(name, {own.begin(), own.end()});
   if (own.empty()) advice = "The system has no " + std::string(kind_name(kind)) + "s yet; add it first.";
-  refuse(ErrorKind::index, {where, parameter, "", quoted(name), "the name of " + with_article(kind_name(kind)) + " of this system", advice});
+  refuse(ErrorKind::index, {where, parameter, "", in_quotes(name), "the name of " + with_article(kind_name(kind)) + " of this system", advice});
 }
 
 int number_of_link(const Item& tree, Named counted, const std::string& name, const std::string& where, const std::string& parameter) {
@@ -103,7 +103,7 @@ int number_of_link(const Item& tree, Named counted, const std::string& name, con
     if (const auto found = std::ranges::find(list, name); found != list.end()) return static_cast<int>(found - list.begin());
     std::ranges::copy_if(list, std::back_inserter(known), [](const std::string& other) { return !other.empty(); });
   }
-  refuse(ErrorKind::index, {where, parameter, "", quoted(name), "the name of a link or of a joint of the tree",
+  refuse(ErrorKind::index, {where, parameter, "", in_quotes(name), "the name of a link or of a joint of the tree",
                             known.empty() ? "Its links have no names; linkNames and jointNames give them." : suggestion(name, known)});
 }
 
@@ -112,7 +112,7 @@ void resolve_names(const Model& model, const ItemType& type, const Row& row, voi
     int& value = *static_cast<int*>(member(record, row));
     const Item* tree = tree_of(model, type, record);
     if (tree == nullptr)
-      refuse(ErrorKind::index, {where, std::string(row.name), "", quoted(referred_name(value)), "a number: this item is not on a kinematic tree",
+      refuse(ErrorKind::index, {where, std::string(row.name), "", in_quotes(referred_name(value)), "a number: this item is not on a kinematic tree",
                                 "Add the tree first, with linkNames and jointNames."});
     value = number_of_link(*tree, row.named, referred_name(value), where, std::string(row.name));
     return;

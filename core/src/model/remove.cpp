@@ -40,7 +40,7 @@ void Model::shift_references(ItemKind kind, int removed, std::vector<std::string
             --number;
           } else if (number == removed) {
             number = -1;
-            lost.push_back(describe(item.type->kind, static_cast<int>(i)) + ": parameter " + quoted(row.name) +
+            lost.push_back(describe(item.type->kind, static_cast<int>(i)) + ": parameter " + in_quotes(row.name) +
                            " referred to the deleted " + std::string(kind_name(kind)) + " " + std::to_string(removed) +
                            " and is invalid now");
           }

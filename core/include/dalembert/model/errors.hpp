@@ -49,7 +49,7 @@ struct ItemLabel {
 std::string nearest(std::string_view word, const std::vector<std::string_view>& known);
 // " Did you mean 'x'?" or, when nothing is close, " Known are: a, b, c."
 std::string suggestion(std::string_view word, const std::vector<std::string_view>& known);
-std::string quoted(std::string_view word);
+std::string in_quotes(std::string_view word);
 std::string with_article(std::string_view noun);  // "an object"
 
 }  // namespace dalembert
