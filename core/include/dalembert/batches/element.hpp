@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "dalembert/batches/element_parameters.hpp"
-#include "dalembert/math/pack.hpp"
-#include "dalembert/math/wide_registers.hpp"
+#include "dalembert/batches/groups.hpp"
 #include "dalembert/system/physics.hpp"
 
 namespace dalembert {
@@ -55,7 +54,7 @@ class ElementBatch : public Term {
   void residual(const Evaluation& evaluation, Ports&, double* r) const override {
     if (PureInertia<E> && !evaluation.inertia) return;
     if constexpr (n > 0)
-      each_element([&]<int L>(std::size_t first, int count) { residuals_in_lanes<L>(first, count, evaluation, r); },
+      each_element([&](const auto& group) { residuals_in_lanes(group, evaluation, r); },
                    [&](std::size_t i) { add_residual(entries_[i], evaluation, r); });
   }
   void tangent(const Evaluation& evaluation, const Weights& weights, Ports&, double* values) const override {
@@ -152,9 +151,8 @@ class ElementBatch : public Term {
   const int* slots_of(std::size_t entry) const { return slots.data() + entry * slots_per_entry; }
   void sweep(const Evaluation& evaluation, const Weights& weights, double* values) const {
     if constexpr (n > 0)
-      each_element(
-          [&]<int L>(std::size_t first, int count) { tangents_in_lanes<L>(first, count, evaluation, weights, slots_of(first), values); },
-          [&](std::size_t i) { add_tangent(entries_[i], evaluation, weights, slots_of(i), values); });
+      each_element([&](const auto& group) { tangents_in_lanes(group, evaluation, weights, values); },
+                   [&](std::size_t i) { add_tangent(entries_[i], evaluation, weights, slots_of(i), values); });
   }
 
   template <class S>
@@ -163,22 +161,23 @@ class ElementBatch : public Term {
   }
 
   // ---- elements of one law, side by side ----
-  // Calls together<L>(first, count) for elements of one law, as many at once as registers hold, and alone(i) for the others.
+  // Calls together(group) for elements of one law, as many at once as registers hold, and alone(i) for the others.
   template <class Together, class Alone>
   void each_element(const Together& together, const Alone& alone) const {
     for (std::size_t i = 0; i < entries_.size();) {
-      if constexpr (LaneKernel<E>) {
-        std::size_t end = i + 1;
-        while (end < entries_.size() && lanes_[end].like_previous) ++end;
-        if (end - i > 1)
-          in_lanes([&]<int L>() {
-            for (std::size_t count; end - i > 1; i += count) {
-              count = std::min<std::size_t>(L, end - i);
-              together.template operator()<L>(i, static_cast<int>(count));
-            }
-          });
-        if (i == end) continue;
-      }
+      if constexpr (LaneKernel<E>)
+        if (numbers_in_register() >= E::least_lanes) {
+          std::size_t end = i + 1;
+          while (end < entries_.size() && lanes_[end].like_previous) ++end;
+          if (end - i > 1)
+            in_lanes<8, E::least_lanes>([&]<int L>() {
+              for (std::size_t count; end - i > 1; i += count) {
+                count = std::min<std::size_t>(L, end - i);
+                together(Group<L>{i, static_cast<int>(count)});
+              }
+            });
+          if (i == end) continue;
+        }
       alone(i++);
     }
   }
@@ -187,7 +186,7 @@ class ElementBatch : public Term {
       const auto last = static_cast<int>(entries_.size()) - 1;
       if (lanes_.size() < entries_.size()) {
         lanes_.emplace_back();
-        for (int i = 0; i < fours; ++i) lanes_.back().fours[i] = entries_.back().dofs[four(i)];
+        for (int i = 0; i < nodes; ++i) lanes_.back().starts[i] = entries_.back().dofs[i * node_size];
       }
       for (int i = std::max(changed, 1); i <= std::min(changed + 1, last); ++i) {
         const Entry &e = entries_[i], &previous = entries_[i - 1];
@@ -195,77 +194,48 @@ class ElementBatch : public Term {
       }
     }
   }
-  // Numbers move in fours. Where those of a node are no multiple, the last four begin before the others end: what has moved
-  // already is read once more, and not added again.
+  // The numbers of a node lie side by side.
   static constexpr int node_size = [] {
     if constexpr (LaneKernel<E>) return E::node_size;
-    return 4;
+    return n;
   }();
-  static constexpr int fours_per_node = (node_size + 3) / 4, fours = n / node_size * fours_per_node;
-  static constexpr int four(int i) {
-    return i / fours_per_node * node_size + std::min(i % fours_per_node * 4, node_size - 4);
-  }
-  static constexpr bool moved_before(int i, int j) { return i % fours_per_node > 0 && four(i) + j < four(i - 1) + 4; }
-  // Number j of four i out of number(k), for those to be added.
-  template <int i, class Number>
-  static auto four_of(const Number& number) {
-    using S = decltype(number(0));
-    return [&]<int... j>(std::integer_sequence<int, j...>) {
-      return std::array<S, 4>{(moved_before(i, j) ? S(0.0) : number(four(i) + j))...};
-    }(std::make_integer_sequence<int, 4>{});
-  }
-  template <class Call>
-  static void each_four(const Call& call) {
-    [&]<int... i>(std::integer_sequence<int, i...>) { (call.template operator()<i>(), ...); }(std::make_integer_sequence<int, fours>{});
-  }
-  // Where four i of each lane begins; lanes without an element repeat the last one.
-  template <int L, class T>
-  std::array<T*, L> places(T* vector, std::size_t first, int count, int i) const {
-    std::array<T*, L> at;
-    for (int lane = 0; lane < L; ++lane) at[lane] = vector + lanes_[first + std::min(lane, count - 1)].fours[i];
-    return at;
-  }
+  static constexpr int nodes = n == 0 ? 0 : n / node_size;
+
   template <int L>
-  Vec<Pack<L>, n> gather_lanes(const double* from, std::size_t first, int count) const {
+  Vec<Pack<L>, n> gather_lanes(const double* from, const Group<L>& group) const {
     Vec<Pack<L>, n> x;
-    each_four([&]<int i>() {
-      const auto numbers = gather_fours<L>(places<L>(from, first, count, i));
-      for (int j = 0; j < 4; ++j) x[four(i) + j] = numbers[j];
-    });
+    for (int node = 0; node < nodes; ++node) {
+      const auto numbers = gathered<node_size>(group.each([&](std::size_t i) { return from + lanes_[i].starts[node]; }));
+      for (int j = 0; j < node_size; ++j) x[node * node_size + j] = numbers[j];
+    }
     return x;
   }
   template <int L>
-  Coordinates<Pack<L>, n> gather_lanes(const Evaluation& evaluation, std::size_t first, int count) const {
-    const auto gathered = [&](const double* from) { return gather_lanes<L>(from, first, count); };
-    return {gathered(evaluation.q), gathered(evaluation.v), evaluation.inertia ? gathered(evaluation.a) : Vec<Pack<L>, n>{}};
+  Coordinates<Pack<L>, n> gather_lanes(const Evaluation& evaluation, const Group<L>& group) const {
+    const auto of = [&](const double* from) { return gather_lanes<L>(from, group); };
+    return {of(evaluation.q), of(evaluation.v), evaluation.inertia ? of(evaluation.a) : Vec<Pack<L>, n>{}};
   }
   template <int L>
-  void residuals_in_lanes(std::size_t first, int count, const Evaluation& evaluation, double* r) const {
-    const Entry* e = &entries_[first];
-    const auto x = gather_lanes<L>(evaluation, first, count);
-    const auto f = element_residual<E, Pack<L>>(e->parameters, e->constants, context(evaluation, *e), x);
-    each_four([&]<int i>() {
-      scatter_fours<L>(four_of<i>([&](int row) { return f[row]; }), places<L>(r, first, count, i), count);
-    });
+  void residuals_in_lanes(const Group<L>& group, const Evaluation& evaluation, double* r) const {
+    const Entry& e = entries_[group.first];
+    const auto f = element_residual<E, Pack<L>>(e.parameters, e.constants, context(evaluation, e), gather_lanes<L>(evaluation, group));
+    for (int node = 0; node < nodes; ++node)
+      add_numbers(segment<node_size>(f, node * node_size), group.each([&](std::size_t i) { return r + lanes_[i].starts[node]; }), group.count);
   }
   template <int L>
-  void tangents_in_lanes(std::size_t first, int count, const Evaluation& evaluation, const Weights& weights, const int* slot,
-                         double* values) const {
-    const Entry* e = &entries_[first];
-    const auto k = E::tangent(e->parameters, e->constants, context(evaluation, *e), gather_lanes<L>(evaluation, first, count), weights);
-    each_four([&]<int i>() {
-      for (int column = 0; column < n; ++column) {
-        std::array<double*, L> at;  // the rows of one node lie side by side (system/pattern.hpp)
-        for (int lane = 0; lane < L; ++lane) at[lane] = values + slot[(std::min(lane, count - 1) * n + four(i)) * n + column];
-        scatter_fours<L>(four_of<i>([&](int row) { return k(row, column); }), at, count);
-      }
-    });
+  void tangents_in_lanes(const Group<L>& group, const Evaluation& evaluation, const Weights& weights, double* values) const {
+    const Entry& e = entries_[group.first];
+    const auto k = E::tangent(e.parameters, e.constants, context(evaluation, e), gather_lanes<L>(evaluation, group), weights);
+    for (int row = 0; row < n; row += node_size)  // the rows of one node lie side by side (system/pattern.hpp)
+      for (int column = 0; column < n; ++column)
+        add_numbers(vector_of<node_size>([&](int j) { return k(row + j, column); }),
+                    group.each([&](std::size_t i) { return values + slots_of(i)[row * n + column]; }), group.count);
   }
 
   // All that the loop over lanes reads of an element whose law it knows.
   struct Lane {
-    std::array<int, ElementBatch::fours> fours{};  // where they begin among the coordinates
-    bool like_previous = false;      // its law is that of the element before
+    std::array<int, ElementBatch::nodes> starts{};  // of its nodes among the coordinates
+    bool like_previous = false;                     // its law is that of the element before
   };
   std::vector<Lane> lanes_;
 };

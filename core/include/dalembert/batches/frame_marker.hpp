@@ -200,14 +200,15 @@ class FrameMarkerBatch : public MarkerBatch {
     if constexpr (requires { requires Shape::constant_jacobian; } || E::traits.constant_jacobian || only_translates) return false;
     else return n > 0;
   }();
-  // Derivatives are those of the identity.
-  static constexpr bool translates = only_translates && Shape::values == PointShape<E>::values;
+  // The position is the first coordinates: derivatives are those of the identity.
+  static constexpr bool translates = E::traits.translations > 0 && (only_translates || (E::traits.constant_jacobian && !E::traits.oriented)) &&
+                                     Shape::values == PointShape<E>::values;
   template <class S>
   static void translate(const Entry& e, const Weights& weights, PortsOf<S>& ports) {
     S *derivative = ports.derivative(e.marker), *jacobian = ports.jacobian(e.marker);
     std::fill_n(derivative, Shape::values * n, S(0.0));
     std::fill_n(jacobian, Shape::forces * n, S(0.0));
-    for (int i = 0; i < n; ++i) {
+    for (int i = 0; i < E::traits.translations; ++i) {
       derivative[i * n + i] = weights.q;
       derivative[(3 + i) * n + i] = weights.v;
       jacobian[i * n + i] = 1;

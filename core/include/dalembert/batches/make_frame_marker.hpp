@@ -16,16 +16,27 @@ concept RotatesWith = RotatingElement<E> && (Shape::values > 0 || RotatingBodyEl
 template <class E>
 concept PointMotion = E::size > 0 && (E::traits.translations == E::size || !E::traits.oriented);
 
+// Markers of points on a node whose position is among its coordinates need no more of it.
+template <class E>
+struct PointElement {
+  using Type = E;
+};
+template <class Node>
+  requires(Node::traits.translations == 3 && !RotatingNode<Node>)
+struct PointElement<AtNode<Node>> {
+  using Type = AtNode<PositionOf<Node>>;
+};
+
 // `OwnerRecord` is void for nodes. None where the element has no such frame.
 template <class E, class OwnerRecord>
 std::unique_ptr<MarkerBatch> make_frame_marker(FrameShape shape) {
-  const auto make = [&]<template <class> class Shape>() -> std::unique_ptr<MarkerBatch> {
+  const auto make = [&]<template <class> class Shape, class On = E>() -> std::unique_ptr<MarkerBatch> {
     if constexpr (E::traits.planar) return std::make_unique<PlanarMarkerBatch<E, OwnerRecord, Shape>>();
     else if constexpr (RotatesWith<Shape<E>, E>) return std::make_unique<RotatingMarkerBatch<E, OwnerRecord, Shape>>();
-    else return std::make_unique<FrameMarkerBatch<E, OwnerRecord, Shape>>();
+    else return std::make_unique<FrameMarkerBatch<On, OwnerRecord, Shape>>();
   };
   switch (shape) {
-    case FrameShape::point: return make.template operator()<PointShape>();
+    case FrameShape::point: return make.template operator()<PointShape, typename PointElement<E>::Type>();
     case FrameShape::rigid:
       if constexpr (PointMotion<E>) return nullptr;
       else return make.template operator()<RigidShape>();

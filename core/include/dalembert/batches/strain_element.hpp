@@ -2,6 +2,7 @@
 // knows it, of what its kernel states.
 #pragma once
 
+#include <algorithm>
 #include <utility>
 
 #include "dalembert/contracts/strain_points.hpp"
@@ -33,13 +34,15 @@ Vec<S, F::strains> strain_rate(const K& k, const std::array<Vec<S, D>, N>& field
   return vector_of<F::strains>([&](int i) { return strain[i].d[0]; });
 }
 
-// Numbers of which each has a direction of its own.
-template <class T, int D, std::size_t N>
-auto each_moving(const std::array<Vec<T, D>, N>& a, double weight) {
-  constexpr int all = D * static_cast<int>(N);
-  std::array<Vec<Dual<all, T>, D>, N> s;
+// Numbers of which those from `begin` on, as many as there are directions, have a direction of their own.
+template <int directions, class T, int D, std::size_t N>
+auto moving_from(int begin, const std::array<Vec<T, D>, N>& a, double weight) {
+  std::array<Vec<Dual<directions, T>, D>, N> s;
   for (int n = 0; n < static_cast<int>(N); ++n)
-    for (int d = 0; d < D; ++d) s[n][d] = Dual<all, T>::seed(a[n][d], n * D + d, weight);
+    for (int d = 0; d < D; ++d) {
+      s[n][d] = Dual<directions, T>(a[n][d]);
+      if (const int i = n * D + d - begin; i >= 0 && i < directions) s[n][d].d[i] = T(weight);
+    }
   return s;
 }
 
@@ -88,10 +91,11 @@ struct StrainElement {
     return k;
   }
 
-  // User functions are called for one element at a time. So are functions of angles, and tangents of more than twelve directions,
-  // which take registers longer than there are, and minutes to compile.
+  // User functions are called for one element at a time. So are elements of more local vectors than a beam has, whose tangents would
+  // take minutes to compile; those of beams in space take a while, and are left out where registers hold two numbers only.
+  static constexpr int least_lanes = numbers <= 12 ? 2 : 4;
   static bool same_law(const Parameters& p, const Prepared& k, const Parameters& other_p, const Prepared& other)
-    requires(Map::linear && numbers <= 12)
+    requires(Map::linear && numbers <= 15)
   {
     return !E::calls(p) && !E::calls(other_p) && k == other;
   }
@@ -271,6 +275,14 @@ struct StrainElement {
     }
   }
 
+  // Of numbers side by side, few directions at once: more take registers longer than there are, and minutes to compile.
+  template <class T>
+  static constexpr int directions_at_once(int all) {
+    if (OneNumber<T> || all <= 12) return all;
+    const int sweeps = (all + 5) / 6;
+    return (all + sweeps - 1) / sweeps;
+  }
+
   // Forces on the local vectors, and their derivatives by these along the weights. Directions are the numbers of the fields, or
   // those of the local vectors where these are fewer. Of a symmetric matrix the lower half.
   template <class F, bool damped, bool symmetric, class Free, class T>
@@ -279,26 +291,42 @@ struct StrainElement {
     const auto& points = F::points(k);
     for (int i = 0; i < points.count; ++i) {
       const auto& shape = points.at[i].shape;
+      const auto force_at = [&](const auto& at, const auto& rates) {
+        return forces_at<F, damped>(p, k, c, points.at[i], free[i], at, rates);
+      };
       if constexpr (Map::vectors <= F::fields) {
-        const auto force = forces_at<F, damped>(p, k, c, points.at[i], free[i], interpolated<F>(shape, each_moving(y, w.q)),
-                                                interpolated<F>(shape, each_moving(rate, w.v)));
-        add_rows<F>(shape, force, forces, [&](int row, int f, int d, double share) {
-          for (int j = 0; j < (symmetric ? row + 1 : numbers); ++j) m(row, j) += share * force[f][d].d[j];
-        });
+        constexpr int directions = directions_at_once<T>(numbers);
+        for (int begin = 0; begin < numbers; begin += directions) {
+          const auto force = force_at(interpolated<F>(shape, moving_from<directions>(begin, y, w.q)),
+                                      interpolated<F>(shape, moving_from<directions>(begin, rate, w.v)));
+          each_row<F>(shape, [&](int row, int f, int d, double share) {
+            if (begin == 0) forces[row / dimension][d] += share * force[f][d].value;
+            const int end = std::min(symmetric ? row + 1 : numbers, begin + directions);
+            for (int j = begin; j < end; ++j) m(row, j) += share * force[f][d].d[j - begin];
+          });
+        }
       } else {
-        const auto force = forces_at<F, damped>(p, k, c, points.at[i], free[i], each_moving(interpolated<F>(shape, y), w.q),
-                                                each_moving(interpolated<F>(shape, rate), w.v));
+        constexpr int all = dimension * F::fields, directions = directions_at_once<T>(all);
+        const auto at = interpolated<F>(shape, y), rates = interpolated<F>(shape, rate);
+        Mat<T, all, all> by_field;
+        for (int begin = 0; begin < all; begin += directions) {
+          const auto force = force_at(moving_from<directions>(begin, at, w.q), moving_from<directions>(begin, rates, w.v));
+          for (int row = 0; row < all; ++row)
+            for (int j = begin; j < std::min(all, begin + directions); ++j)
+              by_field(row, j) = force[row / dimension][row % dimension].d[j - begin];
+          if (begin == 0)
+            for (int v = 0; v < Map::vectors; ++v)
+              for (int d = 0; d < dimension; ++d)
+                forces[v][d] += sum_of_shares<F, T>(shape, v, [&](int f) { return force[f][d].value; });
+        }
         // Force on field f times its share in local vector v, summed over the fields.
-        const auto by_local = matrix_of<dimension * F::fields, numbers>([&](int row, int column) {
-          const auto& by_field = force[row / dimension][row % dimension].d;
-          return sum_of_shares<F, T>(shape, column / dimension, [&](int e) { return by_field[dimension * e + column % dimension]; });
+        const auto by_local = matrix_of<all, numbers>([&](int row, int column) {
+          return sum_of_shares<F, T>(shape, column / dimension, [&](int e) { return by_field(row, dimension * e + column % dimension); });
         });
         for (int v = 0; v < Map::vectors; ++v)
-          for (int d = 0; d < dimension; ++d) {
-            forces[v][d] += sum_of_shares<F, T>(shape, v, [&](int f) { return force[f][d].value; });
+          for (int d = 0; d < dimension; ++d)
             for (int j = 0; j < (symmetric ? dimension * v + d + 1 : numbers); ++j)
               m(dimension * v + d, j) += sum_of_shares<F, T>(shape, v, [&](int f) { return by_local(dimension * f + d, j); });
-          }
       }
     }
   }
@@ -314,15 +342,13 @@ struct StrainElement {
       }
     return sum;
   }
-  template <class F, class Shape, class Fields, class S, class Call>
-  static void add_rows(const Shape& shape, const Fields& force, Local<S>& forces, const Call& add_row) {
+  // Calls f(number, field, component, share) for each number of the local vectors and each field that it has a share in.
+  template <class F, class Shape, class Call>
+  static void each_row(const Shape& shape, const Call& call) {
     for (int f = 0; f < F::fields; ++f)
       for (int v = 0; v < Map::vectors; ++v)
         if (F::uses(f, v))
-          for (int d = 0; d < dimension; ++d) {
-            forces[v][d] += shape[f][v] * force[f][d].value;
-            add_row(dimension * v + d, f, d, shape[f][v]);
-          }
+          for (int d = 0; d < dimension; ++d) call(dimension * v + d, f, d, shape[f][v]);
   }
 };
 

@@ -177,11 +177,12 @@ template <class E>
 concept RotatingBodyElement = RotatingElement<E> && RotatingBody<typename E::Kernel>;
 
 // Elements of the same law may be computed as lanes (math/pack.hpp): residual and tangent are templates over them.
-// The coordinates of a node, four or more, lie side by side.
+// The coordinates of a node, three or more, lie side by side. Where registers hold fewer than `least_lanes` numbers, each is by itself.
 template <class E>
 concept LaneKernel = requires(const typename E::Parameters& p, const typename PreparedOf<E>::Type& k) {
   { E::same_law(p, k, p, k) } -> std::same_as<bool>;
-  requires E::node_size >= 4;
+  { E::least_lanes } -> std::convertible_to<int>;
+  requires E::node_size >= 3;
 };
 
 // A residual that is a constant mass matrix times accelerations, and nothing without them. Of a body: one mass, the same in

@@ -1,4 +1,4 @@
-// Sine and cosine of numbers side by side, to rounding: within an eighth of a turn the polynomials of fdlibm (Sun Microsystems, 1993), which are
+// Sine and cosine together. Of numbers side by side, to rounding: within an eighth of a turn the polynomials of fdlibm (Sun Microsystems, 1993), which are
 // wrong by less than 2^-57, after the nearest quarter turn has been taken off in three parts (W. J. Cody, W. Waite, Software Manual for the
 // Elementary Functions, 1980).
 #pragma once
@@ -11,9 +11,9 @@
 
 namespace dalembert {
 
-template <int N>
+template <class S>
 struct SineCosine {
-  Pack<N> sine, cosine;
+  S sine, cosine;
 };
 
 // c0 + x (c1 + x (...)).
@@ -30,11 +30,11 @@ DALEMBERT_INLINE inline Pack<N> one_if_large(const Pack<N>& angle, const Pack<N>
   return magnitude(angle).x < 1e5 ? others.x : 1.0 - typename Pack<N>::Register{};
 }
 template <int N>
-DALEMBERT_INLINE inline SineCosine<N> sine_cosine_of_any(const Pack<N>& angle) {
+DALEMBERT_INLINE inline SineCosine<Pack<N>> sine_cosine_of_any(const Pack<N>& angle) {
   return {Pack<N>::of_each([&angle](int lane) { return std::sin(angle[lane]); }), Pack<N>::of_each([&angle](int lane) { return std::cos(angle[lane]); })};
 }
 template <int N>
-DALEMBERT_INLINE inline SineCosine<N> sine_cosine_of_moderate(const Pack<N>& angle) {
+DALEMBERT_INLINE inline SineCosine<Pack<N>> sine_cosine_of_moderate(const Pack<N>& angle) {
   using Register = typename Pack<N>::Register;
   using Integers = typename Pack<N>::Mask;
   constexpr double to_integer = 6755399441055744.0;  // 1.5 * 2^52: the last bits of a sum with it are an integer
@@ -53,10 +53,22 @@ DALEMBERT_INLINE inline SineCosine<N> sine_cosine_of_moderate(const Pack<N>& ang
   return {Pack<N>(turns_sine ? -s : s), Pack<N>(turns_cosine ? -c : c)};
 }
 template <int N>
-DALEMBERT_INLINE inline SineCosine<N> sine_cosine(const Pack<N>& angle) {
+DALEMBERT_INLINE inline SineCosine<Pack<N>> sine_cosine(const Pack<N>& angle) {
   if (!is_zero(one_if_large(angle, Pack<N>()))) [[unlikely]]
     return sine_cosine_of_any(angle);
   return sine_cosine_of_moderate(angle);
+}
+// Of one number, and with derivatives: both are computed once.
+template <class S>
+SineCosine<S> sine_cosine(const S& angle) {
+  using std::cos;
+  using std::sin;
+  return {sin(angle), cos(angle)};
+}
+template <int N, class T>
+SineCosine<Dual<N, T>> sine_cosine(const Dual<N, T>& angle) {
+  const auto [sine, cosine] = sine_cosine(angle.value);
+  return {angle.chain(sine, cosine), angle.chain(cosine, -sine)};
 }
 // keep(i, sine, cosine) for `count` angles, which are looked at together.
 template <int N, class F>

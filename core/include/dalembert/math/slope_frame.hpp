@@ -33,6 +33,17 @@ struct SlopeFrame {
     const S roll = per_area * dot(moment, lead);
     return {per_length * cross(moment, lead) + roll * cross(side, second), roll * cross(first, side)};
   }
+  // How these forces change at rates of both vectors, while the moment does not.
+  std::array<Vec3<S>, 2> pull_back_rate(const Vec3<S>& moment, const Vec3<S>& a, const Vec3<S>& b) const {
+    const Vec3<S> area_rate = cross(b, first) + cross(second, a);
+    const S growth = per_length * dot(lead, a), area_growth = per_area * dot(normal, area_rate);  // of length and area, relative
+    const Vec3<S> lead_rate = per_length * a - growth * lead, normal_rate = per_area * area_rate - area_growth * normal;
+    const Vec3<S> side_rate = cross(lead_rate, normal) + cross(lead, normal_rate);
+    const S roll = per_area * dot(moment, lead), roll_rate = per_area * dot(moment, lead_rate) - area_growth * roll;
+    const Vec3<S> lean = cross(moment, lead_rate) - growth * cross(moment, lead);
+    return {per_length * lean + cross(roll_rate * side + roll * side_rate, second) + roll * cross(side, b),
+            cross(first, roll_rate * side + roll * side_rate) + roll * cross(a, side)};
+  }
 };
 
 // The same while both vectors change: derivatives are those along the rates.

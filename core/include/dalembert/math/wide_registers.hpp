@@ -46,10 +46,12 @@ void in_wide_registers(const Loop& loop) {
   numbers_in_register() > 2 ? run_in_wide_registers(loop) : run_in_any_registers(loop);
 }
 
-// Runs a loop over as many numbers at once as a register holds, `most` of them: loop.operator()<2, 4 or 8>().
-template <int most = 8, class Loop>
+// Runs a loop over as many numbers at once as a register holds, `most` of them: loop.operator()<2, 4 or 8>(). Registers hold
+// `least` of them, or nobody asks.
+template <int most = 8, int least = 2, class Loop>
 void in_lanes(const Loop& loop) {
-  if (numbers_in_register() == 2) return run_in_any_registers([&] { loop.template operator()<2>(); });
+  if constexpr (least == 2)
+    if (numbers_in_register() == 2) return run_in_any_registers([&] { loop.template operator()<2>(); });
   if constexpr (most == 8)
     if (numbers_in_register() == 8) return run_in_widest_registers([&] { loop.template operator()<8>(); });
   run_in_wide_registers([&] { loop.template operator()<4>(); });

@@ -105,10 +105,9 @@ struct ObjectANCFBeam : NoDoubt {
       const auto frame = Axes::frame(at[1], at[2]);
       const Mat3<S> rotation = Axes::rotation(frame);
       const Vec3<S> force = rotation * segment<3>(stress, 0), moment = (1 / k.length) * (rotation * segment<3>(stress, 3));
-      const auto turn = Axes::pull_back(frame, cross(force, at[0]));
-      const auto bend = Axes::pull_back(Axes::frame(moving(at[1], at[3]), moving(at[2], at[4])), moving(moment, Vec3<S>{}));
-      const auto value = [](const auto& v) { return Vec3<S>{v[0].value, v[1].value, v[2].value}; };
-      return {force, turn[0] + rate_of(bend[0]), turn[1] + rate_of(bend[1]), value(bend[0]), value(bend[1])};
+      const auto turn = Axes::pull_back(frame, cross(force, at[0])), bend = Axes::pull_back(frame, moment),
+                 bend_rate = Axes::pull_back_rate(frame, moment, at[3], at[4]);
+      return {force, turn[0] + bend_rate[0], turn[1] + bend_rate[1], bend[0], bend[1]};
     }
   };
   // Deformation of the section: (r_y r_y - 1) / 2, (r_z r_z - 1) / 2 and r_y r_z / 2, at the nodes.

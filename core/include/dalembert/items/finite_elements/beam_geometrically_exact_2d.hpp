@@ -6,6 +6,7 @@
 
 #include "dalembert/contracts/strain_points.hpp"
 #include "dalembert/finite_elements/beam_geometrically_exact_2d_parameters.hpp"
+#include "dalembert/math/pack_functions.hpp"
 
 namespace dalembert {
 
@@ -116,17 +117,13 @@ struct ObjectBeamGeometricallyExact2D : NoDoubt {
 
       template <class S>
       static Vec3<S> strain(const Constants& k, const Vectors<S, 1, fields>& at) {
-        using std::cos;
-        using std::sin;
-        const S angle = at[2][0] + k.offset[point], c = cos(angle), s = sin(angle);
+        const auto [s, c] = sine_cosine(S(at[2][0] + k.offset[point]));
         const S x = (1 / k.length) * at[0][0], y = (1 / k.length) * at[1][0];
         return {c * x + s * y - 1.0, c * y - s * x, (1 / k.length) * at[3][0]};
       }
       template <class S>
       static Vectors<S, 1, fields> pull_back(const Constants& k, const Vectors<S, 1, fields>& at, const Vec3<S>& stress) {
-        using std::cos;
-        using std::sin;
-        const S angle = at[2][0] + k.offset[point], c = cos(angle), s = sin(angle);
+        const auto [s, c] = sine_cosine(S(at[2][0] + k.offset[point]));
         const S x = (1 / k.length) * at[0][0], y = (1 / k.length) * at[1][0];
         const S &axial = stress[0], &shear = stress[1];
         const S force_x = c * axial - s * shear, force_y = s * axial + c * shear;

@@ -56,6 +56,11 @@ struct AxesOfSection {
     const auto [z, y] = f.pull_back(moment);
     return {y, z};
   }
+  template <class S>
+  static std::array<Vec3<S>, 2> pull_back_rate(const SlopeFrame<S>& f, const Vec3<S>& moment, const Vec3<S>& rate_y, const Vec3<S>& rate_z) {
+    const auto [z, y] = f.pull_back_rate(moment, rate_z, rate_y);
+    return {y, z};
+  }
 };
 
 // Rotation, angular velocity and acceleration of the frame that slopes a and b span, with their rates.
