@@ -1,4 +1,4 @@
-"""Sensors that measure the distance to contact geometry along a line."""
+"""Create functions of sensors that measure the distance to contact geometry along a line, and of such geometry."""
 
 from __future__ import annotations
 
@@ -11,8 +11,74 @@ from dalembert import itemInterface as items
 from dalembert._checks import FloatArray
 from dalembert._core import ConfigurationType, ContactTypeIndex, MarkerIndex, OutputVariableType
 from dalembert._tools.found_items import find_item
+from dalembert.create._arguments import (
+    FLAG,
+    NOT_NEGATIVE,
+    NUMBER,
+    Check,
+    argument_error,
+    color,
+    refined,
+    vector,
+)
 
 RED = [1.0, 0.0, 0.0, 1.0]
+
+
+def _is_row(value: Any, length: int) -> bool:
+    """Return whether the value has any number of rows of so many finite numbers."""
+    try:
+        array = np.asarray(value, dtype=float)
+    except (TypeError, ValueError):
+        return False
+    return array.ndim == 2 and array.shape[1] == length and len(array) > 0 and bool(np.isfinite(array).all())
+
+
+def _rows(length: int, what: str) -> Check:
+    return Check(lambda value: _is_row(value, length), f"a list of {what}, each with {length} numbers")
+
+
+_DIRECTION = refined(
+    vector(3), "a vector with 3 finite components that is not zero", lambda value: "" if value.any() else "It is zero"
+)
+
+CHECKS: dict[str, dict[str, Check]] = {
+    "CreateDistanceSensorGeometry": {
+        "meshPoints": _rows(3, "points"),
+        "meshTrigs": _rows(3, "triangles"),
+    },
+    "CreateDistanceSensor": {
+        "dirSensor": _DIRECTION,
+        "minDistance": NUMBER,
+        "maxDistance": NUMBER,
+        "cylinderRadius": NOT_NEGATIVE,
+        "measureVelocity": FLAG,
+        "addGraphicsObject": FLAG,
+        "drawDisplaced": FLAG,
+        "color": color(),
+    },
+}
+TEXTS = {
+    "CreateDistanceSensorGeometry": {
+        "meshPoints": "corners of triangles in the frame of the marker (m), such as those of a triangle mesh of graphics",
+        "meshTrigs": "three indices of points per triangle; a ray sees both sides",
+        "rigidBodyMarkerIndex": "rigid marker that carries the triangles, by its index or name",
+        "searchTreeCellSize": "numbers of cells of the search along x, y and z",
+    },
+    "CreateDistanceSensor": {
+        "generalContactIndex": "number of the GeneralContact whose spheres and triangles are seen",
+        "positionOrMarker": "start of the ray: a point in the global frame (m), or a marker by its index or name",
+        "dirSensor": "direction of the ray, of any length; in the frame of a rigid marker, otherwise in the global frame",
+        "minDistance": "least distance that counts (m); below zero, the ray looks backwards too",
+        "maxDistance": "greatest distance (m), which is the value where nothing is seen",
+        "cylinderRadius": "radius of the ray (m); above zero, only spheres are seen",
+        "selectedTypeIndex": "kind of contact that is seen, such as exu.ContactTypeIndex.IndexTrigsRigidBodyBased; all",
+        "measureVelocity": "True: the velocity along the ray (m/s) is the second value",
+        "addGraphicsObject": "True: a ground object shows the ray",
+        "drawDisplaced": "True: the ray is drawn at its end, where something is seen",
+        "color": "RGBA color of the drawn ray",
+    },
+}
 
 
 def CreateDistanceSensorGeometry(
