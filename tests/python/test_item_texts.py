@@ -69,12 +69,12 @@ def assert_described(told: list[str], row: Parameter) -> None:
     assert told[first + 1] == line(row.doc)
 
 
-@pytest.mark.parametrize("name", MIRRORS)
+@pytest.mark.parametrize("name", create.functions)
 def test_create_functions(name: str) -> None:
     """Each argument is described; those that stand for parameters have the default and the text of the spec."""
     function = create.functions[name]
     told, rows = lines_of(function), mirrored(function)
-    classes = [getattr(items, prefix + item)() for item in MIRRORS[name] for prefix in ("", "V")]
+    classes = [getattr(items, prefix + item)() for item in MIRRORS.get(name, ()) for prefix in ("", "V")]
     for argument, parameter in list(inspect.signature(function).parameters.items())[1:]:
         first = next(i for i, text in enumerate(told) if text.startswith(f"{argument}: "))
         assert told[first + 1]
@@ -85,7 +85,8 @@ def test_create_functions(name: str) -> None:
 
 
 def test_every_create_function_mirrors_an_item() -> None:
-    assert set(MIRRORS) == set(create.functions)
+    of_no_item = {"CreateDistanceSensorGeometry"}  # general contact is none
+    assert set(MIRRORS) == set(create.functions) - of_no_item
 
 
 def test_other_defaults_are_others() -> None:

@@ -1,4 +1,4 @@
-"""The Create functions of MainSystem: nodes, bodies, markers, connectors, joints, loads, sensors and robots in one call each."""
+"""The Create functions of MainSystem: an item with all that belongs to it, such as nodes and markers, in one call."""
 
 from __future__ import annotations
 

@@ -193,4 +193,38 @@ arm = mbs.CreateKinematicTree(
 tip = mbs.AddMarker(MarkerKinematicTreeRigid(objectNumber=arm, linkNumber=1, localPosition=[0.5, 0, 0]))
 mbs.AddLoad(Force(markerNumber=tip, loadVector=[0, 0, 5]))
 """,
+    "CreateDistanceSensorGeometry": """
+wall = graphics.Brick(centerPoint=[2, 0, 0], size=[0.1, 2, 2])
+points, triangles = graphics.ToPointsAndTrigs(wall)
+ground = mbs.AddMarker(MarkerBodyRigid(bodyNumber=mbs.CreateGround()))
+seen = mbs.CreateDistanceSensorGeometry(points, triangles, ground)
+cart = mbs.AddMarker(MarkerBodyPosition(bodyNumber=mbs.CreateMassPoint(physicsMass=1, initialVelocity=[1, 0, 0])))
+mbs.CreateDistanceSensor(seen, positionOrMarker=cart, dirSensor=[1, 0, 0])  # 1.95 m at the start
+""",
+    "CreateDistanceSensor": """
+ground = mbs.AddMarker(MarkerBodyRigid(bodyNumber=mbs.CreateGround()))
+floor = [[-5, -5, 0], [5, -5, 0], [5, 5, 0], [-5, 5, 0]]
+seen = mbs.CreateDistanceSensorGeometry(floor, [[0, 1, 2], [0, 2, 3]], ground)
+drone = mbs.CreateRigidBody(
+    referencePosition=[0, 0, 3], inertia=InertiaSphere(mass=1, radius=0.1), gravity=[0, 0, -9.81]
+)
+center = mbs.AddMarker(MarkerBodyRigid(bodyNumber=drone))
+height = mbs.CreateDistanceSensor(
+    seen, positionOrMarker=center, dirSensor=[0, 0, -1], minDistance=0, measureVelocity=True, storeInternal=True
+)
+""",
+    "CreateRobot": """
+from pathlib import Path
+
+Path("pendulum.urdf").write_text('''<robot name="pendulum"><link name="base"/>
+<link name="rod"><inertial><origin xyz="0.5 0 0"/><mass value="2"/>
+<inertia ixx="0.01" ixy="0" ixz="0" iyy="0.2" iyz="0" izz="0.2"/></inertial></link>
+<joint name="hinge" type="revolute"><parent link="base"/><child link="rod"/><axis xyz="0 1 0"/>
+<limit lower="-2" upper="2" effort="50" velocity="5"/><dynamics damping="0.1"/></joint></robot>''')
+made = mbs.CreateRobot("pendulum.urdf", referenceConfiguration=[0.3], limitStiffness=1e4)
+tip = mbs.AddMarker(
+    MarkerKinematicTreeRigid(objectNumber=made["objectKinematicTree"], linkNumber="rod", localPosition=[1, 0, 0])
+)
+mbs.AddLoad(Force(markerNumber=tip, loadVector=[0, 0, 5]))
+""",
 }

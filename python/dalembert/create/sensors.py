@@ -10,7 +10,7 @@ import numpy.typing as npt
 from dalembert import itemInterface as items
 from dalembert._checks import FloatArray
 from dalembert._core import ConfigurationType, ContactTypeIndex, MarkerIndex, OutputVariableType
-from dalembert._tools.found_items import find_item
+from dalembert._tools.found_items import index_of
 from dalembert.create._arguments import (
     FLAG,
     NOT_NEGATIVE,
@@ -25,33 +25,53 @@ from dalembert.create._arguments import (
 RED = [1.0, 0.0, 0.0, 1.0]
 
 
-def _is_row(value: Any, length: int) -> bool:
-    """Return whether the value has any number of rows of so many finite numbers."""
+def _is_table(value: Any, whole: bool) -> bool:
+    """Return whether the value has rows of three finite, or whole and not negative, numbers."""
     try:
         array = np.asarray(value, dtype=float)
     except (TypeError, ValueError):
         return False
-    return array.ndim == 2 and array.shape[1] == length and len(array) > 0 and bool(np.isfinite(array).all())
+    rows = array.ndim == 2 and array.shape[1] == 3 and len(array) > 0 and bool(np.isfinite(array).all())
+    return rows and (not whole or bool(((array >= 0) & (array == np.floor(array))).all()))
 
 
-def _rows(length: int, what: str) -> Check:
-    return Check(lambda value: _is_row(value, length), f"a list of {what}, each with {length} numbers")
+def _is_position_or_marker(value: Any) -> bool:
+    return isinstance(value, (str, MarkerIndex)) or vector(3).test(value)
 
 
-_DIRECTION = refined(
-    vector(3), "a vector with 3 finite components that is not zero", lambda value: "" if value.any() else "It is zero"
+_NUMBER_OF_CONTACT = Check(
+    lambda value: isinstance(value, (int, np.integer)) and not isinstance(value, bool),
+    "the number of a GeneralContact, such as mbs.CreateDistanceSensorGeometry(...) returns",
 )
+_CELLS = refined(
+    vector(3), "three whole numbers greater than zero", lambda cells: "" if _are_cells(cells) else "One is not."
+)
+_DIRECTION = refined(
+    vector(3), "a vector with 3 finite components that is not zero", lambda value: "" if value.any() else "It is zero."
+)
+
+
+def _are_cells(cells: FloatArray) -> bool:
+    return bool(((cells > 0) & (cells == np.floor(cells))).all())
+
 
 CHECKS: dict[str, dict[str, Check]] = {
     "CreateDistanceSensorGeometry": {
-        "meshPoints": _rows(3, "points"),
-        "meshTrigs": _rows(3, "triangles"),
+        "meshPoints": Check(lambda value: _is_table(value, False), "a list of points with 3 finite coordinates each"),
+        "meshTrigs": Check(lambda value: _is_table(value, True), "a list of triangles, with 3 indices of points each"),
+        "searchTreeCellSize": _CELLS,
     },
     "CreateDistanceSensor": {
+        "generalContactIndex": _NUMBER_OF_CONTACT,
+        "positionOrMarker": Check(_is_position_or_marker, "a MarkerIndex, the name of a marker, or a point [x, y, z]"),
         "dirSensor": _DIRECTION,
         "minDistance": NUMBER,
         "maxDistance": NUMBER,
         "cylinderRadius": NOT_NEGATIVE,
+        "selectedTypeIndex": Check(
+            lambda value: isinstance(value, ContactTypeIndex),
+            "a member of ContactTypeIndex, e.g. exu.ContactTypeIndex.IndexTrigsRigidBodyBased",
+        ),
         "measureVelocity": FLAG,
         "addGraphicsObject": FLAG,
         "drawDisplaced": FLAG,
@@ -60,19 +80,19 @@ CHECKS: dict[str, dict[str, Check]] = {
 }
 TEXTS = {
     "CreateDistanceSensorGeometry": {
-        "meshPoints": "corners of triangles in the frame of the marker (m), such as those of a triangle mesh of graphics",
+        "meshPoints": "corners of triangles in the frame of the marker (m), such as those of a mesh of graphics",
         "meshTrigs": "three indices of points per triangle; a ray sees both sides",
         "rigidBodyMarkerIndex": "rigid marker that carries the triangles, by its index or name",
-        "searchTreeCellSize": "numbers of cells of the search along x, y and z",
+        "searchTreeCellSize": "without effect, as the search finds its cells by itself",
     },
     "CreateDistanceSensor": {
         "generalContactIndex": "number of the GeneralContact whose spheres and triangles are seen",
         "positionOrMarker": "start of the ray: a point in the global frame (m), or a marker by its index or name",
-        "dirSensor": "direction of the ray, of any length; in the frame of a rigid marker, otherwise in the global frame",
+        "dirSensor": "direction of the ray, of any length, in the frame of a rigid marker or else in the global frame",
         "minDistance": "least distance that counts (m); below zero, the ray looks backwards too",
         "maxDistance": "greatest distance (m), which is the value where nothing is seen",
-        "cylinderRadius": "radius of the ray (m); above zero, only spheres are seen",
-        "selectedTypeIndex": "kind of contact that is seen, such as exu.ContactTypeIndex.IndexTrigsRigidBodyBased; all",
+        "cylinderRadius": "radius of the ray (m); one above zero sees spheres alone, as selectedTypeIndex has to say",
+        "selectedTypeIndex": "kind of contact partners that are seen; IndexEndOfEnumList stands for all",
         "measureVelocity": "True: the velocity along the ray (m/s) is the second value",
         "addGraphicsObject": "True: a ground object shows the ray",
         "drawDisplaced": "True: the ray is drawn at its end, where something is seen",
@@ -90,21 +110,33 @@ def CreateDistanceSensorGeometry(
 ) -> int:
     """Add triangles on a rigid marker as geometry for distance sensors; return the number of the GeneralContact.
 
-    Points (m) are in the frame of the marker, triangles hold three point indices each; no contact forces arise.
+    Rays see both sides of triangles; no contact forces arise.
     """
-    contact = mbs.AddGeneralContact()
-    contact.SetFrictionPairings(np.zeros((1, 1)))
-    contact.SetSearchTreeCellSize(numberOfCells=searchTreeCellSize)
-    contact.AddTrianglesRigidBodyBased(
-        rigidBodyMarkerIndex=rigidBodyMarkerIndex,
-        contactStiffness=1,
-        contactDamping=1,
-        frictionMaterialIndex=0,
-        pointList=meshPoints,
-        triangleList=meshTrigs,
-    )
+    where, points, triangles = "CreateDistanceSensorGeometry", np.asarray(meshPoints, float), np.asarray(meshTrigs)
+    marker = index_of(mbs, "Marker", rigidBodyMarkerIndex, f"MainSystem.{where}(...): argument 'rigidBodyMarkerIndex'")
+    if "Rigid" not in (kind := mbs.GetMarker(marker)["markerType"]):
+        expected = "a marker with an orientation, such as MarkerBodyRigid"
+        raise argument_error(where, "rigidBodyMarkerIndex", expected, f"{marker!r}, a Marker{kind}")
+    if triangles.max() >= len(points):
+        expected = f"indices of the {len(points)} points of meshPoints, from 0 to {len(points) - 1}"
+        raise argument_error(where, "meshTrigs", expected, int(triangles.max()))
+    contact, number = mbs.AddGeneralContact(), int(mbs.NumberOfGeneralContacts()) - 1
+    try:
+        contact.SetFrictionPairings(np.zeros((1, 1)))
+        contact.SetSearchTreeCellSize(numberOfCells=searchTreeCellSize)
+        contact.AddTrianglesRigidBodyBased(
+            rigidBodyMarkerIndex=marker,
+            contactStiffness=1,
+            contactDamping=1,
+            frictionMaterialIndex=0,
+            pointList=points,
+            triangleList=triangles,
+        )
+    except BaseException:  # a triangle without area, for instance
+        mbs.DeleteGeneralContact(number)
+        raise
     contact.isActive = False
-    return int(mbs.NumberOfGeneralContacts()) - 1
+    return number
 
 
 def _measure(mbs: Any, t: float, sensorNumbers: list[Any], factors: FloatArray, configuration: Any) -> list[float]:
@@ -156,44 +188,17 @@ def CreateDistanceSensor(
 ) -> Any:
     """Add a sensor for the distance (m) from a point along a direction to contact geometry; return its SensorIndex.
 
-    Start point and direction are global; a marker moves the start point, and a rigid marker turns the direction too.
-    A cylinder radius (m) widens the ray. measureVelocity adds the velocity (m/s) along the line as second value.
-    addGraphicsObject draws the ray as a ground object, at its end if drawDisplaced.
+    A marker moves the start of the ray, and a rigid marker turns its direction too. The value is maxDistance where
+    nothing is seen.
     """
-    marker = -1
-    if isinstance(positionOrMarker, str):
-        positionOrMarker = find_item(mbs, positionOrMarker, ("Marker",), "CreateDistanceSensor: positionOrMarker")
-    if isinstance(positionOrMarker, MarkerIndex):
-        marker = int(positionOrMarker)
-        try:
-            position = mbs.GetMarkerOutput(
-                positionOrMarker, OutputVariableType.Position, configuration=ConfigurationType.Reference
-            )
-        except (RuntimeError, ValueError):  # markers that know their position after Assemble() only
-            position = np.zeros(3)
-    elif isinstance(positionOrMarker, (list, tuple, np.ndarray)) and len(positionOrMarker) == 3:
-        position = positionOrMarker
-    else:
-        raise ValueError(
-            "CreateDistanceSensor: positionOrMarker: expected a MarkerIndex, a name or a position with 3 components, "
-            f"received {positionOrMarker!r} ({type(positionOrMarker).__name__})"
-        )
-    start, direction = [float(x) for x in position], [float(x) for x in dirSensor]
-
-    graphicsObject = -1
-    if addGraphicsObject:
-        from dalembert import graphics
-
-        ray = (-1.0 if drawDisplaced else 1.0) * np.array(direction)
-        if cylinderRadius == 0:
-            shape = graphics.Lines([[0, 0, 0], list(ray)], color=color)
-        else:
-            shape = graphics.Cylinder([0, 0, 0], ray, radius=cylinderRadius, color=color)
-        view = items.VObjectGround(graphicsData=[shape])
-        graphicsObject = int(mbs.AddObject(items.ObjectGround(referencePosition=start, visualization=view)))
-
+    _require_seen(mbs, generalContactIndex, selectedTypeIndex, cylinderRadius)
+    if not minDistance < maxDistance:
+        raise argument_error(_SENSOR, "minDistance", f"less than maxDistance, which is {maxDistance}", minDistance)
+    marker, start = _start(mbs, positionOrMarker)
+    direction = [float(x) for x in dirSensor]
+    ray = _drawn_ray(mbs, start, direction, cylinderRadius, drawDisplaced, color) if addGraphicsObject else -1
     limits = [minDistance, maxDistance, cylinderRadius]
-    options = [int(selectedTypeIndex), measureVelocity, graphicsObject, drawDisplaced]
+    options = [int(selectedTypeIndex), measureVelocity, ray, drawDisplaced]
     factors = [float(x) for x in (generalContactIndex, marker, *start, *direction, *limits, *options)]
     return mbs.AddSensor(
         items.SensorUserFunction(
@@ -204,3 +209,55 @@ def CreateDistanceSensor(
             sensorUserFunction=_measure,
         )
     )
+
+
+_SENSOR = "CreateDistanceSensor"
+
+
+def _require_seen(mbs: Any, number: int, kind: ContactTypeIndex, radius: float) -> None:
+    """Raise a ValueError if there is no such contact, or nothing in it that such a ray sees."""
+    count = int(mbs.NumberOfGeneralContacts())
+    if not 0 <= number < count:
+        expected = f"the number of a GeneralContact, of which this system has {count}"
+        advice = "" if count else ". Make one by mbs.CreateDistanceSensorGeometry(...) or mbs.AddGeneralContact()"
+        raise argument_error(_SENSOR, "generalContactIndex", expected + advice, number)
+    if radius == 0:
+        return
+    if kind != ContactTypeIndex.IndexSpheresMarkerBased:
+        expected = "0, or selectedTypeIndex=exu.ContactTypeIndex.IndexSpheresMarkerBased, as it sees spheres alone"
+        raise argument_error(_SENSOR, "cylinderRadius", expected, radius)
+    contact = mbs.GetGeneralContact(number).GetPythonObject()
+    if contact["numberOfSpheresMarkerBased"] == 0 and contact["numberOfTrigsRigidBodyBased"] > 0:
+        expected = f"0, as it sees spheres alone, and GeneralContact {number} has triangles and no spheres"
+        raise argument_error(_SENSOR, "cylinderRadius", expected, radius)
+
+
+def _start(mbs: Any, positionOrMarker: Any) -> tuple[int, list[float]]:
+    """Return the number of the marker, or -1, and where the ray starts."""
+    if not isinstance(positionOrMarker, (str, MarkerIndex)):
+        return -1, [float(x) for x in positionOrMarker]
+    marker = index_of(mbs, "Marker", positionOrMarker, f"MainSystem.{_SENSOR}(...): argument 'positionOrMarker'")
+    try:
+        position = mbs.GetMarkerOutput(marker, OutputVariableType.Position, ConfigurationType.Reference)
+    except ValueError:  # it never has a position
+        kind = mbs.GetMarker(marker)["markerType"]
+        expected = "a marker with a position, such as MarkerBodyRigid"
+        raise argument_error(_SENSOR, "positionOrMarker", expected, f"{marker!r}, a Marker{kind}") from None
+    except RuntimeError:  # it has one after Assemble()
+        position = np.zeros(3)
+    return int(marker), [float(x) for x in position]
+
+
+def _drawn_ray(
+    mbs: Any, start: list[float], direction: list[float], radius: float, atEnd: bool, color: list[float]
+) -> int:
+    """Add a ground object that shows the ray, and return its number."""
+    from dalembert import graphics
+
+    ray = (-1.0 if atEnd else 1.0) * np.array(direction)
+    if radius == 0:
+        shape = graphics.Lines([[0, 0, 0], list(ray)], color=color)
+    else:
+        shape = graphics.Cylinder([0, 0, 0], ray, radius=radius, color=color)
+    view = items.VObjectGround(graphicsData=[shape])
+    return int(mbs.AddObject(items.ObjectGround(referencePosition=start, visualization=view)))
