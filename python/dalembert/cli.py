@@ -185,17 +185,17 @@ def _items(arguments: argparse.Namespace) -> int:
         return 0
     from dalembert.create import functions
 
-    if arguments.name in functions:
-        print(f"mbs.{arguments.name}: {functions[arguments.name].__doc__}")
+    created = {name.lower(): name for name in functions}
+    if name := created.get(arguments.name.lower()):
+        told = f"mbs.{name}: {functions[name].__doc__}"
+        print("\n".join(_wrapped(line) for line in told.splitlines()))
         return 0
     known = [name for name, value in vars(itemInterface).items() if isinstance(value, type)]
     lower = {name.lower(): name for name in known}
     arguments.name = lower.get(arguments.name.lower(), arguments.name)
     if arguments.name not in known:
-        running = [name for name in known if getattr(itemInterface, name).__name__.removeprefix("V") not in ITEMS]
-        near = difflib.get_close_matches(arguments.name, [*running, *functions], 3)
-        hint = f"; did you mean {', '.join(near)}?" if near else "; 'dalembert items' lists all"
-        print(f"dalembert items: there is no item '{arguments.name}'{hint}", file=sys.stderr)
+        near = _near(arguments.name, [name for name in [*known, *functions] if name not in ITEMS])
+        print(f"dalembert items: there is no item '{arguments.name}'; {near}", file=sys.stderr)
         return 2
     cls = getattr(itemInterface, arguments.name)
     state = " (planned: it is refused when it is added)" if cls.__name__ in ITEMS else ""
@@ -203,6 +203,19 @@ def _items(arguments: argparse.Namespace) -> int:
     print(f"{cls.__name__}: {summary}{state}")
     print("\n".join(_wrapped(line) for line in rest.splitlines()))
     return 0
+
+
+def _near(name: str, names: Iterable[str]) -> str:
+    """Return where to look for what is no item: at those with a similar name, or at help() of a method."""
+    import dalembert
+
+    if hasattr(dalembert.MainSystem, name):
+        return f"it is a method: help(exu.MainSystem.{name}) in Python"
+    if hasattr(dalembert, name):
+        return f"help(exu.{name}) in Python tells what it is"
+    shown = [each for each in names if not each.startswith("V")]  # how items are drawn is told with them
+    near = difflib.get_close_matches(name, shown, 3)
+    return f"did you mean {', '.join(near)}?" if near else "'dalembert items' lists all"
 
 
 def _wrapped(line: str) -> str:

@@ -126,3 +126,7 @@ def test_command_line() -> None:
     assert "Example:" in command("items", "CreateRevoluteJoint").stdout
     wrong = command("items", "CreateRevolute")
     assert wrong.returncode == 2 and "CreateRevoluteJoint" in wrong.stderr
+    assert command("items", "createrobot").stdout == command("items", "CreateRobot").stdout != ""
+    assert command("items", "RigidBod").stderr.endswith("did you mean RigidBody, RigidBody2D, ObjectRigidBody?\n")
+    assert "help(exu.MainSystem.SolveDynamic)" in command("items", "SolveDynamic").stderr
+    assert "help(exu.SimulationSettings)" in command("items", "SimulationSettings").stderr

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import re
 import sys
 from pathlib import Path
 from typing import Any
@@ -17,7 +18,7 @@ from codegen.model import Item, Parameter
 from codegen.views.cpp import one_line
 from dalembert import create
 from dalembert import itemInterface as items
-from dalembert.create._mirrors import MIRRORS, mirrored
+from dalembert.create._mirrors import MIRRORS, arguments, mirrored
 from dalembert.create.contacts import TRIANGLE
 
 ITEMS = load(Path(__file__).parents[2]).items
@@ -82,6 +83,14 @@ def test_create_functions(name: str) -> None:
             assert told[first + 1] == rows[argument].text
             default = next(getattr(cls, rows[argument].name) for cls in classes if hasattr(cls, rows[argument].name))
             np.testing.assert_equal(parameter.default, OTHER_DEFAULTS.get((name, argument), default))
+
+
+@pytest.mark.parametrize("name", create.functions)
+def test_types_of_arguments_are_said_in_words(name: str) -> None:
+    plain = inspect.unwrap(create.functions[name])
+    for argument in arguments(plain, create.checks(plain)):
+        assert not re.search(r"\b(Any|npt|Sequence|Callable|list\[)|\||^list$", argument.type), argument
+        assert "array(" not in argument.default
 
 
 def test_every_create_function_mirrors_an_item() -> None:

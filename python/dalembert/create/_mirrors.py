@@ -95,6 +95,21 @@ TEXTS = {
     "dataInitialCoordinates": "data at the start: gap, tangential speed, impact velocity and plastic overlap",
     "planePosition": "point of the plane in the frame of its body (m)",
 }
+# What arguments must be that neither an item nor a check says.
+TYPES = {
+    "bodyNumber": "ObjectIndex, MarkerIndex or name",
+    "position": "3 numbers",
+    "quadPoints": "4 points of 3 numbers",
+    "superElementRigidMarkersOffsets": "list of 3 numbers each",
+    "colors": "4 numbers, or a list of them",
+    "colorsJoints": "4 numbers, or a list of them",
+    "baseGraphicsDataList": "list of graphics data",
+    "rigidBodyMarkerIndex": "MarkerIndex or name",
+    "baseMarker": "MarkerIndex or name",
+    "fileName": "str or Path",
+    "packages": "str, Path, list or dict",
+    "referenceConfiguration": "a number per joint",
+}
 _VECTOR, _MATRIX = re.compile(r"(\d+) numbers"), re.compile(r"(\d+) x \1 numbers")
 _VECTORS = {"unit_vector": unit_vector, "color": color}
 _NUMBERS = {"": NUMBER, "non_negative": NOT_NEGATIVE, "positive": POSITIVE}
@@ -163,6 +178,8 @@ def _literal(value: Any) -> str:
     if isinstance(value, np.ndarray):
         rows, columns = value.shape
         return f"np.eye({rows})" if value.any() else f"np.zeros(({rows}, {columns}))"
+    if isinstance(value, list) and any(isinstance(entry, np.ndarray) for entry in value):
+        return repr([entry.tolist() for entry in value])
     return str(value) if isinstance(value, Enum) else repr(value)
 
 
@@ -170,6 +187,8 @@ def _type_of(parameter: inspect.Parameter, check: Check | None) -> str:
     """Return what an argument that no item has must be, in words."""
     if check is not None:
         return check.expected.removesuffix(" or None")
+    if parameter.name in TYPES:
+        return TYPES[parameter.name]
     if parameter.default in (None, inspect.Parameter.empty):
         return str(parameter.annotation).removesuffix(" | None")
     return type(parameter.default).__name__
