@@ -186,8 +186,8 @@ def _items(arguments: argparse.Namespace) -> int:
     from dalembert.create import functions
 
     created = {name.lower(): name for name in functions}
-    if name := created.get(arguments.name.lower()):
-        told = f"mbs.{name}: {functions[name].__doc__}"
+    if (made := created.get(arguments.name.lower())) is not None:
+        told = f"mbs.{made}: {functions[made].__doc__}"
         print("\n".join(_wrapped(line) for line in told.splitlines()))
         return 0
     known = [name for name, value in vars(itemInterface).items() if isinstance(value, type)]
