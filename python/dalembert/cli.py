@@ -54,7 +54,7 @@ def _loaded(model: Path, allowCode: bool = False) -> tuple[Any, Any]:
     try:
         return mbs, mbs.Load(model, allowCode=allowCode)
     except ValueError as error:
-        raise SystemExit(str(error)) from None
+        raise SystemExit(str(error).replace("Pass allowCode=True", "Add --allow-code")) from None
 
 
 def _solve(model: Path, arguments: Sequence[str]) -> int:
@@ -108,7 +108,7 @@ def _check(arguments: argparse.Namespace) -> int:
     model = _existing("check", arguments.model)
     if model is None:
         return 2
-    mbs = _loaded(model)[0] if model.suffix == ".json" else _system_of(model)
+    mbs = _loaded(model, arguments.allow_code)[0] if model.suffix == ".json" else _system_of(model)
     found = findings(mbs)
     if not any(text.startswith("Assemble()") for text in found):
         _print_table(figures(mbs))
@@ -126,7 +126,8 @@ def _info(arguments: argparse.Namespace) -> int:
         model = _existing("info", arguments.model)
         if model is None:
             return 2
-        _print_table(figures(_loaded(model)[0] if model.suffix == ".json" else _system_of(model)))
+        loaded = model.suffix == ".json"
+        _print_table(figures(_loaded(model, arguments.allow_code)[0] if loaded else _system_of(model)))
         return 0
     import platform
 
@@ -361,6 +362,10 @@ def _parser() -> argparse.ArgumentParser:
     check = commands.add_parser("check", help="assemble a model and tell what looks wrong, without solving it")
     check.add_argument("model", help="a Python file, or a JSON file of mbs.Save(...)")
     check.set_defaults(function=_check)
+
+    for command in (info, check):
+        words = "load user functions of a model file, which is to run their code"
+        command.add_argument("--allow-code", action="store_true", help=words)
 
     items = commands.add_parser("items", help="list all items, or what one is: parameters, outputs, example")
     items.add_argument("name", nargs="?", help="an item or Create function: NodePoint, Point, CreateRigidBody")
