@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from enum import Enum
 from types import ModuleType
 from typing import Any, NamedTuple
@@ -15,8 +15,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from dalembert import _version
-from dalembert._checks import FloatArray
-from dalembert._core import SimulationSettings
+from dalembert._checks import FloatArray, shape_error
+from dalembert._core import MainSystem, SensorIndex, SimulationSettings
 from dalembert._io.files import file_to_read, file_to_write, naming, replacing
 from dalembert._io.solution_rows import COLUMNS
 from dalembert._io.solution_states import LoadSolutionFile
@@ -48,9 +48,12 @@ def _extra(name: str, where: str) -> ModuleType:
         raise ImportError(f"{where}: the package {name} is needed; install it with 'pip install {name}'") from None
 
 
-def _measured(mbs: Any, sensors: Sequence[Any] | None, continuousAngles: bool, where: str) -> Iterator[_Measured]:
+def _measured(mbs: Any, sensors: Any, continuousAngles: bool, where: str) -> Iterator[_Measured]:
     """Return what sensors have stored; None: all that have stored something."""
-    wanted = range(mbs.systemData.NumberOfSensors()) if sensors is None else sensors
+    if not isinstance(mbs, MainSystem):
+        raise TypeError(str(shape_error(f"{where}: mbs", "a system, such as SC.AddSystem() returns", mbs)))
+    single = isinstance(sensors, (str, SensorIndex, int))
+    wanted = range(mbs.systemData.NumberOfSensors()) if sensors is None else [sensors] if single else sensors
     for sensor in wanted:
         number = int(find_item(mbs, sensor, ("Sensor",), where) if isinstance(sensor, str) else sensor)
         information = mbs.GetSensor(number)
@@ -69,10 +72,11 @@ def _measured(mbs: Any, sensors: Sequence[Any] | None, continuousAngles: bool, w
         yield _Measured(information["name"], variable, unit_of(mbs, information), components, data[:, 0], values)
 
 
-def SensorsToPandas(mbs: Any, sensors: Sequence[Any] | None = None, continuousAngles: bool = False) -> Any:
+def SensorsToPandas(mbs: Any, sensors: Any = None, continuousAngles: bool = False) -> Any:
     """Return the stored values of sensors as a pandas.DataFrame over time, with a column per component: 'tip.X'.
 
-    sensors: indices or names; None: all with storeInternal=True. Units are in frame.attrs['units'], by column.
+    sensors: indices or names, or one of them; None: all with storeInternal=True. Units, by column, are in
+    frame.attrs['units'].
     continuousAngles: angles go on beyond pi instead of jumping.
     """
     pandas = _extra("pandas", "SensorsToPandas")
@@ -89,7 +93,7 @@ def SensorsToPandas(mbs: Any, sensors: Sequence[Any] | None = None, continuousAn
     return frame
 
 
-def SensorsToXarray(mbs: Any, sensors: Sequence[Any] | None = None, continuousAngles: bool = False) -> Any:
+def SensorsToXarray(mbs: Any, sensors: Any = None, continuousAngles: bool = False) -> Any:
     """Return the stored values of sensors as an xarray.Dataset with a variable per sensor, over time and component.
 
     Variables carry 'units' and 'long_name', as plots of xarray and packages for units read them. sensors and
@@ -176,7 +180,7 @@ def SaveHDF5(
     mbs: Any,
     fileName: str | os.PathLike[str],
     simulationSettings: SimulationSettings | None = None,
-    sensors: Sequence[Any] | None = None,
+    sensors: Any = None,
     solutionFile: str | os.PathLike[str] | None = None,
     continuousAngles: bool = False,
 ) -> None:

@@ -80,6 +80,8 @@ def CreateRobot(
             raise argument_error("CreateRobot", wrong, expected, of_trees[wrong])
         baseMarker = index_of(mbs, "Marker", baseMarker, "MainSystem.CreateRobot(...): argument 'baseMarker'")
     robot = ReadRobot(fileName, baseHT, gravity, packages, graphics)
+    if robot.NumberOfLinks() == 0:
+        raise argument_error("CreateRobot", "fileName", "a robot with a joint that moves", fileName)
     if referenceConfiguration is not None:
         where = "CreateRobot: referenceConfiguration"
         given = as_vector(where, referenceConfiguration, robot.NumberOfLinks())
