@@ -109,9 +109,12 @@ def test_completion() -> None:
     completion.tell_ipython()  # as the import of the package does where IPython runs
     shell = IPython.core.interactiveshell.InteractiveShell.instance()
     shell.Completer.use_jedi = False  # it guesses by types, and gives up when time is short
-    shell.user_ns.update(settings=exu.SimulationSettings(), exu=exu)
+    SC = exu.SystemContainer()
+    shell.user_ns.update(settings=exu.SimulationSettings(), exu=exu, SC=SC, mbs=SC.AddSystem())
     assert ".newton" in "".join(shell.complete("settings.timeIntegration.new")[1])
     assert shell.complete("exu.OutputVariableType.Rotat")[1]
+    assert ".window" in shell.complete("SC.visualizationSettings.win")[1]
+    assert ".GetODE2Coordinates" in shell.complete("mbs.systemData.GetODE2")[1]
 
 
 def command(*arguments: str) -> Any:
