@@ -113,7 +113,7 @@ def test_completion() -> None:
     shell.user_ns.update(settings=exu.SimulationSettings(), exu=exu, SC=SC, mbs=SC.AddSystem())
     assert ".newton" in "".join(shell.complete("settings.timeIntegration.new")[1])
     assert shell.complete("exu.OutputVariableType.Rotat")[1]
-    assert ".window" in shell.complete("SC.visualizationSettings.win")[1]
+    assert ".nodes" in shell.complete("SC.visualizationSettings.nod")[1]
     assert ".GetODE2Coordinates" in shell.complete("mbs.systemData.GetODE2")[1]
 
 

@@ -1,7 +1,7 @@
 """Completion by the tab key in IPython and Jupyter.
 
-Attributes of settings, and parts of systems, are found by code of the class, which IPython does not run while it completes
-unless the class is known to do nothing else. Reading them has no other effect.
+Attributes of settings, and parts of systems, are found by code of the class, which IPython does not run while it
+completes unless the class is known to do nothing else. Reading them has no other effect.
 """
 
 from __future__ import annotations
