@@ -58,6 +58,16 @@ def test_enumerations_tell_what_values_mean() -> None:
             assert cls[value.name].__doc__ == " ".join(value.doc.split())
 
 
+def test_methods_of_systems_tell_what_they_take_and_give() -> None:
+    for name in ("PreStep", "PostStep", "PostNewton", "PreNewtonResidual", "SystemJacobian", "Events", "EventAction"):
+        assert "Set the function f(mbs, t" in getattr(exu.MainSystem, f"Set{name}UserFunction").__doc__
+    assert "given by its index or name" in exu.MainSystem.SetObjectParameter.__doc__
+    for name in dir(exu.MainSystem):
+        text = inspect.getdoc(getattr(exu.MainSystem, name)) or ""
+        if not name.startswith("_"):
+            assert len(text.replace(f"{name}(self: dalembert._core.MainSystem", "")) > 30, name
+
+
 def test_mathematics_is_readable_in_a_terminal() -> None:
     told = pydoc.render_doc(exu.ObjectRigidBody, renderer=pydoc.plaintext)
     assert "[J_xx, J_yy, J_zz, J_yz, J_xz, J_xy]" in told and "J_xy = -∫ x y dm" in told
