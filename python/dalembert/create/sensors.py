@@ -237,13 +237,13 @@ def _start(mbs: Any, positionOrMarker: Any) -> tuple[int, list[float]]:
     if not isinstance(positionOrMarker, (str, MarkerIndex)):
         return -1, [float(x) for x in positionOrMarker]
     marker = index_of(mbs, "Marker", positionOrMarker, f"MainSystem.{_SENSOR}(...): argument 'positionOrMarker'")
+    kind = mbs.GetMarker(marker)["markerType"]
+    if "Position" not in kind and "Rigid" not in kind:
+        expected = "a marker with a position, such as MarkerBodyRigid"
+        raise argument_error(_SENSOR, "positionOrMarker", expected, f"{marker!r}, a Marker{kind}")
     try:
         position = mbs.GetMarkerOutput(marker, OutputVariableType.Position, ConfigurationType.Reference)
-    except ValueError:  # it never has a position
-        kind = mbs.GetMarker(marker)["markerType"]
-        expected = "a marker with a position, such as MarkerBodyRigid"
-        raise argument_error(_SENSOR, "positionOrMarker", expected, f"{marker!r}, a Marker{kind}") from None
-    except RuntimeError:  # it has one after Assemble()
+    except (RuntimeError, ValueError):  # markers that know their position after Assemble() only
         position = np.zeros(3)
     return int(marker), [float(x) for x in position]
 
