@@ -109,6 +109,7 @@ TYPES = {
     "fileName": "str or Path",
     "packages": "str, Path, list or dict",
     "referenceConfiguration": "a number per joint",
+    "forceUserFunction": "function, controller or 0",
 }
 _VECTOR, _MATRIX = re.compile(r"(\d+) numbers"), re.compile(r"(\d+) x \1 numbers")
 _VECTORS = {"unit_vector": unit_vector, "color": color}

@@ -41,7 +41,8 @@ def _is_position_or_marker(value: Any) -> bool:
 
 _NUMBER_OF_CONTACT = Check(
     lambda value: isinstance(value, (int, np.integer)) and not isinstance(value, bool),
-    "the number of a GeneralContact, such as mbs.CreateDistanceSensorGeometry(...) returns",
+    "the number of a GeneralContact",
+    lambda value: "mbs.CreateDistanceSensorGeometry(...) returns one.",
 )
 _CELLS = refined(
     vector(3), "three whole numbers greater than zero", lambda cells: "" if _are_cells(cells) else "One is not."
@@ -70,7 +71,8 @@ CHECKS: dict[str, dict[str, Check]] = {
         "cylinderRadius": NOT_NEGATIVE,
         "selectedTypeIndex": Check(
             lambda value: isinstance(value, ContactTypeIndex),
-            "a member of ContactTypeIndex, e.g. exu.ContactTypeIndex.IndexTrigsRigidBodyBased",
+            "a member of ContactTypeIndex",
+            lambda value: "Write exu.ContactTypeIndex.IndexTrigsRigidBodyBased, for instance.",
         ),
         "measureVelocity": FLAG,
         "addGraphicsObject": FLAG,
@@ -86,7 +88,7 @@ TEXTS = {
         "searchTreeCellSize": "without effect, as the search finds its cells by itself",
     },
     "CreateDistanceSensor": {
-        "generalContactIndex": "number of the GeneralContact whose spheres and triangles are seen",
+        "generalContactIndex": "contact whose spheres and triangles are seen, such as CreateDistanceSensorGeometry returns",
         "positionOrMarker": "start of the ray: a point in the global frame (m), or a marker by its index or name",
         "dirSensor": "direction of the ray, of any length, in the frame of a rigid marker or else in the global frame",
         "minDistance": "least distance that counts (m); below zero, the ray looks backwards too",
