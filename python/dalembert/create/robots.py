@@ -35,7 +35,7 @@ TEXTS = {
         "name": "name before those of links and joints, which tells several robots apart",
         "baseHT": "homogeneous transformation from the base to the global frame; None: as in the file",
         "gravity": "acceleration of gravity (m/s^2); None: that of the file, or 9.81 against z",
-        "referenceConfiguration": "coordinates of the joints (m, rad); those that follow others do so; None: as in the file",
+        "referenceConfiguration": "coordinates of the joints (m, rad) without those that follow; None: as in the file",
         "packages": "folders of meshes in URDF files, or a dictionary of these by the name of the package",
         "graphics": "True: links are drawn with the shapes of the file",
         "baseMarker": "rigid marker that carries the base, which may move, by its index or name; None for ground",
