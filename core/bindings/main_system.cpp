@@ -18,8 +18,19 @@ namespace {
 using Class = py::class_<MainSystem, std::shared_ptr<MainSystem>>;
 
 // The functions that a solver calls for the whole system, by the names of their setters.
-constexpr const char* system_functions[] = {"PreStep",           "PostStep", "PostNewton", "PreNewtonResidual", "SystemJacobian", "Events",
-                                           "EventAction"};
+struct SystemFunctionWords {
+  const char* name;
+  const char* doc;
+};
+constexpr SystemFunctionWords system_functions[] = {
+    {"PreStep", "Set the function f(mbs, t) that solvers call before each step, with the time t (s) of its end; it may change parameters, and returns True to go on, False to stop."},
+    {"PostStep", "Set the function f(mbs, t) that solvers call after each step; it returns True to go on, False to stop."},
+    {"PostNewton", "Set the function f(mbs, t) that solvers call after Newton's method; it may switch data coordinates, and returns [error of the discontinuous "
+                   "iteration, recommended step size (s) or -1]."},
+    {"PreNewtonResidual", "Set the function f(mbs, t, newtonIteration, discontinuousIteration) that implicit solvers call before they compute a residual."},
+    {"SystemJacobian", "Set the function f(mbs, t, factorODE2, factorODE2_t, factorODE1) that returns a MatrixContainer, which is added to the system matrix."},
+    {"Events", "Set the function f(mbs, t) whose values have zeros at events: a list with a number per event, or with pairs of the number and a direction."},
+    {"EventAction", "Set the function f(mbs, t, event, direction) that acts when an event has happened; it returns True to go on, False to stop."}};
 
 constexpr const char* list_key(ItemKind kind) {
   constexpr const char* keys[] = {"nodeList", "objectList", "markerList", "loadList", "sensorList"};
@@ -49,12 +60,12 @@ py::object function_of(const std::string& name, const py::object& value) {
 }
 
 void register_functions(Class& main_system) {
-  for (const char* name : system_functions) {
+  for (const auto& [name, doc] : system_functions) {
     const std::string key(name);
     main_system.def(
         ("Set" + key + "UserFunction").c_str(),
         [key](MainSystem& main, const py::object& value) { main.set_user_function(key, function_of(key, value)); },
-        py::arg("value"), "Set the function that solvers call; 0 removes it.");
+        py::arg("value"), (std::string(doc) + " 0 removes it.").c_str());
     main_system.def(
         ("Get" + key + "UserFunction").c_str(),
         [key](const MainSystem& main, bool as_dict) -> py::object {
@@ -231,7 +242,8 @@ py::dict system_dictionary(const MainSystem& main) {
   }
   if (!main.model.term_sources().empty()) result["generalContactList"] = general_contact_dictionaries(main);
   py::dict functions, settings;
-  for (const std::string name : system_functions) {
+  for (const auto& words : system_functions) {
+    const std::string name(words.name);
     const py::object function = main.user_function(name);
     functions[dictionary_key(name).c_str()] = function.is_none() ? py::object(py::int_(0)) : function;
   }
@@ -267,8 +279,8 @@ void set_system_dictionary(MainSystem& main, const py::dict& data) {
   };
   const py::dict functions = entries("userFunctions"), settings = entries("settings");
   std::map<std::string, py::object> user_functions;
-  for (const std::string name : system_functions)
-    if (const std::string key = dictionary_key(name); functions.contains(key)) user_functions[name] = function_of(name, functions[key.c_str()]);
+  for (const auto& words : system_functions)
+    if (const std::string name(words.name), key = dictionary_key(name); functions.contains(key)) user_functions[name] = function_of(name, functions[key.c_str()]);
   const bool interactive = settings.contains("interactiveMode") && settings["interactiveMode"].cast<bool>();
   const py::dict variables = entries("variables"), sys = entries("systemVariables");
   main.reset_to(std::move(model));

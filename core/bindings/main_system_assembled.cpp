@@ -113,7 +113,7 @@ void register_outputs(Class& main_system) {
         source.system->node_output(source.number, variable_argument(variable, "GetNodeOutput"), in, values);
         return number_or_array(values);
       },
-      py::arg("nodeNumber"), py::arg("variableType"), py::arg("configuration") = py::none(), "An output variable of a node.");
+      py::arg("nodeNumber"), py::arg("variableType"), py::arg("configuration") = py::none(), "An output variable of a node, in the current configuration or another one; a number or an array, in the units of the node's page.");
   main_system.def(
       "GetObjectOutput",
       [](MainSystem& main, const py::object& object, const py::object& variable, const py::object& configuration) {
@@ -125,7 +125,7 @@ void register_outputs(Class& main_system) {
         return number_or_array(values);
       },
       py::arg("objectNumber"), py::arg("variableType"), py::arg("configuration") = py::none(),
-      "An output variable of an object, e.g. the force in a connector.");
+      "An output variable of an object, e.g. the force in a connector; a number or an array, in the units of its page.");
   main_system.def(
       "GetObjectOutputBody",
       [](MainSystem& main, const py::object& object, const py::object& variable, const py::object& position,
@@ -164,7 +164,7 @@ void register_outputs(Class& main_system) {
         source.system->marker_output(source.number, variable_argument(variable, "GetMarkerOutput"), in, values);
         return array(values);
       },
-      py::arg("markerNumber"), py::arg("variableType"), py::arg("configuration") = py::none(), "An output variable of a marker.");
+      py::arg("markerNumber"), py::arg("variableType"), py::arg("configuration") = py::none(), "An output variable of a marker, such as its position (m).");
 }
 
 bool keeps_values(const Item& sensor) {
@@ -192,7 +192,7 @@ void register_loads_and_sensors(Class& main_system) {
             .sensor_values(number, current_or(main, configuration, "GetSensorValues"), values);
         return number_or_array(values);
       },
-      py::arg("sensorNumber"), py::arg("configuration") = py::none(), "What a sensor measures.");
+      py::arg("sensorNumber"), py::arg("configuration") = py::none(), "What a sensor measures, in the current configuration or another one; a number or an array, in the units of its output variable.");
   main_system.def(
       "GetSensorStoredData",
       [](MainSystem& main, const py::object& sensor) -> py::object {

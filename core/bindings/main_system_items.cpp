@@ -279,7 +279,7 @@ void register_reading(Class& main_system, ItemKind kind) {
       [kind, method = get + "Parameter"](const MainSystem& main, const py::object& index, const std::string& name) {
         return get_parameter(main, kind, item_number_argument(main, kind, index.ptr(), method), name);
       },
-      py::arg(number.c_str()), py::arg("parameterName"), "One parameter; visualization parameters begin with 'V'.");
+      py::arg(number.c_str()), py::arg("parameterName"), ("A parameter of the " + noun + ", which is given by its index or name; visualization parameters begin with 'V'.").c_str());
 }
 
 void register_writing(Class& main_system, ItemKind kind) {
@@ -291,7 +291,7 @@ void register_writing(Class& main_system, ItemKind kind) {
         set_parameter(main, kind, item_number_argument(main, kind, index.ptr(), set), name, value);
       },
       py::arg(number.c_str()), py::arg("parameterName"), py::arg("value"),
-      "Set one parameter; visualization parameters begin with 'V'.");
+      ("Set a parameter of the " + noun + ", which is given by its index or name; visualization parameters begin with 'V'.").c_str());
   main_system.def(
       modify.c_str(),
       [kind, modify](MainSystem& main, const py::object& index, const py::dict& changes) {

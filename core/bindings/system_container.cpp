@@ -137,7 +137,7 @@ void register_system_container(py::module_& module) {
         made->append(main.shared_from_this());
         return made;
       },
-      py::is_method(main_system), py::name("GetSystemContainer"));
+      py::is_method(main_system), py::name("GetSystemContainer"), "The container that has the system, and with it the settings of pictures.");
 }
 
 }  // namespace dalembert

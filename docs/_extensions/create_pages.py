@@ -14,8 +14,9 @@ from plain_docstrings import as_rst, escaped
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
 INTRO = """\
-A Create function is a method of ``MainSystem`` that adds a body, a connector, a joint or a load with what belongs to
-it: nodes, markers, weight. It returns the number of the object or load, by which its parameters can be read and set.
+A Create function is a method of ``MainSystem`` that adds a body, a connector, a joint, a load, a sensor or a robot with
+what belongs to it: nodes, markers, weight. It returns the number of the item, by which its parameters can be read and
+set, or a dictionary with several.
 """
 
 
@@ -38,13 +39,13 @@ def row(argument: Any) -> str:
 
 def page(name: str, function: Any, create: ModuleType, examples: dict[str, str]) -> str:
     plain, mirrors = inspect.unwrap(function), create._mirrors
-    items = ", ".join(f":ref:`{item} <item-{item}>`" for item in mirrors.MIRRORS[name])
+    items = ", ".join(f":ref:`{item} <item-{item}>`" for item in mirrors.MIRRORS.get(name, ()))
     used = [stem for stem, code in examples.items() if f".{name}(" in code]
     return "\n".join(
         (
             f".. _create-{name}:\n\n{heading(name)}",
             *as_rst(inspect.getdoc(plain).splitlines()),
-            f"\n:Items: {items}\n",
+            f"\n:Items: {items or ':doc:`general contact </general_contact>`'}\n",
             heading("Arguments", "-"),
             f"``mbs.{name}(...)`` takes these arguments, by name.\n",
             ".. list-table::\n   :header-rows: 1\n   :class: rows\n",

@@ -32,9 +32,7 @@ from dalembert._solving import linearized as linearized
 from dalembert._solving import report as report
 from dalembert._solving import vibrations as vibrations
 from dalembert._studies import variations as variations
-from dalembert.create import _distance_sensor as distance_sensor
-from dalembert.create import _robot as robot
-from dalembert.create import bodies, connectors, contacts, flexible, joints, loads, trees
+from dalembert.create import bodies, connectors, contacts, flexible, joints, loads, robots, sensors, trees
 
 # Functions that solvers call. Step functions return whether to go on, PostNewton [error, recommended step size].
 _StepFunction = Callable[[MainSystem, float], bool]
@@ -282,9 +280,9 @@ class MainSystem(_Bound):
     CreateTorque = loads.CreateTorque
 
     CreateKinematicTree = trees.CreateKinematicTree
-    CreateDistanceSensor = distance_sensor.CreateDistanceSensor
-    CreateDistanceSensorGeometry = distance_sensor.CreateDistanceSensorGeometry
-    CreateRobot = robot.CreateRobot
+    CreateDistanceSensor = sensors.CreateDistanceSensor
+    CreateDistanceSensorGeometry = sensors.CreateDistanceSensorGeometry
+    CreateRobot = robots.CreateRobot
     DrawSystemGraph = system_graph.DrawSystemGraph
     Draw = draw.Draw
     DrawSolution = draw.DrawSolution

@@ -54,7 +54,7 @@ def _loaded(model: Path, allowCode: bool = False) -> tuple[Any, Any]:
     try:
         return mbs, mbs.Load(model, allowCode=allowCode)
     except ValueError as error:
-        raise SystemExit(str(error)) from None
+        raise SystemExit(str(error).replace("Pass allowCode=True", "Add --allow-code")) from None
 
 
 def _solve(model: Path, arguments: Sequence[str]) -> int:
@@ -108,7 +108,7 @@ def _check(arguments: argparse.Namespace) -> int:
     model = _existing("check", arguments.model)
     if model is None:
         return 2
-    mbs = _loaded(model)[0] if model.suffix == ".json" else _system_of(model)
+    mbs = _loaded(model, arguments.allow_code)[0] if model.suffix == ".json" else _system_of(model)
     found = findings(mbs)
     if not any(text.startswith("Assemble()") for text in found):
         _print_table(figures(mbs))
@@ -126,7 +126,8 @@ def _info(arguments: argparse.Namespace) -> int:
         model = _existing("info", arguments.model)
         if model is None:
             return 2
-        _print_table(figures(_loaded(model)[0] if model.suffix == ".json" else _system_of(model)))
+        loaded = model.suffix == ".json"
+        _print_table(figures(_loaded(model, arguments.allow_code)[0] if loaded else _system_of(model)))
         return 0
     import platform
 
@@ -185,17 +186,17 @@ def _items(arguments: argparse.Namespace) -> int:
         return 0
     from dalembert.create import functions
 
-    if arguments.name in functions:
-        print(f"mbs.{arguments.name}: {functions[arguments.name].__doc__}")
+    created = {name.lower(): name for name in functions}
+    if (made := created.get(arguments.name.lower())) is not None:
+        told = f"mbs.{made}: {functions[made].__doc__}"
+        print("\n".join(_wrapped(line) for line in told.splitlines()))
         return 0
     known = [name for name, value in vars(itemInterface).items() if isinstance(value, type)]
     lower = {name.lower(): name for name in known}
     arguments.name = lower.get(arguments.name.lower(), arguments.name)
     if arguments.name not in known:
-        running = [name for name in known if getattr(itemInterface, name).__name__.removeprefix("V") not in ITEMS]
-        near = difflib.get_close_matches(arguments.name, [*running, *functions], 3)
-        hint = f"; did you mean {', '.join(near)}?" if near else "; 'dalembert items' lists all"
-        print(f"dalembert items: there is no item '{arguments.name}'{hint}", file=sys.stderr)
+        near = _near(arguments.name, [name for name in [*known, *functions] if name not in ITEMS])
+        print(f"dalembert items: there is no item '{arguments.name}'; {near}", file=sys.stderr)
         return 2
     cls = getattr(itemInterface, arguments.name)
     state = " (planned: it is refused when it is added)" if cls.__name__ in ITEMS else ""
@@ -203,6 +204,19 @@ def _items(arguments: argparse.Namespace) -> int:
     print(f"{cls.__name__}: {summary}{state}")
     print("\n".join(_wrapped(line) for line in rest.splitlines()))
     return 0
+
+
+def _near(name: str, names: Iterable[str]) -> str:
+    """Return where to look for what is no item: at those with a similar name, or at help() of a method."""
+    import dalembert
+
+    if hasattr(dalembert.MainSystem, name):
+        return f"it is a method: help(exu.MainSystem.{name}) in Python"
+    if hasattr(dalembert, name):
+        return f"help(exu.{name}) in Python tells what it is"
+    shown = [each for each in names if not each.startswith("V")]  # how items are drawn is told with them
+    near = difflib.get_close_matches(name, shown, 3)
+    return f"did you mean {', '.join(near)}?" if near else "'dalembert items' lists all"
 
 
 def _wrapped(line: str) -> str:
@@ -348,6 +362,10 @@ def _parser() -> argparse.ArgumentParser:
     check = commands.add_parser("check", help="assemble a model and tell what looks wrong, without solving it")
     check.add_argument("model", help="a Python file, or a JSON file of mbs.Save(...)")
     check.set_defaults(function=_check)
+
+    for command in (info, check):
+        words = "load user functions of a model file, which is to run their code"
+        command.add_argument("--allow-code", action="store_true", help=words)
 
     items = commands.add_parser("items", help="list all items, or what one is: parameters, outputs, example")
     items.add_argument("name", nargs="?", help="an item or Create function: NodePoint, Point, CreateRigidBody")

@@ -129,7 +129,10 @@ class SampledController(Controller):
 
     def __init__(self, law: Controller, period: float, deadTime: float = 0.0) -> None:
         if not isinstance(law, Controller) or isinstance(law, SampledController):
-            raise TypeError(f"SampledController: law: expected a controller that is not sampled, received {law!r}")
+            expected = (
+                "a controller, such as ComputedTorque(...) or CompiledController(...), that is not sampled itself"
+            )
+            raise TypeError(f"SampledController: law: expected {expected}, received {law!r}")
         interval = as_number("SampledController: period", period)
         if not interval > 0:
             raise shape_error("SampledController: period", "a positive number", period)

@@ -65,7 +65,7 @@ def Compute6NodeTrigsNormals(elementNodes: npt.ArrayLike) -> FloatArray:
 
     Nodes: 3 corners, then the middles of the sides opposite to corner 0, 1 and 2.
     """
-    nodes = as_matrix("elementNodes", elementNodes, (6, 3))
+    nodes = as_matrix("Compute6NodeTrigsNormals: elementNodes", elementNodes, (6, 3))
     xi, eta = np.array([[0, 0], [1, 0], [0, 1], [0.5, 0.5], [0, 0.5], [0.5, 0]]).T
     zeta = 1 - xi - eta
     zero = 0 * xi
@@ -76,7 +76,7 @@ def Compute6NodeTrigsNormals(elementNodes: npt.ArrayLike) -> FloatArray:
 
 def RefineMesh(points: npt.ArrayLike, triangles: npt.ArrayLike) -> list[list[npt.NDArray[Any]]]:
     """Return [points, triangles] of the mesh with each triangle divided into 4; new points are shared on edges."""
-    newPoints = list(as_points("points", points))
+    newPoints = list(as_points("RefineMesh: points", points))
     newTriangles: list[IntArray] = []
     middles: dict[frozenset[int], int] = {}
 
@@ -100,7 +100,7 @@ def ShrinkMeshNormalToSurface(
 
     The shift of a triangle is distance along its inner normal; points must not be duplicated.
     """
-    p = as_points("points", points)
+    p = as_points("ShrinkMeshNormalToSurface: points", points)
     t = np.asarray(triangles, dtype=int).reshape(-1, 3)
     shifts = np.repeat(-distance * triangle_normals(p, t), 3, axis=0)
     lower, upper = np.zeros_like(p), np.zeros_like(p)
@@ -135,7 +135,7 @@ def ComputeTriangularMesh(vertices: npt.ArrayLike, segments: npt.ArrayLike) -> A
     """
     from scipy.spatial import Delaunay
 
-    tri = Delaunay(as_points("vertices", vertices, 2))
+    tri = Delaunay(as_points("ComputeTriangularMesh: vertices", vertices, 2))
     if len(np.unique(tri.simplices)) < len(tri.points):
         warnings.warn("ComputeTriangularMesh: some vertices are in no triangle; are vertices duplicated?", stacklevel=2)
     inside = _inside(tri.simplices, tri.neighbors, np.asarray(segments, dtype=int).reshape(-1, 2))
@@ -168,7 +168,9 @@ def CirclePointsAndSegments(
     Points are sorted clockwise, so the circle is a hole; invert makes it an outer curve.
     """
     phi = 2 * pi * np.arange(nTiles) / nTiles
-    points = as_vector("center", center, 2) + radius * np.column_stack([np.sin(phi), np.cos(phi)])
+    points = as_vector("CirclePointsAndSegments: center", center, 2) + radius * np.column_stack(
+        [np.sin(phi), np.cos(phi)]
+    )
     return [points.tolist(), SegmentsFromPoints(points, pointIndexOffset, invert).tolist()]
 
 

@@ -9,9 +9,8 @@ from typing import Any
 import numpy as np
 
 from dalembert import _core
-from dalembert._checks import shape_error
 from dalembert._core import ConfigurationType, OutputVariableType, Print
-from dalembert._io.solution_states import LoadSolutionFile, SetSolutionState
+from dalembert._io.solution_states import LoadSolutionFile, SetSolutionState, check_solution
 
 _noticed: set[str] = set()
 
@@ -277,8 +276,7 @@ def SolutionViewer(
     solution.
     """
     data = solution_of_last_simulation(mainSystem, "SolutionViewer") if solution is None else solution
-    if not isinstance(data, dict):
-        raise shape_error("SolutionViewer: solution", "what LoadSolutionFile(fileName) returns", solution)
+    check_solution("SolutionViewer", data)
     if runMode not in (0, 1, 2):
         raise ValueError(f"SolutionViewer: runMode: expected 0, 1 or 2, received {runMode}")
     if not 1 <= rowIncrement <= data["nRows"]:

@@ -57,8 +57,8 @@ def TranslationZ2T66Inverse(translation: float) -> FloatArray:
 
 def MassCOMinertia2T66(mass: float, centerOfMass: npt.ArrayLike, inertia: npt.ArrayLike) -> FloatArray:
     """Return the 6x6 inertia of a mass (kg) with centre of mass and 3x3 inertia tensor about the centre of mass."""
-    C = Skew(as_vector("centerOfMass", centerOfMass, 3))
-    J = as_matrix("inertia", inertia, (3, 3))
+    C = Skew(as_vector("MassCOMinertia2T66: centerOfMass", centerOfMass, 3))
+    J = as_matrix("MassCOMinertia2T66: inertia", inertia, (3, 3))
     return np.block([[J + mass * (C @ C.T), mass * C], [mass * C.T, mass * np.eye(3)]])
 
 
@@ -69,7 +69,7 @@ def Inertia2T66(inertia: RigidBodyInertia) -> FloatArray:
 
 def Inertia66toMassCOMinertia(inertia66: npt.ArrayLike) -> list[Any]:
     """Return [mass, centre of mass, 3x3 inertia tensor about the centre of mass] of a 6x6 inertia."""
-    I66 = as_matrix("inertia66", inertia66, (6, 6))
+    I66 = as_matrix("Inertia66toMassCOMinertia: inertia66", inertia66, (6, 6))
     mass, moment = I66[5, 5], I66[:3, 3:]
     return [mass, Skew2Vec(moment) / mass, I66[:3, :3] - moment @ moment.T / mass]
 
@@ -80,7 +80,7 @@ _rotations = (RotationMatrixX, RotationMatrixY, RotationMatrixZ)
 def JointTransformMotionSubspace(jointType: str, q: float) -> list[FloatArray]:
     """Return [rotation matrix from parent to link, translation, rotation axis, translation axis] of a joint."""
     if jointType not in ("Rx", "Ry", "Rz", "Px", "Py", "Pz"):
-        raise shape_error("jointType", "one of Rx, Ry, Rz, Px, Py, Pz", jointType)
+        raise shape_error("JointTransformMotionSubspace: jointType", "one of Rx, Ry, Rz, Px, Py, Pz", jointType)
     k = "xyz".index(jointType[1])
     axis, none = np.eye(3)[k], np.zeros(3)
     if jointType[0] == "R":
@@ -96,7 +96,7 @@ def JointTransformMotionSubspace66(jointType: str, q: float) -> list[FloatArray]
 
 def CRM(v: npt.ArrayLike) -> FloatArray:
     """Return the 6x6 matrix of the cross product of the motion vector v with motion vectors."""
-    motion = as_vector("v", v, 6)
+    motion = as_vector("CRM: v", v, 6)
     W, V = Skew(motion[:3]), Skew(motion[3:])
     return np.block([[W, np.zeros((3, 3))], [V, W]])
 
@@ -138,10 +138,12 @@ class KinematicTree66:
     ) -> None:
         n = len(listOfJointTypes)
         self.jointTypes = listOfJointTypes
-        self.transformations = [as_matrix("listOfTransformations", X, (6, 6)) for X in listOfTransformations]
-        self.inertias = [as_matrix("listOfInertias", inertia, (6, 6)) for inertia in listOfInertias]
+        self.transformations = [
+            as_matrix("KinematicTree66: listOfTransformations", X, (6, 6)) for X in listOfTransformations
+        ]
+        self.inertias = [as_matrix("KinematicTree66: listOfInertias", inertia, (6, 6)) for inertia in listOfInertias]
         self.parents = _parents("KinematicTree66", n, listOfParents)
-        self.gravity = as_vector("gravity", gravity, 3)
+        self.gravity = as_vector("KinematicTree66: gravity", gravity, 3)
         _require_lengths(
             "KinematicTree66",
             n,
@@ -176,7 +178,10 @@ class KinematicTree66:
         Raises ValueError if q or q_t have not one entry per joint.
         """
         n = self.Size()
-        coordinates, rates = as_vector("q", q, n), as_vector("q_t", q_t, n)
+        coordinates, rates = (
+            as_vector("KinematicTree66.ComputeMassMatrixAndForceTerms: q", q, n),
+            as_vector("KinematicTree66.ComputeMassMatrixAndForceTerms: q_t", q_t, n),
+        )
         S, X, v, a, fv = ([np.zeros(6)] * n for _ in range(5))
         for i, parent in enumerate(self.parents):
             XJ, S[i] = JointTransformMotionSubspace66(self.jointTypes[i], coordinates[i])
@@ -243,13 +248,15 @@ class KinematicTree33:
     ) -> None:
         n = len(listOfJointTypes)
         self.listOfJointTypes = listOfJointTypes
-        self.listOfRotations = [as_rotation("listOfRotations", A) for A in listOfRotations]
-        self.listOfOffsets = [as_vector("listOfOffsets", offset, 3) for offset in listOfOffsets]
-        self.listOfInertia3D = [as_matrix("listOfInertia3D", inertia, (3, 3)) for inertia in listOfInertia3D]
-        self.listOfCOM = [as_vector("listOfCOM", com, 3) for com in listOfCOM]
+        self.listOfRotations = [as_rotation("KinematicTree33: listOfRotations", A) for A in listOfRotations]
+        self.listOfOffsets = [as_vector("KinematicTree33: listOfOffsets", offset, 3) for offset in listOfOffsets]
+        self.listOfInertia3D = [
+            as_matrix("KinematicTree33: listOfInertia3D", inertia, (3, 3)) for inertia in listOfInertia3D
+        ]
+        self.listOfCOM = [as_vector("KinematicTree33: listOfCOM", com, 3) for com in listOfCOM]
         self.listOfMass = list(listOfMass)
         self.listOfParents = _parents("KinematicTree33", n, listOfParents)
-        self.gravity = as_vector("gravity", gravity, 3)
+        self.gravity = as_vector("KinematicTree33: gravity", gravity, 3)
         _require_lengths(
             "KinematicTree33",
             n,

@@ -55,32 +55,32 @@ def _coefficients(angle: float) -> tuple[float, float, float, float]:
 
 def R3xSO3Matrix2RotationMatrix(G: npt.ArrayLike) -> FloatArray:
     """Return the 3x3 rotation matrix of a 7x7 matrix of R3xSO(3)."""
-    return as_rotation("G[:3, :3]", as_matrix("G", G, (7, 7))[:3, :3])
+    return as_rotation("G[:3, :3]", as_matrix("R3xSO3Matrix2RotationMatrix: G", G, (7, 7))[:3, :3])
 
 
 def R3xSO3Matrix2Translation(G: npt.ArrayLike) -> FloatArray:
     """Return the translation vector of a 7x7 matrix of R3xSO(3)."""
-    return as_matrix("G", G, (7, 7))[3:6, 6]
+    return as_matrix("R3xSO3Matrix2Translation: G", G, (7, 7))[3:6, 6]
 
 
 def R3xSO3Matrix(x: npt.ArrayLike, R: npt.ArrayLike) -> FloatArray:
     """Return the 7x7 matrix of R3xSO(3) of a translation vector x and a 3x3 rotation matrix R."""
     G = np.eye(7)
-    G[:3, :3] = as_rotation("R", R)
-    G[3:6, 6] = as_vector("x", x, 3)
+    G[:3, :3] = as_rotation("R3xSO3Matrix: R", R)
+    G[3:6, 6] = as_vector("R3xSO3Matrix: x", x, 3)
     return G
 
 
 def ExpSO3(Omega: npt.ArrayLike) -> FloatArray:
     """Return the 3x3 rotation matrix of a rotation vector (Rodrigues' formula)."""
-    w = as_vector("Omega", Omega, 3)
+    w = as_vector("ExpSO3: Omega", Omega, 3)
     angle, S = float(np.linalg.norm(w)), Skew(w)
     return np.eye(3) + Sinc(angle) * S + 0.5 * Sinc(0.5 * angle) ** 2 * (S @ S)
 
 
 def ExpS3(Omega: npt.ArrayLike) -> FloatArray:
     """Return the 4 Euler parameters (scalar part first) of a rotation vector."""
-    w = as_vector("Omega", Omega, 3)
+    w = as_vector("ExpS3: Omega", Omega, 3)
     half = 0.5 * float(np.linalg.norm(w))
     return np.concatenate([[cos(half)], 0.5 * Sinc(half) * w])
 
@@ -92,7 +92,7 @@ def LogSO3(R: npt.ArrayLike) -> FloatArray:
 
 def TExpSO3(Omega: npt.ArrayLike) -> FloatArray:
     """Return the 3x3 tangent operator T with (local angular velocity) = T @ Omega_t."""
-    w = as_vector("Omega", Omega, 3)
+    w = as_vector("TExpSO3: Omega", Omega, 3)
     S = Skew(w)
     f2, f3, _, _ = _coefficients(float(np.linalg.norm(w)))
     return np.eye(3) - f2 * S + f3 * (S @ S)
@@ -114,7 +114,7 @@ def _inverse_coefficients(angle: float) -> tuple[float, float]:
 
 def TExpSO3Inv(Omega: npt.ArrayLike) -> FloatArray:
     """Return the inverse of TExpSO3; singular for rotations by 2*pi."""
-    w = as_vector("Omega", Omega, 3)
+    w = as_vector("TExpSO3Inv: Omega", Omega, 3)
     S = Skew(w)
     c, _ = _inverse_coefficients(float(np.linalg.norm(w)))
     return np.eye(3) + 0.5 * S + c * (S @ S)
@@ -122,7 +122,7 @@ def TExpSO3Inv(Omega: npt.ArrayLike) -> FloatArray:
 
 def ExpSE3(x: npt.ArrayLike) -> FloatArray:
     """Return the 4x4 homogeneous transformation of a motion vector with 6 components."""
-    motion = as_vector("x", x, 6)
+    motion = as_vector("ExpSE3: x", x, 6)
     return HomogeneousTransformation(ExpSO3(motion[3:]), TExpSO3(motion[3:]).T @ motion[:3])
 
 
@@ -140,7 +140,7 @@ def _block(T: FloatArray, coupling: FloatArray) -> FloatArray:
 
 def TExpSE3(x: npt.ArrayLike) -> FloatArray:
     """Return the 6x6 tangent operator of ExpSE3; its upper right block is the directional derivative of TExpSO3."""
-    motion = as_vector("x", x, 6)
+    motion = as_vector("TExpSE3: x", x, 6)
     U, S = Skew(motion[:3]), Skew(motion[3:])
     f2, f3, f4, f5 = _coefficients(float(np.linalg.norm(motion[3:])))
     along = motion[:3] @ motion[3:]
@@ -150,7 +150,7 @@ def TExpSE3(x: npt.ArrayLike) -> FloatArray:
 
 def TExpSE3Inv(x: npt.ArrayLike) -> FloatArray:
     """Return the inverse of TExpSE3; singular for rotations by 2*pi."""
-    motion = as_vector("x", x, 6)
+    motion = as_vector("TExpSE3Inv: x", x, 6)
     U, S = Skew(motion[:3]), Skew(motion[3:])
     c, slope = _inverse_coefficients(float(np.linalg.norm(motion[3:])))
     coupling = 0.5 * U + c * (U @ S + S @ U) + slope * (motion[:3] @ motion[3:]) * (S @ S)
@@ -159,7 +159,7 @@ def TExpSE3Inv(x: npt.ArrayLike) -> FloatArray:
 
 def ExpR3xSO3(x: npt.ArrayLike) -> FloatArray:
     """Return the 7x7 matrix of R3xSO(3) of a motion vector with 6 components."""
-    motion = as_vector("x", x, 6)
+    motion = as_vector("ExpR3xSO3: x", x, 6)
     return R3xSO3Matrix(motion[:3], ExpSO3(motion[3:]))
 
 
@@ -171,12 +171,12 @@ def _on_rotations(T: FloatArray) -> FloatArray:
 
 def TExpR3xSO3(x: npt.ArrayLike) -> FloatArray:
     """Return the 6x6 tangent operator of ExpR3xSO3."""
-    return _on_rotations(TExpSO3(as_vector("x", x, 6)[3:]))
+    return _on_rotations(TExpSO3(as_vector("TExpR3xSO3: x", x, 6)[3:]))
 
 
 def TExpR3xSO3Inv(x: npt.ArrayLike) -> FloatArray:
     """Return the inverse of TExpR3xSO3."""
-    return _on_rotations(TExpSO3Inv(as_vector("x", x, 6)[3:]))
+    return _on_rotations(TExpSO3Inv(as_vector("TExpR3xSO3Inv: x", x, 6)[3:]))
 
 
 def _split(q0: npt.ArrayLike, size: int, increment: npt.ArrayLike) -> tuple[FloatArray, ...]:
@@ -236,7 +236,9 @@ def CompositionRuleSemiDirectProductR3AndR3RotXYZAngles(
 
 def CompositionRuleForEulerParameters(q: npt.ArrayLike, p: npt.ArrayLike) -> FloatArray:
     """Return the product of two quaternions (scalar part first): rotation q followed by p in the rotated frame."""
-    return quaternion_product(as_vector("q", q, 4), as_vector("p", p, 4))
+    return quaternion_product(
+        as_vector("CompositionRuleForEulerParameters: q", q, 4), as_vector("CompositionRuleForEulerParameters: p", p, 4)
+    )
 
 
 def CompositionRuleForRotationVectors(v0: npt.ArrayLike, Omega: npt.ArrayLike) -> FloatArray:
@@ -251,7 +253,7 @@ def CompositionRuleRotXYZAnglesRotationVector(alpha0: npt.ArrayLike, Omega: npt.
 
     Where the first and last axis coincide, the first angle keeps its value.
     """
-    a = as_vector("alpha0", alpha0, 3)
+    a = as_vector("CompositionRuleRotXYZAnglesRotationVector: alpha0", alpha0, 3)
     R = RotXYZ2RotationMatrix(a) @ ExpSO3(Omega)
     angles = RotationMatrix2RotXYZ(R)
     if np.hypot(R[1, 2], R[2, 2]) <= _GIMBAL:

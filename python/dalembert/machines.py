@@ -102,12 +102,12 @@ class InvoluteGear:
 
     def PolarToCartesian(self, polarCoordinates: npt.ArrayLike) -> FloatArray:
         """Return [x, y] of polar coordinates [radius, angle]."""
-        r, angle = as_vector("polarCoordinates", polarCoordinates, 2)
+        r, angle = as_vector("InvoluteGear.PolarToCartesian: polarCoordinates", polarCoordinates, 2)
         return np.array([r * cos(angle), r * sin(angle)])
 
     def CartesianToPolar(self, cartesianCoordinates: npt.ArrayLike) -> FloatArray:
         """Return polar coordinates [radius, angle] of [x, y]."""
-        x, y = as_vector("cartesianCoordinates", cartesianCoordinates, 2)
+        x, y = as_vector("InvoluteGear.CartesianToPolar: cartesianCoordinates", cartesianCoordinates, 2)
         return np.array([hypot(x, y), atan2(y, x)])
 
     def GenerateHalfTooth(self) -> FloatArray:

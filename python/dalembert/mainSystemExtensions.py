@@ -23,14 +23,12 @@ from dalembert._solving.report import Report
 from dalembert._solving.vibrations import ComputeVibrationModes
 from dalembert._studies.variations import SolveVariations
 from dalembert._tools import missing_names
-from dalembert.create._distance_sensor import CreateDistanceSensor, CreateDistanceSensorGeometry
 from dalembert.create._interface import (  # noqa: F401
     GetMarkersPosRot,
     JointPreCheckCalcBodyMarkers,
     JointTypeToAxis,
     ProcessBodyNodeMarkerLists,
 )
-from dalembert.create._robot import CreateRobot
 from dalembert.interactive import SolutionViewer
 from dalembert.plot import PlotSensor
 
@@ -45,9 +43,6 @@ methods: dict[str, Callable[..., Any]] = (
             ComputeConsistentInitialConditions,
             ComputeEnergies,
             ComputeVibrationModes,
-            CreateDistanceSensor,
-            CreateDistanceSensorGeometry,
-            CreateRobot,
             Draw,
             DrawSolution,
             DrawSystemGraph,

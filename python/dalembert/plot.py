@@ -263,8 +263,11 @@ def PlotSensor(
         )
     ax.set_xlabel(style["xLabel"])
     scaled = any(np.ndim(factor) or factor != 1 for factor in scales)  # then the unit is another one
-    variables = [curve.variable if scaled else curve.title for curve in curves]
-    ax.set_ylabel(style["yLabel"] or (variables[0] if len(set(variables)) == 1 else ", ".join(variables)))
+    with_units = {curve.variable for curve in curves if curve.unit}  # files tell none
+    variables = [
+        curve.variable if scaled else curve.title for curve in curves if curve.unit or curve.variable not in with_units
+    ]
+    ax.set_ylabel(style["yLabel"] or ", ".join(dict.fromkeys(variables)))
     if title:
         ax.set_title(title)
     _set_axes(ax, (style["majorTicksX"], style["majorTicksY"]), (rangeX, rangeY), kwargs)

@@ -18,6 +18,7 @@ from dalembert._studies.execution import (
     ProcessParameterList,
     WriteToFile,
     check_names,
+    check_study,
     number_of_threads,
     results_file,
     write,
@@ -114,10 +115,9 @@ def ParameterVariation(
     The function may do anything, so it is called for every combination. Where only numbers of one model vary, it may
     be a VariedModel, which solves many combinations at once without Python in between.
     """
-    check_names("ParameterVariation", kwargs, {"useMPI", "useDispyWebMonitor", "restart", "keepFailures"})
+    check_names(ParameterVariation, kwargs, {"useMPI", "useDispyWebMonitor", "restart", "keepFailures"})
     resultsFile = results_file("ParameterVariation", {"resultsFile": resultsFile})
-    if not parameters:
-        raise ValueError("ParameterVariation: parameters must not be empty")
+    check_study(ParameterVariation, parameterFunction, parameters)
     values, convert = {}, {}
     for name, given in parameters.items():
         values[name], convert[name] = _values_of(name, given, useLogSpace)

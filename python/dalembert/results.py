@@ -7,22 +7,23 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping
+from enum import Enum
 from types import ModuleType
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from dalembert import _version
-from dalembert._checks import FloatArray
-from dalembert._core import SimulationSettings
+from dalembert._checks import FloatArray, shape_error
+from dalembert._core import MainSystem, SensorIndex, SimulationSettings
 from dalembert._io.files import file_to_read, file_to_write, naming, replacing
 from dalembert._io.solution_rows import COLUMNS
 from dalembert._io.solution_states import LoadSolutionFile
 from dalembert._tools.found_items import find_item
 from dalembert._tools.sensor_facts import component_name, continuous, unit_of, variable_of
 
-__all__ = ["LoadHDF5", "SaveHDF5", "SensorsToPandas", "SensorsToXarray", "SolutionToXarray"]
+__all__ = ["LoadHDF5", "SaveHDF5", "SensorsToPandas", "SensorsToXarray", "SolutionToPandas", "SolutionToXarray"]
 
 _SOLUTION_UNITS = ("various", "various/s", "various/s^2", "various", "various/s", "various", "various")
 
@@ -47,9 +48,12 @@ def _extra(name: str, where: str) -> ModuleType:
         raise ImportError(f"{where}: the package {name} is needed; install it with 'pip install {name}'") from None
 
 
-def _measured(mbs: Any, sensors: Sequence[Any] | None, continuousAngles: bool, where: str) -> Iterator[_Measured]:
+def _measured(mbs: Any, sensors: Any, continuousAngles: bool, where: str) -> Iterator[_Measured]:
     """Return what sensors have stored; None: all that have stored something."""
-    wanted = range(mbs.systemData.NumberOfSensors()) if sensors is None else sensors
+    if not isinstance(mbs, MainSystem):
+        raise TypeError(str(shape_error(f"{where}: mbs", "a system, such as SC.AddSystem() returns", mbs)))
+    single = isinstance(sensors, (str, SensorIndex, int))
+    wanted = range(mbs.systemData.NumberOfSensors()) if sensors is None else [sensors] if single else sensors
     for sensor in wanted:
         number = int(find_item(mbs, sensor, ("Sensor",), where) if isinstance(sensor, str) else sensor)
         information = mbs.GetSensor(number)
@@ -68,10 +72,11 @@ def _measured(mbs: Any, sensors: Sequence[Any] | None, continuousAngles: bool, w
         yield _Measured(information["name"], variable, unit_of(mbs, information), components, data[:, 0], values)
 
 
-def SensorsToPandas(mbs: Any, sensors: Sequence[Any] | None = None, continuousAngles: bool = False) -> Any:
+def SensorsToPandas(mbs: Any, sensors: Any = None, continuousAngles: bool = False) -> Any:
     """Return the stored values of sensors as a pandas.DataFrame over time, with a column per component: 'tip.X'.
 
-    sensors: indices or names; None: all with storeInternal=True. Units are in frame.attrs['units'], by column.
+    sensors: indices or names, or one of them; None: all with storeInternal=True. Units, by column, are in
+    frame.attrs['units'].
     continuousAngles: angles go on beyond pi instead of jumping.
     """
     pandas = _extra("pandas", "SensorsToPandas")
@@ -88,7 +93,7 @@ def SensorsToPandas(mbs: Any, sensors: Sequence[Any] | None = None, continuousAn
     return frame
 
 
-def SensorsToXarray(mbs: Any, sensors: Sequence[Any] | None = None, continuousAngles: bool = False) -> Any:
+def SensorsToXarray(mbs: Any, sensors: Any = None, continuousAngles: bool = False) -> Any:
     """Return the stored values of sensors as an xarray.Dataset with a variable per sensor, over time and component.
 
     Variables carry 'units' and 'long_name', as plots of xarray and packages for units read them. sensors and
@@ -110,28 +115,72 @@ def SensorsToXarray(mbs: Any, sensors: Sequence[Any] | None = None, continuousAn
     return data
 
 
+class _Coordinates(NamedTuple):
+    """All coordinates of one kind in a solution file."""
+
+    name: str
+    unit: str
+    values: FloatArray  # a row per time
+
+
+def _solution(fileName: str | os.PathLike[str], where: str) -> tuple[FloatArray, list[_Coordinates]]:
+    """Return the times in a solution file, and the kinds of coordinates that it has."""
+    solution = LoadSolutionFile(file_to_read(f"{where}: fileName", fileName), verbose=False)
+    data, start, found = np.atleast_2d(solution["data"]), 1, []
+    for name, count, unit in zip(COLUMNS, solution["columnsExported"], _SOLUTION_UNITS, strict=False):
+        if count:
+            found.append(_Coordinates(name, unit, data[:, start : start + count]))
+        start += count
+    return data[:, 0], found
+
+
+def SolutionToPandas(fileName: str | os.PathLike[str]) -> Any:
+    """Return a solution file as a pandas.DataFrame over time, with a column per coordinate: 'ODE2Coordinates.0'.
+
+    Units are in frame.attrs['units'], by column; coordinates of one kind have various ones.
+    """
+    pandas = _extra("pandas", "SolutionToPandas")
+    time, kinds = _solution(fileName, "SolutionToPandas")
+    columns = {f"{kind.name}.{i}": kind.unit for kind in kinds for i in range(kind.values.shape[1])}
+    values = np.hstack([kind.values for kind in kinds]) if kinds else np.zeros((len(time), 0))
+    frame = pandas.DataFrame(values, index=pandas.Index(time, name="time"), columns=list(columns))
+    frame.attrs = {"units": columns, "time": "s", "dalembert": _version.__version__, "file": os.fspath(fileName)}
+    return frame
+
+
 def SolutionToXarray(fileName: str | os.PathLike[str]) -> Any:
     """Return a solution file as an xarray.Dataset: ODE2Coordinates and what else it has, over time and coordinate."""
     xarray = _extra("xarray", "SolutionToXarray")
-    fileName = file_to_read("SolutionToXarray: fileName", fileName)
-    solution = LoadSolutionFile(fileName, verbose=False)
-    data, start = np.atleast_2d(solution["data"]), 1
-    variables = {}
-    for name, count, unit in zip(COLUMNS, solution["columnsExported"], _SOLUTION_UNITS, strict=False):
-        if count:
-            axis = name.partition("Coord")[0] + "_coordinate"
-            variables[name] = (("time", axis), data[:, start : start + count], {"units": unit})
-        start += count
-    made = xarray.Dataset(variables, coords={"time": ("time", data[:, 0], {"units": "s"})})
-    made.attrs = {"dalembert": _version.__version__, "file": fileName}
+    time, kinds = _solution(fileName, "SolutionToXarray")
+    variables = {
+        kind.name: (("time", kind.name.partition("Coord")[0] + "_coordinate"), kind.values, {"units": kind.unit})
+        for kind in kinds
+    }
+    made = xarray.Dataset(variables, coords={"time": ("time", time, {"units": "s"})})
+    made.attrs = {"dalembert": _version.__version__, "file": os.fspath(fileName)}
     return made
+
+
+def _with_names(settings: Any) -> Any:
+    """Return settings as a file has them: members of enumerations by their names."""
+    if isinstance(settings, Mapping):
+        return {key: _with_names(value) for key, value in settings.items()}
+    return settings.name if isinstance(settings, Enum) else settings
+
+
+def _with_members(settings: Any, known: Any) -> Any:
+    """Return settings of a file as SetDictionary takes them."""
+    if isinstance(settings, Mapping) and isinstance(known, Mapping):
+        return {key: _with_members(value, known.get(key)) for key, value in settings.items()}
+    kind = type(known)
+    return kind[settings] if isinstance(known, Enum) and settings in kind.__members__ else settings
 
 
 def SaveHDF5(
     mbs: Any,
     fileName: str | os.PathLike[str],
     simulationSettings: SimulationSettings | None = None,
-    sensors: Sequence[Any] | None = None,
+    sensors: Any = None,
     solutionFile: str | os.PathLike[str] | None = None,
     continuousAngles: bool = False,
 ) -> None:
@@ -151,7 +200,7 @@ def SaveHDF5(
         file.attrs["dalembert"] = _version.__version__
         simulationSettings = simulationSettings or mbs.sys.get("simulationSettings")
         if simulationSettings is not None:
-            file.attrs["settings"] = json.dumps(simulationSettings.GetDictionary(), default=str)
+            file.attrs["settings"] = json.dumps(_with_names(simulationSettings.GetDictionary()), default=str)
         for each in found:
             group = file.create_group(f"sensors/{each.name.replace('/', '|')}")
             group.attrs.update(variable=each.variable, unit=each.unit, components=each.components)
@@ -167,7 +216,8 @@ def SaveHDF5(
 def LoadHDF5(fileName: str | os.PathLike[str]) -> dict[str, Any]:
     """Return what SaveHDF5 has written: version, settings (a dictionary), sensors and solution, with units.
 
-    result['sensors']['tip'] has time, values, variable, unit and components.
+    result['sensors']['tip'] has time, values, variable, unit and components; SetDictionary(result['settings']) of
+    settings makes them those of the simulation.
     """
     h5py = _extra("h5py", "LoadHDF5")
     fileName = file_to_read("LoadHDF5: fileName", fileName)
@@ -177,7 +227,9 @@ def LoadHDF5(fileName: str | os.PathLike[str]) -> dict[str, Any]:
                 f"{os.fspath(fileName)}: SaveHDF5 has not written this file: it has no attribute 'dalembert'"
             )
         result: dict[str, Any] = {"version": str(file.attrs["dalembert"]), "sensors": {}, "solution": {}}
-        result["settings"] = json.loads(file.attrs["settings"]) if "settings" in file.attrs else None
+        result["settings"] = None
+        if "settings" in file.attrs:
+            result["settings"] = _with_members(json.loads(file.attrs["settings"]), SimulationSettings().GetDictionary())
         for name, group in file.get("sensors", {}).items():
             facts: dict[str, Any] = {"variable": str(group.attrs["variable"]), "unit": str(group.attrs["unit"])}
             facts["components"] = [str(component) for component in group.attrs["components"]]

@@ -14,7 +14,7 @@ import numpy.typing as npt
 from dalembert import graphics as graphics
 from dalembert._checks import FloatArray
 from dalembert._core import ItemType, Print
-from dalembert.create._distance_sensor import (
+from dalembert.create.sensors import (
     CreateDistanceSensor as CreateDistanceSensor,
     CreateDistanceSensorGeometry as CreateDistanceSensorGeometry,
 )

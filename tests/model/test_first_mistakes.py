@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
@@ -93,6 +95,27 @@ class Model:
         self.mbs.Reset()
         self.mbs.CreateForce("push", self.mass, [1, 0, 0])
         self.mbs.Assemble()
+
+    def joint_of_one_marker(self) -> None:
+        marker = self.mbs.AddMarker(MarkerBodyRigid(bodyNumber="bar"))
+        self.mbs.AddObject(SphericalJoint(name="joint", markerNumbers=[marker, marker]))
+        self.mbs.Assemble()
+
+    def coordinate_load(self) -> None:
+        marker = self.mbs.AddMarker(MarkerBodyRigid(bodyNumber="bar"))
+        self.mbs.AddLoad(exu.LoadCoordinate(name="pull", markerNumber=marker, load=1))
+        self.mbs.Assemble()
+
+    def sphere_of_no_material(self) -> None:
+        marker = self.mbs.AddMarker(MarkerBodyRigid(bodyNumber="bar"))
+        self.mbs.AddGeneralContact().AddSphereWithMarker(marker, 1, 1, 1, 0)
+        self.mbs.Assemble()
+
+    def still_robot(self) -> None:
+        with TemporaryDirectory() as folder:
+            file = Path(folder) / "block.urdf"
+            file.write_text('<robot name="block"><link name="base"/></robot>')
+            self.mbs.CreateRobot(file)
 
     def stored(self, component: Any) -> None:
         self.plotted(components=component)
@@ -293,6 +316,44 @@ MISTAKES: list[tuple[str, Callable[[Model], Any], list[str]]] = [
     ("spin as a number", lambda m: m.mbs.CreateRigidBody("bar2", inertia=BAR, initialAngularVelocity=5), ["CreateRigidBody", "'initialAngularVelocity'", "3 finite components"]),
     ("index beyond the last sensor", lambda m: m.mbs.GetSensorStoredData(9), ["GetSensorStoredData", "no sensor with number 9", "from 0 to 0"]),
     ("solution that is not there", lambda m: exu.utilities.LoadSolutionFile("nowhere.txt"), ["LoadSolutionFile: fileName", "there is no such file"]),
+    ("link with a number for its inertia", lambda m: TreeLink(linkInertia=5), ["TreeLink: linkInertia", "InertiaCuboid(...)", "5 (int)"]),
+    ("mass of a rigid body", lambda m: m.mbs.CreateRigidBody(mass=1), ["CreateRigidBody", "'mass'", "inertia=InertiaCuboid(...)"]),
+    ("class for an inertia", lambda m: m.mbs.CreateRigidBody(inertia=InertiaCuboid), ["CreateRigidBody", "'inertia'", "InertiaCuboid(...)", "(type)"]),
+    ("settings for what varies", lambda m: m.varied(settings=exu.SimulationSettings()), ["SolveVariations: settings", "{'timeIntegration.endTime': [1, 2]}", "simulationSettings"]),
+    ("ending that matplotlib has not", lambda m: m.plotted(fileName="x.xyz"), ["PlotSensor: fileName", "png", "'x.xyz'"]),
+    ("way in the plane", lambda m: graphics.Move(graphics.Sphere(), [0, 0]), ["Move: pOff", "3 components", "[0, 0]"]),
+    ("page of a file", lambda m: (m.mbs.Assemble(), m.mbs.SaveHTML("x.html", solution="a.txt")), ["SaveHTML: solution", "LoadSolutionFile(fileName)", "'a.txt'"]),
+    ("state of a file", lambda m: exu.utilities.SetSolutionState(m.mbs, "a.txt", 0), ["SetSolutionState: solution", "LoadSolutionFile(fileName)", "'a.txt'"]),
+    ("sensors without a system", lambda m: SensorsToPandas(["way"]), ["SensorsToPandas: mbs", "SC.AddSystem()", "['way']"]),
+    ("sensor that stores nothing", lambda m: (m.solve(), SensorsToPandas(m.mbs, "way")), ["SensorsToPandas", "'way'", "storeInternal=True"]),
+    ("angle for three", lambda m: exu.rigidBodyUtilities.RotXYZ2RotationMatrix(90), ["RotXYZ2RotationMatrix: rot", "3 components", "90 (int)"]),
+    ("way for three", lambda m: exu.rigidBodyUtilities.HTtranslate(3), ["HTtranslate: r", "3 components", "3 (int)"]),
+    ("gravity of a system", lambda m: setattr(m.mbs, "gravity", [0, 0, -9.81]), ["'MainSystem'", "'gravity'", "mbs.CreateRigidBody(...)"]),
+    ("time of a system", lambda m: m.mbs.time, ["'MainSystem'", "'time'", "mbs.systemData.GetTime()"]),
+    ("step of a system", lambda m: m.mbs.step(), ["'MainSystem'", "'step'", "mbs.SolveDynamic(simulationSettings)"]),
+    ("law that is a function", lambda m: exu.control.SampledController(lambda t: 0, period=1), ["SampledController: law", "CompiledController(...)"]),
+    ("study without a function", lambda m: processing.ParameterVariation({"a": (0, 1, 5)}, lambda p: 0), ["ParameterVariation: parameterFunction", "a function of a dictionary"]),
+    ("argument of a study misspelt", lambda m: processing.ParameterVariation(lambda p: 0, {"a": [1]}, useMultiprocessing=True), ["'useMultiprocessing'", "Did you mean 'useMultiProcessing'"]),
+    ("marker between itself", lambda m: m.joint_of_one_marker(), ["object 3 'joint'", "'markerNumbers'", "twice", "two different markers"]),
+    ("coordinate load on a body", lambda m: m.coordinate_load(), ["load 1 'pull'", "'markerNumber'", "provides Coordinate", "Use another type of marker"]),
+    ("orientation of a point", lambda m: (m.mbs.AddMarker(MarkerBodyRigid(name="end", bodyNumber="mass")), m.mbs.Assemble()), ["'end'", "no orientation", "mbs.CreateRigidBody(...)"]),
+    ("sensor of a node of a body", lambda m: m.measured(exu.SensorNode(name="s", nodeNumber="bar", outputVariableType=Variable.Position)), ["sensor 1 's'", "'nodeNumber'", "'bar'", "Node:bar"]),
+    ("group for the settings", lambda m: (m.mbs.Assemble(), m.mbs.SolveDynamic(exu.SimulationSettings().timeIntegration)), ["SolveDynamic: simulationSettings", "exu.SimulationSettings()"]),
+    ("system behind its settings", lambda m: exu.SolveDynamic(exu.SimulationSettings(), m.mbs), ["SolveDynamic: simulationSettings", "MainSystem"]),
+    ("value of a dictionary", lambda m: m.mbs.SetObjectParameter("bar", {"physicsMass": 3}), ["SetObjectParameter", "'value' is missing", "objectNumber, parameterName, value"]),
+    ("link for a list of links", lambda m: m.mbs.CreateKinematicTree(listOfTreeLinks=TreeLink(linkInertia=BAR)), ["CreateKinematicTree", "'listOfTreeLinks'", "a list of TreeLink"]),
+    ("stiffness for three", lambda m: m.mbs.CreateCartesianSpringDamper("s", ["ground", "bar"], stiffness=100), ["CreateCartesianSpringDamper", "'stiffness'", "3 finite components", "100"]),
+    ("diagonal of a matrix", lambda m: m.mbs.CreateRigidBodySpringDamper("s", ["ground", "bar"], stiffness=[1] * 6), ["CreateRigidBodySpringDamper", "'stiffness'", "a 6x6 matrix"]),
+    ("length of a spring", lambda m: m.mbs.CreateSpringDamper("s", ["ground", "bar"], stiffness=1, length=2), ["CreateSpringDamper", "'length'", "Did you mean 'referenceLength'?"]),
+    ("list of markers", lambda m: m.mbs.AddMarker([MarkerBodyRigid(bodyNumber="bar")]), ["AddMarker", "list of length 1", "a marker item"]),
+    ("friction of one material", lambda m: m.mbs.AddGeneralContact().SetFrictionPairings([0.3]), ["SetFrictionPairings", "'frictionPairings'", "[0.3]", "a square matrix"]),
+    ("body for a marker of contact", lambda m: m.mbs.AddGeneralContact().AddSphereWithMarker(m.bar, 1, 1, 1, 0), ["AddSphereWithMarker", "'markerNumber'", "counts objects, not markers"]),
+    ("contact of no friction table", lambda m: m.sphere_of_no_material(), ["GeneralContact 0", "'frictionMaterialIndex'", "Call SetFrictionPairings(...)"]),
+    ("end without end", lambda m: m.solve(endTime=np.inf), ["timeIntegration.endTime", "inf", "a finite number"]),
+    ("function that divides by zero", lambda m: m.with_force(lambda mbs, t, load: [1 / 0, 0, 0]), ["division by zero", "'loadVectorUserFunction' of load 1 'push'", "time 0"]),
+    ("type of a node in quotes", lambda m: m.mbs.CreateRigidBody(inertia=BAR, nodeType="RotationRxyz"), ["CreateRigidBody", "'nodeType'", "NodeType.RotationRxyz", "(str)"]),
+    ("point for a rigid body", lambda m: (m.mbs.AddObject(RigidBody(name="r", nodeNumber="Node:mass")), m.mbs.Assemble()), ["object 3 'r'", "'nodeNumber'", "'Node:mass'", "provides Position, Orientation"]),
+    ("robot that cannot move", lambda m: m.still_robot(), ["CreateRobot", "'fileName'", "a joint that moves"]),
 ]  # fmt: skip
 
 

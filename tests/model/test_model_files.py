@@ -75,6 +75,14 @@ def test_round_trip(item: Item, make: Any, tmp_path: Path) -> None:
     assert (tmp_path / "again.json").read_text() == (tmp_path / "model.json").read_text()
 
 
+def test_zeros_keep_their_sign(tmp_path: Path) -> None:
+    mbs, other = empty(), empty()
+    mbs.AddNode(exu.NodePoint(initialVelocities=[0.0, -0.0, 0.0]))
+    mbs.Save(tmp_path / "model.json")
+    other.Load(tmp_path / "model.json")
+    assert np.signbit(other.GetNode(0)["initialVelocities"]).tolist() == [False, True, False]
+
+
 @cache
 def validator() -> Any:
     schema = json.loads(model_files.SCHEMA.read_text())

@@ -165,6 +165,43 @@ def test_model_files(tmp_path):
     )
 
 
+DRIVEN = """
+import dalembert as exu
+from dalembert.utilities import *
+
+def push(mbs, t, load):
+    return load
+
+mbs = exu.SystemContainer().AddSystem()
+body = mbs.CreateRigidBody("arm", [500, 0, 0], inertia=InertiaCuboid(1, [1, 1, 1]))
+mbs.CreateForce("push", body, loadVectorUserFunction=push)
+mbs.CreateRevoluteJoint("hinge", [mbs.CreateGround("ground"), body], [0, 0, 0], [0, 0, 1])
+ends = [
+    mbs.AddMarker(MarkerBodyRigid(bodyNumber=name, localPosition=[1, 0, 0])) for name in ("ground", "arm")
+]
+mbs.AddObject(SphericalJoint("ball", markerNumbers=ends))
+mbs.Save("driven.json", sourceOfFunctions=True)
+mbs.SolveDynamic()
+"""
+
+
+def test_gaps_are_told_as_they_are_at_the_start(tmp_path):
+    """Two places of a body cannot be at one place: what the search for others leaves says nothing of the mistake."""
+    (tmp_path / "driven.py").write_text(DRIVEN)
+    told = run("check", "driven.py", cwd=tmp_path).stdout
+    assert "contradict a constraint: object 3 'ball' (ObjectJointSpherical), equation 0: gap 500 m" in told, told
+    assert "no values near these fulfil all constraints" in told and "'hinge' (ObjectJointRevoluteZ)" not in told
+
+
+def test_commands_of_model_files_run_code_when_they_are_asked_to(tmp_path):
+    (tmp_path / "driven.py").write_text(DRIVEN)
+    run("check", "driven.py", cwd=tmp_path)  # up to its solver, after it has saved
+    for command in ("info", "check", "run"):
+        refused = run(command, "driven.json", cwd=tmp_path)
+        assert refused.returncode == 1 and "Add --allow-code if you trust the file" in refused.stderr
+    assert "mass                1 kg" in run("info", "--allow-code", "driven.json", cwd=tmp_path).stdout
+
+
 FREE = """
 import dalembert as exu
 mbs = exu.SystemContainer().AddSystem()

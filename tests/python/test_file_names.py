@@ -70,6 +70,7 @@ READ: dict[str, Named] = {
         FEM.ObjectFFRFreducedOrderInterface().LoadFromFile(file)
     ),
     "SolutionToXarray: fileName": results.SolutionToXarray,
+    "SolutionToPandas: fileName": results.SolutionToPandas,
     "LoadHDF5: fileName": results.LoadHDF5,
     "SaveHDF5: solutionFile": lambda file: results.SaveHDF5(solved(), "new.h5", solutionFile=file),
     "LoadImage: fileName": plot.LoadImage,

@@ -58,6 +58,16 @@ def test_enumerations_tell_what_values_mean() -> None:
             assert cls[value.name].__doc__ == " ".join(value.doc.split())
 
 
+def test_methods_of_systems_tell_what_they_take_and_give() -> None:
+    for name in ("PreStep", "PostStep", "PostNewton", "PreNewtonResidual", "SystemJacobian", "Events", "EventAction"):
+        assert "Set the function f(mbs, t" in getattr(exu.MainSystem, f"Set{name}UserFunction").__doc__
+    assert "given by its index or name" in exu.MainSystem.SetObjectParameter.__doc__
+    for name in dir(exu.MainSystem):
+        text = inspect.getdoc(getattr(exu.MainSystem, name)) or ""
+        if not name.startswith("_"):
+            assert len(text.replace(f"{name}(self: dalembert._core.MainSystem", "")) > 30, name
+
+
 def test_mathematics_is_readable_in_a_terminal() -> None:
     told = pydoc.render_doc(exu.ObjectRigidBody, renderer=pydoc.plaintext)
     assert "[J_xx, J_yy, J_zz, J_yz, J_xz, J_xy]" in told and "J_xy = -∫ x y dm" in told
@@ -109,9 +119,12 @@ def test_completion() -> None:
     completion.tell_ipython()  # as the import of the package does where IPython runs
     shell = IPython.core.interactiveshell.InteractiveShell.instance()
     shell.Completer.use_jedi = False  # it guesses by types, and gives up when time is short
-    shell.user_ns.update(settings=exu.SimulationSettings(), exu=exu)
+    SC = exu.SystemContainer()
+    shell.user_ns.update(settings=exu.SimulationSettings(), exu=exu, SC=SC, mbs=SC.AddSystem())
     assert ".newton" in "".join(shell.complete("settings.timeIntegration.new")[1])
     assert shell.complete("exu.OutputVariableType.Rotat")[1]
+    assert ".nodes" in shell.complete("SC.visualizationSettings.nod")[1]
+    assert ".GetODE2Coordinates" in shell.complete("mbs.systemData.GetODE2")[1]
 
 
 def command(*arguments: str) -> Any:
@@ -126,3 +139,7 @@ def test_command_line() -> None:
     assert "Example:" in command("items", "CreateRevoluteJoint").stdout
     wrong = command("items", "CreateRevolute")
     assert wrong.returncode == 2 and "CreateRevoluteJoint" in wrong.stderr
+    assert command("items", "createrobot").stdout == command("items", "CreateRobot").stdout != ""
+    assert command("items", "RigidBod").stderr.endswith("did you mean RigidBody, RigidBody2D, ObjectRigidBody?\n")
+    assert "help(exu.MainSystem.SolveDynamic)" in command("items", "SolveDynamic").stderr
+    assert "help(exu.SimulationSettings)" in command("items", "SimulationSettings").stderr

@@ -156,12 +156,27 @@ def test_variation_errors(parameters: dict[str, Any], text: str) -> None:
 
 
 def test_unknown_arguments() -> None:
-    with pytest.raises(TypeError, match="ParameterVariation: unknown argument 'useMpi'; did you mean 'useMPI'?"):
+    with pytest.raises(TypeError, match="ParameterVariation: unknown argument 'useMpi'. Did you mean 'useMPI'?"):
         processing.ParameterVariation(bumpy, {"a": [1]}, useMpi=True)
+    with pytest.raises(TypeError, match="'useMultiprocessing'. Did you mean 'useMultiProcessing'"):
+        processing.ParameterVariation(bumpy, {"a": [1]}, useMultiprocessing=True)
     with pytest.raises(ValueError, match="numberOfThreads must be at least 1, not 0"):
         processing.ParameterVariation(
             bumpy, RANGES | {"a": [1.0], "b": [1.0]}, useMultiProcessing=True, numberOfThreads=0
         )
+
+
+@pytest.mark.parametrize("name", ["ParameterVariation", "GeneticOptimization", "Minimize", "ComputeSensitivities"])
+def test_studies_need_a_function_and_parameters(name: str) -> None:
+    study: Any = getattr(processing, name)
+    with pytest.raises(
+        TypeError, match=f"{name}: (parameter|objective)Function: expected a function of a dictionary, received {{"
+    ):
+        study({"a": (1, 2, 3)}, bumpy)
+    with pytest.raises(TypeError, match=rf"{name}: parameters: expected a dictionary by name, received \["):
+        study(bumpy, [1, 2, 3])
+    with pytest.raises(ValueError, match=f"{name}: parameters must not be empty"):
+        study(bumpy, {})
 
 
 @pytest.mark.parametrize(("i", "indices"), [(0, [0, 0, 0]), (1, [0, 0, 1]), (7, [1, 0, 1]), (23, [3, 2, 1])])
@@ -367,7 +382,7 @@ def test_forward_differences_mixed_with_central_ones() -> None:
 def test_sensitivity_errors() -> None:
     with pytest.raises(ValueError, match="'a' needs a step other than 0"):
         processing.ComputeSensitivities(several, {"a": (1, 0, 2)})
-    with pytest.raises(TypeError, match="did you mean 'numberOfThreads'"):
+    with pytest.raises(TypeError, match="Did you mean 'numberOfThreads'"):
         processing.ComputeSensitivities(several, {"a": 1}, numberOfThread=2)
 
 

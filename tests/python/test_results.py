@@ -83,6 +83,11 @@ def test_xarray(solved: Any) -> None:
     assert solution["ODE2Coordinates"].shape == (21, mbs.systemData.ODE2Size())
     assert float(solution["time"][-1]) == pytest.approx(2)
     assert np.allclose(solution["ODE2Coordinates"][-1], mbs.systemData.GetODE2Coordinates(), atol=1e-9)
+    frame = results.SolutionToPandas(settings.solutionSettings.coordinatesSolutionFileName)
+    assert (frame.index.name, frame.attrs["units"]["ODE2Coordinates_t.0"]) == ("time", "various/s")
+    assert list(frame.columns[:2]) == ["ODE2Coordinates.0", "ODE2Coordinates.1"]
+    columns = [f"ODE2Coordinates.{i}" for i in range(mbs.systemData.ODE2Size())]
+    assert np.array_equal(frame[columns], solution["ODE2Coordinates"])
 
 
 def test_hdf5(solved: Any, tmp_path: Path) -> None:
@@ -97,6 +102,9 @@ def test_hdf5(solved: Any, tmp_path: Path) -> None:
     assert read["solution"]["time"]["unit"] == "s" and len(read["solution"]["ODE2Coordinates"]["values"]) == 21
     results.SaveHDF5(mbs, tmp_path / "last.h5")  # with the settings of the last simulation
     assert results.LoadHDF5(tmp_path / "last.h5")["settings"] == read["settings"]
+    again = exu.SimulationSettings()
+    again.SetDictionary(read["settings"])
+    assert repr(again) == repr(settings)
     (tmp_path / "other.h5").write_bytes(b"nothing")
     with pytest.raises(OSError, match="other.h5"):
         results.LoadHDF5(tmp_path / "other.h5")
@@ -134,6 +142,24 @@ def test_several_systems_in_one_plot(solved: Any) -> None:
         for s in (0, 1)
         for n, v in ((f"place of system {s}", "Position"), (f"speed of system {s}", "Velocity"))
     ]
+
+
+def test_labels_are_said_once(solved: Any) -> None:
+    mbs, _ = solved
+    axes = plot.PlotSensor([mbs, mbs], ["place", "speed"])[2]
+    assert axes.get_ylabel() == "Position (m), Velocity (m/s)"
+    assert mbs.PlotSensor(["place", "place"], components=[0, 1])[2].get_ylabel() == "Position (m)"
+
+
+def test_phase_and_spectrum_of_several_systems(solved: Any) -> None:
+    mbs, _ = solved
+    for axes in (plot.PlotPhase([mbs, mbs], "place", "speed"), plot.PlotSensorFFT([mbs, mbs], "speed")):
+        assert [text.get_text() for text in axes.get_legend().get_texts()] == ["system 0", "system 1"]
+        first, second = (line.get_xydata() for line in axes.get_lines())
+        assert len(first) > 10 and np.array_equal(first, second)
+        assert "system" not in axes.get_xlabel() + axes.get_ylabel()
+    with pytest.raises(FileNotFoundError, match="neither a sensor nor a file named 'spede'. Did you mean 'speed'"):
+        plot.PlotPhase([mbs, mbs], "place", "spede")
 
 
 def test_phase_and_spectrum(solved: Any, tmp_path: Path) -> None:

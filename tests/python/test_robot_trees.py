@@ -121,8 +121,21 @@ def test_joints_that_follow_others(tmp_path):
     ground = mbs.AddMarker(MarkerBodyRigid(bodyNumber=mbs.CreateGround()))
     with pytest.raises(ValueError, match="link 1 'right' has a joint to follow, .* use CreateKinematicTree"):
         mbs.CreateRobot(tmp_path / "gripper.urdf", name="again ", baseMarker=ground)
-    with pytest.raises(ValueError, match="limitStiffness and limitDamping belong to kinematic trees"):
-        mbs.CreateRobot(tmp_path / "gripper.urdf", baseMarker=ground, limitStiffness=1)
+    refused = {
+        r"'limitStiffness': expected 0 with a baseMarker, .* received 1": {"baseMarker": ground, "limitStiffness": 1},
+        r"'forceUserFunction': expected 0 with a baseMarker": {"baseMarker": ground, "forceUserFunction": max},
+        r"'limitDamping': expected .* not negative, received -1": {"limitDamping": -1},
+        r"'baseMarker': received 'ground', but no marker": {"baseMarker": "ground"},
+        r"'baseHT': expected a 4x4 homogeneous transformation .* Its last row": {"baseHT": np.ones((4, 4))},
+        r"'baseHT': .* determinant": {"baseHT": np.diag([1, 1, -1, 1])},
+        r"'gravity': expected a vector with 3 .* received 9.81": {"gravity": 9.81},
+        r"referenceConfiguration: expected a vector with 2": {"referenceConfiguration": [1, 2, 3]},
+    }
+    counts = mbs.systemData.NumberOfObjects(), mbs.systemData.NumberOfNodes()
+    for text, arguments in refused.items():
+        with pytest.raises(ValueError, match=f"(?s)CreateRobot.*{text}"):
+            mbs.CreateRobot(tmp_path / "gripper.urdf", **arguments)
+    assert counts == (mbs.systemData.NumberOfObjects(), mbs.systemData.NumberOfNodes())
 
 
 def test_static_torques_hold_a_tree():

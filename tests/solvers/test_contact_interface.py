@@ -158,6 +158,77 @@ def test_geometry_of_sensors_does_not_push() -> None:
 # ---- questions and changes -------------------------------------------------------------------------------------------
 
 
+def items_and_contacts(mbs: exu.MainSystem) -> list[int]:
+    counts = [getattr(mbs.systemData, f"NumberOf{kind}s")() for kind in ("Node", "Object", "Marker", "Load", "Sensor")]
+    return [*counts, int(mbs.NumberOfGeneralContacts())]
+
+
+SPHERES = {"selectedTypeIndex": TYPES.IndexSpheresMarkerBased}
+REFUSED_SENSORS = {
+    "no such contact": ({"generalContactIndex": 2}, r"'generalContactIndex'.*of which this system has 2, received 2"),
+    "a contact, not its number": ({"generalContactIndex": True}, "'generalContactIndex'.*CreateDistanceSensorGeometry"),
+    "no direction": ({"dirSensor": [0, 0, 0]}, "'dirSensor'.*It is zero"),
+    "two components": ({"dirSensor": [0, 1]}, "'dirSensor'.*3 finite components"),
+    "no range": ({"minDistance": 5, "maxDistance": 5}, r"'minDistance'.*less than maxDistance, which is 5, received 5"),
+    "negative radius": ({"cylinderRadius": -1}, "'cylinderRadius'.*not negative"),
+    "a radius for all kinds": ({"cylinderRadius": 0.1}, "'cylinderRadius'.*selectedTypeIndex=.*received 0.1"),
+    "a radius without spheres": (SPHERES | {"cylinderRadius": 0.1}, "'cylinderRadius'.*triangles and no spheres"),
+    "a kind by number": ({"selectedTypeIndex": 2}, "'selectedTypeIndex'.*a member of ContactTypeIndex.*received 2"),
+    "a number as marker": ({"positionOrMarker": 0}, "'positionOrMarker'.*a MarkerIndex, the name of a marker"),
+    "no such marker": (
+        {"positionOrMarker": exu.MarkerIndex(9)},
+        "'positionOrMarker': there is no marker with number 9",
+    ),
+    "no such name": ({"positionOrMarker": "roof"}, "'positionOrMarker'.*received 'roof'.*Did you mean 'root'"),
+    "no position": ({"positionOrMarker": "x"}, "'positionOrMarker'.*a marker with a position.*MarkerNodeCoordinate"),
+    "a wrong color": ({"addGraphicsObject": True, "color": [2, 0, 0, 1]}, "'color'.*from 0 to 1"),
+}
+
+
+@pytest.mark.parametrize("case", REFUSED_SENSORS)
+def test_distance_sensors_that_would_see_nothing_are_refused_when_they_are_made(case: str) -> None:
+    world = World()
+    point = world.mbs.AddNode(eii.NodePoint())
+    world.mbs.AddMarker(eii.MarkerNodeCoordinate(name="x", nodeNumber=point, coordinate=0))
+    root = world.mbs.AddMarker(eii.MarkerNodePosition(name="root", nodeNumber=point))
+    number = world.mbs.CreateDistanceSensorGeometry(*grid_mesh(2.0, 3), world.ground)
+    before, (wrong, text) = items_and_contacts(world.mbs), REFUSED_SENSORS[case]
+    right = {"generalContactIndex": number, "positionOrMarker": root, "dirSensor": [0, 0, -1]}
+    with pytest.raises((ValueError, IndexError), match=rf"(?s)CreateDistanceSensor\(.*{text}"):
+        world.mbs.CreateDistanceSensor(**right | wrong)
+    assert items_and_contacts(world.mbs) == before
+
+
+def test_distance_sensors_need_a_contact() -> None:
+    mbs = exu.SystemContainer().AddSystem()
+    with pytest.raises(ValueError, match="which this system has 0. Make one by mbs.CreateDistanceSensorGeometry"):
+        mbs.CreateDistanceSensor(0, [0, 0, 0], [1, 0, 0])
+
+
+REFUSED_GEOMETRY = {
+    "an index too many": ({"meshTrigs": [[0, 1, 4]]}, r"'meshTrigs'.*of the 4 points .* from 0 to 3, received 4"),
+    "quadrangles": ({"meshTrigs": [[0, 1, 2, 3]]}, "'meshTrigs'.*3 indices"),
+    "a fraction": ({"meshTrigs": [[0, 1, 1.5]]}, "'meshTrigs'.*3 indices"),
+    "points in the plane": ({"meshPoints": [[0, 0], [1, 0], [0, 1]]}, "'meshPoints'.*3 finite coordinates"),
+    "no area": ({"meshTrigs": [[0, 1, 1]]}, "triangleList"),
+    "no cells": ({"searchTreeCellSize": [0, 1, 1]}, "'searchTreeCellSize'.*whole numbers greater than zero"),
+    "no orientation": ({"rigidBodyMarkerIndex": "point"}, "'rigidBodyMarkerIndex'.*orientation.*MarkerNodePosition"),
+    "no such name": ({"rigidBodyMarkerIndex": "pint"}, "'rigidBodyMarkerIndex'.*Did you mean 'point'"),
+}
+
+
+@pytest.mark.parametrize("case", REFUSED_GEOMETRY)
+def test_geometry_that_is_refused_leaves_nothing_behind(case: str) -> None:
+    world = World()
+    world.mbs.AddMarker(eii.MarkerNodePosition(name="point", nodeNumber=world.mbs.AddNode(eii.NodePoint())))
+    before, (wrong, text) = items_and_contacts(world.mbs), REFUSED_GEOMETRY[case]
+    corners = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
+    right = {"meshPoints": corners, "meshTrigs": [[0, 1, 2]], "rigidBodyMarkerIndex": world.ground}
+    with pytest.raises(ValueError, match=f"(?s){text}"):
+        world.mbs.CreateDistanceSensorGeometry(**right | wrong)
+    assert items_and_contacts(world.mbs) == before
+
+
 def test_items_in_a_box() -> None:
     world = World()
     for x in range(4):

@@ -10,6 +10,8 @@ import sys
 
 import pytest
 
+import dalembert as exu
+
 MODEL = """
 import time
 import dalembert as exu
@@ -25,6 +27,24 @@ settings.timeIntegration.verboseMode = 1
 settings.solutionSettings.writeSolutionToFile = False
 mbs.SolveDynamic(settings)
 """
+
+
+@pytest.mark.parametrize("automatic", [True, False])
+def test_steps_of_another_size_than_the_largest_are_told(automatic: bool, capfd: pytest.CaptureFixture[str]) -> None:
+    mbs = exu.SystemContainer().AddSystem()
+    ground = mbs.CreateGround()
+    mass = mbs.CreateMassPoint(referencePosition=[1, 0, 0], physicsMass=1, gravity=[0, 0, -9.81])
+    mbs.CreateSpringDamper(bodyNumbers=[ground, mass], stiffness=100)
+    mbs.Assemble()
+    settings = exu.SimulationSettings()
+    settings.solutionSettings.writeSolutionToFile = False
+    time = settings.timeIntegration
+    time.numberOfSteps, time.verboseMode, time.automaticStepSize, time.initialStepSize = 20, 2, automatic, 1e-3
+    mbs.SolveDynamic(settings, solverType=exu.DynamicSolverType.DOPRI5)
+    lines = [line for line in capfd.readouterr().out.splitlines() if line.startswith("STEP") and "%" in line]
+    told = [", dt = " in line for line in lines]
+    assert len(lines) > 10 and not told[-1]  # the end is what it is
+    assert all(told[1:-1]) if automatic else not any(told)
 
 
 def start(**streams: int) -> subprocess.Popen[bytes]:

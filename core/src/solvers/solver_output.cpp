@@ -177,7 +177,8 @@ void Solver::print_progress(bool to_console, bool to_file) {
                      (is_static() ? ", factor = " + number(load_factor()) : ", t = " + number(t) + "s");
   const bool at_end = it.currentTime + same_time() >= it.endTime;
   if (!is_static() && whole > 0) text += " (" + number(at_end ? 100 : std::floor(1000 * done / whole) / 10) + " %)";
-  if (info & step_size) text += ", dt = " + duration(it.currentStepSize, digits);
+  const bool other_step = !at_end && std::abs(it.currentStepSize - it.maxStepSize) > 1e-6 * it.maxStepSize;
+  if ((info & step_size) || (info && other_step)) text += ", dt = " + duration(it.currentStepSize, digits);
   const bool known = elapsed > 0.2 && done > std::min(10 * it.initialStepSize, 1e-5 * whole) && it.currentStepIndex != 0;
   if ((info & time_to_go) && known && !at_end) text += ", timeToGo = " + duration((it.endTime - t) * elapsed / done, 3);
   if (info & cpu_time) text += ", tCPU=" + duration(elapsed, digits);

@@ -38,6 +38,8 @@ class TreeLink:
             import dalembert as exu
 
             jointType = exu.JointType.RevoluteZ
+        if not isinstance(linkInertia, RigidBodyInertia):
+            raise shape_error("TreeLink: linkInertia", "a RigidBodyInertia, e.g. InertiaCuboid(...)", linkInertia)
         self.jointType = jointType
         self.linkInertia = linkInertia
         self.jointHT = as_transformation("jointHT", jointHT).copy()

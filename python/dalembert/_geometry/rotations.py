@@ -27,7 +27,7 @@ def _cross(a: FloatArray, b: FloatArray) -> FloatArray:
 
 def ComputeOrthonormalBasisVectors(vector0: npt.ArrayLike) -> list[FloatArray]:
     """Return the right-handed triad [vector0 normalized, normal1, normal2]; [zeros, e_x, e_y] for a zero vector."""
-    v = as_vector("vector0", vector0, 3)
+    v = as_vector("ComputeOrthonormalBasisVectors: vector0", vector0, 3)
     length = np.linalg.norm(v)
     if length == 0.0:
         return [v.copy(), np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0])]
@@ -49,27 +49,27 @@ def GramSchmidt(vector0: npt.ArrayLike, vector1: npt.ArrayLike) -> list[FloatArr
 
     Raises ValueError if a vector is zero or if both are parallel.
     """
-    e0 = unit_vector("vector0", vector0)
-    e1 = unit_vector("vector1", vector1)
+    e0 = unit_vector("GramSchmidt: vector0", vector0)
+    e1 = unit_vector("GramSchmidt: vector1", vector1)
     e1 = e1 - (e1 @ e0) * e0
     length = np.linalg.norm(e1)
     if length == 0.0:
-        raise shape_error("vector1", "a vector not parallel to vector0", vector1)
+        raise shape_error("GramSchmidt: vector1", "a vector not parallel to vector0", vector1)
     e1 = e1 / length
     return [e0, e1, _cross(e0, e1)]
 
 
 def Skew(vector: npt.ArrayLike) -> FloatArray:
     """Return the 3x3 matrix S of a 3D vector v, such that S @ w = v x w."""
-    x, y, z = as_vector("vector", vector, 3)
+    x, y, z = as_vector("Skew: vector", vector, 3)
     return np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
 
 
 def Skew2Vec(skew: npt.ArrayLike) -> FloatArray:
     """Return the vector of a skew matrix: 3 components for so(3) (3x3), [translation, rotation] for se(3) (4x4)."""
-    s = as_array("skew", skew)
+    s = as_array("Skew2Vec: skew", skew)
     if s.shape not in ((3, 3), (4, 4)):
-        raise shape_error("skew", "a 3x3 or 4x4 matrix", skew)
+        raise shape_error("Skew2Vec: skew", "a 3x3 or 4x4 matrix", skew)
     rotation = np.array([s[2, 1], s[0, 2], -s[0, 1]])
     return rotation if s.shape == (3, 3) else np.concatenate([s[:3, 3], rotation])
 
@@ -80,9 +80,9 @@ def ComputeSkewMatrix(v: npt.ArrayLike) -> FloatArray:
     A vector with 3n components gives a (3n x 3) matrix; a (3n x m) matrix gives a (3n x 3m) matrix, three columns per
     column of v.
     """
-    a = as_array("v", v)
+    a = as_array("ComputeSkewMatrix: v", v)
     if a.ndim not in (1, 2) or a.shape[0] % 3 != 0:
-        raise shape_error("v", "a vector with 3*n components or a matrix with 3*n rows", v)
+        raise shape_error("ComputeSkewMatrix: v", "a vector with 3*n components or a matrix with 3*n rows", v)
     x, y, z = a.reshape(a.shape[0] // 3, 3, -1).transpose(1, 0, 2)
     skew = np.zeros((x.shape[0], 3, x.shape[1], 3))
     skew[:, 0, :, 1], skew[:, 0, :, 2] = -z, y
@@ -93,19 +93,19 @@ def ComputeSkewMatrix(v: npt.ArrayLike) -> FloatArray:
 
 def EulerParameters2G(eulerParameters: npt.ArrayLike) -> FloatArray:
     """Return the 3x4 matrix G with (global) angular velocity = G @ eulerParameters_t."""
-    p = as_vector("eulerParameters", eulerParameters, 4)
+    p = as_vector("EulerParameters2G: eulerParameters", eulerParameters, 4)
     return 2.0 * np.column_stack([-p[1:], p[0] * np.eye(3) + Skew(p[1:])])
 
 
 def EulerParameters2GLocal(eulerParameters: npt.ArrayLike) -> FloatArray:
     """Return the 3x4 matrix GLocal with (local) angular velocity = GLocal @ eulerParameters_t."""
-    p = as_vector("eulerParameters", eulerParameters, 4)
+    p = as_vector("EulerParameters2GLocal: eulerParameters", eulerParameters, 4)
     return 2.0 * np.column_stack([-p[1:], p[0] * np.eye(3) - Skew(p[1:])])
 
 
 def EulerParameters2RotationMatrix(eulerParameters: npt.ArrayLike) -> FloatArray:
     """Return the 3x3 rotation matrix of 4 Euler parameters (scalar part first); they are not normalized here."""
-    p = as_vector("eulerParameters", eulerParameters, 4)
+    p = as_vector("EulerParameters2RotationMatrix: eulerParameters", eulerParameters, 4)
     e = Skew(p[1:])
     return np.eye(3) + 2.0 * (p[0] * e + e @ e)
 
@@ -116,7 +116,9 @@ def RotationMatrix2EulerParameters(rotationMatrix: npt.ArrayLike) -> FloatArray:
     All products 4*p_i*p_j are linear in the matrix entries; the row of the largest p_i gives p without cancellation
     (Shepperd, J. Guidance and Control 1, 1978).
     """
-    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = as_rotation("rotationMatrix", rotationMatrix).tolist()
+    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = as_rotation(
+        "RotationMatrix2EulerParameters: rotationMatrix", rotationMatrix
+    ).tolist()
     trace = xx + yy + zz
     products = [
         [1.0 + trace, zy - yz, xz - zx, yx - xy],
@@ -132,8 +134,8 @@ def RotationMatrix2EulerParameters(rotationMatrix: npt.ArrayLike) -> FloatArray:
 
 def AngularVelocity2EulerParameters_t(angularVelocity: npt.ArrayLike, eulerParameters: npt.ArrayLike) -> FloatArray:
     """Return the 4 rates of unit Euler parameters from the angular velocity in the global frame."""
-    x, y, z = as_vector("angularVelocity", angularVelocity, 3).tolist()
-    s, u, v, w = as_vector("eulerParameters", eulerParameters, 4).tolist()
+    x, y, z = as_vector("AngularVelocity2EulerParameters_t: angularVelocity", angularVelocity, 3).tolist()
+    s, u, v, w = as_vector("AngularVelocity2EulerParameters_t: eulerParameters", eulerParameters, 4).tolist()
     return 0.5 * np.array([
         -u * x - v * y - w * z,
         s * x + w * y - v * z,
@@ -146,7 +148,9 @@ def RotationVector2RotationMatrix(rotationVector: npt.ArrayLike) -> FloatArray:
     """Return the 3x3 rotation matrix of a rotation vector (axis times angle); exact for angles of any size."""
     from scipy.spatial.transform import Rotation  # on first use: it takes half a second to load
 
-    return Rotation.from_rotvec(as_vector("rotationVector", rotationVector, 3)).as_matrix()
+    return Rotation.from_rotvec(
+        as_vector("RotationVector2RotationMatrix: rotationVector", rotationVector, 3)
+    ).as_matrix()
 
 
 def RotationMatrix2RotationVector(rotationMatrix: npt.ArrayLike) -> FloatArray:
@@ -160,7 +164,7 @@ def RotationMatrix2RotationVector(rotationMatrix: npt.ArrayLike) -> FloatArray:
 
 def ComputeRotationAxisFromRotationVector(rotationVector: npt.ArrayLike) -> FloatArray:
     """Return the unit vector of the rotation axis; zeros for the zero rotation."""
-    v = as_vector("rotationVector", rotationVector, 3)
+    v = as_vector("ComputeRotationAxisFromRotationVector: rotationVector", rotationVector, 3)
     angle = np.linalg.norm(v)
     return np.zeros(3) if angle == 0.0 else v / angle
 
@@ -172,13 +176,13 @@ def RotationVector2G(rotationVector: npt.ArrayLike) -> FloatArray:
 
 def RotationVector2GLocal(eulerParameters: npt.ArrayLike) -> FloatArray:
     """Return the 3x3 identity: the rate of the Lie group node is the local angular velocity itself."""
-    as_vector("eulerParameters", eulerParameters, 3)
+    as_vector("RotationVector2GLocal: eulerParameters", eulerParameters, 3)
     return np.eye(3)
 
 
 def RotXYZ2RotationMatrix(rot: npt.ArrayLike) -> FloatArray:
     """Return the 3x3 matrix Ax @ Ay @ Az of successive rotations about the x, the rotated y and the rotated z axis."""
-    a, b, c = as_vector("rot", rot, 3)
+    a, b, c = as_vector("RotXYZ2RotationMatrix: rot", rot, 3)
     return RotationMatrixX(a) @ RotationMatrixY(b) @ RotationMatrixZ(c)
 
 
@@ -187,7 +191,7 @@ def RotationMatrix2RotXYZ(rotationMatrix: npt.ArrayLike) -> FloatArray:
 
     At y = +-pi/2 only the sum or difference of x and z is determined; x = 0 is chosen there.
     """
-    A = as_rotation("rotationMatrix", rotationMatrix)
+    A = as_rotation("RotationMatrix2RotXYZ: rotationMatrix", rotationMatrix)
     cosY = hypot(A[1, 2], A[2, 2])
     angleY = atan2(A[0, 2], cosY)
     if cosY > _GIMBAL:
@@ -197,14 +201,14 @@ def RotationMatrix2RotXYZ(rotationMatrix: npt.ArrayLike) -> FloatArray:
 
 def RotXYZ2G(rot: npt.ArrayLike) -> FloatArray:
     """Return the 3x3 matrix G with (global) angular velocity = G @ rot_t; its columns are the three rotation axes."""
-    a, b, _ = as_vector("rot", rot, 3)
+    a, b, _ = as_vector("RotXYZ2G: rot", rot, 3)
     return np.array([[1.0, 0.0, sin(b)], [0.0, cos(a), -sin(a) * cos(b)], [0.0, sin(a), cos(a) * cos(b)]])
 
 
 def RotXYZ2G_t(rot: npt.ArrayLike, rot_t: npt.ArrayLike) -> FloatArray:
     """Return the time derivative of the 3x3 matrix of RotXYZ2G."""
-    a, b, _ = as_vector("rot", rot, 3)
-    a_t, b_t, _ = as_vector("rot_t", rot_t, 3)
+    a, b, _ = as_vector("RotXYZ2G_t: rot", rot, 3)
+    a_t, b_t, _ = as_vector("RotXYZ2G_t: rot_t", rot_t, 3)
     G = RotXYZ2G(rot)
     G_t = np.zeros((3, 3))
     G_t[1:, 1:] = a_t * np.array([-G[2, 1:], G[1, 1:]])  # turning about x exchanges the rows
@@ -214,14 +218,14 @@ def RotXYZ2G_t(rot: npt.ArrayLike, rot_t: npt.ArrayLike) -> FloatArray:
 
 def RotXYZ2GLocal(rot: npt.ArrayLike) -> FloatArray:
     """Return the 3x3 matrix GLocal with (local) angular velocity = GLocal @ rot_t."""
-    _, b, c = as_vector("rot", rot, 3)
+    _, b, c = as_vector("RotXYZ2GLocal: rot", rot, 3)
     return np.array([[cos(b) * cos(c), sin(c), 0.0], [-cos(b) * sin(c), cos(c), 0.0], [sin(b), 0.0, 1.0]])
 
 
 def RotXYZ2GLocal_t(rot: npt.ArrayLike, rot_t: npt.ArrayLike) -> FloatArray:
     """Return the time derivative of the 3x3 matrix of RotXYZ2GLocal."""
-    _, b, c = as_vector("rot", rot, 3)
-    _, b_t, c_t = as_vector("rot_t", rot_t, 3)
+    _, b, c = as_vector("RotXYZ2GLocal_t: rot", rot, 3)
+    _, b_t, c_t = as_vector("RotXYZ2GLocal_t: rot_t", rot_t, 3)
     G = RotXYZ2GLocal(rot)
     G_t = np.zeros((3, 3))
     G_t[:2, :2] = c_t * np.array([G[1, :2], -G[0, :2]])  # turning about z exchanges the rows
@@ -234,8 +238,8 @@ def AngularVelocity2RotXYZ_t(angularVelocity: npt.ArrayLike, rotation: npt.Array
 
     Raises ValueError at rotation[1] = +-pi/2 if the angular velocity has a part that no rates can represent.
     """
-    omega = as_vector("angularVelocity", angularVelocity, 3)
-    a, b, _ = as_vector("rotation", rotation, 3)
+    omega = as_vector("AngularVelocity2RotXYZ_t: angularVelocity", angularVelocity, 3)
+    a, b, _ = as_vector("AngularVelocity2RotXYZ_t: rotation", rotation, 3)
     rateY = cos(a) * omega[1] + sin(a) * omega[2]
     throughZ = cos(a) * omega[2] - sin(a) * omega[1]
     if abs(cos(b)) > _GIMBAL:
@@ -243,7 +247,11 @@ def AngularVelocity2RotXYZ_t(angularVelocity: npt.ArrayLike, rotation: npt.Array
     elif abs(throughZ) <= _GIMBAL * np.linalg.norm(omega):
         rateZ = 0.0
     else:
-        raise shape_error("rotation", "angles with rotation[1] different from +-pi/2 (singular position)", rotation)
+        raise shape_error(
+            "AngularVelocity2RotXYZ_t: rotation",
+            "angles with rotation[1] different from +-pi/2 (singular position)",
+            rotation,
+        )
     return np.array([omega[0] - sin(b) * rateZ, rateY, rateZ])
 
 
@@ -255,7 +263,7 @@ def quaternion_product(q: FloatArray, p: FloatArray) -> FloatArray:
 
 def RotXYZ2EulerParameters(alpha: npt.ArrayLike) -> FloatArray:
     """Return the 4 Euler parameters (scalar part first) of Tait-Bryan angles, smooth in the angles."""
-    half = 0.5 * as_vector("alpha", alpha, 3)
+    half = 0.5 * as_vector("RotXYZ2EulerParameters: alpha", alpha, 3)
     c, s = np.cos(half), np.sin(half)
     aboutX = np.array([c[0], s[0], 0.0, 0.0])
     aboutY = np.array([c[1], 0.0, s[1], 0.0])
@@ -269,7 +277,7 @@ def RotationMatrix2RotZYZ(rotationMatrix: npt.ArrayLike, flip: bool) -> FloatArr
     The middle angle is positive, or negative if flip is True (the first angle then differs by pi). Where both z axes
     coincide, the first angle is zero.
     """
-    A = as_rotation("rotationMatrix", rotationMatrix)
+    A = as_rotation("RotationMatrix2RotZYZ: rotationMatrix", rotationMatrix)
     sign = -1.0 if flip else 1.0
     parallel = abs(A[0, 2]) < _GIMBAL and abs(A[1, 2]) < _GIMBAL
     first = 0.0 if parallel else atan2(sign * A[1, 2], sign * A[0, 2])

@@ -18,7 +18,7 @@ from dalembert._geometry.rotations import RotationMatrixX, RotationMatrixY, Rota
 
 def HomogeneousTransformation(A: npt.ArrayLike, r: npt.ArrayLike) -> FloatArray:
     """Return the 4x4 homogeneous transformation of a 3x3 rotation matrix A and a translation vector r."""
-    return _assembled(as_rotation("A", A), as_vector("r", r, 3))
+    return _assembled(as_rotation("HomogeneousTransformation: A", A), as_vector("HomogeneousTransformation: r", r, 3))
 
 
 def _assembled(A: FloatArray, r: FloatArray) -> FloatArray:
@@ -33,7 +33,7 @@ HT = HomogeneousTransformation
 
 def HTtranslate(r: npt.ArrayLike) -> FloatArray:
     """Return the 4x4 homogeneous transformation of a translation by the 3D vector r."""
-    return _assembled(np.eye(3), as_vector("r", r, 3))
+    return _assembled(np.eye(3), as_vector("HTtranslate: r", r, 3))
 
 
 def HTtranslateX(x: float) -> FloatArray:
@@ -73,12 +73,12 @@ def HTrotateZ(angle: float) -> FloatArray:
 
 def HT2translation(T: npt.ArrayLike) -> FloatArray:
     """Return the translation of a 4x4 homogeneous transformation, or of its logarithm (a view of a float array)."""
-    return as_matrix("T", T, (4, 4))[:3, 3]
+    return as_matrix("HT2translation: T", T, (4, 4))[:3, 3]
 
 
 def HT2rotationMatrix(T: npt.ArrayLike) -> FloatArray:
     """Return the 3x3 rotation matrix of a 4x4 homogeneous transformation (a view if T is a float array)."""
-    return as_transformation("T", T)[:3, :3]
+    return as_transformation("HT2rotationMatrix: T", T)[:3, :3]
 
 
 def InverseHT(T: npt.ArrayLike) -> FloatArray:
@@ -113,7 +113,7 @@ def Translation2T66(translation3D: npt.ArrayLike) -> FloatArray:
     Note the sign: RotationTranslation2T66 has +Skew(v) in the same place.
     """
     T66 = np.eye(6)
-    T66[3:, :3] = -Skew(as_vector("translation3D", translation3D, 3))
+    T66[3:, :3] = -Skew(as_vector("Translation2T66: translation3D", translation3D, 3))
     return T66
 
 
@@ -134,28 +134,28 @@ def TranslationZ2T66(translation: float) -> FloatArray:
 
 def T66toRotationTranslation(T66: npt.ArrayLike) -> list[FloatArray]:
     """Return [A, v] such that RotationTranslation2T66(A, v) is the 6x6 matrix T66."""
-    X = as_matrix("T66", T66, (6, 6))
+    X = as_matrix("T66toRotationTranslation: T66", T66, (6, 6))
     A = as_rotation("T66[:3, :3]", X[:3, :3])
     return [A, Skew2Vec(X[3:, :3] @ A.T)]
 
 
 def InverseT66toRotationTranslation(T66: npt.ArrayLike) -> list[FloatArray]:
     """Return [A, v] such that RotationTranslation2T66Inverse(A, v) is the 6x6 matrix T66."""
-    X = as_matrix("T66", T66, (6, 6))
+    X = as_matrix("InverseT66toRotationTranslation: T66", T66, (6, 6))
     A = as_rotation("T66[:3, :3]", X[:3, :3]).T
     return [A, -Skew2Vec(A @ X[3:, :3])]
 
 
 def RotationTranslation2T66(A: npt.ArrayLike, v: npt.ArrayLike) -> FloatArray:
     """Return the 6x6 transformation [[A, 0], [Skew(v) @ A, A]]."""
-    rotation = as_rotation("A", A)
-    return _lower_block(rotation, Skew(as_vector("v", v, 3)) @ rotation)
+    rotation = as_rotation("RotationTranslation2T66: A", A)
+    return _lower_block(rotation, Skew(as_vector("RotationTranslation2T66: v", v, 3)) @ rotation)
 
 
 def RotationTranslation2T66Inverse(A: npt.ArrayLike, v: npt.ArrayLike) -> FloatArray:
     """Return the inverse of RotationTranslation2T66(A, v): [[A.T, 0], [-A.T @ Skew(v), A.T]]."""
-    rotation = as_rotation("A", A)
-    return _lower_block(rotation.T, -rotation.T @ Skew(as_vector("v", v, 3)))
+    rotation = as_rotation("RotationTranslation2T66Inverse: A", A)
+    return _lower_block(rotation.T, -rotation.T @ Skew(as_vector("RotationTranslation2T66Inverse: v", v, 3)))
 
 
 def T66Inverse(T66: npt.ArrayLike) -> FloatArray:
@@ -178,13 +178,13 @@ def HT2T66Inverse(T: npt.ArrayLike) -> FloatArray:
 
 def InertiaTensor2Inertia6D(inertiaTensor: npt.ArrayLike) -> list[float]:
     """Return the list [Jxx, Jyy, Jzz, Jyz, Jxz, Jxy] of a symmetric 3x3 inertia tensor."""
-    J = as_matrix("inertiaTensor", inertiaTensor, (3, 3))
+    J = as_matrix("InertiaTensor2Inertia6D: inertiaTensor", inertiaTensor, (3, 3))
     return [J[0, 0], J[1, 1], J[2, 2], J[1, 2], J[0, 2], J[0, 1]]
 
 
 def Inertia6D2InertiaTensor(inertia6D: npt.ArrayLike) -> FloatArray:
     """Return the symmetric 3x3 inertia tensor of [Jxx, Jyy, Jzz, Jyz, Jxz, Jxy]."""
-    xx, yy, zz, yz, xz, xy = as_vector("inertia6D", inertia6D, 6)
+    xx, yy, zz, yz, xz, xy = as_vector("Inertia6D2InertiaTensor: inertia6D", inertia6D, 6)
     return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
 
 

@@ -129,7 +129,8 @@ def _encoded_item(encoder: Encoder, place: _Place, kind: str, item: Mapping[str,
                 continue
             with place.at(f"{path}.{'visualization.' if prefix else ''}{row}"):
                 encoded = encoder.value(item[prefix + row], words, f"{path}.{prefix}{row}")
-                if encoded != Encoder(True).value(defaults[prefix + row], words, "") or words.startswith("BeamSection"):
+                default = Encoder(True).value(defaults[prefix + row], words, "")
+                if repr(encoded) != repr(default) or words.startswith("BeamSection"):  # -0.0 is another number
                     rows[row] = encoded
         if prefix and rows:
             result["visualization"] = rows

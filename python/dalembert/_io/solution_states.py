@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from dalembert._checks import FloatArray
+from dalembert._checks import FloatArray, shape_error
 from dalembert._core import ConfigurationType, MainSolverImplicitSecondOrder
 from dalembert._io.binary_solutions import MAGIC, LoadBinarySolutionFile
 from dalembert._io.files import Path, file_to_read
@@ -40,6 +40,12 @@ def _set_row(mbs: Any, row: FloatArray, columns: list[int], configuration: Any) 
             getattr(mbs.systemData, f"Set{name}")(group, configuration)
 
 
+def check_solution(where: str, solution: Any) -> None:
+    """Refuse what is no solution, the name of its file for instance."""
+    if not isinstance(solution, dict) or not {"data", "nRows", "columnsExported"} <= solution.keys():
+        raise shape_error(f"{where}: solution", "what LoadSolutionFile(fileName) returns", solution)
+
+
 def SetSolutionState(
     mbs: Any,
     solution: dict[str, Any],
@@ -51,6 +57,7 @@ def SetSolutionState(
 
     The Visualization configuration gets the row's time too and is redrawn. IndexError if there is no such row.
     """
+    check_solution("SetSolutionState", solution)
     if not -solution["nRows"] <= row < solution["nRows"]:
         raise IndexError(f"SetSolutionState: row {row} does not exist, the solution has {solution['nRows']} rows")
     data = np.asarray(solution["data"], dtype=float)[row]

@@ -8,7 +8,7 @@ import numpy as np
 
 from dalembert._checks import FloatArray, IntArray
 from dalembert._core import ConfigurationType
-from dalembert._io.solution_states import SetSolutionState
+from dalembert._io.solution_states import SetSolutionState, check_solution
 from dalembert._pictures import draw
 from dalembert._pictures.films import times_of
 from dalembert._pictures.looks import Looks
@@ -40,6 +40,8 @@ class Motion:
         if not (framesPerSecond > 0 and speed > 0):
             received = f"{framesPerSecond}, {speed}"
             raise ValueError(f"{caller}: framesPerSecond and speed: expected positive, received {received}")
+        if solution is not None:
+            check_solution(caller, solution)
         self.studio = Studio(mbs.GetSystemContainer(), [mbs])
         self.rate, self.size = float(framesPerSecond), size or self.studio.size(0)
         try:

@@ -113,6 +113,10 @@ def save_figure(figure: Any, fileName: str, where: str) -> None:
     folder = os.path.dirname(fileName)
     if folder:
         os.makedirs(folder, exist_ok=True)
+    known = figure.canvas.get_supported_filetypes()
+    ending = os.path.splitext(fileName)[1].lstrip(".").lower()
+    if ending and ending not in known:
+        raise shape_error(f"{where}: fileName", f"an ending of matplotlib, {', '.join(sorted(known))}", fileName)
     with replacing(fileName) as written:
         figure.savefig(written)
 

@@ -2,21 +2,33 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from dalembert._checks import FloatArray
 from dalembert._plots.images import save_figure, show_figure
-from dalembert._plots.sensor_curves import Curve, coordinates, make_curves
+from dalembert._plots.sensor_curves import Curve, Of, coordinates, is_list, make_curves
 
 
-def _curve(mbs: Any, sensor: Any, component: int, where: str) -> tuple[Curve, FloatArray, FloatArray]:
-    (curve,) = make_curves(mbs, [(sensor, component, -1)], True, "#", ",", continuousAngles=True)
-    time, values = coordinates(curve, 0.0, 1.0)
-    if len(time) < 2:
-        raise ValueError(f"{where}: {curve.name} has {len(time)} rows, too few for a curve")
-    return curve, time, values
+class _Measured(NamedTuple):
+    """A component of a sensor over time."""
+
+    curve: Curve
+    time: FloatArray
+    values: FloatArray
+
+
+def _curves(mbs: Any, sensor: Any, component: int, where: str) -> list[_Measured]:
+    """Return the curve of a sensor, one for each system of a list."""
+    sensors = [Of(system, sensor, i) for i, system in enumerate(mbs)] if is_list(mbs) else [sensor]
+    found = []
+    for curve in make_curves(mbs, [(each, component, -1) for each in sensors], True, "#", ",", continuousAngles=True):
+        time, values = coordinates(curve, 0.0, 1.0)
+        if len(time) < 2:
+            raise ValueError(f"{where}: {curve.name} has {len(time)} rows, too few for a curve")
+        found.append(_Measured(curve, time, values))
+    return found
 
 
 def PlotPhase(
@@ -24,56 +36,66 @@ def PlotPhase(
 ) -> Any:
     """Plot a component of one sensor over that of another, such as velocity over position; return the axes.
 
-    sensorX, sensorY: indices or names, files or arrays, as of PlotSensor. Angles are continuous. ax: axes to draw in.
+    mbs: a system, or a list of systems to compare. sensorX, sensorY: indices or names, files or arrays, as of
+    PlotSensor. Angles are continuous. ax: axes to draw in.
     """
     import matplotlib.pyplot as plt
 
-    (x_curve, x_time, x), (y_curve, y_time, y) = (
-        _curve(mbs, sensor, component, "PlotPhase")
-        for sensor, component in ((sensorX, componentX), (sensorY, componentY))
+    pairs = list(
+        zip(
+            _curves(mbs, sensorX, componentX, "PlotPhase"),
+            _curves(mbs, sensorY, componentY, "PlotPhase"),
+            strict=True,
+        )
     )
-    if len(x_time) != len(y_time) or not np.allclose(x_time, y_time):
-        raise ValueError(f"PlotPhase: {x_curve.name} and {y_curve.name} have values at different times")
+    for x, y in pairs:
+        if len(x.time) != len(y.time) or not np.allclose(x.time, y.time):
+            raise ValueError(f"PlotPhase: {x.curve.name} and {y.curve.name} have values at different times")
     own = ax is None
     ax = plt.subplots()[1] if own else ax
-    ax.plot(x, y)
-    ax.set(xlabel=_title(x_curve), ylabel=_title(y_curve))
-    ax.grid(True)
-    return _shown(plt, ax, fileName, own, "PlotPhase")
+    for i, (x, y) in enumerate(pairs):
+        ax.plot(x.values, y.values, label=f"system {i}")
+    ax.set(xlabel=_title(pairs[0][0].curve), ylabel=_title(pairs[0][1].curve))
+    return _shown(plt, ax, fileName, own, len(pairs), "PlotPhase")
 
 
 def PlotSensorFFT(mbs: Any, sensor: Any, component: int = 0, fileName: str = "", ax: Any = None) -> Any:
     """Plot the amplitudes of the frequencies in a sensor; return the axes.
 
-    sensor: its values have to be evenly spaced in time; an index or name, a file or an array, as of PlotSensor.
+    mbs: a system, or a list of systems to compare. sensor: an index or name, a file or an array, as of PlotSensor; its
+    values have to be evenly spaced in time.
     """
     import matplotlib.pyplot as plt
 
     from dalembert.signalProcessing import ComputeFFT  # needs scipy
 
-    curve, time, values = _curve(mbs, sensor, component, "PlotSensorFFT")
-    steps = np.diff(time)
-    if np.abs(steps - steps.mean()).max() > 1e-3 * steps.mean():
-        raise ValueError(
-            f"PlotSensorFFT: {curve.name} has steps from {steps.min():g} to {steps.max():g} s; set sensorsWritePeriod "
-            "and constant steps, or interpolate"
-        )
-    frequency, magnitude, _ = ComputeFFT(time, values)
+    measured = _curves(mbs, sensor, component, "PlotSensorFFT")
+    for curve, time, _ in measured:
+        steps = np.diff(time)
+        if np.abs(steps - steps.mean()).max() > 1e-3 * steps.mean():
+            raise ValueError(
+                f"PlotSensorFFT: {curve.name} has steps from {steps.min():g} to {steps.max():g} s; set "
+                "sensorsWritePeriod and constant steps, or interpolate"
+            )
     own = ax is None
     ax = plt.subplots()[1] if own else ax
-    ax.plot(frequency, magnitude)
-    ax.set(xlabel="frequency (Hz)", ylabel=f"amplitude of {_title(curve)}")
-    ax.grid(True)
-    return _shown(plt, ax, fileName, own, "PlotSensorFFT")
+    for i, (_, time, values) in enumerate(measured):
+        frequency, magnitude, _ = ComputeFFT(time, values)
+        ax.plot(frequency, magnitude, label=f"system {i}")
+    ax.set(xlabel="frequency (Hz)", ylabel=f"amplitude of {_title(measured[0].curve)}")
+    return _shown(plt, ax, fileName, own, len(measured), "PlotSensorFFT")
 
 
 def _title(curve: Curve) -> str:
     unit = f" ({curve.unit})" if curve.unit else ""
-    return curve.label + unit
+    return curve.label.replace(" of system 0", "") + unit
 
 
-def _shown(plt: Any, ax: Any, fileName: str, own: bool, where: str) -> Any:
+def _shown(plt: Any, ax: Any, fileName: str, own: bool, curves: int, where: str) -> Any:
     figure = ax.get_figure()
+    ax.grid(True)
+    if curves > 1:
+        ax.legend()
     if own:
         figure.tight_layout()
         show_figure(plt, figure)

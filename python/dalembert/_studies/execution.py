@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import functools
+import inspect
 import os
 import platform
 import sys
@@ -16,7 +17,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from dalembert._checks import shape_error
 from dalembert._io.files import file_to_write, naming
+from dalembert._tools.missing_names import nearest
 
 ParameterSet = dict[str, Any]
 Function = Callable[[ParameterSet], Any]
@@ -28,16 +31,25 @@ def write(*arguments: Any, **options: Any) -> None:
     (getattr(package, "Print", None) or print)(*arguments, **options)
 
 
-def check_names(function: str, given: Iterable[str], known: Iterable[str]) -> None:
+def check_names(function: Callable[..., Any], given: Iterable[str], known: Iterable[str]) -> None:
     """Refuse keyword arguments that a function does not have; TypeError names the nearest known one."""
     known = sorted(known)
     for name in given:
         if name not in known:
-            import difflib
+            named = [each for each in inspect.signature(function).parameters if each != "kwargs"]
+            hint = nearest(name, [*known, *named]) or "; further arguments are " + ", ".join(known)
+            raise TypeError(f"{function.__name__}: unknown argument {name!r}{hint}")
 
-            close = difflib.get_close_matches(name, known, n=1)
-            hint = f"did you mean {close[0]!r}?" if close else "further arguments are " + ", ".join(known)
-            raise TypeError(f"{function}: unknown argument {name!r}; {hint}")
+
+def check_study(study: Callable[..., Any], function: Any, parameters: Any) -> None:
+    """Refuse a study without a function, or without parameters by name."""
+    where, first = study.__name__, next(iter(inspect.signature(study).parameters))
+    if not callable(function):
+        raise TypeError(str(shape_error(f"{where}: {first}", "a function of a dictionary", function)))
+    if not isinstance(parameters, Mapping):
+        raise TypeError(str(shape_error(f"{where}: parameters", "a dictionary by name", parameters)))
+    if not parameters:
+        raise ValueError(f"{where}: parameters must not be empty")
 
 
 def number_of_threads(given: int | None) -> int:
@@ -369,7 +381,7 @@ def ProcessParameterList(
     exception becomes a FailedEvaluation in its place: a float that is not a number, with the text as its message.
     """
     known = {"showProgress", "numberOfThreads", "resultsFile", "parameters", "useMPI", "useDispyWebMonitor", *_GUARDS}
-    check_names("ProcessParameterList", kwargs, known)
+    check_names(ProcessParameterList, kwargs, known)
     file, parameters = results_file("ProcessParameterList", kwargs), kwargs.get("parameters", {})
     values: list[Any] = []
     if kwargs.get("restart", False):

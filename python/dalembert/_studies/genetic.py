@@ -17,6 +17,7 @@ from dalembert._studies.execution import (
     ProcessParameterList,
     WriteToFile,
     check_names,
+    check_study,
     known_values,
     number_of_threads,
     results_file,
@@ -97,8 +98,6 @@ def _survivors(generation: list[ParameterSet], order: list[int], n: int, distanc
 
 
 def _check_ranges(parameters: Ranges) -> None:
-    if not parameters:
-        raise ValueError("GeneticOptimization: parameters must not be empty")
     for name, limits in parameters.items():
         if len(limits) < 2 or not limits[0] < limits[1]:
             raise ValueError(f"GeneticOptimization: range of {name!r} must be (begin, end), begin < end, not {limits}")
@@ -163,7 +162,8 @@ def GeneticOptimization(
         "initialPopulationSize", "keepFailures", "numberOfThreads", "numberOfChildren", "randomizerInitialization",
         "restart", "resultsFile", "survivingIndividuals", "useDispyWebMonitor", "useMPI",
     }  # fmt: skip
-    check_names("GeneticOptimization", kwargs, known)
+    check_names(GeneticOptimization, kwargs, known)
+    check_study(GeneticOptimization, objectiveFunction, parameters)
     _check_ranges(parameters)
     if childDistribution not in ("uniform", "normal"):
         raise ValueError(

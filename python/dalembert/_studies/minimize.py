@@ -16,6 +16,7 @@ from dalembert._studies.execution import (
     ParameterSet,
     WriteToFile,
     check_names,
+    check_study,
     kept_workers,
     results_file,
     write,
@@ -161,13 +162,12 @@ def Minimize(
     smooth enough for: 1e-4 is a better one for parameters of the size 1. The others, such as Nelder-Mead,
     Powell and COBYLA, choose each point by the value of the last one.
     """
-    check_names("Minimize", kwargs, {"resultsFile", "useScipyBounds", *_WORKERS})
+    check_names(Minimize, kwargs, {"resultsFile", "useScipyBounds", *_WORKERS})
+    check_study(Minimize, objectiveFunction, parameters)
     if method != _GLOBAL and (not isinstance(method, str) or method.lower() not in _METHODS):
         hint = nearest(str(method), known := [_GLOBAL, *_METHODS]) or f"; known are: {', '.join(known)}"
         raise ValueError(f"Minimize: method: scipy.optimize has no {method!r}{hint}")
     file = results_file("Minimize", kwargs)
-    if not parameters:
-        raise ValueError("Minimize: parameters must not be empty")
     names, bounds = list(parameters), _bounds(parameters)
     scipy_bounds = kwargs.get("useScipyBounds", False) or method == _GLOBAL
     start = np.array(initialGuess, dtype=float) if len(initialGuess) else bounds.mean(axis=0)
@@ -182,8 +182,6 @@ def Minimize(
         )
         workers = {}
     together = bool(workers.get("useMultiProcessing")) or hasattr(objectiveFunction, "in_portions")
-    if not callable(objectiveFunction):
-        raise TypeError(f"Minimize: objectiveFunction: received {objectiveFunction!r}, but expected a function")
     with kept_workers(**workers) as evaluate:
         inner = bounds if enforceBounds and not scipy_bounds else None
         objective = _Objective(objectiveFunction, names, inner, addComputationIndex, evaluate)

@@ -14,6 +14,7 @@ from dalembert._studies.execution import (
     ParameterSet,
     ProcessParameterList,
     check_names,
+    check_study,
     write,
 )
 
@@ -81,9 +82,8 @@ def ComputeSensitivities(
     useMultiProcessing, showProgress, kwargs (clusterHostNames, keepFailures, numberOfThreads, restart, resultsFile,
         useMPI): see ProcessParameterList. What fails, if keepFailures, is NaN.
     """
-    check_names("ComputeSensitivities", kwargs, _ARGUMENTS)
-    if not parameters:
-        raise ValueError("ComputeSensitivities: parameters must not be empty")
+    check_names(ComputeSensitivities, kwargs, _ARGUMENTS)
+    check_study(ComputeSensitivities, parameterFunction, parameters)
     variations = {name: _variation(name, value) for name, value in parameters.items()}
     sets: list[ParameterSet] = [{name: reference for name, (reference, _, _) in variations.items()}]
     for name, (reference, step, steps) in variations.items():

@@ -172,6 +172,11 @@ def SolveVariations(
     base = given_or_default("SolveVariations", simulationSettings)
     given = _parameter_arrays(mbs, parameters)
     coordinates = [(name, np.asarray(values)) for name, values in initialCoordinates.items()]
+    if isinstance(settings, SimulationSettings):
+        raise TypeError(
+            "SolveVariations: settings: received SimulationSettings, but expected arrays by the names of settings that "
+            "vary, such as {'timeIntegration.endTime': [1, 2]}; what all have in common is simulationSettings"
+        )
     varied = [(path, np.asarray(values)) for path, values in settings.items()]
     kind = _kind(solverType)
     variations = _number_of_variations(

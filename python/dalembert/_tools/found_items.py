@@ -23,7 +23,11 @@ def index_of(mbs: Any, kind: str, item: Any, where: str) -> Any:
     """Return the index of an item of a kind, such as 'Marker', given by its index, number or name."""
     if isinstance(item, str):
         return find_item(mbs, item, (kind,), where)
-    getattr(mbs, f"Get{kind}Parameter")(item, "name")  # refuses what is no item of this kind
+    try:
+        getattr(mbs, f"Get{kind}Parameter")(item, "name")  # refuses what is no item of this kind
+    except (IndexError, TypeError, ValueError) as error:
+        told = str(error).removeprefix(f"mbs.Get{kind}Parameter(...): ")
+        raise type(error)(f"{where}: {told}") from None
     return getattr(_core, f"{kind}Index")(int(item))
 
 

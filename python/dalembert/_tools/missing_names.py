@@ -37,7 +37,18 @@ _IN_WORDS = {
 }
 
 
+# Where others have what users look for in a system.
+_ELSEWHERE = {
+    "gravity": "; weight acts on bodies, by gravity=[0, 0, -9.81] of mbs.CreateRigidBody(...) and the like",
+    "time": "; it belongs to the data of a system: mbs.systemData.GetTime()",
+    "step": "; solvers move a system: mbs.SolveDynamic(simulationSettings)",
+    "Simulate": "; solvers move a system: mbs.SolveDynamic(simulationSettings)",
+}
+
+
 def _belongs_to(cls: type, name: str) -> str:
+    if cls is MainSystem and name in _ELSEWHERE:
+        return _ELSEWHERE[name]
     owner = next((spelt for other, spelt in _OWNERS.items() if other is not cls and hasattr(other, name)), None)
     return f"; it belongs to {_IN_WORDS[owner]}: {owner}.{name}" if owner else ""
 

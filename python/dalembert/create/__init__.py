@@ -1,21 +1,19 @@
-"""The Create functions of MainSystem: nodes, bodies, markers, connectors, joints and loads in one call each."""
+"""The Create functions of MainSystem: an item with all that belongs to it, such as nodes and markers, in one call."""
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable
 from types import FunctionType
 from typing import Any
 
-from dalembert.create import bodies, connectors, contacts, flexible, joints, loads, trees
+from dalembert.create import bodies, connectors, contacts, flexible, joints, loads, robots, sensors, trees
 from dalembert.create._arguments import COMMON, Check, checked
-from dalembert.create._mirrors import checks_of, documentation
+from dalembert.create._mirrors import checks_of, documentation, of_module
 
 
 def checks(function: Callable[..., Any]) -> dict[str, Check]:
     """Return what the arguments of a Create function are checked for, by name."""
-    own: dict[str, Check] = getattr(sys.modules[function.__module__], "CHECKS", {}).get(function.__name__, {})
-    return checks_of(function) | COMMON | own
+    return checks_of(function) | COMMON | of_module(function, "CHECKS")
 
 
 def _made(function: FunctionType) -> Callable[..., Any]:
@@ -29,7 +27,7 @@ def _made(function: FunctionType) -> Callable[..., Any]:
 # What MainSystem gets, by the name of the method.
 functions: dict[str, Callable[..., Any]] = {
     name: _made(function)
-    for module in (bodies, connectors, contacts, flexible, joints, loads, trees)
+    for module in (bodies, connectors, contacts, flexible, joints, loads, trees, sensors, robots)
     for name, function in vars(module).items()
     if name.startswith("Create")
 }

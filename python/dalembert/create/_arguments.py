@@ -208,6 +208,8 @@ def checked(function: FunctionType, checks: dict[str, Check]) -> Callable[..., A
             error = argument_error(function.__name__, name, check.expected, value)
             raise ValueError(f"{error}. {problem}") if problem else error
         hint = nearest(name, names[1:]) or f"; known are: {', '.join(names[1:])}"
+        if "inertia" in names and name.lower().endswith("mass"):  # as items have it
+            hint = ". Pass mass and inertia as inertia=InertiaCuboid(...) or another of the Inertia... functions"
         if name.startswith("markerNumber"):  # as items have it
             hint = (
                 "".join(f". Pass markers as '{each}'" for each in names if each in ("bodyNumber", "bodyNumbers"))

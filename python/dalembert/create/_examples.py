@@ -48,7 +48,8 @@ mbs.CreateRigidBodySpringDamper(
 """,
     "CreateTorsionalSpringDamper": """
 ground = mbs.CreateGround()
-flywheel = mbs.CreateRigidBody(initialAngularVelocity=[0, 0, 2], inertia=InertiaCylinder(7800, 0.02, 0.2, axis=2))
+disc = InertiaCylinder(7800, 0.02, 0.2, axis=2)
+flywheel = mbs.CreateRigidBody(initialAngularVelocity=[0, 0, 2], inertia=disc)
 mbs.CreateRevoluteJoint(bodyNumbers=[ground, flywheel], position=[0, 0, 0], axis=[0, 0, 1])
 mbs.CreateTorsionalSpringDamper(bodyNumbers=[ground, flywheel], axis=[0, 0, 1], stiffness=30, damping=0.1)
 """,
@@ -69,7 +70,8 @@ mbs.CreateRevoluteJoint(bodyNumbers=[ground, pendulum], position=[0, 0, 0], axis
 """,
     "CreatePrismaticJoint": """
 ground = mbs.CreateGround()
-slider = mbs.CreateRigidBody(inertia=InertiaCuboid(density=7800, sideLengths=[0.1, 0.1, 0.1]), gravity=[2, 0, -9.81])
+cube = InertiaCuboid(density=7800, sideLengths=[0.1, 0.1, 0.1])
+slider = mbs.CreateRigidBody(inertia=cube, gravity=[2, 0, -9.81])
 mbs.CreatePrismaticJoint(bodyNumbers=[ground, slider], position=[0, 0, 0], axis=[1, 0, 0])
 """,
     "CreateSphericalJoint": """
@@ -136,7 +138,8 @@ mbs.CreateSphereSphereContact(
 """,
     "CreateSphereTriangleContact": """
 ground = mbs.CreateGround()
-ball = mbs.CreateRigidBody(referencePosition=[0, 0, 0.3], inertia=InertiaSphere(0.5, 0.1), gravity=[0, 0, -9.81])
+sphere = InertiaSphere(mass=0.5, radius=0.1)
+ball = mbs.CreateRigidBody(referencePosition=[0, 0, 0.3], inertia=sphere, gravity=[0, 0, -9.81])
 mbs.CreateSphereTriangleContact(
     bodyNumbers=[ball, ground],
     radiusSphere=0.1,
@@ -148,7 +151,8 @@ mbs.CreateSphereTriangleContact(
 """,
     "CreateSphereQuadContact": """
 ground = mbs.CreateGround()
-ball = mbs.CreateRigidBody(referencePosition=[0, 0, 0.3], inertia=InertiaSphere(0.5, 0.1), gravity=[0, 0, -9.81])
+sphere = InertiaSphere(mass=0.5, radius=0.1)
+ball = mbs.CreateRigidBody(referencePosition=[0, 0, 0.3], inertia=sphere, gravity=[0, 0, -9.81])
 mbs.CreateSphereQuadContact(
     bodyNumbers=[ball, ground],
     radiusSphere=0.1,
@@ -161,7 +165,9 @@ mbs.CreateSphereQuadContact(
     "CreateForce": """
 body = mbs.CreateRigidBody(inertia=InertiaCuboid(density=7800, sideLengths=[1, 0.1, 0.1]))
 mbs.CreateForce(bodyNumber=body, loadVector=[0, 100, 0], localPosition=[0.5, 0, 0])
-mbs.CreateForce(bodyNumber=body, loadVectorUserFunction=lambda mbs, t, load: [0, 0, 50 * np.sin(20 * t)])
+mbs.CreateForce(
+    bodyNumber=body, loadVectorUserFunction=lambda mbs, t, load: [0, 0, 50 * np.sin(20 * t)]
+)
 """,
     "CreateTorque": """
 ground = mbs.CreateGround()
@@ -176,7 +182,8 @@ fem = FEMinterface()
 corners = [[x, y, z] for z in (0, 0.1) for x, y in ((0, 0), (1, 0), (1, 0.1), (0, 0.1))]
 fem.SetMesh(corners, {"Hex8": [range(8)]})
 fem.AssembleMatrices(KirchhoffMaterial(2.1e11, 0.3, 7850))
-fem.nodeSets.append({"Name": "root", "NodeNumbers": [0, 3, 4, 7], "NodeWeights": [0.25] * 4, "type": "boundary"})
+root = {"Name": "root", "NodeNumbers": [0, 3, 4, 7], "NodeWeights": [0.25] * 4, "type": "boundary"}
+fem.nodeSets.append(root)
 fem.ComputeHurtyCraigBamptonModes([[0, 3, 4, 7]], nEigenModes=3)
 beam = mbs.CreateFFRFReducedOrderObject("beam", fem, gravity=[0, 0, -9.81])
 ground = mbs.CreateGround()
@@ -186,11 +193,51 @@ mbs.AddObject(GenericJoint(markerNumbers=[fixed, beam["beam:root"]]))
     "CreateKinematicTree": """
 bar = InertiaCuboid(density=1000, sideLengths=[0.5, 0.05, 0.05]).Translated([0.25, 0, 0])
 shoulder = TreeLink(linkInertia=bar, jointType=exu.JointType.RevoluteZ, PDcontrol=(200, 20))
-elbow = TreeLink(linkInertia=bar, jointType=exu.JointType.RevoluteY, jointHT=HTtranslateX(0.5), PDcontrol=(50, 5))
+elbow = TreeLink(
+    linkInertia=bar, jointType=exu.JointType.RevoluteY, jointHT=HTtranslateX(0.5), PDcontrol=(50, 5)
+)
 arm = mbs.CreateKinematicTree(
     listOfTreeLinks=[shoulder, elbow], gravity=[0, 0, -9.81], jointPositionOffsetVector=[0.5, -0.3]
 )
-tip = mbs.AddMarker(MarkerKinematicTreeRigid(objectNumber=arm, linkNumber=1, localPosition=[0.5, 0, 0]))
+tip = mbs.AddMarker(
+    MarkerKinematicTreeRigid(objectNumber=arm, linkNumber=1, localPosition=[0.5, 0, 0])
+)
+mbs.AddLoad(Force(markerNumber=tip, loadVector=[0, 0, 5]))
+""",
+    "CreateDistanceSensorGeometry": """
+wall = graphics.Brick(centerPoint=[2, 0, 0], size=[0.1, 2, 2])
+points, triangles = graphics.ToPointsAndTrigs(wall)
+ground = mbs.AddMarker(MarkerBodyRigid(bodyNumber=mbs.CreateGround()))
+seen = mbs.CreateDistanceSensorGeometry(points, triangles, ground)
+cart = mbs.CreateMassPoint(physicsMass=1, initialVelocity=[1, 0, 0])
+eye = mbs.AddMarker(MarkerBodyPosition(bodyNumber=cart))
+mbs.CreateDistanceSensor(seen, positionOrMarker=eye, dirSensor=[1, 0, 0])  # 1.95 m at the start
+""",
+    "CreateDistanceSensor": """
+ground = mbs.AddMarker(MarkerBodyRigid(bodyNumber=mbs.CreateGround()))
+floor = [[-5, -5, 0], [5, -5, 0], [5, 5, 0], [-5, 5, 0]]
+seen = mbs.CreateDistanceSensorGeometry(floor, [[0, 1, 2], [0, 2, 3]], ground)
+drone = mbs.CreateRigidBody(
+    referencePosition=[0, 0, 3], inertia=InertiaSphere(mass=1, radius=0.1), gravity=[0, 0, -9.81]
+)
+center = mbs.AddMarker(MarkerBodyRigid(bodyNumber=drone))
+height = mbs.CreateDistanceSensor(
+    seen, positionOrMarker=center, dirSensor=[0, 0, -1], minDistance=0, storeInternal=True
+)
+""",
+    "CreateRobot": """
+from pathlib import Path
+
+Path("pendulum.urdf").write_text('''<robot name="pendulum"><link name="base"/>
+<link name="rod"><inertial><origin xyz="0.5 0 0"/><mass value="2"/>
+<inertia ixx="0.01" ixy="0" ixz="0" iyy="0.2" iyz="0" izz="0.2"/></inertial></link>
+<joint name="hinge" type="revolute"><parent link="base"/><child link="rod"/><axis xyz="0 1 0"/>
+<limit lower="-2" upper="2" effort="50" velocity="5"/><dynamics damping="0.1"/></joint></robot>''')
+made = mbs.CreateRobot("pendulum.urdf", referenceConfiguration=[0.3], limitStiffness=1e4)
+arm = made["objectKinematicTree"]
+tip = mbs.AddMarker(
+    MarkerKinematicTreeRigid(objectNumber=arm, linkNumber="rod", localPosition=[1, 0, 0])
+)
 mbs.AddLoad(Force(markerNumber=tip, loadVector=[0, 0, 5]))
 """,
 }

@@ -1,13 +1,15 @@
 """What Create functions take from the items whose parameters they pass on: checks, types, units and texts.
 
 A Create function mirrors the parameters of items, and of their visualization, by their names; which items, and what
-their parameters are, is said in specs/ alone. What an item does not have is described here.
+their parameters are, is said in specs/ alone. What an item does not have is described here, or by TEXTS of the
+function's own module if it has this meaning there alone.
 """
 
 from __future__ import annotations
 
 import inspect
 import re
+import sys
 from collections.abc import Callable
 from enum import Enum
 from functools import cache
@@ -93,6 +95,22 @@ TEXTS = {
     "dataInitialCoordinates": "data at the start: gap, tangential speed, impact velocity and plastic overlap",
     "planePosition": "point of the plane in the frame of its body (m)",
 }
+# What arguments must be that neither an item nor a check says.
+TYPES = {
+    "bodyNumber": "ObjectIndex, MarkerIndex or name",
+    "position": "3 numbers",
+    "quadPoints": "4 points of 3 numbers",
+    "superElementRigidMarkersOffsets": "list of 3 numbers each",
+    "colors": "4 numbers, or a list of them",
+    "colorsJoints": "4 numbers, or a list of them",
+    "baseGraphicsDataList": "list of graphics data",
+    "rigidBodyMarkerIndex": "MarkerIndex or name",
+    "baseMarker": "MarkerIndex or name",
+    "fileName": "str or Path",
+    "packages": "str, Path, list or dict",
+    "referenceConfiguration": "a number per joint",
+    "forceUserFunction": "function, controller or 0",
+}
 _VECTOR, _MATRIX = re.compile(r"(\d+) numbers"), re.compile(r"(\d+) x \1 numbers")
 _VECTORS = {"unit_vector": unit_vector, "color": color}
 _NUMBERS = {"": NUMBER, "non_negative": NOT_NEGATIVE, "positive": POSITIVE}
@@ -110,14 +128,26 @@ def parameters(function: Callable[..., Any]) -> dict[str, inspect.Parameter]:
     return dict(inspect.signature(function).parameters)
 
 
+def of_module(function: Callable[..., Any], table: str) -> dict[str, Any]:
+    """Return what a table of the function's own module, such as CHECKS, has for its arguments."""
+    found: dict[str, Any] = getattr(sys.modules[function.__module__], table, {}).get(function.__name__, {})
+    return found
+
+
+def texts(function: Callable[..., Any]) -> dict[str, str]:
+    """Return the descriptions of arguments that are no parameters of items."""
+    return TEXTS | of_module(function, "TEXTS")
+
+
 @cache
 def mirrored(function: Callable[..., Any]) -> dict[str, Row]:
     """Return the parameters of items that arguments of the function stand for."""
     rows: dict[str, Row] = {}
-    for row in (row for name in MIRRORS[function.__name__] for row in _rows(name)):
+    for row in (row for name in MIRRORS.get(function.__name__, ()) for row in _rows(name)):
         rows.setdefault(row.name, row)
     names = {name: RENAMED.get(name, name) for name in parameters(function)}
-    return {name: rows[row] for name, row in names.items() if row in rows and name not in TEXTS}
+    described = texts(function)
+    return {name: rows[row] for name, row in names.items() if row in rows and name not in described}
 
 
 def check_of(row: Row) -> Check:
@@ -149,6 +179,8 @@ def _literal(value: Any) -> str:
     if isinstance(value, np.ndarray):
         rows, columns = value.shape
         return f"np.eye({rows})" if value.any() else f"np.zeros(({rows}, {columns}))"
+    if isinstance(value, list) and any(isinstance(entry, np.ndarray) for entry in value):
+        return repr([entry.tolist() for entry in value])
     return str(value) if isinstance(value, Enum) else repr(value)
 
 
@@ -156,6 +188,8 @@ def _type_of(parameter: inspect.Parameter, check: Check | None) -> str:
     """Return what an argument that no item has must be, in words."""
     if check is not None:
         return check.expected.removesuffix(" or None")
+    if parameter.name in TYPES:
+        return TYPES[parameter.name]
     if parameter.default in (None, inspect.Parameter.empty):
         return str(parameter.annotation).removesuffix(" | None")
     return type(parameter.default).__name__
@@ -173,11 +207,11 @@ class Argument(NamedTuple):
 
 def arguments(function: Callable[..., Any], checks: dict[str, Check]) -> list[Argument]:
     """Return what is to be said of the arguments of a Create function, after mbs."""
-    rows, found = mirrored(function), []
+    rows, described, found = mirrored(function), texts(function), []
     for name, parameter in list(parameters(function).items())[1:]:
         row = rows.get(name)
         kind = row.type if row else _type_of(parameter, checks.get(name))
-        text, facts = (row.text, row.facts) if row else (TEXTS[name], "")
+        text, facts = (row.text, row.facts) if row else (described[name], "")
         found.append(Argument(name, kind, _literal(parameter.default), facts, text))
     return found
 

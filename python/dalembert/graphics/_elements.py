@@ -10,7 +10,11 @@ from dalembert.graphics._mesh import GraphicsData
 
 def Lines(pList: npt.ArrayLike, color: npt.ArrayLike = [0.0, 0.0, 0.0, 1.0]) -> GraphicsData:
     """Return a line through a list of 3D points."""
-    return {"type": "Line", "color": as_color("color", color).copy(), "data": as_points("pList", pList).flatten()}
+    return {
+        "type": "Line",
+        "color": as_color("Lines: color", color).copy(),
+        "data": as_points("Lines: pList", pList).flatten(),
+    }
 
 
 def Circle(
@@ -18,7 +22,7 @@ def Circle(
 ) -> GraphicsData:
     """Return a circle about a centre point in the xy plane."""
     position = as_vector("Circle: point", point, 3).copy()
-    return {"type": "Circle", "color": as_color("color", color).copy(), "radius": radius, "position": position}
+    return {"type": "Circle", "color": as_color("Circle: color", color).copy(), "radius": radius, "position": position}
 
 
 def Text(
@@ -33,7 +37,7 @@ def Text(
         raise shape_error("Text: text", "a string", text)
     return {
         "type": "Text",
-        "color": as_color("color", color).copy(),
+        "color": as_color("Text: color", color).copy(),
         "text": text,
         "position": as_vector("Text: point", point, 3).copy(),
         "fontSize": fontSize,

@@ -127,6 +127,9 @@ def Transform(
 
 def Move(g: GraphicsData, pOff: npt.ArrayLike, Aoff: npt.ArrayLike | None = None) -> GraphicsData:
     """Return new graphicsData with the points pOff + Aoff @ p."""
+    as_vector("Move: pOff", pOff, 3)
+    if Aoff is not None:
+        as_matrix("Move: Aoff", Aoff, (3, 3))
     return Transform(g, pOff, Aoff)
 
 

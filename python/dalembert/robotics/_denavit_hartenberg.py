@@ -16,7 +16,7 @@ def StdDH2HT(DHparameters: npt.ArrayLike) -> FloatArray:
 
     J. Denavit, R. S. Hartenberg, A kinematic notation for lower-pair mechanisms, J. Applied Mechanics 22, 1955.
     """
-    theta, d, a, alpha = as_vector("DHparameters", DHparameters, 4)
+    theta, d, a, alpha = as_vector("StdDH2HT: DHparameters", DHparameters, 4)
     return HTrotateZ(theta) @ HTtranslate([a, 0.0, d]) @ HTrotateX(alpha)
 
 
@@ -25,7 +25,7 @@ def ModDHKK2HT(DHparameters: npt.ArrayLike) -> list[FloatArray]:
 
     W. Khalil, J.-F. Kleinfinger, A new geometric notation for open and closed-loop robots, IEEE ICRA, 1986.
     """
-    alpha, d, theta, r = as_vector("DHparameters", DHparameters, 4)
+    alpha, d, theta, r = as_vector("ModDHKK2HT: DHparameters", DHparameters, 4)
     return [HTrotateX(alpha) @ HTtranslate([d, 0.0, 0.0]), HTrotateZ(theta) @ HTtranslate([0.0, 0.0, r])]
 
 

@@ -64,7 +64,10 @@ class InverseKinematicsNumerical:
     @staticmethod
     def createVector(p0: npt.ArrayLike, p01: npt.ArrayLike) -> tuple[list[float], ...]:
         """Return the x, y and z values of both ends of a line from p0 along p01, for plots."""
-        start, way = as_vector("p0", p0, 3), as_vector("p01", p01, 3)
+        start, way = (
+            as_vector("InverseKinematicsNumerical.createVector: p0", p0, 3),
+            as_vector("InverseKinematicsNumerical.createVector: p01", p01, 3),
+        )
         return tuple([float(a), float(a + b)] for a, b in zip(start, way, strict=True))
 
     def GetCurrentRobotHT(self) -> FloatArray:
@@ -78,7 +81,10 @@ class InverseKinematicsNumerical:
 
         They are not more than rotStep (rad) apart, and not fewer than minSteps.
         """
-        start, end = as_transformation("T1", T1), as_transformation("T2", T2)
+        start, end = (
+            as_transformation("InverseKinematicsNumerical.InterpolateHTs: T1", T1),
+            as_transformation("InverseKinematicsNumerical.InterpolateHTs: T2", T2),
+        )
         turn = RotationMatrix2RotationVector(start[:3, :3].T @ end[:3, :3])
         way = end[:3, 3] - start[:3, 3]
         n = max(minSteps, int(np.ceil(np.linalg.norm(turn) / rotStep)))
@@ -116,7 +122,7 @@ class InverseKinematicsNumerical:
         The iteration starts with q0, or the coordinates found last. Angles are between -pi and pi unless limits of a
         joint are others. q is None if no coordinates within the limits were found to 1e-10 (m and rad).
         """
-        goal, start = as_transformation("T", T), self._start(q0)
+        goal, start = as_transformation("InverseKinematicsNumerical.Solve: T", T), self._start(q0)
         q = self._reach(goal, start, start)
         if np.linalg.norm(self._error(goal, q)) > TOLERANCE:
             self._say("Solve: pose not reached")

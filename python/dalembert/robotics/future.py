@@ -57,7 +57,7 @@ def ComputeIK3R(robotDic: dict[str, Any], HT: npt.ArrayLike) -> FloatArray:
     and positive. A point on the first axis is faced with the first angle zero.
     """
     rows = _parameters("ComputeIK3R", robotDic, [pi / 2, 0, 0], (1, 2))
-    x, y, z = as_transformation("HT", HT)[:3, 3]
+    x, y, z = as_transformation("ComputeIK3R: HT", HT)[:3, 3]
     radius, height = np.hypot(x, y), z - rows[0, 1]
     facing = float(np.arctan2(y, x)) if radius > _SMALL else 0.0
     solutions = []
@@ -76,7 +76,7 @@ def ComputeIKPuma560(robotDic: dict[str, Any], HT: npt.ArrayLike) -> FloatArray:
     Research 5, 1986.
     """
     rows = _parameters("ComputeIKPuma560", robotDic, [pi / 2, 0, -pi / 2, pi / 2, -pi / 2, 0], (1, 2))
-    T = as_transformation("HT", HT)
+    T = as_transformation("ComputeIKPuma560: HT", HT)
     x, y, z = T[:3, 3] - rows[5, 1] * T[:3, 2]
     radius, side = np.hypot(x, y), rows[1, 1] + rows[2, 1]
     lean = float(np.arcsin(side / radius)) if radius >= abs(side) and radius > 0 else np.nan
@@ -107,7 +107,7 @@ def ComputeIKUR(robotDic: dict[str, Any], HTdes: npt.ArrayLike) -> FloatArray:
     positive and negative. With the last axis parallel to the second, the sixth angle is zero.
     """
     rows = _parameters("ComputeIKUR", robotDic, [pi / 2, 0, 0, pi / 2, -pi / 2, 0], (1, 2))
-    T = as_transformation("HTdes", HTdes)
+    T = as_transformation("ComputeIKUR: HTdes", HTdes)
     x, y, _ = T[:3, 3] - rows[5, 1] * T[:3, 2]
     side, radius = rows[1:4, 1].sum(), np.hypot(x, y)
     lean = float(np.arccos(side / radius)) if radius >= abs(side) and radius > 0 else np.nan

@@ -107,7 +107,7 @@ def MecanumWheelVelocity2XYphi(w: npt.ArrayLike, R: float, Lx: float, Ly: float,
     c = _configuration(wheeltype)
     arm = 0.5 * (Lx + c * Ly)
     rows = np.array([[1, 1, 1, 1], [-c, c, c, -c], np.array([-1, 1, -1, 1]) / arm])
-    return np.asarray(R / 4 * rows @ as_array("w", w))
+    return np.asarray(R / 4 * rows @ as_array("MecanumWheelVelocity2XYphi: w", w))
 
 
 # ---- rollers ---------------------------------------------------------------------------------------------------------
@@ -169,12 +169,12 @@ def Generatrix2Polynomial(
 
 def FunDiffPoly(x: npt.ArrayLike, a: npt.ArrayLike) -> FloatArray:
     """Return the derivative of a polynomial with coefficients a, highest power first."""
-    return np.asarray(np.polyval(np.polyder(as_array("a", a)), as_array("x", x)))
+    return np.asarray(np.polyval(np.polyder(as_array("FunDiffPoly: a", a)), as_array("FunDiffPoly: x", x)))
 
 
 def FunDDiffPoly(x: npt.ArrayLike, a: npt.ArrayLike) -> FloatArray:
     """Return the second derivative of a polynomial with coefficients a, highest power first."""
-    return np.asarray(np.polyval(np.polyder(as_array("a", a), 2), as_array("x", x)))
+    return np.asarray(np.polyval(np.polyder(as_array("FunDDiffPoly: a", a), 2), as_array("FunDDiffPoly: x", x)))
 
 
 # ---- models ----------------------------------------------------------------------------------------------------------
@@ -327,7 +327,9 @@ def MobileRobot2MBS(
     places = {
         "mCenterPlatform": np.zeros(3),
         "mCenterBase": np.array([0, 0, -0.5 * mobileRobot["platformDimensions"][2]]),
-        "mRobotArmMounting": as_transformation("serialRobotMountpoint", mobileRobot["serialRobotMountpoint"])[:3, 3],
+        "mRobotArmMounting": as_transformation(
+            "MobileRobot2MBS: serialRobotMountpoint", mobileRobot["serialRobotMountpoint"]
+        )[:3, 3],
     }
     markers = [
         mbs.AddMarker(items.MarkerBodyRigid(name=name, bodyNumber=body, localPosition=place))

@@ -48,7 +48,7 @@ def StiffnessManipulability(
     direction; all entries of the matrix are then singularWeight.
     """
     J = robot.Jacobian(HT, mode=mode)
-    stiffness = as_matrix("JointStiffness", JointStiffness, (len(HT), len(HT)))
+    stiffness = as_matrix("StiffnessManipulability: JointStiffness", JointStiffness, (len(HT), len(HT)))
     return _smallest(J @ np.linalg.solve(stiffness, J.T), singularWeight)
 
 
@@ -85,7 +85,10 @@ def DynamicManipulability(
     """
     n = len(HT)
     J = robot.Jacobian(HT, mode=mode)
-    scaled = np.linalg.solve(as_matrix("Tmax", Tmax, (n, n)), as_matrix("MassMatrix", MassMatrix, (n, n)))
+    scaled = np.linalg.solve(
+        as_matrix("DynamicManipulability: Tmax", Tmax, (n, n)),
+        as_matrix("DynamicManipulability: MassMatrix", MassMatrix, (n, n)),
+    )
     reach = np.linalg.solve(scaled.T, J.T)  # J inv(scaled' scaled) J' is its square
     return _smallest(reach.T @ reach, singularWeight)
 

@@ -98,7 +98,11 @@ def GetURDFrobotData(
     staticGraphicsList, all graphics at their places. exportMesh and verbose change nothing.
     """
     n = robot.NumberOfLinks()
-    q = np.zeros(n) if staticJointValues is None else as_vector("staticJointValues", staticJointValues, n)
+    q = (
+        np.zeros(n)
+        if staticJointValues is None
+        else as_vector("GetURDFrobotData: staticJointValues", staticJointValues, n)
+    )
     links, drawn = [], list(_drawing.moved(robot.base.visualization.graphicsData, robot.base.HT))
     for i, (link, T) in enumerate(zip(robot.links, robot.JointHT(q), strict=True)):
         inertia, parent = link.JointInertia(), robot.GetParentIndex(i)
