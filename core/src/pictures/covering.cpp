@@ -86,7 +86,7 @@ class Picture::Plan {
 };
 
 // The samples of a row between the edges of a triangle: the first one, and the one after the last.
-std::pair<int, int> Picture::span(const Sides& sides, int row) const {
+DALEMBERT_INLINE inline std::pair<int, int> Picture::span(const Sides& sides, int row) const {
   const auto [left, right] = sides.at(static_cast<float>(row) + 0.5f);
   return {first_sample(left, columns_), first_sample(right, columns_)};
 }

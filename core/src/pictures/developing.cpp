@@ -17,7 +17,10 @@ int component(std::uint32_t v) { return static_cast<std::int16_t>(static_cast<st
 struct Sum {
   std::uint32_t even = 0, odd = 0;
   void add(std::uint32_t color) { even += color & 0xff00ffu, odd += color >> 8 & 255; }
-  std::uint32_t mean(std::uint32_t count) const {
+  // Of that many colors; two are divided at once where that is a shift.
+  DALEMBERT_INLINE std::uint32_t mean(std::uint32_t count) const {
+    if (count == 1) return even | odd << 8;
+    if (count == 4) return ((even + 0x20002u) >> 2 & 0xff00ffu) | ((odd + 2) >> 2) << 8;
     return (((even & 0xffff) + count / 2) / count) | (((odd + count / 2) / count) << 8) | ((((even >> 16) + count / 2) / count) << 16);
   }
 };
@@ -76,6 +79,8 @@ void Picture::light(int pixel_row) {
   std::uint32_t last_color = 0, last_normal = 0, last = 0;
   for (int column = 0; column < columns_; column += samples) {
     const std::size_t first = row_start(pixel_row * samples) + static_cast<std::size_t>(column);
+    if constexpr (Samples == 2)
+      if (bits(load_square<FourWhole>(&color_[first], &color_[first + static_cast<std::size_t>(columns_)]) < FourWhole{}) == 0) continue;
     const bool is_one = join<Samples>(first);
     for (int j = 0; j < samples; ++j) {
       for (int i = 0; i < samples; ++i) {

@@ -1,6 +1,7 @@
 // Spheres and lines of pictures.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "dalembert/pictures/picture.hpp"
@@ -8,45 +9,76 @@
 
 namespace dalembert {
 
+namespace {
+
+// Many spheres are drawn square by square of so many samples, which stay in the cache meanwhile.
+constexpr int square = 128;
+constexpr std::size_t many = 1000;
+
+}  // namespace
+
 void Picture::spheres(std::span<const double> centers, std::span<const double> radii, std::span<const float> colors,
                       std::span<const std::int32_t> items) {
   begin();
+  LargeVector<Ball> balls;
+  balls.reserve(radii.size());
   for (std::size_t i = 0; i < radii.size(); ++i) {
     const auto r = static_cast<float>(radii[i]);
     const Point c = to_eye(centers.data() + 3 * i);
     if (1 + perspective_ * (c.z - r) < 0.02f || r <= 0 || !is_inside(c)) continue;
     const float* rgb = colors.data() + 4 * i;
-    sphere(project({c, {}, {rgb[0], rgb[1], rgb[2], 1}}), c, r, items[i]);
+    const Vertex middle = project({c, {}, {}});
+    const float size = scale_ * middle.weight() * r;
+    if (is_finite(middle.place) && std::isfinite(size))
+      balls.push_back({middle.place.x, middle.place.y, size, c.z, r, packed(Paint{rgb[0], rgb[1], rgb[2], 1}) | to_be_lit, items[i]});
   }
+  if (balls.size() >= many) sort(balls);
+  for (const Ball& ball : balls) sphere(ball);
+}
+
+// By the squares that middles lie in, rows of them first; in each of them, the order stays.
+void Picture::sort(LargeVector<Ball>& balls) const {
+  const int across = columns_ / square + 1, down = rows_ / square + 1;
+  const auto square_of = [&](const Ball& ball) {
+    const int row = first_sample(ball.y, rows_) / square, column = first_sample(ball.x, columns_) / square;
+    return static_cast<std::size_t>(row * across + column);
+  };
+  std::vector<std::size_t> starts(static_cast<std::size_t>(across * down) + 1);
+  for (const Ball& ball : balls) ++starts[square_of(ball) + 1];
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  LargeVector<Ball> sorted(balls.size());
+  for (const Ball& ball : balls) sorted[starts[square_of(ball)]++] = ball;
+  balls.swap(sorted);
 }
 
 // A disc with the depth and the normals of a sphere, four samples of a row at a time; in perspective, its outline is that of a
 // sphere seen along its own axis.
-void Picture::sphere(const Vertex& middle, const Point& center, float radius, std::int32_t item) {
-  const float size = scale_ * middle.weight() * radius, cx = middle.place.x, cy = middle.place.y;
-  if (!is_finite(middle.place) || !std::isfinite(size)) return;
-  const Four front = four(nearness(center.z - radius, 1 / (1 + perspective_ * (center.z - radius))));
+void Picture::sphere(const Ball& ball) {
+  const auto [cx, cy, size, middle, radius, color, item] = ball;
+  const float part = 1 / size, nearest = middle - radius;
+  const Four front = four(nearness(nearest, 1 / (1 + perspective_ * nearest)));
   const int begin = first_sample(cx - size, columns_), stop = first_sample(cx + size, columns_), end = first_sample(cy + size, rows_);
   for (int row = first_sample(cy - size, rows_); row < end; ++row) {
-    const float dy = (static_cast<float>(row) + 0.5f - cy) / size;
+    const float dy = (static_cast<float>(row) + 0.5f - cy) * part;
     const std::size_t start = row_start(row);
     for (int x = begin; x < stop; x += 4) {
       const std::size_t k = start + static_cast<std::size_t>(x);
       const Four known = load_row<Four>(&depth_[k]);
       if (bits(front > known) == 0) continue;
       const FourWhole columns = four(static_cast<std::int32_t>(x)) + FourWhole{0, 1, 2, 3};
-      const Four dx = (as_numbers(columns) + four(0.5f - cx)) / four(size), rest = four(1 - dy * dy) - dx * dx;
-      const Four dz = root(larger(rest, four(0.0f))), z = four(center.z) - four(radius) * dz;
+      const Four dx = (as_numbers(columns) + four(0.5f - cx)) * four(part), rest = four(1 - dy * dy) - dx * dx;
+      const Four dz = root(larger(rest, four(0.0f))), z = four(middle) - four(radius) * dz;
       const Four n = perspective_ > 0 ? four(1.0f) / (four(1.0f) + four(perspective_) * z) : -z;
       const FourWhole won = (rest > four(0.0f)) & (columns < four(static_cast<std::int32_t>(stop))) & (n > known);
       if (bits(won) == 0) continue;
       const FourWhole normal = (whole(dx * four(32767.0f)) & four(std::int32_t{0xffff})) | four(static_cast<std::int32_t>(-dy * 32767) * 65536);
       const auto keep = [&](auto* samples, FourWhole values) { store_row(won ? values : load_row<FourWhole>(samples + k), samples + k); };
       store_row(won ? n : known, &depth_[k]);
-      keep(color_.data(), four(static_cast<std::int32_t>(middle.color))), keep(normal_.data(), normal), keep(item_.data(), four(item));
+      keep(color_.data(), four(static_cast<std::int32_t>(color))), keep(normal_.data(), normal), keep(item_.data(), four(item));
     }
   }
 }
+
 // Samples within `half` of a segment, in steps along the axis in which it is longer: write(sample, nearness).
 template <class Write>
 void Picture::walk(Point a, Point b, float half, Write&& write) const {

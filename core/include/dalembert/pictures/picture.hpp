@@ -102,6 +102,13 @@ class Picture {
     std::int32_t item;
   };
 
+  struct Ball {
+    float x, y, size;  // in samples
+    float z, radius;   // in eye coordinates
+    std::uint32_t color;
+    std::int32_t item;
+  };
+
   Point to_eye(const double* p) const;
   Point turned(const double* v) const;
   Vertex project(const Corner& corner) const;
@@ -116,7 +123,8 @@ class Picture {
   template <class Shade>
   void cover_squares(const Three& v, const Plan& plan, std::int32_t item, Shade&& shade);
   std::pair<int, int> span(const Sides& sides, int row) const;
-  void sphere(const Vertex& middle, const Point& center, float radius, std::int32_t item);
+  void sort(LargeVector<Ball>& balls) const;
+  void sphere(const Ball& ball);
   template <class Write>
   void walk(Point a, Point b, float half, Write&& write) const;
   void outline(int row);
