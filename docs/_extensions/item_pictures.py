@@ -26,13 +26,30 @@ from dalembert._pictures.studio import Studio
 
 names = {name: value for name, value in vars(itemInterface).items() if not name.startswith("_")}
 folder, examples = json.load(sys.stdin)
+
+
+def add_symbols(SC, scene, item):
+    # The frames of nodes, and the numbers of all items of the kind of this one.
+    # Return whether axes are longer than what is seen besides.
+    settings, box = SC.visualizationSettings, scene.box()
+    sides = np.ones(3) if box is None else box[1] - box[0]
+    is_single = sides.min() > 0.5 * sides.max()
+    settings.nodes.showBasis = True
+    settings.nodes.basisSize = sides.max() * (0.85 if is_single else 0.12)
+    kind = next(kind for kind in ("Node", "Object", "Marker", "Load", "Sensor") if item.startswith(kind))
+    for group in ("bodies", "connectors") if kind == "Object" else (f"{kind.lower()}s",):
+        getattr(settings, group).showNumbers = True
+    return is_single
+
+
 for item, code in examples.items():
     SC = exu.SystemContainer()
     mbs = SC.AddSystem()
     exec(code, names | {"exu": exu, "np": np, "SC": SC, "mbs": mbs})
     scene = Studio(SC).scene()
     if scene.instances or scene.spheres or scene.lines:
-        mbs.Draw(f"{folder}/{item}.png", windowSize=[560, 380])
+        zoom = 0.7 if add_symbols(SC, scene, item) else 0.95
+        mbs.Draw(f"{folder}/{item}.png", windowSize=[560, 380], zoom=zoom)
 """
 
 

@@ -96,6 +96,13 @@ def tree(mbs: Any) -> None:
     robot.CreateKinematicTree(mbs)
 
 
+def measured(mbs: Any) -> None:
+    mass = mbs.CreateMassPoint(physicsMass=1)
+    for sensor in (items.SensorBody(bodyNumber=mass), items.SensorNode(nodeNumber=0)):
+        sensor.outputVariableType = exu.OutputVariableType.Position
+        mbs.AddSensor(sensor)
+
+
 def brick(mbs: Any) -> None:
     mbs.CreateGround(graphicsDataList=[graphics.Brick(size=[1, 1, 1])])
 
@@ -112,6 +119,7 @@ DRAWN: list[tuple[Any, dict[str, Any], dict[str, int]]] = [
     (cantilever, {"nodes.showNodalSlopes": 1}, {"instances": 4}),  # two arrows of two parts
     (tree, {"bodies.kinematicTree.showCOMframes": True}, {"instances": 6}),
     (tree, {"bodies.kinematicTree.showFramesNumbers": True}, {"labels": 1}),
+    (measured, {"sensors.showNumbers": True}, {"labels": 2}),
     (brick, {"openGL.drawFaceNormals": True}, {"lines": 12}),
     (brick, {"openGL.drawVertexNormals": True}, {"lines": 36}),
     (brick, {"openGL.advanced.showBoundingBox": True}, {"lines": 12}),

@@ -6,9 +6,7 @@
 
 namespace dalembert {
 
-// Numbers without values; the first one begins a line of the cache. Of large storage the system is asked to make pages of two
-// megabytes, if it can: a page is made when it is touched for the first time, and making many small ones would take longer than the
-// factorization that fills them.
+// Numbers without values, in large memory (math/large_memory.hpp).
 class NumberStorage {
  public:
   NumberStorage() : NumberStorage(0) {}
@@ -17,7 +15,7 @@ class NumberStorage {
 
  private:
   struct Release {
-    std::size_t alignment;
+    std::size_t bytes;
     void operator()(double* numbers) const;
   };
   std::unique_ptr<double[], Release> numbers_;

@@ -47,10 +47,10 @@ class Arrays:
         table = [None if part is None else [names[part.dtype], part.size] for part in self.parts]
         text = json.dumps(head | {"arrays": table}, separators=(",", ":")).encode()
         text += b" " * (-(len(text) + 4) % 8)
-        data = [np.array([len(text)], "<u4").tobytes(), text]
+        data: list[Any] = [np.array([len(text)], "<u4"), text]
         for part in self.parts:
             if part is not None:
-                data += [part.tobytes(), b"\0" * (-part.nbytes % 4)]
+                data += [part, b"\0" * (-part.nbytes % 4)]
         return b"".join(data)
 
 

@@ -82,6 +82,20 @@ def _along(begin: FloatArray, axes: FloatArray, lengths: FloatArray) -> FloatArr
     return np.stack([x, np.cross(z, x), axes, begin], axis=2)
 
 
+class Stuck:
+    """Parts that stand in frames: in which, and where."""
+
+    def __init__(self, index: IntArray, local: FloatArray) -> None:
+        self._index, self._local = index, local
+        self._chosen = _range(index) if len(index) and np.abs(local - np.eye(3, 4)).max() < 1e-12 else None
+
+    def placed(self, rows: FloatArray) -> FloatArray:
+        """Return where they are (n x 3 x 4); those that all stand as their frames do are not multiplied."""
+        if self._chosen is not None:
+            return rows[self._chosen]
+        return np.asarray(_core._place(rows, self._index, self._local))
+
+
 class Flow:
     """The scenes of one maker."""
 
@@ -133,9 +147,9 @@ class Flow:
         inverse[:, :3], inverse[:, 3, 3] = rows, 1
         inverse = np.ascontiguousarray(np.linalg.inv(inverse)[:, :3])
 
-        def local(index: Any, parts: Any) -> tuple[Any, FloatArray]:
+        def local(index: Any, parts: Any) -> Stuck:
             numbers = np.array(index, np.int32)
-            return numbers, np.asarray(_core._place(inverse, numbers, np.array(parts, float)))
+            return Stuck(numbers, np.asarray(_core._place(inverse, numbers, np.array(parts, float))))
 
         groups: dict[tuple[int, Any], list[tuple[int, Instance]]] = {}
         for part, frame in zip(scene.instances, stuck.instances, strict=True):
@@ -147,14 +161,14 @@ class Flow:
             parts[:, :, :3] = [part.matrix for _, part in group]
             parts[:, :, 3] = [part.place for _, part in group]
             first, items = group[0][1], np.array([part.item for _, part in group])
-            self._herds.append((first.mesh, first.color, items, *local([frame for frame, _ in group], parts)))
+            self._herds.append((first.mesh, first.color, items, local([frame for frame, _ in group], parts)))
 
         kept = [(s, f) for s, f in zip(scene.spheres, stuck.spheres, strict=True) if s[3] not in loose]
         self._balls = (
             np.array([s[1] for s, _ in kept], float),
             np.array([s[2] for s, _ in kept], float).reshape(-1, 4),
             np.array([s[3] for s, _ in kept], int),
-            *local([f for _, f in kept], _points([s[0] for s, _ in kept])),
+            local([f for _, f in kept], _points([s[0] for s, _ in kept])),
         )
         lines = [(line, f) for line, f in zip(scene.lines, stuck.lines, strict=True) if line[3] not in loose]
         counts = np.array([len(line[0]) for line, _ in lines], int)
@@ -163,22 +177,22 @@ class Flow:
             [line[1] for line, _ in lines],
             [line[2] for line, _ in lines],
             np.array([line[3] for line, _ in lines], int),
-            *local(np.repeat([f for _, f in lines], counts), _points([p for line, _ in lines for p in line[0]])),
+            local(np.repeat([f for _, f in lines], counts), _points([p for line, _ in lines for p in line[0]])),
         )
         texts = [(label, f) for label, (item, f) in zip(scene.labels, stuck.labels, strict=True) if item not in loose]
-        self._labels = ([t for t, _ in texts], *local([f for _, f in texts], _points([t.place for t, _ in texts])))
+        self._labels = ([t for t, _ in texts], local([f for _, f in texts], _points([t.place for t, _ in texts])))
 
     def _moved(self, places: Places, rows: FloatArray) -> Scene:
         """Return the scene with all that sticks where its frames are now, and the rest drawn again."""
         scene = Scene(items=self._items)
-        for mesh, color, items, index, parts in self._herds:
-            scene.herds.append(Herd(mesh, color, items, np.asarray(_core._place(rows, index, parts))))
-        radii, colors, items, index, parts = self._balls
-        scene.balls = Balls(np.asarray(_core._place(rows, index, parts))[:, :, 3], radii, colors, items)
-        counts, shades, widths, items, index, parts = self._threads
-        scene.threads = Threads(np.asarray(_core._place(rows, index, parts))[:, :, 3], counts, shades, widths, items)
-        texts, index, parts = self._labels
-        for text, place in zip(texts, np.asarray(_core._place(rows, index, parts))[:, :, 3], strict=True):
+        for mesh, color, items, parts in self._herds:
+            scene.herds.append(Herd(mesh, color, items, parts.placed(rows)))
+        radii, colors, items, points = self._balls
+        scene.balls = Balls(points.placed(rows)[:, :, 3], radii, colors, items)
+        counts, shades, widths, items, points = self._threads
+        scene.threads = Threads(points.placed(rows)[:, :, 3], counts, shades, widths, items)
+        texts, points = self._labels
+        for text, place in zip(texts, points.placed(rows)[:, :, 3], strict=True):
             scene.labels.append(Label(place, text.text, text.color, text.size, text.shift))
         self._maker.draw_again(scene, places, self._loose)
         return scene

@@ -171,20 +171,24 @@ class SceneMaker:
 
     def _number(self, pen: Pen, kind: str, number: int, item: dict[str, Any]) -> None:
         """Write the number of an item where it is."""
-        if (place := self._label_place(pen.places, kind, number, item)) is None:
+        if (place := self._label_place(pen, kind, number, item)) is None:
             return
-        owner, which = (
-            (kind, number) if kind in ("Node", "Object") else pen.places.seat(item.get("markerNumber", number))
-        )
-        known = pen.places.rows(owner)
-        same = known is not None and np.array_equal(known[which, :, 3], place)
-        pen.stick(owner if same else "", which, turns=False)
+        if kind == "Sensor":
+            pen.stick()
+        else:
+            owner, which = (
+                (kind, number) if kind in ("Node", "Object") else pen.places.seat(item.get("markerNumber", number))
+            )
+            known = pen.places.rows(owner)
+            same = known is not None and np.array_equal(known[which, :, 3], place)
+            pen.stick(owner if same else "", which, turns=False)
         pen.label(place, f"{kind[0]}{number}")
 
     @staticmethod
-    def _label_place(places: Places, kind: str, number: int, item: dict[str, Any]) -> FloatArray | None:
+    def _label_place(pen: Pen, kind: str, number: int, item: dict[str, Any]) -> FloatArray | None:
         if kind == "Sensor":
-            return None
+            return symbols.sensor_place(pen, item)
+        places = pen.places
         return places.marker(item["markerNumber"]) if kind == "Load" else getattr(places, kind.lower())(number)
 
     @staticmethod

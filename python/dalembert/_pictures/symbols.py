@@ -109,7 +109,7 @@ def _direction(pen: Pen, item: Item) -> tuple[FloatArray, bool]:
 
 def sensor(pen: Pen, number: int, item: Item) -> None:
     """A small diamond where something is measured."""
-    if (place := _sensor_place(pen, item)) is None:
+    if (place := sensor_place(pen, item)) is None:
         return
     size = pen.looks.length("sensors.defaultSize", 0.012)
     if "markerNumber" in item:
@@ -120,7 +120,8 @@ def sensor(pen: Pen, number: int, item: Item) -> None:
     pen.box(place, diamond, 3 * [0.8 * size], pen.looks.color(item, "sensors.defaultColor"))
 
 
-def _sensor_place(pen: Pen, item: Item) -> FloatArray | None:
+def sensor_place(pen: Pen, item: Item) -> FloatArray | None:
+    """Return where a sensor measures; None if that is nowhere."""
     if "meshNodeNumber" in item:
         return pen.places.mesh_output(item["bodyNumber"], OutputVariableType.Position, item["meshNodeNumber"])
     if "linkNumber" in item:

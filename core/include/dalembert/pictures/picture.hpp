@@ -5,10 +5,12 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
+
+#include "dalembert/math/large_memory.hpp"
+#include "dalembert/pictures/four.hpp"
 
 namespace dalembert {
 
@@ -80,20 +82,30 @@ class Picture {
 
  private:
   struct Vertex {
-    Point place;   // x, y in samples, z: nearness
-    Point normal;  // in eye coordinates; after perspective division as all that follows
-    Paint paint;
-    float weight = 1;  // 1 / w
+    Point place;  // x, y in samples, z: nearness
+    bool inside = true;  // of all planes
+    std::uint32_t color = 0;
+    Four normal{};  // in eye coordinates, and 1 / w, by which all of it is multiplied, as is the paint
+    Four paint{};
+    float weight() const { return normal[3]; }
   };
   struct Corner {  // before projection
     Point eye, normal;
     Paint paint;
   };
-  struct Edge;
+  using Three = std::array<Vertex, 3>;
+  class Sides;
   class Plan;
   struct Sheet {  // a transparent triangle that waits for what is behind it
-    std::array<Vertex, 3> corners;
+    Three corners;
     float nearness;
+    std::int32_t item;
+  };
+
+  struct Ball {
+    float x, y, size;  // in samples
+    float z, radius;   // in eye coordinates
+    std::uint32_t color;
     std::int32_t item;
   };
 
@@ -101,21 +113,31 @@ class Picture {
   Point turned(const double* v) const;
   Vertex project(const Corner& corner) const;
   float nearness(float z, float weight) const { return perspective_ > 0 ? weight : -z; }
+  bool is_inside(const Point& eye) const;
+  std::size_t row_start(int row) const { return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_); }
   void begin();
-  void clipped(std::array<Corner, 3> corners, std::int32_t item);
-  void add(const std::array<Vertex, 3>& corners, std::int32_t item);
-  template <class Write>
-  void fill(const std::array<Vertex, 3>& v, Write&& write) const;
+  void clipped(const std::array<Corner, 3>& corners, std::int32_t item);
+  void add(const Three& corners, std::int32_t item);
   template <class Shade>
-  void cover(const std::array<Vertex, 3>& v, const Plan& plan, std::int32_t item, Shade&& shade);
-  std::pair<int, int> span(std::span<const Edge, 3> edges, int row) const;
+  void cover(const Three& v, const Plan& plan, std::int32_t item, Shade&& shade);
+  template <class Shade>
+  void cover_squares(const Three& v, const Plan& plan, std::int32_t item, Shade&& shade);
+  std::pair<int, int> span(const Sides& sides, int row) const;
+  void sort(LargeVector<Ball>& balls) const;
+  void sphere(const Ball& ball);
   template <class Write>
   void walk(Point a, Point b, float half, Write&& write) const;
-  void outline(int pixel_row);
+  void outline(int row);
+  template <int Samples>
   bool join(std::size_t first);
+  template <int Samples>
   void light(int pixel_row);
+  template <int Samples>
+  void average(int pixel_row, std::uint8_t* pixels) const;
+  template <int Samples>
+  std::vector<std::uint8_t> developed();
   void blend(const Sheet& sheet);
-  float strength(float nx, float ny, float nz, float& shine) const;
+  float strength(const Point& normal, float& shine) const;
 
   int width_, height_, samples_, columns_, rows_;
   float scale_, perspective_;
@@ -124,11 +146,12 @@ class Picture {
   std::vector<Point> halves_;        // of light and viewer, per light
   std::vector<float> shine_;         // power of the cosine, in a table
   std::vector<Plane> planes_;
-  std::vector<float> depth_;         // nearness of each sample
-  std::unique_ptr<std::uint32_t[]> color_;  // bytes r, g, b, and 255 if it is to be lit
-  std::unique_ptr<std::uint32_t[]> normal_;  // x and y of the unit normal towards the viewer, two bytes each
-  std::vector<std::int32_t> item_;
+  LargeVector<float> depth_;         // nearness of each sample; this and the next three are a few longer than the picture
+  LargeVector<std::uint32_t> color_;   // bytes r, g, b, and 255 if it is to be lit
+  LargeVector<std::uint32_t> normal_;  // x and y of the unit normal towards the viewer, two bytes each; where something was drawn
+  LargeVector<std::int32_t> item_;
   bool has_background_ = false;
+  std::vector<std::uint32_t> rim_;  // of one row of samples
   std::vector<Sheet> sheets_;
 };
 

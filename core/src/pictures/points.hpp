@@ -1,0 +1,49 @@
+// Points, colors and normals of pictures, and how samples keep them.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "dalembert/pictures/picture.hpp"
+
+namespace dalembert {
+
+inline Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline Point operator*(float s, Point a) { return {s * a.x, s * a.y, s * a.z}; }
+inline float dot(Point a, Point b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Point cross(Point a, Point b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+inline Point unit(Point a) { return 1 / std::sqrt(std::max(dot(a, a), 1e-30f)) * a; }
+inline Paint operator*(float s, Paint p) { return {s * p.r, s * p.g, s * p.b, s * p.a}; }
+inline Paint operator+(Paint p, Paint q) { return {p.r + q.r, p.g + q.g, p.b + q.b, p.a + q.a}; }
+inline Paint operator-(Paint p, Paint q) { return {p.r - q.r, p.g - q.g, p.b - q.b, p.a - q.a}; }
+
+constexpr std::uint32_t to_be_lit = 0xff000000u;
+
+DALEMBERT_INLINE inline std::uint32_t packed(Four paint) {
+  const FourWhole bytes = whole(smaller(larger(paint, four(0.0f)), four(1.0f)) * four(255.0f) + four(0.5f));
+  return static_cast<std::uint32_t>(bytes[0]) | static_cast<std::uint32_t>(bytes[1]) << 8 | static_cast<std::uint32_t>(bytes[2]) << 16;
+}
+inline std::uint32_t packed(Paint p) { return packed(Four{p.r, p.g, p.b, 1}); }
+
+// Towards the viewer, or edge-on where interpolation has turned it beyond.
+inline std::uint32_t packed(Point normal) {
+  normal.z = std::min(normal.z, 0.0f);
+  const Point n = unit(normal);
+  const auto two_bytes = [](float v) { return static_cast<std::uint32_t>(static_cast<std::uint16_t>(static_cast<std::int16_t>(v * 32767))); };
+  return two_bytes(n.x) | two_bytes(n.y) << 16;
+}
+inline Point unpacked(std::uint32_t normal) {
+  const auto part = [](std::uint32_t v) { return static_cast<float>(static_cast<std::int16_t>(static_cast<std::uint16_t>(v))) / 32767; };
+  const float x = part(normal & 0xffff), y = part(normal >> 16);
+  return {x, y, -std::sqrt(std::max(0.0f, 1 - x * x - y * y))};
+}
+
+// Points that are nowhere, or too far away for numbers of a picture, have no place in it.
+inline bool is_finite(Point a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
+
+// The first sample whose middle is at or behind `x`, within 0 and `end`; 0 if `x` is not a number.
+inline int first_sample(float x, int end) { return x > 0.5f ? static_cast<int>(std::min(std::ceil(x - 0.5f), static_cast<float>(end))) : 0; }
+
+}  // namespace dalembert

@@ -1,0 +1,137 @@
+// Spheres and lines of pictures.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "dalembert/pictures/picture.hpp"
+#include "points.hpp"
+
+namespace dalembert {
+
+namespace {
+
+// Many spheres are drawn square by square of so many samples, which stay in the cache meanwhile.
+constexpr int square = 128;
+constexpr std::size_t many = 1000;
+
+}  // namespace
+
+void Picture::spheres(std::span<const double> centers, std::span<const double> radii, std::span<const float> colors,
+                      std::span<const std::int32_t> items) {
+  begin();
+  LargeVector<Ball> balls;
+  balls.reserve(radii.size());
+  for (std::size_t i = 0; i < radii.size(); ++i) {
+    const auto r = static_cast<float>(radii[i]);
+    const Point c = to_eye(centers.data() + 3 * i);
+    if (1 + perspective_ * (c.z - r) < 0.02f || r <= 0 || !is_inside(c)) continue;
+    const float* rgb = colors.data() + 4 * i;
+    const Vertex middle = project({c, {}, {}});
+    const float size = scale_ * middle.weight() * r;
+    if (is_finite(middle.place) && std::isfinite(size))
+      balls.push_back({middle.place.x, middle.place.y, size, c.z, r, packed(Paint{rgb[0], rgb[1], rgb[2], 1}) | to_be_lit, items[i]});
+  }
+  if (balls.size() >= many) sort(balls);
+  for (const Ball& ball : balls) sphere(ball);
+}
+
+// By the squares that middles lie in, rows of them first; in each of them, the order stays.
+void Picture::sort(LargeVector<Ball>& balls) const {
+  const int across = columns_ / square + 1, down = rows_ / square + 1;
+  const auto square_of = [&](const Ball& ball) {
+    const int row = first_sample(ball.y, rows_) / square, column = first_sample(ball.x, columns_) / square;
+    return static_cast<std::size_t>(row * across + column);
+  };
+  std::vector<std::size_t> starts(static_cast<std::size_t>(across * down) + 1);
+  for (const Ball& ball : balls) ++starts[square_of(ball) + 1];
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  LargeVector<Ball> sorted(balls.size());
+  for (const Ball& ball : balls) sorted[starts[square_of(ball)]++] = ball;
+  balls.swap(sorted);
+}
+
+// A disc with the depth and the normals of a sphere, four samples of a row at a time; in perspective, its outline is that of a
+// sphere seen along its own axis.
+void Picture::sphere(const Ball& ball) {
+  const auto [cx, cy, size, middle, radius, color, item] = ball;
+  const float part = 1 / size, nearest = middle - radius;
+  const Four front = four(nearness(nearest, 1 / (1 + perspective_ * nearest)));
+  const int begin = first_sample(cx - size, columns_), stop = first_sample(cx + size, columns_), end = first_sample(cy + size, rows_);
+  for (int row = first_sample(cy - size, rows_); row < end; ++row) {
+    const float dy = (static_cast<float>(row) + 0.5f - cy) * part;
+    const std::size_t start = row_start(row);
+    for (int x = begin; x < stop; x += 4) {
+      const std::size_t k = start + static_cast<std::size_t>(x);
+      const Four known = load_row<Four>(&depth_[k]);
+      if (bits(front > known) == 0) continue;
+      const FourWhole columns = four(static_cast<std::int32_t>(x)) + FourWhole{0, 1, 2, 3};
+      const Four dx = (as_numbers(columns) + four(0.5f - cx)) * four(part), rest = four(1 - dy * dy) - dx * dx;
+      const Four dz = root(larger(rest, four(0.0f))), z = four(middle) - four(radius) * dz;
+      const Four n = perspective_ > 0 ? four(1.0f) / (four(1.0f) + four(perspective_) * z) : -z;
+      const FourWhole won = (rest > four(0.0f)) & (columns < four(static_cast<std::int32_t>(stop))) & (n > known);
+      if (bits(won) == 0) continue;
+      const FourWhole normal = (whole(dx * four(32767.0f)) & four(std::int32_t{0xffff})) | four(static_cast<std::int32_t>(-dy * 32767) * 65536);
+      const auto keep = [&](auto* samples, FourWhole values) { store_row(won ? values : load_row<FourWhole>(samples + k), samples + k); };
+      store_row(won ? n : known, &depth_[k]);
+      keep(color_.data(), four(static_cast<std::int32_t>(color))), keep(normal_.data(), normal), keep(item_.data(), four(item));
+    }
+  }
+}
+
+// Samples within `half` of a segment, in steps along the axis in which it is longer: write(sample, nearness).
+template <class Write>
+void Picture::walk(Point a, Point b, float half, Write&& write) const {
+  const float length = std::max(std::hypot(b.x - a.x, b.y - a.y), 1e-6f);
+  const Point end = 0.5f * half / length * (b - a);  // segments of one line overlap a little
+  a = a - Point{end.x, end.y, 0}, b = b + Point{end.x, end.y, 0};
+  const bool flat = std::abs(b.x - a.x) >= std::abs(b.y - a.y);
+  if (!flat) std::swap(a.x, a.y), std::swap(b.x, b.y);
+  if (b.x < a.x) std::swap(a, b);
+  const float run = std::max(b.x - a.x, 1e-6f), slope = (b.y - a.y) / run, reach = half * std::sqrt(1 + slope * slope);
+  const int length_limit = flat ? columns_ : rows_, side_limit = flat ? rows_ : columns_;
+  const int stop = first_sample(b.x, length_limit);
+  for (int i = first_sample(a.x, length_limit); i < stop; ++i) {
+    const float s = (static_cast<float>(i) + 0.5f - a.x) / run, middle = a.y + s * (b.y - a.y);
+    const int side_stop = first_sample(middle + reach, side_limit);
+    for (int j = first_sample(middle - reach, side_limit); j < side_stop; ++j) {
+      const auto row = static_cast<std::size_t>(flat ? j : i), column = static_cast<std::size_t>(flat ? i : j);
+      write(row * static_cast<std::size_t>(columns_) + column, a.z + s * (b.z - a.z));
+    }
+  }
+}
+
+void Picture::lines(std::span<const double> segments, std::span<const float> colors, double width, double lift,
+                    std::span<const std::int32_t> items) {
+  begin();
+  const float half = 0.5f * std::max(static_cast<float>(width * samples_), 1.0f);
+  for (std::size_t i = 0; i < segments.size() / 6; ++i) {
+    std::array<Point, 2> ends{to_eye(segments.data() + 6 * i), to_eye(segments.data() + 6 * i + 3)};
+    float begin = 0, stop = 1;
+    for (const Plane& p : planes_) {
+      const auto inside = [&](Point c) { return p.a * c.x + p.b * c.y + p.c * c.z + p.d; };
+      const float d0 = inside(ends[0]), d1 = inside(ends[1]);
+      if (d0 < 0 && d1 < 0) stop = -1;
+      if (d0 < 0 && d1 >= 0) begin = std::max(begin, d0 / (d0 - d1));
+      if (d0 >= 0 && d1 < 0) stop = std::min(stop, d0 / (d0 - d1));
+    }
+    if (begin >= stop) continue;
+    const Point all = ends[1] - ends[0];
+    ends = {ends[0] + begin * all, ends[0] + stop * all};
+    std::array<Point, 2> places{};
+    for (std::size_t k = 0; k < 2; ++k) {
+      places[k] = project({ends[k], {}, {}}).place;
+      const float z = ends[k].z - static_cast<float>(lift);
+      places[k].z = nearness(z, 1 / std::max(1 + perspective_ * z, 0.01f));
+    }
+    if (!is_finite(places[0]) || !is_finite(places[1])) continue;
+    const float* c = colors.data() + 4 * i;
+    const std::uint32_t color = packed(Paint{c[0], c[1], c[2], 1});
+    walk(places[0], places[1], half, [&](std::size_t k, float n) {
+      if (n < depth_[k]) return;
+      depth_[k] = n, color_[k] = color, item_[k] = items[i];
+    });
+  }
+}
+
+}  // namespace dalembert
