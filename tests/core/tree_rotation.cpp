@@ -76,13 +76,13 @@ int check(bool good, const char* what) {
 
 int main() {
   const std::vector<FrontStructure> tree = chain();
-  std::vector<bool> at_hand(tree.size() + chain_fronts + 2, true);
-  const std::vector<FrontStructure> turned = balanced(tree, at_hand);
+  PivotSurplus surplus(tree.size() + chain_fronts + 2, 1);
+  const std::vector<FrontStructure> turned = balanced(tree, surplus);
   int failures = check(equivalent(tree, tree), "the chain is no tree");
   failures += check(equivalent(turned, tree), "another tree");
   failures += check(longest_path(tree) == chain_fronts, "the chain is no chain");
   failures += check(std::abs(longest_path(turned) - chain_fronts / 2) <= 1, "not half as long");
-  at_hand[2 * chain_fronts] = at_hand[2 * chain_fronts + 1] = false;  // the last front would come first
-  failures += check(longest_path(balanced(tree, at_hand)) == chain_fronts, "turned, though a front lacks its pivots");
+  surplus[2 * chain_fronts] = surplus[2 * chain_fronts + 1] = -1;  // the last front would come first
+  failures += check(longest_path(balanced(tree, surplus)) == chain_fronts, "turned, though a front lacks its pivots");
   return failures;
 }

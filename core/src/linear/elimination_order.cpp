@@ -19,7 +19,7 @@ constexpr std::uint64_t mixing_factor = 0x9E3779B97F4A7C15u;  // of hashes
 // eliminated, with the vertices they have made neighbours of each other.
 class QuotientGraph {
  public:
-  QuotientGraph(const Pattern& pattern, const std::vector<bool>& at_hand);
+  QuotientGraph(const Pattern& pattern, const PivotSurplus& surplus);
   EliminationOrder order();
 
  private:
@@ -34,7 +34,7 @@ class QuotientGraph {
     int first_member = -1, last_member = -1;  // unknowns
   };
 
-  void group_equal_columns(const Pattern& pattern, const std::vector<bool>& at_hand);
+  void group_equal_columns(const Pattern& pattern, const PivotSurplus& surplus);
   void connect(const Pattern& pattern);
   void insert(int i);
   void remove(int i);
@@ -81,9 +81,9 @@ class QuotientGraph {
   EliminationOrder order_;
 };
 
-QuotientGraph::QuotientGraph(const Pattern& pattern, const std::vector<bool>& at_hand)
+QuotientGraph::QuotientGraph(const Pattern& pattern, const PivotSurplus& surplus)
     : size_(pattern.size()), next_member_(size_, -1), group_(size_), first_(2 * static_cast<std::size_t>(size_) + 1, -1), left_(size_) {
-  group_equal_columns(pattern, at_hand);
+  group_equal_columns(pattern, surplus);
   const auto count = nodes_.size();
   mark_.assign(count, 0);
   outside_.assign(count, 0);
@@ -112,7 +112,7 @@ std::vector<int> equal_columns(const Pattern& pattern) {
   return leader;
 }
 
-void QuotientGraph::group_equal_columns(const Pattern& pattern, const std::vector<bool>& at_hand) {
+void QuotientGraph::group_equal_columns(const Pattern& pattern, const PivotSurplus& surplus) {
   const std::vector<int> leader = equal_columns(pattern);
   for (int j = 0; j < size_; ++j) {
     if (leader[j] == j) {
@@ -124,7 +124,7 @@ void QuotientGraph::group_equal_columns(const Pattern& pattern, const std::vecto
     }
     Node& node = nodes_[group_[j]];
     ++node.weight;
-    node.surplus += at_hand[j] ? 1 : -1;
+    node.surplus += surplus[j];
     node.last_member = j;
   }
 }
@@ -322,27 +322,29 @@ bool QuotientGraph::equal(int i, int j) {
 
 }  // namespace
 
-std::vector<bool> pivots_at_hand(const Pattern& pattern, std::span<const double> values) {
+PivotSurplus pivot_surplus(const Pattern& pattern, std::span<const double> values, std::span<const int> dependent) {
   const auto starts = pattern.column_start(), rows = pattern.row_index();
-  std::vector<bool> at_hand(static_cast<std::size_t>(pattern.size()));
-  for (int j = 0; j < pattern.size(); ++j) at_hand[j] = values[pattern.slot(j, j)] != 0;
-  std::vector<int> partner(at_hand.size(), -1);
+  PivotSurplus surplus(static_cast<std::size_t>(pattern.size()));
+  for (int j = 0; j < pattern.size(); ++j) surplus[j] = values[pattern.slot(j, j)] != 0 ? 1 : -1;
+  std::vector<int> partner(surplus.size(), -1);
   for (int j = 0; j < pattern.size(); ++j) {
-    if (at_hand[j]) continue;
+    if (surplus[j] > 0) continue;
     double largest = 0;
     for (int k = starts[j]; k < starts[j + 1]; ++k) {
-      if (at_hand[rows[k]] || !(std::abs(values[k]) > largest)) continue;
+      if (surplus[rows[k]] > 0 || !(std::abs(values[k]) > largest)) continue;
       largest = std::abs(values[k]);
       partner[j] = rows[k];
     }
   }
   for (int j = 0; j < pattern.size(); ++j)
-    if (partner[j] > j && partner[partner[j]] == j) at_hand[j] = true;
-  return at_hand;
+    if (partner[j] > j && partner[partner[j]] == j) surplus[j] = 1;
+  for (const int j : dependent)
+    if (surplus[j] < 0) surplus[j] = 0;
+  return surplus;
 }
 
-EliminationOrder minimum_degree_order(const Pattern& pattern, const std::vector<bool>& at_hand) {
-  return QuotientGraph(pattern, at_hand).order();
+EliminationOrder minimum_degree_order(const Pattern& pattern, const PivotSurplus& surplus) {
+  return QuotientGraph(pattern, surplus).order();
 }
 
 }  // namespace dalembert

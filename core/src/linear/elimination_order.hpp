@@ -8,15 +8,19 @@
 
 namespace dalembert {
 
-// Which unknowns bring a pivot: those with a diagonal entry. Of two without one that have their largest entries in common,
-// such as an Euler parameter without inertia and the condition of unit length, either is the other's pivot: one brings it.
-std::vector<bool> pivots_at_hand(const Pattern& pattern, std::span<const double> values);
+// By unknown: 1 if it brings a pivot, -1 if it needs one, 0 if it has one of its own as soon as all around it is eliminated.
+using PivotSurplus = std::vector<signed char>;
+
+// Unknowns with a diagonal entry bring a pivot. Of two without one that have their largest entries in common, such as an Euler parameter
+// without inertia and the condition of unit length, either is the other's pivot: one brings it. `dependent`: multipliers of equations that
+// follow from others.
+PivotSurplus pivot_surplus(const Pattern& pattern, std::span<const double> values, std::span<const int> dependent);
 
 // Entry k is the unknown that is eliminated k-th.
 using EliminationOrder = std::vector<int>;
 
 // Approximate minimum degree, for a symmetric pattern. An unknown without a pivot at hand (a multiplier) waits until enough unknowns
 // with one have been eliminated around it.
-EliminationOrder minimum_degree_order(const Pattern& pattern, const std::vector<bool>& at_hand);
+EliminationOrder minimum_degree_order(const Pattern& pattern, const PivotSurplus& surplus);
 
 }  // namespace dalembert

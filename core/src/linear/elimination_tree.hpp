@@ -9,8 +9,9 @@
 
 namespace dalembert {
 
-// For matrices with a diagonal like that of `values`. What has been found is kept with the pattern: initial accelerations, the steps
+// For matrices with a diagonal like that of `values`, where the `dependent` multipliers follow from others. What has been found is kept with the pattern: initial accelerations, the steps
 // after them and the next solution ask for the same.
-std::shared_ptr<const std::vector<FrontStructure>> elimination_tree(const Pattern& pattern, std::span<const double> values);
+std::shared_ptr<const std::vector<FrontStructure>> elimination_tree(const Pattern& pattern, std::span<const double> values,
+                                                                     std::span<const int> dependent);
 
 }  // namespace dalembert

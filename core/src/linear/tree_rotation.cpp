@@ -18,7 +18,7 @@ std::size_t entries(const FrontStructure& front) { return front.pivots.size() * 
 // Fronts stand in an order where each subtree is a range that ends with its root.
 class TreeRotation {
  public:
-  TreeRotation(std::vector<FrontStructure> tree, const std::vector<bool>& at_hand);
+  TreeRotation(std::vector<FrontStructure> tree, const PivotSurplus& brought);
   std::vector<FrontStructure> run();
 
  private:
@@ -39,7 +39,7 @@ class TreeRotation {
   std::vector<FrontStructure> sorted();
 
   std::vector<FrontStructure> tree_;
-  const std::vector<bool>& at_hand_;
+  const PivotSurplus& brought_;
   // Of each subtree: its fronts, those on its longest path, the child on that, and those on the longest path without that child.
   std::vector<int> count_, height_, deepest_, other_height_;
   std::vector<int> surplus_;                   // of each subtree: unknowns that bring a pivot less those that need one
@@ -47,9 +47,9 @@ class TreeRotation {
   std::vector<int> order_;
 };
 
-TreeRotation::TreeRotation(std::vector<FrontStructure> tree, const std::vector<bool>& at_hand)
-    : tree_(std::move(tree)), at_hand_(at_hand), count_(tree_.size(), 1), height_(tree_.size(), 1), deepest_(tree_.size(), -1),
-      other_height_(tree_.size(), 1), surplus_(tree_.size(), 0), mark_(at_hand.size(), -1) {
+TreeRotation::TreeRotation(std::vector<FrontStructure> tree, const PivotSurplus& brought)
+    : tree_(std::move(tree)), brought_(brought), count_(tree_.size(), 1), height_(tree_.size(), 1), deepest_(tree_.size(), -1),
+      other_height_(tree_.size(), 1), surplus_(tree_.size(), 0), mark_(brought.size(), -1) {
   for (int f = 0; f < static_cast<int>(tree_.size()); ++f) {
     surplus_[f] += surplus(tree_[f].pivots);
     const int parent = tree_[f].parent;
@@ -66,8 +66,9 @@ TreeRotation::TreeRotation(std::vector<FrontStructure> tree, const std::vector<b
 }
 
 int TreeRotation::surplus(const std::vector<int>& unknowns) const {
-  const auto bring = std::ranges::count_if(unknowns, [&](int j) { return at_hand_[static_cast<std::size_t>(j)]; });
-  return static_cast<int>(2 * bring) - static_cast<int>(unknowns.size());
+  int sum = 0;
+  for (const int j : unknowns) sum += brought_[static_cast<std::size_t>(j)];
+  return sum;
 }
 
 std::vector<FrontStructure> TreeRotation::run() {
@@ -168,8 +169,8 @@ std::vector<FrontStructure> TreeRotation::sorted() {
 
 }  // namespace
 
-std::vector<FrontStructure> balanced(std::vector<FrontStructure> tree, const std::vector<bool>& at_hand) {
-  return TreeRotation(std::move(tree), at_hand).run();
+std::vector<FrontStructure> balanced(std::vector<FrontStructure> tree, const PivotSurplus& brought) {
+  return TreeRotation(std::move(tree), brought).run();
 }
 
 }  // namespace dalembert

@@ -1,5 +1,7 @@
 #include "dalembert/math/decompositions.hpp"
 
+#include <algorithm>
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/QR>
@@ -30,6 +32,13 @@ Eigenpairs eigenpairs(const MatrixXd& matrix) {
 
 VectorXd smallest_solution(const MatrixXd& matrix, const VectorXd& right_hand_side) {
   return Eigen::CompleteOrthogonalDecomposition<MatrixXd>(matrix).solve(right_hand_side);
+}
+
+PivotedTriangle pivoted_triangle(const MatrixXd& matrix) {
+  const Eigen::ColPivHouseholderQR<MatrixXd> qr(matrix);
+  const auto& columns = qr.colsPermutation().indices();
+  const Eigen::Index rank = std::min(matrix.rows(), matrix.cols());
+  return {qr.matrixQR().topRows(rank).triangularView<Eigen::Upper>(), std::vector<int>(columns.begin(), columns.end())};
 }
 
 MatrixXd kernel_of(const MatrixXd& matrix, double negligible_pivot) {

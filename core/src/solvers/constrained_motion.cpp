@@ -152,27 +152,32 @@ int ConstrainedMotion::factorize_around_matrix(System& system, const State& stat
 
 int ConstrainedMotion::factorize_filled(System& system, const State& state, const Conditions& conditions) {
   if (redundant_.in_use()) redundant_.regularize(*pattern_, matrix_, 1);
+  const bool examines = !redundant_.in_use() && !examined_ && system.sizes().ae > 0 && settings_.treat && !options_.ignore_singular;
+  if (examines && RedundantConstraints::evidently_some(system, *pattern_, matrix_)) {
+    if (int singular = 0; look_for_redundancy(system, state, conditions, singular)) return singular;
+  }
   int singular = factors_->factorize(matrix_);
   if (!redundant_.in_use() && (!examined_ || singular != LinearSolver::success)) look_for_redundancy(system, state, conditions, singular);
   return singular;
 }
 
-// A matrix that is singular without redundancy belongs to a singular position, which is passed all the same.
-void ConstrainedMotion::look_for_redundancy(System& system, const State& state, const Conditions& conditions, int& singular) {
+// A matrix that is singular without redundancy belongs to a singular position, which is passed all the same. Whether there are new factors.
+bool ConstrainedMotion::look_for_redundancy(System& system, const State& state, const Conditions& conditions, int& singular) {
   examined_ = true;
   const bool regular = singular == LinearSolver::success;
-  if (system.sizes().ae == 0 || !settings_.treat || options_.ignore_singular) return;
+  if (system.sizes().ae == 0 || !settings_.treat || options_.ignore_singular) return false;
   system.reactions_are_known({});
-  if (regular && RedundantConstraints::evidently_none(system, *pattern_, matrix_)) return;
-  if (!redundant_.measure(system, *pattern_, matrix_, settings_.momentLength, 1) || (regular && !redundant_.suspected(*factors_))) return;
+  if (regular && RedundantConstraints::evidently_none(system, *pattern_, matrix_)) return false;
+  if (!redundant_.measure(system, *pattern_, matrix_, settings_.momentLength, 1) || (regular && !redundant_.suspected(*factors_))) return false;
   constexpr double eps = RedundantConstraints::regular_eps;
+  if (redundant_.find_locally(*pattern_, matrix_) && regular && redundant_.count() == 0) return false;
   auto factors = make_linear_solver(*pattern_, type_, redundant_.options(options_));
   const bool at_once = redundant_.find_at_once(*pattern_, matrix_, eps, *factors);
   if (!at_once) {
     factors = make_linear_solver(*pattern_, type_, RedundantConstraints::options_to_find(options_));
-    if (!redundant_.find(*pattern_, matrix_, RedundantConstraints::counting_eps, *factors)) return;
+    if (!redundant_.find(*pattern_, matrix_, RedundantConstraints::counting_eps, *factors)) return false;
   }
-  if (regular && redundant_.count() == 0) return;
+  if (regular && redundant_.count() == 0) return false;
   system.reactions_are_known(redundant_.equations());
   std::vector<double> gaps(static_cast<std::size_t>(system.sizes().ae));
   system.gaps(without_multipliers(state), at_level(conditions, false), gaps);
@@ -180,6 +185,7 @@ void ConstrainedMotion::look_for_redundancy(System& system, const State& state, 
   redundant_.regularize(*pattern_, matrix_, 1);
   factors_ = at_once ? std::move(factors) : make_linear_solver(*pattern_, type_, redundant_.options(options_));
   singular = at_once && redundant_.eps() == eps ? LinearSolver::success : factors_->factorize(matrix_);
+  return true;
 }
 
 // Accelerations do not depend on which of the redundant equations hold a body; multipliers become the smallest ones. What eps leaves

@@ -12,6 +12,8 @@ namespace {
 
 constexpr std::size_t largest_block = 200;        // equations
 constexpr double vanishing = 1e-12, clear = 1e-8;  // squares of what is left of a combination, where entries are one
+// What is left of equations behind others, where it is so clear that combinations need not be looked at one by one.
+constexpr double evident_rest = 1e-8, evident_pivot = 1e-2;
 
 using Block = Eigen::MatrixXd;
 
@@ -35,10 +37,9 @@ class Loops {
     Block left = forces.topRows(inside);
     Block basis = independent(units.topRows(inside));
     left -= basis * (basis.transpose() * left);
-    const SymmetricEigenpairs shares = symmetric_eigenpairs(left.transpose() * left);
-    const auto count = std::ranges::count_if(shares.values, [](double x) { return x < vanishing; });
-    if (std::ranges::any_of(shares.values, [](double x) { return x >= vanishing && x < clear; })) return false;
-    const Block combinations = shares.vectors.leftCols(count);
+    Block combinations;
+    if (!evident_combinations(left, combinations) && !weighed_combinations(left, combinations)) return false;
+    const Eigen::Index count = combinations.cols();
     if (count > 0 && inside < forces.rows()) {
       // What the block hands on to the rest, by the node that it hangs on.
       basis = independent(units);
@@ -52,6 +53,31 @@ class Loops {
   }
 
  private:
+  // By elimination. False: it does not tell.
+  static bool evident_combinations(const Block& left, Block& found) {
+    if (left.rows() == 0) return false;
+    const PivotedTriangle pivoted = pivoted_triangle(left);
+    const Eigen::VectorXd pivots = pivoted.triangle.diagonal().cwiseAbs();
+    const auto rank = static_cast<Eigen::Index>(std::ranges::count_if(pivots, [](double x) { return x > evident_pivot; }));
+    const Eigen::Index others = left.cols() - rank;
+    if (rank < pivots.size() && !(pivots.tail(pivots.size() - rank).maxCoeff() < evident_rest)) return false;
+    Block in_order(left.cols(), others);
+    in_order.topRows(rank) = -pivoted.triangle.topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solve(pivoted.triangle.topRightCorner(rank, others));
+    in_order.bottomRows(others).setIdentity();
+    found.resize(left.cols(), others);
+    for (Eigen::Index i = 0; i < left.cols(); ++i) found.row(pivoted.columns[static_cast<std::size_t>(i)]) = in_order.row(i);
+    if (others > 0) found = orthonormal(found);
+    return true;
+  }
+
+  // By what is left of each combination. False: some neither vanish nor are clear.
+  static bool weighed_combinations(const Block& left, Block& found) {
+    const SymmetricEigenpairs shares = symmetric_eigenpairs(left.transpose() * left);
+    if (std::ranges::any_of(shares.values, [](double x) { return x >= vanishing && x < clear; })) return false;
+    found = shares.vectors.leftCols(std::ranges::count_if(shares.values, [](double x) { return x < vanishing; }));
+    return true;
+  }
+
   template <class F>
   void each(int equation, F&& f) const {
     const ColumnRange column = column_range(all_.pattern, all_.first_ae + equation, static_cast<int>(all_.nodes.size()));

@@ -70,6 +70,7 @@ void NewtonSolver::take_pattern() {
   linear_ = make(redundant_.in_use() ? redundant_.options(linear_options()) : linear_options());
   if (plain_) plain_ = make(linear_options());
   pattern_ = pattern;
+  redundant_.pattern_revised();
   jacobian_.assign(static_cast<std::size_t>(pattern->values()), 0.0);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "dalembert/math/decompositions.hpp"
 #include "dalembert/solvers/numerical_tangent.hpp"
 #include "finite.hpp"
 #include "number_sequence.hpp"
@@ -94,6 +95,28 @@ bool RedundantConstraints::evidently_none(const System& system, const Pattern& p
   return true;
 }
 
+// Conditions of unit length act on coordinates of their own nodes.
+bool RedundantConstraints::evidently_some(const System& system, const Pattern& pattern, std::span<const double> values) {
+  const Sizes& s = system.sizes();
+  std::vector<char> acted_on(static_cast<std::size_t>(s.ode2), 0);
+  int equations = 0, coordinates = 0;
+  for (int k = 0; k < s.ae; ++k) {
+    if (!system.constrains_motion(k)) continue;
+    const ColumnRange column = column_range(pattern, s.first_ae() + k, s.ode2);
+    bool acts = false;
+    for (std::size_t slot = column.begin; slot < column.middle; ++slot) {
+      if (values[slot] == 0) continue;
+      acts = true;
+      char& known = acted_on[static_cast<std::size_t>(row_in(pattern, column, slot))];
+      coordinates += known == 0;
+      known = 1;
+    }
+    for (std::size_t slot = column.middle; slot < column.end; ++slot) acts = acts && values[slot] == 0;  // otherwise it states its multiplier
+    equations += acts;
+  }
+  return equations > coordinates;
+}
+
 bool RedundantConstraints::measure(System& system, const Pattern& pattern, std::span<const double> values, double moment_length,
                                    double rate_factor) {
   const Sizes& s = system.sizes();
@@ -101,6 +124,8 @@ bool RedundantConstraints::measure(System& system, const Pattern& pattern, std::
   rate_factor_ = rate_factor;
   count_ = 0;
   parts_.clear();
+  slots_.clear();
+  local_ = false;
   const auto n = static_cast<std::size_t>(s.ae);
   x_.resize(static_cast<std::size_t>(s.total()));
   length_ = system.extent();
@@ -257,19 +282,16 @@ LinearSolverOptions RedundantConstraints::options_to_find(LinearSolverOptions op
 
 LinearSolverOptions RedundantConstraints::options(LinearSolverOptions options) const {
   for (const int k : rows_) options.tiny_diagonal.push_back(first_ae_ + k);
+  for (const Part& part : parts_) {
+    if (part.count == 0) continue;
+    const Eigen::Map<const Eigen::MatrixXd> all(part.combinations.data(), static_cast<Eigen::Index>(part.rows.size()), part.count);
+    const std::vector<int> order = pivoted_triangle(all.transpose()).columns;
+    for (int i = 0; i < part.count; ++i) options.dependent.push_back(first_ae_ + rows_[part.rows[order[static_cast<std::size_t>(i)]]]);
+  }
   return options;
 }
 
 namespace {
-
-// Patterns may be revised; mostly, the entry is where it was.
-int diagonal_slot(const Pattern& pattern, int unknown, int before) {
-  if (!pattern.is_dense() && before >= 0) {
-    const auto starts = pattern.column_start();
-    if (starts[unknown] <= before && before < starts[unknown + 1] && pattern.row_index()[before] == unknown) return before;
-  }
-  return pattern.slot(unknown, unknown);
-}
 
 double largest_number(std::span<const double> numbers) {
   double size = 0;
@@ -282,12 +304,21 @@ double largest_number(std::span<const double> numbers) {
 // Equations that are off state their multipliers themselves.
 void RedundantConstraints::regularize(const Pattern& pattern, std::span<double> values, double rate_factor) {
   rate_factor_ = rate_factor;
-  slots_.resize(rows_.size(), -1);
+  if (slots_.empty())
+    for (const int k : rows_) slots_.push_back(pattern.slot(first_ae_ + k, first_ae_ + k));
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    slots_[i] = diagonal_slot(pattern, first_ae_ + rows_[i], slots_[i]);
     double& entry = values[static_cast<std::size_t>(slots_[i])];
-    if (entry == 0) entry = -eps_ * row_factor(rows_[i]) * weight_[rows_[i]];
+    if (entry == 0) entry = entry_of(rows_[i]);
   }
+}
+
+std::vector<double> RedundantConstraints::without_eps(std::span<const double> values) const {
+  std::vector<double> plain(values.begin(), values.end());
+  for (std::size_t i = 0; i < slots_.size(); ++i) {
+    double& entry = plain[static_cast<std::size_t>(slots_[i])];
+    if (entry == entry_of(rows_[i])) entry = 0;
+  }
+  return plain;
 }
 
 // Again where the idle part is so large that its round-off would show.

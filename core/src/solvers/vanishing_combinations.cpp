@@ -294,15 +294,24 @@ std::vector<RedundantConstraints::Part> RedundantConstraints::all_in_one() const
 std::vector<RedundantConstraints::Part> RedundantConstraints::apart(bool by_loops, const Pattern& pattern, std::span<const double> values,
                                                                     bool& is_local) const {
   std::vector<Part> parts;
-  std::vector<ConstraintBlock> blocks = constraint_blocks(by_loops ? BlocksOf::loops : BlocksOf::coordinates, pattern, values, first_ae_, nodes_, rows_);
-  std::vector<Block> found;
-  if (by_loops) found = local_combinations({pattern, values, first_ae_, nodes_, rows_, weight_, multiplier_}, blocks);
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
-    parts.push_back({.rows = std::move(blocks[i].rows), .count = 0, .combinations = {}});
-    if (!found.empty()) parts.back().take(numbers_of(found[i]));
-  }
-  is_local = !found.empty();
+  for (ConstraintBlock& block : constraint_blocks(by_loops ? BlocksOf::loops : BlocksOf::coordinates, pattern, values, first_ae_, nodes_, rows_))
+    parts.push_back({.rows = std::move(block.rows), .hangs_on = block.hangs_on, .count = 0, .combinations = {}});
+  is_local = by_loops && take_local_combinations(parts, pattern, values);
   return is_local || rows_.size() > few_rows ? parts : all_in_one();
+}
+
+bool RedundantConstraints::take_local_combinations(std::vector<Part>& parts, const Pattern& pattern, std::span<const double> values) const {
+  std::vector<ConstraintBlock> blocks;
+  for (const Part& part : parts) blocks.push_back({part.rows, part.hangs_on});
+  const std::vector<Block> found = local_combinations({pattern, values, first_ae_, nodes_, rows_, weight_, multiplier_}, blocks);
+  for (std::size_t i = 0; i < found.size(); ++i) parts[i].take(numbers_of(found[i]));
+  return !found.empty() || parts.empty();
+}
+
+bool RedundantConstraints::find_locally(const Pattern& pattern, std::span<const double> values) {
+  parts_ = apart(true, pattern, values, local_);
+  count_parts();
+  return local_;
 }
 
 void RedundantConstraints::count_parts() {
@@ -323,6 +332,7 @@ bool RedundantConstraints::find(const Pattern& pattern, std::span<const double> 
   bool is_local = false;
   std::vector<Part> parts = apart(true, pattern, values, is_local);
   if (parts_.empty() || is_local) parts_ = std::move(parts);
+  local_ = is_local;
   if (is_local) {
     if (!search.look_at_the_rest(parts_)) return false;
   } else if (!search.find_in(parts_, false)) {
@@ -338,19 +348,18 @@ bool RedundantConstraints::find(const Pattern& pattern, std::span<const double> 
 bool RedundantConstraints::find_at_once(const Pattern& pattern, std::span<const double> values, double eps, LinearSolver& factors) {
   Search search(*this, pattern, values, eps, factors);
   if (!search.factorize()) return false;
-  bool is_local = false;
-  std::vector<Part> parts = apart(true, pattern, values, is_local);
-  if (is_local ? !search.look_at_the_rest(parts) || search.largest_rest > evident_rest : !search.find_at_once(parts)) return false;
-  parts_ = std::move(parts);
+  if (local_ ? !search.look_at_the_rest(parts_) || search.largest_rest > evident_rest : !search.find_at_once(parts_)) return false;
   count_parts();
   weakest_ = search.weakest();
   return true;
 }
 
 bool RedundantConstraints::confirm(const Pattern& pattern, std::span<const double> values, LinearSolver& factors) {
-  Search search(*this, pattern, values, eps_, factors);
   std::vector<Part> parts = parts_;
-  if (!search.find_at_once(parts)) return false;
+  if (!local_ || !take_local_combinations(parts, pattern, without_eps(values))) {
+    parts = parts_;
+    if (Search search(*this, pattern, values, eps_, factors); !search.find_at_once(parts)) return false;
+  }
   const auto same = [](const Part& one, const Part& other) { return one.count == other.count; };
   if (!std::ranges::equal(parts, parts_, same)) return false;
   parts_ = std::move(parts);
@@ -360,6 +369,7 @@ bool RedundantConstraints::confirm(const Pattern& pattern, std::span<const doubl
 bool RedundantConstraints::take_over(const RedundantConstraints& found) {
   if (found.rows_ != rows_) return false;
   parts_ = found.parts_;
+  local_ = found.local_;
   for (Part& part : parts_) {
     Block all = GivenBlock(part.combinations.data(), static_cast<Eigen::Index>(part.rows.size()), part.count);
     for (std::size_t i = 0; i < part.rows.size(); ++i) {

@@ -18,6 +18,7 @@ struct LinearSolverOptions {
   int unsettled_matrices = 0;     // what is zero in the first ones may well be something else in the next
   std::string instructions = {};  // one of instruction_sets(); empty: the first
   std::vector<int> tiny_diagonal = {};  // unknowns whose diagonal entry, if there is one, is too small to count as a pivot
+  std::vector<int> dependent = {};  // of these, as many as follow from others: what is left of them at last is that entry
 };
 
 struct LinearSolverStatistics {

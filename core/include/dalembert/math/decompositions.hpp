@@ -2,6 +2,8 @@
 // instantiated in one place.
 #pragma once
 
+#include <vector>
+
 #include <Eigen/Core>
 
 namespace dalembert {
@@ -24,6 +26,13 @@ Eigenpairs eigenpairs(const Eigen::MatrixXd& matrix);
 
 // The smallest x of all that bring matrix x nearest to the right-hand side.
 Eigen::VectorXd smallest_solution(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right_hand_side);
+
+// The triangle of a QR decomposition in which each column is the one of which most is left behind those before it.
+struct PivotedTriangle {
+  Eigen::MatrixXd triangle;
+  std::vector<int> columns;  // of the matrix, in this order
+};
+PivotedTriangle pivoted_triangle(const Eigen::MatrixXd& matrix);
 
 // Columns that span what the matrix takes to zero; pivots count as zero below that share of the largest.
 Eigen::MatrixXd kernel_of(const Eigen::MatrixXd& matrix, double negligible_pivot);

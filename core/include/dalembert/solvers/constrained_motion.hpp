@@ -47,7 +47,7 @@ class ConstrainedMotion {
   // With constant velocities, and those that are prescribed in time.
   std::vector<double> gap_accelerations_of_velocities(System& system, const State& still, const Conditions& conditions);
   void fill(System& system, const State& state, const Conditions& conditions);
-  void look_for_redundancy(System& system, const State& state, const Conditions& conditions, int& singular);
+  bool look_for_redundancy(System& system, const State& state, const Conditions& conditions, int& singular);
   void add_driving(System& system, const State& still, const Conditions& conditions, std::vector<double>& gap);
   // Solutions for right-hand sides of the constraints alone; returns the part of the coordinates.
   std::span<const double> move(std::span<const double> gaps);

@@ -33,6 +33,8 @@ class RedundantConstraints {
   // Whether none can be redundant, since each equation in turn has a coordinate that no other acts on. Reads entries of constraints
   // only.
   static bool evidently_none(const System& system, const Pattern& pattern, std::span<const double> values);
+  // Whether some must be, since there are more equations than coordinates that they act on.
+  static bool evidently_some(const System& system, const Pattern& pattern, std::span<const double> values);
   // Finds D for a matrix: one number for all forces, and the same by the square of a length for all moments. Rows of constraints of
   // velocities are multiplied by `rate_factor` in the matrix. False: no equation could be redundant.
   bool measure(System& system, const Pattern& pattern, std::span<const double> values, double moment_length, double rate_factor);
@@ -46,8 +48,10 @@ class RedundantConstraints {
   // close by are only looked at again. False: the matrix is singular for other reasons as well.
   static LinearSolverOptions options_to_find(LinearSolverOptions options);
   bool find(const Pattern& pattern, std::span<const double> values, double eps, LinearSolver& factors);
-  // The same where it is evident, in a fraction of the time: factors with `options` and this eps, which solutions can go on with. False: it
-  // is not, and nothing is known.
+  // The same without factors, by entries alone. False: they do not tell.
+  bool find_locally(const Pattern& pattern, std::span<const double> values);
+  // The same where it is evident, in a fraction of the time, after `find_locally`: factors with `options` and this eps, which solutions can go
+  // on with. False: it is not.
   bool find_at_once(const Pattern& pattern, std::span<const double> values, double eps, LinearSolver& factors);
   // Whether what is known is what vanishes of the regularized matrix as well, evidently; its factors are at hand.
   bool confirm(const Pattern& pattern, std::span<const double> values, LinearSolver& factors);
@@ -83,6 +87,7 @@ class RedundantConstraints {
   void use(double eps) { eps_ = eps; }  // zero: not any more
   LinearSolverOptions options(LinearSolverOptions options) const;
   void regularize(const Pattern& pattern, std::span<double> values, double rate_factor);
+  void pattern_revised() { slots_.clear(); }
   // From multipliers, with factors of the regularized matrix: the part from which no force comes.
   void take_off_idle_part(LinearSolver& factors, std::span<double> multipliers);
   // From a solution for all unknowns: the same, and what this part has moved, as equations that no longer vanish exactly let it do.
@@ -101,6 +106,9 @@ class RedundantConstraints {
   static constexpr double weaker_by = 100, smallest_growth = 100;
 
   double row_factor(int equation) const { return of_rate_[static_cast<std::size_t>(equation)] ? rate_factor_ : 1; }
+  // What takes the place of a zero.
+  double entry_of(int equation) const { return -eps_ * row_factor(equation) * weight_[static_cast<std::size_t>(equation)]; }
+  std::vector<double> without_eps(std::span<const double> values) const;
   // P with another eps, for all equations with a weight.
   void apply(LinearSolver& factors, double eps, std::span<double> multipliers);
   void find_weights(const std::vector<double>& ratios, const std::vector<CoordinateUnit>& units, double moment_length);
@@ -108,6 +116,7 @@ class RedundantConstraints {
   // Combinations that vanish, of equations that may follow from each other.
   struct Part {
     std::vector<int> rows;             // places in rows_
+    int hangs_on = -1;                 // of loops, see ConstraintBlock
     int count = 0;
     std::vector<double> combinations;  // one after the other, orthonormal in sqrt(D) lambda
     void take(std::span<const double> found);
@@ -116,6 +125,8 @@ class RedundantConstraints {
   std::vector<Part> all_in_one() const;
   // `is_local`: with the combinations of each, which are all that there are.
   std::vector<Part> apart(bool by_loops, const Pattern& pattern, std::span<const double> values, bool& is_local) const;
+  // The combinations of each are all that there are. False: entries do not tell.
+  bool take_local_combinations(std::vector<Part>& parts, const Pattern& pattern, std::span<const double> values) const;
   void count_parts();
   template <class F>
   void each_owner(F&& f, const System& system) const;
@@ -135,6 +146,7 @@ class RedundantConstraints {
   int count_ = 0;
   bool consistent_ = true;
   std::vector<Part> parts_;
+  bool local_ = false;              // combinations of parts are those of their entries
   std::vector<double> x_, idle_;
   std::vector<int> slots_;  // of the diagonal, by rows_
 };
