@@ -193,9 +193,10 @@ mbs.PlotSensor(
     yLabel="y (m)",
     markerStyles=[".", ""],
     lineStyles=["", "-"],
+    legendArgs={"loc": "lower center", "bbox_to_anchor": (0.5, 1), "ncols": 2},
     fileName="mobile_robot_map.png",
     closeAll=True,
 )
 view = mbs.GetSystemContainer().visualizationSettings
 view.nodes.show = view.markers.show = view.connectors.show = view.sensors.show = False
-mbs.Draw(fileName="mobile_robot_picture.png")
+mbs.Draw(fileName="mobile_robot_picture.png", around=platform, zoom=0.5)

@@ -164,6 +164,7 @@ mbs.PlotSensor(
     components=[0, 1, 2],
     labels=["forward", "sideways", "up"],
     yLabel="force of the ground (N)",
+    legendArgs={"loc": "lower center", "bbox_to_anchor": (0.5, 1), "ncols": 3},
     fileName="quadruped_forces.png",
     closeAll=True,
 )

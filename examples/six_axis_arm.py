@@ -53,6 +53,7 @@ def drives_alone(q, q_t, wanted):
 def follow(law):
     """Run the motion; return errors (mrad), torques, the work that is not lost, where the arm ends, and the system."""
     mbs = exu.SystemContainer().AddSystem()
+    mbs.CreateGround(graphicsDataList=[exu.graphics.CheckerBoard(size=1.2, nTiles=6)])
     made = mbs.CreateRobot(file, referenceConfiguration=start)
     tree, rows = made["objectKinematicTree"], []
 
@@ -82,7 +83,14 @@ def follow(law):
 errors, torques, gained, last, moved = follow(computed_torque)
 others, *_ = follow(drives_alone)
 mbs = exu.SystemContainer().AddSystem()
-common = {"components": list(range(6)), "labels": names, "newFigure": True}
+beside = {"loc": "center left", "bbox_to_anchor": (1, 0.5)}
+common = {
+    "components": list(range(6)),
+    "labels": names,
+    "newFigure": True,
+    "legendArgs": beside,
+    "sizeInches": [9, 4.8],
+}
 mbs.PlotSensor([torques] * 6, **common, yLabel="torque (Nm)", fileName="arm_torques.png", closeAll=True)
 mbs.PlotSensor(
     [errors] * 6, **common, yLabel="error (mrad)", title="computed torque", fileName="arm_computed_torque.png"

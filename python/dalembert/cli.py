@@ -37,12 +37,12 @@ def _run(arguments: argparse.Namespace) -> int:
 
 
 def _run_python(model: Path, arguments: Sequence[str] = ()) -> dict[str, Any]:
-    """Run a Python file as __main__ and return its global names; imports of exudyn give dalembert."""
+    """Run a Python file as __main__ and return its global names; exudyn is dalembert, in its processes too."""
     from dalembert import alias
 
     alias.install("exudyn")
     sys.argv = [str(model), *arguments]
-    sys.path.insert(0, str(model.resolve().parent))
+    sys.path[:0] = [str(model.resolve().parent), str(Path(__file__).parent / "_tools/aliases")]
     return runpy.run_path(str(model), run_name="__main__")
 
 

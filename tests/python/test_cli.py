@@ -1,5 +1,6 @@
 """The command dalembert: run, info, check, items, demo."""
 
+import multiprocessing
 import subprocess
 import sys
 
@@ -32,6 +33,30 @@ def test_models_run_unchanged(tmp_path):
     result = run("run", str(tmp_path / "model.py"), "3", "--fast", cwd=tmp_path.parent)
     assert "__main__ ['3', '--fast'] dalembert 1 42" in result.stdout, result.stderr
     assert result.returncode == 3
+
+
+PROCESSES = """
+import multiprocessing
+from concurrent.futures import ProcessPoolExecutor
+import exudyn as exu
+from exudyn.utilities import *
+
+def found(start):
+    return start, multiprocessing.parent_process() is not None, exu.__name__, NodePoint.__name__
+
+if __name__ == "__main__":
+    for start in multiprocessing.get_all_start_methods():
+        with ProcessPoolExecutor(1, multiprocessing.get_context(start)) as pool:
+            print(*pool.submit(found, start).result())
+"""
+
+
+def test_processes_of_models_find_the_package(tmp_path):
+    """They read the model anew, unless they are forked."""
+    (tmp_path / "model.py").write_text(PROCESSES)
+    result = run("run", "model.py", cwd=tmp_path)
+    expected = [f"{start} True dalembert NodePoint" for start in multiprocessing.get_all_start_methods()]
+    assert result.stdout.splitlines() == expected, result.stderr
 
 
 COPIED = """
