@@ -107,6 +107,8 @@ def _general_contact() -> dict[str, Any]:
     settings = {
         "frictionPairings": pairings,
         "frictionProportionalZone": positive | {"description": "slip up to which friction grows with it (m/s)"},
+        "frictionBristles": _array((3,), "number")
+        | {"description": "tangential springs: ratios of stiffness, of damping, and of static to sliding friction"},
         "minRelDistanceSpheresTriangles": not_negative,
         "searchTreeSize": _array((3,), "integer"),
         "searchTreeBox": _array((6,), "number"),

@@ -151,6 +151,12 @@ void set_proportional_zone(const ContactHandle& self, double zone) {
   self.set->proportional_zone = require("SetFrictionProportionalZone", "frictionProportionalZone", zone, true, "m/s");
 }
 
+void set_bristles(const ContactHandle& self, double stiffness, double damping, double holding) {
+  const ContactBristles bristles = bristles_from("SetFrictionBristles", {stiffness, damping, holding});
+  require_own_thread(*self.main, ContactHandle::called("SetFrictionBristles"));
+  self.set->bristles = bristles;
+}
+
 void reset(const ContactHandle& self, bool) {
   Model& model = self.main->restructure(ContactHandle::called("Reset"));
   const std::uint64_t shapes = self.set->shapes + 1;
@@ -326,6 +332,7 @@ py::tuple pushes(const ContactHandle& self, const py::object& value) {
   system.with_ports(configuration, [&](const Ports& ports) {
     GeneralContact term(self.set, ports, Model::term_name(static_cast<std::size_t>(self.number())));
     term.enter(system, self.main->model);
+    term.take_bristles_of(static_cast<const GeneralContact&>(system.term(self.number())));
     found = term.pushes(ports, configuration);
   });
   const auto n = static_cast<py::ssize_t>(found.size());
@@ -386,6 +393,7 @@ py::dict python_object(const ContactHandle& self) {
   result["sphereSphereContact"] = set.spheres_touch;
   result["frictionPairings"] = friction_out(set);
   result["frictionProportionalZone"] = set.proportional_zone;
+  result["frictionBristles"] = bristles_out(set);
   result["minRelDistanceSpheresTriangles"] = set.nearest_relative_distance;
   result["globalContactIndexOffsets"] = integers_out({0, set.first_cable(), set.first_triangle(), set.first_triangle() + static_cast<int>(set.triangles.size())});
   result["numberOfSpheresMarkerBased"] = set.spheres.size();
@@ -455,6 +463,8 @@ void register_general_contact(py::module_& module) {
               py::arg("frictionMaterialIndex"), "Add an element of a planar cable, which touches spheres as circles in the plane; returns its number among the cables.");
   contact.def("SetFrictionPairings", &set_friction_pairings, py::arg("frictionPairings"), "Coefficients of friction of pairs of materials, a symmetric matrix.");
   contact.def("SetFrictionProportionalZone", &set_proportional_zone, py::arg("frictionProportionalZone"), "Slip (m/s) up to which friction grows with it.");
+  contact.def("SetFrictionBristles", &set_bristles, py::arg("stiffnessRatio"), py::arg("dampingRatio") = 1., py::arg("staticRatio") = 1.,
+              "Tangential springs and dampers that let friction hold, as parts of those along the normal; staticRatio is that of static to sliding friction. Without stiffness there are none.");
   contact.def("SetSearchTreeCellSize", &set_cells, py::arg("numberOfCells"), "Numbers of cells; kept, without effect: cells follow the sizes of spheres.");
   contact.def("SetSearchTreeBox", &set_box, py::arg("pMin"), py::arg("pMax"), "Corners of a box; kept, without effect: space has no bounds here.");
   contact.def("GetItemsInBox", &items_in_box, py::arg("pMin"), py::arg("pMax"), "Numbers of spheres and triangles whose boxes overlap with a box, by kind; False if there are none.");

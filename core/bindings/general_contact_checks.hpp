@@ -1,8 +1,10 @@
 // What numbers contact accepts; errors name the method, or the place in a dictionary, that brought them.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "conversion.hpp"
 #include "dalembert/contact/contact_set.hpp"
@@ -50,6 +52,9 @@ using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 // Coefficients of friction by rows, symmetric.
 Array friction_argument(const ValueSource& by, const py::object& pairings);
 py::array_t<double> friction_out(const ContactSet& set);
+// Ratios of stiffness, of damping and of static friction.
+ContactBristles bristles_from(const ValueSource& by, const std::array<double, 3>& ratios);
+std::vector<double> bristles_out(const ContactSet& set);
 
 // Settings of the interface that change nothing here; kept to be read again.
 struct KeptSetting {

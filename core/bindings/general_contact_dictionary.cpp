@@ -27,6 +27,13 @@ Array friction_argument(const ValueSource& by, const py::object& pairings) {
   return table;
 }
 
+ContactBristles bristles_from(const ValueSource& by, const std::array<double, 3>& ratios) {
+  if (!(ratios[2] >= 1) || !std::isfinite(ratios[2])) refuse_value(by, "staticRatio", text_of(ratios[2]), "a number from 1 (unit 1)");
+  return {require(by, "stiffnessRatio", ratios[0], false, "1"), require(by, "dampingRatio", ratios[1], false, "1"), ratios[2]};
+}
+
+std::vector<double> bristles_out(const ContactSet& set) { return {set.bristles.stiffness, set.bristles.damping, set.bristles.holding}; }
+
 py::array_t<double> friction_out(const ContactSet& set) { return new_array({set.materials, set.materials}, set.friction.data()); }
 
 namespace {
@@ -76,6 +83,7 @@ py::dict dictionary_of(const ContactSet& set) {
   py::dict result = groups_of(set);
   result["frictionPairings"] = friction_out(set);
   result["frictionProportionalZone"] = set.proportional_zone;
+  result["frictionBristles"] = bristles_out(set);
   result["minRelDistanceSpheresTriangles"] = set.nearest_relative_distance;
   result["isActive"] = set.active;
   result["sphereSphereContact"] = set.spheres_touch;
@@ -181,7 +189,7 @@ T entry_of(const std::string& where, const py::dict& data, const char* key, cons
 std::shared_ptr<ContactSet> set_from(const std::string& where, const py::dict& data) {
   auto set = std::make_shared<ContactSet>();
   for (const auto& [key, value] : data) {
-    constexpr const char* known[] = {"spheres", "cables", "triangleBodies", "triangles", "frictionPairings", "frictionProportionalZone",
+    constexpr const char* known[] = {"spheres", "cables", "triangleBodies", "triangles", "frictionPairings", "frictionProportionalZone", "frictionBristles",
                                      "minRelDistanceSpheresTriangles", "isActive", "sphereSphereContact", "searchTreeSize", "searchTreeBox"};
     const std::string name = py::str(key);
     if (std::ranges::find(known, name) != std::end(known)) continue;
@@ -200,6 +208,10 @@ std::shared_ptr<ContactSet> set_from(const std::string& where, const py::dict& d
     value = require(ValueSource::at(where), key, entry_of(where, data, key, value, "a number"), positive, unit);
   };
   real("frictionProportionalZone", set->proportional_zone, true, "m/s");
+  if (data.contains("frictionBristles")) {
+    const auto given = entry_of(where, data, "frictionBristles", std::array<double, 3>{}, "3 numbers: ratios of stiffness, of damping and of static friction");
+    set->bristles = bristles_from(ValueSource::at(where), given);
+  }
   real("minRelDistanceSpheresTriangles", set->nearest_relative_distance, false, "1");
   set->active = entry_of(where, data, "isActive", set->active, "True or False");
   set->spheres_touch = entry_of(where, data, "sphereSphereContact", set->spheres_touch, "True or False");

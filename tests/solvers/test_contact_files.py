@@ -30,6 +30,7 @@ def filled() -> World:
     made = exu.utilities.GenerateStraightLineANCFCable2D(world.mbs, [0, 0, 0], [2, 0, 0], 3, cable)
     for element in made[1]:
         world.contact.AddANCFCable(element, 0.01, 1e4, 0.3, 0)
+    world.contact.SetFrictionBristles(2 / 7, 1 / 3, 4 / 3)
     world.contact.minRelDistanceSpheresTriangles = 1e-7
     world.contact.sphereSphereContact = False
     world.contact.isActive = False
@@ -84,7 +85,7 @@ def test_settings_of_the_schema_are_those_of_the_class() -> None:
     properties = json.loads(model_files.SCHEMA.read_text())["$defs"]["generalContact"]["properties"]
     attributes = {name for name, value in vars(exu.GeneralContact).items() if isinstance(value, property)}
     groups = {"spheres", "cables", "triangleBodies", "triangles"}
-    others = {"frictionPairings", "searchTreeSize", "searchTreeBox"}  # set by methods
+    others = {"frictionPairings", "frictionBristles", "searchTreeSize", "searchTreeBox"}  # set by methods
     assert set(properties) - groups - others == attributes - {"visualization"}
 
 
@@ -207,9 +208,11 @@ def test_solutions_do_not_depend_on_earlier_ones(solver: Any) -> None:
     assert results[0] == results[1]
 
 
-def sliding_cloud() -> Any:
+def sliding_cloud(grips: bool = False) -> Any:
     """Balls that rub on each other and on triangles; in the second half, others are near each other than in the first."""
     world, bodies = cloud(0.3, gravity=[0, 0, -9.81])
+    if grips:
+        world.contact.SetFrictionBristles(0.8, 1.0, 1.2)
     world.mesh(*grid_mesh(2.0, 5), stiffness=5e3, damping=20.0)
     world.mbs.AddSensor(
         eii.SensorBody(bodyNumber=bodies[0], fileName="sensor.txt", outputVariableType=exu.OutputVariableType.Position)
@@ -221,12 +224,13 @@ def sliding_cloud() -> Any:
 SPARSE, DENSE = exu.LinearSolverType.EigenSparse, exu.LinearSolverType.EXUdense
 
 
+@pytest.mark.parametrize("grips", [False, True])
 @pytest.mark.parametrize(
     ("solver", "linear"),
     [(EXPLICIT, SPARSE), (exu.DynamicSolverType.VelocityVerlet, SPARSE), (IMPLICIT, SPARSE), (IMPLICIT, DENSE)],
 )
 def test_restart_continues_bit_for_bit(
-    solver: Any, linear: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    solver: Any, linear: Any, grips: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
     settings = exu.SimulationSettings()
@@ -243,7 +247,7 @@ def test_restart_continues_bit_for_bit(
             name: [line for line in each if not line.startswith(b"#simulation started")] for name, each in lines.items()
         }
 
-    mbs = sliding_cloud()
+    mbs = sliding_cloud(grips)
     mbs.SolveDynamic(settings, solverType=solver)
     whole = files()
     contact = mbs.GetGeneralContact(0)
@@ -252,6 +256,6 @@ def test_restart_continues_bit_for_bit(
     os.replace("restart.txt.bck", "middle.txt")
     Path("restart.txt").unlink()
     settings.continuation.restartFileName = "middle.txt"
-    sliding_cloud().SolveDynamic(settings, solverType=solver)
+    sliding_cloud(grips).SolveDynamic(settings, solverType=solver)
     Path("middle.txt").unlink()
     assert files() == whole

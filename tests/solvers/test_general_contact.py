@@ -64,6 +64,7 @@ class World:
             self.mbs.Assemble()
         settings = exu.SimulationSettings()
         settings.solutionSettings.writeSolutionToFile = False
+        settings.solutionSettings.sensorsWritePeriod = end / steps
         settings.parallel.numberOfThreads = threads
         time = settings.timeIntegration
         time.endTime, time.numberOfSteps, time.verboseMode = end, steps, 0
@@ -314,8 +315,8 @@ def test_any_number_of_threads_gives_the_same_bytes(solver: Any) -> None:
     assert results[0] == results[1]
 
 
-@pytest.mark.parametrize("friction", [0.0, 0.3])
-def test_threads_that_share_spheres_give_the_same_bytes(friction: float) -> None:
+@pytest.mark.parametrize(("friction", "bristles"), [(0.0, 0.0), (0.3, 0.0), (0.3, 0.8)])
+def test_threads_that_share_spheres_give_the_same_bytes(friction: float, bristles: float) -> None:
     """Three chunks of a thousand spheres, with contacts inside of them, between them and with a body of triangles, for which they take turns."""
     rng = np.random.default_rng(11)
     places = 0.19 * np.array(list(itertools.product(range(15), repeat=3)))[:3100] + rng.uniform(-0.01, 0.01, (3100, 3))
@@ -323,6 +324,7 @@ def test_threads_that_share_spheres_give_the_same_bytes(friction: float) -> None
     results = []
     for threads in (1, 2, 3):
         world = World(friction=friction, zone=0.02)
+        world.contact.SetFrictionBristles(bristles)
         make = world.ball if friction else world.point
         for place, speed in zip(places, speeds, strict=True):
             make(place, speed)

@@ -45,7 +45,10 @@ void GeneralContact::add_verge(const HeldContact& c, const Ports& ports, Verge& 
   const Vec3<double> velocity = velocity_at(second.marker, second.turns, at.arm1, ports) - velocity_at(first.marker, first.turns, at.arm0, ports);
   const double away = dot(at.normal, velocity), elastic = pairing.stiffness * at.gap, margin = std::max(elastic, elastic + pairing.damping * away);
   verge.add(margin);
-  if (margin < 0 && pairing.friction != 0) verge.add_slip(norm(velocity - away * at.normal) - set_->proportional_zone);
+  if (!(margin < 0) || pairing.friction == 0) return;
+  if (!set_->bristles.grow()) return verge.add_slip(norm(velocity - away * at.normal) - set_->proportional_zone);
+  const Bristle* bristle = bristle_of(c);
+  if (bristle == nullptr || !bristle->slides) verge.add_slip(excess_of(c, pairing, at, -elastic - pairing.damping * away, ports));
 }
 
 // Those that it does not touch yet.
@@ -97,7 +100,7 @@ void GeneralContact::find_verges(const Evaluation& e, const Ports& ports, std::v
     for (const int i : chunk.at_triangles) {
       Verge& verge = verges[static_cast<std::size_t>(i)];
       touching_triangles(i, chunk);
-      for (const Found& found : chunk.found) add_verge({i, set_->first_triangle() + found.triangle}, ports, verge);
+      for (const Found& found : chunk.found) add_verge({i, set_->first_triangle() + found.triangle, true, {}, found.bristle}, ports, verge);
       add_open_triangles(i, verge);
     }
   }
@@ -116,6 +119,7 @@ void GeneralContact::find_switches(const Evaluation& e, const Ports& ports, Swit
 }
 
 void GeneralContact::switch_over(const Evaluation& e, const Ports& ports, const double*, double*, double*) {
+  keep();  // what holds and what slides from now on
   if (set_->active) find_verges(e, ports, verges_before_);
 }
 

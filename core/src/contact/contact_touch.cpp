@@ -12,7 +12,7 @@ namespace dalembert {
 
 // Faces that a sphere dips into, and edges and corners of which no triangle around has a point that is nearer. Triangles touch from
 // their positive side alone. What meets in one point counts once: at an inner edge of a smooth surface, for one of its triangles.
-void GeneralContact::touching_triangles(int number, Chunk& chunk) const {
+void GeneralContact::find_triangles(int number, Chunk& chunk) const {
   std::vector<Found>& found = chunk.found;
   found.clear();
   const auto begin = first_triangle_[static_cast<std::size_t>(number)], end = first_triangle_[static_cast<std::size_t>(number) + 1];
@@ -65,6 +65,11 @@ void GeneralContact::touching_triangles(int number, Chunk& chunk) const {
   found.swap(chunk.kept);
 }
 
+void GeneralContact::touching_triangles(int number, Chunk& chunk) const {
+  find_triangles(number, chunk);
+  if (!bristles_.empty()) pass_bristles_on(number, chunk.found);
+}
+
 // Spheres of one marker do not touch: neither would feel anything of it.
 bool GeneralContact::overlap(int i, int j) const {
   const SphereAt &a = pairs_.at[static_cast<std::size_t>(i)], &b = pairs_.at[static_cast<std::size_t>(j)];
@@ -87,8 +92,14 @@ bool GeneralContact::touches(const HeldContact& c, const Ports& ports, bool& sti
   const Meeting<double> at = meet(c, ports);
   const Vec3<double> velocity = velocity_at(second.marker, second.turns, at.arm1, ports) - velocity_at(first.marker, first.turns, at.arm0, ports);
   const double away = dot(at.normal, velocity);
-  sticks = pairing.friction == 0 || norm(velocity - away * at.normal) < set_->proportional_zone;
-  return pairing.stiffness * at.gap + pairing.damping * away < 0;
+  const double pressure = -pairing.stiffness * at.gap - pairing.damping * away;
+  if (set_->bristles.grow()) {
+    const Bristle* bristle = bristle_of(c);
+    sticks = pairing.friction == 0 || bristle == nullptr || !bristle->slides;
+  } else {
+    sticks = pairing.friction == 0 || norm(velocity - away * at.normal) < set_->proportional_zone;
+  }
+  return pressure > 0;
 }
 
 void GeneralContact::find(const Ports& ports, std::vector<HeldContact>& found) const {
@@ -177,6 +188,8 @@ const GeneralContact::Block& GeneralContact::block_of(const HeldContact& c) cons
 
 // The number of contacts that have begun or ended; the next search holds what touches then.
 PostNewton GeneralContact::post_newton(const Evaluation& e, const Ports& ports, const double*, double*, double*) {
+  if (set_->bristles.grow()) grow_bristles(ports);
+  if (e.direct) return {};
   take_cables(e.q, e.v);
   find(ports, touching_);
   const std::vector<HeldContact>& now = touching_;

@@ -50,7 +50,7 @@ void GeneralContact::add_held(const HeldContact& c, Ports& ports) const {
   const Partner first{sphere(c.sphere).marker, turns(c.sphere)}, second = partner_of(c);
   const Meeting<double> at = meet(c, ports);
   const Vec3<double> velocity = velocity_at(second.marker, second.turns, at.arm1, ports) - velocity_at(first.marker, first.turns, at.arm0, ports);
-  const Vec3<double> f = force(pairing_of(c), at, velocity, c.sticks);
+  const Vec3<double> f = force_of(c, at, velocity, frame_of(first.marker, ports), frame_of(second.marker, ports));
   const auto push = [&](const Partner& on, const Vec3<double>& force, const Vec3<double>& moment) {
     double* to = ports.force(on.marker);
     add_vector(to, 1.0, force);
@@ -79,7 +79,7 @@ std::vector<GeneralContact::Push> GeneralContact::pushes(const Ports& ports, Con
     const Partner second = partner_of(c);
     const Meeting<double> at = meet(c, ports);
     const Vec3<double> velocity = velocity_at(second.marker, second.turns, at.arm1, ports) - velocity_at(first.marker, first.turns, at.arm0, ports);
-    result.push_back({c.sphere, c.other, centre + at.arm0, force(pairing_of(c), at, velocity, {})});
+    result.push_back({c.sphere, c.other, centre + at.arm0, force_of(c, at, velocity, frame_of(first.marker, ports), frame_of(second.marker, ports))});
   }
   return result;
 }
@@ -88,7 +88,7 @@ std::vector<GeneralContact::Push> GeneralContact::pushes(const Ports& ports, Con
 void GeneralContact::add_on_triangles(int number, const Ports& ports, Chunk& chunk) const {
   touching_triangles(number, chunk);
   const auto i = static_cast<std::size_t>(number);
-  const bool spins = turns(number);
+  const bool spins = turns(number), grips = set_->bristles.grow();
   for (const Found& found : chunk.found) {
     const auto c = static_cast<std::size_t>(triangle(found.triangle).carrier);
     const ContactCarrier& carrier = set_->carriers[c];
@@ -99,12 +99,12 @@ void GeneralContact::add_on_triangles(int number, const Ports& ports, Chunk& chu
     at.arm0 = found.distance * at.normal;
     const bool moves = ports.ports[static_cast<std::size_t>(carrier.marker)].n > 0;  // what rests has no velocity, and feels nothing
     Vec3<double> velocity = -pairs_.velocity[i].vector();
-    if (moves) {
-      at.arm1 = frame.rotation * found.point;
-      velocity += frame.velocity + cross(frame.angular_velocity, at.arm1);
-    }
+    if (moves || grips) at.arm1 = frame.rotation * found.point;
+    if (moves) velocity += frame.velocity + cross(frame.angular_velocity, at.arm1);
     if (spins) velocity -= cross(pairs_.spin[i].vector(), at.arm0);
-    const Vec3<double> f = force(set_->pairing(sphere(number).surface, carrier.surface), at, velocity, {});
+    const ContactPairing pairing = set_->pairing(sphere(number).surface, carrier.surface);
+    const Vec3<double> f = grips ? gripping_force(pairing, at, velocity, grip_of(bristles_.find(number, found.bristle), at, frame_of(sphere(number).marker, ports), frame))
+                                 : force(pairing, at, velocity, {});
     pairs_.force[i].add(f);
     if (spins) pairs_.moment[i].add(cross(at.arm0, f));
     if (moves) chunk.on_carriers.push_back({carrier.marker, -f, -cross(at.arm1, f)});
@@ -112,13 +112,15 @@ void GeneralContact::add_on_triangles(int number, const Ports& ports, Chunk& chu
 }
 
 void GeneralContact::add_direct(Ports& ports) const {
-  const bool rubs = !std::ranges::all_of(set_->friction, [](double mu) { return mu == 0; });
+  const bool rubs = !std::ranges::all_of(set_->friction, [](double mu) { return mu == 0; }), grips = rubs && set_->bristles.grow();
+  const auto friction = grips ? SpherePairs::Friction::of_others : rubs ? SpherePairs::Friction::of_slip : SpherePairs::Friction::none;
   const auto number_of = [&](const Chunk& chunk) { return static_cast<int>(&chunk - chunks_.data()); };
   each_chunk([&](Chunk& chunk) {
-    if (pairs_.compute(number_of(chunk), *set_, rubs) == 0) {
+    if (pairs_.compute(number_of(chunk), *set_, friction) == 0) {
       for (int i = chunk.begin; i < chunk.end; ++i)
         for (const int j : neighbours_.behind(i)) overlap(i, j);  // refuses those of one centre
     }
+    if (grips) add_gripping_pairs(number_of(chunk), ports);
     chunk.on_carriers.clear();
     for (const int i : chunk.at_triangles) add_on_triangles(i, ports, chunk);
   });
@@ -178,14 +180,13 @@ void GeneralContact::tangent(const Evaluation&, const Weights& weights, Ports& p
     }
     const bool of_spheres = c.other < spheres();
     const int marker0 = sphere(c.sphere).marker, marker1 = block.marker1;
-    const ContactPairing pairing = pairing_of(c);
     const Columns<2> columns(ports, {marker0, marker1});
     const int* slot = slots.data() + block.first_slot;
     for (int first = 0; first < columns.total; first += sweep_width) {
       const RigidFrame<SweepDual> m0 = moving_frame(ports, marker0, columns.offset[0], first), m1 = moving_frame(ports, marker1, columns.offset[1], first);
       const Meeting<SweepDual> at = of_spheres ? meet_sphere(c.sphere, c.other, m0.position, m1.position) : meet_triangle(c.sphere, c.other - set_->first_triangle(), m0.position, m1);
       const Vec3<SweepDual> velocity = m1.velocity + cross(m1.angular_velocity, at.arm1) - m0.velocity - cross(m0.angular_velocity, at.arm0);
-      const Vec3<SweepDual> f = force(pairing, at, velocity, c.sticks);
+      const Vec3<SweepDual> f = force_of(c, at, velocity, m0, m1);
       scatter(ports, marker0, columns.offset[0], columns.total, first, {f, cross(at.arm0, f)}, slot, values);
       scatter(ports, marker1, columns.offset[1], columns.total, first, {-f, -cross(at.arm1, f)}, slot, values);
     }

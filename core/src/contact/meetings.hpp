@@ -55,9 +55,9 @@ template <class F>
 void GeneralContact::each_touch(Chunk& chunk, F&& f) const {
   for (int i = chunk.begin; i < chunk.end; ++i) {
     for (const int j : neighbours_.behind(i))
-      if (overlap(i, j)) f(HeldContact{i, j});
+      if (overlap(i, j)) f(HeldContact{i, j, true, {}, j});
     touching_triangles(i, chunk);
-    for (const Found& found : chunk.found) f(HeldContact{i, set_->first_triangle() + found.triangle});
+    for (const Found& found : chunk.found) f(HeldContact{i, set_->first_triangle() + found.triangle, true, {}, found.bristle});
   }
 }
 
@@ -103,6 +103,33 @@ Vec3<S> GeneralContact::force(const ContactPairing& pairing, const Meeting<S>& a
   using std::sqrt;
   const S factor = sticking ? S(1 / zone) : value_of(square) > 0 ? S(1.0 / sqrt(square)) : S(0);
   return (pairing.friction * pressure) * (factor * slip) - pressure * at.normal;
+}
+
+template <class S>
+GeneralContact::Grip<S> GeneralContact::grip_of(const Bristle* bristle, const Meeting<S>& at, const RigidFrame<S>& frame0, const RigidFrame<S>& frame1) const {
+  const double most = set_->bristles.holding;
+  if (bristle == nullptr) return {{}, most};  // it takes root at the end of the step
+  return {(frame1.rotation * bristle->root1 - at.arm1) - (frame0.rotation * bristle->root0 - at.arm0), bristle->slides ? 1.0 : most};
+}
+
+// On the sphere, as above: the spring pulls at most as friction allows, and so does the damper beside it. That takes power in all cases, as what is
+// cut off of a force that is as long as allowed points along the slip.
+template <class S>
+Vec3<S> GeneralContact::gripping_force(const ContactPairing& pairing, const Meeting<S>& at, const Vec3<S>& velocity, const Grip<S>& grip) const {
+  const S away = dot(at.normal, velocity);
+  const S pressure = -(pairing.stiffness * at.gap) - pairing.damping * away;
+  if (!(pressure > 0.0)) return {};
+  if (pairing.friction == 0) return -pressure * at.normal;
+  const S most = (pairing.friction * grip.holding) * pressure;
+  const Vec3<S> stretch = grip.span - dot(at.normal, grip.span) * at.normal, slip = velocity - away * at.normal;
+  const Vec3<S> spring = at_most((set_->bristles.stiffness * pairing.stiffness) * stretch, most);
+  return at_most(spring + (set_->bristles.damping * pairing.damping) * slip, most) - pressure * at.normal;
+}
+
+template <class S>
+Vec3<S> GeneralContact::force_of(const HeldContact& c, const Meeting<S>& at, const Vec3<S>& velocity, const RigidFrame<S>& frame0, const RigidFrame<S>& frame1) const {
+  if (!set_->bristles.grow()) return force(pairing_of(c), at, velocity, c.sticks);
+  return gripping_force(pairing_of(c), at, velocity, grip_of(bristle_of(c), at, frame0, frame1));
 }
 
 // Calls f(sphere, cable) for those in the plane whose boxes are so near, in parts of the radius of the sphere.

@@ -151,14 +151,15 @@ double SpherePairs::compute_pairs(std::size_t begin, std::size_t end, const Cont
   return std::min(std::min(least[0], least[1]), std::min(least[2], least[3]));
 }
 
-double SpherePairs::compute(int chunk, const ContactSet& set, bool rubs) {
+double SpherePairs::compute(int chunk, const ContactSet& set, Friction friction) {
+  const bool rubs = friction == Friction::of_slip;
   const auto c = static_cast<std::size_t>(chunk);
   const auto clear = [&](AlignedVector<Four>& numbers) {
     std::fill(numbers.begin() + begins_[c], numbers.begin() + begins_[c + 1], Four());
     std::fill(numbers.begin() + static_cast<std::ptrdiff_t>(first_waiting_[c]), numbers.begin() + static_cast<std::ptrdiff_t>(first_waiting_[c + 1]), Four());
   };
   clear(force);
-  if (rubs) clear(moment);
+  if (friction != Friction::none) clear(moment);
   double least = std::numeric_limits<double>::infinity();
   const std::size_t begin = first_pair_[c], end = first_pair_[c + 1];
   if (begin == end) return least;

@@ -16,7 +16,7 @@ namespace dalembert {
 
 namespace {
 
-constexpr const char* title = "#dalembert restart file 3";
+constexpr const char* title = "#dalembert restart file 4";
 constexpr const char* purpose = "restart file";
 constexpr const char* backup_ending = ".bck";
 constexpr std::string_view checksum_word = "checksum ", solver_word = "solver ";
@@ -131,6 +131,7 @@ void write_restart_file(const std::string& name, const RestartData& data) {
   append_line(t, "lambda", state.lambda);
   append_line(t, "data", state.data);
   append_line(t, "events", data.events);
+  append_line(t, "history", data.history);
   append_line(t, "files", data.files);
   const std::string sum = checksum(t);
   t += checksum_word;
@@ -157,6 +158,7 @@ RestartData read_restart_file(const std::string& name) {
   data.state.lambda = file.values_of("lambda");
   data.state.data = file.values_of("data");
   data.events = file.values_of("events");
+  data.history = file.values_of("history");
   data.files = file.values_of("files");
   file.expect_checksum();
   return data;

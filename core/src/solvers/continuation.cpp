@@ -53,6 +53,9 @@ void Solver::take_continuation() {
                                            format_number(data.run[start_time], 17) + "; received a start time of " +
                                            format_number(it.startTime, 17) + ". Start time, end time and number of steps are those of the whole");
   }
+  if (!system_->take_history(data.history)) {
+    throw ModelError(ErrorKind::value, "restart file '" + name + "': the history of contacts does not belong to this system. Go on with the model and settings of before");
+  }
   current() = data.state;
   it.currentTime = last_restart_ = data.state.time;
   start_of_step() = current();
@@ -88,7 +91,7 @@ RestartData Solver::restart_data() {
                                                  as_number(steps_since_reduction_)};
   const std::span<const double> values = restart_values();
   RestartData data{.solver = name(), .state = current(), .algorithmic_accelerations = {values.begin(), values.end()},
-                   .step_size = it.currentStepSize, .run = {run.begin(), run.end()}, .events = {}, .files = {solution_file_.length()}};
+                   .step_size = it.currentStepSize, .run = {run.begin(), run.end()}, .events = {}, .history = system_->history(), .files = {solution_file_.length()}};
   if (watch_) data.events = watch_->numbers();
   if (hooks().schedule) std::ranges::copy(hooks().schedule->numbers(), std::back_inserter(data.events));
   std::ranges::copy(restart_numbers(), std::back_inserter(data.run));

@@ -135,7 +135,10 @@ void Solver::initialize_data() {
   warned_minimum_ = false;
   conv.errorCoordinateFactor =
       newton_settings.weightTolerancePerCoordinate ? std::sqrt(static_cast<double>(sizes_.total())) : 1.0;
-  if (system_->searches()) system_->search(initial(), conditions_);
+  if (system_->searches()) {
+    system_->begin_history();
+    system_->search(initial(), conditions_);
+  }
   static const int cores = static_cast<int>(std::thread::hardware_concurrency());  // it takes a look into files
   system_->use_threads(std::min(settings_->parallel.numberOfThreads, cores));
   output.numberOfThreadsUsed = system_->threads();
@@ -228,7 +231,6 @@ void Solver::initial_conditions() {
     start_of_step() = current();
     while (next_step()) {
       save_start_of_step();
-      if (system_->searches()) [[unlikely]] system_->keep_history();
       take_step();
     }
   } catch (...) {
@@ -344,6 +346,7 @@ void Solver::update_current_time() {
 }
 
 void Solver::initialize_step() {
+  if (system_->searches()) [[unlikely]] system_->keep_history();
   update_current_time();
   current().time = it.currentTime;
   conditions_.step_size = it.currentStepSize;

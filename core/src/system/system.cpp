@@ -213,7 +213,8 @@ bool System::has_lie_nodes() const { return !parts_->lie_blocks.empty(); }
 std::span<const System::LieBlock> System::lie_blocks() const { return parts_->lie_blocks; }
 std::span<const double> System::static_signs() const { return parts_->static_signs; }
 bool System::has_discontinuities(const Conditions& conditions) const {
-  return parts_->has_history || (parts_->has_direct_history && !conditions.direct);
+  if (parts_->has_history || (parts_->has_direct_history && !conditions.direct)) return true;
+  return std::ranges::any_of(parts_->system_terms, [](const SystemTerm* term) { return term->has_history_of_steps(); });
 }
 bool System::has_switches() const { return parts_->has_switches; }
 

@@ -104,5 +104,21 @@ void System::keep_history() {
 void System::restore_history() {
   for (SystemTerm* term : parts_->system_terms) term->restore();
 }
+void System::begin_history() {
+  SystemParts& parts = *parts_;
+  evaluated_ = nullptr;
+  parts.update_ports(parts.evaluation(state(ConfigurationType::Initial), {}));
+  for (SystemTerm* term : parts.system_terms) term->begin_history(parts.ports);
+}
+
+std::vector<double> System::history() const {
+  std::vector<double> numbers;
+  for (const SystemTerm* term : parts_->system_terms) term->write_history(numbers);
+  return numbers;
+}
+
+bool System::take_history(std::span<const double> numbers) {
+  return std::ranges::all_of(parts_->system_terms, [&](SystemTerm* term) { return term->take_history(numbers); }) && numbers.empty();
+}
 
 }  // namespace dalembert

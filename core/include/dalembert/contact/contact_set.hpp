@@ -37,6 +37,13 @@ struct ContactTriangle {
   Triangle points;
 };
 
+// Tangential springs and dampers of contacts, as parts of those along the normal, and what holds at most, as a multiple of friction that slides.
+// Without stiffness there are none, and friction grows with the slip.
+struct ContactBristles {
+  double stiffness = 0, damping = 0, holding = 1;
+  bool grow() const { return stiffness > 0; }
+};
+
 // All that two surfaces make together.
 struct ContactPairing {
   double stiffness, damping, friction;
@@ -52,6 +59,7 @@ class ContactSet final : public SystemTermSource {
   int materials = 0;
   double proportional_zone = 1e-3;        // m/s
   double nearest_relative_distance = 1e-10;  // of a centre from a triangle, in radii: what is nearer has no direction
+  ContactBristles bristles;
   bool active = true, spheres_touch = true;
   std::uint64_t shapes = 0;  // counts changes of radii and triangles: who keeps anything made of them looks here
 

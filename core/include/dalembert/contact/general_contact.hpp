@@ -3,6 +3,7 @@
 //   list    pairs that are near each other: good until something has moved farther than the skin
 //   touch   pairs that overlap now and push: found from the list
 //   hold    what touched at the last search: the contacts of an implicit step, whose entries have slots
+//   grow    bristles of what touches, at the end of a step: the next one reads them
 //
 // Explicit integration asks for the forces of what touches; implicit solvers hold what touches during Newton's method, and iterate if
 // something has begun or ended to touch.
@@ -15,6 +16,7 @@
 #include <tuple>
 #include <vector>
 
+#include "dalembert/contact/bristle.hpp"
 #include "dalembert/contact/contact_set.hpp"
 #include "dalembert/contact/facet.hpp"
 #include "dalembert/contact/planar_cable.hpp"
@@ -30,6 +32,7 @@ struct HeldContact {
   int sphere = -1, other = -1;  // global number of a sphere with a larger number, of a cable, or of a triangle
   bool sticks = true;           // the slip was in the proportional zone
   Stretch1D along = {};         // of a cable: where it is in the circle
+  int bristle = -1;             // the number that its bristle has been known by
 };
 
 // What a line meets first.
@@ -64,6 +67,12 @@ class GeneralContact final : public SystemTerm {
   void switch_over(const Evaluation& evaluation, const Ports& ports, const double* before, double* data, double* lambda) override;
   void forget_switches() override { verges_before_.clear(); }
   bool forget() override;
+  bool has_history_of_steps() const override { return set_->bristles.grow(); }
+  void keep() override;
+  void restore() override { grown_ = false; }
+  void begin_history(const Ports& ports) override;
+  void write_history(std::vector<double>& numbers) const override;
+  bool take_history(std::span<const double>& numbers) override;
 
   // ---- questions, by frames in the ports ----
   // What touched at the last search, Newton iteration or `update`.
@@ -82,6 +91,8 @@ class GeneralContact final : public SystemTerm {
     Vec3<double> point, force;
   };
   std::vector<Push> pushes(const Ports& ports, ConfigurationType configuration);
+  // What another term of the same contacts remembers.
+  void take_bristles_of(const GeneralContact& other) { bristles_ = other.bristles_; }
 
  private:
   // Where a sphere and another thing meet.
@@ -103,7 +114,7 @@ class GeneralContact final : public SystemTerm {
   // Of what is near a sphere, with larger numbers: how many push and stick, and how near the next change is.
   struct Verge {
     int touching = 0, sticking = 0;
-    double open = std::numeric_limits<double>::infinity(), closed = open, slip = open;  // N, N, m/s
+    double open = std::numeric_limits<double>::infinity(), closed = open, slip = open;  // N, N, m/s or, of bristles, N
     void add(double margin);  // negative: it pushes
     void add_slip(double excess);
     double contact(const Verge& before) const;  // negative: other numbers than before
@@ -124,6 +135,7 @@ class GeneralContact final : public SystemTerm {
     int triangle = -1, rank = 0;        // 0: face, 1: edge, 2: corner
     Vec3<double> point, normal;         // in the frame of the carrier; the normal leads there from the centre of the sphere
     double distance = 0;
+    int bristle = -1;                   // the number that its bristle has been known by
   };
   // Spheres that follow each other: threads share chunks, which depend on the number of spheres alone, and so does the order of sums.
   struct Chunk {
@@ -136,6 +148,7 @@ class GeneralContact final : public SystemTerm {
     };
     std::vector<OnCarrier> on_carriers;
     std::vector<Found> found, kept;
+    std::vector<BristleList::Entry> grown;
   };
   template <class F>
   void each_chunk(const F& f) const;
@@ -147,6 +160,7 @@ class GeneralContact final : public SystemTerm {
   double moved() const;
   bool overlap(int sphere, int other) const;
   [[noreturn]] void refuse_same_centre(int sphere, int other) const;
+  void find_triangles(int sphere, Chunk& chunk) const;
   void touching_triangles(int sphere, Chunk& chunk) const;
   template <class F>
   void each_touch(Chunk& chunk, F&& f) const;
@@ -157,6 +171,25 @@ class GeneralContact final : public SystemTerm {
   Meeting<S> meet_triangle(int sphere, int triangle, const Vec3<S>& p0, const RigidFrame<S>& frame) const;
   template <class S>
   Vec3<S> force(const ContactPairing& pairing, const Meeting<S>& at, const Vec3<S>& velocity, std::optional<bool> sticks) const;
+
+  // A bristle now: what lies between its roots, and how much stronger it is than friction that slides.
+  template <class S>
+  struct Grip {
+    Vec3<S> span{};
+    double holding = 1;
+  };
+  template <class S>
+  Grip<S> grip_of(const Bristle* bristle, const Meeting<S>& at, const RigidFrame<S>& frame0, const RigidFrame<S>& frame1) const;
+  template <class S>
+  Vec3<S> gripping_force(const ContactPairing& pairing, const Meeting<S>& at, const Vec3<S>& velocity, const Grip<S>& grip) const;
+  template <class S>
+  Vec3<S> force_of(const HeldContact& contact, const Meeting<S>& at, const Vec3<S>& velocity, const RigidFrame<S>& frame0, const RigidFrame<S>& frame1) const;
+  const Bristle* bristle_of(const HeldContact& contact) const;
+  void pass_bristles_on(int sphere, std::vector<Found>& found) const;
+  double excess_of(const HeldContact& contact, const ContactPairing& pairing, const Meeting<double>& at, double pressure, const Ports& ports) const;
+  void add_gripping_pairs(int chunk, const Ports& ports) const;
+  Bristle bristle_after(const HeldContact& contact, const Meeting<double>& at, const Vec3<double>& velocity, double pressure, const Ports& ports) const;
+  void grow_bristles(const Ports& ports);
   ContactPairing pairing_of(const HeldContact& contact) const;
   Vec3<double> velocity_at(int marker, bool turns, const Vec3<double>& arm, const Ports& ports) const;
   struct Partner {
@@ -228,6 +261,9 @@ class GeneralContact final : public SystemTerm {
   mutable std::vector<Chunk> chunks_;
   Workers* workers_ = nullptr;
   std::vector<HeldContact> touching_;
+  BristleList bristles_;  // at the start of the step
+  std::vector<BristleList::Entry> grown_bristles_;
+  bool grown_ = false;  // those at its end are known
   mutable std::vector<Verge> verges_, verges_before_;  // by sphere: now, and after the last step; empty: not known
 };
 

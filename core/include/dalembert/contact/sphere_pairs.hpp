@@ -29,8 +29,13 @@ class SpherePairs {
   void take(const ContactSet& set);
   // Pairs to look at from now on; chunk c has spheres from begins[c] to begins[c + 1].
   void list(const SphereNeighbours& neighbours, std::span<const int> begins);
+  // What friction does: nothing, what is computed here, or what others add.
+  enum class Friction { none, of_slip, of_others };
   // Sets forces and moments of the spheres of a chunk to those of its pairs, and tells the square of the smallest distance of centres.
-  double compute(int chunk, const ContactSet& set, bool rubs);
+  double compute(int chunk, const ContactSet& set, Friction friction);
+  // Of the pairs of a chunk, in the order of its neighbours: which the first one is, and where what acts on the second sphere goes.
+  std::size_t first_pair(int chunk) const { return first_pair_[static_cast<std::size_t>(chunk)]; }
+  std::size_t place_of_second(std::size_t pair) const { return static_cast<std::size_t>(targets_[pair]); }
   // Adds what other chunks have left.
   void collect(int chunk, bool rubs);
 

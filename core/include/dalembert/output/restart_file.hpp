@@ -16,6 +16,7 @@ struct RestartData {
   double step_size = 0;                           // of the next step
   std::vector<double> run;    // what the loop over steps, then the solver, has to know besides
   std::vector<double> events;  // what is known of event functions
+  std::vector<double> history;  // of terms that are no items
   std::vector<double> files;  // lengths of the solution file and of files of sensors; negative: there is none
 };
 

@@ -158,6 +158,10 @@ class System {
   // History of such terms, which is no part of a state: a step begins, or begins again.
   void keep_history();
   void restore_history();
+  // ... a solution begins; numbers for a restart file, and from there. False: they belong to another system.
+  void begin_history();
+  std::vector<double> history() const;
+  bool take_history(std::span<const double> numbers);
 
   // Update data coordinates after a converged Newton loop (friction, contact, post-Newton user functions of items).
   // Items that switch may be left to `switch_over`.

@@ -42,6 +42,12 @@ class SystemTerm : public Term {
   // Drops what it has kept of earlier searches, on which the pattern depends; true: there was something.
   virtual bool forget() { return false; }
   virtual void restore() {}
+  // Whether it has history in explicit integration too: it is told after each step, as others are, by `post_newton`.
+  virtual bool has_history_of_steps() const { return false; }
+  // History at the start of a solution, and as numbers of a restart file, of which the first ones are taken off.
+  virtual void begin_history(const Ports&) {}
+  virtual void write_history(std::vector<double>& /*numbers*/) const {}
+  virtual bool take_history(std::span<const double>& /*numbers*/) { return true; }  // false: they do not fit
   // What it has found when it was told to switch over; it begins with what it finds next.
   virtual void forget_switches() {}
 
