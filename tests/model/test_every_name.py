@@ -220,6 +220,11 @@ def contact(add: str, **values: Any) -> Callable[[Any, Any], Any]:
     return call
 
 
+def seen_by_rays(mbs: Any) -> int:
+    mbs.AddGeneralContact()
+    return int(mbs.NumberOfGeneralContacts()) - 1
+
+
 # By function and parameter: the kind of item, and a call with it.
 CASES: dict[str, tuple[str, Callable[[Any, Any], Any]]] = {
     **{
@@ -332,9 +337,12 @@ CASES: dict[str, tuple[str, Callable[[Any, Any], Any]]] = {
     ),
     "CreateDistanceSensor.positionOrMarker": (
         "Marker",
-        lambda mbs, item: mbs.CreateDistanceSensor(0, item, [1, 0, 0]),
+        lambda mbs, item: mbs.CreateDistanceSensor(seen_by_rays(mbs), item, [1, 0, 0]),
     ),
-    "AddLidar.positionOrMarker": ("Marker", lambda mbs, item: robots.AddLidar(mbs, 0, item, numberOfSensors=3)),
+    "AddLidar.positionOrMarker": (
+        "Marker",
+        lambda mbs, item: robots.AddLidar(mbs, seen_by_rays(mbs), item, numberOfSensors=3),
+    ),
     "CreateRedundantCoordinateMBS.baseMarker": ("Marker", robot),
     "CreateRobot.baseMarker": ("Marker", lambda mbs, item: mbs.CreateRobot(ARM, baseMarker=item, graphics=False)),
     "MobileRobot2MBS.markerGround": ("Marker", vehicle),

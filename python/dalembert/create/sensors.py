@@ -88,7 +88,7 @@ TEXTS = {
         "searchTreeCellSize": "without effect, as the search finds its cells by itself",
     },
     "CreateDistanceSensor": {
-        "generalContactIndex": "contact whose spheres and triangles are seen, such as CreateDistanceSensorGeometry returns",
+        "generalContactIndex": "contact whose geometry is seen, such as CreateDistanceSensorGeometry returns",
         "positionOrMarker": "start of the ray: a point in the global frame (m), or a marker by its index or name",
         "dirSensor": "direction of the ray, of any length, in the frame of a rigid marker or else in the global frame",
         "minDistance": "least distance that counts (m); below zero, the ray looks backwards too",
