@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+import time
 from collections.abc import Iterator
 from typing import Any
 
@@ -193,3 +194,39 @@ def test_two_pages(model: Any, viewer: Viewer, browser: Browser, tab: Tab) -> No
     thread.join(20)
     assert not thread.is_alive()
     tab.wait("page.state.textContent === 'closed'")
+
+
+def test_other_views_have_windows_of_their_own(SC: Any, viewer: Viewer, tab: Tab) -> None:
+    """View 1 looks from above, and shows the brick where a camera there sees it; it is turned by itself."""
+    SC.visualizationSettings.view1.camera.clippingPlaneNormal = [0, 0, 1]
+    SC.renderer.SetModelView(zoom=1.0, centerPoint=[1, 0, 0], viewID=1)
+    assert tab.value("page.panes.length") == 0
+    SC.renderer.EnableView(1)
+    tab.wait("page.panes.length === 1")
+    seen = tab.value("page.panes[0].looking()")
+    assert seen["center"] == pytest.approx([1, 0, 0]) and seen["zoom"] == pytest.approx(1.0)
+    beside = "[box.x + box.width / 2 + 0.05 * box.height, box.y + 0.55 * box.height]"  # 0.1 from the middle, twice
+    middle = f"((box) => {beside})(page.panes[0].window.getBoundingClientRect())"
+    x, y = tab.value(middle)
+    hit = tab.wait(f"page.hit({x}, {y}, page.panes[0])")
+    assert hit["point"]["z"] == pytest.approx(-0.2, abs=1e-6)  # all that is above 0 has been cut away
+    tab.click(x, y)
+    tab.wait("document.querySelector('[data-name=details] h2')?.textContent === 'object 1'")
+    main = tab.value("JSON.stringify(page.looking())")
+    for kind, shift, pressed in [
+        ("mousePressed", 0, 0),
+        ("mouseMoved", 30, 1),
+        ("mouseMoved", 60, 1),
+        ("mouseReleased", 60, 0),
+    ]:
+        tab.call("Input.dispatchMouseEvent", type=kind, x=x + shift, y=y, button="left", buttons=pressed, clickCount=1)
+    tab.wait("page.panes[0].looking().rotation[0] < 0.99")
+    end = time.monotonic() + 20
+    while np.allclose(SC.renderer.GetState(viewID=1)["modelRotation"], np.eye(3)):
+        assert time.monotonic() < end
+    assert tab.value("JSON.stringify(page.looking())") == main
+    assert SC.renderer.GetState(viewID=1)["viewEnabled"] and not SC.renderer.GetState(viewID=2)["viewEnabled"]
+    SC.renderer.DisableView(1)
+    tab.wait("page.panes.length === 0 && document.querySelectorAll('.pane').length === 0")
+    tab.value("page.split(page.sides())")
+    tab.wait("page.panes.length === 3")

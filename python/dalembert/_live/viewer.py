@@ -75,7 +75,7 @@ class Viewer:
         self._messages: queue.SimpleQueue[tuple[int, dict[str, Any]]] = queue.SimpleQueue()
         self._calls: queue.SimpleQueue[Callable[[], object]] = queue.SimpleQueue()
         self._wake, self._released, self._stopped = threading.Event(), threading.Event(), threading.Event()
-        self._dirty = self._home = True
+        self._dirty = self._home = self._views = True
         self._paused = self._waits = False
         self._made = self._checked = self._next = 0.0
         self._known_settings = ""
@@ -114,6 +114,11 @@ class Viewer:
         self._dirty = True
         self._home = self._home or home
         self._wake.set()
+
+    def show_views(self) -> None:
+        """Let pages show the other views that are enabled, as the render state says."""
+        self._views = True
+        self.redraw()
 
     def set_camera(self) -> None:
         """Let pages look as the render state says."""
@@ -225,6 +230,19 @@ class Viewer:
         if self._home:
             self._home = False
             self.server.tell({"kind": "camera", "camera": _camera(camera())})
+        if self._views:
+            self._views = False
+            self.server.tell({"kind": "views", "views": self._other_views(scene)})
+
+    def _other_views(self, scene: Any) -> list[dict[str, Any]]:
+        """Return where the views beside the main one look from, as far as they are enabled."""
+        assert self.studio is not None
+        states = {number: state_of(self.container.renderer, number) for number in (1, 2, 3)}
+        return [
+            {"number": n, "camera": _camera(self.studio.camera(scene, n)), "clip": _clip(self.studio.view(n))}
+            for n, state in states.items()
+            if state.get("viewEnabled")
+        ]
 
     def _follow(self) -> bool:
         """Let the shadows follow their systems; return whether there is something new."""
@@ -262,7 +280,7 @@ class Viewer:
             "transparent": float(gl.faceTransparencyGlobal) if view.scene.facesTransparent else 1.0,
             "edges": bool(view.scene.showFaceEdges),
             "faces": bool(view.scene.showFaces),
-            "clip": [*(float(x) for x in view.camera.clippingPlaneNormal), float(view.camera.clippingPlaneDistance)],
+            "clip": _clip(view),
             "marks": bool(self.settings.interactive.advanced.selectionHighlights),
             "steps": [
                 float(self.settings.interactive.advanced.keypressTranslationStep),
@@ -283,7 +301,7 @@ class Viewer:
             self.server.tell({"kind": "notice", "text": f"{message['kind']}: {error}"}, page)
 
     def _on_opened(self, page: int, message: dict[str, Any]) -> None:
-        self._dirty = True
+        self._dirty = self._views = True
         self._tell_state(page)
         if self._controls:
             self.server.tell({"kind": "controls", **self._controls, "values": self.values}, page)
@@ -318,9 +336,13 @@ class Viewer:
         center, zoom = np.asarray(message["center"], float).reshape(3), float(message["zoom"])
         if not (np.isfinite(rotation).all() and np.isfinite(center).all() and 0 < zoom < np.inf):
             raise ValueError("expected finite numbers")
-        state_of(self.container.renderer, 0).update(
-            {"modelRotation": rotation.T.copy(), "centerPoint": center, "zoom": zoom}
-        )
+        number = int(message.get("view", 0))
+        if number not in range(4):
+            raise ValueError(f"expected a view from 0 to 3, received {number}")
+        state = state_of(self.container.renderer, number)
+        if number and not state.get("viewEnabled"):
+            return  # the page alone has it
+        state.update({"modelRotation": rotation.T.copy(), "centerPoint": center, "zoom": zoom})
 
     def _on_mouse(self, page: int, message: dict[str, Any]) -> None:
         self.mouse = [float(x) for x in message["pixels"]][:2]
@@ -414,6 +436,11 @@ class Viewer:
         outputs = details.outputs(mbs, kind, number)
         title = f"{kind.lower()} {number}"
         self.server.tell({"kind": "details", "title": title, "parameters": parameters, "outputs": outputs})
+
+
+def _clip(view: Any) -> list[float]:
+    """Return normal and distance of the plane that cuts a view."""
+    return [*(float(x) for x in view.camera.clippingPlaneNormal), float(view.camera.clippingPlaneDistance)]
 
 
 def _camera(seen: Camera) -> dict[str, Any]:

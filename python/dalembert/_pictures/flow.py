@@ -85,7 +85,7 @@ def _along(begin: FloatArray, axes: FloatArray, lengths: FloatArray) -> FloatArr
 class Stuck:
     """Parts that stand in frames: in which, and where."""
 
-    def __init__(self, index: IntArray, local: FloatArray) -> None:
+    def __init__(self, index: Any, local: FloatArray) -> None:
         self._index, self._local = index, local
         self._chosen = _range(index) if len(index) and np.abs(local - np.eye(3, 4)).max() < 1e-12 else None
 

@@ -106,11 +106,17 @@ def DoIdleTasks(self: Any, waitSeconds: float = -1.0, printPauseMessage: bool = 
 
 
 def EnableView(self: Any, viewID: int, createWindow: bool = True) -> None:
-    """Do nothing: images of all views can be made at any time, and any number of pages can be opened."""
+    """Show a view from 1 to 3 beside the main one on pages, in a window of its own, unless createWindow is False."""
+    number = _view_number("EnableView", viewID)
+    state_of(self, number)["viewEnabled"] = bool(createWindow)
+    _tell_pages(self, number)
 
 
 def DisableView(self: Any, viewID: int) -> None:
-    """Do nothing: images of all views can be made at any time."""
+    """Let pages show this view no longer; the main one stays, and images of all views can be made at any time."""
+    number = _view_number("DisableView", viewID)
+    state_of(self, number)["viewEnabled"] = False
+    _tell_pages(self, number)
 
 
 def SendRedrawSignal(self: Any) -> None:
@@ -139,10 +145,14 @@ def RedrawAndSaveImage(self: Any, viewID: int = 0) -> None:
 
 
 def _tell_pages(renderer: Any, number: int) -> None:
-    """Let pages look from where the main view does."""
-    viewer = _viewer(renderer) if number == 0 else None
-    if viewer is not None:
+    """Let pages look from where a view does."""
+    viewer = _viewer(renderer)
+    if viewer is None:
+        return
+    if number == 0:
         viewer.set_camera()
+    else:
+        viewer.show_views()
 
 
 def ZoomAll(self: Any, computeMaxScene: bool = True, viewID: int = 0) -> None:
@@ -181,9 +191,10 @@ def GetState(self: Any, viewID: int = 0) -> dict[str, Any]:
     studio = _studio(self, "GetState")
     known = {"zoom", "modelRotation", "centerPoint"} <= state_of(self, number).keys()
     seen = studio.camera(Scene() if known else studio.scene(), number)
+    is_open = IsActive(self) and (number == 0 or bool(state_of(self, number).get("viewEnabled")))
     result: dict[str, Any] = {
-        "viewEnabled": number == 0 and IsActive(self),
-        "windowOpen": number == 0 and IsActive(self),
+        "viewEnabled": is_open,
+        "windowOpen": is_open,
         "centerPoint": seen.center,
         "rotationCenterPoint": np.zeros(3),
         "maxSceneSize": max((maker.looks.size for maker in studio.makers), default=1.0),
@@ -216,6 +227,7 @@ def SetState(self: Any, renderState: dict[str, Any], waitForRendererFullStartup:
 def ResetState(self: Any) -> None:
     """Forget the views; the settings say the next ones."""
     self._state.clear()
+    _tell_pages(self, 1)
 
 
 def GetRenderCount(self: Any) -> int:

@@ -1,4 +1,5 @@
 // The live page: it shows what the viewer sends, tells when it has drawn it, and passes on keys, choices and views.
+import { Pane } from "./panes.js";
 import { Panels } from "./panels.js";
 import { lines, mesh, spheres } from "./shapes.js";
 import { View, element } from "./view.js";
@@ -13,6 +14,11 @@ const NAMES = { 1: "x, y", 2: "x, z", 3: "y, z", 4: "y, x", 5: "z, x", 6: "z, y"
 const SENT = 100; // ms between what is told of mouse and view
 
 const cross = ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b * x];
+
+function rows(number, behind = false) {
+  const [right, up] = PLANES[number], side = behind ? right.map((part) => -part) : right;
+  return [...side, ...up, ...cross(side, up)];
+}
 
 export class Live extends View {
   // `link` reaches the viewer, `keys` is what they are taken from, `first` is called before the first picture.
@@ -45,6 +51,7 @@ export class Live extends View {
     };
     choice("view", [["home", "all (A)"], ...Object.entries(NAMES), ...Object.entries(NAMES).map(([n, name]) => [-n, `${name}, from behind`])],
       (value) => (value === "home" ? this.home() : this.plane(Math.abs(value), value < 0)));
+    choice("views", [["one", "one"], ["four", "three more"]], (value) => this.split(value === "one" ? [] : this.sides()));
     choice("show", [...GROUPS.map(([key, name]) => [key, `${name} (${key.toUpperCase()})`]), ...GROUPS.map(([key, name]) => [`${key}#`, `numbers of ${name}`])],
       (value) => this.press(value[0], value.length > 1));
     button("faces", "faces, transparent faces, edges (T)", () => this.press("t"));
@@ -60,6 +67,20 @@ export class Live extends View {
   extent() {
     const { center, zoom } = this.looking();
     return { center, size: 2 * zoom };
+  }
+
+  // Show these other views: number, camera, plane that cuts.
+  split(views) {
+    for (const pane of this.panes) pane.end();
+    this.panes = views.map(({ number, camera, clip }) => new Pane(this, number, camera, clip));
+    this.place.classList.toggle("split", views.length > 0); // the bar of colors makes room
+    this.wish();
+  }
+
+  // What is seen from the front, from the right and from above.
+  sides() {
+    const now = this.looking();
+    return [1, 3, 2].map((plane, i) => ({ number: i + 1, camera: { ...now, rotation: rows(plane) }, clip: this.clip ?? [0, 0, 0, 0] }));
   }
 
   opened() {
@@ -135,6 +156,7 @@ export class Live extends View {
         this.pause.textContent = words.text && words.text !== "solving" ? "▶" : "❚❚";
       },
       camera: () => this.lead(words.camera),
+      views: () => this.split(words.views),
       notice: () => (this.notice.textContent = words.text),
       stopped: () => ((this.stopped = true), (this.state.textContent = "closed")),
       alive: () => this.send("alive"),
@@ -168,8 +190,7 @@ export class Live extends View {
   }
 
   plane(number, behind) {
-    const [right, up] = PLANES[number], side = behind ? right.map((part) => -part) : right;
-    this.look({ ...this.looking(), rotation: [...side, ...up, ...cross(side, up)] });
+    this.look({ ...this.looking(), rotation: rows(number, behind) });
   }
 
   pick(hit, full) {
@@ -178,9 +199,9 @@ export class Live extends View {
     else this.send("select", { item: -1, scene: this.number, depth: 0 }), this.panels.close("details");
   }
 
-  point(event) {
-    super.point(event);
-    this.mouse = event;
+  point(event, pane) {
+    super.point(event, pane);
+    if (!pane) this.mouse = event;
   }
 
   // Mouse and view, now and then.
@@ -192,6 +213,10 @@ export class Live extends View {
     }
     if (this.turned && this.frames) this.send("camera", this.looking());
     this.turned = false;
+    for (const pane of this.panes) {
+      if (pane.turned && this.frames) this.send("camera", { ...pane.looking(), view: pane.number });
+      pane.turned = false;
+    }
   }
 
   press(key, numbers = false) {

@@ -7,7 +7,7 @@ import {
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { axes } from "./axes.js";
 
-const FIELD = 30; // degrees, of the camera
+export const FIELD = 30; // degrees, of the camera
 const HALF = Math.tan((FIELD / 2) * (Math.PI / 180));
 const CLICK = 4; // pixels that the mouse may move in a click
 
@@ -15,9 +15,39 @@ export function element(parent, tag, properties = {}) {
   return parent.appendChild(Object.assign(document.createElement(tag), properties));
 }
 
+// The rows of the rotation are right, up and towards the viewer; zoom is half the height that is seen.
+export function look(camera, controls, { rotation, center, zoom }) {
+  const towards = new Vector3(...rotation.slice(6, 9)), middle = new Vector3(...center), distance = zoom / HALF;
+  const up = rotation.slice(3, 6), main = up.map(Math.abs).indexOf(Math.max(...up.map(Math.abs)));
+  const upright = Math.abs(rotation[main]) < 1e-6; // it stays so when it is turned by mouse
+  camera.up.set(...(upright ? up.map((part, i) => (i === main ? Math.sign(part) : 0)) : up));
+  controls._quat?.setFromUnitVectors(camera.up, new Vector3(0, 1, 0)); // three.js looks at `up` once only
+  controls._quatInverse?.copy(controls._quat).invert();
+  camera.position.copy(middle).addScaledVector(towards, distance);
+  Object.assign(camera, { near: distance / 200, far: distance * 50 });
+  camera.updateProjectionMatrix();
+  controls.target.copy(middle);
+  controls.update();
+}
+
+// The same numbers of a view as it is.
+export function looking(camera, controls) {
+  camera.updateMatrixWorld();
+  const right = new Vector3(), up = new Vector3(), towards = new Vector3();
+  camera.matrixWorld.extractBasis(right, up, towards);
+  const zoom = camera.position.distanceTo(controls.target) * HALF;
+  return { rotation: [...right, ...up, ...towards], center: [...controls.target], zoom };
+}
+
+// What leaves out that which is beyond a plane, on the side to which its normal points; no normal, no plane.
+export function planes(x, y, z, distance) {
+  const normal = new Vector3(x, y, z), length = normal.length();
+  return length ? [new Plane(normal.divideScalar(-length), distance)] : [];
+}
+
 export class View {
   constructor(place) {
-    Object.assign(this, { place, objects: [], items: [], marks: true, drawn: 0, background: [1, 1, 1], picked: null, ends: [] });
+    Object.assign(this, { place, objects: [], items: [], marks: true, drawn: 0, background: [1, 1, 1], picked: null, ends: [], panes: [] });
     this.renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
     this.renderer.setPixelRatio(window.devicePixelRatio);
     this.canvas = this.renderer.domElement;
@@ -48,7 +78,9 @@ export class View {
     const key = new DirectionalLight(0xffffff, 1.6), fill = new DirectionalLight(0xffffff, 0.5);
     key.position.set(-0.5, 0.8, 1.1);
     fill.position.set(0.9, 0.1, 0.6);
-    for (const lamp of [key, fill]) this.camera.add(lamp, lamp.target), lamp.target.position.set(0, 0, -1);
+    for (const lamp of [key, fill]) lamp.target.position.set(0, 0, -1);
+    this.lamps = [key, key.target, fill, fill.target]; // they turn with the reader
+    this.camera.add(...this.lamps);
     this.scene.add(this.camera);
   }
 
@@ -75,29 +107,13 @@ export class View {
     this.wish();
   }
 
-  // The rows of the rotation are right, up and towards the viewer; zoom is half the height that is seen.
-  look({ rotation, center, zoom }) {
-    const towards = new Vector3(...rotation.slice(6, 9)), middle = new Vector3(...center), distance = zoom / HALF;
-    const up = rotation.slice(3, 6), main = up.map(Math.abs).indexOf(Math.max(...up.map(Math.abs)));
-    const upright = Math.abs(rotation[main]) < 1e-6; // it stays so when it is turned by mouse
-    this.camera.up.set(...(upright ? up.map((part, i) => (i === main ? Math.sign(part) : 0)) : up));
-    this.controls._quat?.setFromUnitVectors(this.camera.up, new Vector3(0, 1, 0)); // three.js looks at `up` once only
-    this.controls._quatInverse?.copy(this.controls._quat).invert();
-    this.camera.position.copy(middle).addScaledVector(towards, distance);
-    Object.assign(this.camera, { near: distance / 200, far: distance * 50 });
-    this.camera.updateProjectionMatrix();
-    this.controls.target.copy(middle);
-    this.controls.update();
+  look(seen) {
+    look(this.camera, this.controls, seen);
     this.wish();
   }
 
-  // The same numbers of the view as it is.
   looking() {
-    this.camera.updateMatrixWorld();
-    const right = new Vector3(), up = new Vector3(), towards = new Vector3();
-    this.camera.matrixWorld.extractBasis(right, up, towards);
-    const zoom = this.camera.position.distanceTo(this.controls.target) * HALF;
-    return { rotation: [...right, ...up, ...towards], center: [...this.controls.target], zoom };
+    return looking(this.camera, this.controls);
   }
 
   contour(contour, range) {
@@ -135,10 +151,8 @@ export class View {
     this.wish();
   }
 
-  // Leave out what is beyond a plane, on the side to which its normal points; no normal, no plane.
   cut(x, y, z, distance) {
-    const normal = new Vector3(x, y, z), length = normal.length();
-    this.renderer.clippingPlanes = length ? [new Plane(normal.divideScalar(-length), distance)] : [];
+    this.renderer.clippingPlanes = planes(x, y, z, distance);
     this.wish();
   }
 
@@ -152,11 +166,11 @@ export class View {
     Object.assign(document.createElement("a"), { href: this.canvas.toDataURL(), download: "picture.png" }).click();
   }
 
-  // What is at a place of the window: number of the item, point, distance; null if there is nothing.
-  hit(x, y) {
-    const box = this.canvas.getBoundingClientRect(), ray = new Raycaster();
-    ray.setFromCamera(new Vector2(((x - box.left) / box.width) * 2 - 1, 1 - ((y - box.top) / box.height) * 2), this.camera);
-    const planes = this.renderer.clippingPlanes;
+  // What is at a place of the window: number of the item, point, distance; null if there is nothing. `pane`: as it is seen there.
+  hit(x, y, pane) {
+    const box = (pane?.window ?? this.canvas).getBoundingClientRect(), ray = new Raycaster();
+    ray.setFromCamera(new Vector2(((x - box.left) / box.width) * 2 - 1, 1 - ((y - box.top) / box.height) * 2), (pane ?? this).camera);
+    const planes = pane ? pane.clip : this.renderer.clippingPlanes;
     const hits = ray.intersectObjects(this.objects.filter((object) => object.isMesh && object.material.visible), false);
     const found = hits.find(({ point }) => planes.every((plane) => plane.distanceToPoint(point) >= 0));
     if (!found) return null;
@@ -164,8 +178,8 @@ export class View {
     return { number: object.userData.items[instanceId ?? 0], point, distance };
   }
 
-  itemAt(x, y) {
-    const hit = this.hit(x, y);
+  itemAt(x, y, pane) {
+    const hit = this.hit(x, y, pane);
     return hit && this.items[hit.number];
   }
 
@@ -176,11 +190,11 @@ export class View {
     return [box.left + ((x + 1) / 2) * box.width, box.top + ((1 - y) / 2) * box.height];
   }
 
-  point(event) {
+  point(event, pane) {
     if (event.buttons) return;
-    const item = this.itemAt(event.clientX, event.clientY);
+    const item = this.itemAt(event.clientX, event.clientY, pane), box = this.place.getBoundingClientRect();
     this.hint.textContent = item ? `${item[0].toLowerCase()} ${item[1]}: ${item[3]} (${item[0]}${item[2]})` : "";
-    this.hint.style.transform = `translate(${event.offsetX + 14}px, ${event.offsetY + 10}px)`;
+    this.hint.style.transform = `translate(${event.clientX - box.left + 14}px, ${event.clientY - box.top + 10}px)`;
   }
 
   isClick(event) {
@@ -188,8 +202,8 @@ export class View {
   }
 
   // With shift, the two ends of a distance; otherwise an item.
-  click(event) {
-    const hit = this.hit(event.clientX, event.clientY);
+  click(event, pane) {
+    const hit = this.hit(event.clientX, event.clientY, pane);
     if (event.shiftKey) this.measure(hit);
     else this.pick(hit, event.button === 2);
   }
@@ -280,6 +294,7 @@ export class View {
     this.ended = true;
     this.watcher.disconnect();
     this.controls.dispose();
+    for (const pane of this.panes) pane.end();
     this.replace([], []);
     this.renderer.dispose();
     this.renderer.forceContextLoss();
@@ -292,6 +307,7 @@ export class View {
     if (!this.wanted) return;
     this.wanted = false;
     this.renderer.render(this.scene, this.camera);
+    for (const pane of this.panes) pane.render();
     this.axes(this.camera);
     this.placeLabels();
     this.drawn += 1;
