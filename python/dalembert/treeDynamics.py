@@ -40,6 +40,9 @@ class TreeDynamics:
         mbs, number = _assembled(tree) if objectNumber is None else (tree, objectNumber)
         self._functions = _TreeFunctions(mbs, number)
         self.numberOfLinks: int = self._functions.links()
+        self._masses, self._centers = (
+            np.asarray(mbs.GetObjectParameter(number, name), dtype=float) for name in ("linkMasses", "linkCOMs")
+        )
         self.linkNumbers: dict[str, int] = {
             name: i
             for parameter in ("jointNames", "linkNames")  # where a link and another joint have one name: the link
@@ -85,10 +88,25 @@ class TreeDynamics:
         (q,), shape = self._states(q=q)
         return self._functions.mass_matrix(q).reshape(*shape, self.numberOfLinks, self.numberOfLinks)
 
+    def MassMatrixDerivatives(self, q: npt.ArrayLike) -> FloatArray:
+        """Return the derivatives of the mass matrix by q, n x n x n: the last axis counts the coordinate."""
+        q = np.asarray(q, dtype=float)[..., None, :]  # accelerations of one joint after the other: the columns
+        by_q = self._inertiaDerivatives(q, np.eye(self.numberOfLinks))
+        return np.asarray(np.swapaxes(by_q, -3, -2))
+
+    def _inertiaDerivatives(self, q: npt.ArrayLike, a: npt.ArrayLike) -> FloatArray:
+        """Return the derivatives of M(q) a by q."""
+        rest = np.zeros(self.numberOfLinks)
+        with_a, without = (self.InverseDynamicsDerivatives(q, rest, given)[0] for given in (a, rest))
+        return np.asarray(with_a - without)
+
     def InverseDynamicsDerivatives(
         self, q: npt.ArrayLike, v: npt.ArrayLike, a: npt.ArrayLike
     ) -> tuple[FloatArray, FloatArray]:
-        """Return the derivatives of the joint forces by q and by v, n x n each; that by a is the mass matrix."""
+        """Return the derivatives of the joint forces by q and by v, n x n each; that by a is the mass matrix.
+
+        Without accelerations, they are those of BiasForces.
+        """
         (q, v, a), shape = self._states(q=q, v=v, a=a)
         by_q, by_v = self._functions.derivatives(q, v, a)
         n = self.numberOfLinks
@@ -120,17 +138,46 @@ class TreeDynamics:
         local = as_vector("TreeDynamics: localPosition", localPosition, 3)
         return self._functions.jacobian(q, number, local).reshape(*shape, 6, self.numberOfLinks)
 
+    def JacobianDerivatives(
+        self, q: npt.ArrayLike, linkNumber: int | str, localPosition: npt.ArrayLike = [0, 0, 0]
+    ) -> FloatArray:
+        """Return the derivatives of the Jacobian by q, 6 x n x n: the last axis counts the coordinate."""
+        J = self.Jacobian(q, linkNumber, localPosition)
+        velocity, spin = np.swapaxes(J[..., :3, :], -1, -2), np.swapaxes(J[..., 3:, :], -1, -2)
+        # A joint turns all columns of joints behind it, and itself; where it is behind, it moves the point.
+        turned = [np.cross(spin[..., None, :, :], of[..., :, None, :]) for of in (velocity, spin)]
+        moved = np.cross(spin[..., :, None, :], velocity[..., None, :, :])
+        behind = np.triu(np.ones((self.numberOfLinks, self.numberOfLinks)), 1)[:, :, None]
+        rows = [turned[0] * (1 - behind) + moved * behind, turned[1] * (1 - behind)]
+        return np.concatenate([np.moveaxis(part, -1, -3) for part in rows], axis=-3)
+
     def CenterOfMass(self, q: npt.ArrayLike) -> FloatArray:
         """Return the centre of mass of all links (m), in the global frame."""
         (q,), shape = self._states(q=q)
         return self._functions.centre_of_mass(q).reshape(*shape, 3)
+
+    def CenterOfMassJacobian(self, q: npt.ArrayLike) -> FloatArray:
+        """Return the derivatives of the centre of mass by q, 3 x n: its velocity by joint velocities."""
+        weighted = (
+            mass * self.Jacobian(q, i, self._centers[i])[..., :3, :] for i, mass in enumerate(self._masses) if mass
+        )
+        return np.asarray(sum(weighted) / self._masses.sum())
 
     def KineticEnergy(self, q: npt.ArrayLike, v: npt.ArrayLike) -> FloatArray:
         """Return the kinetic energy (J)."""
         (q, v), shape = self._states(q=q, v=v)
         return self._functions.kinetic_energy(q, v).reshape(shape)
 
+    def KineticEnergyDerivatives(self, q: npt.ArrayLike, v: npt.ArrayLike) -> tuple[FloatArray, FloatArray]:
+        """Return the derivatives of the kinetic energy by q, and by v, which are the momenta of the joints."""
+        momenta = self.InverseDynamics(q, np.zeros(self.numberOfLinks), v) - self.GravityForces(q)
+        by_q = 0.5 * np.einsum("...i,...ij->...j", np.asarray(v, dtype=float), self._inertiaDerivatives(q, v))
+        return by_q, momenta
+
     def PotentialEnergy(self, q: npt.ArrayLike) -> FloatArray:
-        """Return the potential energy of the weight (J); zero where the centre of mass is in the global origin."""
+        """Return the potential energy of the weight (J); zero where the centre of mass is in the global origin.
+
+        Its derivatives by q are GravityForces.
+        """
         (q,), shape = self._states(q=q)
         return self._functions.potential_energy(q).reshape(shape)

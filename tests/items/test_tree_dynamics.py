@@ -80,6 +80,29 @@ def test_derivatives_are_those_of_differences() -> None:
                 assert derivative[..., k] == pytest.approx(difference, abs=1e-7 * scale)
 
 
+def test_derivatives_of_inertia_places_and_energies() -> None:
+    """Against differences, whose error is of the order of h^2 = 1e-10; rounding makes 1e-16 / h = 1e-11."""
+    links = random_links(4, 7)
+    tree = tree_of(links)
+    q, v, _ = states(links, 2)
+    h, last, point = 1e-5, len(links) - 1, [0.3, -0.2, 0.1]
+    kinetic_by_q, kinetic_by_v = tree.KineticEnergyDerivatives(q, v)
+    found = [
+        (tree.MassMatrix, tree.MassMatrixDerivatives(q)),
+        (lambda q: tree.Jacobian(q, last, point), tree.JacobianDerivatives(q, last, point)),
+        (tree.CenterOfMass, tree.CenterOfMassJacobian(q)),
+        (lambda q: tree.KineticEnergy(q, v), kinetic_by_q),
+        (tree.PotentialEnergy, tree.GravityForces(q)),
+    ]
+    for of, derivatives in found:
+        assert np.abs(derivatives).max() > 0.1
+        for k, step in enumerate(h * np.eye(7)):
+            difference = (of(q + step) - of(q - step)) / (2 * h)
+            assert derivatives[..., k] == pytest.approx(difference, abs=1e-8 * (1 + np.abs(difference).max()))
+    assert kinetic_by_v == pytest.approx(np.einsum("...ij,...j->...i", tree.MassMatrix(q), v), rel=1e-11)
+    assert tree.JacobianDerivatives(q[0], last).shape == (6, 7, 7) and tree.CenterOfMassJacobian(q[0]).shape == (3, 7)
+
+
 @pytest.mark.parametrize("link", [0, 4, 6])
 def test_jacobian_is_the_derivative_of_the_frame(link: int) -> None:
     links = random_links(4, 7)
