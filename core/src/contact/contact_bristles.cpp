@@ -74,10 +74,10 @@ double GeneralContact::excess_of(const HeldContact& c, const ContactPairing& pai
 Bristle GeneralContact::bristle_after(const HeldContact& c, const Meeting<double>& at, const Vec3<double>& velocity, double pressure, const Ports& ports) const {
   const RigidFrame<double> frame0 = frame_of(sphere(c.sphere).marker, ports), frame1 = frame_of(partner_of(c).marker, ports);
   const ContactPairing pairing = pairing_of(c);
-  const Grip<double> grip = grip_of(bristle_of(c), at, frame0, frame1);
+  const Bristle* before = bristle_of(c);
+  const Grip<double> grip = grip_of(before, at, frame0, frame1);
   const double stiffness = set_->bristles.stiffness * pairing.stiffness, longest = pairing.friction * grip.holding * pressure / stiffness;
   const Vec3<double> stretch = grip.span - dot(at.normal, grip.span) * at.normal, after = at_most(stretch, longest);
-  const Bristle* before = bristle_of(c);
   const bool gives_way = dot(stretch, stretch) > longest * longest, still_slides = before != nullptr && before->slides && dot(stretch, velocity) > 0;
   return {transposed_times(frame0.rotation, at.arm0 - 0.5 * after), transposed_times(frame1.rotation, at.arm1 + 0.5 * after), gives_way || still_slides};
 }
@@ -135,6 +135,7 @@ bool GeneralContact::take_history(std::span<const double>& numbers) {
   for (std::size_t i = 0; i < count; ++i) {
     const double* x = numbers.data() + numbers_per_bristle * i;
     if (!(x[0] >= 0 && x[0] < x[1] && x[0] < spheres() && x[1] < things)) return false;
+    if (!entries.empty() && x[0] < entries.back().sphere) return false;
     entries.push_back({static_cast<int>(x[0]), static_cast<int>(x[1]), {{x[3], x[4], x[5]}, {x[6], x[7], x[8]}, x[2] != 0}});
   }
   numbers = numbers.subspan(numbers_per_bristle * count);

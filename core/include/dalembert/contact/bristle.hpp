@@ -2,8 +2,9 @@
 // the plane of contact stretches it; it gives way where it would pull stronger than friction can.
 #pragma once
 
-#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -25,10 +26,9 @@ class BristleList {
   };
 
   std::span<const Entry> of(int sphere) const {
-    const auto first = std::ranges::lower_bound(entries_, sphere, {}, &Entry::sphere);
-    auto last = first;
-    while (last != entries_.end() && last->sphere == sphere) ++last;
-    return {first, last};
+    const auto i = static_cast<std::size_t>(sphere);
+    if (i + 1 >= first_.size()) return {};
+    return {entries_.data() + first_[i], first_[i + 1] - first_[i]};
   }
   const Bristle* find(int sphere, int other) const {
     for (const Entry& entry : of(sphere))
@@ -38,11 +38,20 @@ class BristleList {
   const std::vector<Entry>& all() const { return entries_; }
   bool empty() const { return entries_.empty(); }
   // Takes the place of what was known; the memory goes back and forth.
-  void take(std::vector<Entry>& entries) { entries_.swap(entries); }
-  void clear() { entries_.clear(); }
+  void take(std::vector<Entry>& entries) {
+    entries_.swap(entries);
+    first_.assign(entries_.empty() ? 0 : static_cast<std::size_t>(entries_.back().sphere) + 2, 0);
+    for (const Entry& entry : entries_) ++first_[static_cast<std::size_t>(entry.sphere) + 1];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  }
+  void clear() {
+    entries_.clear();
+    first_.clear();
+  }
 
  private:
   std::vector<Entry> entries_;
+  std::vector<std::size_t> first_;  // of each sphere; those of the last one that has any end with the list
 };
 
 // A vector, or its direction with the given length if it is longer.
