@@ -274,6 +274,7 @@ def test_rays_of_lidars_form_a_fan():
     import dalembert as exu
 
     mbs = exu.SystemContainer().AddSystem()
+    mbs.AddGeneralContact()
     sensors = AddLidar(
         mbs, 0, [1, 2, 3], numberOfSensors=5, angleEnd=np.pi, inclination=0.1, lineLength=2, addGraphicsObject=False
     )
