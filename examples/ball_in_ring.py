@@ -77,7 +77,7 @@ settings.timeIntegration.endTime = 4
 settings.timeIntegration.numberOfSteps = 4000
 settings.timeIntegration.generalizedAlpha.spectralRadius = 0.6
 settings.solutionSettings.sensorsWritePeriod = 1e-3
-settings.solutionSettings.writeSolutionToFile = False
+settings.solutionSettings.solutionWritePeriod = settings.timeIntegration.endTime / 60
 mbs.SolveDynamic(settings)
 
 
@@ -97,3 +97,5 @@ mbs.PlotSensor(way, components=0, yLabel="way of the ball (m)", labels="ball", f
 shown = mbs.GetSystemContainer().visualizationSettings
 shown.nodes.show = shown.markers.show = shown.connectors.show = shown.loads.show = False
 mbs.Draw(fileName="ring_picture.png")
+in_a_second = settings.timeIntegration.endTime / 3
+mbs.DrawSolution(fileName="ring_motion.gif", windowSize=[420, 320], framesPerSecond=20, speed=in_a_second)

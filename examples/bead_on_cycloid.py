@@ -70,7 +70,7 @@ mbs.Assemble()
 settings = exu.SimulationSettings()
 settings.timeIntegration.endTime = 1.2 * time
 settings.timeIntegration.numberOfSteps = 1200
-settings.solutionSettings.writeSolutionToFile = False
+settings.solutionSettings.solutionWritePeriod = settings.timeIntegration.endTime / 60
 mbs.SolveDynamic(settings)
 
 lowest = 4 * a - arc[0]
@@ -85,3 +85,11 @@ mbs.PlotSensor(
 shown = mbs.GetSystemContainer().visualizationSettings
 shown.nodes.show = shown.markers.show = shown.loads.show = shown.sensors.show = shown.connectors.show = False
 mbs.Draw(fileName="beads_picture.png", view=[[1, 0, 0], [0, 0, 1], [0, -1, 0]])
+in_a_second = settings.timeIntegration.endTime / 3
+mbs.DrawSolution(
+    fileName="beads_motion.gif",
+    windowSize=[420, 320],
+    framesPerSecond=20,
+    speed=in_a_second,
+    view=[[1, 0, 0], [0, 0, 1], [0, -1, 0]],
+)

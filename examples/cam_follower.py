@@ -96,7 +96,7 @@ settings.timeIntegration.endTime = end
 settings.timeIntegration.numberOfSteps = 4000
 settings.timeIntegration.generalizedAlpha.spectralRadius = 0.6
 settings.solutionSettings.sensorsWritePeriod = 1e-3
-settings.solutionSettings.writeSolutionToFile = False
+settings.solutionSettings.solutionWritePeriod = settings.timeIntegration.endTime / 60
 mbs.SolveDynamic(settings)
 
 t, y = mbs.GetSensorStoredData(place)[:, [0, 2]].T
@@ -108,3 +108,5 @@ mbs.PlotSensor(place, components=1, yLabel="height of the valve (m)", fileName="
 shown = mbs.GetSystemContainer().visualizationSettings
 shown.nodes.show = shown.markers.show = shown.sensors.show = False
 mbs.Draw(fileName="cam_picture.png")
+in_a_second = settings.timeIntegration.endTime / 3
+mbs.DrawSolution(fileName="cam_motion.gif", windowSize=[420, 320], framesPerSecond=20, speed=in_a_second)

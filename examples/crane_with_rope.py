@@ -60,12 +60,12 @@ sensor = mbs.AddSensor(
 mbs.Assemble()
 
 settings = exu.SimulationSettings()
-settings.solutionSettings.writeSolutionToFile = False
 settings.solutionSettings.sensorsWritePeriod = 0.02
 settings.staticSolver.verboseMode = 0
 settings.timeIntegration.verboseMode = 0
 mbs.SolveStatic(settings, updateInitialValues=True)  # the rope gets longer
 settings.timeIntegration.endTime = end
+settings.solutionSettings.solutionWritePeriod = settings.timeIntegration.endTime / 60
 settings.timeIntegration.numberOfSteps = 4000
 mbs.SolveDynamic(settings)
 
@@ -88,3 +88,5 @@ SC = mbs.GetSystemContainer()
 shown = SC.visualizationSettings
 shown.nodes.show = shown.markers.show = shown.loads.show = shown.connectors.show = False
 mbs.Draw(fileName="crane_picture.png")
+in_a_second = settings.timeIntegration.endTime / 3
+mbs.DrawSolution(fileName="crane_motion.gif", windowSize=[420, 320], framesPerSecond=20, speed=in_a_second)

@@ -78,7 +78,7 @@ settings = exu.SimulationSettings()
 settings.timeIntegration.endTime = rest + ramp + 2.0
 settings.timeIntegration.numberOfSteps = 2000
 settings.timeIntegration.generalizedAlpha.spectralRadius = 0.8
-settings.solutionSettings.writeSolutionToFile = False
+settings.solutionSettings.solutionWritePeriod = settings.timeIntegration.endTime / 60
 settings.solutionSettings.sensorsWritePeriod = 5e-3
 mbs.SolveDynamic(settings)
 
@@ -92,3 +92,7 @@ mbs.PlotSensor(
 shown = mbs.GetSystemContainer().visualizationSettings
 shown.nodes.show = shown.markers.show = shown.loads.show = shown.sensors.show = False
 mbs.Draw(fileName="governor_picture.png", view="axonometric")
+in_a_second = settings.timeIntegration.endTime / 3
+mbs.DrawSolution(
+    fileName="governor_motion.gif", windowSize=[420, 320], framesPerSecond=20, speed=in_a_second, view="axonometric"
+)

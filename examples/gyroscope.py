@@ -57,10 +57,12 @@ settings = exu.SimulationSettings()
 settings.timeIntegration.endTime = 2
 settings.timeIntegration.numberOfSteps = 8000
 settings.solutionSettings.sensorsWritePeriod = 1e-3
-settings.solutionSettings.writeSolutionToFile = False
+settings.solutionSettings.solutionWritePeriod = settings.timeIntegration.endTime / 60
 mbs.SolveDynamic(settings)
 
 mbs.Draw(fileName="gyroscope_picture.png")
+in_a_second = settings.timeIntegration.endTime / 3
+mbs.DrawSolution(fileName="gyroscope_motion.gif", windowSize=[420, 320], framesPerSecond=20, speed=in_a_second)
 mbs.PlotSensor(
     [steady, nodding], components=[2, 2], labels=["steady", "let go at rest"], yLabel="height of the disc (m)",
     fileName="gyroscope_height.png", closeAll=True,

@@ -104,10 +104,14 @@ settings = exu.SimulationSettings()
 settings.timeIntegration.endTime = 8
 settings.timeIntegration.numberOfSteps = 8000
 settings.solutionSettings.sensorsWritePeriod = 5e-3
-settings.solutionSettings.writeSolutionToFile = False
+settings.solutionSettings.solutionWritePeriod = settings.timeIntegration.endTime / 60
 mbs.SolveDynamic(settings)
 
 mbs.Draw(fileName="crane_picture.png", view="axonometric")
+in_a_second = settings.timeIntegration.endTime / 3
+mbs.DrawSolution(
+    fileName="crane_motion.gif", windowSize=[420, 320], framesPerSecond=20, speed=in_a_second, view="axonometric"
+)
 mbs.PlotSensor(
     angle, factors=[180 / np.pi], yLabel="angle of the boom (deg)", fileName="crane_angle.png", closeAll=True
 )

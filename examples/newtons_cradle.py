@@ -46,7 +46,7 @@ settings = exu.SimulationSettings()
 settings.timeIntegration.endTime = 1.1
 settings.timeIntegration.numberOfSteps = 22000
 settings.timeIntegration.generalizedAlpha.spectralRadius = 1
-settings.solutionSettings.writeSolutionToFile = False
+settings.solutionSettings.solutionWritePeriod = settings.timeIntegration.endTime / 60
 settings.solutionSettings.sensorsWritePeriod = 1e-3
 mbs.SolveDynamic(settings)
 
@@ -59,3 +59,7 @@ mbs.PlotSensor(ways, components=0, yLabel="position (m)", labels=names, fileName
 shown = mbs.GetSystemContainer().visualizationSettings
 shown.nodes.show = shown.markers.show = shown.loads.show = shown.sensors.show = False
 mbs.Draw(fileName="cradle_picture.png", view="front")
+in_a_second = settings.timeIntegration.endTime / 3
+mbs.DrawSolution(
+    fileName="cradle_motion.gif", windowSize=[420, 320], framesPerSecond=20, speed=in_a_second, view="front"
+)

@@ -143,10 +143,10 @@ def control(mbs, t):
 control(mbs, 0)  # initial accelerations are those with drives
 mbs.SetPreStepUserFunction(control)
 settings = exu.SimulationSettings()
-settings.solutionSettings.writeSolutionToFile = False
 settings.solutionSettings.sensorsWritePeriod = 0.002
 settings.timeIntegration.verboseMode = 0
 settings.timeIntegration.endTime = end
+settings.solutionSettings.solutionWritePeriod = settings.timeIntegration.endTime / 60
 settings.timeIntegration.numberOfSteps = round(end / sample)
 settings.timeIntegration.generalizedAlpha.spectralRadius = 0.6  # contacts open and close
 mbs.SolveDynamic(settings)
@@ -178,3 +178,7 @@ mbs.PlotSensor(
 shown = mbs.GetSystemContainer().visualizationSettings
 shown.nodes.show = shown.markers.show = shown.loads.show = shown.connectors.show = shown.sensors.show = False
 mbs.Draw(fileName="quadruped_picture.png")
+in_a_second = settings.timeIntegration.endTime / 3
+mbs.DrawSolution(
+    fileName="quadruped_motion.gif", windowSize=[420, 320], framesPerSecond=20, speed=in_a_second, view="axonometric"
+)

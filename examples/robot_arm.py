@@ -91,10 +91,12 @@ settings = exu.SimulationSettings()
 settings.timeIntegration.endTime = duration
 settings.timeIntegration.numberOfSteps = 2000
 settings.timeIntegration.generalizedAlpha.spectralRadius = 0.8
-settings.solutionSettings.writeSolutionToFile = False
+settings.solutionSettings.solutionWritePeriod = settings.timeIntegration.endTime / 60
 settings.solutionSettings.sensorsWritePeriod = duration / 2000
 mbs.SolveDynamic(settings)
 mbs.Draw(fileName="robot_picture.png")
+in_a_second = settings.timeIntegration.endTime / 3
+mbs.DrawSolution(fileName="robot_motion.gif", windowSize=[420, 320], framesPerSecond=20, speed=in_a_second)
 
 names = ["column", "shoulder", "elbow"]
 mbs.PlotSensor(

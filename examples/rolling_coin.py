@@ -49,7 +49,7 @@ mbs.Assemble()
 settings = exu.SimulationSettings()
 settings.timeIntegration.endTime = end
 settings.timeIntegration.numberOfSteps = 800
-settings.solutionSettings.writeSolutionToFile = False
+settings.solutionSettings.solutionWritePeriod = settings.timeIntegration.endTime / 60
 settings.solutionSettings.sensorsWritePeriod = end / 200
 mbs.SolveDynamic(settings)
 
@@ -65,3 +65,7 @@ shown = mbs.GetSystemContainer().visualizationSettings
 shown.nodes.show = shown.markers.show = shown.loads.show = shown.connectors.show = False
 shown.sensors.traces.showPositionTrace = True
 mbs.Draw(fileName="coin_picture.png", view="axonometric")
+in_a_second = settings.timeIntegration.endTime / 3
+mbs.DrawSolution(
+    fileName="coin_motion.gif", windowSize=[420, 320], framesPerSecond=20, speed=in_a_second, view="axonometric"
+)

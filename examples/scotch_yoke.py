@@ -71,7 +71,7 @@ mbs.Assemble()
 settings = exu.SimulationSettings()
 settings.timeIntegration.endTime = end
 settings.timeIntegration.numberOfSteps = 2000
-settings.solutionSettings.writeSolutionToFile = False
+settings.solutionSettings.solutionWritePeriod = settings.timeIntegration.endTime / 60
 settings.solutionSettings.sensorsWritePeriod = end / 200
 mbs.SolveDynamic(settings)
 
@@ -83,3 +83,7 @@ mbs.PlotSensor(["way"], yLabel="way of the yoke (m)", fileName="yoke_way.png", c
 shown = mbs.GetSystemContainer().visualizationSettings
 shown.nodes.show = shown.markers.show = shown.sensors.show = shown.connectors.show = False
 mbs.Draw(fileName="yoke_picture.png", view="axonometric")
+in_a_second = settings.timeIntegration.endTime / 3
+mbs.DrawSolution(
+    fileName="yoke_motion.gif", windowSize=[420, 320], framesPerSecond=20, speed=in_a_second, view="axonometric"
+)

@@ -78,10 +78,14 @@ settings.timeIntegration.endTime = 2
 settings.timeIntegration.numberOfSteps = 2000
 settings.timeIntegration.generalizedAlpha.spectralRadius = 0.8
 settings.solutionSettings.sensorsWritePeriod = 5e-3
-settings.solutionSettings.writeSolutionToFile = False
+settings.solutionSettings.solutionWritePeriod = settings.timeIntegration.endTime / 60
 mbs.SolveDynamic(settings)
 
 mbs.Draw(fileName="slider_crank_picture.png", view="axonometric")
+in_a_second = settings.timeIntegration.endTime / 3
+mbs.DrawSolution(
+    fileName="slider_crank_motion.gif", windowSize=[420, 320], framesPerSecond=20, speed=in_a_second, view="axonometric"
+)
 mbs.PlotSensor(position, components=0, yLabel="slider position (m)", fileName="slider_position.png", closeAll=True)
 mbs.PlotSensor(spin, components=2, yLabel="crank speed (rad/s)", fileName="crank_speed.png")
 mbs.PlotSensor(force, components=[0, 1], yLabel="pin force (N)", fileName="pin_force.png")

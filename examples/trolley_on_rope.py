@@ -67,7 +67,7 @@ settings.timeIntegration.endTime = period
 settings.timeIntegration.numberOfSteps = 1500
 settings.timeIntegration.generalizedAlpha.spectralRadius = 0.5
 settings.solutionSettings.sensorsWritePeriod = period / 300
-settings.solutionSettings.writeSolutionToFile = False
+settings.solutionSettings.solutionWritePeriod = settings.timeIntegration.endTime / 60
 mbs.SolveDynamic(settings)
 
 time, x, y, _ = mbs.GetSensorStoredData(way).T
@@ -85,3 +85,5 @@ shown = mbs.GetSystemContainer().visualizationSettings
 shown.nodes.show = shown.markers.show = shown.connectors.show = shown.loads.show = False
 shown.sensors.traces.showPositionTrace = True
 mbs.Draw(fileName="trolley_picture.png")
+in_a_second = settings.timeIntegration.endTime / 3
+mbs.DrawSolution(fileName="trolley_motion.gif", windowSize=[420, 320], framesPerSecond=20, speed=in_a_second)

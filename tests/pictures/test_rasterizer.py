@@ -263,3 +263,46 @@ def test_points_that_are_nowhere_are_not_drawn() -> None:
         p.spheres([[value, 0, 0]], [1], [GREY], [0])
         p.lines([[value, 0, 0, 1, 1, 0]], [GREY], 2, 0, [0])
     assert not covered(p).any()
+
+
+def test_many_spheres_are_drawn_as_few_are() -> None:
+    """From a thousand on, they are drawn in another order; the nearest is seen in any."""
+    rng = np.random.default_rng(3)
+    n = 1200
+    centers, radii = rng.uniform(-2, 2, (n, 3)), rng.uniform(0.02, 0.3, n)
+    colors = np.column_stack([rng.uniform(0, 1, (n, 3)), np.ones(n)])
+    images = []
+    for step in (n, n // 3):
+        p = picture(samples=2, perspective=0.1)
+        for k in range(0, n, step):
+            part = slice(k, k + step)
+            p.spheres(centers[part], radii[part], colors[part], np.arange(n)[part])
+        images.append((p.develop(), p.items()))
+    np.testing.assert_array_equal(images[0][0], images[1][0])
+    np.testing.assert_array_equal(images[0][1], images[1][1])
+    assert len(np.unique(images[0][1])) > 100
+
+
+@pytest.mark.parametrize("samples", [2, 3])
+def test_small_triangles_leave_no_gap_and_have_their_area(samples: int) -> None:
+    """Two samples in each direction are covered side by side, others one by one: a patch of triangles of a pixel or less, turned."""
+    n, side, angle = 60, 0.8, 0.3
+    x, y = (side * (2 * k / (n - 1) - 1) for k in np.meshgrid(np.arange(n), np.arange(n)))
+    points = np.stack([x * np.cos(angle) - y * np.sin(angle), x * np.sin(angle) + y * np.cos(angle), 0 * x], -1)
+    index = np.arange(n * n).reshape(n, n)
+    a, b, c, d = (k.ravel() for k in (index[:-1, :-1], index[:-1, 1:], index[1:, 1:], index[1:, :-1]))
+    triangles = np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)])
+    p = picture(samples=samples, lights=[], ambient=1.0)
+    p.background([1, 1, 1, 1], [1, 1, 1, 1])
+    p.triangles(points.reshape(-1, 3), None, np.tile([0, 0, 0, 1.0], (n * n, 1)), triangles, np.zeros(len(triangles)))
+    dark = (255 - p.develop()[..., 0].astype(float)) / 255
+    # the error is that of counting samples along the outline: a part of its length
+    assert abs(dark.sum() - (100 * side) ** 2) < 0.3 * 8 * 50 * side / samples
+    rows, columns = np.mgrid[0:200, 0:200] + 0.5 - 100
+    inner = (
+        np.maximum(
+            abs(columns * np.cos(angle) - rows * np.sin(angle)), abs(columns * np.sin(angle) + rows * np.cos(angle))
+        )
+        < 50 * side - 1
+    )
+    assert (dark[inner] == 1).all()

@@ -16,9 +16,11 @@ from dalembert.itemInterface import (
     MarkerBodyRigid,
     MarkerNodeCoordinate,
     MarkerNodePosition,
+    NodeGenericODE2,
     NodePoint,
     NodePoint2DSlope1,
     NodePointGround,
+    ObjectKinematicTree,
     ReevingSystemSprings,
     SensorBody,
     SpringDamper,
@@ -372,3 +374,18 @@ def test_coordinates_that_lengthen_a_rope_are_not_where_it_runs(SC: Any, mbs: An
     scale = 768 / 2 / 10
     assert columns.min() - 512 == pytest.approx(-0.5 * scale, abs=2)
     assert columns.max() - 512 == pytest.approx(0.5 * scale, abs=2)
+
+
+def test_the_last_link_of_a_tree_ends_at_its_center_of_mass(SC: Any, mbs: Any) -> None:
+    node = mbs.AddNode(NodeGenericODE2(numberOfODE2Coordinates=2, referenceCoordinates=[0, 0]))
+    mbs.AddObject(
+        ObjectKinematicTree(
+            nodeNumber=node, jointTypes=[exu.JointType.RevoluteZ] * 2, linkParents=[-1, 0], linkMasses=[1, 1],
+            jointTransformations=exu.Matrix3DList([np.eye(3)] * 2), linkCOMs=exu.Vector3DList([[0.5, 0, 0]] * 2),
+            jointOffsets=exu.Vector3DList([[0, 0, 0], [1, 0, 0]]), linkInertiasCOM=exu.Matrix3DList([np.eye(3)] * 2),
+        )
+    )  # fmt: skip
+    mbs.Assemble()
+    box = Studio(SC).scene().box()
+    assert box is not None
+    assert box[1][0] == pytest.approx(1.5, abs=1e-9)  # a rod ends there; the joint at 1 is much thinner

@@ -16,8 +16,8 @@ from typing import Any
 import numpy as np
 
 from dalembert import _core
-from dalembert._live import details, keys
-from dalembert._live.messages import Stage, palette
+from dalembert._live import details, keys, views
+from dalembert._live.messages import Stage
 from dalembert._live.opening import PATIENCE, RETURN
 from dalembert._live.server import PageServer
 from dalembert._live.widget import WidgetLink
@@ -126,7 +126,7 @@ class Viewer:
         if {"zoom", "modelRotation", "centerPoint"} <= state.keys() and float(state["zoom"]) > 0:
             rotation = np.asarray(state["modelRotation"], float).reshape(3, 3).T
             seen = Camera(rotation, np.asarray(state["centerPoint"], float), float(state["zoom"]))
-            self.server.tell({"kind": "camera", "camera": _camera(seen)})
+            self.server.tell({"kind": "camera", "camera": views.seen_from(seen)})
         else:
             self.redraw(home=True)
 
@@ -224,25 +224,15 @@ class Viewer:
             return draw.camera_for(studio, scene, None, (1024, 768), 1.0)
 
         looks = self.studio.makers[0].looks if self.studio.makers else Looks(self.settings)
-        whole, frame = self.stage.messages(scene, looks, self._words(scene, looks), camera)
+        whole, frame = self.stage.messages(scene, looks, views.words(self.settings, scene, looks), camera)
         self.server.publish(self.stage.number, whole, frame)
         self.pictures += 1
         if self._home:
             self._home = False
-            self.server.tell({"kind": "camera", "camera": _camera(camera())})
+            self.server.tell({"kind": "camera", "camera": views.seen_from(camera())})
         if self._views:
             self._views = False
-            self.server.tell({"kind": "views", "views": self._other_views(scene)})
-
-    def _other_views(self, scene: Any) -> list[dict[str, Any]]:
-        """Return where the views beside the main one look from, as far as they are enabled."""
-        assert self.studio is not None
-        states = {number: state_of(self.container.renderer, number) for number in (1, 2, 3)}
-        return [
-            {"number": n, "camera": _camera(self.studio.camera(scene, n)), "clip": _clip(self.studio.view(n))}
-            for n, state in states.items()
-            if state.get("viewEnabled")
-        ]
+            self.server.tell({"kind": "views", "views": views.beside(self.container, self.studio, scene)})
 
     def _follow(self) -> bool:
         """Let the shadows follow their systems; return whether there is something new."""
@@ -270,24 +260,6 @@ class Viewer:
         if self.selection is not None:
             self._tell_details(*self.selection[:3])
         self._tell_state()
-
-    def _words(self, scene: Any, looks: Looks) -> dict[str, Any]:
-        """Return what pages have to know besides what is drawn."""
-        view, gl = self.settings.view0, self.settings.openGL
-        return {
-            "background": list(self.settings.general.backgroundColor)[:3],
-            "contour": {"name": scene.value_name, "colors": palette(looks)} if scene.value_name else None,
-            "transparent": float(gl.faceTransparencyGlobal) if view.scene.facesTransparent else 1.0,
-            "edges": bool(view.scene.showFaceEdges),
-            "faces": bool(view.scene.showFaces),
-            "clip": _clip(view),
-            "marks": bool(self.settings.interactive.advanced.selectionHighlights),
-            "steps": [
-                float(self.settings.interactive.advanced.keypressTranslationStep),
-                float(self.settings.interactive.advanced.keypressRotationStep),
-                float(self.settings.interactive.advanced.zoomStepFactor),
-            ],
-        }
 
     # ---- messages of pages
 
@@ -436,12 +408,3 @@ class Viewer:
         outputs = details.outputs(mbs, kind, number)
         title = f"{kind.lower()} {number}"
         self.server.tell({"kind": "details", "title": title, "parameters": parameters, "outputs": outputs})
-
-
-def _clip(view: Any) -> list[float]:
-    """Return normal and distance of the plane that cuts a view."""
-    return [*(float(x) for x in view.camera.clippingPlaneNormal), float(view.camera.clippingPlaneDistance)]
-
-
-def _camera(seen: Camera) -> dict[str, Any]:
-    return {"rotation": seen.rotation.ravel().tolist(), "center": seen.center.tolist(), "zoom": seen.zoom}

@@ -50,6 +50,8 @@ def draw(pen: Pen, item: Item, data: list[list[graphics_data.Shape]]) -> None:
         elif item["VshowLinks"]:
             parent = int(item["linkParents"][link])
             pen.cylinder(frames[parent][0] if parent >= 0 else base, place, thick, color)
+            if link not in item["linkParents"]:  # the last of its chain: to its center of mass
+                pen.cylinder(place, place + rotation @ np.asarray(item["linkCOMs"][link], float), thick, color)
         if item["VshowJoints"] and not data:
             half = 0.5 * size * rotation[:, _axis(item, link)]
             pen.cylinder(place - half, place + half, 1.6 * thick, joint)

@@ -1,0 +1,51 @@
+"""What pages are told of views: from where they look, what cuts them, and how all is drawn."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from dalembert._live.messages import palette
+from dalembert._pictures.camera import Camera
+from dalembert._pictures.looks import Looks
+from dalembert._pictures.renderer import state_of
+from dalembert._pictures.scene import Scene
+from dalembert._pictures.studio import Studio
+
+
+def words(settings: Any, scene: Scene, looks: Looks) -> dict[str, Any]:
+    """Return what pages have to know besides what is drawn."""
+    view, gl = settings.view0, settings.openGL
+    return {
+        "background": list(settings.general.backgroundColor)[:3],
+        "contour": {"name": scene.value_name, "colors": palette(looks)} if scene.value_name else None,
+        "transparent": float(gl.faceTransparencyGlobal) if view.scene.facesTransparent else 1.0,
+        "edges": bool(view.scene.showFaceEdges),
+        "faces": bool(view.scene.showFaces),
+        "clip": clip(view),
+        "marks": bool(settings.interactive.advanced.selectionHighlights),
+        "steps": [
+            float(settings.interactive.advanced.keypressTranslationStep),
+            float(settings.interactive.advanced.keypressRotationStep),
+            float(settings.interactive.advanced.zoomStepFactor),
+        ],
+    }
+
+
+def beside(container: Any, studio: Studio, scene: Scene) -> list[dict[str, Any]]:
+    """Return the views beside the main one, as far as they are enabled."""
+    states = {number: state_of(container.renderer, number) for number in (1, 2, 3)}
+    return [
+        {"number": n, "camera": seen_from(studio.camera(scene, n)), "clip": clip(studio.view(n))}
+        for n, state in states.items()
+        if state.get("viewEnabled")
+    ]
+
+
+def clip(view: Any) -> list[float]:
+    """Return normal and distance of the plane that cuts a view."""
+    return [*(float(x) for x in view.camera.clippingPlaneNormal), float(view.camera.clippingPlaneDistance)]
+
+
+def seen_from(seen: Camera) -> dict[str, Any]:
+    """Return from where a camera looks."""
+    return {"rotation": seen.rotation.ravel().tolist(), "center": seen.center.tolist(), "zoom": seen.zoom}
