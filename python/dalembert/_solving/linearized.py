@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -11,6 +12,10 @@ from dalembert._checks import FloatArray
 from dalembert._core import SimulationSettings, testing
 from dalembert._solving.diagnosis import SolverError
 from dalembert._solving.quiet import assemble_if_needed, quiet_static_solver
+
+# The weakest of the constraints that count as independent, relative to constraints of single bodies. Inverse iteration,
+# which takes what is below 1e-12 for dependent, does not tell by less than a factor of a thousand.
+_HARDLY_INDEPENDENT = 1e-9
 
 
 class _Matrices(NamedTuple):
@@ -240,6 +245,12 @@ def _counts(name: str, mbs: Any, autoAssemble: bool) -> dict[str, Any]:
     if constraints == 0:
         return _summary(mbs, n2, 0, 0, 0)
     found = testing.redundant_constraints(mbs, state)
+    if 0 < found["weakest"] < _HARDLY_INDEPENDENT:
+        warnings.warn(
+            f"{name}: some constraint equations are hardly independent of others (by {found['weakest']:.1g}): the "
+            "numbers of redundant ones and of degrees of freedom may be wrong; useSVD=True counts by singular values",
+            stacklevel=3,
+        )
     rows, columns, values = testing.tangent_entries(mbs, state)
     algebraic = (rows >= n2 + len(state.y)) & (columns >= n2 + len(state.y))
     pure = _rank_of_algebraic(rows[algebraic], columns[algebraic], values[algebraic])
@@ -261,8 +272,9 @@ def ComputeSystemDegreeOfFreedom(
     The dict has degreeOfFreedom, redundantConstraints, nODE2, nODE1, nAE (all constraints) and nPureAE (constraints on
     multipliers only). Redundant are those that do not raise the rank of the constraint Jacobian, counted by block
     inverse iteration, which takes about as long as a step of a simulation; removableEquations then has [removable,
-    all] equations by object number: so many could be left out in this object alone. With useSVD, redundant are
-    singular values below `threshold`, for small systems. verbose prints the counts, with useSVD also the values.
+    all] equations by object number: so many could be left out in this object alone. A warning tells where equations
+    are hardly independent, as in large nets of loops. With useSVD, redundant are singular values below `threshold`,
+    for small systems. verbose prints the counts, with useSVD also the values.
     """
     name = "ComputeSystemDegreeOfFreedom"
     counts = (
