@@ -24,13 +24,14 @@ def states(links: list[Link], *shape: int, count: int = 3) -> Any:
     return np.random.default_rng(7).uniform(-2, 2, (count, *shape, len(links)))
 
 
+@pytest.mark.parametrize("count", [8, 14])  # accelerations by a mass matrix, and by articulated bodies
 @pytest.mark.parametrize("seed", range(3))
-def test_many_states_are_those_one_by_one(seed: int) -> None:
-    links = random_links(seed, 8)
+def test_many_states_are_those_one_by_one(seed: int, count: int) -> None:
+    links = random_links(seed, count)
     tree, python = tree_of(links), in_python(links, GRAVITY)
     q, v, a = states(links, 3, 7)
     forces, bias, M = tree.InverseDynamics(q, v, a), tree.BiasForces(q, v), tree.MassMatrix(q)
-    assert M.shape == (3, 7, 8, 8)
+    assert M.shape == (3, 7, count, count)
     for at in np.ndindex(3, 7):
         expected, f = python.ComputeMassMatrixAndForceTerms(q[at], v[at])
         assert M[at] == pytest.approx(np.array(expected), abs=1e-12)

@@ -5,7 +5,6 @@
 
 #include "dalembert/math/aligned_vector.hpp"
 #include "dalembert/math/wide_registers.hpp"
-#include "dalembert/trees/joint_masses.hpp"
 #include "dalembert/trees/tree_tangent.hpp"
 
 namespace dalembert {
@@ -172,7 +171,7 @@ int TreeFunctions::forward_dynamics(std::size_t states, const double* q, const d
       group.cosines[i] = cosine;
     });
     trees::go_outward<S>(lanes_, group.q.data(), group.sines.data(), group.cosines.data(), group.v.data(), Vec3<S>{} - gravity_, group.stations, group.forks);
-    if (tree_.count() > few_links) {
+    if (tree_.count() > few_links_in_lanes) {
       trees::go_inward<S>(lanes_, group.x.data(), group.stations, group.forks);
       trees::go_outward_again<S>(lanes_, group.x.data(), group.stations, group.forks);
     } else {

@@ -12,6 +12,9 @@
 
 namespace dalembert {
 
+// Up to as many, the mass matrix is faster: fewer than for single states (few_links), which wait for quotients.
+constexpr int few_links_in_lanes = 10;
+
 // A link in a frame whose first axis is that of its joint.
 struct LaneLink {
   int parent = -1;
