@@ -25,9 +25,10 @@ surface = {"contactStiffness": stiffness, "contactDamping": damping, "frictionMa
 
 # ---- walls: square rings at several heights, joined by quadrilaterals whose normals point inwards
 columns = max(6, round(0.9 * count ** (1 / 3)))
-half, opening = 1.05 * columns * radius, 0.05
+half = 1.05 * columns * radius
+opening = max(0.05, 0.65 * half)
 layers = -(-count // columns**2)
-outlet = 0.12 + count / columns**2 * radius / 4  # m, above what will lie in the box
+outlet = 0.12 + count / columns**2 * radius / 2  # m, above what will lie in the box
 neck = outlet + half - opening
 top = neck + 2.2 * radius * (layers + 1)
 wide = 1.7 * half
