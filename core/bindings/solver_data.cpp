@@ -76,10 +76,15 @@ void register_iteration(py::module_& module) {
       .add("newtonStepsCount", &T::newtonStepsCount)
       .add("numberOfSteps", &T::numberOfSteps)
       .add("recommendedStepSize", &T::recommendedStepSize)
+      .add("largestStepSize", &T::largestStepSize)
       .add("rejectedAutomaticStepSizeSteps", &T::rejectedAutomaticStepSizeSteps)
+      .add("rejectedDiscontinuousSteps", &T::rejectedDiscontinuousSteps)
       .add("rejectedModifiedNewtonSteps", &T::rejectedModifiedNewtonSteps)
+      .add("rejectedNewtonSteps", &T::rejectedNewtonSteps)
+      .add("smallestStepSize", &T::smallestStepSize)
       .add("stagnatedNewtonSteps", &T::stagnatedNewtonSteps)
       .add("startTime", &T::startTime)
+      .add("stepsAtMaximumStepSize", &T::stepsAtMaximumStepSize)
       .finish()
       .def("ToString", &T::to_string, "The statistics that displayStatistics shows.");
 }

@@ -41,8 +41,13 @@ class SolverIterationData(_Bound):
     newtonStepsCount: int
     numberOfSteps: int
     recommendedStepSize: float
+    smallestStepSize: float
+    largestStepSize: float
+    stepsAtMaximumStepSize: int
     rejectedAutomaticStepSizeSteps: int
+    rejectedDiscontinuousSteps: int
     rejectedModifiedNewtonSteps: int
+    rejectedNewtonSteps: int
     stagnatedNewtonSteps: int
     startTime: float
     def ToString(self) -> str: ...

@@ -40,6 +40,57 @@ def test_the_squeezer_by_tolerances() -> None:
         assert more / fewer == pytest.approx(np.sqrt(10), rel=0.2)
 
 
+def test_what_limits_steps() -> None:
+    """Loose tolerances leave the largest step; tight ones never reach it. The last step is the rest."""
+    mechanism = Squeezer()
+    mechanism.mbs.SolveDynamic(tolerances(0.002, 10.0, 1e-4))
+    it = mechanism.mbs.sys["dynamicSolver"].it
+    assert it.largestStepSize == it.maxStepSize
+    assert it.smallestStepSize == 1e-5  # the first one
+    growing = 8  # at most: steps grow by half at least
+    assert it.currentStepIndex - 1 - growing <= it.stepsAtMaximumStepSize < it.currentStepIndex - 1
+    _, it = squeezer(1e-6)
+    assert it.stepsAtMaximumStepSize == 0
+    assert 1e-5 <= it.smallestStepSize < it.largestStepSize < it.maxStepSize
+    assert (
+        f"step sizes:                        {it.smallestStepSize:.3g} to {it.largestStepSize:.3g} s" in it.ToString()
+    )
+
+
+@pytest.mark.parametrize("cause", ["rejectedNewtonSteps", "rejectedDiscontinuousSteps"])
+def test_why_steps_are_repeated(cause: str) -> None:
+    """Two iterations are not enough for a large step of a pendulum; one discontinuous iteration is none for a contact that begins."""
+    mbs = new_system()
+    s = settings(0.5, 5)
+    if cause == "rejectedNewtonSteps":
+        mass = mbs.CreateMassPoint(physicsMass=1, referencePosition=[1, 0, 0], gravity=[0, -9.81, 0])
+        mbs.CreateDistanceConstraint(bodyNumbers=[mbs.CreateGround(), mass])
+        s.timeIntegration.newton.maxIterations = 3
+    else:
+        ground = mbs.AddNode(exu.NodePointGround())
+        ball = mbs.AddNode(exu.NodePoint(referenceCoordinates=[0, 1, 0]))
+        mbs.AddObject(exu.MassPoint(nodeNumber=ball, physicsMass=1))
+        markers = [
+            mbs.AddMarker(exu.MarkerNodeCoordinate(nodeNumber=n, coordinate=1 if n == ball else 0))
+            for n in (ground, ball)
+        ]
+        mbs.AddLoad(exu.LoadCoordinate(markerNumber=markers[1], load=-9.81))
+        state = mbs.AddNode(exu.NodeGenericData(numberOfDataCoordinates=1, initialCoordinates=[1]))
+        mbs.AddObject(
+            exu.ObjectContactCoordinate(markerNumbers=markers, nodeNumber=state, contactStiffness=1e4, contactDamping=0)
+        )
+        s.timeIntegration.discontinuous.maxIterations = 1
+    mbs.Assemble()
+    mbs.SolveDynamic(s)
+    it = mbs.sys["dynamicSolver"].it
+    counts = {name: getattr(it, name) for name in ("rejectedNewtonSteps", "rejectedDiscontinuousSteps")}
+    assert counts.pop(cause) > 0
+    assert set(counts.values()) == {0}
+    assert it.rejectedAutomaticStepSizeSteps == it.stepsAtMaximumStepSize == it.largestStepSize == 0
+    told = {"rejectedNewtonSteps": "by Newton's method", "rejectedDiscontinuousSteps": "by contact or friction"}[cause]
+    assert f"steps repeated ({getattr(it, cause)} {told})" in str(mbs.Report())
+
+
 def mass_on_spring(jump: float) -> Any:
     mbs = new_system()
     mass = mbs.CreateMassPoint(physicsMass=1, referencePosition=[1, 0, 0])

@@ -18,6 +18,12 @@ std::string SolverIterationData::to_string() const {
   line("total number of Newton Jacobians:  ", newtonJacobiCount);
   if (rejectedModifiedNewtonSteps) line("rejected modified Newton steps:    ", rejectedModifiedNewtonSteps);
   if (rejectedAutomaticStepSizeSteps) line("rejected step sizes:               ", rejectedAutomaticStepSizeSteps);
+  if (rejectedNewtonSteps) line("rejected by Newton's method:       ", rejectedNewtonSteps);
+  if (rejectedDiscontinuousSteps) line("rejected by contact or friction:   ", rejectedDiscontinuousSteps);
+  if (largestStepSize > 0) {
+    text += "step sizes:                        " + format_number(smallestStepSize, 3) + " to " + format_number(largestStepSize, 3) + " s\n";
+    line("steps of the largest size allowed: ", stepsAtMaximumStepSize);
+  }
   if (stagnatedNewtonSteps) line("Newton loops ended at round-off:   ", stagnatedNewtonSteps);
   return text;
 }

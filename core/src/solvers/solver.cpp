@@ -215,6 +215,7 @@ void Solver::initial_conditions() {
   equal_steps_ = EqualSteps();
   end_reached_ = false;
   step_completed_ = true;
+  if (it.automaticStepSize) [[unlikely]] count_step_size();
   begin_to_watch_events();
   if (continues()) return continue_steps();
   finish_step(settings_->solutionSettings.writeInitialValues);
@@ -287,6 +288,8 @@ void Solver::begin_step() {
 }
 
 [[gnu::noinline]] void Solver::step_failed() {
+  if (!conv.discontinuousIterationSuccessful) ++it.rejectedDiscontinuousSteps;
+  else if (!conv.newtonConverged && it.newtonSteps > 0) ++it.rejectedNewtonSteps;  // explicit methods have no iterations
   current() = start_of_step();
   if (system_->searches()) system_->restore_history();
   // No step mends a singular matrix, joints that do not fit, round-off, or a singular position that is not left.

@@ -28,6 +28,13 @@ void Solver::choose_next_step(double wanted) {
   it.currentStepSize = next < rest && rest < last_stretch * next ? rest : next;
 }
 
+void Solver::count_step_size() {
+  const double h = conditions_.step_size;
+  it.smallestStepSize = it.largestStepSize == 0 ? h : std::min(it.smallestStepSize, h);
+  it.largestStepSize = std::max(it.largestStepSize, h);
+  if (h >= it.maxStepSize) ++it.stepsAtMaximumStepSize;
+}
+
 [[gnu::noinline]] bool Solver::hold_at_minimum() {
   constexpr int most = 100;  // a jump is passed in a few of them; so many in a row do not come from one
   if (!warned_minimum_) {

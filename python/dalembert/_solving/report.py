@@ -80,6 +80,17 @@ def _energies(mbs: Any) -> list[str]:
     return lines
 
 
+def _repeated(it: Any) -> str:
+    """Return how many steps were repeated, and why, as the end of a line."""
+    causes = {
+        "tolerances": it.rejectedAutomaticStepSizeSteps,
+        "Newton's method": it.rejectedNewtonSteps,
+        "contact or friction": it.rejectedDiscontinuousSteps,
+    }
+    told = ", ".join(f"{count} by {cause}" for cause, count in causes.items() if count)
+    return f", {sum(causes.values())} steps repeated ({told})" if told else ""
+
+
 def _solution(mbs: Any) -> list[str]:
     lines = []
     for key in ("staticSolver", "dynamicSolver"):
@@ -90,8 +101,10 @@ def _solution(mbs: Any) -> list[str]:
         line = f"{solver.GetSolverName()}: {how}; {it.currentStepIndex - 1} steps to time {it.currentTime:.6g} s"
         if it.newtonStepsCount:
             line += f", {it.newtonStepsCount} Newton iterations, {it.newtonJacobiCount} Jacobians"
-        rejected = it.rejectedAutomaticStepSizeSteps
-        lines.append(line + (f", {rejected} steps repeated" if rejected else ""))
+        lines.append(line + _repeated(it))
+        if it.largestStepSize > 0:
+            most = f", {it.stepsAtMaximumStepSize} of the largest size allowed" if it.stepsAtMaximumStepSize else ""
+            lines.append(f"  step sizes from {it.smallestStepSize:.3g} to {it.largestStepSize:.3g} s{most}")
         if it.singularPositionSteps:
             lines.append(f"  singular positions were passed in {it.singularPositionSteps} steps")
         lines.extend(f"  not to be trusted: {doubt}" for doubt in solver.GetDoubts())

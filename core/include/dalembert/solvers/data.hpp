@@ -22,6 +22,9 @@ struct SolverIterationData {
   int newtonSteps = 0;
   double recommendedStepSize = -1;
   StepCount rejectedAutomaticStepSizeSteps = 0, rejectedModifiedNewtonSteps = 0;
+  StepCount rejectedDiscontinuousSteps = 0, rejectedNewtonSteps = 0;  // repeated as contact or friction did not settle, as Newton's method failed
+  double smallestStepSize = 0, largestStepSize = 0;                   // that error control has taken; the rest at the end counts as it is
+  StepCount stepsAtMaximumStepSize = 0;                               // and how many of them could not be larger
   StepCount stagnatedNewtonSteps = 0;  // Newton loops that ended because round-off, not a tolerance, was reached
   StepCount stepsAboveTolerance = 0;  // accepted with an error above the tolerances, at the smallest step size or a singular position
   StepCount unsettledSteps = 0;       // accepted although contact or friction had not settled

@@ -192,6 +192,7 @@ class Solver {
   // For a step that is repeated, or after one that is kept, where the error asks for a step `wanted` times as large.
   void choose_smaller_step(double wanted);
   void choose_next_step(double wanted);
+  void count_step_size();
   // Whether a step is kept although its error is above the tolerances; with a warning, and a diagnosis where there are too many.
   bool hold_at_minimum();
   virtual void diagnose_error_control();
