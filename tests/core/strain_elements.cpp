@@ -153,7 +153,7 @@ void check_family(const char* name, int number_of_family) {
   for (int f = 0; f < F::fields; ++f) fields[f] = numbers<D>(10 * f + 3, 1.1);
   const auto stress = numbers<F::stresses>(70, 2);
   const auto force = F::pull_back(k, fields, stress);
-  const auto strain = F::strain(k, each_moving(fields, 1));
+  const auto strain = F::strain(k, moving_from<D * F::fields>(0, fields, 1));
   double difference = 0;
   for (int i = 0; i < D * F::fields; ++i) {
     double work = 0;

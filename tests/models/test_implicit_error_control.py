@@ -43,7 +43,7 @@ def test_the_squeezer_by_tolerances() -> None:
 def test_what_limits_steps() -> None:
     """Loose tolerances leave the largest step; tight ones never reach it. The last step is the rest."""
     mechanism = Squeezer()
-    mechanism.mbs.SolveDynamic(tolerances(0.002, 10.0, 1e-4))
+    mechanism.mbs.SolveDynamic(tolerances(0.002, 1.0, 1e-4))
     it = mechanism.mbs.sys["dynamicSolver"].it
     assert it.largestStepSize == it.maxStepSize
     assert it.smallestStepSize == 1e-5  # the first one
@@ -51,7 +51,7 @@ def test_what_limits_steps() -> None:
     assert it.currentStepIndex - 1 - growing <= it.stepsAtMaximumStepSize < it.currentStepIndex - 1
     _, it = squeezer(1e-6)
     assert it.stepsAtMaximumStepSize == 0
-    assert 1e-5 <= it.smallestStepSize < it.largestStepSize < it.maxStepSize
+    assert 0 < it.smallestStepSize < it.largestStepSize < it.maxStepSize
     assert (
         f"step sizes:                        {it.smallestStepSize:.3g} to {it.largestStepSize:.3g} s" in it.ToString()
     )
@@ -65,7 +65,7 @@ def test_why_steps_are_repeated(cause: str) -> None:
     if cause == "rejectedNewtonSteps":
         mass = mbs.CreateMassPoint(physicsMass=1, referencePosition=[1, 0, 0], gravity=[0, -9.81, 0])
         mbs.CreateDistanceConstraint(bodyNumbers=[mbs.CreateGround(), mass])
-        s.timeIntegration.newton.maxIterations = 3
+        s.timeIntegration.newton.maxIterations = 2
     else:
         ground = mbs.AddNode(exu.NodePointGround())
         ball = mbs.AddNode(exu.NodePoint(referenceCoordinates=[0, 1, 0]))
@@ -80,6 +80,7 @@ def test_why_steps_are_repeated(cause: str) -> None:
             exu.ObjectContactCoordinate(markerNumbers=markers, nodeNumber=state, contactStiffness=1e4, contactDamping=0)
         )
         s.timeIntegration.discontinuous.maxIterations = 1
+        s.timeIntegration.discontinuous.ignoreMaxIterations = False
     mbs.Assemble()
     mbs.SolveDynamic(s)
     it = mbs.sys["dynamicSolver"].it

@@ -215,7 +215,6 @@ void Solver::initial_conditions() {
   equal_steps_ = EqualSteps();
   end_reached_ = false;
   step_completed_ = true;
-  if (it.automaticStepSize) [[unlikely]] count_step_size();
   begin_to_watch_events();
   if (continues()) return continue_steps();
   finish_step(settings_->solutionSettings.writeInitialValues);
@@ -312,6 +311,7 @@ void Solver::begin_step() {
 
 void Solver::step_succeeded() {
   step_completed_ = true;
+  if (it.automaticStepSize) [[unlikely]] count_step_size();
   if (watch_) [[unlikely]] switch_over();
   if (!silent_) finish_step(true);
   if (watch_ && event_reached()) [[unlikely]] act_on_events();
