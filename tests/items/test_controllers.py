@@ -338,7 +338,10 @@ WRONG: dict[str, tuple[Callable[[], Any], str]] = {
     ),
     "law": (lambda: CompiledController(other), r"that of this one is double\(double\)"),
     "no law": (lambda: CompiledController(len), "CompiledController: law: expected a C function"),
-    "twice": (lambda: SampledController(SampledController(PD, 1), 1), "such as .*, that is not sampled itself, received"),
+    "twice": (
+        lambda: SampledController(SampledController(PD, 1), 1),
+        "such as .*, that is not sampled itself, received",
+    ),
     "period": (lambda: SampledController(PD, 0), "SampledController: period: expected a positive number"),
     "dead time": (lambda: SampledController(PD, 1, -1), "deadTime: expected a finite number that is not negative"),
     "forces": (lambda: PD.Forces(0, [1, 2], [1, 2]), "PDController.Forces: q: expected a vector with 1 components"),
