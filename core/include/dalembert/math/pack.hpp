@@ -169,12 +169,6 @@ DALEMBERT_INLINE inline void each_row(const std::array<Pack<N>, 4>& numbers, int
     (void)((lane < count && (f(lane, rows[lane]), true)) && ...);
   }(std::make_integer_sequence<int, N>{});
 }
-// Adds number j of the first `count` lanes at their places, one place after the other.
-template <int N>
-DALEMBERT_INLINE inline void scatter_fours(const std::array<Pack<N>, 4>& numbers, const std::array<double*, N>& places, int count) {
-  each_row<N>(numbers, count, [&](int lane, const Pack<4>& row) DALEMBERT_INLINE { row.add_to(places[lane]); });
-}
-
 // Scalars that stand for one number and its derivatives: what a user function can be called with.
 template <class S>
 inline constexpr bool holds_packs = false;
