@@ -313,7 +313,7 @@ void register_main_system(py::module_& module) {
   main_system.def(py::init([] { return std::make_shared<MainSystem>(); }));
   main_system.def_readwrite("variables", &MainSystem::variables, "A dictionary that is free for the user.");
   main_system.def_readwrite("sys", &MainSystem::sys, "A dictionary in which utilities keep their data.");
-  main_system.def_readwrite("interactiveMode", &MainSystem::interactive);
+  main_system.def_readwrite("interactiveMode", &MainSystem::interactive, "Kept, without effect: items are added, changed and looked at in any order.");
   main_system.def_property("solverSignalJacobianUpdate", [](const MainSystem& main) { return main.jacobian_update_requested.load(); },
                            [](MainSystem& main, bool flag) { main.jacobian_update_requested = flag; },
                            "Set by user functions to ask for a new Jacobian.");
