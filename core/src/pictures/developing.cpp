@@ -60,7 +60,7 @@ bool Picture::join(std::size_t first) {
     }
   }
   const int count = samples * samples;
-  const auto mean = [count](int sum) { return static_cast<std::uint32_t>(static_cast<std::uint16_t>(static_cast<std::int16_t>(sum / count))); };
+  const auto mean = [&](int sum) { return static_cast<std::uint32_t>(static_cast<std::uint16_t>(static_cast<std::int16_t>(sum / count))); };
   color_[first] = color.mean(static_cast<std::uint32_t>(count)) | to_be_lit;
   normal_[first] = mean(x) | mean(y) << 16;
   return true;

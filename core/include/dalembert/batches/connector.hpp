@@ -82,7 +82,7 @@ class PortBatch final : public Term {
       if (!add_in_closed_form(e, ports, slot, values)) sweep(e, evaluation, columns, ports, slot, values);
     };
     if constexpr (SpanLawConnector<K>) {
-      spans_.add_tangents(ports, slots.data(), values, [&](int entry, const int* slot) [[gnu::noinline]] {
+      spans_.add_tangents(ports, slots.data(), values, [&](int entry, const int* slot) __attribute__((noinline)) {
         return with_block(entries_[entry], ports, slot, add);
       });
     } else {
