@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "dalembert/batches/groups.hpp"
 #include "dalembert/math/pack.hpp"
 
 using namespace dalembert;
@@ -29,23 +30,24 @@ int arithmetic_differs() {
   return failures;
 }
 
-// Places overlap, as those of elements with a common node do; lanes beyond `count` leave nothing.
-template <int N>
+// `Count` numbers of each lane. Places overlap, as those of elements with a common node do; lanes beyond `count` leave nothing.
+template <int N, int Count>
 int memory_differs(int count) {
-  std::array<double, 4 * N> from, to{}, expected{};
-  for (int i = 0; i < 4 * N; ++i) from[i] = 0.5 + i;
+  std::array<double, (Count + 3) * N> from, to{}, expected{};
+  for (std::size_t i = 0; i < from.size(); ++i) from[i] = 0.5 + static_cast<double>(i);
   std::array<const double*, N> sources;
   std::array<double*, N> targets;
   for (int lane = 0; lane < N; ++lane) {
     sources[lane] = &from[3 * lane];
     targets[lane] = &to[2 * lane];
   }
-  const auto numbers = gather_fours<N>(sources);
-  scatter_fours<N>(numbers, targets, count);
+  const auto numbers = gathered<Count>(sources);
+  add_numbers(numbers, targets, count);
   int failures = 0;
   for (int lane = 0; lane < N; ++lane)
-    for (int j = 0; j < 4; ++j) {
+    for (int j = 0; j < Count; ++j) {
       failures += numbers[j][lane] != from[3 * lane + j];
+      if (j < 4 && Count >= 4) failures += gather_fours<N>(sources)[j][lane] != numbers[j][lane];
       if (lane < count) expected[2 * lane + j] += from[3 * lane + j];
     }
   return failures + (to != expected);
@@ -54,7 +56,7 @@ int memory_differs(int count) {
 template <int N>
 int failures_of() {
   int failures = arithmetic_differs<N>();
-  for (int count = 1; count <= N; ++count) failures += memory_differs<N>(count);
+  for (int count = 1; count <= N; ++count) failures += memory_differs<N, 3>(count) + memory_differs<N, 4>(count) + memory_differs<N, 6>(count) + memory_differs<N, 9>(count);
   if (failures > 0) std::printf("%d lanes: %d failures\n", N, failures);
   return failures;
 }
