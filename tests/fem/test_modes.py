@@ -4,11 +4,14 @@ import meshes
 import numpy as np
 import pytest
 import scipy.linalg
+import scipy.sparse
 from scipy.optimize import brentq
 
 from dalembert import FEM
 from dalembert._fem.cholesky import Cholesky, NotPositiveDefiniteError
+from dalembert._fem.dissection import dissect
 from dalembert._fem.eigen import rigid_motions
+from dalembert._fem.lanczos import inverse_lanczos
 
 E, NU, RHO = 2.1e11, 0.3, 7850.0
 HCB = FEM.HCBstaticModeSelection
@@ -239,3 +242,38 @@ def test_cholesky_factors():
     assert progress[-1].startswith("factorization: ")
     with pytest.raises(NotPositiveDefiniteError, match="near node"):
         Cholesky(stiffness - 1e9 * mass, points)
+
+
+def test_a_mesh_is_cut_where_it_has_the_fewest_nodes():
+    # across the bar, at a plane between elements: 3 x 3 corners and 12 middles of edges
+    points, elements = meshes.block("Hex20", (8, 2, 2), (4.0, 1.0, 1.0))
+    nodes = elements["Hex20"]
+    pairs = np.repeat(nodes, 20, axis=1).ravel(), np.tile(nodes, (1, 20)).ravel()
+    graph = scipy.sparse.csr_matrix((np.ones(len(pairs[0])), pairs), shape=(len(points), len(points)))
+    order, fronts = dissect(points, graph)
+    np.testing.assert_array_equal(np.sort(order), np.arange(len(points)))
+    last = order[fronts[-1].begin : fronts[-1].end]
+    assert len(last) == 21
+    np.testing.assert_array_equal(points[last, 0], points[last[0], 0])
+    below, above = (np.setdiff1d(np.flatnonzero(s * (points[:, 0] - points[last[0], 0]) > 0), last) for s in (-1, 1))
+    assert len(below) + len(above) + 21 == len(points)
+    assert graph[below][:, above].nnz == 0
+
+
+def test_modes_of_the_same_frequency_are_all_found():
+    # 15 of them, more than the vectors of a block
+    squares = np.concatenate([np.ones(15), np.geomspace(100.0, 1e6, 385)])
+    mass = scipy.sparse.diags(np.linspace(1.0, 2.0, len(squares))).tocsr()
+    stiffness = mass.diagonal() * squares
+    values, modes = inverse_lanczos(mass, lambda forces: forces / stiffness[:, None], 0.0, 16)
+    np.testing.assert_allclose(values, squares[:16], rtol=1e-12)
+    np.testing.assert_allclose(modes.T @ (mass @ modes), np.eye(16), rtol=0, atol=1e-12)
+    np.testing.assert_allclose(stiffness[:, None] * modes, (mass @ modes) * values, rtol=0, atol=1e-9 * values.max())
+
+
+def test_more_modes_than_have_a_mass():
+    mass = scipy.sparse.diags(np.where(np.arange(400) < 7, 1.0, 0.0)).tocsr()
+    solve = lambda forces: forces / np.arange(1.0, 401.0)[:, None]  # noqa: E731
+    np.testing.assert_allclose(inverse_lanczos(mass, solve, 0.0, 7)[0], np.arange(1.0, 8.0), rtol=1e-12)
+    with pytest.raises(ValueError, match="8 modes are asked for, but there are only 7 with a mass"):
+        inverse_lanczos(mass, solve, 0.0, 8)

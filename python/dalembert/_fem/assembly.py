@@ -1,6 +1,6 @@
 """Mass and stiffness matrices of linear elasticity on a mesh.
 
-Chunks of elements are integrated at once; entries of all elements are summed by scipy, row by row.
+Chunks of elements are integrated at once; then the numbers of all elements are summed, pair of nodes by pair of nodes.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import scipy.sparse
 from dalembert._checks import FloatArray, IntArray
 from dalembert._fem.elements import Block, Kind
 
-CHUNK = 4000  # elements at once: their numbers stay in the cache
+CHUNK = 500  # elements at once: few enough for their numbers to stay in the cache
 
 
 def geometry(kind: Kind, corners: FloatArray, points: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -59,14 +59,6 @@ def _chunks(block: Block) -> Iterator[slice]:
     return (slice(start, start + CHUNK) for start in range(0, len(block.nodes), CHUNK))
 
 
-def _sum(size: int, rows: list[IntArray], columns: list[IntArray], values: list[FloatArray]) -> Any:
-    parts = (np.concatenate([part.ravel() for part in parts]) for parts in (values, rows, columns))
-    data, row, column = parts
-    matrix = scipy.sparse.csr_matrix((data, (row, column)), shape=(size, size))
-    matrix.sum_duplicates()
-    return matrix
-
-
 def assemble(
     mesh: Sequence[Block],
     positions: FloatArray,
@@ -74,27 +66,37 @@ def assemble(
     progress: Callable[[str], None],
 ) -> tuple[Any, Any]:
     """Mass and stiffness matrix; `constants` has shear modulus, Lame's constant and density of each element."""
-    count = len(positions)
-    mass: Any = scipy.sparse.csr_matrix((count, count))
-    stiffness: Any = scipy.sparse.csr_matrix((3 * count, 3 * count))
+    total = sum(block.nodes.size * block.nodes.shape[1] for block in mesh)
+    pairs, numbers, begin = np.empty(total, dtype=np.int64), np.empty((10, total)), 0
     for block in mesh:
-        entries: list[tuple[IntArray, IntArray, FloatArray]] = []
-        masses: list[tuple[IntArray, IntArray, FloatArray]] = []
         for chunk in _chunks(block):
-            nodes = block.nodes[chunk].astype(np.int32)
+            nodes = block.nodes[chunk].astype(np.int64)
             mu, lame, density = constants[block.first :][chunk][: len(nodes)].T
             corners = positions[nodes]
-            rows = (3 * nodes[:, :, None] + np.arange(3, dtype=np.int32)).reshape(len(nodes), -1)
-            matrices = element_stiffness(block.kind, corners, mu, lame)
-            entries.append((*_places(rows), matrices))
-            masses.append((*_places(nodes), element_mass(block.kind, corners, density)))
+            own = slice(begin, begin + nodes.size * nodes.shape[1])
+            pairs[own] = (nodes[:, :, None] * len(positions) + nodes[:, None, :]).ravel()
+            numbers[:9, own] = _by_pairs(element_stiffness(block.kind, corners, mu, lame))
+            numbers[9, own] = element_mass(block.kind, corners, density).ravel()
+            begin = own.stop
         progress(f"{len(block.nodes)} elements {block.kind.name} integrated")
-        stiffness = stiffness + _sum(3 * count, *map(list, zip(*entries, strict=True)))
-        mass = mass + _sum(count, *map(list, zip(*masses, strict=True)))
-    stiffness = 0.5 * (stiffness + stiffness.T)  # round-off is not symmetric
-    return scipy.sparse.kron(mass, scipy.sparse.eye(3), format="csr"), stiffness.tocsr()
+    return _sum_of_elements(len(positions), pairs, numbers)
 
 
-def _places(rows: Any) -> tuple[IntArray, IntArray]:
-    n = rows.shape[1]
-    return np.repeat(rows, n, axis=1), np.tile(rows, (1, n))
+def _by_pairs(matrices: FloatArray) -> FloatArray:
+    """Nine lines, of the numbers of each pair of nodes; symmetric, which they are not with round-off."""
+    size = matrices.shape[1] // 3
+    symmetric = 0.5 * (matrices + matrices.transpose(0, 2, 1))
+    return symmetric.reshape(-1, size, 3, size, 3).transpose(2, 4, 0, 1, 3).reshape(9, -1)
+
+
+def _sum_of_elements(count: int, pairs: IntArray, numbers: FloatArray) -> tuple[Any, Any]:
+    """Mass and stiffness matrix by the numbers of each pair (i, j) of nodes, which is written as i * count + j."""
+    different, places = np.unique(pairs, return_inverse=True)
+    structure = different % count, np.searchsorted(different, count * np.arange(count + 1))
+    blocks = np.empty((len(different), 9))
+    for axes, summands in enumerate(numbers[:9]):
+        blocks[:, axes] = np.bincount(places, weights=summands)
+    stiffness = scipy.sparse.bsr_matrix((blocks.reshape(-1, 3, 3), *structure), shape=(3 * count, 3 * count)).tocsr()
+    masses = np.bincount(places, weights=numbers[9])
+    mass = scipy.sparse.csr_matrix((masses, *structure), shape=(count, count))
+    return scipy.sparse.kron(mass, scipy.sparse.eye(3), format="csr"), stiffness

@@ -1,14 +1,13 @@
-"""Cholesky factors of large sparse matrices of a mesh: nested dissection by the positions of nodes, dense fronts.
+"""Cholesky factors of large sparse matrices of a mesh: a dense front for each cut of its dissection.
 
-A mesh is cut in two again and again, across its longest direction [George 1973]; the nodes of a cut are eliminated
-after those on both of its sides. What remains of a part after its elimination is a dense matrix on the nodes around it
-[Duff and Reid 1983], so that nearly all of the work is done by LAPACK.
+What remains of a part after its elimination is a dense matrix on the nodes around it [Duff and Reid 1983], so that
+nearly all of the work is done by LAPACK.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -16,8 +15,8 @@ import scipy.sparse
 from scipy.linalg import blas, lapack
 
 from dalembert._checks import FloatArray, IntArray
+from dalembert._fem.dissection import Front, dissect
 
-LEAF = 64  # nodes that are eliminated without a further cut
 SIZE = 3  # coordinates per node
 
 
@@ -29,16 +28,33 @@ class NotPositiveDefiniteError(ValueError):
         self.node = node
 
 
-@dataclass
-class Front:
-    """Nodes that are eliminated together, in a row from `begin` to `end`; `around` are later ones that they reach."""
+@dataclass(frozen=True)
+class Factors:
+    """Columns of the factors that belong to a front: a triangle, and what is below it."""
 
-    begin: int
-    end: int
-    children: list[Front]
-    around: IntArray = field(default_factory=lambda: np.zeros(0, dtype=np.int64))
-    triangle: Any = None
-    below: Any = None
+    triangle: FloatArray
+    below: FloatArray
+    own: slice
+    around: IntArray
+
+
+class _Memory:
+    """Memory of updates that were added, for new ones: pages that the system has not to clear again."""
+
+    def __init__(self) -> None:
+        self._free: list[FloatArray] = []
+
+    def zeros(self, size: int) -> FloatArray:
+        """A symmetric matrix, column by column."""
+        fitting = [i for i, numbers in enumerate(self._free) if len(numbers) >= size**2]
+        numbers = self._free.pop(min(fitting, key=lambda i: len(self._free[i]))) if fitting else np.empty(size**2)
+        matrix = numbers[: size**2].reshape((size, size), order="F")
+        matrix.fill(0.0)
+        return matrix
+
+    def give_back(self, matrix: Any) -> None:
+        """Take the memory of a matrix that is no longer read."""
+        self._free.append(matrix.base)
 
 
 class Cholesky:
@@ -46,40 +62,32 @@ class Cholesky:
 
     def __init__(self, matrix: Any, positions: FloatArray, progress: Callable[[str], None] = lambda text: None) -> None:
         csr = scipy.sparse.csr_matrix(matrix)
-        graph = _graph_of_nodes(csr)
-        self._fronts: list[Front] = []
-        order: list[IntArray] = []
-        _dissect(np.arange(len(positions)), positions, graph, order, self._fronts)
-        nodes = np.concatenate(order) if order else np.zeros(0, dtype=np.int64)
+        nodes, fronts = dissect(positions, _graph_of_nodes(csr))
         self._order = _coordinates(nodes)
-        _find_surroundings(self._fronts, graph[nodes][:, nodes])
-        self._factorize(csr[self._order][:, self._order].tocsc(), nodes, progress)
+        self._factors: list[Factors] = []
+        self._factorize(fronts, csr[self._order][:, self._order].tocsc(), nodes, progress)
 
     @property
     def entries(self) -> int:
         """How many numbers the factors have."""
-        return sum(front.triangle.size + front.below.size for front in self._fronts)
+        return sum(factors.triangle.size + factors.below.size for factors in self._factors)
 
-    def _factorize(self, matrix: Any, nodes: IntArray, progress: Callable[[str], None]) -> None:
-        updates: dict[int, FloatArray] = {}
-        total = max(sum(_work(front) for front in self._fronts), 1.0)
+    def _factorize(self, fronts: list[Front], matrix: Any, nodes: IntArray, progress: Callable[[str], None]) -> None:
+        updates: dict[int, Any] = {}
+        memory = _Memory()
+        total = max(sum(_work(front) for front in fronts), 1.0)
         done, told = 0.0, 0.0
-        for front in self._fronts:
-            own, size = SIZE * (front.end - front.begin), SIZE * (front.end - front.begin + len(front.around))
-            places = _coordinates(np.concatenate([np.arange(front.begin, front.end), front.around]))
-            full = np.zeros((size, size), order="F")
-            _scatter(full, matrix, SIZE * front.begin, own, places)
-            for child in front.children:
-                inner = np.searchsorted(places, _coordinates(child.around))
-                full[np.ix_(inner, inner)] += updates.pop(id(child))
-            triangle, failed = lapack.dpotrf(full[:own, :own], lower=1, clean=1)
+        for front in fronts:
+            own = slice(SIZE * front.begin, SIZE * front.end)
+            around = _coordinates(front.around)
+            triangle, below, rest = _sum_of_front(front, matrix, around, updates, memory)
+            triangle, failed = lapack.dpotrf(triangle, lower=1, clean=1, overwrite_a=1)
             if failed:
                 raise NotPositiveDefiniteError(int(nodes[front.begin + (failed - 1) // SIZE]))
-            front.triangle = triangle
-            front.below = blas.dtrsm(1.0, triangle, full[own:, :own], side=1, lower=1, trans_a=1)
-            if len(front.around):
-                # only the lower triangle is ever read
-                updates[id(front)] = blas.dsyrk(-1.0, front.below, beta=1.0, c=full[own:, own:], lower=1)
+            below = blas.dtrsm(1.0, triangle, below, side=1, lower=1, trans_a=1, overwrite_b=1)
+            self._factors.append(Factors(triangle, below, own, around))
+            if len(around):
+                updates[id(front)] = blas.dsyrk(-1.0, below, beta=1.0, c=rest, lower=1, overwrite_c=1)
             done += _work(front)
             if done > told + 0.1 * total:
                 told = done
@@ -88,17 +96,20 @@ class Cholesky:
     def solve(self, right: FloatArray) -> FloatArray:
         """Solution for a vector, or for the columns of a matrix."""
         b = np.asarray(right, dtype=float)[self._order]
-        vector, x = b.ndim == 1, np.asfortranarray(b.reshape(len(b), -1))
-        for front in self._fronts:
-            own, around = slice(SIZE * front.begin, SIZE * front.end), _coordinates(front.around)
-            x[own] = blas.dtrsm(1.0, front.triangle, x[own], lower=1)
-            x[around] -= front.below @ x[own]
-        for front in reversed(self._fronts):
-            own, around = slice(SIZE * front.begin, SIZE * front.end), _coordinates(front.around)
-            x[own] = blas.dtrsm(1.0, front.triangle, x[own] - front.below.T @ x[around], lower=1, trans_a=1)
+        x = b.reshape(len(b), -1)
+        for part in self._factors:
+            own = blas.dtrsm(1.0, part.triangle, x[part.own], lower=1)
+            x[part.own] = own
+            if len(part.around):
+                x[part.around] -= blas.dgemm(1.0, part.below, own)
+        for part in reversed(self._factors):
+            own = x[part.own]
+            if len(part.around):
+                own = blas.dgemm(-1.0, part.below, x[part.around], trans_a=1, beta=1.0, c=own)
+            x[part.own] = blas.dtrsm(1.0, part.triangle, own, lower=1, trans_a=1)
         result = np.empty_like(x)
         result[self._order] = x
-        return result[:, 0] if vector else result
+        return result[:, 0] if b.ndim == 1 else result
 
 
 def _coordinates(nodes: IntArray) -> IntArray:
@@ -106,45 +117,12 @@ def _coordinates(nodes: IntArray) -> IntArray:
 
 
 def _graph_of_nodes(matrix: Any) -> Any:
-    coordinates = matrix.tocoo()
+    """An entry for each pair of nodes with one, and for each node with itself."""
+    blocks = matrix.tobsr((SIZE, SIZE))
     count = matrix.shape[0] // SIZE
-    ones = np.ones(len(coordinates.row), dtype=np.int8)
-    graph = scipy.sparse.csr_matrix((ones, (coordinates.row // SIZE, coordinates.col // SIZE)), shape=(count, count))
-    graph.sum_duplicates()
-    graph.data = np.ones(len(graph.data))
-    return graph
-
-
-def _dissect(
-    part: IntArray, positions: FloatArray, graph: Any, order: list[IntArray], fronts: list[Front]
-) -> list[Front]:
-    """Order the nodes of a part; return its last front, or nothing if it has no nodes."""
-    children: list[Front] = []
-    if len(part) > LEAF:
-        points = positions[part]
-        along = points[:, np.argmax(np.ptp(points, axis=0))]
-        ranks = np.argsort(along, kind="stable")
-        low, high = part[ranks[: len(part) // 2]], part[ranks[len(part) // 2 :]]
-        inside = np.zeros(len(positions))
-        inside[low] = 1.0
-        touches = (graph[high] @ inside) > 0
-        for side in (low, high[~touches]):
-            children += _dissect(side, positions, graph, order, fronts)
-        part = high[touches]
-    begin = sum(map(len, order)) if not fronts else fronts[-1].end
-    if len(part) == 0:
-        return children
-    order.append(part)
-    fronts.append(Front(begin, begin + len(part), children))
-    return [fronts[-1]]
-
-
-def _find_surroundings(fronts: list[Front], graph: Any) -> None:
-    """Find the later nodes that each front reaches, by its own entries and by what its children leave."""
-    for front in fronts:
-        reached = graph.indices[graph.indptr[front.begin] : graph.indptr[front.end]]
-        nodes = np.unique(np.concatenate([reached, *(child.around for child in front.children)]))
-        front.around = nodes[nodes >= front.end].astype(np.int64)
+    ones = np.ones(len(blocks.indices), dtype=np.int8)
+    graph = scipy.sparse.csr_matrix((ones, blocks.indices, blocks.indptr), shape=(count, count))
+    return graph + scipy.sparse.eye(count, dtype=np.int8, format="csr")
 
 
 def _work(front: Front) -> float:
@@ -152,10 +130,41 @@ def _work(front: Front) -> float:
     return own**3 / 3.0 + float(own) ** 2 * around + float(own) * around**2
 
 
-def _scatter(full: FloatArray, matrix: Any, first: int, own: int, places: IntArray) -> None:
-    """Add the columns of a front, below the diagonal."""
+def _sum_of_front(
+    front: Front, matrix: Any, around: IntArray, updates: dict[int, FloatArray], memory: _Memory
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Entries of a front and updates of its children: its triangle, what is below that, and the triangle around it."""
+    first, own = SIZE * front.begin, SIZE * (front.end - front.begin)
+    triangle, below = (np.zeros((height, own), order="F") for height in (own, len(around)))
+    rest = memory.zeros(len(around))
     entries = slice(matrix.indptr[first], matrix.indptr[first + own])
-    rows = matrix.indices[entries]
+    rows, values = matrix.indices[entries], matrix.data[entries]
     columns = np.repeat(np.arange(own), np.diff(matrix.indptr[first : first + own + 1]))
-    mine = rows >= first
-    full[np.searchsorted(places, rows[mine]), columns[mine]] += matrix.data[entries][mine]
+    inside, outside = (rows >= first) & (rows < first + own), rows >= first + own
+    triangle[rows[inside] - first, columns[inside]] = values[inside]
+    below[np.searchsorted(around, rows[outside]), columns[outside]] = values[outside]
+    for child in front.children:
+        update, places = updates.pop(id(child)), _coordinates(child.around)
+        mine = int(np.searchsorted(places, first + own))
+        inner, outer = _rows_of(places[:mine] - first), _rows_of(np.searchsorted(around, places[mine:]))
+        _add(triangle, inner, inner, update[:mine, :mine])
+        _add(below, outer, inner, update[mine:, :mine])
+        _add(rest, outer, outer, update[mine:, mine:])
+        memory.give_back(update)
+    return triangle, below, rest
+
+
+def _rows_of(places: IntArray) -> list[tuple[int, int, int]]:
+    """Rows without a gap: where each begins and ends, and the place of its first."""
+    ends = np.flatnonzero(np.diff(places, append=-1) != 1) + 1 if len(places) else np.zeros(0, dtype=np.int64)
+    begins = np.append(0, ends)[: len(ends)]
+    return list(zip(begins.tolist(), ends.tolist(), places[begins].tolist(), strict=True))
+
+
+def _add(full: FloatArray, rows: Any, columns: Any, update: FloatArray) -> None:
+    """Add an update to its places; of a symmetric one, only what is below the diagonal is ever read."""
+    for begin, end, column in columns:
+        for top, bottom, row in rows:
+            if rows is not columns or bottom > begin:
+                place = full[row : row + bottom - top, column : column + end - begin]
+                place += update[top:bottom, begin:end]

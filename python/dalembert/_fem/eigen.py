@@ -1,4 +1,4 @@
-"""Lowest eigenvalues and modes of large matrices: Lanczos' method with shift and inversion.
+"""Lowest eigenvalues and modes of matrices, the shift for those of large ones, and factors for it.
 
 The shift lies a little below zero, so that the shifted matrix is positive definite although rigid motions have no
 stiffness. How little is found by Ritz's method, with polynomials as displacements.
@@ -12,14 +12,14 @@ from typing import Any
 import numpy as np
 import scipy.linalg
 import scipy.sparse
-from scipy.sparse.linalg import LinearOperator, eigsh, splu
+from scipy.sparse.linalg import splu
 
 from dalembert._checks import FloatArray
 from dalembert._fem.cholesky import Cholesky, NotPositiveDefiniteError
+from dalembert._fem.lanczos import Solve, inverse_lanczos
 
 DENSE = 300  # coordinates up to which matrices are dense
 SHIFT = 1e-3  # of the first squared frequency of a deformation
-Solve = Callable[[FloatArray], FloatArray]
 
 
 def rigid_motions(points: FloatArray, origin: Any = (0.0, 0.0, 0.0)) -> FloatArray:
@@ -77,7 +77,7 @@ def lowest_modes(
     else:
         shift = SHIFT * scale
         solve = factorize(stiffness + shift * mass, points, progress)
-        values, modes = inverse_lanczos(mass, stiffness, solve, shift, count)
+        values, modes = inverse_lanczos(mass, solve, shift, count)
     refuse_negative(where, values, scale)
     return values, signed(modes)
 
@@ -88,16 +88,6 @@ def dense_modes(where: str, mass: Any, stiffness: Any, count: int) -> tuple[Floa
         return scipy.linalg.eigh(stiffness.toarray(), mass.toarray(), subset_by_index=(0, count - 1))
     except scipy.linalg.LinAlgError as error:
         raise ValueError(f"{where}: the mass matrix is not positive definite ({error})") from None
-
-
-def inverse_lanczos(mass: Any, stiffness: Any, solve: Solve, shift: float, count: int) -> tuple[FloatArray, FloatArray]:
-    """Eigenvalues next to -shift, in rising order; `solve` may hold constraints besides."""
-    size = mass.shape[0]
-    inverse = LinearOperator((size, size), matvec=solve, dtype=float)
-    start = solve(mass @ np.random.default_rng(1).standard_normal(size))  # results do not change from run to run
-    found = eigsh(stiffness, k=count, M=mass, sigma=-shift, OPinv=inverse, which="LM", v0=start)
-    order = np.argsort(found[0])
-    return found[0][order], found[1][:, order]
 
 
 def refuse_negative(where: str, values: FloatArray, scale: float) -> None:

@@ -19,15 +19,14 @@ from dalembert._checks import FloatArray, IntArray, shape_error
 from dalembert._fem.eigen import (
     DENSE,
     SHIFT,
-    Solve,
     dense_modes,
     factorize,
     first_deformation,
-    inverse_lanczos,
     refuse_negative,
     rigid_motions,
     signed,
 )
+from dalembert._fem.lanczos import Solve, inverse_lanczos
 
 
 @dataclass(frozen=True)
@@ -159,7 +158,7 @@ def _modes_inside(where: str, mass: Any, stiffness: Any, solve: Solve, count: in
     if mass.shape[0] <= DENSE or count > mass.shape[0] // 2:
         values, modes = dense_modes(where, mass, stiffness, count)
     else:
-        values, modes = inverse_lanczos(mass, stiffness, solve, 0.0, count)
+        values, modes = inverse_lanczos(mass, solve, 0.0, count)
     refuse_negative(where, values, float(np.abs(values).max()))
     return values, signed(modes)
 
@@ -209,7 +208,7 @@ def averaged_modes(
     progress(f"{len(unit)} static modes")
     if not count:
         return modes, np.zeros(0)
-    values, found = inverse_lanczos(mass, stiffness, lambda force: solver(force)[0], shift, count)
+    values, found = inverse_lanczos(mass, lambda force: solver(force)[0], shift, count)
     refuse_negative(where, values, scale)
     progress(f"{count} eigenmodes with averages of interfaces held")
     return np.hstack([modes, signed(found)]), values

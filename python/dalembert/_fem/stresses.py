@@ -27,8 +27,8 @@ def nodal_strains(
     sums, times = np.zeros((count, 6 * modes.shape[1])), np.zeros(count)
     by_node = modes.reshape(count, 3, -1)
     for block in mesh:
-        for start in range(0, len(block.nodes), CHUNK // 4):
-            nodes = block.nodes[start : start + CHUNK // 4]
+        for start in range(0, len(block.nodes), CHUNK):
+            nodes = block.nodes[start : start + CHUNK]
             gradients, _ = geometry(block.kind, positions[nodes], block.kind.nodes)
             strains = strain_vector(np.einsum("eqan,enim->eqmia", gradients, by_node[nodes], optimize=True))
             if laws is not None:

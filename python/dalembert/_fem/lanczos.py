@@ -1,0 +1,114 @@
+"""Block Lanczos iteration with shift and inversion [Grimes, Lewis and Simon 1994], for eigenvalues next to the shift.
+
+A solution for a block of vectors takes hardly longer than one for a single vector, since it is the factors that have to
+be read; and modes of the same frequency, as those of a round shaft, are found by a block as surely as others.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import scipy.linalg
+
+from dalembert._checks import FloatArray
+
+BLOCK = 12  # vectors that are solved for at once
+TOLERANCE = 1e-12  # norm of a residual, as part of the eigenvalue of the inverse
+ROUND_OFF = 1e-15  # the same, as part of the largest of them
+DEPENDENT = 1e-12  # a vector of which less than that is left when the others are taken off
+Solve = Callable[[FloatArray], FloatArray]
+
+
+def inverse_lanczos(mass: Any, solve: Solve, shift: float, count: int) -> tuple[FloatArray, FloatArray]:
+    """Eigenvalues of the stiffness next to -shift, in rising order, and modes with unit modal masses.
+
+    `solve` gives the displacements of columns of forces with the stiffness K + shift M; it may hold constraints.
+    """
+    basis, projected = _Basis(mass), np.zeros((0, 0))
+    random = np.random.default_rng(1)  # results do not change from run to run
+    basis.extend(_start(mass, solve, random))
+    while True:
+        new = solve(basis.massive[:, len(projected) :])
+        projected = _bordered(projected, basis.massive.T @ new)
+        coupling = basis.extend(new)
+        values, vectors = scipy.linalg.eigh(projected)
+        nearest = np.argsort(-np.abs(values))[:count]
+        residuals = np.linalg.norm(coupling @ vectors[-coupling.shape[1] :, nearest], axis=0)
+        bounds = TOLERANCE * np.abs(values[nearest]) + ROUND_OFF * np.abs(values).max()
+        if len(nearest) == count and (residuals <= bounds).all():
+            found = basis.massive[:, : len(vectors)] @ vectors[:, nearest]
+            return _modes(mass, solve, found, 1.0 / values[nearest] - shift)
+        if basis.size == len(projected):  # nothing but modes so far, and others are wanted
+            basis.extend(_start(mass, solve, random))
+        if basis.size == len(projected):
+            raise ValueError(f"{count} modes are asked for, but there are only {len(projected)} with a mass")
+
+
+def _start(mass: Any, solve: Solve, random: np.random.Generator) -> FloatArray:
+    return solve(mass @ random.standard_normal((mass.shape[0], min(BLOCK, mass.shape[0]))))
+
+
+def _modes(mass: Any, solve: Solve, found: FloatArray, eigenvalues: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Modes of unit modal masses; one more solution takes away what has no mass [Nour-Omid et al. 1987]."""
+    modes = np.hstack([solve(part) for part in np.array_split(found, -(-found.shape[1] // BLOCK), axis=1)])
+    modes /= np.sqrt(np.einsum("ij,ij->j", modes, mass @ modes))
+    order = np.argsort(eigenvalues)
+    return eigenvalues[order], modes[:, order]
+
+
+class _Basis:
+    """Vectors that are orthonormal by the mass matrix, and their products with it."""
+
+    def __init__(self, mass: Any) -> None:
+        self._mass = mass
+        self.size = 0
+        self._vectors, self._massive = (np.empty((mass.shape[0], 8 * BLOCK), order="F") for _ in range(2))
+
+    @property
+    def vectors(self) -> FloatArray:
+        """Orthonormal vectors, as columns."""
+        return self._vectors[:, : self.size]
+
+    @property
+    def massive(self) -> FloatArray:
+        """Their products with the mass matrix."""
+        return self._massive[:, : self.size]
+
+    def extend(self, new: FloatArray) -> FloatArray:
+        """Add what is new in vectors; returns its coefficients in the vectors that were added."""
+        moved = self._mass @ new
+        lengths = np.sqrt(np.abs(np.einsum("ij,ij->j", new, moved)))
+        coupling = np.eye(new.shape[1])
+        for _ in range(3):  # what is left of vectors after the first time is not orthogonal enough [Parlett 1980]
+            known = self.massive.T @ new
+            new, moved = new - self.vectors @ known, moved - self.massive @ known
+            squares, axes = np.linalg.eigh(new.T @ moved)
+            kept = squares > (DEPENDENT * lengths.max(initial=0.0)) ** 2
+            scaled = axes[:, kept] / np.sqrt(squares[kept])
+            new, moved = new @ scaled, moved @ scaled
+            coupling = (np.sqrt(squares[kept])[:, None] * axes.T[kept]) @ coupling
+            lengths = np.ones(new.shape[1])
+        self._append(new)
+        return coupling
+
+    def _append(self, new: FloatArray) -> None:
+        size = self.size + new.shape[1]
+        if size > self._vectors.shape[1]:
+            for name in ("_vectors", "_massive"):
+                larger = np.empty((len(new), 2 * size), order="F")
+                larger[:, : self.size] = getattr(self, name)[:, : self.size]
+                setattr(self, name, larger)
+        self._vectors[:, self.size : size], self._massive[:, self.size : size] = new, self._mass @ new
+        self.size = size
+
+
+def _bordered(projected: FloatArray, columns: FloatArray) -> FloatArray:
+    """The projected matrix with the columns of new vectors, and their rows, which are the same."""
+    known, size = len(projected), len(columns)
+    result = np.zeros((size, size))
+    result[:known, :known] = projected
+    result[:, known:], result[known:, :] = columns, columns.T
+    result[known:, known:] = 0.5 * (columns[known:] + columns[known:].T)
+    return result
