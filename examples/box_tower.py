@@ -10,12 +10,12 @@ import dalembert as exu
 from dalembert.utilities import *
 
 count, size, density, gravity = 10, [0.12, 0.12, 0.08], 500.0, 9.81  # 1, m, kg/m^3, m/s^2
-stiffness, damping, friction = 2e5, 80.0, 0.5  # N/m, Ns/m, 1
-radius, speed = 0.08, 7.0  # of the ball: m, m/s
+stiffness, damping, friction = 2e5, 400.0, 0.5  # N/m, Ns/m, 1
+radius, speed = 0.08, 4.0  # of the ball: m, m/s
 mass, ball_mass = density * np.prod(size), 3.0  # kg
 
 mbs = exu.SystemContainer().AddSystem()
-floor = graphics.CheckerBoard(point=[0.3, 0, 0], size=2.4, nTiles=12)
+floor = graphics.CheckerBoard(point=[0.3, 0, 0], size=1.8, nTiles=12)
 ground = mbs.AddMarker(MarkerBodyRigid(bodyNumber=mbs.CreateGround(graphicsDataList=[floor])))
 contact = mbs.AddGeneralContact()
 contact.SetFrictionPairings([[friction]])
@@ -37,7 +37,7 @@ for number, height in enumerate(heights):
     )
     contact.AddBoxWithMarker(mbs.AddMarker(MarkerBodyRigid(bodyNumber=body)), size=size, **surface)
     boxes.append(body)
-start = [-1.2, 0.02, 0.5]
+start = [-0.6, 0.02, 0.45]
 ball = mbs.CreateRigidBody(
     referencePosition=start,
     inertia=InertiaSphere(ball_mass, radius),
@@ -68,14 +68,14 @@ print(f"depth of the lowest box: {-1e3 * lowest:.4f} mm, by the weight of all {1
 
 mbs.SetLoadParameter(weight, "loadVector", [0, 0, -ball_mass * gravity])
 velocity = mbs.systemData.GetODE2Coordinates_t(exu.ConfigurationType.Initial)
-velocity[mbs.systemData.GetObjectLTGODE2(ball)[:3]] = [speed, 0, 0.6]
+velocity[mbs.systemData.GetObjectLTGODE2(ball)[:3]] = [speed, 0, 0.8]
 mbs.systemData.SetODE2Coordinates_t(velocity, exu.ConfigurationType.Initial)
-solve(1, 1.3)
+solve(1, 1.35)
 SC = mbs.GetSystemContainer()
 view = SC.visualizationSettings
 view.nodes.show = view.markers.show = view.loads.show = False
 mbs.Draw(fileName="box_tower_picture.png")
-solve(1.3, 4)
+solve(1.35, 4)
 force = 0.0
 for pair, push in zip(*(contact.GetConvexContacts()[key] for key in ("pairs", "forces")), strict=True):
     force += push[2] if pair.max() == count + 1 else 0  # the plane, behind the ball and the boxes

@@ -152,7 +152,7 @@ def test_a_tower_of_ten_boxes_stands(damping: float) -> None:
         early, late = np.ptp(x[:500, 1:], axis=0), np.ptp(x[1500:, 1:], axis=0)
         assert late[0] < 0.7 * early[0]
         if damping > 1000:
-            assert late.max() < 1e-8
+            assert late[0] < 1e-3 * early[0]
 
 
 # ---- slopes ----------------------------------------------------------------------------------------------------------
