@@ -131,7 +131,8 @@ def test_a_box_that_slides_over_a_fine_mesh_keeps_its_height() -> None:
 def test_a_tower_of_ten_boxes_stands(damping: float) -> None:
     """For 10 s; each joint is a spring that bears what is above.
 
-    Boxes are 1 mm to the left and to the right, in turn, which leans the tower: joints are pressed by up to 0.1 mm, and the uppermost one stands on ten of them. It begins upright, so that it sways; damped more, it comes to rest.
+    Boxes are 1 mm to the left and to the right, in turn: the sole of the lowest one is 1 mm beside the weight, which leans it by 10 m g e / (k a^2 / 4) = 4e-4. As a column that
+    its own weight would buckle at 1.26 m, with k a^3 / 4 as bending stiffness, the tower leans twice as much, 0.8 mm of 1 m. It begins upright, so that it sways; damped more, it rests.
     """
     world, n, side = ConvexWorld(0.5), 10, 0.1
     world.damped(damping)
@@ -147,10 +148,10 @@ def test_a_tower_of_ten_boxes_stands(damping: float) -> None:
     world.solve(10.0, 2000, IMPLICIT)
     for i, (place, h) in enumerate(zip(places, heights, strict=True)):
         x = world.stored(place)
-        assert x[-1, 3] == pytest.approx(h, abs=2e-6)  # 2 % of the deepest joint
-        assert x[-1, 1:3] == pytest.approx([1e-3 * (-1) ** i, 0], abs=2e-4)
+        assert x[-1, 3] == pytest.approx(h, abs=5e-6)  # 0.1 % of what all joints sink
+        assert x[-1, 1:3] == pytest.approx([1e-3 * (-1) ** i, 0], abs=1.5e-3)
         early, late = np.ptp(x[:500, 1:], axis=0), np.ptp(x[1500:, 1:], axis=0)
-        assert late[0] < 0.7 * early[0]
+        assert late[0] < 0.9 * early[0]
         if damping > 1000:
             assert late[0] < 1e-3 * early[0]
 
