@@ -10,9 +10,10 @@ ContactPairing GeneralContact::convex_pairing(const ConvexTouch& t) const { retu
 
 void GeneralContact::follow_convex(const Ports& ports) const {
   renew_shapes();
-  std::vector<RigidFrame<double>> frames;
+  std::vector<RigidFrame<double>>& frames = scene_.frames();
+  frames.clear();
   for (int i = 0; i < scene_.participants(); ++i) frames.push_back(frame_of(scene_.marker(i), ports));
-  if (scene_.follow(std::move(frames))) ++convex_lists_;
+  if (scene_.follow()) ++convex_lists_;
 }
 
 // Those that push.

@@ -167,10 +167,14 @@ void ConvexPairs::clip(const ConvexNow& base, int face) {
     feet_.swap(kept_);
   }
   if (!cut) return;
-  std::vector<Vec3<double>> polygon;
-  for (const Foot& foot : feet_) polygon.push_back(foot.place);
-  const std::vector<double> shares = polygon.size() == 1 ? std::vector<double>{0.5} : corner_shares(polygon, -normal);
-  for (std::size_t i = 0; i < feet_.size(); ++i) feet_[i].share = shares[i];
+  if (feet_.size() == 1) {
+    feet_[0].share = 0.5;  // of what is left of a line
+    return;
+  }
+  polygon_.clear();
+  for (const Foot& foot : feet_) polygon_.push_back(foot.place);
+  find_corner_shares(polygon_, -normal, shares_);
+  for (std::size_t i = 0; i < feet_.size(); ++i) feet_[i].share = shares_[i];
 }
 
 // The other thing stands on a face of the base.

@@ -75,8 +75,7 @@ double ConvexScene::moved() const {
   return things + std::max(things, carriers);
 }
 
-bool ConvexScene::follow(std::vector<RigidFrame<double>> frames) {
-  frames_ = std::move(frames);
+bool ConvexScene::follow() {
   for (std::size_t i = 0; i < shapes_.size(); ++i) now_[i].place(shapes_[i], frames_[i]);
   if (at_list_.size() == frames_.size() && moved() <= skin_) return false;
   list();

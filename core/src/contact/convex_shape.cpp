@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <numeric>
 
 namespace dalembert {
 namespace {
@@ -61,7 +60,7 @@ void add_faces(const ConvexDefinition& from, ConvexShape& shape) {
     ConvexFace face{normals[f], dot(normals[f], mean), corners, {}};
     std::vector<Vec3<double>> polygon;
     for (const int c : corners) polygon.push_back(from.points[static_cast<std::size_t>(c)]);
-    face.shares = corner_shares(polygon, face.normal);
+    find_corner_shares(polygon, face.normal, face.shares);
     shape.faces.push_back(face);
   }
 }
@@ -122,23 +121,24 @@ ConvexDefinition prism_of(const ConvexDefinition& cylinder) {
 
 }  // namespace
 
-std::vector<double> corner_shares(const std::vector<Vec3<double>>& polygon, const Vec3<double>& normal) {
+void find_corner_shares(std::span<const Vec3<double>> polygon, const Vec3<double>& normal, std::vector<double>& shares) {
   const std::size_t n = polygon.size();
-  if (n < 3) return std::vector<double>(n, 1.0 / static_cast<double>(n));
-  const double none = flat * size_of(polygon);
-  std::vector<Vec3<double>> sides(n);
-  for (std::size_t k = 0; k < n; ++k) sides[k] = polygon[(k + 1) % n] - polygon[k];
+  shares.assign(n, 1.0 / static_cast<double>(n));
+  if (n < 3) return;
+  double size = 0;
+  for (const Vec3<double>& p : polygon) size = std::max(size, norm(p - polygon[0]));
+  const auto side = [&](std::size_t k) { return polygon[(k + 1) % n] - polygon[k % n]; };
   // A side without length leads where the next one does, so that all of the turn belongs to its begin.
-  for (std::size_t k = 2 * n; k-- > 0;)
-    if (!(norm(sides[k % n]) > none)) sides[k % n] = sides[(k + 1) % n];
-  std::vector<double> shares(n);
+  const auto is_none = [&](std::size_t k) { return !(norm(side(k)) > flat * size); };
+  double sum = 0;
   for (std::size_t k = 0; k < n; ++k) {
-    const Vec3<double>& before = sides[(k + n - 1) % n];
-    shares[k] = std::abs(std::atan2(dot(normal, cross(before, sides[k])), dot(before, sides[k]))) / (2 * std::numbers::pi);
+    std::size_t next = k;
+    while (next < k + n && is_none(next)) ++next;
+    const Vec3<double> before = side(k + n - 1), after = side(next);
+    shares[k] = is_none(k + n - 1) ? 0 : std::abs(std::atan2(dot(normal, cross(before, after)), dot(before, after)));
+    sum += shares[k];
   }
-  const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
   for (double& share : shares) share = sum > 0 ? share / sum : 1.0 / static_cast<double>(n);
-  return shares;
 }
 
 double cap_share(int point, double tilt) {

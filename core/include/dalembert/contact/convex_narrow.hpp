@@ -69,6 +69,8 @@ class ConvexPairs {
   bool mantles(const ConvexNow& a, const ConvexNow& b, const Overlap& at, std::vector<ConvexTouch>& found) const;
 
   std::vector<Foot> feet_, kept_;
+  std::vector<Vec3<double>> polygon_;
+  std::vector<double> shares_;
 };
 
 // Parameters of the points of two lines that are nearest to each other; parallel ones have none.

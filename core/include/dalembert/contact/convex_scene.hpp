@@ -22,8 +22,9 @@ class ConvexScene {
   int marker(int participant) const { return markers_[static_cast<std::size_t>(participant)]; }
   const ContactSurface& surface(int participant) const { return surfaces_[static_cast<std::size_t>(participant)]; }
 
-  // Frames of participants. True: pairs that are near each other have been listed anew.
-  bool follow(std::vector<RigidFrame<double>> frames);
+  // Frames of participants, to be filled before. True: pairs that are near each other have been listed anew.
+  std::vector<RigidFrame<double>>& frames() { return frames_; }
+  bool follow();
   const std::vector<std::pair<int, int>>& near() const { return near_; }  // ascending
   // All that overlaps, in ascending order.
   void find(std::vector<ConvexTouch>& found);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -50,7 +51,7 @@ ConvexShape make_shape(const ConvexDefinition& definition);
 ConvexDefinition box_definition(const Vec3<double>& centre, const Vec3<double>& size);
 
 // How far a polygon turns at each corner, of a full turn: they add up to one, a corner that is cut into two hands on what it has, and one on a straight side has none.
-std::vector<double> corner_shares(const std::vector<Vec3<double>>& polygon, const Vec3<double>& normal);
+void find_corner_shares(std::span<const Vec3<double>> polygon, const Vec3<double>& normal, std::vector<double>& shares);
 
 // Points of one rim that stand for the cap of a cylinder, the first one where it is lowest, with what each bears at a tilt of this sine. Standing, all bear the
 // same, and resist tilting in every direction alike; leaning, the lowest one bears half, as it does of a mantle.
