@@ -11,7 +11,14 @@ from test_general_contact import EXPLICIT, IMPLICIT, G, World, check_tangent, gr
 import dalembert as exu
 from dalembert import itemInterface as eii
 from dalembert._core import testing
-from dalembert.utilities import InertiaCuboid, InertiaCylinder, InertiaSphere, RotationMatrixX, RotationMatrixY
+from dalembert.utilities import (
+    InertiaCuboid,
+    InertiaCylinder,
+    InertiaSphere,
+    RotationMatrixX,
+    RotationMatrixY,
+    RotationMatrixZ,
+)
 
 K = 2e5  # of one surface; two of them are half as stiff
 FLOORS = ["plane", "triangles", "mesh", "heights", "box"]
@@ -213,14 +220,17 @@ def test_a_cylinder_rolls_down(floor: str, solver: Any) -> None:
 # ---- conserved quantities --------------------------------------------------------------------------------------------
 
 
-def crowd(world: ConvexWorld, seed: int, count: int = 10, speed: float = 1.0) -> list[Any]:
-    """Boxes, cylinders, capsules, hulls and spheres at random, some of which overlap."""
-    rng, bodies = np.random.default_rng(seed), []
+def crowd(
+    world: ConvexWorld, seed: int, count: int = 10, speed: float = 1.0, frame: Any = None, shift: Any = (0, 0, 0)
+) -> list[Any]:
+    """Boxes, cylinders, capsules, hulls and spheres at random, some of which overlap, in a frame that may be turned."""
+    rng, bodies, frame = np.random.default_rng(seed), [], np.eye(3) if frame is None else frame
     for i in range(count):
         turn = RotationMatrixX(rng.uniform(0, 6)) @ RotationMatrixY(rng.uniform(0, 6))
         body, marker = world.body(
-            InertiaSphere(1, 0.1), rng.uniform(-0.17, 0.17, 3), (0, 0, 0), referenceRotationMatrix=turn,
-            initialVelocity=list(rng.uniform(-speed, speed, 3)), initialAngularVelocity=list(rng.uniform(-5, 5, 3)),
+            InertiaSphere(1, 0.1), shift + frame @ rng.uniform(-0.17, 0.17, 3), (0, 0, 0),
+            referenceRotationMatrix=frame @ turn, initialVelocity=list(frame @ rng.uniform(-speed, speed, 3)),
+            initialAngularVelocity=list(frame @ rng.uniform(-5, 5, 3)),
         )  # fmt: skip
         kind = i % 5
         if kind == 0:
@@ -264,6 +274,41 @@ def test_action_is_reaction(seed: int) -> None:
     scale = np.abs(forces).max()
     np.testing.assert_allclose(total, 0, atol=1e-12 * scale)
     np.testing.assert_allclose(moment, 0, atol=1e-12 * scale)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_forces_turn_with_the_frame(seed: int) -> None:
+    """Everything shifted and turned: the same gaps and forces, turned along."""
+    frame, found = RotationMatrixY(0.7) @ RotationMatrixX(1.9), []
+    for turn, shift in ((np.eye(3), np.zeros(3)), (frame, np.array([3.0, -5.0, 2.0]))):
+        world = ConvexWorld(0.4)
+        world.contact.frictionProportionalZone = 0.3
+        crowd(world, seed, 12, 1.0, turn, shift)
+        world.mbs.Assemble()
+        places = world.contact.GetConvexContacts()
+        found.append((places["gaps"], places["forces"] @ turn, (places["points"] - shift) @ turn))
+    assert len(found[0][0]) > 15
+    for plain, turned in zip(*found, strict=True):
+        np.testing.assert_allclose(turned, plain, atol=1e-12 * max(1, np.abs(plain).max()))
+
+
+@pytest.mark.parametrize("yaw", [1e-12, 1e-7, -1e-7])
+def test_forces_do_not_jump_where_faces_are_flush(yaw: float) -> None:
+    """A box on another of the same size, tilted: sides that coincide cut corners anywhere if one is turned by a hair; forces change by the hair alone."""
+    wrenches = []
+    for turn in (0.0, yaw):
+        world = ConvexWorld()
+        world.contact.AddBoxWithMarker(world.ground, [0.1, 0.1, 0.1], **world.surface)
+        rotation = RotationMatrixX(2e-4) @ RotationMatrixZ(turn)
+        body, marker = world.body(
+            InertiaSphere(1, 0.1), [0, 0, 0.1 - 3e-5], (0, 0, 0), referenceRotationMatrix=rotation
+        )
+        world.contact.AddBoxWithMarker(marker, [0.1, 0.1, 0.1], **world.surface)
+        world.mbs.Assemble()
+        wrenches.append(world.contact.GetSystemODE2RhsContactForces()[world.mbs.systemData.GetObjectLTGODE2(body)])
+    assert wrenches[0][2] == pytest.approx(K / 2 * 3e-5, rel=1e-3)
+    assert wrenches[0][3] == pytest.approx(-K / 2 * 2e-4 * 0.05**2, rel=1e-2)
+    np.testing.assert_allclose(wrenches[1], wrenches[0], atol=10 * abs(yaw) * wrenches[0][2] + 1e-11)
 
 
 def test_a_box_that_bounces_keeps_its_energy() -> None:
