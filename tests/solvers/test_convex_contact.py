@@ -163,6 +163,27 @@ def test_a_tower_of_ten_boxes_stands(damping: float) -> None:
             assert late[0] < 1e-3 * early[0]
 
 
+@pytest.mark.parametrize("solver", [EXPLICIT, IMPLICIT])
+def test_spheres_on_a_plane_are_as_on_triangles(solver: Any) -> None:
+    """A ball that is pushed slides until it rolls with 5/7 of its speed; a point does not turn, and stops."""
+    results, friction, speed = [], 0.3, 1.0
+    for floor in ("plane", "triangles"):
+        world, sink = ConvexWorld(friction), G / (K / 2)
+        world.floor(floor)
+        ball = world.ball(
+            [-1, 0.01, 0.1 - sink], [speed, 0, 0], gravity=[0, 0, -G], surface={"stiffness": K, "damping": 0.0}
+        )
+        point = world.point([-1, 0.5, 0.1 - sink], [speed, 0, 0], stiffness=K)
+        marker = world.mbs.AddMarker(eii.MarkerBodyPosition(bodyNumber=point))
+        world.mbs.AddLoad(eii.LoadForceVector(markerNumber=marker, loadVector=[0, 0, -G]))
+        world.solve(0.4, 2000, solver)
+        results.append([world.output(b, n) for b in (ball, point) for n in ("Position", "Velocity")])
+    np.testing.assert_allclose(results[0], results[1], atol=1e-9)
+    arm = 0.1 - G / (K / 2)
+    assert results[0][1][0] == pytest.approx(speed / (1 + 0.4 * (0.1 / arm) ** 2), rel=2e-3)
+    assert np.abs(results[0][3]).max() < 1e-3
+
+
 # ---- slopes ----------------------------------------------------------------------------------------------------------
 
 
