@@ -83,6 +83,9 @@ def _general_contact() -> dict[str, Any]:
     index, whole = {"$ref": "#/$defs/index"}, {"type": "integer", "minimum": 0}
     positive, not_negative = {"type": "number", "exclusiveMinimum": 0}, {"type": "number", "minimum": 0}
     surface = {"contactStiffness": positive, "contactDamping": not_negative, "frictionMaterialIndex": whole}
+    number = {axis: {"type": "number"} for axis in "xyz"}
+    of_points = dict.fromkeys("xyz", whole)
+    plane = {kind + axis: {"type": "number"} for kind in ("normal", "point") for axis in "XYZ"}
     groups = {
         "spheres": _columns("spheres at markers", markerIndex=index, radius=positive, **surface),
         "cables": _columns("elements of planar cables", objectIndex=index, halfHeight=not_negative, **surface),
@@ -91,6 +94,22 @@ def _general_contact() -> dict[str, Any]:
             "corners of triangles in the frames of triangleBodies",
             contactRigidBodyIndex=whole,
             points=_array((3, 3), "number"),
+        ),
+        "convexShapes": _columns(
+            "convex shapes: kinds (0: polytope, 1: capsule, 2: cylinder), numbers of convexPoints and convexTriangles",
+            markerIndex=index,
+            kind={"type": "integer", "minimum": 0, "maximum": 2},
+            radius=not_negative,
+            points=whole,
+            triangles=whole,
+            **surface,
+        ),
+        "convexPoints": _columns("corners of polytopes, or ends of axes, in the frames of their markers", **number),
+        "convexTriangles": _columns(
+            "corners of triangles, by their numbers among the points of the shape", **of_points
+        ),
+        "planes": _columns(
+            "planes in the frames of markers: normals and points", rigidBodyMarkerIndex=index, **plane, **surface
         ),
     }
     flags = (
@@ -117,7 +136,7 @@ def _general_contact() -> dict[str, Any]:
     }
     return {
         "type": "object",
-        "description": "contact of spheres with each other, with triangles and with planar cables",
+        "description": "contact of spheres and convex shapes with each other, with triangles, planes and planar cables",
         "additionalProperties": False,
         "properties": groups | settings,
     }

@@ -6,66 +6,16 @@
 #include <iterator>
 
 #include "conversion.hpp"
-#include "dalembert/contact/general_contact.hpp"
-#include "general_contact_checks.hpp"
+#include "general_contact_handle.hpp"
 #include "index_types.hpp"
 #include "item_arguments.hpp"
-#include "main_system.hpp"
 #include "python_errors.hpp"
 #include "sequence.hpp"
 
 namespace dalembert {
 namespace {
 
-struct ContactHandle {
-  std::shared_ptr<MainSystem> main;
-  std::shared_ptr<ContactSet> set;
-
-  int number() const {
-    const auto sources = main->model.term_sources();
-    for (std::size_t i = 0; i < sources.size(); ++i)
-      if (sources[i] == set) return static_cast<int>(i);
-    refuse(ErrorKind::state, {"GeneralContact", "", "it was deleted from its system", "", "", "Take another one by mbs.AddGeneralContact()."});
-  }
-  static std::string called(const char* method) { return "GeneralContact." + std::string(method) + "(...)"; }
-  // Assembled, with the frames of the current state.
-  const GeneralContact& term(const char* method, const Ports*& ports) const {
-    System& system = this->system(method);
-    ports = &system.current_ports();
-    return static_cast<const GeneralContact&>(system.term(number()));
-  }
-  System& system(const char* method) const {
-    const int which = number();
-    return main->assembled([&] { return "GetGeneralContact(" + std::to_string(which) + ")." + method; });
-  }
-};
 struct ContactVisualization {};
-
-int require_number(const char* method, int number, std::size_t count, const char* of) {
-  if (number >= 0 && number < static_cast<int>(count)) return number;
-  refuse(ErrorKind::index, {ContactHandle::called(method), "localIndex", "", std::to_string(number), "the number of a " + std::string(of) + "; there are " + std::to_string(count), ""});
-}
-
-Vec3<double> vector_argument(const char* method, const char* parameter, const py::object& value) {
-  Vec3<double> result;
-  if (read_plain_reals(value.ptr(), 1, result.x)) return result;
-  try {
-    const std::vector<double> numbers = read_reals(value.ptr());
-    if (numbers.size() == 3) return {numbers[0], numbers[1], numbers[2]};
-  } catch (const Refusal&) {
-  }
-  refuse_value(method, parameter, show(value.ptr()), "3 finite numbers (unit m)");
-}
-
-// An array with so many columns.
-template <class A>
-A table_argument(const char* method, const char* parameter, const py::object& value, py::ssize_t columns) {
-  A array = A::ensure(value);
-  if (!array) PyErr_Clear();
-  if (!array || array.ndim() != 2 || array.shape(1) != columns)
-    refuse_value(method, parameter, show(value.ptr()), "a list or an array with " + std::to_string(columns) + " columns");
-  return array;
-}
 
 py::object vector_out(const Vec3<double>& v) { return new_array({3}, v.x.data()); }
 py::object matrix_out(const Mat3<double>& m) { return new_array({3, 3}, m.x.data()); }
@@ -241,11 +191,12 @@ py::object items_in_box(const ContactHandle& self, const py::object& lower, cons
   const Ports* ports = nullptr;
   const GeneralContact& term = self.term(method, ports);
   const GeneralContact::Items items = term.items_in(box, *ports);
-  if (items.spheres.empty() && items.cables.empty() && items.triangles.empty()) return py::bool_(false);
+  if (items.spheres.empty() && items.cables.empty() && items.triangles.empty() && items.convex.empty()) return py::bool_(false);
   py::dict result;
   result["MarkerBasedSpheres"] = integers_out(items.spheres);
   result["TrigsRigidBodyBased"] = integers_out(items.triangles);
   result["ANCFCable2D"] = integers_out(items.cables);
+  if (!self.set->convex.empty()) result["ConvexMarkerBased"] = integers_out(items.convex);
   return result;
 }
 
@@ -262,7 +213,8 @@ py::object shortest_distance(const ContactHandle& self, const py::object& start,
   const bool all = of == ContactTypeIndex::IndexEndOfEnumList;
   Line line{vector_argument(method, "pStart", start), vector_argument(method, "direction", direction), nearest, farthest,
             require(method, "cylinderRadius", radius, false, "m"), all || of == ContactTypeIndex::IndexSpheresMarkerBased,
-            all || of == ContactTypeIndex::IndexANCFCable2D, all || of == ContactTypeIndex::IndexTrigsRigidBodyBased};
+            all || of == ContactTypeIndex::IndexANCFCable2D, all || of == ContactTypeIndex::IndexTrigsRigidBodyBased,
+            all || of == ContactTypeIndex::IndexConvexMarkerBased, all || of == ContactTypeIndex::IndexPlanesRigidBodyBased};
   const double length = norm(line.direction);
   if (!(length > 0)) refuse_value(method, "direction", show(direction.ptr()), "a vector that is not zero");
   if (!(nearest < farthest)) refuse_value(method, "minDistance", text_of(nearest), "less than maxDistance, which is " + text_of(farthest));
@@ -275,10 +227,12 @@ py::object shortest_distance(const ContactHandle& self, const py::object& start,
   py::dict result;
   result["distance"] = hit.distance;
   result["velocityAlongLine"] = hit.velocity;
-  result["itemIndex"] = std::max({hit.sphere, hit.cable, hit.triangle});
+  result["itemIndex"] = std::max({hit.sphere, hit.cable, hit.triangle, hit.convex, hit.plane});
   const auto found = hit.sphere >= 0     ? ContactTypeIndex::IndexSpheresMarkerBased
                      : hit.cable >= 0    ? ContactTypeIndex::IndexANCFCable2D
                      : hit.triangle >= 0 ? ContactTypeIndex::IndexTrigsRigidBodyBased
+                     : hit.convex >= 0   ? ContactTypeIndex::IndexConvexMarkerBased
+                     : hit.plane >= 0    ? ContactTypeIndex::IndexPlanesRigidBodyBased
                                          : ContactTypeIndex::IndexEndOfEnumList;
   result["typeIndex"] = static_cast<int>(found);
   return result;
@@ -293,22 +247,31 @@ void update_contacts(const ContactHandle& self, const std::shared_ptr<MainSystem
 py::array_t<int> active_contacts(const ContactHandle& self, const py::object& type, int number) {
   constexpr const char* method = "GetActiveContacts";
   const ContactTypeIndex of = type_argument(method, type);
-  const std::size_t counts[] = {self.set->spheres.size(), self.set->cables.size(), self.set->triangles.size()};
+  const std::size_t counts[] = {self.set->spheres.size(), self.set->cables.size(), self.set->triangles.size(), 0, self.set->convex.size(), self.set->planes.size()};
   if (of == ContactTypeIndex::IndexEndOfEnumList) refuse_value(method, "typeIndex", "IndexEndOfEnumList", "a kind of contact");
   const std::size_t count = counts[static_cast<std::size_t>(of)];
   if (number != -1) require_number(method, number, count, "contact item of this type, or -1");
   System& system = self.system(method);
   const auto& term = static_cast<const GeneralContact&>(system.term(self.number()));
   std::vector<int> result(number == -1 ? count : 0, 0);
-  if (of == ContactTypeIndex::IndexTrigsRigidBodyBased) return integers_out(result);  // spheres list triangles
+  if (of == ContactTypeIndex::IndexTrigsRigidBodyBased || of == ContactTypeIndex::IndexPlanesRigidBodyBased) return integers_out(result);  // spheres and convex shapes list them
   const bool of_spheres = of == ContactTypeIndex::IndexSpheresMarkerBased;
   const int first = self.set->first_cable(), end = self.set->first_triangle();
+  const auto add = [&](int owner, int other) {
+    if (number == -1) ++result[static_cast<std::size_t>(owner)];
+    else if (owner == number) result.push_back(other);
+  };
+  for (const GeneralContact::ConvexPair& pair : term.convex_pairs()) {
+    const int begin = of_spheres ? 0 : self.set->first_convex(), size = static_cast<int>(count);
+    for (const auto& [own, other] : {std::pair(pair.first, pair.second), std::pair(pair.second, pair.first)})
+      if (own >= begin && own < begin + size) add(own - begin, pair.sticks ? other : -other);
+  }
+  if (of == ContactTypeIndex::IndexConvexMarkerBased) return integers_out(result);
   for (const HeldContact& contact : term.touching()) {
     const bool with_cable = contact.other >= first && contact.other < end;
     if (with_cable == of_spheres) continue;  // cables list spheres
     const int owner = of_spheres ? contact.sphere : contact.other - first, other = of_spheres ? contact.other : contact.sphere;
-    if (number == -1) ++result[static_cast<std::size_t>(owner)];
-    else if (owner == number) result.push_back(contact.sticks || with_cable ? other : -other);
+    add(owner, contact.sticks || with_cable ? other : -other);
   }
   return integers_out(result);
 }
@@ -395,11 +358,13 @@ py::dict python_object(const ContactHandle& self) {
   result["frictionProportionalZone"] = set.proportional_zone;
   result["frictionBristles"] = bristles_out(set);
   result["minRelDistanceSpheresTriangles"] = set.nearest_relative_distance;
-  result["globalContactIndexOffsets"] = integers_out({0, set.first_cable(), set.first_triangle(), set.first_triangle() + static_cast<int>(set.triangles.size())});
+  result["globalContactIndexOffsets"] = integers_out({0, set.first_cable(), set.first_triangle(), set.first_convex()});
   result["numberOfSpheresMarkerBased"] = set.spheres.size();
   result["numberOfANCFCable2D"] = set.cables.size();
   result["numberOfTrigsRigidBodyBased"] = set.triangles.size();
   result["numberOfRigidBodyMarkerBased"] = set.carriers.size();
+  result["numberOfConvexMarkerBased"] = set.convex.size();
+  result["numberOfPlanesRigidBodyBased"] = set.planes.size();
   result["searchTreeSize"] = std::vector<int>(set.cells.begin(), set.cells.end());
   py::list box;
   box.append(new_array({3}, set.box.data()));
@@ -424,7 +389,7 @@ void register_methods_of_systems(const py::module_& module) {
         main.restructure("mbs.AddGeneralContact()").add(set);
         return ContactHandle{main.shared_from_this(), set};
       },
-      "Add contact of spheres with each other, with triangles and cables, to be filled by methods of what is returned.");
+      "Add contact of spheres and convex shapes with each other, with triangles and planes, to be filled by methods of what is returned.");
   main_system.def(
       "GetGeneralContact",
       [](MainSystem& main, int number) {
@@ -447,7 +412,7 @@ void register_methods_of_systems(const py::module_& module) {
 void register_general_contact(py::module_& module) {
   py::class_<ContactVisualization>(module, "VisuGeneralContact", "What GeneralContact.visualization is; there is nothing to set.")
       .def("Reset", [](const ContactVisualization&) {}, "Does nothing.");
-  py::class_<ContactHandle> contact(module, "GeneralContact", "Contact of spheres with each other, with triangles and cables; made by mbs.AddGeneralContact().");
+  py::class_<ContactHandle> contact(module, "GeneralContact", "Contact of spheres and convex shapes with each other, with triangles and planes, and of spheres with cables; made by mbs.AddGeneralContact().");
   contact.def(py::init([](const py::args&, const py::kwargs&) -> std::unique_ptr<ContactHandle> {
     refuse(ErrorKind::state, {"GeneralContact()", "", "it belongs to a system", "", "", "Call mbs.AddGeneralContact()."});
   }));
@@ -500,8 +465,12 @@ void register_general_contact(py::module_& module) {
                        "Distance of a sphere's centre from a triangle, in radii, below which they do not touch.");
   contact.def_property_readonly("visualization", [](const ContactHandle&) { return ContactVisualization(); }, "There is nothing to set.");
   contact.def("__repr__", [](const ContactHandle& self) {
-    return "<GeneralContact: " + std::to_string(self.set->spheres.size()) + " spheres, " + std::to_string(self.set->cables.size()) + " cables, " + std::to_string(self.set->triangles.size()) + " triangles>";
+    const auto count = [](std::size_t n, const char* what) { return std::to_string(n) + " " + what; };
+    const ContactSet& set = *self.set;
+    return "<GeneralContact: " + count(set.spheres.size(), "spheres, ") + count(set.cables.size(), "cables, ") + count(set.triangles.size(), "triangles, ") +
+           count(set.convex.size(), "convex shapes, ") + count(set.planes.size(), "planes>");
   });
+  register_convex_contact(contact);
   register_kept(contact);
   register_methods_of_systems(module);
 }

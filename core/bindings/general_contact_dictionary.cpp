@@ -38,6 +38,10 @@ py::array_t<double> friction_out(const ContactSet& set) { return new_array({set.
 
 namespace {
 
+constexpr const char* convex_axes[] = {"x", "y", "z"};
+constexpr const char* plane_normals[] = {"normalX", "normalY", "normalZ"};
+constexpr const char* plane_points[] = {"pointX", "pointY", "pointZ"};
+
 // ---- writing ---------------------------------------------------------------------------------------------------------
 
 // A column of things, by what f gives of each.
@@ -54,6 +58,40 @@ void put_surfaces(py::dict& group, const std::vector<Thing>& things) {
   group["contactStiffness"] = column(things, [](const Thing& t) { return t.surface.stiffness; });
   group["contactDamping"] = column(things, [](const Thing& t) { return t.surface.damping; });
   group["frictionMaterialIndex"] = column(things, [](const Thing& t) { return t.surface.material; });
+}
+
+void put_convex(py::dict& result, const ContactSet& set) {
+  py::dict shapes, points, triangles;
+  std::vector<Vec3<double>> all_points;
+  std::vector<std::array<int, 3>> all_triangles;
+  for (const ContactConvex& c : set.convex) {
+    all_points.insert(all_points.end(), c.definition.points.begin(), c.definition.points.end());
+    all_triangles.insert(all_triangles.end(), c.definition.triangles.begin(), c.definition.triangles.end());
+  }
+  shapes["markerIndex"] = column(set.convex, [](const ContactConvex& c) { return c.marker; });
+  shapes["kind"] = column(set.convex, [](const ContactConvex& c) { return static_cast<int>(c.definition.kind); });
+  shapes["radius"] = column(set.convex, [](const ContactConvex& c) { return c.definition.radius; });
+  shapes["points"] = column(set.convex, [](const ContactConvex& c) { return static_cast<int>(c.definition.points.size()); });
+  shapes["triangles"] = column(set.convex, [](const ContactConvex& c) { return static_cast<int>(c.definition.triangles.size()); });
+  put_surfaces(shapes, set.convex);
+  for (int i = 0; i < 3; ++i) {
+    points[convex_axes[i]] = column(all_points, [i](const Vec3<double>& p) { return p[i]; });
+    triangles[convex_axes[i]] = column(all_triangles, [i](const std::array<int, 3>& t) { return t[static_cast<std::size_t>(i)]; });
+  }
+  result["convexShapes"] = shapes;
+  result["convexPoints"] = points;
+  result["convexTriangles"] = triangles;
+}
+
+void put_planes(py::dict& result, const ContactSet& set) {
+  py::dict planes;
+  planes["rigidBodyMarkerIndex"] = column(set.planes, [](const ContactPlane& p) { return p.marker; });
+  for (int i = 0; i < 3; ++i) {
+    planes[plane_normals[i]] = column(set.planes, [i](const ContactPlane& p) { return p.normal[i]; });
+    planes[plane_points[i]] = column(set.planes, [i](const ContactPlane& p) { return p.point[i]; });
+  }
+  put_surfaces(planes, set.planes);
+  result["planes"] = planes;
 }
 
 py::dict groups_of(const ContactSet& set) {
@@ -76,6 +114,8 @@ py::dict groups_of(const ContactSet& set) {
   result["cables"] = cables;
   result["triangleBodies"] = bodies;
   result["triangles"] = triangles;
+  if (!set.convex.empty()) put_convex(result, set);
+  if (!set.planes.empty()) put_planes(result, set);
   return result;
 }
 
@@ -113,7 +153,7 @@ class Columns {
     for (const char* name : names) {
       Array numbers = given.contains(name) ? Array::ensure(given[name]) : Array();
       if (!numbers) PyErr_Clear();
-      const bool is_points = name == std::string("points");
+      const bool is_points = name == std::string("points") && group_ == "triangles";
       if (!given.contains(name) || !numbers || (numbers.size() > 0 && numbers.ndim() != (is_points ? 3 : 1)) ||
           (is_points && numbers.size() > 0 && (numbers.shape(1) != 3 || numbers.shape(2) != 3)))
         refuse_value(ValueSource::at(where), group_ + "." + name, given.contains(name) ? show(py::object(given[name]).ptr()) : "nothing",
@@ -176,6 +216,49 @@ void read_groups(const std::string& where, const py::dict& data, ContactSet& set
   }
 }
 
+void read_convex(const std::string& where, const py::dict& data, ContactSet& set) {
+  const Columns shapes(where, data, "convexShapes", {"markerIndex", "kind", "radius", "points", "triangles", "contactStiffness", "contactDamping", "frictionMaterialIndex"});
+  const Columns points(where, data, "convexPoints", {convex_axes[0], convex_axes[1], convex_axes[2]}), triangles(where, data, "convexTriangles", {convex_axes[0], convex_axes[1], convex_axes[2]});
+  std::size_t point = 0, triangle = 0;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const int kind = shapes.whole(1, i, "kind"), own_points = shapes.whole(3, i, "points"), own_triangles = shapes.whole(4, i, "triangles");
+    if (kind < 0 || kind > static_cast<int>(ConvexKind::cylinder)) refuse_value(shapes.at(i), "kind", std::to_string(kind), "0 for polytopes, 1 for capsules, 2 for cylinders");
+    ConvexDefinition d{static_cast<ConvexKind>(kind), {}, {}, require(shapes.at(i), "radius", shapes.real(2, i), kind > 0, "m")};
+    if (own_points < 0 || point + static_cast<std::size_t>(own_points) > points.size()) refuse_value(shapes.at(i), "points", std::to_string(own_points), "no more than are left of convexPoints");
+    if (own_triangles < 0 || triangle + static_cast<std::size_t>(own_triangles) > triangles.size()) refuse_value(shapes.at(i), "triangles", std::to_string(own_triangles), "no more than are left of convexTriangles");
+    if (kind > 0 && own_points != 2) refuse_value(shapes.at(i), "points", std::to_string(own_points), "2, the ends of the axis");
+    for (int k = 0; k < own_points; ++k, ++point) {
+      d.points.push_back({points.real(0, point), points.real(1, point), points.real(2, point)});
+      if (!std::ranges::all_of(d.points.back().x, [](double x) { return std::isfinite(x); })) refuse_value(points.at(point), "x, y, z", "a number that is not finite", "finite numbers (unit m)");
+    }
+    for (int k = 0; k < own_triangles; ++k, ++triangle) {
+      std::array<int, 3> t{};
+      for (std::size_t c = 0; c < 3; ++c) {
+        t[c] = triangles.whole(c, triangle, convex_axes[c]);
+        if (t[c] < 0 || t[c] >= own_points) refuse_value(triangles.at(triangle), convex_axes[c], std::to_string(t[c]), "the number of one of the " + std::to_string(own_points) + " points of its shape");
+      }
+      d.triangles.push_back(t);
+    }
+    const std::string fault = fault_of(d);
+    if (!fault.empty()) refuse_value(shapes.at(i), "points", fault, "a convex body");
+    set.convex.push_back({shapes.whole(0, i, "markerIndex"), std::move(d), shapes.surface(5, i)});
+  }
+}
+
+void read_planes(const std::string& where, const py::dict& data, ContactSet& set) {
+  std::vector<const char*> names{"rigidBodyMarkerIndex"};
+  names.insert(names.end(), std::begin(plane_normals), std::end(plane_normals));
+  names.insert(names.end(), std::begin(plane_points), std::end(plane_points));
+  names.insert(names.end(), {"contactStiffness", "contactDamping", "frictionMaterialIndex"});
+  const Columns planes(where, data, "planes", names);
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const Vec3<double> normal{planes.real(1, i), planes.real(2, i), planes.real(3, i)}, point{planes.real(4, i), planes.real(5, i), planes.real(6, i)};
+    if (!(std::abs(norm(normal) - 1) < 1e-9)) refuse_value(planes.at(i), "normalX, normalY, normalZ", text_of(norm(normal)), "a vector of length 1");
+    if (!std::isfinite(norm(point))) refuse_value(planes.at(i), "pointX, pointY, pointZ", text_of(norm(point)), "finite numbers (unit m)");
+    set.planes.push_back({planes.whole(0, i, "rigidBodyMarkerIndex"), normal, point, planes.surface(7, i)});
+  }
+}
+
 template <class T>
 T entry_of(const std::string& where, const py::dict& data, const char* key, const T& otherwise, const char* expected) {
   if (!data.contains(key)) return otherwise;
@@ -189,7 +272,7 @@ T entry_of(const std::string& where, const py::dict& data, const char* key, cons
 std::shared_ptr<ContactSet> set_from(const std::string& where, const py::dict& data) {
   auto set = std::make_shared<ContactSet>();
   for (const auto& [key, value] : data) {
-    constexpr const char* known[] = {"spheres", "cables", "triangleBodies", "triangles", "frictionPairings", "frictionProportionalZone", "frictionBristles",
+    constexpr const char* known[] = {"spheres", "cables", "triangleBodies", "triangles", "convexShapes", "convexPoints", "convexTriangles", "planes", "frictionPairings", "frictionProportionalZone", "frictionBristles",
                                      "minRelDistanceSpheresTriangles", "isActive", "sphereSphereContact", "searchTreeSize", "searchTreeBox"};
     const std::string name = py::str(key);
     if (std::ranges::find(known, name) != std::end(known)) continue;
@@ -198,6 +281,8 @@ std::shared_ptr<ContactSet> set_from(const std::string& where, const py::dict& d
     set->without_effect[name] = entry_of<double>(where, data, setting->name, 0, "a number");
   }
   read_groups(where, data, *set);
+  read_convex(where, data, *set);
+  read_planes(where, data, *set);
   const bool rubs = data.contains("frictionPairings") && py::len(data["frictionPairings"]) > 0;
   if (rubs) {
     const Array table = friction_argument(ValueSource::at(where), data["frictionPairings"]);

@@ -29,11 +29,13 @@ constexpr std::array<EnumEntry, 7> ConfigurationType_entries{{
     {"EndOfEnumList", 6},
 }};
 
-constexpr std::array<EnumEntry, 4> ContactTypeIndex_entries{{
+constexpr std::array<EnumEntry, 6> ContactTypeIndex_entries{{
     {"IndexSpheresMarkerBased", 0},
     {"IndexANCFCable2D", 1},
     {"IndexTrigsRigidBodyBased", 2},
     {"IndexEndOfEnumList", 3},
+    {"IndexConvexMarkerBased", 4},
+    {"IndexPlanesRigidBodyBased", 5},
 }};
 
 constexpr std::array<EnumEntry, 2> CrossSectionType_entries{{

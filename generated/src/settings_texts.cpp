@@ -649,11 +649,13 @@ constexpr std::array<std::string_view, 7> ConfigurationType_values{
     "number of the values before; not a configuration",
 };
 
-constexpr std::array<std::string_view, 4> ContactTypeIndex_values{
+constexpr std::array<std::string_view, 6> ContactTypeIndex_values{
     "spheres at markers",
     "surfaces of planar cable elements",
     "triangles fixed to rigid bodies",
     "number of the values before; not a kind of contact",
+    "boxes, cylinders, capsules and convex hulls at markers",
+    "planes fixed to rigid bodies",
 };
 
 constexpr std::array<std::string_view, 2> CrossSectionType_values{

@@ -60,6 +60,63 @@ class GeneralContact(_Bound):
         contactDamping: float,
         frictionMaterialIndex: int,
     ) -> int: ...
+    def AddBoxWithMarker(
+        self,
+        markerIndex: MarkerIndex | int | str,
+        size: ArrayLike,
+        contactStiffness: float,
+        contactDamping: float,
+        frictionMaterialIndex: int,
+        centerPoint: ArrayLike = [0.0, 0.0, 0.0],
+    ) -> int: ...
+    def AddCylinderWithMarker(
+        self,
+        markerIndex: MarkerIndex | int | str,
+        radius: float,
+        vAxis: ArrayLike,
+        contactStiffness: float,
+        contactDamping: float,
+        frictionMaterialIndex: int,
+        pAxis: ArrayLike | None = None,
+    ) -> int: ...
+    def AddCapsuleWithMarker(
+        self,
+        markerIndex: MarkerIndex | int | str,
+        radius: float,
+        vAxis: ArrayLike,
+        contactStiffness: float,
+        contactDamping: float,
+        frictionMaterialIndex: int,
+        pAxis: ArrayLike | None = None,
+    ) -> int: ...
+    def AddConvexHullWithMarker(
+        self,
+        markerIndex: MarkerIndex | int | str,
+        pointList: ArrayLike,
+        contactStiffness: float,
+        contactDamping: float,
+        frictionMaterialIndex: int,
+    ) -> int: ...
+    def AddPlane(
+        self,
+        rigidBodyMarkerIndex: MarkerIndex | int | str,
+        normal: ArrayLike,
+        contactStiffness: float,
+        contactDamping: float,
+        frictionMaterialIndex: int,
+        point: ArrayLike = [0.0, 0.0, 0.0],
+    ) -> int: ...
+    def AddHeightField(
+        self,
+        rigidBodyMarkerIndex: MarkerIndex | int | str,
+        heights: ArrayLike,
+        cellSize: ArrayLike,
+        contactStiffness: float,
+        contactDamping: float,
+        frictionMaterialIndex: int,
+        origin: ArrayLike = [0.0, 0.0, 0.0],
+    ) -> int: ...
+    def GetConvexContacts(self) -> dict[str, Any]: ...
     def SetFrictionPairings(self, frictionPairings: ArrayLike) -> None: ...
     def SetFrictionProportionalZone(self, frictionProportionalZone: float) -> None: ...
     def SetFrictionBristles(

@@ -291,3 +291,27 @@ def test_contacts_that_have_no_direction_are_not_drawn(SC: Any, mbs: Any) -> Non
     assert of_contact(SceneMaker(mbs, SC.visualizationSettings).scene()) == ([], [], [])
     contact.isActive = False
     assert len(contact._pushes(exu.ConfigurationType.Visualization)[0]) == 0
+
+
+def test_convex_shapes(SC: Any, mbs: Any) -> None:
+    """Corners of boxes and hulls are drawn; cylinders and capsules reach as far as they are large."""
+    body = mbs.CreateRigidBody(referencePosition=[1, 2, 3], inertia=exu.utilities.InertiaCuboid(1000, [0.1, 0.1, 0.1]))
+    marker = mbs.AddMarker(eii.MarkerBodyRigid(bodyNumber=body))
+    contact = mbs.AddGeneralContact()
+    contact.SetFrictionPairings([[0.0]])
+    surface = {"contactStiffness": 1e4, "contactDamping": 1, "frictionMaterialIndex": 0}
+    contact.AddBoxWithMarker(marker, [0.2, 0.4, 0.6], centerPoint=[0, 0, 1], **surface)
+    contact.AddConvexHullWithMarker(marker, [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], **surface)
+    contact.AddCylinderWithMarker(marker, 0.1, [0, 0.5, 0], **surface)
+    contact.AddCapsuleWithMarker(marker, 0.1, [0.5, 0, 0], pAxis=[0, 0, 0], **surface)
+    mbs.Assemble()
+    SC.visualizationSettings.contact.showSpheres = True
+    _, meshes, _ = of_contact(SceneMaker(mbs, SC.visualizationSettings).scene())
+    boxes = np.array([[points.min(axis=0), points.max(axis=0)] for points in meshes]) - [1, 2, 3]
+    expected = [
+        [[-0.1, -0.2, 0.7], [0.1, 0.2, 1.3]],
+        [[0, 0, 0], [1, 1, 1]],
+        [[-0.1, -0.25, -0.1], [0.1, 0.25, 0.1]],
+        [[-0.1, -0.1, -0.1], [0.6, 0.1, 0.1]],
+    ]
+    np.testing.assert_allclose(boxes, expected, atol=1e-12)

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from test_general_contact import EXPLICIT, IMPLICIT, G, World, cloud, grid_mesh
+from test_general_contact import EXPLICIT, IMPLICIT, G, World, check_tangent, cloud, grid_mesh
 
 import dalembert as exu
 from dalembert import itemInterface as eii
@@ -241,19 +241,9 @@ def test_momentum_and_energy_of_a_cloud(damping: float) -> None:
     world, bodies = cloud(0.4)
     world.contact.SetFrictionBristles(0.8, damping)
     world.mbs.Assemble()
-
-    def totals() -> np.ndarray:
-        result = np.zeros(7)
-        for body in bodies:
-            x, v, w = (world.output(body, n) for n in ("Position", "Velocity", "AngularVelocity"))
-            result[:3] += v
-            result[3:6] += np.cross(x, v) + 0.4 * 0.1**2 * w
-            result[6] += v @ v / 2 + 0.2 * 0.1**2 * w @ w
-        return result
-
-    before = totals()
+    before = world.totals(bodies, 0.4 * 0.1**2)
     world.solve(0.6, 6000, EXPLICIT)
-    after = totals()
+    after = world.totals(bodies, 0.4 * 0.1**2)
     np.testing.assert_allclose(after[:3], before[:3], atol=1e-11)
     np.testing.assert_allclose(after[3:6], before[3:6], atol=1e-7)
     assert 0.3 * before[6] < after[6] < 0.97 * before[6]
@@ -313,29 +303,7 @@ def test_tangent_is_the_derivative_of_the_residual(weights: tuple[float, float, 
     testing.search(world.mbs, s)
     slides = world.contact.GetActiveContacts(exu.ContactTypeIndex.IndexSpheresMarkerBased, 0)
     assert len(slides) > 1
-
-    def contact_part(f: Any) -> np.ndarray:
-        world.contact.isActive = True
-        result = np.array(f())
-        world.contact.isActive = False
-        result = result - np.array(f())
-        world.contact.isActive = True
-        return result
-
-    tangent = contact_part(lambda: testing.tangent(world.mbs, s, cq=weights[0], cv=weights[1]))
-    h = 1e-8
-    for j in range(len(s.q)):
-        ends = []
-        for sign in (1, -1):
-            other = s.copy()
-            change = sign * h * (np.arange(len(s.q)) == j)
-            if weights[0]:
-                other.q = testing.compose(world.mbs, s, change)
-            else:
-                other.v = np.array(s.v) + change
-            ends.append(contact_part(lambda other=other: testing.residual(world.mbs, other)))
-        slope = (ends[0] - ends[1]) / (2 * h)
-        np.testing.assert_allclose(tangent[: len(slope), j], slope, atol=2e-5 * max(1, np.abs(tangent).max()))
+    check_tangent(world, s, weights)
 
 
 def test_pictures_show_what_bristles_pull() -> None:

@@ -30,6 +30,13 @@ def filled() -> World:
     made = exu.utilities.GenerateStraightLineANCFCable2D(world.mbs, [0, 0, 0], [2, 0, 0], 3, cable)
     for element in made[1]:
         world.contact.AddANCFCable(element, 0.01, 1e4, 0.3, 0)
+    surface = {"contactStiffness": 1e4 / 3, "contactDamping": 1 / 7, "frictionMaterialIndex": 1}
+    world.contact.AddBoxWithMarker(world.ground, [1 / 3, 1 / 7, 2], centerPoint=[0.1, 0.2, 0.3], **surface)
+    world.contact.AddCapsuleWithMarker(world.ground, 1 / 9, [1 / 3, 0, 1], **surface)
+    world.contact.AddConvexHullWithMarker(world.ground, np.random.default_rng(3).normal(0, 1, (20, 3)), **surface)
+    world.contact.AddCylinderWithMarker(world.ground, 1 / 9, [1 / 3, 0, 1], pAxis=[1 / 7, 0, 0], **surface)
+    world.contact.AddPlane(world.ground, [1, 2, 3], point=[0, 0, 1 / 3], **surface)
+    world.contact.AddHeightField(world.ground, np.arange(6).reshape(2, 3) / 7, [0.1, 0.3], **surface)
     world.contact.SetFrictionBristles(2 / 7, 1 / 3, 4 / 3)
     world.contact.minRelDistanceSpheresTriangles = 1e-7
     world.contact.sphereSphereContact = False
@@ -85,6 +92,7 @@ def test_settings_of_the_schema_are_those_of_the_class() -> None:
     properties = json.loads(model_files.SCHEMA.read_text())["$defs"]["generalContact"]["properties"]
     attributes = {name for name, value in vars(exu.GeneralContact).items() if isinstance(value, property)}
     groups = {"spheres", "cables", "triangleBodies", "triangles"}
+    groups |= {"convexShapes", "convexPoints", "convexTriangles", "planes"}
     others = {"frictionPairings", "frictionBristles", "searchTreeSize", "searchTreeBox"}  # set by methods
     assert set(properties) - groups - others == attributes - {"visualization"}
 

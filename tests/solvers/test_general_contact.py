@@ -75,6 +75,44 @@ class World:
     def output(self, body: Any, name: str) -> np.ndarray:
         return np.asarray(self.mbs.GetObjectOutputBody(body, getattr(exu.OutputVariableType, name), [0, 0, 0]))
 
+    def totals(self, bodies: Any, inertia: Any = None) -> np.ndarray:
+        """Momentum, moment of momentum about the origin, and kinetic energy of bodies of 1 kg; without inertia, of points."""
+        result = np.zeros(7)
+        for body in bodies:
+            x, v = self.output(body, "Position"), self.output(body, "Velocity")
+            result += [*v, *np.cross(x, v), v @ v / 2]
+            if inertia is not None:
+                w, turned = self.output(body, "AngularVelocity"), self.output(body, "RotationMatrix").reshape(3, 3)
+                spin = turned @ (inertia * (turned.T @ w))
+                result[3:] += [*spin, w @ spin / 2]
+        return result
+
+
+def check_tangent(world: World, state: Any, weights: tuple[float, float, float], h: float = 1e-8) -> None:
+    """The tangent of contact is the derivative of its forces, by central differences."""
+
+    def contact_part(f: Any) -> np.ndarray:
+        world.contact.isActive = True
+        result = np.array(f())
+        world.contact.isActive = False
+        result = result - np.array(f())
+        world.contact.isActive = True
+        return result
+
+    tangent = contact_part(lambda: testing.tangent(world.mbs, state, cq=weights[0], cv=weights[1]))
+    for j in range(len(state.q)):
+        ends = []
+        for sign in (1, -1):
+            other = state.copy()
+            change = sign * h * (np.arange(len(state.q)) == j)
+            if weights[0]:
+                other.q = testing.compose(world.mbs, state, change)
+            else:
+                other.v = np.array(state.v) + change
+            ends.append(contact_part(lambda other=other: testing.residual(world.mbs, other)))
+        slope = (ends[0] - ends[1]) / (2 * h)
+        np.testing.assert_allclose(tangent[: len(slope), j], slope, atol=2e-5 * max(1, np.abs(tangent).max()))
+
 
 def grid_mesh(size: float, count: int, height: Any = lambda x, y: 0 * x) -> tuple[np.ndarray, np.ndarray]:
     """Points of a square grid around the origin, and two triangles per cell with normals upwards."""
@@ -196,33 +234,7 @@ def test_tangent_is_the_derivative_of_the_residual(friction: float, weights: tup
     world.mbs.Assemble()
     s = testing.State(world.mbs)
     testing.search(world.mbs, s)
-    without = testing.tangent(world.mbs, s, cq=weights[0], cv=weights[1])
-    world.contact.isActive = False
-    without = without - testing.tangent(world.mbs, s, cq=weights[0], cv=weights[1])
-    world.contact.isActive = True
-
-    def contact_part(state: testing.State) -> np.ndarray:
-        world.contact.isActive = True
-        force = testing.residual(world.mbs, state)
-        world.contact.isActive = False
-        force = force - testing.residual(world.mbs, state)
-        world.contact.isActive = True
-        return force
-
-    h, n = 1e-7, len(s.q)
-    for j in range(n):
-        ends = []
-        for sign in (1, -1):
-            other = s.copy()
-            vector = np.array(other.q if weights[0] else other.v)
-            vector[j] += sign * h
-            if weights[0]:
-                other.q = vector
-            else:
-                other.v = vector
-            ends.append(contact_part(other))
-        slope = (ends[0] - ends[1]) / (2 * h)
-        np.testing.assert_allclose(without[: len(slope), j], slope, atol=2e-5 * max(1, np.abs(without).max()))
+    check_tangent(world, s, weights, 1e-7)
 
 
 # ---- motions ---------------------------------------------------------------------------------------------------------
@@ -270,21 +282,10 @@ def test_momentum_of_a_cloud(friction: float) -> None:
     """Linear momentum to rounding, angular momentum and, without friction, energy as the method of fourth order keeps them."""
     world, bodies = cloud(friction)
     world.mbs.Assemble()
-
-    def totals() -> np.ndarray:
-        result = np.zeros(7)
-        for body in bodies:
-            x, v = world.output(body, "Position"), world.output(body, "Velocity")
-            result[:3] += v
-            result[3:6] += np.cross(x, v)
-            if friction:
-                result[3:6] += 0.4 * 0.1**2 * world.output(body, "AngularVelocity")
-            result[6] += v @ v / 2
-        return result
-
-    before = totals()
+    inertia = 0.4 * 0.1**2 if friction else None
+    before = world.totals(bodies, inertia)
     world.solve(0.6, 6000, EXPLICIT)
-    after = totals()
+    after = world.totals(bodies, inertia)
     np.testing.assert_allclose(after[:3], before[:3], atol=1e-11)
     np.testing.assert_allclose(after[3:6], before[3:6], atol=1e-7)
     if not friction:  # the cloud has flown apart again

@@ -71,10 +71,8 @@ double GeneralContact::excess_of(const HeldContact& c, const ContactPairing& pai
 
 // At the end of a step: as long as friction allows, and rooted on both sides of the point of contact, so that what has rolled away is forgotten. What slides
 // does so until it turns back, whatever the pressure does.
-Bristle GeneralContact::bristle_after(const HeldContact& c, const Meeting<double>& at, const Vec3<double>& velocity, double pressure, const Ports& ports) const {
-  const RigidFrame<double> frame0 = frame_of(sphere(c.sphere).marker, ports), frame1 = frame_of(partner_of(c).marker, ports);
-  const ContactPairing pairing = pairing_of(c);
-  const Bristle* before = bristle_of(c);
+Bristle GeneralContact::bristle_after(const Bristle* before, const ContactPairing& pairing, const Meeting<double>& at, const Vec3<double>& velocity, double pressure,
+                                      const RigidFrame<double>& frame0, const RigidFrame<double>& frame1) const {
   const Grip<double> grip = grip_of(before, at, frame0, frame1);
   const double stiffness = set_->bristles.stiffness * pairing.stiffness, longest = pairing.friction * grip.holding * pressure / stiffness;
   const Vec3<double> stretch = grip.span - dot(at.normal, grip.span) * at.normal, after = at_most(stretch, longest);
@@ -85,6 +83,7 @@ Bristle GeneralContact::bristle_after(const HeldContact& c, const Meeting<double
 void GeneralContact::grow_bristles(const Ports& ports) {
   grown_bristles_.clear();
   grown_ = true;
+  grow_convex(ports);
   if (!set_->active || set_->spheres.empty()) return;
   follow(ports);
   each_chunk([&](Chunk& chunk) {
@@ -95,21 +94,27 @@ void GeneralContact::grow_bristles(const Ports& ports) {
       const Partner first{sphere(c.sphere).marker, turns(c.sphere)}, second = partner_of(c);
       const Meeting<double> at = meet(c, ports);
       const Vec3<double> velocity = velocity_at(second.marker, second.turns, at.arm1, ports) - velocity_at(first.marker, first.turns, at.arm0, ports);
-      const double pressure = -pairing.stiffness * at.gap - pairing.damping * dot(at.normal, velocity);
-      if (pressure > 0) chunk.grown.push_back({c.sphere, c.other, bristle_after(c, at, velocity, pressure, ports)});
+      const double pressure = pairing.pressure(at.gap, dot(at.normal, velocity));
+      if (!(pressure > 0)) return;
+      const RigidFrame<double> frame0 = frame_of(first.marker, ports), frame1 = frame_of(second.marker, ports);
+      chunk.grown.push_back({c.sphere, c.other, bristle_after(bristle_of(c), pairing, at, velocity, pressure, frame0, frame1)});
     });
   });
   for (const Chunk& chunk : chunks_) grown_bristles_.insert(grown_bristles_.end(), chunk.grown.begin(), chunk.grown.end());
 }
 
 void GeneralContact::keep() {
-  if (grown_) bristles_.take(grown_bristles_);
+  if (grown_) {
+    bristles_.take(grown_bristles_);
+    convex_bristles_.swap(grown_convex_);
+  }
   grown_ = false;
 }
 
 // What touches takes root where it is.
 void GeneralContact::begin_history(const Ports& ports) {
   bristles_.clear();
+  convex_bristles_.clear();
   grown_ = false;
   if (!set_->bristles.grow()) return;
   grow_bristles(ports);
@@ -123,6 +128,7 @@ void GeneralContact::write_history(std::vector<double>& numbers) const {
     numbers.insert(numbers.end(), {static_cast<double>(entry.sphere), static_cast<double>(entry.other), entry.bristle.slides ? 1.0 : 0.0});
     for (const Vec3<double>* root : {&entry.bristle.root0, &entry.bristle.root1}) numbers.insert(numbers.end(), root->x.begin(), root->x.end());
   }
+  write_convex_history(numbers);
 }
 
 bool GeneralContact::take_history(std::span<const double>& numbers) {
@@ -139,6 +145,7 @@ bool GeneralContact::take_history(std::span<const double>& numbers) {
     entries.push_back({static_cast<int>(x[0]), static_cast<int>(x[1]), {{x[3], x[4], x[5]}, {x[6], x[7], x[8]}, x[2] != 0}});
   }
   numbers = numbers.subspan(numbers_per_bristle * count);
+  if (!take_convex_history(numbers)) return false;
   bristles_.take(entries);
   grown_ = false;
   return true;

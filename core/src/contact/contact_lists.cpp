@@ -60,6 +60,7 @@ void GeneralContact::renew_shapes() const {
   trees_.resize(of_carrier.size());
   for (std::size_t c = 0; c < trees_.size(); ++c) trees_[c].build(of_carrier[c], local_);
   pairs_.take(*set_);
+  scene_.build(*set_, local_, facets_, trees_);
   at_list_.clear();  // the lists are of other shapes
 }
 

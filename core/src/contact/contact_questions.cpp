@@ -10,6 +10,7 @@ namespace dalembert {
 
 GeneralContact::Items GeneralContact::items_in(const Box& box, const Ports& ports) const {
   Items items;
+  renew_shapes();
   for (int i = 0; i < spheres(); ++i) {
     const double* x = ports.frame(sphere(i).marker);
     const double r = sphere(i).radius;
@@ -23,6 +24,11 @@ GeneralContact::Items GeneralContact::items_in(const Box& box, const Ports& port
     Box around;
     for (const Vec3<double>& point : set_->triangles[t].points) around.add(out_of(frame, point));
     if (box.overlaps(around)) items.triangles.push_back(static_cast<int>(t));
+  }
+  ConvexNow now;
+  for (std::size_t c = 0; c < set_->convex.size(); ++c) {
+    now.place(scene_.shape(static_cast<int>(c)), frame_of(set_->convex[c].marker, ports));
+    if (box.overlaps(now.box)) items.convex.push_back(static_cast<int>(c));
   }
   return items;
 }
@@ -60,8 +66,9 @@ LineHit GeneralContact::first_hit(const Line& line, const Ports& ports) const {
       }
     }
   }
-  if (!line.triangles) return hit;
   renew_shapes();
+  hit_convex(line, ports, hit);
+  if (!line.triangles) return hit;
   for (std::size_t c = 0; c < trees_.size(); ++c) {
     const RigidFrame<double> frame = read_frame<RigidPort>(ports, set_->carriers[c].marker);
     const Vec3<double> start = into(frame, line.start), direction = transposed_times(frame.rotation, line.direction);

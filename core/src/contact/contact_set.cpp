@@ -34,6 +34,14 @@ void ContactSet::check(const Model& model, const std::string& name) const {
     check_marker(model, name, "triangles " + std::to_string(i) + ": rigidBodyMarkerIndex", carriers[i].marker, "Orientation", "a marker with an orientation, such as MarkerBodyRigid");
     largest = std::max(largest, carriers[i].surface.material);
   }
+  for (std::size_t i = 0; i < convex.size(); ++i) {
+    check_marker(model, name, "convex shape " + std::to_string(i) + ": markerIndex", convex[i].marker, "Orientation", "a marker with an orientation, such as MarkerBodyRigid");
+    largest = std::max(largest, convex[i].surface.material);
+  }
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    check_marker(model, name, "plane " + std::to_string(i) + ": rigidBodyMarkerIndex", planes[i].marker, "Orientation", "a marker with an orientation, such as MarkerBodyRigid");
+    largest = std::max(largest, planes[i].surface.material);
+  }
   for (std::size_t i = 0; i < cables.size(); ++i) {
     const int object = cables[i].object;
     const std::string owner = "cable " + std::to_string(i) + ": objectIndex";
@@ -56,6 +64,8 @@ std::unique_ptr<SystemTerm> ContactSet::make_term(const Ports& ports, const std:
   };
   for (const ContactSphere& s : spheres) check_port(s.marker, false);
   for (const ContactCarrier& c : carriers) check_port(c.marker, true);
+  for (const ContactConvex& c : convex) check_port(c.marker, true);
+  for (const ContactPlane& p : planes) check_port(p.marker, true);
   return std::make_unique<GeneralContact>(std::static_pointer_cast<const ContactSet>(shared_from_this()), ports, name);
 }
 
@@ -73,6 +83,8 @@ void ContactSet::shift_references(ItemKind kind, int removed, const std::string&
   if (kind != ItemKind::marker) return;
   for (std::size_t i = 0; i < spheres.size(); ++i) shift(spheres[i].marker, "sphere " + std::to_string(i));
   for (std::size_t i = 0; i < carriers.size(); ++i) shift(carriers[i].marker, "the body of triangles " + std::to_string(i));
+  for (std::size_t i = 0; i < convex.size(); ++i) shift(convex[i].marker, "convex shape " + std::to_string(i));
+  for (std::size_t i = 0; i < planes.size(); ++i) shift(planes[i].marker, "plane " + std::to_string(i));
 }
 
 }  // namespace dalembert

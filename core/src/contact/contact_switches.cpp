@@ -48,7 +48,7 @@ void GeneralContact::add_verge(const HeldContact& c, const Ports& ports, Verge& 
   if (!(margin < 0) || pairing.friction == 0) return;
   if (!set_->bristles.grow()) return verge.add_slip(norm(velocity - away * at.normal) - set_->proportional_zone);
   const Bristle* bristle = bristle_of(c);
-  if (bristle == nullptr || !bristle->slides) verge.add_slip(excess_of(c, pairing, at, -elastic - pairing.damping * away, ports));
+  if (bristle == nullptr || !bristle->slides) verge.add_slip(excess_of(c, pairing, at, pairing.pressure(at.gap, away), ports));
 }
 
 // Those that it does not touch yet.

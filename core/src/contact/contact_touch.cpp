@@ -92,7 +92,7 @@ bool GeneralContact::touches(const HeldContact& c, const Ports& ports, bool& sti
   const Meeting<double> at = meet(c, ports);
   const Vec3<double> velocity = velocity_at(second.marker, second.turns, at.arm1, ports) - velocity_at(first.marker, first.turns, at.arm0, ports);
   const double away = dot(at.normal, velocity);
-  const double pressure = -pairing.stiffness * at.gap - pairing.damping * away;
+  const double pressure = pairing.pressure(at.gap, away);
   if (set_->bristles.grow()) {
     const Bristle* bristle = bristle_of(c);
     sticks = pairing.friction == 0 || bristle == nullptr || !bristle->slides;
@@ -124,20 +124,23 @@ void GeneralContact::find(const Ports& ports, std::vector<HeldContact>& found) c
 void GeneralContact::update(const Ports& ports) {
   take_cables_of_system();
   find(ports, touching_);
+  find_convex(ports, convex_touching_);
 }
 
 bool GeneralContact::search(const Evaluation& e, const Ports& ports) {
   take_cables(e.q, e.v);
   find(ports, touching_);
   held_ = touching_;
+  find_convex(ports, convex_touching_);
+  convex_held_ = convex_touching_;
   // Pairs of spheres and cables stay in the pattern once they have been near.
   const std::size_t before = cables_in_blocks_.size();
   each_cable_near(0.5, [&](int i, int c) {
     const auto place = std::ranges::lower_bound(cables_in_blocks_, std::pair(i, c));
     if (place == cables_in_blocks_.end() || *place != std::pair(i, c)) cables_in_blocks_.insert(place, {i, c});
   });
-  if (blocks_of_list_ == lists_ && cables_in_blocks_.size() == before) return false;
-  blocks_of_list_ = lists_;
+  if (blocks_of_list_ == lists_ + convex_lists_ && cables_in_blocks_.size() == before) return false;
+  blocks_of_list_ = lists_ + convex_lists_;
   list_blocks(ports);
   return true;
 }
@@ -151,6 +154,9 @@ bool GeneralContact::forget() {
   blocks_.clear();
   held_.clear();
   cables_in_blocks_.clear();
+  scene_.forget();
+  convex_blocks_.clear();
+  convex_held_.clear();
   return knows;
 }
 
@@ -176,6 +182,7 @@ void GeneralContact::list_blocks(const Ports& ports) {
     carriers.erase(std::unique(carriers.begin(), carriers.end()), carriers.end());
     for (const int c : carriers) add(i, With::carrier, c, carrier(c).marker);
   }
+  list_convex_blocks(ports, slot);
 }
 
 const GeneralContact::Block& GeneralContact::block_of(const HeldContact& c) const {
@@ -200,8 +207,9 @@ PostNewton GeneralContact::post_newton(const Evaluation& e, const Ports& ports, 
     i += a <= b ? 1 : 0;
     j += b <= a ? 1 : 0;
   }
+  find_convex(ports, convex_touching_);
   const double changes = static_cast<double>(now.size() + held_.size() - 2 * common);
-  return {.error = changes};
+  return {.error = changes + convex_changes()};
 }
 
 }  // namespace dalembert

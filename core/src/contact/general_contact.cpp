@@ -18,6 +18,9 @@ GeneralContact::GeneralContact(std::shared_ptr<const ContactSet> set, const Port
   std::ranges::sort(sorted);
   shares_markers_ = std::ranges::adjacent_find(sorted) != sorted.end();
   for (const ContactCarrier& c : set_->carriers) markers_.push_back(c.marker);
+  for (const ContactConvex& c : set_->convex) markers_.push_back(c.marker);
+  for (const ContactPlane& p : set_->planes) markers_.push_back(p.marker);
+  renew_shapes();
 }
 
 RigidFrame<double> GeneralContact::frame_of(int marker, const Ports& ports) const {
@@ -81,6 +84,7 @@ std::vector<GeneralContact::Push> GeneralContact::pushes(const Ports& ports, Con
     const Vec3<double> velocity = velocity_at(second.marker, second.turns, at.arm1, ports) - velocity_at(first.marker, first.turns, at.arm0, ports);
     result.push_back({c.sphere, c.other, centre + at.arm0, force_of(c, at, velocity, frame_of(first.marker, ports), frame_of(second.marker, ports))});
   }
+  for (const ConvexPlace& p : convex_places(ports)) result.push_back({p.first, p.second, p.point, p.force});
   return result;
 }
 
@@ -147,6 +151,10 @@ void GeneralContact::add_direct(Ports& ports) const {
 }
 
 void GeneralContact::residual(const Evaluation& e, Ports& ports, double* r) const {
+  if (has_convex()) {
+    if (e.direct) find_convex(ports, convex_found_);
+    for (const ConvexTouch& t : e.direct ? convex_found_ : convex_held_) add_convex(t, ports, e.direct ? std::optional<bool>() : t.sticks);
+  }
   if (!set_->active || set_->spheres.empty()) return;
   take_cables(e.q, e.v);
   if (!e.direct) {
@@ -168,10 +176,19 @@ void GeneralContact::visit(BlockVisitor& visitor, const Ports& ports) const {
     else add(ports.marker_dofs(block.marker1));
     visitor.block(dofs, dofs);
   }
+  for (const ConvexBlock& block : convex_blocks_) {
+    std::vector<int> dofs;
+    for (const int participant : {block.first, block.second}) {
+      const auto own = ports.marker_dofs(scene_.marker(participant));
+      dofs.insert(dofs.end(), own.begin(), own.end());
+    }
+    visitor.block(dofs, dofs);
+  }
 }
 
 void GeneralContact::tangent(const Evaluation&, const Weights& weights, Ports& ports, double* values) const {
   if (!set_->active) return;
+  add_convex_tangent(ports, values);
   for (const HeldContact& c : held_) {
     const Block& block = block_of(c);
     if (is_cable(c)) {

@@ -93,7 +93,7 @@ GeneralContact::Meeting<S> GeneralContact::meet_triangle(int i, int t, const Vec
 template <class S>
 Vec3<S> GeneralContact::force(const ContactPairing& pairing, const Meeting<S>& at, const Vec3<S>& velocity, std::optional<bool> sticks) const {
   const S away = dot(at.normal, velocity);
-  const S pressure = -(pairing.stiffness * at.gap) - pairing.damping * away;
+  const S pressure = pairing.pressure(at.gap, away);
   if (!(pressure > 0.0)) return {};
   if (pairing.friction == 0) return -pressure * at.normal;
   const Vec3<S> slip = velocity - away * at.normal;
@@ -117,13 +117,20 @@ GeneralContact::Grip<S> GeneralContact::grip_of(const Bristle* bristle, const Me
 template <class S>
 Vec3<S> GeneralContact::gripping_force(const ContactPairing& pairing, const Meeting<S>& at, const Vec3<S>& velocity, const Grip<S>& grip) const {
   const S away = dot(at.normal, velocity);
-  const S pressure = -(pairing.stiffness * at.gap) - pairing.damping * away;
+  const S pressure = pairing.pressure(at.gap, away);
   if (!(pressure > 0.0)) return {};
   if (pairing.friction == 0) return -pressure * at.normal;
   const S most = (pairing.friction * grip.holding) * pressure;
   const Vec3<S> stretch = grip.span - dot(at.normal, grip.span) * at.normal, slip = velocity - away * at.normal;
   const Vec3<S> spring = at_most((set_->bristles.stiffness * pairing.stiffness) * stretch, most);
   return at_most(spring + (set_->bristles.damping * pairing.damping) * slip, most) - pressure * at.normal;
+}
+
+template <class S>
+Vec3<S> GeneralContact::convex_force(const ConvexTouch& t, const Meeting<S>& at, const Vec3<S>& velocity, const RigidFrame<S>& frame0, const RigidFrame<S>& frame1,
+                                     std::optional<bool> sticks) const {
+  if (!set_->bristles.grow()) return force(convex_pairing(t), at, velocity, sticks);
+  return gripping_force(convex_pairing(t), at, velocity, grip_of(bristle_of(t), at, frame0, frame1));
 }
 
 template <class S>

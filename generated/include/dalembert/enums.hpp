@@ -38,6 +38,8 @@ enum class ContactTypeIndex : std::uint32_t {
   IndexANCFCable2D = 1,
   IndexTrigsRigidBodyBased = 2,
   IndexEndOfEnumList = 3,
+  IndexConvexMarkerBased = 4,
+  IndexPlanesRigidBodyBased = 5,
 };
 
 // shape of the cross section of a beam, for drawing and contact

@@ -54,6 +54,10 @@ class ContactTypeIndex(IntEnum):
     """triangles fixed to rigid bodies"""
     IndexEndOfEnumList = 3
     """number of the values before; not a kind of contact"""
+    IndexConvexMarkerBased = 4
+    """boxes, cylinders, capsules and convex hulls at markers"""
+    IndexPlanesRigidBodyBased = 5
+    """planes fixed to rigid bodies"""
 
 class CrossSectionType(IntEnum):
     """shape of the cross section of a beam, for drawing and contact"""

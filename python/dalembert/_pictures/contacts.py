@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import itertools
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -54,6 +55,10 @@ def _draw_shapes(pen: Pen, number: int) -> None:
         for marker, center, radius in _spheres(pen, held):
             pen.stick("Marker", marker)
             pen.sphere(center, radius, rgba(contact.colorSpheres))
+    if contact.showSpheres:
+        for marker, place, rotation, mesh in _convex(pen, held):
+            pen.stick("Marker", marker)
+            pen.mesh(mesh, place, rotation, rgba(contact.colorSpheres))
     if contact.showTriangles:
         for marker, place, rotation, corners in _triangles(pen, held):
             pen.stick("Marker", marker)
@@ -79,6 +84,44 @@ def _triangles(pen: Pen, held: dict[str, Any]) -> Iterator[tuple[int, FloatArray
     for k, marker in enumerate(held["triangleBodies"]["rigidBodyMarkerIndex"]):
         if (place := pen.places.marker(marker)) is not None:
             yield int(marker), place, pen.places.marker_rotation(marker), corners[owner == k]
+
+
+def _convex(pen: Pen, held: dict[str, Any]) -> Iterator[tuple[int, FloatArray, FloatArray, Mesh]]:
+    """Yield marker, place, rotation and mesh of convex shapes; planes, which have no end, are not drawn."""
+    if "convexShapes" not in held:
+        return
+    shapes = held["convexShapes"]
+    points = np.stack([held["convexPoints"][axis] for axis in "xyz"], axis=1)
+    triangles = np.stack([held["convexTriangles"][axis] for axis in "xyz"], axis=1)
+    first_point, first_triangle = 0, 0
+    for k, marker in enumerate(shapes["markerIndex"]):
+        own = points[first_point : first_point + shapes["points"][k]]
+        corners = triangles[first_triangle : first_triangle + shapes["triangles"][k]]
+        first_point, first_triangle = first_point + len(own), first_triangle + len(corners)
+        if (place := pen.places.marker(marker)) is not None:
+            mesh = (
+                Mesh(own, corners) if len(corners) else _round(own, float(shapes["radius"][k]), shapes["kind"][k] == 1)
+            )
+            yield int(marker), place, pen.places.marker_rotation(marker), mesh
+
+
+def _round(ends: FloatArray, radius: float, is_capsule: bool, tiles: int = 24) -> Mesh:
+    """Return a cylinder or a capsule between two points."""
+    axis = ends[1] - ends[0]
+    length = float(np.linalg.norm(axis))
+    if is_capsule:
+        angles = np.linspace(0, np.pi / 2, 7)
+        radii = radius * np.concatenate([np.sin(angles), np.cos(angles)])
+        heights = np.concatenate([-radius * np.cos(angles), length + radius * np.sin(angles)])
+    else:
+        radii, heights = radius * np.array([0, 1, 1, 0]), length * np.array([0, 0, 1, 1])
+    mesh = meshes.revolved(radii, heights, tiles)
+    across = np.cross(axis, np.eye(3)[np.argmin(np.abs(axis))])
+    across /= np.linalg.norm(across)
+    turn = np.stack([across, np.cross(axis / length, across), axis / length])
+    return replace(
+        mesh, points=ends[0] + mesh.points @ turn, normals=None if mesh.normals is None else mesh.normals @ turn
+    )
 
 
 def _draw_forces(pen: Pen, number: int) -> None:
@@ -111,6 +154,9 @@ def _draw_search(pen: Pen, number: int) -> None:
         color, held = rgba(settings.colorBoundingBoxes), _held(pen, number)
         for _, center, radius in _spheres(pen, held):
             _draw_box(pen, np.array([center - radius, center + radius]), color)
+        for _, place, rotation, mesh in _convex(pen, held):
+            corners = mesh.points @ rotation.T + place
+            _draw_box(pen, np.array([corners.min(axis=0), corners.max(axis=0)]), color)
         for _, place, rotation, corners in _triangles(pen, held):
             turned = corners @ rotation.T + place
             for box in np.stack([turned.min(axis=1), turned.max(axis=1)], axis=1):

@@ -1,4 +1,4 @@
-// What general contact knows before anything is assembled: spheres and triangles at markers, their surfaces, and how they are treated.
+// What general contact knows before anything is assembled: spheres, convex shapes, triangles and planes at markers, their surfaces, and how they are treated.
 #pragma once
 
 #include <array>
@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "dalembert/contact/convex_shape.hpp"
 #include "dalembert/math/triangle.hpp"
 #include "dalembert/model/term_source.hpp"
 
@@ -36,6 +37,17 @@ struct ContactTriangle {
   int carrier = 0;
   Triangle points;
 };
+struct ContactConvex {
+  int marker = -1;
+  ConvexDefinition definition;
+  ContactSurface surface;
+};
+// A half-space below a plane that rests in the frame of a marker.
+struct ContactPlane {
+  int marker = -1;
+  Vec3<double> normal, point;  // the normal has length one
+  ContactSurface surface;
+};
 
 // Tangential springs and dampers of contacts, as parts of those along the normal, and what holds at most, as a multiple of friction that slides.
 // Without stiffness there are none, and friction grows with the slip.
@@ -47,6 +59,13 @@ struct ContactBristles {
 // All that two surfaces make together.
 struct ContactPairing {
   double stiffness, damping, friction;
+
+  // What presses two things together; negative where their damping would pull.
+  template <class S>
+  S pressure(const S& gap, const S& away) const {
+    return -(stiffness * gap) - damping * away;
+  }
+  ContactPairing part(double share) const { return {share * stiffness, share * damping, friction}; }
 };
 
 class ContactSet final : public SystemTermSource {
@@ -55,6 +74,8 @@ class ContactSet final : public SystemTermSource {
   std::vector<ContactCable> cables;
   std::vector<ContactCarrier> carriers;
   std::vector<ContactTriangle> triangles;  // those of one carrier may be anywhere among them
+  std::vector<ContactConvex> convex;
+  std::vector<ContactPlane> planes;
   std::vector<double> friction;            // of pairs of materials, by rows
   int materials = 0;
   double proportional_zone = 1e-3;        // m/s
@@ -72,9 +93,12 @@ class ContactSet final : public SystemTermSource {
   std::array<int, 3> cells{};              // of a search tree; nothing depends on it
   std::array<double, 6> box{0, 0, 0, -1, -1, -1};  // lower and upper corner, likewise; empty: none was given
 
-  // Global numbers: spheres, then cables, then triangles.
+  // Global numbers: spheres, then cables, then triangles, then convex shapes, then planes.
   int first_cable() const { return static_cast<int>(spheres.size()); }
   int first_triangle() const { return first_cable() + static_cast<int>(cables.size()); }
+  int first_convex() const { return first_triangle() + static_cast<int>(triangles.size()); }
+  int first_plane() const { return first_convex() + static_cast<int>(convex.size()); }
+  bool empty() const { return spheres.empty() && convex.empty(); }  // nothing that moves by contact: triangles and planes touch these
 
   std::unique_ptr<SystemTerm> make_term(const Ports& ports, const std::string& name) const override;
   void check(const Model& model, const std::string& name) const override;

@@ -1,4 +1,4 @@
-// Contact of everything in a ContactSet with everything else there: spheres with each other and with triangles.
+// Contact of everything in a ContactSet with everything else there: spheres, convex shapes, triangles, planes, and cables with spheres.
 //
 //   list    pairs that are near each other: good until something has moved farther than the skin
 //   touch   pairs that overlap now and push: found from the list
@@ -18,6 +18,7 @@
 
 #include "dalembert/contact/bristle.hpp"
 #include "dalembert/contact/contact_set.hpp"
+#include "dalembert/contact/convex_scene.hpp"
 #include "dalembert/contact/facet.hpp"
 #include "dalembert/contact/planar_cable.hpp"
 #include "dalembert/contact/sphere_neighbours.hpp"
@@ -38,13 +39,13 @@ struct HeldContact {
 // What a line meets first.
 struct LineHit {
   double distance = 0, velocity = 0;  // from the start, and of the surface, along the line
-  int sphere = -1, cable = -1, triangle = -1;  // -1: none of this kind
+  int sphere = -1, cable = -1, triangle = -1, convex = -1, plane = -1;  // -1: none of this kind
 };
 struct Line {
   Vec3<double> start, direction;  // of length one
   double nearest = 0, farthest = 0;
   double radius = 0;              // of a cylinder around it, for spheres
-  bool spheres = true, cables = true, triangles = true;
+  bool spheres = true, cables = true, triangles = true, convex = true, planes = true;
 };
 
 class GeneralContact final : public SystemTerm {
@@ -80,7 +81,7 @@ class GeneralContact final : public SystemTerm {
   void update(const Ports& ports);
   LineHit first_hit(const Line& line, const Ports& ports) const;
   struct Items {
-    std::vector<int> spheres, cables, triangles;
+    std::vector<int> spheres, cables, triangles, convex;
   };
   Items items_in(const Box& box, const Ports& ports) const;
   RigidFrame<double> frame_of(int marker, const Ports& ports) const;
@@ -91,16 +92,29 @@ class GeneralContact final : public SystemTerm {
     Vec3<double> point, force;
   };
   std::vector<Push> pushes(const Ports& ports, ConfigurationType configuration);
+  // Where convex shapes and planes touch and push.
+  struct ConvexPlace {
+    int first, second;  // global numbers; of triangles, that of the first one of their body
+    Vec3<double> point, normal, force;  // from the first to the second; on the first
+    double gap, share;
+  };
+  std::vector<ConvexPlace> convex_places(const Ports& ports);
+  // Pairs that touched at the last search.
+  struct ConvexPair {
+    int first, second;
+    bool sticks;
+  };
+  std::vector<ConvexPair> convex_pairs() const;
   // What another term of the same contacts remembers.
-  void take_bristles_of(const GeneralContact& other) { bristles_ = other.bristles_; }
+  void take_bristles_of(const GeneralContact& other) {
+    bristles_ = other.bristles_;
+    convex_bristles_ = other.convex_bristles_;
+  }
 
  private:
   // Where a sphere and another thing meet.
   template <class S>
-  struct Meeting {
-    Vec3<S> normal, arm0, arm1;  // from the sphere to the other; from the markers to the common point of action
-    S gap;
-  };
+  using Meeting = ContactMeeting<S>;
   // Blocks of the tangent: a sphere with another, or with the carrier of triangles.
   struct Block {
     enum class With { sphere, cable, carrier };
@@ -188,7 +202,8 @@ class GeneralContact final : public SystemTerm {
   void pass_bristles_on(int sphere, std::vector<Found>& found) const;
   double excess_of(const HeldContact& contact, const ContactPairing& pairing, const Meeting<double>& at, double pressure, const Ports& ports) const;
   void add_gripping_pairs(int chunk, const Ports& ports) const;
-  Bristle bristle_after(const HeldContact& contact, const Meeting<double>& at, const Vec3<double>& velocity, double pressure, const Ports& ports) const;
+  Bristle bristle_after(const Bristle* before, const ContactPairing& pairing, const Meeting<double>& at, const Vec3<double>& velocity, double pressure,
+                        const RigidFrame<double>& frame0, const RigidFrame<double>& frame1) const;
   void grow_bristles(const Ports& ports);
   ContactPairing pairing_of(const HeldContact& contact) const;
   Vec3<double> velocity_at(int marker, bool turns, const Vec3<double>& arm, const Ports& ports) const;
@@ -230,6 +245,36 @@ class GeneralContact final : public SystemTerm {
   const Block& block_of(const HeldContact& contact) const;
   void list_blocks(const Ports& ports);
 
+  // Convex shapes and planes, with each other and with spheres and triangles.
+  struct ConvexBlock {
+    int first, second;
+    std::size_t first_slot;
+  };
+  struct ConvexBristle {
+    int first, second, key;
+    Bristle bristle;
+    auto order() const { return std::tuple(first, second, key); }
+  };
+  bool has_convex() const { return set_->active && !scene_.empty(); }
+  void follow_convex(const Ports& ports) const;
+  void find_convex(const Ports& ports, std::vector<ConvexTouch>& found) const;
+  template <class S>
+  Vec3<S> convex_force(const ConvexTouch& touch, const Meeting<S>& at, const Vec3<S>& velocity, const RigidFrame<S>& frame0, const RigidFrame<S>& frame1,
+                       std::optional<bool> sticks) const;
+  ContactPairing convex_pairing(const ConvexTouch& touch) const;
+  const ConvexBristle* convex_bristle(const ConvexTouch& touch, int key) const;
+  const Bristle* bristle_of(const ConvexTouch& touch) const;
+  void pass_bristles_on(std::span<ConvexTouch> of_pair) const;
+  void add_convex(const ConvexTouch& touch, Ports& ports, std::optional<bool> sticks) const;
+  int global_number(int participant) const;
+  std::size_t list_convex_blocks(const Ports& ports, std::size_t slot);
+  void add_convex_tangent(const Ports& ports, double* values) const;
+  double convex_changes() const;
+  void grow_convex(const Ports& ports);
+  void write_convex_history(std::vector<double>& numbers) const;
+  bool take_convex_history(std::span<const double>& numbers);
+  void hit_convex(const Line& line, const Ports& ports, LineHit& hit) const;
+
   std::shared_ptr<const ContactSet> set_;
   std::string name_;
   std::vector<int> markers_;
@@ -263,6 +308,12 @@ class GeneralContact final : public SystemTerm {
   std::vector<HeldContact> touching_;
   BristleList bristles_;  // at the start of the step
   std::vector<BristleList::Entry> grown_bristles_;
+  mutable ConvexScene scene_;
+  std::vector<ConvexTouch> convex_held_, convex_touching_;
+  mutable std::vector<ConvexTouch> convex_found_;
+  std::vector<ConvexBlock> convex_blocks_;
+  std::vector<ConvexBristle> convex_bristles_, grown_convex_;
+  mutable std::uint64_t convex_lists_ = 0;
   bool grown_ = false;  // those at its end are known
   mutable std::vector<Verge> verges_, verges_before_;  // by sphere: now, and after the last step; empty: not known
 };

@@ -1,0 +1,48 @@
+// Convex shapes on triangles of one body. Corners of the shape stand on the triangle that they are below, whatever edges are around; edges and corners of the
+// mesh touch where they stick out. So a flat mesh is as its plane, however fine it is.
+#pragma once
+
+#include <vector>
+
+#include "dalembert/contact/convex_narrow.hpp"
+#include "dalembert/contact/facet.hpp"
+#include "dalembert/math/triangle.hpp"
+
+namespace dalembert {
+
+class ConvexMesh {
+ public:
+  // Edges and corners of triangles that stick out; each belongs to the first triangle that has it. Points are the same where their places are.
+  void build(const std::vector<int>& members, const std::vector<Triangle>& all, const std::vector<Facet>& facets);
+  // `shape` is placed in the frame of the triangles; numbers of those near it ascend. Participants are filled in by the caller.
+  void find(const ConvexNow& shape, std::span<const int> near, const std::vector<Triangle>& all, const std::vector<Facet>& facets, std::vector<ConvexTouch>& found);
+
+ private:
+  struct Edge {
+    Vec3<double> begin, along;  // of length one
+    double length = 0;
+    std::array<Vec3<double>, 2> inward, normal;  // of the triangles on both sides, alike if there is one alone
+  };
+  struct Corner {
+    Vec3<double> place, normal;  // the mean one around
+    std::vector<Vec3<double>> edges;  // that lead away
+  };
+  struct Candidate {
+    int key = 0;
+    double depth = 0;
+    ConvexTouch touch;
+  };
+  void on_facet(const ConvexNow& shape, const Facet& facet);
+  void on_edge(const ConvexNow& shape, const Edge& edge, int number, std::vector<ConvexTouch>& found) const;
+  void round_on_edge(const ConvexNow& shape, const Edge& edge, int number, std::vector<ConvexTouch>& found) const;
+  void on_corner(const ConvexNow& shape, const Corner& corner, int number, std::vector<ConvexTouch>& found) const;
+
+  std::vector<Edge> edges_;
+  std::vector<Corner> corners_;
+  std::vector<std::size_t> first_edge_, first_corner_;  // by number of a triangle among all
+  std::vector<int> edge_list_, corner_list_;
+  std::vector<Foot> feet_;
+  std::vector<Candidate> candidates_;
+};
+
+}  // namespace dalembert

@@ -1,0 +1,110 @@
+// One place where a convex shape touches something, kept as the two features that meet there, in the frames of their markers: so its gap and its normal
+// follow both bodies exactly as long as the features stay.
+#pragma once
+
+#include <cmath>
+#include <tuple>
+
+#include "dalembert/frames.hpp"
+
+namespace dalembert {
+
+// Where two things meet.
+template <class S>
+struct ContactMeeting {
+  Vec3<S> normal, arm0, arm1;  // from the first to the second; from the markers to the common point of action
+  S gap;
+};
+
+struct ConvexTouch {
+  enum class Kind {
+    point_plane,  // of one thing, a point with a radius; of the other, a plane
+    rim_plane,    // of one thing, the point of a circle that is lowest over the plane of the other, or one at an angle from it
+    points,       // points with radii
+    point_line,   // of one thing, a point; of the other, a line; with radii
+    point_rim,    // of one thing, a point with a radius; of the other, a circle
+    lines         // with radii
+  };
+  int first = -1, second = -1;  // participants
+  int key = 0;                  // which place it is of this pair
+  Kind kind = Kind::point_plane;
+  bool swapped = false;         // the point, rim or first line belongs to the second one
+  Vec3<double> at0, along0, at1, along1;  // point and direction: of a plane its normal, of a circle its axis
+  double radius0 = 0, radius1 = 0;        // that are added; of a circle, its own
+  double cosine = 1, sine = 0;            // of the angle on a rim
+  double share = 1;                       // of the stiffness of the pair
+  bool sticks = true;
+  int bristle = -1;                       // the key that its bristle has been known by
+
+  auto order() const { return std::tuple(first, second, key); }
+};
+
+// Of two things from the one with the point to the other, with the place of the contact instead of arms.
+template <class S>
+struct MeetingPlace {
+  Vec3<S> normal, place;
+  S gap;
+};
+
+namespace convex_touch_detail {
+
+template <class S>
+Vec3<S> out(const RigidFrame<S>& frame, const Vec3<double>& point) {
+  return frame.position + frame.rotation * point;
+}
+
+template <class S>
+MeetingPlace<S> above_plane(const Vec3<S>& point, double radius, const Vec3<S>& normal, const Vec3<S>& in_plane) {
+  const S height = dot(normal, point - in_plane);
+  return {-normal, point - height * normal, height - radius};
+}
+
+// Two round things at points.
+template <class S>
+MeetingPlace<S> between(const Vec3<S>& point, double radius, const Vec3<S>& other, double other_radius) {
+  const Vec3<S> span = other - point;
+  const S distance = norm(span);
+  const Vec3<S> normal = (1.0 / distance) * span;
+  const S gap = distance - (radius + other_radius);
+  return {normal, point + (radius + 0.5 * gap) * normal, gap};
+}
+
+template <class S>
+Vec3<S> on_rim(const ConvexTouch& t, const Vec3<S>& centre, const Vec3<S>& axis, const Vec3<S>& down, double radius) {
+  const Vec3<S> across = down - dot(axis, down) * axis;
+  const Vec3<S> unit = (1.0 / norm(across)) * across;
+  return centre + (radius * t.cosine) * unit + (radius * t.sine) * cross(axis, unit);
+}
+
+template <class S>
+MeetingPlace<S> between_lines(const ConvexTouch& t, const Vec3<S>& x0, const Vec3<S>& d0, const Vec3<S>& x1, const Vec3<S>& d1) {
+  const Vec3<S> across = cross(d0, d1), span = x1 - x0;
+  const S square = dot(across, across);
+  using std::sqrt;
+  const Vec3<S> normal = (t.cosine / sqrt(square)) * across;  // which carries its sign
+  const S gap = dot(normal, span) - (t.radius0 + t.radius1);
+  const Vec3<S> nearest = x0 + (dot(cross(span, d1), across) / square) * d0;
+  return {normal, nearest + (t.radius0 + 0.5 * gap) * normal, gap};
+}
+
+}  // namespace convex_touch_detail
+
+template <class S>
+ContactMeeting<S> meeting_of(const ConvexTouch& t, const RigidFrame<S>& first, const RigidFrame<S>& second) {
+  using namespace convex_touch_detail;
+  const RigidFrame<S>&a = t.swapped ? second : first, &b = t.swapped ? first : second;
+  const Vec3<S> x0 = out(a, t.at0), x1 = out(b, t.at1), d1 = b.rotation * t.along1;
+  MeetingPlace<S> place;
+  switch (t.kind) {
+    case ConvexTouch::Kind::point_plane: place = above_plane(x0, t.radius0, d1, x1); break;
+    case ConvexTouch::Kind::rim_plane: place = above_plane(on_rim(t, x0, a.rotation * t.along0, -d1, t.radius0), 0, d1, x1); break;
+    case ConvexTouch::Kind::points: place = between(x0, t.radius0, x1, t.radius1); break;
+    case ConvexTouch::Kind::point_line: place = between(x0, t.radius0, x1 + dot(x0 - x1, d1) * d1, t.radius1); break;
+    case ConvexTouch::Kind::point_rim: place = between(x0, t.radius0, on_rim(t, x1, d1, x0 - x1, t.radius1), 0); break;
+    case ConvexTouch::Kind::lines: place = between_lines(t, x0, a.rotation * t.along0, x1, d1); break;
+  }
+  const Vec3<S> normal = t.swapped ? -place.normal : place.normal;
+  return {normal, place.place - first.position, place.place - second.position, place.gap};
+}
+
+}  // namespace dalembert

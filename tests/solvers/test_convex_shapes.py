@@ -1,0 +1,354 @@
+"""Where convex shapes touch, against independent computations; what their methods tell, keep and refuse."""
+
+from __future__ import annotations
+
+import copy
+import itertools
+import os
+import pickle
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.optimize import minimize
+from scipy.spatial import ConvexHull
+from test_convex_contact import ConvexWorld, K
+from test_general_contact import EXPLICIT, IMPLICIT, grid_mesh
+
+import dalembert as exu
+from dalembert import itemInterface as eii
+from dalembert.utilities import InertiaSphere, RotationMatrixX, RotationMatrixY, RotationMatrixZ
+
+TYPES = exu.ContactTypeIndex
+
+
+def turned(rng: np.random.Generator) -> np.ndarray:
+    return RotationMatrixX(rng.uniform(0, 6)) @ RotationMatrixY(rng.uniform(0, 6)) @ RotationMatrixZ(rng.uniform(0, 6))
+
+
+def placed(world: ConvexWorld, position: Any, rotation: Any) -> Any:
+    return world.body(InertiaSphere(1, 0.1), position, (0, 0, 0), referenceRotationMatrix=rotation)[1]
+
+
+def overlap(a: np.ndarray, b: np.ndarray) -> float:
+    """Least distance that separates two hulls: that of the origin from the surface of all differences of their points."""
+    differences = ConvexHull((a[:, None] - b[None]).reshape(-1, 3))
+    return float(-differences.equations[:, 3].max())
+
+
+@pytest.mark.parametrize("seed", range(30))
+def test_overlap_of_random_hulls(seed: int) -> None:
+    """As of the hull of all differences of points; a face is taken up to a sine of 0.1 from the best direction, so depths there are longer by up to 1 / cos."""
+    rng, world = np.random.default_rng(seed), ConvexWorld()
+    points = [rng.normal(0, 0.1, (rng.integers(4, 14), 3)) for _ in range(2)]
+    places = [(np.zeros(3), turned(rng)), (rng.uniform(-0.15, 0.15, 3), turned(rng))]
+    for own, (position, rotation) in zip(points, places, strict=True):
+        world.contact.AddConvexHullWithMarker(placed(world, position, rotation), own, **world.surface)
+    world.mbs.Assemble()
+    a, b = (position + own @ rotation.T for own, (position, rotation) in zip(points, places, strict=True))
+    depth, found = overlap(a, b), world.contact.GetConvexContacts()
+    if depth <= 0:
+        assert len(found["gaps"]) == 0
+        return
+    normals = found["normals"]
+    assert np.abs(normals - normals[0]).max() < 1e-12
+    deepest = -found["gaps"].min()
+    assert depth * (1 - 1e-12) <= deepest <= depth / np.sqrt(1 - 0.1**2) * (1 + 1e-12)
+
+
+def test_separate_hulls_do_not_touch_and_close_ones_do() -> None:
+    """A box that stands on its corner, on a face: its depth by hand, and nothing as soon as it is lifted."""
+    corner = RotationMatrixY(np.arctan(np.sqrt(0.5))) @ RotationMatrixX(np.pi / 4)
+    lowest = np.sqrt(3) / 2 * 0.2
+    for lift, depth in ((-1e-3, 1e-3), (1e-9, 0.0)):
+        world = ConvexWorld()
+        world.floor("box")
+        world.contact.AddBoxWithMarker(placed(world, [0.1, 0.2, lowest + lift], corner), [0.2] * 3, **world.surface)
+        world.mbs.Assemble()
+        found = world.contact.GetConvexContacts()
+        np.testing.assert_allclose(found["gaps"], [-depth] if depth else [], atol=1e-12)
+        np.testing.assert_allclose(found["forces"][:, 2], [-0.25 * depth * K / 2] if depth else [], rtol=1e-9)
+
+
+def segment_distance(a: np.ndarray, b: np.ndarray) -> float:
+    """Least distance of two segments, by a minimizer."""
+
+    def square(x: np.ndarray) -> float:
+        return float(np.sum((a[0] + x[0] * (a[1] - a[0]) - b[0] - x[1] * (b[1] - b[0])) ** 2))
+
+    starts = itertools.product((0.1, 0.9), repeat=2)
+    best = min(minimize(square, s, bounds=[(0, 1)] * 2, options={"ftol": 1e-16, "gtol": 1e-12}).fun for s in starts)
+    return float(np.sqrt(best))
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_capsules_are_as_far_as_their_segments(seed: int) -> None:
+    rng, world, radii = np.random.default_rng(seed), ConvexWorld(), (0.08, 0.05)
+    ends = []
+    for radius in radii:
+        position, rotation, axis = rng.uniform(-0.06, 0.06, 3), turned(rng), rng.uniform(-0.2, 0.2, 3)
+        world.contact.AddCapsuleWithMarker(placed(world, position, rotation), radius, axis, **world.surface)
+        ends.append(position + np.outer([-0.5, 0.5], rotation @ axis))
+    world.mbs.Assemble()
+    gap = segment_distance(*ends) - sum(radii)
+    found = world.contact.GetConvexContacts()["gaps"]
+    assert (len(found) > 0) == (gap < 0)
+    if gap < 0:
+        assert found.min() == pytest.approx(gap, abs=1e-7)
+
+
+def support_distance(points: np.ndarray, x: np.ndarray) -> float:
+    """Distance of a point outside of a hull, by a quadratic program in the shares of the points."""
+    n = len(points)
+    best = minimize(
+        lambda w: float(np.sum((w @ points - x) ** 2)), np.full(n, 1 / n), jac=lambda w: 2 * points @ (w @ points - x),
+        bounds=[(0, 1)] * n, constraints={"type": "eq", "fun": lambda w: w.sum() - 1, "jac": lambda w: np.ones(n)},
+        method="SLSQP", options={"ftol": 1e-15, "maxiter": 500},
+    )  # fmt: skip
+    return float(np.sqrt(best.fun))
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_balls_are_as_far_as_their_centers(seed: int) -> None:
+    rng, world, radius = np.random.default_rng(seed), ConvexWorld(), 0.1
+    points, rotation = rng.normal(0, 0.1, (8, 3)), turned(rng)
+    world.contact.AddConvexHullWithMarker(placed(world, [0, 0, 0], rotation), points, **world.surface)
+    center = rng.normal(0, 1, 3)
+    center *= rng.uniform(0.15, 0.3) / np.linalg.norm(center)
+    world.point(center, radius=radius, stiffness=K)
+    world.mbs.Assemble()
+    local = center @ rotation
+    hull = ConvexHull(points)
+    inside = (hull.equations[:, :3] @ local + hull.equations[:, 3]).max()
+    gap = (inside if inside < 0 else support_distance(points, local)) - radius
+    found = world.contact.GetConvexContacts()["gaps"]
+    assert (len(found) > 0) == (gap < 0)
+    if gap < 0:
+        np.testing.assert_allclose(found, [gap], atol=1e-6)
+
+
+@pytest.mark.parametrize("place", [(0.0, 0.0, 0.24), (0.14, 0.0, 0.05), (0.1, 0.12, 0.22), (0.03, 0.02, 0.0)])
+def test_balls_on_cylinders(place: tuple[float, float, float]) -> None:
+    """On the cap, on the mantle, on the rim and within: closed forms in the cylinder's coordinates."""
+    world, radius, length, ball = ConvexWorld(), 0.1, 0.4, 0.05
+    world.contact.AddCylinderWithMarker(placed(world, [0, 0, 0], np.eye(3)), radius, [0, 0, length], **world.surface)
+    world.point(place, radius=ball, stiffness=K)
+    world.mbs.Assemble()
+    aside, along = np.hypot(*place[:2]) - radius, abs(place[2]) - length / 2
+    outside = np.hypot(max(aside, 0), max(along, 0))
+    gap = (outside if outside > 0 else max(aside, along)) - ball
+    found = world.contact.GetConvexContacts()["gaps"]
+    np.testing.assert_allclose(found, [gap] if gap < 0 else [], atol=1e-12)
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.01, 0.5, np.pi / 2])
+def test_cylinders_on_each_other(angle: float) -> None:
+    """Crossing or side by side, mantles are round: 0.1 mm of overlap in any direction around the axis."""
+    for around in np.linspace(0, 0.3, 5):
+        world, radii, depth = ConvexWorld(), (0.1, 0.06), 1e-4
+        away = RotationMatrixX(around) @ np.array([0, 0, sum(radii) - depth])
+        turn = RotationMatrixX(around) @ RotationMatrixZ(angle)
+        for position, rotation, radius in (([0, 0, 0], np.eye(3), radii[0]), (away, turn, radii[1])):
+            marker = placed(world, position, rotation)
+            world.contact.AddCylinderWithMarker(marker, radius, [0.4, 0, 0], **world.surface)
+        world.mbs.Assemble()
+        found = world.contact.GetConvexContacts()
+        assert len(found["gaps"]) == (2 if angle < 0.05 else 1)
+        np.testing.assert_allclose(found["gaps"], -depth, atol=0.2 * angle**2 if angle < 0.05 else 1e-12)
+
+
+def test_shapes_on_edges_and_corners_of_a_mesh() -> None:
+    """A box over the border of a plate: two corners stand on it, and its edges cross the border; a box on a spike stands on its tip."""
+    world, depth = ConvexWorld(), 1e-3
+    points, triangles = grid_mesh(0.5, 4)
+    world.contact.AddTrianglesRigidBodyBased(world.ground, pointList=points, triangleList=triangles, **world.surface)
+    box = placed(world, [0.53, 0.012, 0.05 - depth], np.eye(3))
+    world.contact.AddBoxWithMarker(box, [0.2, 0.1, 0.1], **world.surface)
+    world.mbs.Assemble()
+    found = world.contact.GetConvexContacts()
+    np.testing.assert_allclose(np.sort(found["points"][:, 0]), [0.43, 0.43, 0.5, 0.5], atol=1e-12)
+    np.testing.assert_allclose(found["gaps"], -depth, atol=1e-12)
+    np.testing.assert_allclose(found["normals"], [[0, 0, -1]] * 4, atol=1e-12)
+
+    world = ConvexWorld()
+    spike = [[-0.1, -0.1, -0.2], [0.1, -0.1, -0.2], [0, 0.1, -0.2], [0, 0, 0]]
+    sides = [[0, 1, 3], [1, 2, 3], [2, 0, 3], [0, 2, 1]]
+    world.contact.AddTrianglesRigidBodyBased(world.ground, pointList=spike, triangleList=sides, **world.surface)
+    world.contact.AddBoxWithMarker(
+        placed(world, [0.01, 0.02, 0.05 - depth], np.eye(3)), [0.2] * 2 + [0.1], **world.surface
+    )
+    world.mbs.Assemble()
+    found = world.contact.GetConvexContacts()
+    np.testing.assert_allclose(found["points"], [[0, 0, -depth]], atol=1e-12)
+    np.testing.assert_allclose(found["gaps"], [-depth], atol=1e-12)
+
+
+def test_a_hull_on_hills_stands_on_the_nearest_triangle() -> None:
+    """A tetrahedron with one corner down: its depth is the height of the field there, less its own."""
+    x, y = np.meshgrid(np.linspace(-1, 1, 41), np.linspace(-1, 1, 41), indexing="ij")
+    heights = 0.1 * np.sin(3 * x) * np.cos(2 * y)
+    tip = np.array([[0, 0, 0], [0.1, 0, 0.3], [-0.05, 0.1, 0.3], [-0.05, -0.1, 0.3]])
+    for place in ([0.31, 0.22], [-0.43, 0.61], [0.02, -0.77]):
+        world = ConvexWorld()
+        world.contact.AddHeightField(world.ground, heights, [0.05, 0.05], origin=[-1, -1, 0], **world.surface)
+        marker = placed(world, [*place, 0.1 * np.sin(3 * place[0]) * np.cos(2 * place[1]) - 2e-3], np.eye(3))
+        world.contact.AddConvexHullWithMarker(marker, tip, **world.surface)
+        world.mbs.Assemble()
+        found = world.contact.GetConvexContacts()
+        assert len(found["gaps"]) == 1
+        ground = world.contact.ShortestDistanceAlongLine(
+            [*place, 2.0], [0, 0, -1], 0, 9, typeIndex=TYPES.IndexTrigsRigidBodyBased
+        )
+        height = (2 - ground) - world.mbs.GetMarkerOutput(marker, exu.OutputVariableType.Position)[2]
+        np.testing.assert_allclose(found["gaps"], -height * -found["normals"][0, 2], atol=1e-12)
+
+
+# ---- questions -------------------------------------------------------------------------------------------------------
+
+
+def test_lines_meet_convex_shapes_and_planes() -> None:
+    """A fan of lines from outside, against closed forms of a box, a ball at the end of a capsule, a mantle and a plane."""
+    world = ConvexWorld()
+    marker = placed(world, [1, 0, 0], RotationMatrixZ(np.pi / 4))
+    world.contact.AddBoxWithMarker(marker, [0.2, 0.2, 0.4], **world.surface)
+    world.contact.AddCapsuleWithMarker(placed(world, [0, 2, 0], np.eye(3)), 0.1, [0, 0, 1], **world.surface)
+    world.contact.AddCylinderWithMarker(placed(world, [0, -2, 0], np.eye(3)), 0.1, [0, 0, 1], **world.surface)
+    world.contact.AddPlane(world.ground, [0, 0, 1], point=[0, 0, -3], **world.surface)
+    world.mbs.Assemble()
+    line = world.contact.ShortestDistanceAlongLine
+    convex, plane = int(TYPES.IndexConvexMarkerBased), int(TYPES.IndexPlanesRigidBodyBased)
+    for direction, distance, number, kind in (
+        ([1, 0, 0], 1 - 0.1 * np.sqrt(2), 0, convex),
+        ([0, 1, 0], 1.9, 1, convex),
+        ([0, -1, 0], 1.9, 2, convex),
+        ([0, 0, -2], 3, 0, plane),
+    ):
+        found = line([0, 0, 0], direction, 0, 10, asDictionary=True)
+        assert found["distance"] == pytest.approx(distance)
+        assert (found["itemIndex"], found["typeIndex"]) == (number, kind)
+    assert line([0, 2, 5], [0, 0, -1], 0, 9) == pytest.approx(5 - 0.6)
+    assert line([0.05, -2, 5], [0, 0, -1], 0, 9) == pytest.approx(4.5)
+    assert line([0, 0, 0], [1, 0, 0], 0, 10, typeIndex=TYPES.IndexPlanesRigidBodyBased) == 10
+    items = world.contact.GetItemsInBox([0.5, -1, -1], [2, 1, 1])
+    assert items["ConvexMarkerBased"].tolist() == [0]
+
+
+def test_active_contacts_of_convex_shapes() -> None:
+    """By global numbers: one sphere, two triangles, then boxes 3 and 4, then plane 5."""
+    world, sink = ConvexWorld(0.3), 1e-4
+    world.floor("plane")
+    world.box([0.2, 0.2, 0.2], [0, 0, 0.1 - sink])
+    world.box([0.2, 0.2, 0.2], [0, 0, 0.3 - 2 * sink])
+    world.point([0.0, 0, 0.5 - 3 * sink], radius=0.1, stiffness=K)
+    world.mesh([[5, 0, 0], [6, 0, 0], [6, 1, 0], [5, 1, 0]], [[0, 1, 2], [0, 2, 3]])
+    world.mbs.Assemble()
+    world.contact.UpdateContacts(world.mbs)
+    active = world.contact.GetActiveContacts
+    assert active(TYPES.IndexConvexMarkerBased, -1).tolist() == [2, 2]
+    assert sorted(active(TYPES.IndexConvexMarkerBased, 0).tolist()) == [4, 5]
+    assert sorted(active(TYPES.IndexConvexMarkerBased, 1).tolist()) == [0, 3]
+    assert active(TYPES.IndexSpheresMarkerBased, 0).tolist() == [4]
+
+
+# ---- copies and restart ----------------------------------------------------------------------------------------------
+
+
+def tower(friction: float = 0.4) -> tuple[ConvexWorld, list[Any]]:
+    world = ConvexWorld(friction)
+    world.damped(20.0)
+    world.contact.SetFrictionBristles(0.5, 1.0)
+    bodies = [world.box([0.1, 0.12, 0.14], [0.02 * i, 0, 0.08 + 0.15 * i]) for i in range(2)]
+    bodies.append(world.cylinder(0.05, 0.2, [0, 0, 0.5]))
+    marker = placed(world, [0.3, 0, 0.2], np.eye(3))
+    world.contact.AddConvexHullWithMarker(marker, [[0, 0, 0], [0.1, 0, 0], [0, 0.1, 0], [0, 0, 0.1]], **world.surface)
+    world.contact.AddCapsuleWithMarker(placed(world, [0, 0.4, 0.2], np.eye(3)), 0.05, [0.1, 0, 0], **world.surface)
+    world.floor("plane")
+    return world, bodies
+
+
+@pytest.mark.parametrize("make", [copy.copy, lambda m: pickle.loads(pickle.dumps(m))], ids=["copy", "pickle"])
+def test_copies_have_the_same_contacts(make: Any) -> None:
+    world, bodies = tower()
+    world.mbs.Assemble()
+    results = []
+    for mbs in (world.mbs, make(world.mbs)):
+        world.mbs = mbs
+        world.solve(0.2, 200, EXPLICIT)
+        results.append(b"".join(world.output(b, "Position").tobytes() for b in bodies))
+    assert results[0] == results[1]
+
+
+@pytest.mark.parametrize("solver", [EXPLICIT, IMPLICIT])
+def test_a_restart_goes_on_bit_for_bit(solver: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """With bristles that hold and slide at that moment."""
+    monkeypatch.chdir(tmp_path)
+    settings = exu.SimulationSettings()
+    time, solution = settings.timeIntegration, settings.solutionSettings
+    time.endTime, time.numberOfSteps = 0.2, 200
+    solution.writeSolutionToFile = False
+    solution.writeRestartFile, solution.restartFileName, solution.restartWritePeriod = True, "restart.txt", 0.12
+    ends = []
+    for number in range(2):
+        world, _ = tower()
+        world.mbs.Assemble()
+        world.mbs.SolveDynamic(settings, solverType=solver)
+        assert len(world.contact.GetConvexContacts()["gaps"]) > 5
+        state = world.mbs.systemData
+        ends.append(state.GetODE2Coordinates().tobytes() + state.GetODE2Coordinates_t().tobytes())
+        if number == 0:
+            os.replace("restart.txt.bck", "middle.txt")
+            settings.continuation.restartFileName = "middle.txt"
+    assert ends[0] == ends[1]
+
+
+# ---- bad input -------------------------------------------------------------------------------------------------------
+
+SQUARE = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
+SURFACE = {"contactStiffness": 1.0, "contactDamping": 0.0, "frictionMaterialIndex": 0}
+REFUSED = {
+    "flat box": ("AddBoxWithMarker", {"size": [1, 0, 1]}, r"AddBoxWithMarker.*'?size'?.*\[1, 0, 1\].*3 positive numbers"),
+    "box without number": ("AddBoxWithMarker", {"size": [1, np.nan, 1]}, "size.*3"),
+    "two sides": ("AddBoxWithMarker", {"size": [1, 2]}, r"size.*\[1, 2\]"),
+    "no stiffness": ("AddBoxWithMarker", {"size": [1, 1, 1], "contactStiffness": 0}, "contactStiffness.*positive"),
+    "negative radius": ("AddCylinderWithMarker", {"radius": -1, "vAxis": [1, 0, 0]}, "AddCylinder.*radius.*-1.*positive"),
+    "no axis": ("AddCapsuleWithMarker", {"radius": 1, "vAxis": [0, 0, 0]}, "AddCapsule.*vAxis.*not zero"),
+    "points in a plane": ("AddConvexHullWithMarker", {"pointList": SQUARE}, "pointList.*plane.*at least 4 points"),
+    "three points": ("AddConvexHullWithMarker", {"pointList": SQUARE[:3]}, "pointList.*3 points.*at least 4 points"),
+    "two columns": ("AddConvexHullWithMarker", {"pointList": [[0, 1]] * 5}, "pointList.*3 columns"),
+    "no number": ("AddConvexHullWithMarker", {"pointList": [*SQUARE, [0, 0, np.inf]]}, r"pointList\[4\].*inf.*finite"),
+    "no normal": ("AddPlane", {"normal": [0, 0, 0]}, "AddPlane.*normal.*not zero"),
+    "one row": ("AddHeightField", {"heights": [[1, 2]], "cellSize": [1, 1]}, "AddHeightField.*heights.*at least 2 rows"),
+    "no cells": ("AddHeightField", {"heights": [[1, 2], [1, 2]], "cellSize": [1, 0]}, "cellSize.*2 positive"),
+    "no height": ("AddHeightField", {"heights": [[1, 2], [1, np.nan]], "cellSize": [1, 1]}, r"heights\[1,1\].*nan"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", REFUSED)
+def test_bad_shapes_are_refused_by_name(case: str) -> None:
+    world, (method, arguments, text) = ConvexWorld(), REFUSED[case]
+    before = world.contact.GetPythonObject()
+    with pytest.raises(ValueError, match=f"(?s){text}"):
+        getattr(world.contact, method)(world.ground, **(SURFACE | arguments))
+    assert str(world.contact.GetPythonObject()) == str(before)
+
+
+def test_markers_without_orientation_are_refused() -> None:
+    world = ConvexWorld()
+    node = world.mbs.AddNode(eii.NodePoint())
+    marker = world.mbs.AddMarker(eii.MarkerNodePosition(nodeNumber=node))
+    world.contact.AddBoxWithMarker(marker, [1, 1, 1], **SURFACE)
+    with pytest.raises(ValueError, match="(?s)convex shape 0: markerIndex.*a marker with an orientation"):
+        world.mbs.Assemble()
+    with pytest.raises(IndexError, match="(?s)AddBoxWithMarker"):
+        world.contact.AddBoxWithMarker(99, [1, 1, 1], **SURFACE)
+
+
+def test_reset_removes_them() -> None:
+    world = ConvexWorld()
+    world.floor("plane")
+    world.box([1, 1, 1], [0, 0, 0.5])
+    assert repr(world.contact).endswith("0 triangles, 1 convex shapes, 1 planes>")
+    world.contact.Reset()
+    now = world.contact.GetPythonObject()
+    assert (now["numberOfConvexMarkerBased"], now["numberOfPlanesRigidBodyBased"]) == (0, 0)
