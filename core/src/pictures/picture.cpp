@@ -3,15 +3,34 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
+#include <numeric>
 #include <utility>
 
 #include "points.hpp"
+#include "squares.hpp"
 
 namespace dalembert {
 namespace {
 
 constexpr std::size_t shine_steps = 1024;
 constexpr std::size_t beyond = 3;  // samples that four side by side may reach beyond the last one
+
+// The samples of a picture that is not there any more, for the next one: to get as much memory anew takes a quarter of the time of a picture.
+struct KeptSamples {
+  static constexpr std::size_t most = std::size_t{4} << 20;  // samples of 16 bytes; those of larger pictures are given back
+
+  std::mutex mutex;
+  LargeVector<float> depth;
+  LargeVector<std::uint32_t> color, normal;
+  LargeVector<std::int32_t> item;
+
+  void exchange(LargeVector<float>& d, LargeVector<std::uint32_t>& c, LargeVector<std::uint32_t>& n, LargeVector<std::int32_t>& i) {
+    const std::lock_guard lock(mutex);
+    d.swap(depth), c.swap(color), n.swap(normal), i.swap(item);
+  }
+};
+KeptSamples kept_samples;
 
 }  // namespace
 
@@ -20,6 +39,7 @@ Picture::Picture(int width, int height, int samples, const Camera& camera, const
       scale_(static_cast<float>(camera.scale * samples)), perspective_(static_cast<float>(camera.perspective)), view_(camera.view),
       lighting_(lighting), shine_(shine_steps + 1), rim_(static_cast<std::size_t>(columns_)) {
   const std::size_t size = row_start(rows_) + beyond;
+  kept_samples.exchange(depth_, color_, normal_, item_);
   depth_.assign(size, -std::numeric_limits<float>::infinity());
   color_.resize(size);
   normal_.resize(size);
@@ -28,6 +48,10 @@ Picture::Picture(int width, int height, int samples, const Camera& camera, const
   for (std::size_t i = 0; i <= shine_steps; ++i)
     shine_[i] = std::pow(static_cast<float>(i) / shine_steps, std::max(lighting_.shininess, 1.0f));
   if (perspective_ > 0) planes_.push_back({0, 0, perspective_, 0.98f});  // 1 + perspective z >= 0.02
+}
+
+Picture::~Picture() {
+  if (depth_.size() <= KeptSamples::most) kept_samples.exchange(depth_, color_, normal_, item_);
 }
 
 void Picture::background(const Paint& top, const Paint& bottom) {
@@ -89,7 +113,11 @@ void Picture::triangles(const Mesh& mesh) {
     vertices[i] = project(corners[i]);
     vertices[i].inside = is_inside(corners[i].eye);
   }
-  for (std::size_t t = 0; t < mesh.triangles.size() / 3; ++t) {
+  LargeVector<std::uint32_t> order(mesh.triangles.size() / 3);
+  std::iota(order.begin(), order.end(), 0u);
+  if (order.size() >= Squares::many)
+    Squares(columns_, rows_).sort(order, [&](std::uint32_t t) { return vertices[static_cast<std::size_t>(mesh.triangles[3 * std::size_t{t}])].place; });
+  for (const std::size_t t : order) {
     std::array<std::size_t, 3> index{};
     for (std::size_t k = 0; k < 3; ++k) index[k] = static_cast<std::size_t>(mesh.triangles[3 * t + k]);
     const Point &a = corners[index[0]].eye, &b = corners[index[1]].eye, &c = corners[index[2]].eye;

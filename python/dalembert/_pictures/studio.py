@@ -131,17 +131,29 @@ class Studio:
         if np.any(np.asarray(follow.trackMarkerOrientation, float)):
             result.rotation = result.rotation @ places.marker_rotation(int(follow.trackMarker)).T
 
-    def image(self, scene: Scene, view: Camera, number: int = 0, size: tuple[int, int] | None = None) -> Image:
-        """Return the image of a scene."""
-        return painting.paint(scene, view, self.makers[0].looks, self.view(number), size or self.size(number))
+    def image(
+        self,
+        scene: Scene,
+        view: Camera,
+        number: int = 0,
+        size: tuple[int, int] | None = None,
+        raytracer: bool = False,
+    ) -> Image:
+        """Return the image of a scene; by the ray tracer if that is wanted, or the settings of the view say so."""
+        settings, looks, size = self.view(number), self.makers[0].looks, size or self.size(number)
+        if not raytracer and not settings.camera.useRaytracer:
+            return painting.paint(scene, view, looks, settings, size)
+        from dalembert._pictures import raytracing
 
-    def picture(self, number: int = 0) -> Image:
+        return raytracing.paint(scene, view, looks, settings, size, raytracing.materials_of(self.container))
+
+    def picture(self, number: int = 0, raytracer: bool = False) -> Image:
         """Return the image of what is visualized now."""
         if not self.makers:
             width, height = self.size(number)
             return np.full((height, width, 3), 255, np.uint8)
         scene = self.scene()
-        return self.image(scene, self.camera(scene, number), number)
+        return self.image(scene, self.camera(scene, number), number, raytracer=raytracer)
 
 
 @lru_cache(maxsize=1)

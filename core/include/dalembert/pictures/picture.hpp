@@ -59,6 +59,9 @@ struct Mesh {
 class Picture {
  public:
   Picture(int width, int height, int samples, const Camera& camera, const Lighting& lighting);
+  ~Picture();
+  Picture(const Picture&) = delete;
+  Picture& operator=(const Picture&) = delete;
 
   int width() const { return width_; }
   int height() const { return height_; }
@@ -123,7 +126,6 @@ class Picture {
   template <class Shade>
   void cover_squares(const Three& v, const Plan& plan, std::int32_t item, Shade&& shade);
   std::pair<int, int> span(const Sides& sides, int row) const;
-  void sort(LargeVector<Ball>& balls) const;
   void sphere(const Ball& ball);
   template <class Write>
   void walk(Point a, Point b, float half, Write&& write) const;
