@@ -50,7 +50,7 @@ def paint(scene: Scene, camera: Camera, looks: Looks, view: Any, size: tuple[int
 
 
 def materials_of(container: Any) -> list[Any]:
-    """Return the materials: those of SC.renderer.materials; where these are as they were made, those of the settings."""
+    """Return the materials of SC.renderer; where these are as they were made, those of the settings."""
     settings, made = container.visualizationSettings.raytracer, _core.GraphicsMaterialList()
     known = container.renderer.materials
     found = [known[i] for i in range(len(known))]
