@@ -25,7 +25,7 @@ void RayTracer::Scene::finish() {
   }
   Box all;
   for (const Box& box : boxes) all.add(box);
-  if (!boxes.empty()) size = std::max(norm(all.high - all.low), 1e-300), front = all.low[2] - size;
+  if (!boxes.empty()) size = std::max(norm(all.high - all.low), 1e-300), front = all.low[2] - 1e-6 * size;
   tree.build(boxes);
 }
 

@@ -49,7 +49,7 @@ struct RayTracer::Scene {
   std::vector<Rod> rods;
   RayTree tree;
   double size = 1;   // of all of it
-  double front = 0;  // before all of it
+  double front = 0;  // before all of it: there, rays of a parallel view begin
 
   Vec3<double> to_eye(const double* p) const { return turn * Vec3<double>{p[0], p[1], p[2]} + shift; }
   void finish();  // all shapes are there
