@@ -71,9 +71,9 @@ def test_area_of_a_sphere_in_perspective() -> None:
 @pytest.mark.parametrize("end", [[1, 0], [0, 1], [-1, 0.3]])
 def test_lines_are_as_wide_as_they_say(end: list[float]) -> None:
     t = tracer()
-    t.lines([[0, 0, 0, *end, 0]], [BLACK], 9.0)
+    t.lines([[0, 0, 0, *end, 0]], [BLACK], 8.0)
     area, _, _ = places(t.develop()[..., 0] < 128, 50)
-    length, radius = np.hypot(*end), 0.09
+    length, radius = np.hypot(*end), 0.08
     assert abs(area - (2 * radius * length + np.pi * radius**2)) < 0.3 * (2 * length + 2 * np.pi * radius) / 50
 
 
@@ -347,7 +347,7 @@ def test_without_reflections_and_shadows_it_draws_what_the_rasterizer_draws(SC: 
     np.testing.assert_array_equal(SC.renderer.RedrawAndGetImage(), traced)
     differ = np.abs(drawn - traced).max(axis=2) > 4
     assert 0 < differ.mean() < 0.05
-    assert (drawn < 250).any(axis=2).mean() > 0.3
+    assert (drawn < 250).any(axis=2).mean() > 0.15  # of the image is covered
 
 
 def test_lights_that_only_rays_cast_are_named(SC: Any, mbs: Any, capsys: Any) -> None:

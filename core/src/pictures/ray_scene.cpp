@@ -84,7 +84,7 @@ RaySurface RayTracer::Scene::surface(const Ray& ray, std::uint32_t shape, const 
   if (shape < triangles.size()) {
     const Triangle& t = triangles[shape];
     const auto& [a, b, c] = t.points;
-    s.face = unit_of(cross(points[b] - points[a], points[c] - points[a]));
+    s.face = unit_of(cross(points[c] - points[a], points[b] - points[a]));  // eye coordinates are left-handed
     const double w = 1 - m.u - m.v;
     s.color = w * rgb(colors[a]) + m.u * rgb(colors[b]) + m.v * rgb(colors[c]);
     s.normal = t.is_smooth ? unit_of(w * normals[a] + m.u * normals[b] + m.v * normals[c]) : s.face;
