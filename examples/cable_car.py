@@ -65,13 +65,13 @@ mbs.AddSensor(
 mbs.Assemble()
 
 settings = exu.SimulationSettings()
-settings.solutionSettings.writeSolutionToFile = False
 settings.staticSolver.numberOfLoadSteps = 5
 mbs.SolveStatic(settings, updateInitialValues=True)
 travels = True
 settings.timeIntegration.endTime = 1.5 * end
 settings.timeIntegration.numberOfSteps = 600
 settings.timeIntegration.generalizedAlpha.spectralRadius = 0.5
+settings.solutionSettings.solutionWritePeriod = settings.timeIntegration.endTime / 60
 settings.solutionSettings.sensorsWritePeriod = 0.02
 mbs.SolveDynamic(settings)
 
@@ -87,3 +87,5 @@ mbs.PlotSensor(
 shown = mbs.GetSystemContainer().visualizationSettings
 shown.nodes.show = shown.markers.show = shown.connectors.show = shown.loads.show = shown.sensors.show = False
 mbs.Draw(fileName="car_picture.png", view="front")
+in_a_second = settings.timeIntegration.endTime / 3
+mbs.DrawSolution(fileName="car_motion.gif", windowSize=[420, 320], framesPerSecond=20, speed=in_a_second, view="front")

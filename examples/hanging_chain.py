@@ -44,7 +44,7 @@ mbs.Assemble()
 settings = exu.SimulationSettings()
 settings.timeIntegration.endTime = 2.0
 settings.timeIntegration.numberOfSteps = 1000
-settings.solutionSettings.writeSolutionToFile = False
+settings.solutionSettings.solutionWritePeriod = settings.timeIntegration.endTime / 60
 mbs.SolveDynamic(settings)
 mbs.PlotSensor(
     end, componentsX=0, components=1, xLabel="x (m)", yLabel="y (m)", labels="lower end", fileName="chain_end.png",
@@ -54,3 +54,7 @@ shown = mbs.GetSystemContainer().visualizationSettings
 shown.nodes.show = shown.markers.show = False
 shown.sensors.traces.showPositionTrace = True
 mbs.Draw(fileName="chain_picture.png", view="front")
+in_a_second = settings.timeIntegration.endTime / 3
+mbs.DrawSolution(
+    fileName="chain_motion.gif", windowSize=[420, 320], framesPerSecond=20, speed=in_a_second, view="front"
+)

@@ -48,11 +48,11 @@ way = mbs.AddSensor(SensorNode("end of the rope", nodeNumber=nodes[-1], storeInt
 mbs.Assemble()
 
 settings = exu.SimulationSettings()
-settings.solutionSettings.writeSolutionToFile = False
 settings.solutionSettings.sensorsWritePeriod = end / 100
 settings.timeIntegration.endTime = end
 settings.timeIntegration.numberOfSteps = 1000
 settings.timeIntegration.generalizedAlpha.spectralRadius = 0.6
+settings.solutionSettings.solutionWritePeriod = settings.timeIntegration.endTime / 60
 mbs.SolveDynamic(settings)
 
 time, _, y, _ = mbs.GetSensorStoredData(way).T
@@ -69,3 +69,5 @@ shown = mbs.GetSystemContainer().visualizationSettings
 shown.nodes.show = shown.markers.show = shown.sensors.show = shown.connectors.show = shown.loads.show = False
 shown.contour.outputVariable = exu.OutputVariableType.ForceLocal  # tension, as color
 mbs.Draw(fileName="rope_picture.png", view="front")
+in_a_second = settings.timeIntegration.endTime / 3
+mbs.DrawSolution(fileName="rope_motion.gif", windowSize=[420, 320], framesPerSecond=20, speed=in_a_second, view="front")

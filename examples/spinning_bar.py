@@ -54,7 +54,7 @@ settings = exu.SimulationSettings()
 settings.timeIntegration.endTime = 0.08
 settings.timeIntegration.numberOfSteps = 400
 settings.timeIntegration.generalizedAlpha.spectralRadius = 0.6
-settings.solutionSettings.writeSolutionToFile = False
+settings.solutionSettings.solutionWritePeriod = settings.timeIntegration.endTime / 60
 settings.solutionSettings.sensorsWritePeriod = 4e-4
 mbs.SolveDynamic(settings)
 
@@ -70,3 +70,7 @@ shown = mbs.GetSystemContainer().visualizationSettings
 shown.nodes.show = shown.markers.show = shown.loads.show = shown.sensors.show = shown.connectors.show = False
 shown.contour.outputVariable = exu.OutputVariableType.DisplacementLocal
 mbs.Draw(fileName="bar_picture.png", view="axonometric")
+in_a_second = settings.timeIntegration.endTime / 3
+mbs.DrawSolution(
+    fileName="bar_motion.gif", windowSize=[420, 320], framesPerSecond=20, speed=in_a_second, view="axonometric"
+)

@@ -43,7 +43,7 @@ settings.timeIntegration.numberOfSteps = 300
 settings.timeIntegration.relativeTolerance = 1e-10
 settings.timeIntegration.absoluteTolerance = 1e-10
 settings.solutionSettings.sensorsWritePeriod = period / 300
-settings.solutionSettings.writeSolutionToFile = False
+settings.solutionSettings.solutionWritePeriod = settings.timeIntegration.endTime / 60
 mbs.SolveDynamic(settings, solverType=exu.DynamicSolverType.DOP853)
 
 first, second, third = (mbs.GetSensorStoredData(way) for way in ways)
@@ -57,3 +57,5 @@ shown = mbs.GetSystemContainer().visualizationSettings
 shown.connectors.show = shown.nodes.show = shown.markers.show = False
 shown.sensors.traces.showPositionTrace = True
 mbs.Draw(fileName="eight_picture.png")
+in_a_second = settings.timeIntegration.endTime / 3
+mbs.DrawSolution(fileName="eight_motion.gif", windowSize=[420, 320], framesPerSecond=20, speed=in_a_second)

@@ -3,53 +3,32 @@
 #include <pybind11/stl.h>
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <tuple>
 
 #include "conversion.hpp"
-#include "dalembert/pictures/picture.hpp"
+#include "picture_arrays.hpp"
 #include "system_container.hpp"
 
 namespace dalembert {
 namespace {
 
-template <class T>
-using Numbers = py::array_t<T, py::array::c_style | py::array::forcecast>;
-
-template <class T>
-std::span<const T> all(const Numbers<T>& array) {
-  return {array.data(), static_cast<std::size_t>(array.size())};
-}
-
-// So many numbers for each of `count` things.
-template <class T>
-std::span<const T> each(const Numbers<T>& array, std::size_t count, std::size_t numbers, const char* name) {
-  const auto values = all(array);
-  if (values.size() != count * numbers)
-    throw py::value_error(std::string("_Picture: ") + name + ": expected " + std::to_string(count * numbers) + " numbers, received " +
-                          std::to_string(values.size()));
-  return values;
-}
-
 using LightRow = std::tuple<std::array<float, 3>, float, float>;
 
-Picture new_picture(int width, int height, int samples, const std::array<double, 12>& view, double scale, double perspective,
-                    const std::vector<LightRow>& lights, float ambient, float shininess) {
+std::unique_ptr<Picture> new_picture(int width, int height, int samples, const std::array<double, 12>& view, double scale,
+                                     double perspective, const std::vector<LightRow>& lights, float ambient, float shininess) {
   if (width < 1 || height < 1 || samples < 1 || samples > 8 || width * samples > 32768 || height * samples > 32768)
     throw py::value_error("_Picture: sizes: expected 1 to 32768 samples in each direction, 1 to 8 for each pixel");
   Lighting lighting{{}, ambient, shininess};
   for (const auto& [d, diffuse, specular] : lights) lighting.lights.push_back({{d[0], d[1], d[2]}, diffuse, specular});
-  return {width, height, samples, {view, scale, perspective}, lighting};
+  return std::make_unique<Picture>(width, height, samples, Camera{view, scale, perspective}, lighting);
 }
 
 void draw_triangles(Picture& picture, const Numbers<double>& points, const std::optional<Numbers<double>>& normals,
                     const Numbers<float>& colors, const Numbers<std::int32_t>& triangles, const Numbers<std::int32_t>& items) {
-  const auto n = static_cast<std::size_t>(points.size()) / 3, m = static_cast<std::size_t>(triangles.size()) / 3;
-  const Mesh mesh{each(points, n, 3, "points"), normals ? each(*normals, n, 3, "normals") : std::span<const double>{},
-                  each(colors, n, 4, "colors"), each(triangles, m, 3, "triangles"), each(items, m, 1, "items")};
-  for (const std::int32_t i : mesh.triangles)
-    if (i < 0 || static_cast<std::size_t>(i) >= n)
-      throw py::index_error("_Picture: triangles: there is no point " + std::to_string(i));
+  Mesh mesh = checked_mesh("_Picture", points, normals, colors, triangles);
+  mesh.items = each("_Picture", items, mesh.triangles.size() / 3, 1, "items");
   const py::gil_scoped_release free;
   picture.triangles(mesh);
 }
@@ -57,9 +36,9 @@ void draw_triangles(Picture& picture, const Numbers<double>& points, const std::
 void draw_spheres(Picture& picture, const Numbers<double>& centers, const Numbers<double>& radii, const Numbers<float>& colors,
                   const Numbers<std::int32_t>& items) {
   const auto n = static_cast<std::size_t>(radii.size());
-  const auto c = each(centers, n, 3, "centers");
-  const auto paints = each(colors, n, 4, "colors");
-  const auto numbers = each(items, n, 1, "items");
+  const auto c = each("_Picture", centers, n, 3, "centers");
+  const auto paints = each("_Picture", colors, n, 4, "colors");
+  const auto numbers = each("_Picture", items, n, 1, "items");
   const py::gil_scoped_release free;
   picture.spheres(c, all(radii), paints, numbers);
 }
@@ -67,9 +46,9 @@ void draw_spheres(Picture& picture, const Numbers<double>& centers, const Number
 void draw_lines(Picture& picture, const Numbers<double>& segments, const Numbers<float>& colors, double width, double lift,
                 const Numbers<std::int32_t>& items) {
   const auto n = static_cast<std::size_t>(segments.size()) / 6;
-  const auto s = each(segments, n, 6, "segments");
-  const auto paints = each(colors, n, 4, "colors");
-  const auto numbers = each(items, n, 1, "items");
+  const auto s = each("_Picture", segments, n, 6, "segments");
+  const auto paints = each("_Picture", colors, n, 4, "colors");
+  const auto numbers = each("_Picture", items, n, 1, "items");
   const py::gil_scoped_release free;
   picture.lines(s, paints, width, lift, numbers);
 }

@@ -26,8 +26,8 @@ class ScenePlaces {
   py::array rows(int kind, const py::object& configuration) {
     if (kind < 0 || kind >= item_kinds) throw py::value_error("_ScenePlaces.rows(...): kind: expected 0 to 4");
     system("rows").poses(static_cast<ItemKind>(kind), read(configuration), poses_);
-    const auto rows = new std::vector<double>(std::move(poses_.rows));  // which the array keeps: copying it would take as long as finding half of it
-    const py::capsule owner(rows, [](void* memory) { delete static_cast<std::vector<double>*>(memory); });
+    const auto rows = new LargeVector<double>(std::move(poses_.rows));  // which the array keeps: copying it would take as long as finding half of it
+    const py::capsule owner(rows, [](void* memory) { delete static_cast<LargeVector<double>*>(memory); });
     return py::array_t<double>({static_cast<py::ssize_t>(rows->size() / 12), py::ssize_t{3}, py::ssize_t{4}}, rows->data(), owner);
   }
   // None: the object has no mesh nodes of its own, or they do not have this output.

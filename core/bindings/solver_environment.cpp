@@ -257,7 +257,8 @@ void do_what_viewers_ask(const std::shared_ptr<MainSystem>& main) {
   py::module_::import("dalembert._live.calls").attr("run")(py::cast(main));
 }
 
-// Looks at Ctrl-C, now and then: to get the lock of the interpreter can take milliseconds while another thread works in Python.
+// Looks at Ctrl-C, now and then: to get the lock of the interpreter can take milliseconds while another thread works in Python, a viewer's
+// for instance. Looks take a hundredth of the time, as long as Ctrl-C acts within half a second.
 class Interruption {
  public:
   explicit Interruption(const std::shared_ptr<MainSystem>& main) : main_(*main), weak_(main) {}
@@ -266,8 +267,9 @@ class Interruption {
     WithoutInterpreter::look();
     const auto now = Clock::now();
     if (WithoutInterpreter::is_kept() || now >= next_ || main_.tap.paused() || main_.tap.asks()) {
-      next_ = now + std::chrono::milliseconds(50);
       wait();
+      const auto end = Clock::now();
+      next_ = end + std::clamp<Clock::duration>(100 * (end - now), std::chrono::milliseconds(50), std::chrono::milliseconds(500));
     }
     return main_.stop_requested;
   }

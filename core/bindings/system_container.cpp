@@ -98,6 +98,7 @@ std::shared_ptr<MainSystem> SystemContainer::system(int number) const {
 
 void register_system_container(py::module_& module) {
   register_renderer(module);
+  register_ray_tracer(module);
   register_shadow(module);
   register_scene_places(module);
   ContainerClass container(module, "SystemContainer", "The systems of a script and what they share.");

@@ -15,13 +15,15 @@ class Tap {
   void offer(const State& current) {
     if (!wanted_.load(std::memory_order_relaxed)) return;
     const double begin = SolverTimer::now();
+    if (next_ == 0) next_ = begin + rarity * expected_time(current);
     if (begin < next_) return;
     const std::unique_lock lock(mutex_, std::try_to_lock);
     if (!lock) return;
     copy_ = current;
     filled_ = true;
     wanted_.store(false, std::memory_order_relaxed);
-    next_ = begin + rarity * (SolverTimer::now() - begin);
+    const double end = SolverTimer::now();
+    next_ = end + rarity * (end - begin);
   }
   bool paused() const { return paused_.load(std::memory_order_relaxed); }
   bool asks() const { return asks_.load(std::memory_order_relaxed); }
@@ -41,7 +43,14 @@ class Tap {
   void ask(bool flag) { asks_.store(flag, std::memory_order_relaxed); }
 
  private:
-  static constexpr double rarity = 100;  // copies take at most a hundredth of the solver's time
+  static constexpr double rarity = 110;  // copies take less than a hundredth of the solver's time, the first one included
+
+  // Of the first copy, whose memory is new.
+  static double expected_time(const State& s) {
+    std::size_t numbers = 0;
+    for (const auto* part : {&s.q, &s.v, &s.a, &s.y, &s.y_t, &s.lambda, &s.data}) numbers += part->size();
+    return static_cast<double>(numbers * sizeof(double)) / 2e9;
+  }
 
   std::atomic<bool> wanted_ = false, paused_ = false, asks_ = false;
   std::mutex mutex_;

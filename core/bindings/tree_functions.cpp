@@ -2,6 +2,7 @@
 #include "dalembert/trees/tree_functions.hpp"
 
 #include <pybind11/numpy.h>
+#include <pybind11/stl.h>
 
 #include "dalembert/items/super_elements/kinematic_tree.hpp"
 #include "dalembert/model/errors.hpp"

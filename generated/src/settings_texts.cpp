@@ -221,7 +221,7 @@ constexpr std::array<std::string_view, 11> VSettingsViewCamera_rows{
     "number of the system in the container that the tracked marker belongs to; 0 for the first",
     "1 in all three components to follow the rotation of the marker, zeros to keep the direction of view",
     "for x, y and z: 1 to follow the marker in this direction, 0 not to",
-    "true: software ray tracer; false: OpenGL",
+    "true: images are made by the ray tracer; pages never are",
 };
 
 constexpr std::array<std::string_view, 9> VSettingsViewScene_rows{
@@ -249,16 +249,16 @@ constexpr std::array<std::string_view, 9> VSettingsViewWindow_rows{
 };
 
 constexpr std::array<std::string_view, 10> VSettingsLight_rows{
-    "constant term of the attenuation, whose inverse weakens the light; of lights with a position only",
+    "constant term of the attenuation, whose inverse weakens the light; of lights with a position, by the ray tracer only",
     "strength of the light that is scattered by faces",
     "switch the light on",
-    "radius of the light for soft shadows, of the ray tracer only",
-    "term of the attenuation that grows with the distance; of lights with a position only",
+    "radius of the light for soft shadows, by the ray tracer only; a light at infinity is as large as it would be at its position",
+    "term of the attenuation that grows with the distance; of lights with a position, by the ray tracer only",
     "position of the light if the fourth number is 1; direction towards a light at infinity if it is 0",
-    "term of the attenuation that grows with the square of the distance; of lights with a position only",
-    "strength of the shadows of this light, from 0 (none) to 1; shadows cost rendering time",
+    "term of the attenuation that grows with the square of the distance; of lights with a position, by the ray tracer only",
+    "strength of the shadows of this light, from 0 (none) to 1, by the ray tracer only; shadows cost rendering time",
     "strength of highlights",
-    "true: position and direction are fixed to the camera; false: to the model",
+    "true: position and direction are fixed to the camera; false: to the model; by the ray tracer only, otherwise lights turn with the viewer, as do those whose position is the default",
 };
 
 constexpr std::array<std::string_view, 8> VSettingsMaterial_rows{
@@ -465,7 +465,7 @@ constexpr std::array<std::string_view, 7> VSettingsRaytracerAdvanced_rows{
     "factor by which the map of soft shadows is coarser than the image, from 0 to 16; 0: shadows are sampled as the image is",
     "number of smoothing steps of the map of soft shadows, from 0 to 32",
     "true: texts are part of the image; false: no text",
-    "number of parts of the image per thread, for an even load",
+    "number of parts of the image per thread, for an even load; the image does not depend on it",
     "shift of lines towards the viewer relative to the size of the scene, so that lines on faces are visible",
 };
 
@@ -474,11 +474,11 @@ constexpr std::array<std::string_view, 10> VSettingsRaytracer_rows{
     "density of fog relative to the size of the scene; 0: no fog",
     "factor by which the image is smaller than the window, from 1 to 16, for fast previews",
     "true: the window is kept responsive during long renderings",
-    "number of positions on a light that are sampled for soft shadows, from 1 (hard shadows) to 256; squares of integers look worst",
+    "number of positions on a light that are sampled for soft shadows, from 1 (hard shadows) to 256",
     "number of reflections that a ray follows, 32 at most",
     "number of transparent faces that a ray passes, 32 at most",
     "number of samples per pixel in each direction, from 1 to 4; the cost grows with its square",
-    "number of threads, 256 at most",
+    "number of threads, at most one for each core; the image does not depend on it",
     "amount of output on rendering: 0 none, 1 times and counters, 2 or more details",
 };
 

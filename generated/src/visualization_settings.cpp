@@ -21,11 +21,10 @@ constexpr std::array<Row, 11> VSettingsViewCamera_rows{{
     {.name = "trackMarkerPosition", .storage = Storage::vector3, .offset = offsetof(VSettingsViewCamera, trackMarkerPosition), .role = Role::parameter, .unit = "1"},
     {.name = "useRaytracer", .storage = Storage::boolean, .offset = offsetof(VSettingsViewCamera, useRaytracer), .role = Role::parameter},
 }};
-constexpr std::array<SettingRule, 4> VSettingsViewCamera_rules{{
+constexpr std::array<SettingRule, 3> VSettingsViewCamera_rules{{
     {.name = "cameraPosition", .no_effect = "the view follows from its center, rotation and zoom"},
     {.name = "modelCentricView", .no_effect = "views always turn about their center"},
     {.name = "nearFarPlaneOffset", .no_effect = "nothing is too near or too far away to be drawn"},
-    {.name = "useRaytracer", .no_effect = "there is no ray tracer"},
 }};
 constexpr SettingsGroup VSettingsViewCamera_group{"VSettingsViewCamera", VSettingsViewCamera_rows, {}, VSettingsViewCamera_rules};
 
@@ -84,15 +83,7 @@ constexpr std::array<Row, 10> VSettingsLight_rows{{
     {.name = "specular", .storage = Storage::real, .offset = offsetof(VSettingsLight, specular), .role = Role::parameter, .unit = "1"},
     {.name = "useCameraFrame", .storage = Storage::boolean, .offset = offsetof(VSettingsLight, useCameraFrame), .role = Role::parameter},
 }};
-constexpr std::array<SettingRule, 6> VSettingsLight_rules{{
-    {.name = "constantAttenuation", .no_effect = "lights turn with the viewer, and neither fade nor cast shadows"},
-    {.name = "lightRadius", .no_effect = "lights turn with the viewer, and neither fade nor cast shadows"},
-    {.name = "linearAttenuation", .no_effect = "lights turn with the viewer, and neither fade nor cast shadows"},
-    {.name = "quadraticAttenuation", .no_effect = "lights turn with the viewer, and neither fade nor cast shadows"},
-    {.name = "shadow", .no_effect = "lights turn with the viewer, and neither fade nor cast shadows"},
-    {.name = "useCameraFrame", .no_effect = "lights turn with the viewer, and neither fade nor cast shadows"},
-}};
-constexpr SettingsGroup VSettingsLight_group{"VSettingsLight", VSettingsLight_rows, {}, VSettingsLight_rules};
+constexpr SettingsGroup VSettingsLight_group{"VSettingsLight", VSettingsLight_rows, {}};
 
 constexpr std::array<Row, 8> VSettingsMaterial_rows{{
     {.name = "alpha", .storage = Storage::real, .offset = offsetof(VSettingsMaterial, alpha), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
@@ -104,17 +95,7 @@ constexpr std::array<Row, 8> VSettingsMaterial_rows{{
     {.name = "shininess", .storage = Storage::real, .offset = offsetof(VSettingsMaterial, shininess), .role = Role::parameter, .check = Check::non_negative, .unit = "1"},
     {.name = "specular", .storage = Storage::vector3, .offset = offsetof(VSettingsMaterial, specular), .role = Role::parameter, .unit = "1"},
 }};
-constexpr std::array<SettingRule, 8> VSettingsMaterial_rules{{
-    {.name = "alpha", .no_effect = "there is no ray tracer"},
-    {.name = "baseColor", .no_effect = "there is no ray tracer"},
-    {.name = "emission", .no_effect = "there is no ray tracer"},
-    {.name = "ior", .no_effect = "there is no ray tracer"},
-    {.name = "name", .no_effect = "there is no ray tracer"},
-    {.name = "reflectivity", .no_effect = "there is no ray tracer"},
-    {.name = "shininess", .no_effect = "there is no ray tracer"},
-    {.name = "specular", .no_effect = "there is no ray tracer"},
-}};
-constexpr SettingsGroup VSettingsMaterial_group{"VSettingsMaterial", VSettingsMaterial_rows, {}, VSettingsMaterial_rules};
+constexpr SettingsGroup VSettingsMaterial_group{"VSettingsMaterial", VSettingsMaterial_rows, {}};
 
 constexpr std::array<Row, 9> VSettingsNodes_rows{{
     {.name = "basisSize", .storage = Storage::real, .offset = offsetof(VSettingsNodes, basisSize), .role = Role::parameter, .unit = "m"},
@@ -392,14 +373,10 @@ constexpr std::array<Row, 7> VSettingsRaytracerAdvanced_rows{{
     {.name = "tilesPerThread", .storage = Storage::integer, .offset = offsetof(VSettingsRaytracerAdvanced, tilesPerThread), .role = Role::parameter, .check = Check::positive},
     {.name = "zBiasLines", .storage = Storage::real, .offset = offsetof(VSettingsRaytracerAdvanced, zBiasLines), .role = Role::parameter, .unit = "1"},
 }};
-constexpr std::array<SettingRule, 7> VSettingsRaytracerAdvanced_rules{{
-    {.name = "backgroundColorReflections", .no_effect = "there is no ray tracer"},
-    {.name = "searchTreeFactor", .no_effect = "there is no ray tracer"},
-    {.name = "shadowScalingFactor", .no_effect = "there is no ray tracer"},
-    {.name = "shadowSmoothingSteps", .no_effect = "there is no ray tracer"},
-    {.name = "showText", .no_effect = "there is no ray tracer"},
-    {.name = "tilesPerThread", .no_effect = "there is no ray tracer"},
-    {.name = "zBiasLines", .no_effect = "there is no ray tracer"},
+constexpr std::array<SettingRule, 3> VSettingsRaytracerAdvanced_rules{{
+    {.name = "searchTreeFactor", .no_effect = "the tree follows from the shapes"},
+    {.name = "shadowScalingFactor", .no_effect = "shadows are sampled as the image is"},
+    {.name = "shadowSmoothingSteps", .no_effect = "shadows are sampled as the image is"},
 }};
 constexpr SettingsGroup VSettingsRaytracerAdvanced_group{"VSettingsRaytracerAdvanced", VSettingsRaytracerAdvanced_rows, {}, VSettingsRaytracerAdvanced_rules};
 
@@ -415,17 +392,8 @@ constexpr std::array<Row, 10> VSettingsRaytracer_rows{{
     {.name = "numberOfThreads", .storage = Storage::integer, .offset = offsetof(VSettingsRaytracer, numberOfThreads), .role = Role::parameter, .check = Check::positive},
     {.name = "verbose", .storage = Storage::integer, .offset = offsetof(VSettingsRaytracer, verbose), .role = Role::parameter, .check = Check::non_negative},
 }};
-constexpr std::array<SettingRule, 10> VSettingsRaytracer_rules{{
-    {.name = "globalFogColor", .no_effect = "there is no ray tracer"},
-    {.name = "globalFogDensity", .no_effect = "there is no ray tracer"},
-    {.name = "imageSizeFactor", .no_effect = "there is no ray tracer"},
-    {.name = "keepWindowActive", .no_effect = "there is no ray tracer"},
-    {.name = "lightRadiusVariations", .no_effect = "there is no ray tracer"},
-    {.name = "maxReflectionDepth", .no_effect = "there is no ray tracer"},
-    {.name = "maxTransparencyDepth", .no_effect = "there is no ray tracer"},
-    {.name = "multiSampling", .no_effect = "there is no ray tracer"},
-    {.name = "numberOfThreads", .no_effect = "there is no ray tracer"},
-    {.name = "verbose", .no_effect = "there is no ray tracer"},
+constexpr std::array<SettingRule, 1> VSettingsRaytracer_rules{{
+    {.name = "keepWindowActive", .no_effect = "images are made at once, and no window waits for them"},
 }};
 constexpr std::array<SettingsChild, 11> VSettingsRaytracer_children{{
     {"advanced", &VSettingsRaytracerAdvanced_group, offsetof(VSettingsRaytracer, advanced)},

@@ -130,6 +130,47 @@ class _Picture(_Bound):
     def develop(self) -> NDArray[np.uint8]: ...
     def items(self) -> NDArray[np.int32]: ...
 
+class _RayOptions(_Bound):
+    def __init__(self) -> None: ...
+    samples: int
+    threads: int
+    tiles_per_thread: int
+    reflections: int
+    transparencies: int
+    light_places: int
+    lift: float
+    ambient: float
+    fog_density: float
+    top: list[float]
+    bottom: list[float]
+    around: list[float]
+    fog: list[float]
+
+class _RayTracer(_Bound):
+    def __init__(
+        self,
+        width: int,
+        height: int,
+        view: ArrayLike,
+        scale: float,
+        perspective: float,
+        lights: Sequence[tuple[ArrayLike, bool, ArrayLike, ArrayLike]],
+        materials: Sequence[tuple[ArrayLike, ArrayLike, float, float, float]],
+        options: _RayOptions,
+    ) -> None: ...
+    def clip(self, plane: ArrayLike) -> None: ...
+    def triangles(
+        self,
+        points: ArrayLike,
+        normals: ArrayLike | None,
+        colors: ArrayLike,
+        triangles: ArrayLike,
+        materials: ArrayLike,
+    ) -> None: ...
+    def spheres(self, centers: ArrayLike, radii: ArrayLike, colors: ArrayLike) -> None: ...
+    def lines(self, segments: ArrayLike, colors: ArrayLike, width: float) -> None: ...
+    def develop(self) -> NDArray[np.uint8]: ...
+
 class SystemContainer(_Bound):
     def __init__(self) -> None: ...
     def Reset(self) -> None: ...

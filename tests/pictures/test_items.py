@@ -22,7 +22,6 @@ KINDS = ("Node", "Object", "Marker", "Load", "Sensor")
 # Items of the examples that are drawn, but not there: why.
 BARE = {
     "ObjectGround": "it has no graphics data in its example",
-    "MarkerObjectODE2Coordinates": "the nodes of its object have no place",
 }
 
 

@@ -18,6 +18,14 @@ struct Motion {
   Vec3<S> angular_velocity{}, angular_acceleration{};
 };
 
+// The rows of rotation and position, 3 x 4 numbers, which pictures ask for.
+inline void write_pose(const Vec3<double>& position, const Mat3<double>& rotation, double* rows) {
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) rows[4 * i + k] = rotation.x[static_cast<std::size_t>(3 * i + k)];
+    rows[4 * i + 3] = position[i];
+  }
+}
+
 // What markers pass on to connectors, loads and constraints. Laid out as scalars side by side: ports copy them in and out, and
 // several are gathered at once (batches/groups.hpp).
 template <class S>

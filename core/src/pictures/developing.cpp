@@ -66,35 +66,62 @@ bool Picture::join(std::size_t first) {
   return true;
 }
 
+// The colors of surfaces in the light, in the place of their own: four side by side, each as `strength` has it for one.
+void Picture::light_surfaces() {
+  const float steps = static_cast<float>(shine_.size() - 1);
+  surfaces_.resize((surfaces_.size() + 3) / 4 * 4);
+  for (std::size_t first = 0; first < surfaces_.size(); first += 4) {
+    Surface* s = surfaces_.data() + first;
+    const FourWhole colors{s[0].color, s[1].color, s[2].color, s[3].color}, normals{s[0].normal, s[1].normal, s[2].normal, s[3].normal};
+    const Four x = as_numbers((normals << 16) >> 16) / four(32767.0f), y = as_numbers(normals >> 16) / four(32767.0f);
+    const Four z = -root(larger(four(0.0f), four(1.0f) - x * x - y * y));
+    Four bright = four(lighting_.ambient), shine = four(0.0f);
+    for (std::size_t i = 0; i < lighting_.lights.size(); ++i) {
+      const Light& light = lighting_.lights[i];
+      const Point d = light.direction, h = halves_[i];
+      const Four facing = x * four(d.x) + y * four(d.y) + z * four(d.z), half = x * four(h.x) + y * four(h.y) + z * four(h.z);
+      bright += four(light.diffuse) * larger(facing, four(0.0f));
+      const FourWhole shines = (facing > four(0.0f)) & (half > four(0.0f)), step = shines ? whole(smaller(half, four(1.0f)) * four(steps)) : FourWhole{};
+      const Four power{shine_[static_cast<std::size_t>(step[0])], shine_[static_cast<std::size_t>(step[1])],
+                       shine_[static_cast<std::size_t>(step[2])], shine_[static_cast<std::size_t>(step[3])]};
+      shine += shines ? four(light.specular) * power : four(0.0f);
+    }
+    FourWhole lit{};
+    for (int shift = 0; shift < 24; shift += 8) {
+      const Four channel = bright * as_numbers((colors >> shift) & 255) / four(255.0f) + shine;
+      lit |= whole(smaller(larger(channel, four(0.0f)), four(1.0f)) * four(255.0f) + four(0.5f)) << shift;
+    }
+    for (int k = 0; k < 4; ++k) s[k].color = lit[k];
+  }
+}
+
 // All samples of a row of pixels; side by side, many have one color and normal.
 template <int Samples>
 void Picture::light(int pixel_row) {
   const int samples = Samples > 0 ? Samples : samples_;
-  const auto lit = [&](std::uint32_t color, std::uint32_t normal) {
-    float shine = 0;
-    const float bright = strength(unpacked(normal), shine);
-    const auto channel = [&](int shift) { return bright * static_cast<float>(color >> shift & 255) / 255 + shine; };
-    return packed(Four{channel(0), channel(8), channel(16), 1});
+  surfaces_.clear(), waiting_.clear();
+  const auto add = [&](std::size_t k, bool is_pixel) {
+    const Surface surface{static_cast<std::int32_t>(color_[k]), static_cast<std::int32_t>(normal_[k])};
+    if (surfaces_.empty() || !(surfaces_.back() == surface)) surfaces_.push_back(surface);
+    waiting_.push_back({k, static_cast<std::uint32_t>(surfaces_.size() - 1), is_pixel});
   };
-  std::uint32_t last_color = 0, last_normal = 0, last = 0;
   for (int column = 0; column < columns_; column += samples) {
     const std::size_t first = row_start(pixel_row * samples) + static_cast<std::size_t>(column);
     if constexpr (Samples == 2)
       if (bits(load_square<FourWhole>(&color_[first], &color_[first + static_cast<std::size_t>(columns_)]) < FourWhole{}) == 0) continue;
-    const bool is_one = join<Samples>(first);
-    for (int j = 0; j < samples; ++j) {
-      for (int i = 0; i < samples; ++i) {
-        const std::size_t k = first + static_cast<std::size_t>(j * columns_ + i);
-        if (is_one && i + j > 0) {
-          color_[k] = last;
-          continue;
-        }
-        const std::uint32_t color = color_[k], normal = normal_[k];
-        if (color < to_be_lit) continue;
-        if (color != last_color || normal != last_normal) last = lit(color, normal), last_color = color, last_normal = normal;
-        color_[k] = last;
-      }
+    if (join<Samples>(first)) {
+      add(first, true);
+      continue;
     }
+    for (int j = 0; j < samples; ++j)
+      for (int i = 0; i < samples; ++i)
+        if (const std::size_t k = first + static_cast<std::size_t>(j * columns_ + i); color_[k] >= to_be_lit) add(k, false);
+  }
+  light_surfaces();
+  for (const Waiting& w : waiting_) {
+    const auto color = static_cast<std::uint32_t>(surfaces_[w.surface].color);
+    const int side = w.is_pixel ? samples : 1;
+    for (int j = 0; j < side; ++j) std::fill_n(color_.data() + w.sample + static_cast<std::size_t>(j * columns_), side, color);
   }
 }
 

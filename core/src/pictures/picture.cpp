@@ -3,15 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
+#include <numeric>
 #include <utility>
 
 #include "points.hpp"
+#include "squares.hpp"
 
 namespace dalembert {
 namespace {
 
 constexpr std::size_t shine_steps = 1024;
 constexpr std::size_t beyond = 3;  // samples that four side by side may reach beyond the last one
+
+constexpr std::size_t most_kept = std::size_t{4} << 20;  // samples, of 16 bytes; the memory of larger pictures is given back
 
 }  // namespace
 
@@ -20,6 +25,7 @@ Picture::Picture(int width, int height, int samples, const Camera& camera, const
       scale_(static_cast<float>(camera.scale * samples)), perspective_(static_cast<float>(camera.perspective)), view_(camera.view),
       lighting_(lighting), shine_(shine_steps + 1), rim_(static_cast<std::size_t>(columns_)) {
   const std::size_t size = row_start(rows_) + beyond;
+  exchange_memory();
   depth_.assign(size, -std::numeric_limits<float>::infinity());
   color_.resize(size);
   normal_.resize(size);
@@ -28,6 +34,18 @@ Picture::Picture(int width, int height, int samples, const Camera& camera, const
   for (std::size_t i = 0; i <= shine_steps; ++i)
     shine_[i] = std::pow(static_cast<float>(i) / shine_steps, std::max(lighting_.shininess, 1.0f));
   if (perspective_ > 0) planes_.push_back({0, 0, perspective_, 0.98f});  // 1 + perspective z >= 0.02
+}
+
+Picture::~Picture() {
+  if (depth_.size() <= most_kept && corners_.size() <= most_kept) exchange_memory();
+}
+
+void Picture::exchange_memory() {
+  static std::mutex mutex;
+  static Memory kept;
+  const std::lock_guard lock(mutex);
+  depth_.swap(kept.depth), color_.swap(kept.color), normal_.swap(kept.normal), item_.swap(kept.item);
+  corners_.swap(kept.corners), vertices_.swap(kept.vertices), order_.swap(kept.order);
 }
 
 void Picture::background(const Paint& top, const Paint& bottom) {
@@ -80,8 +98,9 @@ Picture::Vertex Picture::project(const Corner& corner) const {
 void Picture::triangles(const Mesh& mesh) {
   begin();
   const std::size_t n = mesh.points.size() / 3;
-  LargeVector<Corner> corners(n);
-  LargeVector<Vertex> vertices(n);
+  corners_.resize(n), vertices_.resize(n);
+  Corner* const corners = corners_.data();
+  Vertex* const vertices = vertices_.data();
   const bool smooth = !mesh.normals.empty();
   for (std::size_t i = 0; i < n; ++i) {
     const float* c = mesh.colors.data() + 4 * i;
@@ -89,7 +108,11 @@ void Picture::triangles(const Mesh& mesh) {
     vertices[i] = project(corners[i]);
     vertices[i].inside = is_inside(corners[i].eye);
   }
-  for (std::size_t t = 0; t < mesh.triangles.size() / 3; ++t) {
+  order_.resize(mesh.triangles.size() / 3);
+  std::iota(order_.begin(), order_.end(), 0u);
+  if (order_.size() >= Squares::many)
+    Squares(columns_, rows_).sort(order_, [&](std::uint32_t t) { return vertices[static_cast<std::size_t>(mesh.triangles[3 * std::size_t{t}])].place; });
+  for (const std::size_t t : order_) {
     std::array<std::size_t, 3> index{};
     for (std::size_t k = 0; k < 3; ++k) index[k] = static_cast<std::size_t>(mesh.triangles[3 * t + k]);
     const Point &a = corners[index[0]].eye, &b = corners[index[1]].eye, &c = corners[index[2]].eye;
@@ -101,14 +124,13 @@ void Picture::triangles(const Mesh& mesh) {
       away += smooth || perspective_ == 0 ? normals[k].z : dot(normals[k], a + Point{0, 0, 1 / perspective_});
     }
     const float side = away > 0 ? -1.0f : 1.0f;
-    const Three v{vertices[index[0]], vertices[index[1]], vertices[index[2]]};
+    Three v{vertices[index[0]], vertices[index[1]], vertices[index[2]]};
     if (v[0].inside && v[1].inside && v[2].inside) {
-      Three turned = v;
       for (std::size_t k = 0; k < 3; ++k) {
         const Point normal = side * normals[k];
-        turned[k].normal = v[k].weight() * Four{normal.x, normal.y, normal.z, 1};
+        v[k].normal = v[k].weight() * Four{normal.x, normal.y, normal.z, 1};
       }
-      add(turned, mesh.items[t]);
+      add(v, mesh.items[t]);
     } else if (!planes_.empty()) {
       std::array<Corner, 3> whole{corners[index[0]], corners[index[1]], corners[index[2]]};
       for (std::size_t k = 0; k < 3; ++k) whole[k].normal = side * normals[k];

@@ -1,21 +1,13 @@
 // Spheres and lines of pictures.
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "dalembert/pictures/picture.hpp"
 #include "points.hpp"
+#include "squares.hpp"
 
 namespace dalembert {
-
-namespace {
-
-// Many spheres are drawn square by square of so many samples, which stay in the cache meanwhile.
-constexpr int square = 128;
-constexpr std::size_t many = 1000;
-
-}  // namespace
 
 void Picture::spheres(std::span<const double> centers, std::span<const double> radii, std::span<const float> colors,
                       std::span<const std::int32_t> items) {
@@ -32,23 +24,8 @@ void Picture::spheres(std::span<const double> centers, std::span<const double> r
     if (is_finite(middle.place) && std::isfinite(size))
       balls.push_back({middle.place.x, middle.place.y, size, c.z, r, packed(Paint{rgb[0], rgb[1], rgb[2], 1}) | to_be_lit, items[i]});
   }
-  if (balls.size() >= many) sort(balls);
+  if (balls.size() >= Squares::many) Squares(columns_, rows_).sort(balls, [](const Ball& ball) { return Point{ball.x, ball.y, 0}; });
   for (const Ball& ball : balls) sphere(ball);
-}
-
-// By the squares that middles lie in, rows of them first; in each of them, the order stays.
-void Picture::sort(LargeVector<Ball>& balls) const {
-  const int across = columns_ / square + 1, down = rows_ / square + 1;
-  const auto square_of = [&](const Ball& ball) {
-    const int row = first_sample(ball.y, rows_) / square, column = first_sample(ball.x, columns_) / square;
-    return static_cast<std::size_t>(row * across + column);
-  };
-  std::vector<std::size_t> starts(static_cast<std::size_t>(across * down) + 1);
-  for (const Ball& ball : balls) ++starts[square_of(ball) + 1];
-  std::partial_sum(starts.begin(), starts.end(), starts.begin());
-  LargeVector<Ball> sorted(balls.size());
-  for (const Ball& ball : balls) sorted[starts[square_of(ball)]++] = ball;
-  balls.swap(sorted);
 }
 
 // A disc with the depth and the normals of a sphere, four samples of a row at a time; in perspective, its outline is that of a

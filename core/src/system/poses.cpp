@@ -11,11 +11,11 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-void write(const Motion<double>& m, bool is_oriented, double* rows) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) rows[4 * i + k] = is_oriented ? m.rotation.x[3 * i + k] : none;
-    rows[4 * i + 3] = m.position.x[i];
-  }
+void forget(double* rows, std::size_t first, std::size_t step) {
+  for (std::size_t i = first; i < 12; i += step) rows[i] = none;
+}
+void forget_rotation(double* rows) {
+  for (std::size_t k = 0; k < 3; ++k) forget(rows, k, 4);
 }
 
 // A finite element has an orientation if it tells of its rotation.
@@ -25,44 +25,85 @@ bool has_orientation(const ItemType& type) {
 
 }  // namespace
 
+void Term::poses(int first, int count, const Evaluation& evaluation, double* rows) const {
+  for (int i = first; i < first + count; ++i, rows += 12) {
+    Motion<double> m;
+    if (motion(i, evaluation, {}, m)) {
+      write_pose(m.position, m.rotation, rows);
+    } else {
+      forget(rows, 0, 1);
+    }
+  }
+}
+
+namespace {
+
+// Those that follow each other in one batch are asked for together.
+void find_objects(const std::vector<ObjectPlace>& objects, const Evaluation& e, double* rows) {
+  for (std::size_t i = 0; i < objects.size();) {
+    const auto& [batch, entry] = objects[i].member;
+    std::size_t end = i + 1;
+    while (end < objects.size() && objects[end].member.batch == batch && objects[end].member.entry == entry + static_cast<int>(end - i)) ++end;
+    batch->poses(entry, static_cast<int>(end - i), e, rows + 12 * i);
+    if (has_orientation(*objects[i].type)) {  // one batch has one type
+      i = end;
+    } else {
+      for (; i < end; ++i) forget_rotation(rows + 12 * i);
+    }
+  }
+}
+
+void find_markers(const SystemParts& parts, const Evaluation& e, double* rows) {
+  for (const MarkerPlace& place : parts.markers) {
+    Motion<double> m;
+    if (place.member.batch->motion(place.member.entry, e, m)) {
+      write_pose(m.position, m.rotation, rows);
+      if (place.object >= 0 && !has_orientation(*parts.objects[static_cast<std::size_t>(place.object)].type)) forget_rotation(rows);
+    } else {
+      forget(rows, 0, 1);
+    }
+    rows += 12;
+  }
+}
+
+void find_nodes(const SystemParts& parts, const Evaluation& e, const State& rest, double* rows) {
+  const auto part = [](const double* from, int first, int count) {
+    return first < 0 ? std::span<const double>{} : std::span(from + first, static_cast<std::size_t>(count));
+  };
+  std::vector<double> y_total;
+  for (const NodePlace& place : parts.nodes) {
+    const Sizes& n = place.sizes;
+    const auto y = part(e.y, place.ode1, n.ode1), y_reference = part(rest.y.data(), place.ode1, n.ode1);
+    y_total.assign(y.begin(), y.end());
+    std::ranges::transform(y_total, y_reference, y_total.begin(), std::plus{});
+    const NodeView view{part(e.q, place.ode2, n.ode2),   part(e.u, place.ode2, n.ode2),  part(e.v, place.ode2, n.ode2),
+                        part(e.a, place.ode2, n.ode2),   y,                              y_total,
+                        part(e.y_t, place.ode1, n.ode1), part(e.lambda, place.ae, n.ae), part(e.data, place.data, n.data)};
+    Motion<double> m;
+    if (place.physics->motion(place.record.get(), view, m)) {
+      write_pose(m.position, m.rotation, rows);
+    } else {
+      forget(rows, 0, 1);
+    }
+    rows += 12;
+  }
+}
+
+}  // namespace
+
 void System::poses(ItemKind kind, ConfigurationType configuration, Poses& poses) const {
   SystemParts& parts = *parts_;
-  const State& state = parts.state(configuration);
-  const State& rest = parts.state(ConfigurationType::Reference);
-  const Evaluation e = parts.output_evaluation(state, poses.totals);
-  const auto find = [&](const auto& places, auto&& motion_of) {
-    poses.rows.assign(12 * places.size(), none);
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      Motion<double> m;
-      bool is_oriented = true;
-      if (motion_of(places[i], m, is_oriented)) write(m, is_oriented, poses.rows.data() + 12 * i);
-    }
+  const Evaluation e = parts.output_evaluation(parts.state(configuration), poses.totals);
+  const auto rows = [&](std::size_t count) {
+    poses.rows.resize(12 * count);
+    return poses.rows.data();
   };
   if (kind == ItemKind::object) {
-    find(parts.objects, [&](const ObjectPlace& place, Motion<double>& m, bool& is_oriented) {
-      is_oriented = has_orientation(*place.type);
-      return place.member.batch->motion(place.member.entry, e, Vec3<double>{0, 0, 0}, m);
-    });
+    find_objects(parts.objects, e, rows(parts.objects.size()));
   } else if (kind == ItemKind::marker) {
-    find(parts.markers, [&](const MarkerPlace& place, Motion<double>& m, bool& is_oriented) {
-      is_oriented = place.object < 0 || has_orientation(*parts.objects[static_cast<std::size_t>(place.object)].type);
-      return place.member.batch->motion(place.member.entry, e, m);
-    });
+    find_markers(parts, e, rows(parts.markers.size()));
   } else if (kind == ItemKind::node) {
-    std::vector<double> y_total;
-    find(parts.nodes, [&](const NodePlace& place, Motion<double>& m, bool&) {
-      const Sizes& n = place.sizes;
-      const auto part = [](const double* from, int first, int count) {
-        return first < 0 ? std::span<const double>{} : std::span(from + first, static_cast<std::size_t>(count));
-      };
-      const auto y = part(e.y, place.ode1, n.ode1), y_reference = part(rest.y.data(), place.ode1, n.ode1);
-      y_total.assign(y.begin(), y.end());
-      std::ranges::transform(y_total, y_reference, y_total.begin(), std::plus{});
-      const NodeView view{part(e.q, place.ode2, n.ode2),      part(e.u, place.ode2, n.ode2), part(e.v, place.ode2, n.ode2),
-                          part(e.a, place.ode2, n.ode2),      y,                             y_total,
-                          part(e.y_t, place.ode1, n.ode1),    part(e.lambda, place.ae, n.ae), part(e.data, place.data, n.data)};
-      return place.physics->motion(place.record.get(), view, m);
-    });
+    find_nodes(parts, e, parts.state(ConfigurationType::Reference), rows(parts.nodes.size()));
   } else {
     poses.rows.clear();
   }

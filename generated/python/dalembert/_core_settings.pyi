@@ -544,7 +544,7 @@ class VSettingsViewCamera(_Settings):
     @trackMarkerPosition.setter
     def trackMarkerPosition(self, value: ArrayLike) -> None: ...
     useRaytracer: bool
-    """true: software ray tracer; false: OpenGL; no effect: there is no ray tracer; default: False"""
+    """true: images are made by the ray tracer; pages never are; default: False"""
     def __init__(self) -> None: ...
 
 @final
@@ -621,28 +621,28 @@ class VSettingsLight(_Settings):
     """one light"""
 
     constantAttenuation: float
-    """constant term of the attenuation, whose inverse weakens the light; of lights with a position only [1]; no effect: lights turn with the viewer, and neither fade nor cast shadows; default: 1.0"""
+    """constant term of the attenuation, whose inverse weakens the light; of lights with a position, by the ray tracer only [1]; default: 1.0"""
     diffuse: float
     """strength of the light that is scattered by faces [1]; default: 0.5"""
     enable: bool
     """switch the light on; default: True"""
     lightRadius: float
-    """radius of the light for soft shadows, of the ray tracer only [m]; no effect: lights turn with the viewer, and neither fade nor cast shadows; default: 0.1"""
+    """radius of the light for soft shadows, by the ray tracer only; a light at infinity is as large as it would be at its position [m]; default: 0.1"""
     linearAttenuation: float
-    """term of the attenuation that grows with the distance; of lights with a position only [1/m]; no effect: lights turn with the viewer, and neither fade nor cast shadows; default: 0.0"""
+    """term of the attenuation that grows with the distance; of lights with a position, by the ray tracer only [1/m]; default: 0.0"""
     @property
     def position(self) -> list[float]:
         """position of the light if the fourth number is 1; direction towards a light at infinity if it is 0 [4; m]; default: [2.0, 2.0, 10.0, 0.0]"""
     @position.setter
     def position(self, value: ArrayLike) -> None: ...
     quadraticAttenuation: float
-    """term of the attenuation that grows with the square of the distance; of lights with a position only [1/m^2]; no effect: lights turn with the viewer, and neither fade nor cast shadows; default: 0.0"""
+    """term of the attenuation that grows with the square of the distance; of lights with a position, by the ray tracer only [1/m^2]; default: 0.0"""
     shadow: float
-    """strength of the shadows of this light, from 0 (none) to 1; shadows cost rendering time [1]; no effect: lights turn with the viewer, and neither fade nor cast shadows; default: 0.0"""
+    """strength of the shadows of this light, from 0 (none) to 1, by the ray tracer only; shadows cost rendering time [1]; default: 0.0"""
     specular: float
     """strength of highlights [1]; default: 0.5"""
     useCameraFrame: bool
-    """true: position and direction are fixed to the camera; false: to the model; no effect: lights turn with the viewer, and neither fade nor cast shadows; default: False"""
+    """true: position and direction are fixed to the camera; false: to the model; by the ray tracer only, otherwise lights turn with the viewer, as do those whose position is the default; default: False"""
     def __init__(self) -> None: ...
 
 @final
@@ -650,28 +650,28 @@ class VSettingsMaterial(_Settings):
     """one material of the ray tracer"""
 
     alpha: float
-    """opacity, from 0 to 1 [1]; no effect: there is no ray tracer; default: 1.0"""
+    """opacity, from 0 to 1 [1]; default: 1.0"""
     @property
     def baseColor(self) -> list[float]:
-        """red, green and blue of faces without a color of their own [3; 1]; no effect: there is no ray tracer; default: [0.4, 0.4, 0.9]"""
+        """red, green and blue of faces without a color of their own [3; 1]; default: [0.4, 0.4, 0.9]"""
     @baseColor.setter
     def baseColor(self, value: ArrayLike) -> None: ...
     @property
     def emission(self) -> list[float]:
-        """red, green and blue of light that the material emits [3; 1]; no effect: there is no ray tracer; default: [0.0, 0.0, 0.0]"""
+        """red, green and blue of light that the material emits [3; 1]; default: [0.0, 0.0, 0.0]"""
     @emission.setter
     def emission(self, value: ArrayLike) -> None: ...
     ior: float
-    """index of refraction of transparent materials; 1: none [1]; no effect: there is no ray tracer; default: 1.0"""
+    """index of refraction of transparent materials; 1: none [1]; default: 1.0"""
     name: str
-    """name of the material; no effect: there is no ray tracer; default: 'default'"""
+    """name of the material; default: 'default'"""
     reflectivity: float
-    """share of light that is reflected, from 0 (rough) to 1 (mirror); costs rendering time [1]; no effect: there is no ray tracer; default: 0.0"""
+    """share of light that is reflected, from 0 (rough) to 1 (mirror); costs rendering time [1]; default: 0.0"""
     shininess: float
-    """sharpness of highlights; below 5 dull, above 50 glossy [1]; no effect: there is no ray tracer; default: 32.0"""
+    """sharpness of highlights; below 5 dull, above 50 glossy [1]; default: 32.0"""
     @property
     def specular(self) -> list[float]:
-        """red, green and blue of highlights [3; 1]; no effect: there is no ray tracer; default: [0.6, 0.6, 0.6]"""
+        """red, green and blue of highlights [3; 1]; default: [0.6, 0.6, 0.6]"""
     @specular.setter
     def specular(self, value: ArrayLike) -> None: ...
     def __init__(self) -> None: ...
@@ -1192,21 +1192,21 @@ class VSettingsRaytracerAdvanced(_Settings):
 
     @property
     def backgroundColorReflections(self) -> list[float]:
-        """red, green, blue and opacity that reflected rays see where they leave the scene [4; 1]; no effect: there is no ray tracer; default: [0.4, 0.4, 0.4, 1.0]"""
+        """red, green, blue and opacity that reflected rays see where they leave the scene [4; 1]; default: [0.4, 0.4, 0.4, 1.0]"""
     @backgroundColorReflections.setter
     def backgroundColorReflections(self, value: ArrayLike) -> None: ...
     searchTreeFactor: int
-    """factor of the number of cells of the search tree, from 1 to 128, for scenes with unevenly distributed faces; no effect: there is no ray tracer; default: 1"""
+    """factor of the number of cells of the search tree, from 1 to 128, for scenes with unevenly distributed faces; no effect: the tree follows from the shapes; default: 1"""
     shadowScalingFactor: int
-    """factor by which the map of soft shadows is coarser than the image, from 0 to 16; 0: shadows are sampled as the image is; no effect: there is no ray tracer; default: 3"""
+    """factor by which the map of soft shadows is coarser than the image, from 0 to 16; 0: shadows are sampled as the image is; no effect: shadows are sampled as the image is; default: 3"""
     shadowSmoothingSteps: int
-    """number of smoothing steps of the map of soft shadows, from 0 to 32; no effect: there is no ray tracer; default: 3"""
+    """number of smoothing steps of the map of soft shadows, from 0 to 32; no effect: shadows are sampled as the image is; default: 3"""
     showText: bool
-    """true: texts are part of the image; false: no text; no effect: there is no ray tracer; default: True"""
+    """true: texts are part of the image; false: no text; default: True"""
     tilesPerThread: int
-    """number of parts of the image per thread, for an even load; no effect: there is no ray tracer; default: 12"""
+    """number of parts of the image per thread, for an even load; the image does not depend on it; default: 12"""
     zBiasLines: float
-    """shift of lines towards the viewer relative to the size of the scene, so that lines on faces are visible [1]; no effect: there is no ray tracer; default: 0.001"""
+    """shift of lines towards the viewer relative to the size of the scene, so that lines on faces are visible [1]; default: 0.001"""
     def __init__(self) -> None: ...
 
 @final
@@ -1215,27 +1215,27 @@ class VSettingsRaytracer(_Settings):
 
     @property
     def globalFogColor(self) -> list[float]:
-        """red, green, blue and opacity of fog, each from 0 to 1 [4; 1]; no effect: there is no ray tracer; default: [0.5, 0.5, 0.5, 1.0]"""
+        """red, green, blue and opacity of fog, each from 0 to 1 [4; 1]; default: [0.5, 0.5, 0.5, 1.0]"""
     @globalFogColor.setter
     def globalFogColor(self, value: ArrayLike) -> None: ...
     globalFogDensity: float
-    """density of fog relative to the size of the scene; 0: no fog [1]; no effect: there is no ray tracer; default: 0.0"""
+    """density of fog relative to the size of the scene; 0: no fog [1]; default: 0.0"""
     imageSizeFactor: int
-    """factor by which the image is smaller than the window, from 1 to 16, for fast previews; no effect: there is no ray tracer; default: 1"""
+    """factor by which the image is smaller than the window, from 1 to 16, for fast previews; default: 1"""
     keepWindowActive: bool
-    """true: the window is kept responsive during long renderings; no effect: there is no ray tracer; default: False"""
+    """true: the window is kept responsive during long renderings; no effect: images are made at once, and no window waits for them; default: False"""
     lightRadiusVariations: int
-    """number of positions on a light that are sampled for soft shadows, from 1 (hard shadows) to 256; squares of integers look worst; no effect: there is no ray tracer; default: 1"""
+    """number of positions on a light that are sampled for soft shadows, from 1 (hard shadows) to 256; default: 1"""
     maxReflectionDepth: int
-    """number of reflections that a ray follows, 32 at most; no effect: there is no ray tracer; default: 2"""
+    """number of reflections that a ray follows, 32 at most; default: 2"""
     maxTransparencyDepth: int
-    """number of transparent faces that a ray passes, 32 at most; no effect: there is no ray tracer; default: 2"""
+    """number of transparent faces that a ray passes, 32 at most; default: 2"""
     multiSampling: int
-    """number of samples per pixel in each direction, from 1 to 4; the cost grows with its square; no effect: there is no ray tracer; default: 1"""
+    """number of samples per pixel in each direction, from 1 to 4; the cost grows with its square; default: 1"""
     numberOfThreads: int
-    """number of threads, 256 at most; no effect: there is no ray tracer; default: 8"""
+    """number of threads, at most one for each core; the image does not depend on it; default: 8"""
     verbose: int
-    """amount of output on rendering: 0 none, 1 times and counters, 2 or more details; no effect: there is no ray tracer; default: 0"""
+    """amount of output on rendering: 0 none, 1 times and counters, 2 or more details; default: 0"""
     @property
     def advanced(self) -> VSettingsRaytracerAdvanced: ...
     @advanced.setter

@@ -41,14 +41,17 @@ class Frames:
         self._spans = np.flatnonzero(kinds == "Span")
         self._ends = numbers[self._spans]
         self._lengths: FloatArray | None = None
+        self._all = [part[1] for part in self._parts] == [True] and not len(self._spans)  # of one kind: not copied
 
     def rows(self, places: Places) -> FloatArray | None:
         """Return all frames (n x 3 x 4); None if one is not there any more, or a span has become another one."""
-        rows = np.empty((self._count, 3, 4))
+        rows = np.empty((0 if self._all else self._count, 3, 4))
         for kind, turns, chosen, numbers in self._parts:
             found = places.rows(kind)
             assert found is not None
-            if turns:
+            if self._all:
+                rows = found[numbers]
+            elif turns:
                 rows[chosen] = found[numbers]
             else:
                 rows[chosen, :, :3] = np.eye(3)

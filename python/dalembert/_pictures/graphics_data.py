@@ -6,11 +6,12 @@ from typing import Any
 
 import numpy as np
 
-from dalembert._checks import FloatArray
+from dalembert._checks import FloatArray, IntArray
 from dalembert._pictures.looks import rgba
 from dalembert._pictures.meshes import Mesh, Rgba, rows
 from dalembert._pictures.pen import Pen
 from dalembert._pictures.places import frame_along
+from dalembert.graphics import material
 
 Shape = tuple[str, Any, Any]  # kind, what, and its color or size
 
@@ -56,6 +57,7 @@ def _mesh(entry: dict[str, Any], default: Rgba, where: str) -> Mesh:
         raise ValueError(f"{where}: 'triangles': expected numbers of points, 0 to {len(points) - 1}, received {wrong}")
     colors = np.asarray(entry.get("colors", []), float)
     colors = rows(colors, 4) if colors.size == 4 * len(points) else np.tile(np.array(default), (len(points), 1))
+    materials = _materials(colors)
     if len(colors) and (colors.min() < 0 or colors[:, 3].max() > 1):
         unique, which = np.unique(colors, axis=0, return_inverse=True)
         colors = np.array([rgba(color, default) for color in unique])[which.ravel()]
@@ -63,7 +65,17 @@ def _mesh(entry: dict[str, Any], default: Rgba, where: str) -> Mesh:
     if normals is not None and not normals.any(axis=1).all():
         normals = None  # some are zero: nobody has computed them
     edges = rows(entry.get("edges", []), 2, int)
-    return Mesh(points, triangles, normals, colors, edges, rgba(entry.get("edgeColor", (0.2, 0.2, 0.2, 1.0))))
+    edge_color = rgba(entry.get("edgeColor", (0.2, 0.2, 0.2, 1.0)))
+    return Mesh(points, triangles, normals, colors, edges, edge_color, materials)
+
+
+def _materials(colors: FloatArray) -> IntArray | None:
+    """Return the materials that colors name in the place of their opacity, as in Mesh; None if there are none."""
+    named = colors[:, 3] >= material.indexBase
+    if not named.any():
+        return None
+    numbers = np.where(named, colors[:, 3].astype(int) - material.indexBase + 1, 0)
+    return np.where(colors[:, 0] < 0, -numbers, numbers)
 
 
 def draw(pen: Pen, all_shapes: list[Shape], place: FloatArray, rotation: FloatArray, values: Any = None) -> None:

@@ -24,6 +24,7 @@ class Mesh:
     colors: FloatArray | None = None  # n x 4; None: the instance says it
     edges: IntArray = field(default_factory=lambda: np.empty((0, 2), int))  # pairs of points
     edge_color: Rgba = (0.2, 0.2, 0.2, 1.0)
+    materials: IntArray | None = None  # n, for the ray tracer: 0: none; 1 + number; -1 - number: with its own color
     sharp: IntArray | None = None  # see sharp_edges
     extreme: FloatArray | None = None  # see extremes
 

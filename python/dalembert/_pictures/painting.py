@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -41,20 +42,18 @@ def _drawn(
 ) -> Any:
     picture = _new_picture(camera, looks, size, samples or _samples(looks))
     _set_background(picture, looks)
-    _clip(picture, camera, view)
-    color_of = {
-        number: contour.colors(looks, instance.values, scene.value_range)
-        for number, instance in enumerate(scene.instances)
-        if instance.values is not None
-    }
+    if (plane := clipping_plane(camera, view)) is not None:
+        picture.clip(plane)
     if view.scene.showFaces:
-        for smooth in (True, False):
-            if (found := faces(scene, smooth, color_of)) is not None:
-                _draw_faces(picture, found, looks, view)
-        _draw_spheres(picture, scene)
+        for found in all_faces(scene, looks, view):
+            normals = found.normals if looks.setting("openGL.advanced.shadeModelSmooth") else None
+            picture.triangles(found.points, normals, found.colors, found.triangles, found.items)
+        for centers, radii, colors, numbers in all_spheres(scene):
+            picture.spheres(centers, radii, colors, numbers)
     if view.scene.showLines:
         edges = rgba(looks.setting("openGL.faceEdgesColor")) if view.scene.showFaceEdges else None
-        _draw_lines(picture, scene, camera, looks, edges)
+        for width, segments, colors, numbers in all_lines(scene, looks, edges):
+            picture.lines(segments, colors, width, LIFT * camera.zoom, numbers)
     return picture
 
 
@@ -93,38 +92,45 @@ def _set_background(picture: Any, looks: Looks) -> None:
     picture.background(top, list(general.backgroundColorBottom) if general.useGradientBackground else top)
 
 
-def _clip(picture: Any, camera: Camera, view: Any) -> None:
-    """Leave out what lies beyond the clipping plane of the view, on the side to which its normal points."""
+def clipping_plane(camera: Camera, view: Any) -> list[float] | None:
+    """Return the plane beyond which nothing is seen, on the side to which its normal points; None if there is none."""
     normal = np.asarray(view.camera.clippingPlaneNormal, float)
     if not normal.any():
-        return
+        return None
     normal = normal / np.linalg.norm(normal)
     rows = camera.view()
     turned = rows[:, :3] @ normal
     distance = float(view.camera.clippingPlaneDistance) - normal @ camera.center
-    picture.clip([*(-turned), distance])
+    return [*(-turned), distance]
 
 
-def _draw_faces(picture: Any, found: Faces, looks: Looks, view: Any) -> None:
-    colors = found.colors
-    if view.scene.facesTransparent:
-        colors = colors * [1, 1, 1, float(looks.setting("openGL.faceTransparencyGlobal"))]
-    normals = found.normals if looks.setting("openGL.advanced.shadeModelSmooth") else None
-    picture.triangles(found.points, normals, colors, found.triangles, found.items)
+def all_faces(scene: Scene, looks: Looks, view: Any) -> Iterator[Faces]:
+    """Return the faces of all meshes, first those with normals."""
+    color_of = {
+        number: contour.colors(looks, instance.values, scene.value_range)
+        for number, instance in enumerate(scene.instances)
+        if instance.values is not None
+    }
+    for smooth in (True, False):
+        if (found := faces(scene, smooth, color_of)) is not None:
+            if view.scene.facesTransparent:
+                found.colors = found.colors * [1, 1, 1, float(looks.setting("openGL.faceTransparencyGlobal"))]
+            yield found
 
 
-def _draw_spheres(picture: Any, scene: Scene) -> None:
+def all_spheres(scene: Scene) -> Iterator[tuple[Any, Any, Any, Any]]:
+    """Return centers, radii, colors and items."""
     if len(scene.balls.items):
         balls = scene.balls
-        picture.spheres(balls.centers, balls.radii, balls.colors, balls.items)
+        yield balls.centers, balls.radii, balls.colors, balls.items
     if scene.spheres:
         centers, radii, colors, numbers = zip(*scene.spheres, strict=True)
-        picture.spheres(np.array(centers), np.array(radii), np.array(colors), np.array(numbers))
+        yield np.array(centers), np.array(radii), np.array(colors), np.array(numbers)
 
 
-def _draw_lines(picture: Any, scene: Scene, camera: Camera, looks: Looks, sharp: Rgba | None) -> None:
-    """Draw lines, all of one width at a time, and edges of meshes."""
-    usual, lift = float(looks.setting("openGL.lineWidth")), LIFT * camera.zoom
+def all_lines(scene: Scene, looks: Looks, sharp: Rgba | None) -> Iterator[tuple[float, FloatArray, FloatArray, Any]]:
+    """Return lines and edges of meshes, all of one width at a time: width, segments, colors and items."""
+    usual = float(looks.setting("openGL.lineWidth"))
     groups: dict[float, list[tuple[FloatArray, Any, int]]] = {}
     for points, color, width, item in scene.unbound().lines if len(scene.threads.items) else scene.lines:
         if len(points) > 1:
@@ -136,4 +142,4 @@ def _draw_lines(picture: Any, scene: Scene, camera: Camera, looks: Looks, sharp:
             counts = [len(segments) for segments, *_ in group]
             colors = np.repeat([color for _, color, _ in group], counts, axis=0)
             numbers = np.repeat([item for *_, item in group], counts)
-            picture.lines(np.concatenate([segments for segments, *_ in group]), colors, width, lift, numbers)
+            yield width, np.concatenate([segments for segments, *_ in group]), colors, numbers

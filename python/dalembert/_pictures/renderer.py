@@ -127,11 +127,14 @@ def SendRedrawSignal(self: Any) -> None:
 
 
 def RedrawAndGetImage(self: Any, useRaytracer: bool = False, viewID: int = 0) -> Image:
-    """Return an image, height x width x 3 bytes, of all systems; size, colors and camera are those of the settings."""
+    """Return an image, height x width x 3 bytes, of all systems; size, colors and camera are those of the settings.
+
+    With useRaytracer, or the setting of that name of the view, the ray tracer makes it.
+    """
     number = _view_number("RedrawAndGetImage", viewID)
     studio = _studio(self, "RedrawAndGetImage")
     self._state["renderCount"] = int(self._state.get("renderCount", 0)) + 1
-    return studio.picture(number)
+    return studio.picture(number, bool(useRaytracer))
 
 
 def RedrawAndSaveImage(self: Any, viewID: int = 0) -> None:

@@ -181,6 +181,7 @@ class Faces:
     colors: FloatArray
     triangles: IntArray
     items: IntArray
+    materials: IntArray | None  # of points, as in Mesh
 
 
 @dataclass
@@ -192,11 +193,20 @@ class _Crowd:
     places: FloatArray
     colors: FloatArray
     items: IntArray
+    plain: list[bool]  # or one for all: without the materials of the mesh, as it has other colors
 
     @staticmethod
     def of_herd(herd: Herd) -> _Crowd:
         colors = np.tile(_colors(herd.mesh, herd.color), (len(herd.items), 1))
-        return _Crowd(herd.mesh, herd.rows[:, :, :3], herd.rows[:, :, 3], colors, herd.items)
+        plain = [herd.color is not None]
+        return _Crowd(herd.mesh, herd.rows[:, :, :3], herd.rows[:, :, 3], colors, herd.items, plain)
+
+    def materials(self) -> IntArray:
+        """Return the materials of all points."""
+        size, count = len(self.mesh.points), len(self.items)
+        if self.mesh.materials is None or all(self.plain):
+            return np.zeros(size * count, int)
+        return (np.where(self.plain, 0, 1)[:, None] * np.tile(self.mesh.materials, (count, 1))).ravel()
 
 
 def faces(scene: Scene, smooth: bool, color_of: dict[int, FloatArray]) -> Faces | None:
@@ -217,10 +227,12 @@ def faces(scene: Scene, smooth: bool, color_of: dict[int, FloatArray]) -> Faces 
                 np.array([instance.place for _, instance in group]),
                 np.concatenate(colored),
                 np.array([instance.item for _, instance in group]),
+                [n in color_of or i.color is not None for n, i in group],
             )
         )
     if not crowds:
         return None
+    any_named = any(crowd.mesh.materials is not None for crowd in crowds)
     points, normals, colors, triangles, items = [], [], [], [], []
     start = 0
     for crowd in crowds:
@@ -239,6 +251,7 @@ def faces(scene: Scene, smooth: bool, color_of: dict[int, FloatArray]) -> Faces 
         np.concatenate(colors),
         np.concatenate(triangles),
         np.concatenate(items),
+        np.concatenate([crowd.materials() for crowd in crowds]) if any_named else None,
     )
 
 

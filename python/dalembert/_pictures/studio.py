@@ -131,17 +131,30 @@ class Studio:
         if np.any(np.asarray(follow.trackMarkerOrientation, float)):
             result.rotation = result.rotation @ places.marker_rotation(int(follow.trackMarker)).T
 
-    def image(self, scene: Scene, view: Camera, number: int = 0, size: tuple[int, int] | None = None) -> Image:
-        """Return the image of a scene."""
-        return painting.paint(scene, view, self.makers[0].looks, self.view(number), size or self.size(number))
+    def image(
+        self,
+        scene: Scene,
+        view: Camera,
+        number: int = 0,
+        size: tuple[int, int] | None = None,
+        raytracer: bool = False,
+    ) -> Image:
+        """Return the image of a scene; by the ray tracer if that is wanted, or the settings of the view say so."""
+        settings, looks, size = self.view(number), self.makers[0].looks, size or self.size(number)
+        if not raytracer and not settings.camera.useRaytracer:
+            tell_settings_of_rays(self.settings)
+            return painting.paint(scene, view, looks, settings, size)
+        from dalembert._pictures import raytracing
 
-    def picture(self, number: int = 0) -> Image:
+        return raytracing.paint(scene, view, looks, settings, size, raytracing.materials_of(self.container))
+
+    def picture(self, number: int = 0, raytracer: bool = False) -> Image:
         """Return the image of what is visualized now."""
         if not self.makers:
             width, height = self.size(number)
             return np.full((height, width, 3), 255, np.uint8)
         scene = self.scene()
-        return self.image(scene, self.camera(scene, number), number)
+        return self.image(scene, self.camera(scene, number), number, raytracer=raytracer)
 
 
 @lru_cache(maxsize=1)
@@ -165,8 +178,25 @@ _told: set[str] = set()
 
 def tell_settings_without_effect(settings: Any) -> None:
     """Print a notice for settings that are not at their defaults and have no effect, once for each of them."""
+    _tell(settings, settings_without_effect())
+
+
+@lru_cache(maxsize=1)
+def _settings_of_rays() -> dict[str, tuple[Any, str]]:
+    names = ("shadow", "lightRadius", "useCameraFrame", *(f"{word}Attenuation" for word in ("linear", "quadratic")))
+    paths = [f"openGL.light{i}.{name}" for i in range(4) for name in names]
+    reason = "only the ray tracer has it, see view0.camera.useRaytracer"
+    return {path: (attrgetter(path)(_core.VisualizationSettings()), reason) for path in paths}
+
+
+def tell_settings_of_rays(settings: Any) -> None:
+    """Do the same for settings of lights that images have no part in that are made without the ray tracer."""
+    _tell(settings, _settings_of_rays())
+
+
+def _tell(settings: Any, without_effect: dict[str, tuple[Any, str]]) -> None:
     news: dict[str, list[str]] = {}
-    for path, (default, reason) in settings_without_effect().items():
+    for path, (default, reason) in without_effect.items():
         if path not in _told and not np.array_equal(attrgetter(path)(settings), default):
             _told.add(path)
             news.setdefault(reason, []).append(path)

@@ -85,6 +85,19 @@ class ElementBatch : public Term {
     m = E::template motion<double>(e.parameters, gather<n>(evaluation, e.dofs.data()), local);
     return true;
   }
+  // What the rest of the motion takes is not computed where all of it is inlined.
+  [[gnu::flatten]] void poses(int first, int count, const Evaluation& evaluation, double* rows) const override {
+    if constexpr (requires { typename E::Kernel; }) {
+      const Evaluation e = evaluation;  // which rows, being numbers as well, cannot change
+      for (int i = first; i < first + count; ++i, rows += 12) {
+        const Entry& entry = entries_[static_cast<std::size_t>(i)];
+        const auto m = E::template motion<double>(entry.parameters, gather<n>(e, entry.dofs.data()), {});
+        write_pose(m.position, m.rotation, rows);
+      }
+    } else {
+      Term::poses(first, count, evaluation, rows);
+    }
+  }
   bool output(int entry, OutputVariableType variable, const Vec3<double>& local, const Evaluation& evaluation, const Ports&,
               std::vector<double>& values) const override {
     const Entry& e = entries_[entry];

@@ -59,6 +59,9 @@ struct Mesh {
 class Picture {
  public:
   Picture(int width, int height, int samples, const Camera& camera, const Lighting& lighting);
+  ~Picture();
+  Picture(const Picture&) = delete;
+  Picture& operator=(const Picture&) = delete;
 
   int width() const { return width_; }
   int height() const { return height_; }
@@ -102,12 +105,32 @@ class Picture {
     std::int32_t item;
   };
 
+  struct Surface {  // color and normal, as samples keep them
+    std::int32_t color, normal;
+    bool operator==(const Surface&) const = default;
+  };
+  struct Waiting {  // a sample, or all of a pixel, and which surface it is
+    std::size_t sample;
+    std::uint32_t surface;
+    bool is_pixel;
+  };
+
   struct Ball {
     float x, y, size;  // in samples
     float z, radius;   // in eye coordinates
     std::uint32_t color;
     std::int32_t item;
   };
+
+  struct Memory {  // of a picture that is not there any more, for the next one: to get as much anew takes a quarter of the time of a picture
+    LargeVector<float> depth;
+    LargeVector<std::uint32_t> color, normal;
+    LargeVector<std::int32_t> item;
+    LargeVector<Corner> corners;
+    LargeVector<Vertex> vertices;
+    LargeVector<std::uint32_t> order;
+  };
+  void exchange_memory();
 
   Point to_eye(const double* p) const;
   Point turned(const double* v) const;
@@ -123,7 +146,6 @@ class Picture {
   template <class Shade>
   void cover_squares(const Three& v, const Plan& plan, std::int32_t item, Shade&& shade);
   std::pair<int, int> span(const Sides& sides, int row) const;
-  void sort(LargeVector<Ball>& balls) const;
   void sphere(const Ball& ball);
   template <class Write>
   void walk(Point a, Point b, float half, Write&& write) const;
@@ -132,6 +154,7 @@ class Picture {
   bool join(std::size_t first);
   template <int Samples>
   void light(int pixel_row);
+  void light_surfaces();
   template <int Samples>
   void average(int pixel_row, std::uint8_t* pixels) const;
   template <int Samples>
@@ -150,8 +173,13 @@ class Picture {
   LargeVector<std::uint32_t> color_;   // bytes r, g, b, and 255 if it is to be lit
   LargeVector<std::uint32_t> normal_;  // x and y of the unit normal towards the viewer, two bytes each; where something was drawn
   LargeVector<std::int32_t> item_;
+  LargeVector<Corner> corners_;        // of the mesh that is drawn
+  LargeVector<Vertex> vertices_;
+  LargeVector<std::uint32_t> order_;
   bool has_background_ = false;
   std::vector<std::uint32_t> rim_;  // of one row of samples
+  std::vector<Surface> surfaces_;   // the different ones of a row of pixels
+  std::vector<Waiting> waiting_;
   std::vector<Sheet> sheets_;
 };
 

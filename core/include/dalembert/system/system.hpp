@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "dalembert/enums.hpp"
+#include "dalembert/math/large_memory.hpp"
 #include "dalembert/system/evaluation.hpp"
 #include "dalembert/system/pattern.hpp"
 #include "dalembert/system/regions.hpp"
@@ -204,7 +205,8 @@ class System {
   // What pictures ask for: where all items of a kind are, the rows of rotation and position (3 x 4) of each, in one go. NaN: an item
   // has no place, or no orientation. The memory is that of the caller; nothing that solvers use is touched.
   struct Poses {
-    Values rows, totals;
+    LargeVector<double> rows;
+    Values totals;
   };
   void poses(ItemKind kind, ConfigurationType configuration, Poses& poses) const;
   // An output variable of all mesh nodes of a super element, one after the other; returns how many nodes, 0: they do not have it.

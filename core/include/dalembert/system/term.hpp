@@ -169,6 +169,8 @@ class Term : public Batch {
 
   // Outputs. `motion` for bodies; `output` for what only the item knows; false: not an output of this item.
   virtual bool motion(int /*entry*/, const Evaluation&, const Vec3<double>& /*local*/, Motion<double>&) const { return false; }
+  // Position and rotation alone of the origins of so many entries, which follow each other: 3 x 4 numbers each, row by row; NaN: none.
+  virtual void poses(int first, int count, const Evaluation& evaluation, double* rows) const;
   virtual bool output(int /*entry*/, OutputVariableType, const Vec3<double>& /*local*/, const Evaluation&, const Ports&,
                       std::vector<double>&) const {
     return false;

@@ -1,0 +1,41 @@
+// Squares of a picture: what is drawn one after the other, many at a time, finds the samples of its square in the cache.
+#pragma once
+
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+#include "dalembert/math/large_memory.hpp"
+#include "points.hpp"
+
+namespace dalembert {
+
+class Squares {
+ public:
+  static constexpr std::size_t many = 1000;  // from so many on, sorting pays
+
+  Squares(int columns, int rows) : columns_(columns), rows_(rows), across_(columns / side + 1), count_(across_ * (rows / side + 1)) {}
+
+  // By squares, rows of them first; in each of them, the order stays. place_of: a point in samples.
+  template <class T, class PlaceOf>
+  void sort(LargeVector<T>& list, const PlaceOf& place_of) const {
+    LargeVector<std::uint32_t> square(list.size());
+    std::vector<std::size_t> starts(static_cast<std::size_t>(count_) + 1);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const Point place = place_of(list[i]);
+      square[i] = static_cast<std::uint32_t>(first_sample(place.y, rows_) / side * across_ + first_sample(place.x, columns_) / side);
+      ++starts[square[i] + 1];
+    }
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    LargeVector<T> sorted(list.size());
+    for (std::size_t i = 0; i < list.size(); ++i) sorted[starts[square[i]]++] = list[i];
+    list.swap(sorted);
+  }
+
+ private:
+  static constexpr int side = 128;  // samples
+
+  int columns_, rows_, across_, count_;
+};
+
+}  // namespace dalembert

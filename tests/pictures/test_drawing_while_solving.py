@@ -1,0 +1,98 @@
+"""A viewer's thread draws what a solver computes in another one: no result can tell, and no memory is shared unguarded.
+
+The second part is seen by ThreadSanitizer: .ci/sanitize thread pytest tests/pictures/test_drawing_while_solving.py
+"""
+
+from __future__ import annotations
+
+import threading
+import time
+from typing import Any
+
+import numpy as np
+import pytest
+from test_items import READY, run
+
+import dalembert as exu
+from dalembert import _core
+from dalembert._pictures.studio import Studio
+
+STEPS = 100  # with 130 items, some 10^4 of them
+
+
+class Drawing:
+    """Draws a system in a thread of its own, as viewers do: by a copy that follows it."""
+
+    def __init__(self, SC: Any, mbs: Any) -> None:
+        self._shadow = _core._Shadow(mbs)
+        self._shadow.follow()
+        self._studio = Studio(SC, [self._shadow.system])
+        self._ends, self.scenes, self.states = threading.Event(), 0, 0
+        self.error: Exception | None = None
+        self._thread = threading.Thread(target=self._draw)
+
+    def __enter__(self) -> Drawing:
+        self._thread.start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._ends.set()
+        self._thread.join()
+
+    def _draw(self) -> None:
+        try:
+            used = 0.0
+            while not self._ends.wait(3 * used):  # a quarter of the time, as viewers do: others need the interpreter
+                begin = time.monotonic()
+                self.states += self._shadow.follow()[0]
+                scene = self._studio.flow()
+                if not self.scenes % 8:
+                    self._studio.image(scene, self._studio.camera(scene), size=(64, 48))
+                self.scenes += 1
+                used = time.monotonic() - begin
+        except Exception as error:
+            self.error = error
+
+
+def solved(SC: Any, mbs: Any, draws: bool) -> tuple[Any, int]:
+    settings = exu.SimulationSettings()
+    settings.timeIntegration.numberOfSteps, settings.timeIntegration.endTime = STEPS, 1e-4 * STEPS
+    settings.timeIntegration.verboseMode = settings.staticSolver.verboseMode = 0
+    settings.solutionSettings.writeSolutionToFile = False
+    settings.timeIntegration.adaptiveStep = False  # what cannot be solved so ends soon
+    mbs.Assemble()
+
+    def solve() -> Any:
+        try:
+            mbs.SolveDynamic(settings)
+        except (RuntimeError, ValueError) as error:
+            return str(error)  # systems of some examples can only be solved statically
+        return np.concatenate([np.atleast_1d(part) for part in mbs.systemData.GetSystemState()])
+
+    if not draws:
+        return solve(), 0
+    with Drawing(SC, mbs) as drawing:
+        result = solve()
+    assert drawing.error is None, drawing.error
+    return result, drawing.scenes
+
+
+@pytest.mark.parametrize("item", READY, ids=lambda item: item.name)
+def test_drawing_changes_no_result(item: Any) -> None:
+    results = [solved(*run(item), draws=draws)[0] for draws in (False, True)]
+    np.testing.assert_array_equal(*results)
+
+
+def test_states_are_drawn_while_they_are_computed(SC: Any, mbs: Any) -> None:
+    ground = mbs.CreateGround()
+    for i in range(20):
+        mass = mbs.CreateMassPoint(referencePosition=[i + 1, 0, 0], physicsMass=1, initialVelocity=[0, 1, 0])
+        mbs.CreateSpringDamper(bodyNumbers=[ground, mass], stiffness=100)
+    mbs.Assemble()
+    settings = exu.SimulationSettings()
+    settings.timeIntegration.numberOfSteps, settings.timeIntegration.endTime = 200_000, 20
+    settings.timeIntegration.verboseMode = 0
+    settings.solutionSettings.writeSolutionToFile = False
+    with Drawing(SC, mbs) as drawing:
+        mbs.SolveDynamic(settings)
+    assert drawing.error is None and drawing.states > 2
