@@ -20,6 +20,8 @@ constexpr double suspicious_growth = 1e8;
 // The filter is applied again as long as it would take more than this off multipliers that forces come from.
 constexpr double harmless_share = 1e-7;
 constexpr int most_passes = 3;
+// An idle part leaves 1e-16 / eps of it as round-off: this times eps of the multipliers may be idle, such that 1e-8 of them is left.
+constexpr double harmless_round_off = 1e8;
 // The range for redundancy that lasts: below, round-off of multipliers shows; above, singular positions are not passed.
 constexpr double smallest_eps = 1e-11;
 // Beside the weakest constraint that is none of the redundant ones.
@@ -331,9 +333,9 @@ std::vector<double> RedundantConstraints::without_eps(std::span<const double> va
   return plain;
 }
 
-// Again where the idle part is so large that its round-off would show.
+// Again where the idle part is so large that its round-off would show, which eps enlarges.
 void RedundantConstraints::take_off_idle_part(LinearSolver& factors, std::span<double> multipliers) {
-  constexpr double large = 1e-3;
+  const double large = std::clamp(harmless_round_off * eps_, 1e-3, 0.1);
   for (int time = 0; time < 2; ++time) {
     idle_.assign(multipliers.begin(), multipliers.end());
     double share = 1;
