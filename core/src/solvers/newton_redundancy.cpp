@@ -272,7 +272,7 @@ std::vector<std::string> NewtonSolver::describe_misfit() const {
   }
   d.advice.insert(d.advice.begin(),
                   "some constraint equations are hardly independent of others (by " + number(redundant_.weakest()) +
-                      "), so that round-off hides which are redundant: free equations that others state as well "
+                      "), so that round-off may hide which are redundant: free equations that others state as well "
                       "(mbs.ComputeSystemDegreeOfFreedom() lists them by object), or make one body of those that cannot move against each other");
 }
 
