@@ -195,7 +195,7 @@ py::dict redundancy_dictionary(const RedundantConstraints& redundant, const Syst
   for (const RedundantConstraints::Item& item : redundant.items(system))
     items.append(py::dict("object"_a = item.object, "item"_a = item.item, "equations"_a = item.equations, "removable"_a = item.removable));
   return py::dict("count"_a = redundant.count(), "items"_a = items, "equations"_a = redundant.equations(),
-                  "weakest"_a = redundant.weakest());
+                  "weakest"_a = redundant.weakest(), "certain"_a = redundant.certain());
 }
 
 void register_solver_data(py::module_& module) {

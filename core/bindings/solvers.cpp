@@ -229,7 +229,7 @@ void register_redundancy(SolverClass<W>& c) {
       },
       "What the last solution has found of constraint equations that follow from others: their number (count), the joints that could "
       "lose some (items: object, item, equations, removable), equations whose multipliers are not unique (equations), the smallest "
-      "eigenvalue of the others (weakest), and the largest gap that contradictions have left, relative to the size of the model (misfit).");
+      "eigenvalue of the others (weakest), whether that is far enough above round-off to be sure of the number (certain), and the largest gap that contradictions have left, relative to the size of the model (misfit).");
 }
 
 template <class W, class Base>

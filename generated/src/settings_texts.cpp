@@ -84,7 +84,7 @@ constexpr std::array<std::string_view, 8> ParallelSettings_rows{
 
 constexpr std::array<std::string_view, 3> RedundantConstraintsSettings_rows{
     "gap that redundant constraints which contradict each other may leave, relative to the size of the model, or in rad: up to it the solver distributes it among them and warns, above it is an error",
-    "the smallest reactions are those with the smallest sum of squares of forces and of moments divided by this length; 0: the size of the model, which is the diagonal of the box around all nodes and markers",
+    "the smallest reactions are those with the smallest sum of squares of forces and of moments divided by this length; 0: the size of the model, which is the diagonal of the box around all nodes and markers, but at most 20 radii of gyration of its bodies (on average)",
     "true: find redundant constraints and solve in spite of them; false: a matrix that they make singular stops the solver, and where round-off hides that, reactions are arbitrary",
 };
 

@@ -28,7 +28,7 @@ std::shared_ptr<const std::vector<FrontStructure>> elimination_tree(const Patter
   const PivotSurplus surplus = pivot_surplus(pattern, values, dependent);
   std::vector<bool> key = key_of(surplus, !dependent.empty());
   std::vector<EliminationTree>& known = pattern.known_trees();
-  const auto found = std::ranges::find(known, key, &EliminationTree::at_hand);
+  const auto found = std::ranges::find(known, key, &EliminationTree::made_for);
   if (found != known.end()) return found->fronts;
   auto fronts = std::make_shared<const std::vector<FrontStructure>>(
       balanced(assembly_tree(pattern, minimum_degree_order(pattern, surplus)), surplus));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "elimination_tree.hpp"
 
@@ -15,6 +16,8 @@ namespace {
 constexpr double smallest_ratios[] = {1e-6, 1e-4, 1e-2};
 // In a solution for tests, relative to the sizes of matrix and solution.
 constexpr double largest_residual = 1e-12;
+// Fronts of a stricter search may have so many times the rows of those of the first one.
+constexpr int harmless_fill = 3;
 // A repeated factorization is given up if the largest entry of L grows by more: so many digits could be lost.
 constexpr double largest_growth = 1e3;
 
@@ -48,25 +51,45 @@ int MultifrontalLu::start_again(std::span<const double> given) {
   scaling_ = balance(pattern_, structure);
   // Without multipliers there is in general nothing to search.
   planned_ = !options_.ignore_singular && std::ranges::none_of(scaling_.multiplier, [](char m) { return m != 0; }) &&
-             adopt(pivots_in_order(*tree_), values, given) && growth_ <= harmless_growth && regular();
+             adopt(pivots_in_order(*tree_), values, given) <= largest_residual && growth_ <= harmless_growth && regular();
   if (planned_) return success;
-  int singular = success;
-  for (const double ratio : smallest_ratios) {
-    PivotSearch search = search_pivots(pattern_, *tree_, values, scaling_, ratio, options_, kernels_);
+  return search_and_adopt(values, given);
+}
+
+// Where no search passes the test, as weak constraints do not let any, more strictness may only fill the factors: the pivots that come nearest are
+// taken, and a search whose fronts outgrow those of the first one is given up.
+int MultifrontalLu::search_and_adopt(std::span<const double> values, std::span<const double> given) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  int singular = success, largest_front = pattern_.size();
+  double best = 0, in_place = 0, least = infinite;
+  const auto adopt_by = [&](double ratio) {  // the residual of the test; infinite: pivots are as before
+    PivotSearch search = search_pivots(pattern_, *tree_, values, scaling_, ratio, options_, kernels_, largest_front);
+    if (search.outgrown) return infinite;
     singular = search.singular_column;
-    if (singular != success) continue;
-    planned_ = true;
-    if (adopt(std::move(search.fronts), values, given)) break;
+    if (singular != success) return infinite;
+    if (in_place == 0) largest_front = harmless_fill * search.largest_front;
+    in_place = ratio;
+    return adopt(std::move(search.fronts), values, given);
+  };
+  for (const double ratio : smallest_ratios) {
+    const double residual = adopt_by(ratio);
+    if (residual < least) {
+      least = residual;
+      best = ratio;
+    }
+    if (residual <= largest_residual) break;
   }
+  planned_ = in_place > 0;
+  if (best > 0 && best != in_place) adopt_by(best);
   return planned_ ? success : singular;
 }
 
-// Factorizes with these pivots. Whether they pass the test.
-bool MultifrontalLu::adopt(std::vector<PivotedFront> fronts, std::span<const double> values, std::span<const double> given) {
+// Factorizes with these pivots, and tests them.
+double MultifrontalLu::adopt(std::vector<PivotedFront> fronts, std::span<const double> values, std::span<const double> given) {
   plan(std::move(fronts));
   repeat(given);
   planned_growth_ = std::max(growth_, 1.0);
-  return residual_of_test(values) <= largest_residual;
+  return residual_of_test(values);
 }
 
 // Of the solution for a right-hand side whose solution is known to be of the size one, by scaled unknowns and equations.

@@ -47,7 +47,8 @@ class MultifrontalLu final : public LinearSolver {
   class RunsOfEntries;
 
   int start_again(std::span<const double> given);
-  bool adopt(std::vector<PivotedFront> fronts, std::span<const double> values, std::span<const double> given);
+  int search_and_adopt(std::span<const double> values, std::span<const double> given);
+  double adopt(std::vector<PivotedFront> fronts, std::span<const double> values, std::span<const double> given);
   void plan(std::vector<PivotedFront> fronts);
   void sort_updates(std::vector<PivotedFront>& fronts, const std::vector<std::vector<int>>& children) const;
   void place_factors(const std::vector<PivotedFront>& fronts);

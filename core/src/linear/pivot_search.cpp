@@ -121,9 +121,13 @@ class Search {
     }
   }
 
-  PivotSearch run() {
+  PivotSearch run(int most_rows) {
     fronts_.reserve(tree_.size());
+    int largest_front = 0;
     for (int f = 0; f < static_cast<int>(tree_.size()); ++f) {
+      const int rows = rows_of(f);
+      if (rows > most_rows) return {.fronts = {}, .outgrown = true};
+      largest_front = std::max(largest_front, rows);
       DenseFront front = assemble(f);
       front.eliminate(
           [&](int row, int column, double pivot, double below) {
@@ -135,11 +139,11 @@ class Search {
       fronts_.push_back(front.take_order());
       if (parent < 0 && front.left() > 0 && !ignore_singular_) {
         const int singular = fronts_.back().columns[fronts_.back().pivots];
-        return {std::move(fronts_), singular};
+        return {std::move(fronts_), singular, largest_front};
       }
       if (parent >= 0) waiting_[parent].push_back({f, std::move(front)});
     }
-    return {std::move(fronts_), LinearSolver::success};
+    return {std::move(fronts_), LinearSolver::success, largest_front};
   }
 
  private:
@@ -148,6 +152,12 @@ class Search {
     int front;
     DenseFront values;
   };
+
+  int rows_of(int f) const {
+    std::size_t rows = tree_[f].pivots.size() + tree_[f].updates.size();
+    for (const Child& child : waiting_[f]) rows += static_cast<std::size_t>(child.values.left());
+    return static_cast<int>(rows);
+  }
 
   DenseFront assemble(int f) {
     const FrontStructure& structure = tree_[f];
@@ -213,8 +223,8 @@ std::vector<PivotedFront> pivots_in_order(const std::vector<FrontStructure>& tre
 
 PivotSearch search_pivots(const Pattern& pattern, const std::vector<FrontStructure>& tree, std::span<const double> values,
                           const Scaling& scaling, double smallest_ratio, const LinearSolverOptions& options,
-                          const FrontKernels& kernels) {
-  return Search(pattern, tree, values, scaling, smallest_ratio, options, kernels).run();
+                          const FrontKernels& kernels, int most_rows) {
+  return Search(pattern, tree, values, scaling, smallest_ratio, options, kernels).run(most_rows);
 }
 
 }  // namespace dalembert

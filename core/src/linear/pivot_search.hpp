@@ -20,6 +20,8 @@ struct PivotedFront {
 struct PivotSearch {
   std::vector<PivotedFront> fronts;  // as in the tree
   int singular_column = LinearSolver::success;
+  int largest_front = 0;  // rows
+  bool outgrown = false;  // a front had more rows than it may have: the search has been given up
 };
 
 // The order as it stands is good if no entry of L is larger than this.
@@ -33,6 +35,6 @@ std::vector<PivotedFront> pivots_in_order(const std::vector<FrontStructure>& tre
 // has such columns, the matrix is singular: they are left over there if the options allow it.
 PivotSearch search_pivots(const Pattern& pattern, const std::vector<FrontStructure>& tree, std::span<const double> values,
                           const Scaling& scaling, double smallest_ratio, const LinearSolverOptions& options,
-                          const FrontKernels& kernels);
+                          const FrontKernels& kernels, int most_rows);
 
 }  // namespace dalembert

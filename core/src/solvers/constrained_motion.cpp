@@ -112,6 +112,7 @@ void ConstrainedMotion::prepare(System& system, LinearSolverType type, const Lin
   type_ = type;
   options_ = options;
   settings_ = settings;
+  treats_redundancy_ = system.sizes().ae > 0 && settings.treat && !options.ignore_singular;
   pattern_ = &system.pattern(is_dense(type));
   ode2_ = system.sizes().ode2;
   first_ae_ = system.sizes().first_ae();
@@ -152,12 +153,14 @@ int ConstrainedMotion::factorize_around_matrix(System& system, const State& stat
 
 int ConstrainedMotion::factorize_filled(System& system, const State& state, const Conditions& conditions) {
   if (redundant_.in_use()) redundant_.regularize(*pattern_, matrix_, 1);
-  const bool examines = !redundant_.in_use() && !examined_ && system.sizes().ae > 0 && settings_.treat && !options_.ignore_singular;
-  if (examines && RedundantConstraints::evidently_some(system, *pattern_, matrix_)) {
-    if (int singular = 0; look_for_redundancy(system, state, conditions, singular)) return singular;
+  const bool looks = treats_redundancy_ && !redundant_.in_use();
+  int singular = 0;  // factors that must fail are not made
+  if (looks && !examined_ && RedundantConstraints::evidently_some(system, *pattern_, matrix_) &&
+      look_for_redundancy(system, state, conditions, singular)) {
+    return singular;
   }
-  int singular = factors_->factorize(matrix_);
-  if (!redundant_.in_use() && (!examined_ || singular != LinearSolver::success)) look_for_redundancy(system, state, conditions, singular);
+  singular = factors_->factorize(matrix_);
+  if (looks && (!examined_ || singular != LinearSolver::success)) look_for_redundancy(system, state, conditions, singular);
   return singular;
 }
 
@@ -165,7 +168,6 @@ int ConstrainedMotion::factorize_filled(System& system, const State& state, cons
 bool ConstrainedMotion::look_for_redundancy(System& system, const State& state, const Conditions& conditions, int& singular) {
   examined_ = true;
   const bool regular = singular == LinearSolver::success;
-  if (system.sizes().ae == 0 || !settings_.treat || options_.ignore_singular) return false;
   system.reactions_are_known({});
   if (regular && RedundantConstraints::evidently_none(system, *pattern_, matrix_)) return false;
   if (!redundant_.measure(system, *pattern_, matrix_, settings_.momentLength, 1) || (regular && !redundant_.suspected(*factors_))) return false;

@@ -355,9 +355,12 @@ void NewtonSolver::restart() {
 
 [[gnu::noinline]] void NewtonSolver::report_failure() {
   if (contradiction_) return report_contradiction();
-  if (!all_finite(jacobian_) || loop_.lost) return report_not_finite();
-  if (conv.linearSolverFailed) return diagnose_singular_matrix(*pattern_, jacobian_);
-  diagnose(FailureReason::newton, unscaled_residual());
+  const bool lost = !all_finite(jacobian_) || loop_.lost;
+  if (lost) report_not_finite();
+  else if (conv.linearSolverFailed) diagnose_singular_matrix(*pattern_, jacobian_);
+  else diagnose(FailureReason::newton, unscaled_residual());
+  if (!redundant_.certain()) blame_weak_constraints();
+  if (lost || conv.linearSolverFailed) return;
   if ((output.stepInformation & step_information::step_reductions) || verbose(2)) {
     say(1, "  Newton (step " + std::to_string(it.currentStepIndex) + ", t = " + number(it.currentTime) +
                ") did not converge in " + std::to_string(it.newtonSteps) +

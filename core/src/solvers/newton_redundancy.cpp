@@ -10,6 +10,7 @@ namespace dalembert {
 
 namespace {
 
+constexpr std::size_t most_named = 10;  // items of a message
 constexpr double counting_eps = RedundantConstraints::counting_eps, silent_misfit = RedundantConstraints::silent_misfit;
 // Before anything is known of the matrix: large enough that round-off hardly shows, and if that is too large, `try_harder` takes less.
 constexpr double first_eps = RedundantConstraints::regular_eps;
@@ -213,10 +214,14 @@ double NewtonSolver::residual_without_misfit() {
     return false;
   }
   contradiction_ = false;
-  if (misfit > silent_misfit && !warned_of_misfit_ && !conditions_.rate_level) {
+  // What eps leaves open of weak constraints is no contradiction.
+  const auto contradicts = [&] { return redundant_.largest(redundant_.misfit(misfit_)) > silent_misfit; };
+  if (misfit > silent_misfit && !warned_of_misfit_ && !conditions_.rate_level && contradicts()) {
     warned_of_misfit_ = true;
     std::string text = name() + ": redundant constraints contradict each other; what the closest fit leaves open:";
-    for (const std::string& line : describe_misfit()) text += "\n  " + line;
+    const std::vector<std::string> lines = describe_misfit();
+    for (const std::string& line : std::span(lines).first(std::min(lines.size(), most_named))) text += "\n  " + line;
+    if (lines.size() > most_named) text += "\n  and " + std::to_string(lines.size() - most_named) + " more";
     warn(text);
   }
   redundant_.take_off_idle_part(*linear_, current().lambda);
@@ -254,6 +259,21 @@ std::vector<std::string> NewtonSolver::describe_misfit() const {
       lines.push_back(system().describe(owner) + ", equation " + std::to_string(worst - owner.first) + ": " + format_number(misfit_[static_cast<std::size_t>(worst)]));
   }
   return lines;
+}
+
+// Where round-off has hidden which constraints are redundant, it is what has grown.
+[[gnu::noinline]] void NewtonSolver::blame_weak_constraints() {
+  Diagnosis& d = diagnosis_;
+  if (d.dependent.empty()) {
+    const auto items = redundant_.items(system());
+    for (const auto& item : std::span(items).first(std::min(items.size(), most_named)))
+      d.dependent.push_back(item.item + ": " + std::to_string(item.removable) + " of " + std::to_string(item.equations) + " could be left out");
+    if (items.size() > most_named) d.dependent.push_back("and " + std::to_string(items.size() - most_named) + " more items");
+  }
+  d.advice.insert(d.advice.begin(),
+                  "some constraint equations are hardly independent of others (by " + number(redundant_.weakest()) +
+                      "), so that round-off may hide which are redundant: free equations that others state as well "
+                      "(mbs.ComputeSystemDegreeOfFreedom() lists them by object), or make one body of those that cannot move against each other");
 }
 
 [[gnu::noinline]] void NewtonSolver::report_contradiction() {

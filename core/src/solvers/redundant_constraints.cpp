@@ -20,6 +20,8 @@ constexpr double suspicious_growth = 1e8;
 // The filter is applied again as long as it would take more than this off multipliers that forces come from.
 constexpr double harmless_share = 1e-7;
 constexpr int most_passes = 3;
+// An idle part leaves 1e-16 / eps of it as round-off: this times eps of the multipliers may be idle, such that 1e-8 of them is left.
+constexpr double harmless_round_off = 1e8;
 // The range for redundancy that lasts: below, round-off of multipliers shows; above, singular positions are not passed.
 constexpr double smallest_eps = 1e-11;
 // Beside the weakest constraint that is none of the redundant ones.
@@ -28,8 +30,9 @@ constexpr double share_of_weakest = 1e-3;
 // that have drifted apart because velocities alone are constrained.
 constexpr double misaligned = 1e6, eps_for_misfits = 1e-8;
 
-// Places may be much closer together than the size of the bodies at them: moments count for no less than by this share of it.
-constexpr double smallest_arm = 1e-3;
+// Beside the radius of gyration of bodies, places may be much closer together than it, and models much larger: what moments count for is limited
+// to these multiples of it. Beyond, their part of eps D would be round-off beside that of forces, or of the inertia of bodies.
+constexpr double smallest_arm = 1e-3, largest_arm = 20;
 
 double mean_of_logarithms(const std::vector<double>& numbers) {
   double sum = 0;
@@ -126,6 +129,7 @@ bool RedundantConstraints::measure(System& system, const Pattern& pattern, std::
   parts_.clear();
   slots_.clear();
   local_ = false;
+  certain_ = true;
   const auto n = static_cast<std::size_t>(s.ae);
   x_.resize(static_cast<std::size_t>(s.total()));
   length_ = system.extent();
@@ -182,7 +186,8 @@ void RedundantConstraints::find_weights(const std::vector<double>& ratios, const
     if (ratios[k] > 0 && std::isfinite(ratios[k])) kinds[units[k]].push_back(ratios[k]);
   double force = mean_of_logarithms(kinds[CoordinateUnit::meter]), moment = mean_of_logarithms(kinds[CoordinateUnit::radian]);
   const double radius_of_gyration = force > 0 && moment > 0 ? std::sqrt(force / moment) : 0;
-  const double length = moment_length > 0 ? moment_length : std::max(length_, smallest_arm * radius_of_gyration);
+  const double arm = radius_of_gyration > 0 ? std::clamp(length_, smallest_arm * radius_of_gyration, largest_arm * radius_of_gyration) : length_;
+  const double length = moment_length > 0 ? moment_length : arm;
   if (force > 0) moment = force / (length * length);
   else if (moment > 0) force = moment * length * length;
   const double other = mean_of_logarithms(kinds[CoordinateUnit::unknown]);
@@ -192,9 +197,11 @@ void RedundantConstraints::find_weights(const std::vector<double>& ratios, const
   };
   units_ = units;
   weight_.assign(ratios.size(), 0.0);
+  own_weight_.assign(ratios.size(), 0.0);
   unit_.assign(ratios.size(), 1.0);
   for (const int k : rows_) {
     weight_[k] = weight_of(units[k]);
+    own_weight_[k] = ratios[k] > 0 && std::isfinite(ratios[k]) ? ratios[k] : weight_[k];
     if (units[k] == CoordinateUnit::meter) unit_[k] = length_;
   }
 }
@@ -304,12 +311,17 @@ double largest_number(std::span<const double> numbers) {
 // Equations that are off state their multipliers themselves.
 void RedundantConstraints::regularize(const Pattern& pattern, std::span<double> values, double rate_factor) {
   rate_factor_ = rate_factor;
-  if (slots_.empty())
-    for (const int k : rows_) slots_.push_back(pattern.slot(first_ae_ + k, first_ae_ + k));
+  slots(pattern);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     double& entry = values[static_cast<std::size_t>(slots_[i])];
     if (entry == 0) entry = entry_of(rows_[i]);
   }
+}
+
+std::span<const int> RedundantConstraints::slots(const Pattern& pattern) {
+  if (slots_.empty())
+    for (const int k : rows_) slots_.push_back(pattern.slot(first_ae_ + k, first_ae_ + k));
+  return slots_;
 }
 
 std::vector<double> RedundantConstraints::without_eps(std::span<const double> values) const {
@@ -321,9 +333,9 @@ std::vector<double> RedundantConstraints::without_eps(std::span<const double> va
   return plain;
 }
 
-// Again where the idle part is so large that its round-off would show.
+// Again where the idle part is so large that its round-off would show, which eps enlarges.
 void RedundantConstraints::take_off_idle_part(LinearSolver& factors, std::span<double> multipliers) {
-  constexpr double large = 1e-3;
+  const double large = std::clamp(harmless_round_off * eps_, 1e-3, 0.1);
   for (int time = 0; time < 2; ++time) {
     idle_.assign(multipliers.begin(), multipliers.end());
     double share = 1;

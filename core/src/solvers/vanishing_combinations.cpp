@@ -47,15 +47,19 @@ Block beside(const Block& known, const Block& block) {
 
 }  // namespace
 
-// P with this eps, for columns in sqrt(D) lambda.
+// P with this eps, for columns in sqrt(D) lambda, with these weights for D.
 class RedundantConstraints::Search {
  public:
-  Search(RedundantConstraints& all, const Pattern& pattern, std::span<const double> values, double eps, LinearSolver& factors)
+  Search(RedundantConstraints& all, const Pattern& pattern, std::span<const double> values, double eps, std::span<const double> weights,
+         LinearSolver& factors)
       : all_(all), pattern_(pattern), matrix_(values.begin(), values.end()), factors_(factors), eps_(eps), x_(all.x_.size()) {
-    const double in_use = std::exchange(all.eps_, eps);
-    all.regularize(pattern, matrix_, all.rate_factor_);
-    all.eps_ = in_use;
-    for (const int k : all.rows_) root_.push_back(std::sqrt(all.weight_[k]));
+    const std::span<const int> slots = all.slots(pattern);
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+      const int k = all.rows_[i];
+      double& entry = matrix_[static_cast<std::size_t>(slots[i])];
+      if (entry == 0) entry = -eps * all.row_factor(k) * weights[static_cast<std::size_t>(k)];
+      root_.push_back(std::sqrt(weights[static_cast<std::size_t>(k)]));
+    }
   }
   bool factorize() { return factors_.factorize(matrix_) == LinearSolver::success; }
   // Fills the parts; what they have is only looked at again. False, with `is_finite`: they are not independent of each other.
@@ -108,13 +112,24 @@ class RedundantConstraints::Search {
       image(work);
       before = i + 1 < iterations ? size_of(work) : before;
     }
-    largest_rest = before > 0 ? std::min(1.0, size_of(work) / before) : 0;
+    const double after = size_of(work);
+    largest_rest = before > 0 ? std::min(1.0, after / before) : 0;
+    weakest_vector_.assign(root_.size(), 0.0);
+    for (const PartAtWork& w : work)
+      if (after > 0 && w.block.cols() > 0) add_to_weakest(w.part, w.block.col(0) / after);
     return std::isfinite(largest_rest);
   }
   bool is_finite = true;
   bool compares = false;    // whether parts turn out to be independent of each other
   double largest_rest = 0;  // the largest eigenvalue of P that is not one
-  double weakest() const { return largest_rest > 0 ? eps_ * (1 / largest_rest - 1) : 1; }
+  // The smallest eigenvalue that is not zero, as far as it is known, in the metric of these weights.
+  double weakest(std::span<const double> weights) const {
+    if (!(largest_rest > 0)) return 1;
+    double size = 0;
+    for (std::size_t i = 0; i < weakest_vector_.size(); ++i)
+      size += weakest_vector_[i] * weakest_vector_[i] * weights[static_cast<std::size_t>(all_.rows_[i])] / (root_[i] * root_[i]);
+    return eps_ * (1 / largest_rest - 1) / (size > 0 ? size : 1);
+  }
 
  private:
   struct PartAtWork {
@@ -122,12 +137,17 @@ class RedundantConstraints::Search {
     Block guess, known, block;
     bool done = false;
     double rest = 0;
+    Eigen::VectorXd weakest;
     explicit PartAtWork(Part& p) : part(p) {
       const auto m = static_cast<Eigen::Index>(p.rows.size());
       guess = GivenBlock(p.combinations.data(), m, p.count);
       known.resize(m, 0);
     }
   };
+
+  void add_to_weakest(const Part& part, const Eigen::VectorXd& share) {
+    for (std::size_t i = 0; i < part.rows.size(); ++i) weakest_vector_[static_cast<std::size_t>(part.rows[i])] = share[static_cast<Eigen::Index>(i)];
+  }
 
   // Of all blocks together, without what is known.
   static double size_of(std::vector<PartAtWork>& work) {
@@ -207,7 +227,11 @@ class RedundantConstraints::Search {
         if (compares) w.block *= mixed[i].transpose();
         if (!take_vanishing(before[i], w)) return false;
       }
-      largest_rest = std::max(largest_rest, w.rest);
+      if (w.rest > largest_rest) {
+        largest_rest = w.rest;
+        weakest_vector_.assign(root_.size(), 0.0);
+        add_to_weakest(w.part, w.weakest);
+      }
     }
     return true;
   }
@@ -221,6 +245,7 @@ class RedundantConstraints::Search {
     const Eigen::Index columns = vectors.cols();
     const auto vanishing = static_cast<Eigen::Index>(std::ranges::count_if(shares.values, [](double x) { return x > 0.5; }));
     w.rest = vanishing < columns ? std::max(0.0, shares.values[columns - vanishing - 1]) : 0;
+    if (vanishing < columns) w.weakest = vectors * shares.vectors.col(columns - vanishing - 1);
     Block more(w.known.rows(), w.known.cols() + vanishing);
     more << w.known, vectors * shares.vectors.rightCols(vanishing);
     if (compares && vanishing > 0 &&
@@ -281,6 +306,7 @@ class RedundantConstraints::Search {
   double eps_;
   int refinements_ = most_refinements;
   std::vector<double> root_, wanted_, rest_, x_, column_;
+  std::vector<double> weakest_vector_;  // of the length one
   NumberSequence number_at_random;
 };
 
@@ -324,33 +350,51 @@ void RedundantConstraints::Part::take(std::span<const double> found) {
   combinations.assign(found.begin(), found.end());
 }
 
+void RedundantConstraints::Part::rescale(std::span<const int> equations, std::span<const double> from, std::span<const double> to) {
+  if (count == 0) return;
+  Block all = GivenBlock(combinations.data(), static_cast<Eigen::Index>(rows.size()), count);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto k = static_cast<std::size_t>(equations[static_cast<std::size_t>(rows[i])]);
+    all.row(static_cast<Eigen::Index>(i)) *= std::sqrt(to[k] / from[k]);
+  }
+  take(numbers_of(orthonormal(all)));
+}
+
 // Combinations that are known from a state close by become those of this one by one application of P. A vector at random beside them tells
 // whether there are more. Large systems are taken apart, such that few vectors are enough for many combinations.
 bool RedundantConstraints::find(const Pattern& pattern, std::span<const double> values, double eps, LinearSolver& factors) {
-  Search search(*this, pattern, values, eps, factors);
+  const bool counts = eps == counting_eps;
+  const std::span<const double> weights = counts ? own_weight_ : weight_;
+  Search search(*this, pattern, values, eps, weights, factors);
   if (!search.factorize()) return false;
   bool is_local = false;
   std::vector<Part> parts = apart(true, pattern, values, is_local);
   if (parts_.empty() || is_local) parts_ = std::move(parts);
   local_ = is_local;
-  if (is_local) {
-    if (!search.look_at_the_rest(parts_)) return false;
-  } else if (!search.find_in(parts_, false)) {
-    if (!search.is_finite || rows_.size() <= few_rows) return false;
+  const auto into = [&](std::span<const double> from, std::span<const double> to) {
+    for (Part& part : parts_)
+      if (counts) part.rescale(rows_, from, to);
+  };
+  into(weight_, weights);
+  bool found = is_local ? search.look_at_the_rest(parts_) : search.find_in(parts_, false);
+  if (!found && !is_local && search.is_finite && rows_.size() > few_rows) {
     parts_ = apart(false, pattern, values, is_local);
-    if (!search.find_in(parts_, true)) return false;
+    found = search.find_in(parts_, true);
   }
+  into(weights, weight_);
+  if (!found) return false;
+  if (counts) certain_ = is_local || search.largest_rest < evidently_regular;
   count_parts();
-  weakest_ = search.weakest();
+  weakest_ = search.weakest(weight_);
   return true;
 }
 
 bool RedundantConstraints::find_at_once(const Pattern& pattern, std::span<const double> values, double eps, LinearSolver& factors) {
-  Search search(*this, pattern, values, eps, factors);
+  Search search(*this, pattern, values, eps, weight_, factors);
   if (!search.factorize()) return false;
   if (local_ ? !search.look_at_the_rest(parts_) || search.largest_rest > evident_rest : !search.find_at_once(parts_)) return false;
   count_parts();
-  weakest_ = search.weakest();
+  weakest_ = search.weakest(weight_);
   return true;
 }
 
@@ -358,7 +402,7 @@ bool RedundantConstraints::confirm(const Pattern& pattern, std::span<const doubl
   std::vector<Part> parts = parts_;
   if (!local_ || !take_local_combinations(parts, pattern, without_eps(values))) {
     parts = parts_;
-    if (Search search(*this, pattern, values, eps_, factors); !search.find_at_once(parts)) return false;
+    if (Search search(*this, pattern, values, eps_, weight_, factors); !search.find_at_once(parts)) return false;
   }
   const auto same = [](const Part& one, const Part& other) { return one.count == other.count; };
   if (!std::ranges::equal(parts, parts_, same)) return false;
@@ -370,16 +414,9 @@ bool RedundantConstraints::take_over(const RedundantConstraints& found) {
   if (found.rows_ != rows_) return false;
   parts_ = found.parts_;
   local_ = found.local_;
-  for (Part& part : parts_) {
-    Block all = GivenBlock(part.combinations.data(), static_cast<Eigen::Index>(part.rows.size()), part.count);
-    for (std::size_t i = 0; i < part.rows.size(); ++i) {
-      const auto row = static_cast<std::size_t>(rows_[part.rows[i]]);
-      all.row(static_cast<Eigen::Index>(i)) *= std::sqrt(weight_[row] / found.weight_[row]);
-    }
-    if (part.count > 0) all = orthonormal(all);
-    part.combinations.assign(all.data(), all.data() + all.size());
-  }
+  for (Part& part : parts_) part.rescale(rows_, found.weight_, weight_);
   count_ = found.count_;
+  certain_ = found.certain_;
   weakest_ = found.weakest_;
   return true;
 }

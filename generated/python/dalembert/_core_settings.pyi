@@ -179,7 +179,7 @@ class RedundantConstraintsSettings(_Settings):
     largestMisfit: float
     """gap that redundant constraints which contradict each other may leave, relative to the size of the model, or in rad: up to it the solver distributes it among them and warns, above it is an error [1]; default: 1e-06"""
     momentLength: float
-    """the smallest reactions are those with the smallest sum of squares of forces and of moments divided by this length; 0: the size of the model, which is the diagonal of the box around all nodes and markers [m]; default: 0.0"""
+    """the smallest reactions are those with the smallest sum of squares of forces and of moments divided by this length; 0: the size of the model, which is the diagonal of the box around all nodes and markers, but at most 20 radii of gyration of its bodies (on average) [m]; default: 0.0"""
     treat: bool
     """true: find redundant constraints and solve in spite of them; false: a matrix that they make singular stops the solver, and where round-off hides that, reactions are arbitrary; default: True"""
     def __init__(self) -> None: ...

@@ -13,10 +13,6 @@ from dalembert._core import SimulationSettings, testing
 from dalembert._solving.diagnosis import SolverError
 from dalembert._solving.quiet import assemble_if_needed, quiet_static_solver
 
-# The weakest of the constraints that count as independent, relative to constraints of single bodies. Inverse iteration,
-# which takes what is below 1e-12 for dependent, does not tell by less than a factor of a thousand.
-_HARDLY_INDEPENDENT = 1e-9
-
 
 class _Matrices(NamedTuple):
     """M x_tt + D x_t + K x + C lambda = 0 for small ODE2 motions x."""
@@ -245,7 +241,7 @@ def _counts(name: str, mbs: Any, autoAssemble: bool) -> dict[str, Any]:
     if constraints == 0:
         return _summary(mbs, n2, 0, 0, 0)
     found = testing.redundant_constraints(mbs, state)
-    if 0 < found["weakest"] < _HARDLY_INDEPENDENT:
+    if not found["certain"]:
         warnings.warn(
             f"{name}: some constraint equations are hardly independent of others (by {found['weakest']:.1g}): the "
             "numbers of redundant ones and of degrees of freedom may be wrong; useSVD=True counts by singular values",

@@ -57,7 +57,7 @@ class ConstrainedMotion {
   RedundantConstraintsSettings settings_;
   const Pattern* pattern_ = nullptr;
   int ode2_ = 0, first_ae_ = 0;
-  bool examined_ = false, is_driven_ = false;
+  bool treats_redundancy_ = false, examined_ = false, is_driven_ = false;
   double largest_misfit_ = 0;
   std::unique_ptr<LinearSolver> factors_;
   std::vector<double> matrix_, part_, x_, rest_;

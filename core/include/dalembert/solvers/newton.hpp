@@ -95,6 +95,7 @@ class NewtonSolver : public Solver {
   bool settle_multipliers();
   void announce_redundancy();
   std::vector<std::string> describe_misfit() const;
+  void blame_weak_constraints();
   void report_contradiction();
   LinearSolverOptions linear_options() const;
   // By which rows of constraints of velocities are multiplied in `jacobian_`.

@@ -44,7 +44,8 @@ class RedundantConstraints {
   bool suspected(LinearSolver& factors);
   // Whether multipliers outgrow what they state by far more than when they were `suspected` for the first time.
   bool much_weaker(LinearSolver& factors) { return growth(factors) > weaker_by * std::max(usual_growth_, smallest_growth); }
-  // Finds the combinations that vanish; factorizes the matrix with this eps, by a solver with `options_to_find`. Those that are known from a state
+  // Finds the combinations that vanish; factorizes the matrix with this eps, by a solver with `options_to_find`. To count, each equation has a weight
+  // of its own, which leaves most of what is weak above round-off. Those that are known from a state
   // close by are only looked at again. False: the matrix is singular for other reasons as well.
   static LinearSolverOptions options_to_find(LinearSolverOptions options);
   bool find(const Pattern& pattern, std::span<const double> values, double eps, LinearSolver& factors);
@@ -59,6 +60,8 @@ class RedundantConstraints {
   bool take_over(const RedundantConstraints& found);
   int count() const { return count_; }
   double weakest() const { return weakest_; }  // the smallest eigenvalue of D^-1 S that is not zero
+  // Whether combinations that vanish could be told from others, in spite of round-off.
+  bool certain() const { return certain_; }
   std::vector<Item> items(const System& system) const;
   // Equations whose multipliers are not unique.
   std::vector<int> equations() const;
@@ -112,6 +115,7 @@ class RedundantConstraints {
   // P with another eps, for all equations with a weight.
   void apply(LinearSolver& factors, double eps, std::span<double> multipliers);
   void find_weights(const std::vector<double>& ratios, const std::vector<CoordinateUnit>& units, double moment_length);
+  std::span<const int> slots(const Pattern& pattern);
   class Search;
   // Combinations that vanish, of equations that may follow from each other.
   struct Part {
@@ -120,6 +124,7 @@ class RedundantConstraints {
     int count = 0;
     std::vector<double> combinations;  // one after the other, orthonormal in sqrt(D) lambda
     void take(std::span<const double> found);
+    void rescale(std::span<const int> equations, std::span<const double> from, std::span<const double> to);  // into another metric
     std::span<const double> combination(int k) const { return std::span(combinations).subspan(rows.size() * static_cast<std::size_t>(k), rows.size()); }
   };
   std::vector<Part> all_in_one() const;
@@ -135,6 +140,7 @@ class RedundantConstraints {
   std::vector<int> nodes_;           // of ODE2 coordinates
   double length_ = 1;                // the size of the model
   std::vector<double> weight_;       // D, by equation; zero: it is never redundant
+  std::vector<double> own_weight_;   // the same as if there were no other equation
   std::vector<double> unit_;
   std::vector<CoordinateUnit> units_;
   // Whether an equation constrains velocities, has a multiplier, and acts on anything.
@@ -144,7 +150,7 @@ class RedundantConstraints {
   double rest_ = 0;                  // the largest eigenvalue of P that is not one
   double usual_growth_ = 0;          // where the constraints were looked at first
   int count_ = 0;
-  bool consistent_ = true;
+  bool consistent_ = true, certain_ = true;
   std::vector<Part> parts_;
   bool local_ = false;              // combinations of parts are those of their entries
   std::vector<double> x_, idle_;

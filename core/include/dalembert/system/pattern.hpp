@@ -53,9 +53,9 @@ class Couplings {
 
 struct FrontStructure;
 
-// How a pattern is eliminated, by the unknowns that bring a pivot (linear/elimination_tree.hpp).
+// How a pattern is eliminated (linear/elimination_tree.hpp).
 struct EliminationTree {
-  std::vector<bool> at_hand;
+  std::vector<bool> made_for;  // which unknowns bring a pivot; where constraints depend on others, then also which neither bring nor need one
   std::shared_ptr<const std::vector<FrontStructure>> fronts;
 };
 
