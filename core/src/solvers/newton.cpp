@@ -97,6 +97,7 @@ double NewtonSolver::evaluate_residual() {
   while (try_harder())
     if (iterate_to_the_end()) return true;
   report_failure();
+  treatment_failed_ = treatment_ != Treatment::none && begun_at_trial_ && treated_since_ == it.currentStepIndex;
   return false;
 }
 
@@ -123,7 +124,8 @@ void NewtonSolver::begin_newton() {
   loop_ = Loop();
   if (treatment_ != Treatment::none) [[unlikely]] {
     misfit_.clear();
-    if (treatment_ == Treatment::unknown) look_for_redundancy_at_start();
+    if (std::exchange(treatment_failed_, false)) drop_treatment();
+    else if (treatment_ == Treatment::unknown) look_for_redundancy_at_start();
     else if (treatment_ != Treatment::announced && it.currentStepIndex != treated_since_) look_again_at_redundancy();
   }
   State& now = current();

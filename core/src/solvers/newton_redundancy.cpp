@@ -12,17 +12,26 @@ namespace {
 
 constexpr std::size_t most_named = 10;  // items of a message
 constexpr double counting_eps = RedundantConstraints::counting_eps, silent_misfit = RedundantConstraints::silent_misfit;
+constexpr double torn_apart = 0.1;  // gaps relative to the size of the model, or in radians
 // Before anything is known of the matrix: large enough that round-off hardly shows, and if that is too large, `try_harder` takes less.
 constexpr double first_eps = RedundantConstraints::regular_eps;
 
 }  // namespace
+
+bool NewtonSolver::treats_redundancy() const {
+  return sizes_.ae > 0 && settings().redundantConstraints.treat && !settings().linearSolverSettings.ignoreSingularJacobian;
+}
+
+bool NewtonSolver::measure_redundancy() {
+  return redundant_.measure(system(), *pattern_, jacobian_, settings().redundantConstraints.momentLength, rate_factor());
+}
 
 void NewtonSolver::forget_redundancy() {
   redundant_ = RedundantConstraints();
   plain_.reset();
   misfit_.clear();
   confirmed_ = false;
-  looks_at_next_ = sizes_.ae > 0 && settings().redundantConstraints.treat && !settings().linearSolverSettings.ignoreSingularJacobian;
+  looks_at_next_ = treats_redundancy();
   treatment_ = looks_at_next_ ? Treatment::unknown : Treatment::none;
 }
 
@@ -72,13 +81,14 @@ std::unique_ptr<LinearSolver> NewtonSolver::find_redundancy() {
 // regular systems do not notice. Static solvers begin where they are, with a matrix that tells all.
 [[gnu::noinline]] void NewtonSolver::look_for_redundancy_at_start() {
   treatment_ = Treatment::none;
+  begun_at_trial_ = false;
   looks_at_next_ = is_static() && !settings().staticSolver.arcLength.active;
   if (looks_at_next_) return;
   system().reactions_are_known({});
   compute_residual();
   compute_jacobian();
   if (RedundantConstraints::evidently_none(system(), *pattern_, jacobian_)) return;
-  if (!redundant_.measure(system(), *pattern_, jacobian_, settings().redundantConstraints.momentLength, rate_factor())) return;
+  if (!measure_redundancy()) return;
   const auto plain = make_linear_solver(*pattern_, linear_type(), linear_options());
   const bool regular = plain->factorize(jacobian_) == LinearSolver::success;
   if (regular && !redundant_.suspected(*plain)) return;
@@ -86,15 +96,14 @@ std::unique_ptr<LinearSolver> NewtonSolver::find_redundancy() {
   if (factors && redundant_.count() > 0) begin_treatment(*factors);
 }
 
-// At each matrix that cannot be factorized, and at the next one after a singular position.
+// At the first matrix of a step that cannot be factorized, and at the next one after a singular position; later ones are those of `try_harder`.
 [[gnu::noinline]] void NewtonSolver::look_for_redundancy() {
-  const auto& s = settings().redundantConstraints;
-  looks_at_next_ = false;
+  begun_at_trial_ = !std::exchange(looks_at_next_, false);
   if (treatment_ == Treatment::unknown) treatment_ = Treatment::none;
-  if (sizes_.ae == 0 || !s.treat || settings().linearSolverSettings.ignoreSingularJacobian || redundant_.in_use()) return;
+  if (!treats_redundancy() || redundant_.in_use() || (begun_at_trial_ && it.newtonSteps > 1)) return;
   system().reactions_are_known({});
   if (!conv.linearSolverFailed && RedundantConstraints::evidently_none(system(), *pattern_, jacobian_)) return;
-  if (!redundant_.measure(system(), *pattern_, jacobian_, s.momentLength, rate_factor())) return;
+  if (!measure_redundancy()) return;
   if (!conv.linearSolverFailed && !redundant_.suspected(*linear_)) return;
   const auto factors = find_redundancy();
   if (factors && (redundant_.count() > 0 || conv.linearSolverFailed)) begin_treatment(*factors);
@@ -116,6 +125,16 @@ void NewtonSolver::begin_treatment(LinearSolver& factors) {
   redundant_.use(eps);
   linear_ = regularized_solver();
   factorize_anew();
+}
+
+// A step that fails in spite of its treatment is repeated without: weights are those of its size.
+[[gnu::noinline]] void NewtonSolver::drop_treatment() {
+  treatment_ = Treatment::none;
+  redundant_.use(0);
+  plain_.reset();
+  system().reactions_are_known({});
+  linear_ = make_linear_solver(*pattern_, linear_type(), linear_options());
+  conv.jacobianUpdateRequested = true;
 }
 
 // In the next step, unless the last factors of the first one have told already (`settle_multipliers`): redundancy may have been that of a
@@ -154,31 +173,42 @@ void NewtonSolver::end_treatment() {
 
 // Once per call of newton, where constraints may be to blame that it has not converged. True: again from the start of the step.
 [[gnu::noinline]] bool NewtonSolver::try_harder() {
-  if (tried_harder_ || sizes_.ae == 0 || conv.linearSolverFailed || it.newtonSteps == 0) return false;
+  const bool has_been_looked_at = conv.linearSolverFailed && it.newtonSteps <= 1;
+  if (tried_harder_ || sizes_.ae == 0 || it.newtonSteps == 0 || has_been_looked_at) return false;
   tried_harder_ = true;
-  if (redundant_.in_use()) {
-    const bool fits = misfit_.empty() || redundant_.largest(misfit_) <= silent_misfit;
-    redundant_.use(fits ? RedundantConstraints::passing_eps : RedundantConstraints::largest_eps);
-  } else {
-    const auto& s = settings().redundantConstraints;
-    if (!s.treat || settings().linearSolverSettings.ignoreSingularJacobian ||
-        !redundant_.measure(system(), *pattern_, jacobian_, s.momentLength, rate_factor()) || !redundant_.suspected(*linear_)) {
-      return false;
-    }
-    const auto factors = find_redundancy();
-    if (!factors) return false;
-    begin_treatment(*factors);
-  }
+  if (!redundant_.in_use()) return treat_from_start_of_step();
+  if (conv.linearSolverFailed) return false;
+  const bool fits = misfit_.empty() || redundant_.largest(misfit_) <= silent_misfit;
+  redundant_.use(fits ? RedundantConstraints::passing_eps : RedundantConstraints::largest_eps);
   conv.jacobianUpdateRequested = true;
   reset_to_start_of_step();
   return true;
 }
 
+// What Newton's method has tried may be far from any state of the system, where everything looks redundant: joints are as far apart as the
+// model is large, and nothing is to be learned.
+bool NewtonSolver::treat_from_start_of_step() {
+  if (!treats_redundancy() || !measure_redundancy()) return false;
+  const auto gaps = std::span<const double>(residual_).subspan(static_cast<std::size_t>(sizes_.first_ae()));
+  if (!(redundant_.largest(gaps) < torn_apart) || (!conv.linearSolverFailed && !redundant_.suspected(*linear_))) return false;
+  const std::vector<double> tried = residual_;
+  reset_to_start_of_step();
+  compute_residual();
+  compute_jacobian();
+  const auto factors = measure_redundancy() ? find_redundancy() : nullptr;
+  if (!factors) {
+    residual_ = tried;
+    return false;
+  }
+  begun_at_trial_ = true;
+  begin_treatment(*factors);
+  conv.jacobianUpdateRequested = true;
+  return true;
+}
+
 // Of the last matrix.
 bool NewtonSolver::near_singular_position() {
-  const auto& s = settings().redundantConstraints;
-  return sizes_.ae > 0 && !redundant_.in_use() && redundant_.measure(system(), *pattern_, jacobian_, s.momentLength, rate_factor()) &&
-         redundant_.much_weaker(*linear_);
+  return sizes_.ae > 0 && !redundant_.in_use() && measure_redundancy() && redundant_.much_weaker(*linear_);
 }
 
 // What the increment would leave open shows in its multipliers. The part that no motion closes would make them larger in each

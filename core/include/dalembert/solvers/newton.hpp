@@ -82,6 +82,10 @@ class NewtonSolver : public Solver {
   void look_for_redundancy_at_start();
   void look_for_redundancy();
   void begin_treatment(LinearSolver& factors);
+  void drop_treatment();
+  bool treat_from_start_of_step();
+  bool treats_redundancy() const;
+  bool measure_redundancy();
   void begin_announced_treatment();
   void regularize();
   std::unique_ptr<LinearSolver> regularized_solver() const;
@@ -138,6 +142,8 @@ class NewtonSolver : public Solver {
   bool contradiction_ = false;  // it has converged, and left too much open
   bool tried_harder_ = false, announced_ = false, warned_of_misfit_ = false;
   StepCount treated_since_ = 0;          // step
+  bool begun_at_trial_ = false;          // treatment since a matrix of unknowns that Newton's method tried
+  bool treatment_failed_ = false;        // within the step in which it was begun
   bool confirmed_ = false;               // redundancy at the start may be that of a singular position
   std::unique_ptr<LinearSolver> plain_;  // while a singular position is passed
   std::vector<double> misfit_;           // gaps that no motion closes, by equation; empty: none
