@@ -1,4 +1,4 @@
-// A disc on a plane: where they touch, and how they move there. Directions are global.
+// A disc on a plane: where they touch, and how they move there. Vectors are global, but for those by their components in the contact frame c.
 #pragma once
 
 #include <vector>
@@ -25,12 +25,13 @@ struct RollingContact {
     slip = disc.velocity + cross(disc.angular_velocity, radius) - plane.velocity - cross(plane.angular_velocity, arm);
   }
 
-  Vec3<S> local(const Vec3<S>& v) const { return {dot(lateral, v), dot(forward, v), dot(normal, v)}; }
+  // v_c = A_0c^T v_0
+  Vec3<S> local(const Vec3<S>& v_0) const { return {dot(lateral, v_0), dot(forward, v_0), dot(normal, v_0)}; }
 
-  // A force on the disc at the contact point, given in the contact frame, and its reaction on the plane.
-  std::array<Wrench<S>, 2> forces(const Vec3<S>& f) const {
-    const Vec3<S> force = f[0] * lateral + f[1] * forward + f[2] * normal;
-    return {Wrench<S>{-force, -cross(arm, force)}, Wrench<S>{force, cross(radius, force)}};
+  // A force on the disc at the contact point, and its reaction on the plane: f_0 = A_0c f_c.
+  std::array<Wrench<S>, 2> forces(const Vec3<S>& f_c) const {
+    const Vec3<S> f_0 = f_c[0] * lateral + f_c[1] * forward + f_c[2] * normal;
+    return {Wrench<S>{-f_0, -cross(arm, f_0)}, Wrench<S>{f_0, cross(radius, f_0)}};
   }
 };
 

@@ -39,7 +39,7 @@ struct Tree {
 template <class S>
 struct LinkPlace {
   S sine, cosine;    // of its coordinate
-  Mat3<S> rotation;  // of the frame of the link
+  Mat3<S> rotation;  // A_0l, of the frame of the link
   Vec3<S> axis;      // of its joint
   Vec3<S> arm;       // from the origin of the parent to that of the link
 };
@@ -101,22 +101,22 @@ DALEMBERT_INLINE inline Mat3<S> turned_about(const Mat3<double>& orientation, co
 template <class S>
 DALEMBERT_INLINE inline void place_links(const Tree& tree, const NumberOf<S>* q, std::span<LinkPlace<S>> places) {
   find_sines(q, places);
-  const Mat3<S> base = diagonal(S(1.0));
-  Mat3<S> parent = base;  // of chains, the link before, which is at hand
+  const Mat3<S> A_00 = diagonal(S(1.0));
+  Mat3<S> A_0l = A_00;  // of chains, at first that of the link before, which is at hand
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
     const TreeLink& link = tree.links[i];
     LinkPlace<S>& place = places[i];
-    if (link.parent + 1 != static_cast<int>(i)) parent = link.parent < 0 ? base : places[static_cast<std::size_t>(link.parent)].rotation;
+    if (link.parent + 1 != static_cast<int>(i)) A_0l = link.parent < 0 ? A_00 : places[static_cast<std::size_t>(link.parent)].rotation;
     with_axis(link.axis, [&]<int axis>() {
-      place.axis = parent * column(link.orientation, axis);
-      place.arm = parent * link.offset;
+      place.axis = A_0l * column(link.orientation, axis);
+      place.arm = A_0l * link.offset;
       if (link.slides) {
         place.arm += q[i] * place.axis;
-        parent = parent * link.orientation;
+        A_0l = A_0l * link.orientation;
       } else {
-        parent = parent * turned_about<axis>(link.orientation, place.sine, place.cosine);
+        A_0l = A_0l * turned_about<axis>(link.orientation, place.sine, place.cosine);
       }
-      place.rotation = parent;
+      place.rotation = A_0l;
     });
   }
 }
@@ -166,11 +166,11 @@ void find_origins(const Tree& tree, std::span<const LinkPlace<S>> places, std::s
 
 // The motion of a point that is fixed to a link.
 template <class S>
-Motion<S> motion_at(const LinkPlace<S>& place, const LinkMotion<S>& link, const Vec3<S>& origin, const Vec3<double>& local) {
-  const Vec3<S> r = place.rotation * local, swing = cross(link.spin, r);
-  return {.position = origin + r,
+Motion<S> motion_at(const LinkPlace<S>& place, const LinkMotion<S>& link, const Vec3<S>& origin, const Vec3<double>& r_l) {
+  const Vec3<S> r_0 = place.rotation * r_l, swing = cross(link.spin, r_0);
+  return {.position = origin + r_0,
           .velocity = link.velocity + swing,
-          .acceleration = link.acceleration + cross(link.spin_rate, r) + cross(link.spin, swing),
+          .acceleration = link.acceleration + cross(link.spin_rate, r_0) + cross(link.spin, swing),
           .rotation = place.rotation,
           .angular_velocity = link.spin,
           .angular_acceleration = link.spin_rate};

@@ -12,8 +12,6 @@ namespace {
 
 using Matrix = DynamicMatrix<double>;
 
-bool is_empty(const Matrix& m) { return m.rows * m.columns == 0; }
-
 Matrix zeros(int rows, int columns) { return {rows, columns, std::vector<double>(static_cast<std::size_t>(rows * columns))}; }
 
 // -int a x b of the blocks -int a~ b~ = int (a . b) I - b a^T: mXRefTildePsi of mXRefTildePsiTilde, mPsiTildePsi of mPsiTildePsiTilde.
@@ -31,8 +29,7 @@ Matrix tilde(const Matrix& of) {
   Matrix made = zeros(3, 3 * of.columns);
   for (int j = 0; j < of.columns; ++j) {
     const Mat3<double> s = skew(Vec3<double>{of(0, j), of(1, j), of(2, j)});
-    for (int row = 0; row < 3; ++row)
-      for (int column = 0; column < 3; ++column) made(row, 3 * j + column) = s(row, column);
+    for (int i = 0; i < 9; ++i) made(i / 3, 3 * j + i % 3) = s(i / 3, i % 3);
   }
   return made;
 }
@@ -41,7 +38,7 @@ constexpr const char* interface_class = "The class ObjectFFRFreducedOrderInterfa
 
 // What is given, though it follows from other parameters, must agree with them.
 void check_agreement(const char* name, const Matrix& given, const Matrix& made, const std::string& from, const ItemLabel& item) {
-  if (is_empty(given)) return;
+  if (given.values.empty()) return;
   check_size(name, given, made.rows, made.columns, item, interface_class);
   double largest = 0, error = 0;
   for (std::size_t i = 0; i < made.values.size(); ++i) {
@@ -76,13 +73,13 @@ void ObjectFFRFreducedOrder::check(const Parameters& p, const Placement& on, con
                                 "a reference configuration without deformation", "Use initialCoordinates of the node"});
   if (mesh % 3 != 0)
     refuse(ErrorKind::value, {item, "referencePositions", "", std::to_string(mesh) + " numbers", "three for each mesh node", ""});
-  if (mesh > 0 || !is_empty(p.modeBasis)) check_size("modeBasis", p.modeBasis, mesh, modes, item, "One column per mode");
+  if (mesh > 0 || !p.modeBasis.values.empty()) check_size("modeBasis", p.modeBasis, mesh, modes, item, "One column per mode");
   const OutputVariableType variable = p.outputVariableTypeModeBasis;
   if (variable != OutputVariableType::_None && variable != OutputVariableType::StressLocal && variable != OutputVariableType::StrainLocal)
     refuse(ErrorKind::value, {item, "outputVariableTypeModeBasis", "it is another variable", "", "StressLocal, StrainLocal or _None", ""});
   if (variable != OutputVariableType::_None)
     check_size("outputVariableModeBasis", p.outputVariableModeBasis, mesh / 3, 6 * modes, item, "Six columns per mode");
-  if (p.computeFFRFterms || !is_empty(p.mPhitTPsi)) check_size("mPhitTPsi", p.mPhitTPsi, 3, modes, item, interface_class);
+  if (p.computeFFRFterms || !p.mPhitTPsi.values.empty()) check_size("mPhitTPsi", p.mPhitTPsi, 3, modes, item, interface_class);
   if (!p.computeFFRFterms) return;
   check_inertia(p.physicsMass, p.physicsInertia, p.physicsCenterOfMass, item);
   check_size("mXRefTildePsiTilde", p.mXRefTildePsiTilde, 3, 3 * modes, item, interface_class);
@@ -96,9 +93,9 @@ void ObjectFFRFreducedOrder::complete(Parameters& p, const Placement&) {
   p.physicsCenterOfMassTilde = skew(p.physicsCenterOfMass);
   p.objectIsInitialized = true;
   if (!p.computeFFRFterms) return;
-  if (is_empty(p.mPhitTPsiTilde)) p.mPhitTPsiTilde = tilde(p.mPhitTPsi);
-  if (is_empty(p.mXRefTildePsi)) p.mXRefTildePsi = crossed(p.mXRefTildePsiTilde);
-  if (is_empty(p.mPsiTildePsi)) p.mPsiTildePsi = crossed(p.mPsiTildePsiTilde);
+  if (p.mPhitTPsiTilde.values.empty()) p.mPhitTPsiTilde = tilde(p.mPhitTPsi);
+  if (p.mXRefTildePsi.values.empty()) p.mXRefTildePsi = crossed(p.mXRefTildePsiTilde);
+  if (p.mPsiTildePsi.values.empty()) p.mPsiTildePsi = crossed(p.mPsiTildePsiTilde);
 }
 
 ModalInertia ObjectFFRFreducedOrder::prepare(const Parameters& p) {
@@ -113,11 +110,9 @@ ModalInertia ObjectFFRFreducedOrder::prepare(const Parameters& p) {
     k.moments.push_back(vector_of<3>([&](int i) { return p.mPhitTPsi(i, j); }));
     k.arms.push_back(vector_of<3>([&](int i) { return p.mXRefTildePsi(i, j); }));
     k.inertias.push_back(matrix_of<3, 3>([&](int row, int column) { return p.mXRefTildePsiTilde(row, 3 * j + column); }));
-    for (int i = 0; i < 3; ++i)
-      for (int other = 0; other < modes; ++other) k.crossed.push_back(p.mPsiTildePsi(3 * other + i, j));
+    for (int i = 0; i < 3 * modes; ++i) k.crossed.push_back(p.mPsiTildePsi(3 * (i % modes) + i / modes, j));
     for (int entry = 0; entry < 9; ++entry)
-      for (int other = 0; other < modes; ++other)
-        k.products.push_back(p.mPsiTildePsiTilde(3 * other + entry / 3, 3 * j + entry % 3));
+      for (int i = 0; i < modes; ++i) k.products.push_back(p.mPsiTildePsiTilde(3 * i + entry / 3, 3 * j + entry % 3));
   }
   return k;
 }
@@ -126,11 +121,9 @@ bool ObjectFFRFreducedOrder::mesh_output(const Parameters& p, const SizedCoordin
                                          std::vector<double>& values) {
   if (variable != p.outputVariableTypeModeBasis || variable == OutputVariableType::_None) return false;
   constexpr int components = 6;
-  const int modes = p.outputVariableModeBasis.columns / components;
+  const int columns = p.outputVariableModeBasis.columns, first = x.count - columns / components;
   values.assign(components, 0.0);
-  for (int mode = 0; mode < modes; ++mode)
-    for (int i = 0; i < components; ++i)
-      values[static_cast<std::size_t>(i)] += p.outputVariableModeBasis(node, components * mode + i) * x.u[x.count - modes + mode];
+  for (int i = 0; i < columns; ++i) values[static_cast<std::size_t>(i % components)] += p.outputVariableModeBasis(node, i) * x.u[first + i / components];
   return true;
 }
 

@@ -75,7 +75,8 @@ struct ObjectFFRF::On : ObjectFFRF {
     if (k.coordinates == 0) return;
     const auto at_node = x.template of_first<Node>();
     const SpinMotion<S> frame = spin_motion<Node, S>(at_node);
-    const Vec3<S>&w = frame.spin, &w_t = frame.spin_rate, a = transposed_times(frame.rotation, frame.acceleration);
+    const Mat3<S>& A_0F = frame.rotation;
+    const Vec3<S>&w = frame.spin, &w_t = frame.spin_rate, a = transposed_times(A_0F, frame.acceleration);
     Vec3<S> sum{}, moment{};
     for (int i = 0; i < k.coordinates; i += 3) {
       const auto [position, velocity, acceleration] = weighted(k, x, i);
@@ -86,9 +87,9 @@ struct ObjectFFRF::On : ObjectFFRF {
       moment += cross(y, force);
       for (int axis = 0; axis < 3; ++axis) r[static_cast<std::size_t>(Node::size + i + axis)] = force[axis];
     }
-    const auto whole = pull_back_spin_wrench<Node, S>(at_node, frame.rotation * sum, moment);
+    const auto whole = pull_back_spin_wrench<Node, S>(at_node, A_0F * sum, moment);
     for (int i = 0; i < Node::size; ++i) r[static_cast<std::size_t>(i)] = whole[i];
-    subtract_force(k, frame.rotation, r);
+    subtract_force(k, A_0F, r);
   }
 
  private:
@@ -113,12 +114,12 @@ struct ObjectFFRF::On : ObjectFFRF {
   }
   // Those on the nodes are turned into the frame.
   template <class S>
-  static void subtract_force(const MeshInertia& k, const Mat3<S>& rotation, std::span<S> r) {
+  static void subtract_force(const MeshInertia& k, const Mat3<S>& A_0F, std::span<S> r) {
     if (k.force.empty()) return;
     for (std::size_t i = 0; i < Node::size; ++i) r[i] -= k.force[i];
     for (std::size_t i = Node::size; i < k.force.size(); i += 3) {
-      const Vec3<S> force = transposed_times(rotation, load<double, 3>(k.force.data() + i));
-      for (int axis = 0; axis < 3; ++axis) r[i + static_cast<std::size_t>(axis)] -= force[axis];
+      const Vec3<S> f_F = transposed_times(A_0F, load<double, 3>(k.force.data() + i));
+      for (int axis = 0; axis < 3; ++axis) r[i + static_cast<std::size_t>(axis)] -= f_F[axis];
     }
   }
 };

@@ -83,7 +83,8 @@ struct ObjectFFRFreducedOrder::On : ObjectFFRFreducedOrder {
     if (!k.acts) return;
     const auto at_node = x.template of_first<Node>();
     const SpinMotion<S> frame = spin_motion<Node, S>(at_node);
-    const Vec3<S>&w = frame.spin, &w_t = frame.spin_rate, a = transposed_times(frame.rotation, frame.acceleration);
+    const Mat3<S>& A_0F = frame.rotation;
+    const Vec3<S>&w = frame.spin, &w_t = frame.spin_rate, a = transposed_times(A_0F, frame.acceleration);
     Vec3<S> s = Vec3<S>{} + k.moment, s_t{}, s_tt{}, moment{};
     Mat3<S> inertia = Mat3<S>{} + k.inertia, changing{};  // and half of its rate, as far as it makes moments
     for (int j = 0; j < k.modes; ++j) {
@@ -94,17 +95,14 @@ struct ObjectFFRFreducedOrder::On : ObjectFFRFreducedOrder {
       s += zeta * k.moments[j];
       s_t += zeta_t * k.moments[j];
       s_tt += zeta_tt * k.moments[j];
-      for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 3; ++column) {
-          inertia(row, column) += zeta * (n(row, column) + k.inertias[j](column, row));
-          changing(row, column) += zeta_t * n(row, column);
-        }
+      const Mat3<S> both = n + transpose(k.inertias[j]);
+      for (int i = 0; i < 9; ++i) inertia.x[i] += zeta * both.x[i], changing.x[i] += zeta_t * n.x[i];
       moment -= zeta_tt * arm;
       r[Node::size + j] = dot(k.moments[j], a) - dot(arm, w_t) - dot(w, n * w) - 2.0 * dot(arm_t, w);
     }
     moment += cross(s, a) + inertia * w_t + cross(w, inertia * w) + 2.0 * (changing * w);
     const Vec3<S> force = k.mass * a + cross(w_t, s) + cross(w, cross(w, s)) + 2.0 * cross(w, s_t) + s_tt;
-    const auto whole = pull_back_spin_wrench<Node, S>(at_node, frame.rotation * force, moment);
+    const auto whole = pull_back_spin_wrench<Node, S>(at_node, A_0F * force, moment);
     for (int i = 0; i < Node::size; ++i) r[i] = whole[i];
   }
 
