@@ -3,7 +3,6 @@
 #include <pybind11/stl.h>
 
 #include <cmath>
-#include <iterator>
 
 #include "conversion.hpp"
 #include "general_contact_handle.hpp"
@@ -61,28 +60,21 @@ int add_triangles(const ContactHandle& self, const py::object& marker, double st
   for (py::ssize_t i = 0; i < p.shape(0); ++i)
     for (py::ssize_t k = 0; k < 3; ++k)
       if (!std::isfinite(p(i, k))) refuse_value(method, "pointList[" + std::to_string(i) + "]", text_of(p(i, k)), "3 finite numbers (unit m)");
-  const int carrier = static_cast<int>(self.set->carriers.size());
-  std::vector<ContactTriangle> added;
+  std::vector<Triangle> added;
   for (py::ssize_t i = 0; i < t.shape(0); ++i) {
-    ContactTriangle one{carrier, {}};
+    Triangle one;
     const std::string parameter = "triangleList[" + std::to_string(i) + "]";
     for (py::ssize_t k = 0; k < 3; ++k) {
       const double index = t(i, k);
       if (!(index >= 0 && index < static_cast<double>(p.shape(0))) || index != std::floor(index))
         refuse_value(method, parameter, text_of(index), "whole numbers from 0 to " + std::to_string(p.shape(0) - 1) + ", of points in pointList");
       const auto at = static_cast<py::ssize_t>(index);
-      one.points[static_cast<std::size_t>(k)] = {p(at, 0), p(at, 1), p(at, 2)};
+      one[static_cast<std::size_t>(k)] = {p(at, 0), p(at, 1), p(at, 2)};
     }
-    require_area(method, parameter, one.points);
+    require_area(method, parameter, one);
     added.push_back(one);
   }
-  Model& model = self.main->restructure(ContactHandle::called(method));
-  const int first = static_cast<int>(self.set->triangles.size());
-  self.set->carriers.push_back({number, surface});
-  std::ranges::copy(added, std::back_inserter(self.set->triangles));
-  ++self.set->shapes;
-  model.term_source_changed();
-  return first;
+  return add_triangles_of_body(self, method, number, surface, added);
 }
 
 void set_friction_pairings(const ContactHandle& self, const py::object& pairings) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "general_contact_handle.hpp"
 #include "index_types.hpp"
@@ -124,20 +123,13 @@ int add_height_field(const ContactHandle& self, const py::object& marker, const 
     if (!std::isfinite(h(i, k))) refuse_value(method, "heights[" + std::to_string(i) + "," + std::to_string(k) + "]", text_of(h(i, k)), "a finite number (unit m)");
     return Vec3<double>{from[0] + static_cast<double>(i) * size[0], from[1] + static_cast<double>(k) * size[1], from[2] + h(i, k)};
   };
-  const int carrier = static_cast<int>(self.set->carriers.size());
-  std::vector<ContactTriangle> added;
+  std::vector<Triangle> added;
   for (py::ssize_t i = 0; i + 1 < h.shape(0); ++i)
     for (py::ssize_t k = 0; k + 1 < h.shape(1); ++k) {
-      added.push_back({carrier, {point(i, k), point(i + 1, k), point(i + 1, k + 1)}});
-      added.push_back({carrier, {point(i, k), point(i + 1, k + 1), point(i, k + 1)}});
+      added.push_back({point(i, k), point(i + 1, k), point(i + 1, k + 1)});
+      added.push_back({point(i, k), point(i + 1, k + 1), point(i, k + 1)});
     }
-  Model& model = self.main->restructure(ContactHandle::called(method));
-  const int first = static_cast<int>(self.set->triangles.size());
-  self.set->carriers.push_back({number, surface});
-  std::ranges::copy(added, std::back_inserter(self.set->triangles));
-  ++self.set->shapes;
-  model.term_source_changed();
-  return first;
+  return add_triangles_of_body(self, method, number, surface, added);
 }
 
 // By a term of its own: nothing that a solver keeps is touched.

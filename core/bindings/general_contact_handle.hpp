@@ -67,4 +67,15 @@ A table_argument(const char* method, const char* parameter, const py::object& va
   return array;
 }
 
+// All of one body; returns the number of the first of them.
+inline int add_triangles_of_body(const ContactHandle& self, const char* method, int marker, const ContactSurface& surface, const std::vector<Triangle>& triangles) {
+  Model& model = self.main->restructure(ContactHandle::called(method));
+  const int first = static_cast<int>(self.set->triangles.size()), carrier = static_cast<int>(self.set->carriers.size());
+  self.set->carriers.push_back({marker, surface});
+  for (const Triangle& points : triangles) self.set->triangles.push_back({carrier, points});
+  ++self.set->shapes;
+  model.term_source_changed();
+  return first;
+}
+
 }  // namespace dalembert

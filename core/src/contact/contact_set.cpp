@@ -26,22 +26,17 @@ void check_marker(const Model& model, const std::string& name, const std::string
 
 void ContactSet::check(const Model& model, const std::string& name) const {
   int largest = -1;
-  for (std::size_t i = 0; i < spheres.size(); ++i) {
-    check_marker(model, name, "sphere " + std::to_string(i) + ": markerIndex", spheres[i].marker, "Position", "a marker with a position, such as MarkerBodyPosition or MarkerBodyRigid");
-    largest = std::max(largest, spheres[i].surface.material);
-  }
-  for (std::size_t i = 0; i < carriers.size(); ++i) {
-    check_marker(model, name, "triangles " + std::to_string(i) + ": rigidBodyMarkerIndex", carriers[i].marker, "Orientation", "a marker with an orientation, such as MarkerBodyRigid");
-    largest = std::max(largest, carriers[i].surface.material);
-  }
-  for (std::size_t i = 0; i < convex.size(); ++i) {
-    check_marker(model, name, "convex shape " + std::to_string(i) + ": markerIndex", convex[i].marker, "Orientation", "a marker with an orientation, such as MarkerBodyRigid");
-    largest = std::max(largest, convex[i].surface.material);
-  }
-  for (std::size_t i = 0; i < planes.size(); ++i) {
-    check_marker(model, name, "plane " + std::to_string(i) + ": rigidBodyMarkerIndex", planes[i].marker, "Orientation", "a marker with an orientation, such as MarkerBodyRigid");
-    largest = std::max(largest, planes[i].surface.material);
-  }
+  const auto check_all = [&](const auto& things, const char* called, const char* parameter, std::string_view what, const char* expected) {
+    for (std::size_t i = 0; i < things.size(); ++i) {
+      check_marker(model, name, called + std::to_string(i) + ": " + parameter, things[i].marker, what, expected);
+      largest = std::max(largest, things[i].surface.material);
+    }
+  };
+  constexpr const char* turning = "a marker with an orientation, such as MarkerBodyRigid";
+  check_all(spheres, "sphere ", "markerIndex", "Position", "a marker with a position, such as MarkerBodyPosition or MarkerBodyRigid");
+  check_all(carriers, "triangles ", "rigidBodyMarkerIndex", "Orientation", turning);
+  check_all(convex, "convex shape ", "markerIndex", "Orientation", turning);
+  check_all(planes, "plane ", "rigidBodyMarkerIndex", "Orientation", turning);
   for (std::size_t i = 0; i < cables.size(); ++i) {
     const int object = cables[i].object;
     const std::string owner = "cable " + std::to_string(i) + ": objectIndex";

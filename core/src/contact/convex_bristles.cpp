@@ -59,7 +59,7 @@ void GeneralContact::grow_convex(const Ports& ports) {
     if (pairing.friction == 0) continue;
     const RigidFrame<double>&frame0 = scene_.frame(t.first), &frame1 = scene_.frame(t.second);
     const Meeting<double> at = meeting_of(t, frame0, frame1);
-    const Vec3<double> velocity = frame1.velocity + cross(frame1.angular_velocity, at.arm1) - frame0.velocity - cross(frame0.angular_velocity, at.arm0);
+    const Vec3<double> velocity = relative_velocity(frame0, frame1, at);
     const double pressure = pairing.pressure(at.gap, dot(at.normal, velocity));
     if (pressure > 0) grown_convex_.push_back({t.first, t.second, t.key, bristle_after(bristle_of(t), pairing, at, velocity, pressure, frame0, frame1)});
   }

@@ -32,7 +32,7 @@ void GeneralContact::find_convex(const Ports& ports, std::vector<ConvexTouch>& f
   std::erase_if(found, [&](ConvexTouch& t) {
     const RigidFrame<double>&frame0 = scene_.frame(t.first), &frame1 = scene_.frame(t.second);
     const Meeting<double> at = meeting_of(t, frame0, frame1);
-    const Vec3<double> velocity = frame1.velocity + cross(frame1.angular_velocity, at.arm1) - frame0.velocity - cross(frame0.angular_velocity, at.arm0);
+    const Vec3<double> velocity = relative_velocity(frame0, frame1, at);
     const double away = dot(at.normal, velocity);
     const ContactPairing pairing = convex_pairing(t);
     t.sticks = pairing.friction == 0 || norm(velocity - away * at.normal) < set_->proportional_zone;
@@ -48,7 +48,7 @@ void GeneralContact::add_convex(const ConvexTouch& t, Ports& ports, std::optiona
   const int marker0 = scene_.marker(t.first), marker1 = scene_.marker(t.second);
   const RigidFrame<double> frame0 = frame_of(marker0, ports), frame1 = frame_of(marker1, ports);
   const Meeting<double> at = meeting_of(t, frame0, frame1);
-  const Vec3<double> velocity = frame1.velocity + cross(frame1.angular_velocity, at.arm1) - frame0.velocity - cross(frame0.angular_velocity, at.arm0);
+  const Vec3<double> velocity = relative_velocity(frame0, frame1, at);
   const Vec3<double> f = convex_force(t, at, velocity, frame0, frame1, sticks);
   const auto push = [&](int marker, const Vec3<double>& force, const Vec3<double>& moment) {
     double* to = ports.force(marker);
@@ -74,7 +74,7 @@ std::vector<GeneralContact::ConvexPlace> GeneralContact::convex_places(const Por
   for (const ConvexTouch& t : convex_found_) {
     const RigidFrame<double>&frame0 = scene_.frame(t.first), &frame1 = scene_.frame(t.second);
     const Meeting<double> at = meeting_of(t, frame0, frame1);
-    const Vec3<double> velocity = frame1.velocity + cross(frame1.angular_velocity, at.arm1) - frame0.velocity - cross(frame0.angular_velocity, at.arm0);
+    const Vec3<double> velocity = relative_velocity(frame0, frame1, at);
     places.push_back({global_number(t.first), global_number(t.second), frame0.position + at.arm0, at.normal, convex_force(t, at, velocity, frame0, frame1, {}), at.gap, t.share});
   }
   return places;
@@ -112,7 +112,7 @@ void GeneralContact::add_convex_tangent(const Ports& ports, double* values) cons
     for (int first = 0; first < columns.total; first += sweep_width) {
       const RigidFrame<SweepDual> m0 = moving_frame(ports, marker0, columns.offset[0], first), m1 = moving_frame(ports, marker1, columns.offset[1], first);
       const Meeting<SweepDual> at = meeting_of(t, m0, m1);
-      const Vec3<SweepDual> velocity = m1.velocity + cross(m1.angular_velocity, at.arm1) - m0.velocity - cross(m0.angular_velocity, at.arm0);
+      const Vec3<SweepDual> velocity = relative_velocity(m0, m1, at);
       const Vec3<SweepDual> f = convex_force(t, at, velocity, m0, m1, t.sticks);
       scatter(ports, marker0, columns.offset[0], columns.total, first, {f, cross(at.arm0, f)}, slot, values);
       scatter(ports, marker1, columns.offset[1], columns.total, first, {-f, -cross(at.arm1, f)}, slot, values);

@@ -202,7 +202,7 @@ void GeneralContact::tangent(const Evaluation&, const Weights& weights, Ports& p
     for (int first = 0; first < columns.total; first += sweep_width) {
       const RigidFrame<SweepDual> m0 = moving_frame(ports, marker0, columns.offset[0], first), m1 = moving_frame(ports, marker1, columns.offset[1], first);
       const Meeting<SweepDual> at = of_spheres ? meet_sphere(c.sphere, c.other, m0.position, m1.position) : meet_triangle(c.sphere, c.other - set_->first_triangle(), m0.position, m1);
-      const Vec3<SweepDual> velocity = m1.velocity + cross(m1.angular_velocity, at.arm1) - m0.velocity - cross(m0.angular_velocity, at.arm0);
+      const Vec3<SweepDual> velocity = relative_velocity(m0, m1, at);
       const Vec3<SweepDual> f = force_of(c, at, velocity, m0, m1);
       scatter(ports, marker0, columns.offset[0], columns.total, first, {f, cross(at.arm0, f)}, slot, values);
       scatter(ports, marker1, columns.offset[1], columns.total, first, {-f, -cross(at.arm1, f)}, slot, values);

@@ -18,6 +18,12 @@ RigidFrame<S> turned_never(const PointFrame<S>& point) {
 inline Vec3<double> into(const RigidFrame<double>& frame, const Vec3<double>& point) { return transposed_times(frame.rotation, point - frame.position); }
 inline Vec3<double> out_of(const RigidFrame<double>& frame, const Vec3<double>& point) { return frame.position + frame.rotation * point; }
 
+// Of the second thing against the first one, where they meet.
+template <class S>
+Vec3<S> relative_velocity(const RigidFrame<S>& frame0, const RigidFrame<S>& frame1, const ContactMeeting<S>& at) {
+  return frame1.velocity + cross(frame1.angular_velocity, at.arm1) - frame0.velocity - cross(frame0.angular_velocity, at.arm0);
+}
+
 inline RigidFrame<SweepDual> moving_frame(const Ports& ports, int marker, int offset, int first) {
   if (has_rotation(ports, marker)) return read_moving_frame<RigidPort>(ports, marker, offset, first);
   return turned_never(read_moving_frame<PointPort>(ports, marker, offset, first));
