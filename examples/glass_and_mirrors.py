@@ -46,7 +46,7 @@ mbs.CreateGround("others", graphicsDataList=others)
 mbs.Assemble()
 settings.view0.camera.perspective = 0.4
 settings.openGL.light0.position = [2.5, -4, 6, 1]
-settings.openGL.light0.shadow, settings.openGL.light0.specular = 0.7, 0.5
+settings.openGL.light0.specular = 0.5
 settings.openGL.light0.lightRadius, settings.raytracer.lightRadiusVariations = 0.6, 8
 settings.raytracer.maxReflectionDepth, settings.raytracer.maxTransparencyDepth = 2, 4
 settings.raytracer.multiSampling = 2

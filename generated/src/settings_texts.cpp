@@ -256,7 +256,7 @@ constexpr std::array<std::string_view, 10> VSettingsLight_rows{
     "term of the attenuation that grows with the distance; of lights with a position, by the ray tracer only",
     "position of the light if the fourth number is 1; direction towards a light at infinity if it is 0",
     "term of the attenuation that grows with the square of the distance; of lights with a position, by the ray tracer only",
-    "strength of the shadows of this light, from 0 (none) to 1, by the ray tracer only; shadows cost rendering time",
+    "whether this light casts shadows, which are those of the ray tracer: any number above 0, however large; shadows cost rendering time",
     "strength of highlights",
     "true: position and direction are fixed to the camera; false: to the model; by the ray tracer only, otherwise lights turn with the viewer, as do those whose position is the default",
 };

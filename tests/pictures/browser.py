@@ -1,7 +1,7 @@
 """A browser for tests, driven by the DevTools protocol over websockets: nothing is needed besides the browser itself.
 
 It is the one of DALEMBERT_BROWSER, or chromium of the system. Without one, tests are skipped by name, and the summary of
-pytest says so (conftest.py); where DALEMBERT_BROWSER is set, they fail.
+pytest says so (conftest.py); where DALEMBERT_BROWSER is set, as by .ci/run, they fail.
 """
 
 from __future__ import annotations
@@ -26,18 +26,26 @@ DEBIAN = "/usr/bin/chromium"  # Mesa of the system draws five times as fast as w
 MESA = ["--use-angle=gl-egl", "--ignore-gpu-blocklist"]
 OWN = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--single-process", "--no-zygote"]
 OPTIONS = [
-    "--headless", "--no-sandbox", "--no-first-run", "--disable-extensions", "--window-size=800,600", "--use-gl=angle",
+    "--headless", "--no-sandbox", "--no-first-run", "--disable-extensions", "--use-gl=angle",
 ]  # fmt: skip
 
 
 def program() -> str:
     """Path of the browser; skips the test if there is none."""
     if named := os.environ.get("DALEMBERT_BROWSER"):
+        if shutil.which(named) is None:
+            pytest.fail(f"DALEMBERT_BROWSER: {named} is no program; {MISSING}", pytrace=False)
         return named
     found = next(filter(None, map(shutil.which, ("chromium", "google-chrome", "chrome-headless-shell"))), None)
     if found is None:
         pytest.skip(MISSING)
     return found
+
+
+def command(size: str = "800,600") -> list[str]:
+    """Program and options of a browser without a display; size: width and height of its window."""
+    path = program()
+    return [path, *OPTIONS, *(MESA if path == DEBIAN else OWN), f"--window-size={size}"]
 
 
 class Tab:
@@ -131,22 +139,16 @@ class Browser:
 @contextlib.contextmanager
 def running() -> Iterator[Browser]:
     """Start the browser, and end it."""
-    path = program()
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
-        options = [
-            *OPTIONS,
-            *(MESA if path == DEBIAN else OWN),
-            f"--user-data-dir={folder}",
-            "--remote-debugging-port=0",
-        ]
+        options = [f"--user-data-dir={folder}", "--remote-debugging-port=0"]
         process = subprocess.Popen(
-            [path, *options, "about:blank"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+            [*command(), *options, "about:blank"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
         )
         try:
             noted = Path(folder, "DevToolsActivePort")
             end = time.monotonic() + 60
             while not (noted.exists() and noted.read_text().count("\n") >= 1):
-                assert process.poll() is None and time.monotonic() < end, f"{path} does not start"
+                assert process.poll() is None and time.monotonic() < end, f"{process.args} does not start"
                 time.sleep(0.05)
             yield Browser(int(noted.read_text().split()[0]))
         finally:

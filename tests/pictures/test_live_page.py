@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import copy
 import json
-import shutil
 import socket
 import subprocess
 import sys
@@ -372,24 +371,6 @@ def test_stored_messages_say_what_was_written() -> None:
     np.testing.assert_array_equal(moved[1], [1, 0, 0, 2, 0, 1, 0, 0, 0, 0, 1, 0])
     np.testing.assert_array_equal(moved[3], [0, 0, 0, 1, 1, 2])
     assert [moved[k] is None for k in (2, 4, 5)] == [True, True, True]  # the sphere, counts of points, the text
-
-
-def test_javascript_reads_the_same_messages() -> None:
-    node = shutil.which("node")
-    if node is None:
-        pytest.skip("node is not installed")
-    Path("read.mjs").write_text(
-        f"import {{ message }} from {json.dumps((FOLDER / 'data.js').as_uri())};\n"
-        "import { readFileSync } from 'node:fs';\n"
-        f"const names = {json.dumps([str(path) for path in GOLDEN])};\n"
-        "const read = names.map((name) => message(Uint8Array.from(readFileSync(name)).buffer));\n"
-        "console.log(JSON.stringify(read.map(({ head, arrays }) => [head, arrays.map((a) => a && Array.from(a))])));\n"
-    )
-    done = subprocess.run([node, "--no-warnings", "read.mjs"], capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
-    sent = [path.read_bytes() for path in GOLDEN]
-    expected = [[head, [None if a is None else a.tolist() for a in arrays]] for head, arrays in map(unpacked, sent)]
-    assert json.loads(done.stdout) == expected
 
 
 def test_a_page_sees_the_motion_while_it_is_computed(SC: Any, swinging: Any, viewer: Viewer) -> None:

@@ -13,6 +13,7 @@ import subprocess
 from pathlib import Path
 from typing import Any
 
+import browser
 import numpy as np
 import pytest
 
@@ -25,8 +26,6 @@ from dalembert.itemInterface import NodePoint2DSlope1, ObjectANCFCable2D, VObjec
 from dalembert.utilities import InertiaCuboid
 
 FOLDER = Path(exu.__file__).resolve().parent / "_pictures/page"
-CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")
-WITHOUT_DISPLAY = ["--headless", "--no-sandbox", "--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist"]
 
 
 def unpacked(data: bytes) -> tuple[dict[str, Any], list[Any]]:
@@ -163,39 +162,8 @@ def test_the_bundle_is_made_of_its_sources() -> None:
     assert "SPDX-License-Identifier: MIT" in (FOLDER / "bundle.js").read_text("utf-8")  # of three.js
 
 
-def needed(program: str | None, name: str) -> str:
-    """Skip where a program is missing."""
-    if program is None:
-        pytest.skip(f"{name} is not installed")
-    return program
-
-
-def test_javascript_reads_the_same(falling: Any) -> None:
-    node = needed(shutil.which("node"), "node")
-    falling.SaveHTML("falling.html", framesPerSecond=10)
-    data = data_of(Path("falling.html").read_text("utf-8"))
-    Path("read.mjs").write_text(
-        f"import {{ read, frame }} from {json.dumps((FOLDER / 'data.js').as_uri())};\n"
-        f'const {{ head, arrays }} = await read("{base64.b64encode(data).decode()}");\n'
-        "const brick = head.meshes.find((mesh) => mesh.places);\n"
-        "const third = Array.from(frame(arrays[brick.places[0]], 12, 3, new Float32Array(12)));\n"
-        "console.log(JSON.stringify({ head, third, sums: arrays.map((a) => a.reduce((s, x) => s + x, 0)) }));\n"
-    )
-    done = subprocess.run([node, "--no-warnings", "read.mjs"], capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
-    read = json.loads(done.stdout)
-    head, arrays = unpacked(data)
-    assert read["head"] == head
-    assert read["sums"] == pytest.approx([float(a.sum(dtype=float)) for a in arrays])
-    brick = next(mesh for mesh in head["meshes"] if "places" in mesh)
-    assert read["third"] == pytest.approx(
-        arrays[brick["places"][0]].reshape(12, -1)[:, -1 if arrays[brick["places"][0]].size == 12 else 3]
-    )
-
-
 def test_a_browser_shows_it_offline(falling: Any) -> None:
     """It runs, has drawn, tells the time, knows the item in the middle, and has made no request; its policy would refuse one."""
-    browser = needed(CHROMIUM, "chromium")
     falling.SaveHTML("falling.html", framesPerSecond=10, title="a brick falls")
     text = Path("falling.html").read_text("utf-8")
     probe = """<script>
@@ -213,7 +181,7 @@ def test_a_browser_shows_it_offline(falling: Any) -> None:
       }, 3000);
     </script></html>"""
     Path("probe.html").write_text(text.replace("</html>", probe), "utf-8")
-    command = [browser, *WITHOUT_DISPLAY, "--window-size=400,300", "--virtual-time-budget=6000", "--dump-dom"]
+    command = [*browser.command("400,300"), "--virtual-time-budget=6000", "--dump-dom"]
     done = subprocess.run(
         [*command, Path("probe.html").resolve().as_uri()], capture_output=True, text=True, timeout=120
     )

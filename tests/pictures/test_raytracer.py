@@ -279,7 +279,7 @@ CHANGES = {
     "raytracer.material7.ior": 1.0,
     "raytracer.material7.shininess": 2.0,
     "raytracer.material7.specular": [0.0, 0.0, 0.0],
-    "openGL.light0.shadow": 1.0,
+    "openGL.light0.shadow": 0.0,
     "openGL.light1.useCameraFrame": True,
     "openGL.light1.constantAttenuation": 2.0,
     "openGL.light1.linearAttenuation": 1.0,
@@ -318,6 +318,16 @@ def test_lights_have_a_size(SC: Any, mbs: Any) -> None:
         settings.openGL.light0.lightRadius, settings.raytracer.lightRadiusVariations = 2.0, 9
         change(settings, path, value)
         assert np.abs(SC.renderer.RedrawAndGetImage(useRaytracer=True).astype(int) - soft).max() > 8, path
+
+
+def test_a_light_casts_shadows_or_not(SC: Any, mbs: Any) -> None:
+    """Settings that were chosen for other renderers give the strength of shadows, which is physical here."""
+    settings, images = scene(SC, mbs), []
+    for shadow in (0.01, 0.5, 1.0):
+        settings.openGL.light0.shadow = shadow
+        images.append(SC.renderer.RedrawAndGetImage(useRaytracer=True))
+    np.testing.assert_array_equal(images[0], images[1])
+    np.testing.assert_array_equal(images[0], images[2])
 
 
 def test_materials_of_the_renderer_come_before_those_of_the_settings(SC: Any, mbs: Any) -> None:

@@ -638,7 +638,7 @@ class VSettingsLight(_Settings):
     quadraticAttenuation: float
     """term of the attenuation that grows with the square of the distance; of lights with a position, by the ray tracer only [1/m^2]; default: 0.0"""
     shadow: float
-    """strength of the shadows of this light, from 0 (none) to 1, by the ray tracer only; shadows cost rendering time [1]; default: 0.0"""
+    """whether this light casts shadows, which are those of the ray tracer: any number above 0, however large; shadows cost rendering time [1]; default: 0.0"""
     specular: float
     """strength of highlights [1]; default: 0.5"""
     useCameraFrame: bool

@@ -64,7 +64,7 @@ def lights(camera: Camera, looks: Looks) -> list[Any]:
     """Return lights in eye coordinates.
 
     Those whose position is the default turn with the viewer; others are fixed to the model, unless useCameraFrame is
-    set, at a place or at infinity.
+    set, at a place or at infinity. A light casts shadows or not: how dark they are follows from the other lights.
     """
     found, gl, rows = [], looks.setting("openGL"), camera.view()
     for name, usual in (("light0", LIGHTS[0]), ("light1", LIGHTS[1]), ("light2", None), ("light3", None)):
@@ -82,7 +82,7 @@ def lights(camera: Camera, looks: Looks) -> list[Any]:
         if far:
             place = place / np.linalg.norm(place)
         fading = [light.constantAttenuation, light.linearAttenuation, light.quadraticAttenuation]
-        found.append((place, far, [light.diffuse, light.specular, light.shadow, size], fading))
+        found.append((place, far, [light.diffuse, light.specular, float(light.shadow > 0), size], fading))
     return found
 
 
