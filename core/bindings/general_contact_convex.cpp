@@ -168,20 +168,17 @@ void register_convex_contact(py::class_<ContactHandle>& contact) {
   const std::vector<double> zero{0, 0, 0};
   contact.def("AddBoxWithMarker", &add_box, py::arg("markerIndex"), py::arg("size"), py::arg("contactStiffness"), py::arg("contactDamping"), py::arg("frictionMaterialIndex"),
               py::arg("centerPoint") = zero, "Add a box in the axes of a marker; returns its number among the convex shapes.");
-  contact.def(
-      "AddCylinderWithMarker",
-      [](const ContactHandle& self, const py::object& marker, double radius, const py::object& along, double stiffness, double damping, int material, const py::object& from) {
-        return add_round(self, "AddCylinderWithMarker", ConvexKind::cylinder, marker, radius, along, stiffness, damping, material, from);
-      },
-      py::arg("markerIndex"), py::arg("radius"), py::arg("vAxis"), py::arg("contactStiffness"), py::arg("contactDamping"), py::arg("frictionMaterialIndex"),
-      py::arg("pAxis") = py::none(), "Add a cylinder along vAxis from pAxis, by default around the marker; returns its number among the convex shapes.");
-  contact.def(
-      "AddCapsuleWithMarker",
-      [](const ContactHandle& self, const py::object& marker, double radius, const py::object& along, double stiffness, double damping, int material, const py::object& from) {
-        return add_round(self, "AddCapsuleWithMarker", ConvexKind::capsule, marker, radius, along, stiffness, damping, material, from);
-      },
-      py::arg("markerIndex"), py::arg("radius"), py::arg("vAxis"), py::arg("contactStiffness"), py::arg("contactDamping"), py::arg("frictionMaterialIndex"),
-      py::arg("pAxis") = py::none(), "Add all that is nearer than the radius to a segment along vAxis from pAxis, by default around the marker; returns its number among the convex shapes.");
+  const auto add_round_shape = [&](const char* method, ConvexKind kind, const char* text) {
+    contact.def(
+        method,
+        [method, kind](const ContactHandle& self, const py::object& marker, double radius, const py::object& along, double stiffness, double damping, int material,
+                       const py::object& from) { return add_round(self, method, kind, marker, radius, along, stiffness, damping, material, from); },
+        py::arg("markerIndex"), py::arg("radius"), py::arg("vAxis"), py::arg("contactStiffness"), py::arg("contactDamping"), py::arg("frictionMaterialIndex"),
+        py::arg("pAxis") = py::none(), text);
+  };
+  add_round_shape("AddCylinderWithMarker", ConvexKind::cylinder, "Add a cylinder along vAxis from pAxis, by default around the marker; returns its number among the convex shapes.");
+  add_round_shape("AddCapsuleWithMarker", ConvexKind::capsule,
+                  "Add all that is nearer than the radius to a segment along vAxis from pAxis, by default around the marker; returns its number among the convex shapes.");
   contact.def("AddConvexHullWithMarker", &add_hull, py::arg("markerIndex"), py::arg("pointList"), py::arg("contactStiffness"), py::arg("contactDamping"),
               py::arg("frictionMaterialIndex"), "Add the convex hull of points in the frame of a marker; returns its number among the convex shapes.");
   contact.def("AddPlane", &add_plane, py::arg("rigidBodyMarkerIndex"), py::arg("normal"), py::arg("contactStiffness"), py::arg("contactDamping"),

@@ -340,3 +340,30 @@ def test_copies_and_a_second_solution_begin_alike() -> None:
 def test_wrong_ratios_are_refused(arguments: tuple[float, ...], text: str) -> None:
     with pytest.raises(ValueError, match=text):
         World().contact.SetFrictionBristles(*arguments)
+
+
+@pytest.mark.parametrize(("part", "stands"), [(1.03, True), (0.97, False)])
+def test_the_smallest_heap_stands_from_a_friction_of_its_geometry(part: float, stands: bool) -> None:
+    """A ball on three that touch each other: its forces point to the places where those stand, at half the angle of its contacts.
+
+    The line between two centres is inclined by arcsin(1 / sqrt(3)) from the vertical. On the ground, a quarter of that friction would do.
+    """
+    radius, mass, stiffness, damping = 0.1, 1.0, 2e6, 6e2
+    needed = np.tan(0.5 * np.arcsin(1 / np.sqrt(3)))
+    world = gripping([[part * needed, 0.6], [0.6, 0.6]], 0.8, 1.0)
+    world.mesh(*grid_mesh(2.0, 1), stiffness=stiffness, damping=damping, material=1)
+    law = {"stiffness": stiffness, "damping": damping, "material": 0}
+    angles = 2 * np.pi / 3 * np.arange(3) + 0.1
+    base = 2 * radius / np.sqrt(3) * np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    weight = {"mass": mass, "radius": radius, "gravity": [0, 0, -G]}
+    for x, y in base:
+        world.ball([x, y, radius], surface=law, **weight)
+    above = radius * (1 + 2 * np.sqrt(2 / 3))
+    top = world.ball([0, 0, above], surface=law, **weight)
+    world.solve(2.0, 20000, VERLET)
+    fallen = above - world.output(top, "Position")[2]
+    if stands:  # what slides while the weight comes, at once
+        assert 0 < fallen < 2e-3 * radius
+        assert np.linalg.norm(world.output(top, "Velocity")) < 1e-8
+    else:
+        assert fallen > radius

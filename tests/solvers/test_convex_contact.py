@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 from test_general_contact import EXPLICIT, IMPLICIT, G, World, check_tangent, grid_mesh
 
 import dalembert as exu
@@ -361,6 +362,36 @@ def test_a_box_that_bounces_keeps_its_energy() -> None:
     assert max(drifts) < 2e-4
 
 
+@pytest.mark.parametrize("floor", ["plane", "mesh", "box"])
+def test_flush_bounces_are_unstable_as_the_springs_at_the_corners_say(floor: str) -> None:
+    """A tilt grows between two apexes by the eigenvalue of flight and contact: what rocks on corners for a time of contact flies on tilting.
+
+    In contact, I theta'' = (-k a^2 + N c) theta: corners at the half length a, the centre c above them. The rest is what tilt does to the
+    times at which corners begin to touch, of the second order in it.
+    """
+    size, fall, tilt = [0.2, 0.2, 0.1], 0.02, 1e-9
+    a, c, k = 0.1, 0.05, K / 2
+    inertia, omega, speed = (a**2 + c**2) / 3, np.sqrt(k), np.sqrt(2 * G * fall)
+    contact, flight = (np.pi + 2 * np.arctan(G / (omega * speed))) / omega, 2 * speed / G
+
+    def rock(t: float, y: np.ndarray) -> list[float]:
+        depth = speed * np.sin(omega * t) / omega + G / omega**2 * (1 - np.cos(omega * t))
+        return [y[1], (-k * a**2 + k * depth * c) * y[0] / inertia]
+
+    columns = [solve_ivp(rock, (0, contact), start, rtol=1e-10, atol=1e-12).y[:, -1] for start in ([1, 0], [0, 1])]
+    growth = np.abs(np.linalg.eigvals(np.array(columns).T @ [[1, flight], [0, 1]])).max()
+    world = ConvexWorld()
+    world.floor(floor)
+    body = world.box(size, [0, 0, 0.05 + fall], referenceRotationMatrix=RotationMatrixX(tilt))
+    kind = exu.OutputVariableType.RotationMatrix
+    sensor = world.mbs.AddSensor(eii.SensorBody(bodyNumber=body, storeInternal=True, outputVariableType=kind))
+    world.solve(4 * (contact + flight), 30000, EXPLICIT)
+    times, tilts = np.asarray(world.mbs.GetSensorStoredData(sensor))[:, [0, 8]].T
+    apexes = np.interp((contact + flight) * np.arange(4), times, tilts)
+    assert growth == pytest.approx(60.46, abs=0.01)  # as the page says
+    np.testing.assert_allclose(apexes[2:] / apexes[1:-1], growth, rtol=2e-3)
+
+
 def test_an_impact_keeps_momentum() -> None:
     """To rounding; moment of momentum as the scheme keeps it where contacts begin and end, with the square of the step."""
     errors = []
@@ -427,3 +458,29 @@ def test_threads_and_frames_change_nothing(solver: Any) -> None:
         results.append(np.array([world.output(b, "Position") for b in bodies]))
     assert results[0].tobytes() == results[1].tobytes()
     np.testing.assert_allclose(results[2] - [4.0, 0, 0], results[0], atol=1e-9 if solver is EXPLICIT else 1e-6)
+
+
+@pytest.mark.parametrize("bristles", [0.0, 0.8])
+@pytest.mark.parametrize("solver", [EXPLICIT, IMPLICIT])
+def test_threads_that_share_pairs_give_the_same_bytes(solver: Any, bristles: float) -> None:
+    """Shapes of all kinds, more than one batch of pairs, in a box of hills."""
+    results = []
+    for threads in (1, 2, 3):
+        world = ConvexWorld(0.4)
+        world.damped(20.0)
+        world.contact.SetFrictionBristles(bristles, 1.0)
+        heights = 0.01 * np.sin(np.arange(12))[:, None] * np.cos(np.arange(12))
+        world.contact.AddHeightField(world.ground, heights, [0.1, 0.1], origin=[-0.5, -0.5, -0.01], **world.surface)
+        bodies = []
+        for i in range(36):
+            place = [0.115 * (i % 4) - 0.2, 0.12 * (i // 4 % 3) - 0.1 + 0.01 * (i // 12), 0.06 + 0.105 * (i // 12)]
+            if i % 3:
+                bodies.append(world.box([0.1, 0.11, 0.1], place, initialAngularVelocity=[0.1 * i, 1, 0]))
+            else:
+                body, marker = world.body(InertiaSphere(1, 0.05), place)
+                add = world.contact.AddCapsuleWithMarker if i % 2 else world.contact.AddCylinderWithMarker
+                add(marker, 0.05, [0.06, 0, 0.02], **world.surface)
+                bodies.append(body)
+        world.solve(0.15, 300, solver, threads)
+        results.append(np.array([world.output(b, "Position") for b in bodies]).tobytes())
+    assert results[0] == results[1] == results[2]

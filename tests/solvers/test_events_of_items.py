@@ -144,7 +144,39 @@ def on_mesh() -> tuple[Any, Any]:
     return in_general_contact(on_mesh=True)
 
 
-MODELS = (on_sphere, on_triangle, on_plane, in_torus, on_curve, in_general_contact, on_mesh)
+def convex_on(shape: str, floor: str) -> Callable[[], Any]:
+    """A shape that is as high as the ball, and touches the floor in several places at once."""
+
+    def build() -> tuple[Any, Any]:
+        mbs, body = falling()
+        contact = mbs.AddGeneralContact()
+        contact.SetFrictionPairings(np.zeros((1, 1)))
+        surface = (2 * STIFFNESS, DAMPING / 2, 0)
+        marker = mbs.AddMarker(eii.MarkerBodyRigid(bodyNumber=body))
+        if shape == "box":
+            contact.AddBoxWithMarker(marker, [0.3, 0.4, 2 * RADIUS], *surface)
+        elif shape == "capsule":
+            contact.AddCapsuleWithMarker(marker, RADIUS, [0.3, 0.1, 0], *surface)
+        else:
+            contact.AddCylinderWithMarker(marker, RADIUS, [0.3, 0.1, 0], *surface)
+        below = mbs.CreateGround(referencePosition=[0.01, 0.02, -RADIUS])
+        ground = mbs.AddMarker(eii.MarkerBodyRigid(bodyNumber=below))
+        if floor == "plane":
+            contact.AddPlane(ground, [0, 0, 1], *surface)
+        elif floor == "mesh":
+            contact.AddHeightField(ground, np.zeros((5, 5)), [0.5, 0.5], *surface, origin=[-1, -1, 0])
+        else:
+            contact.AddBoxWithMarker(ground, [2, 2, 1], *surface, centerPoint=[0, 0, -0.5])
+        return mbs, body
+
+    build.__name__ = f"{shape}_on_{floor}"
+    return build
+
+
+CONVEX = tuple(
+    convex_on(shape, floor) for shape in ("box", "capsule", "cylinder") for floor in ("plane", "mesh", "box")
+)
+MODELS = (on_sphere, on_triangle, on_plane, in_torus, on_curve, in_general_contact, on_mesh, *CONVEX)
 
 
 def height(mbs: Any, ball: Any) -> float:
@@ -168,7 +200,7 @@ def test_second_order_although_forces_jump(build: Callable[[], Any]) -> None:
     assert it.currentStepIndex - 1 + it.eventSolutions - it.eventsCount <= 1.01 * steps[-1]
 
 
-@pytest.mark.parametrize("build", [on_sphere, in_general_contact])
+@pytest.mark.parametrize("build", [on_sphere, in_general_contact, CONVEX[0], CONVEX[5], CONVEX[7]])
 @pytest.mark.parametrize(
     ("solver", "tolerance", "bound"),
     [

@@ -63,8 +63,9 @@ void GeneralContact::add_gripping_pairs(int number, const Ports& ports) const {
 }
 
 // By how much a bristle would pull stronger than it can: negative as long as it holds.
-double GeneralContact::excess_of(const HeldContact& c, const ContactPairing& pairing, const Meeting<double>& at, double pressure, const Ports& ports) const {
-  const Grip<double> grip = grip_of(bristle_of(c), at, frame_of(sphere(c.sphere).marker, ports), frame_of(partner_of(c).marker, ports));
+double GeneralContact::excess_of(const Bristle* bristle, const ContactPairing& pairing, const Meeting<double>& at, double pressure, const RigidFrame<double>& frame0,
+                                 const RigidFrame<double>& frame1) const {
+  const Grip<double> grip = grip_of(bristle, at, frame0, frame1);
   const double stretch = norm(grip.span - dot(at.normal, grip.span) * at.normal);
   return set_->bristles.stiffness * pairing.stiffness * stretch - pairing.friction * grip.holding * std::max(0.0, pressure);
 }

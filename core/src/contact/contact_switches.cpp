@@ -8,7 +8,7 @@
 namespace dalembert {
 
 namespace {
-constexpr int switches_per_sphere = 2;
+constexpr int switches_per_thing = 2;
 constexpr int places_along_cable = 16;
 constexpr double far_away = 1;  // a value that says nothing else
 }  // namespace
@@ -48,7 +48,10 @@ void GeneralContact::add_verge(const HeldContact& c, const Ports& ports, Verge& 
   if (!(margin < 0) || pairing.friction == 0) return;
   if (!set_->bristles.grow()) return verge.add_slip(norm(velocity - away * at.normal) - set_->proportional_zone);
   const Bristle* bristle = bristle_of(c);
-  if (bristle == nullptr || !bristle->slides) verge.add_slip(excess_of(c, pairing, at, pairing.pressure(at.gap, away), ports));
+  if (bristle == nullptr || !bristle->slides) {
+    const RigidFrame<double> frame0 = frame_of(first.marker, ports), frame1 = frame_of(second.marker, ports);
+    verge.add_slip(excess_of(bristle, pairing, at, pairing.pressure(at.gap, away), frame0, frame1));
+  }
 }
 
 // Those that it does not touch yet.
@@ -88,7 +91,9 @@ void GeneralContact::add_cables(const Ports& ports, std::vector<Verge>& verges) 
 }
 
 void GeneralContact::find_verges(const Evaluation& e, const Ports& ports, std::vector<Verge>& verges) const {
-  verges.assign(set_->spheres.size(), Verge());
+  verges.assign(set_->spheres.size() + set_->convex.size(), Verge());
+  add_convex_verges(ports, verges);
+  if (set_->spheres.empty()) return;
   take_cables(e.q, e.v);
   follow(ports);
   for (Chunk& chunk : chunks_) {
@@ -108,11 +113,12 @@ void GeneralContact::find_verges(const Evaluation& e, const Ports& ports, std::v
 }
 
 void GeneralContact::find_switches(const Evaluation& e, const Ports& ports, Switches& switches) const {
-  if (!set_->active) return switches.none(switches_per_sphere * spheres());
+  if (!set_->active) return switches.none(switches_per_thing * static_cast<int>(set_->spheres.size() + set_->convex.size()));
   find_verges(e, ports, verges_);
   if (verges_before_.empty()) verges_before_ = verges_;
   for (std::size_t i = 0; i < verges_.size(); ++i) {
-    switches.of_part(name_, static_cast<int>(i));
+    if (i < set_->spheres.size()) switches.of_part(name_, static_cast<int>(i));
+    else switches.of_part(names_of_convex_[i - set_->spheres.size()], -1);
     switches.holds("contact", verges_[i].contact(verges_before_[i]));
     switches.holds("friction", verges_[i].friction(verges_before_[i]));
   }

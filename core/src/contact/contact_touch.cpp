@@ -124,14 +124,14 @@ void GeneralContact::find(const Ports& ports, std::vector<HeldContact>& found) c
 void GeneralContact::update(const Ports& ports) {
   take_cables_of_system();
   find(ports, touching_);
-  find_convex(ports, convex_touching_);
+  find_convex(ports, convex_touching_, Places::of_pushing_pairs);
 }
 
 bool GeneralContact::search(const Evaluation& e, const Ports& ports) {
   take_cables(e.q, e.v);
   find(ports, touching_);
   held_ = touching_;
-  find_convex(ports, convex_touching_);
+  find_convex(ports, convex_touching_, Places::of_pushing_pairs);
   convex_held_ = convex_touching_;
   // Pairs of spheres and cables stay in the pattern once they have been near.
   const std::size_t before = cables_in_blocks_.size();
@@ -207,7 +207,7 @@ PostNewton GeneralContact::post_newton(const Evaluation& e, const Ports& ports, 
     i += a <= b ? 1 : 0;
     j += b <= a ? 1 : 0;
   }
-  find_convex(ports, convex_touching_);
+  find_convex(ports, convex_touching_, Places::of_pushing_pairs);
   const double changes = static_cast<double>(now.size() + held_.size() - 2 * common);
   return {.error = changes + convex_changes()};
 }

@@ -9,9 +9,10 @@ namespace dalembert {
 namespace {
 constexpr double far_from_root = 0.5;  // in radii of the ball around the shape
 constexpr std::size_t numbers_per_bristle = 10;
+constexpr double largest_key = 4503599627370496.0;  // 2^52: files keep keys as doubles
 }  // namespace
 
-const GeneralContact::ConvexBristle* GeneralContact::convex_bristle(const ConvexTouch& t, int key) const {
+const GeneralContact::ConvexBristle* GeneralContact::convex_bristle(const ConvexTouch& t, std::int64_t key) const {
   const std::tuple order(t.first, t.second, key);
   const auto found = std::ranges::lower_bound(convex_bristles_, order, {}, &ConvexBristle::order);
   return found != convex_bristles_.end() && found->order() == order ? &*found : nullptr;
@@ -30,11 +31,11 @@ void GeneralContact::pass_bristles_on(std::span<ConvexTouch> of_pair) const {
   const auto known = std::ranges::equal_range(convex_bristles_, std::pair(any.first, any.second), {}, pair);
   if (known.empty()) return;
   const RigidFrame<double>&frame0 = scene_.frame(any.first), &frame1 = scene_.frame(any.second);
-  const auto is_taken = [&](int key) { return std::ranges::any_of(of_pair, [&](const ConvexTouch& t) { return t.key == key || t.bristle == key; }); };
+  const auto is_taken = [&](std::int64_t key) { return std::ranges::any_of(of_pair, [&](const ConvexTouch& t) { return t.key == key || t.bristle == key; }); };
   for (std::size_t turn = 0; turn < of_pair.size(); ++turn) {
     double nearest = far_from_root * scene_.now(any.first).shape->bound;
     ConvexTouch* heir = nullptr;
-    int left = -1;
+    std::int64_t left = -1;
     for (ConvexTouch& t : of_pair) {
       if (t.bristle >= 0 || convex_bristle(t, t.key) != nullptr) continue;
       const Vec3<double> place = transposed_times(frame1.rotation, meeting_of(t, frame0, frame1).arm1);
@@ -53,7 +54,7 @@ void GeneralContact::pass_bristles_on(std::span<ConvexTouch> of_pair) const {
 
 void GeneralContact::grow_convex(const Ports& ports) {
   grown_convex_.clear();
-  find_convex(ports, convex_found_);
+  find_convex(ports, convex_found_, Places::pushing);
   for (const ConvexTouch& t : convex_found_) {
     const ContactPairing pairing = convex_pairing(t);
     if (pairing.friction == 0) continue;
@@ -85,8 +86,8 @@ bool GeneralContact::take_convex_history(std::span<const double>& numbers) {
   std::vector<ConvexBristle> taken;
   for (std::size_t i = 0; i < count; ++i) {
     const double* x = numbers.data() + numbers_per_bristle * i;
-    if (!(x[0] >= 0 && x[0] < x[1] && x[1] < scene_.participants() && x[2] >= 0 && x[2] < 2147483648.0)) return false;
-    taken.push_back({static_cast<int>(x[0]), static_cast<int>(x[1]), static_cast<int>(x[2]), {{x[4], x[5], x[6]}, {x[7], x[8], x[9]}, x[3] != 0}});
+    if (!(x[0] >= 0 && x[0] < x[1] && x[1] < scene_.participants() && x[2] >= 0 && x[2] < largest_key)) return false;
+    taken.push_back({static_cast<int>(x[0]), static_cast<int>(x[1]), static_cast<std::int64_t>(x[2]), {{x[4], x[5], x[6]}, {x[7], x[8], x[9]}, x[3] != 0}});
     if (taken.size() > 1 && !(taken[taken.size() - 2].order() < taken.back().order())) return false;
   }
   numbers = numbers.subspan(numbers_per_bristle * count);

@@ -1,10 +1,16 @@
 // Forces of convex shapes and planes: each place where they touch has its part of the stiffness of the pair.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 #include "meetings.hpp"
 
 namespace dalembert {
+
+namespace {
+constexpr std::size_t touches_to_share = 64;
+}  // namespace
 
 ContactPairing GeneralContact::convex_pairing(const ConvexTouch& t) const { return set_->pairing(scene_.surface(t.first), scene_.surface(t.second)).part(t.share); }
 
@@ -13,50 +19,91 @@ void GeneralContact::follow_convex(const Ports& ports) const {
   std::vector<RigidFrame<double>>& frames = scene_.frames();
   frames.clear();
   for (int i = 0; i < scene_.participants(); ++i) frames.push_back(frame_of(scene_.marker(i), ports));
-  if (scene_.follow()) ++convex_lists_;
+  if (scene_.follow(workers_)) ++convex_lists_;
 }
 
-// Those that push.
-void GeneralContact::find_convex(const Ports& ports, std::vector<ConvexTouch>& found) const {
+template <class F>
+void GeneralContact::each_convex_batch(const F& f) const {
+  std::vector<ConvexScene::Batch>& batches = scene_.batches();
+  const int count = static_cast<int>(batches.size());
+  if (workers_ != nullptr && count > 1) {
+    workers_->run(count, [&](int b) { f(batches[static_cast<std::size_t>(b)]); });
+  } else {
+    for (ConvexScene::Batch& batch : batches) f(batch);
+  }
+}
+
+void GeneralContact::find_convex(const Ports& ports, std::vector<ConvexTouch>& found, Places which) const {
   found.clear();
   renew_shapes();
   if (!has_convex()) return;
   follow_convex(ports);
-  scene_.find(found);
-  if (!convex_bristles_.empty())
-    for (auto begin = found.begin(); begin != found.end();) {
-      const auto end = std::find_if(begin, found.end(), [&](const ConvexTouch& t) { return t.first != begin->first || t.second != begin->second; });
-      pass_bristles_on({begin, end});
-      begin = end;
-    }
-  std::erase_if(found, [&](ConvexTouch& t) {
-    const RigidFrame<double>&frame0 = scene_.frame(t.first), &frame1 = scene_.frame(t.second);
-    const Meeting<double> at = meeting_of(t, frame0, frame1);
-    const Vec3<double> velocity = relative_velocity(frame0, frame1, at);
-    const double away = dot(at.normal, velocity);
-    const ContactPairing pairing = convex_pairing(t);
-    t.sticks = pairing.friction == 0 || norm(velocity - away * at.normal) < set_->proportional_zone;
-    if (set_->bristles.grow()) {
-      const Bristle* bristle = bristle_of(t);
-      t.sticks = pairing.friction == 0 || bristle == nullptr || !bristle->slides;
-    }
-    return !(pairing.pressure(at.gap, away) > 0);
+  each_convex_batch([&](ConvexScene::Batch& batch) {
+    find_overlaps(batch);
+    for (ConvexTouch& t : batch.found) feel_pressure(t);
+    const auto pair_presses = [&](const ConvexTouch& t) {
+      return t.second < scene_.first_carrier() &&
+             std::ranges::any_of(batch.found, [&](const ConvexTouch& o) { return o.first == t.first && o.second == t.second && o.presses; });
+    };
+    std::vector<ConvexTouch>& kept = batch.kept;
+    kept.clear();
+    std::ranges::copy_if(batch.found, std::back_inserter(kept), [&](const ConvexTouch& t) { return t.presses || (which == Places::of_pushing_pairs && pair_presses(t)); });
   });
+  for (const ConvexScene::Batch& batch : scene_.batches()) found.insert(found.end(), batch.kept.begin(), batch.kept.end());
 }
 
-void GeneralContact::add_convex(const ConvexTouch& t, Ports& ports, std::optional<bool> sticks) const {
-  const int marker0 = scene_.marker(t.first), marker1 = scene_.marker(t.second);
-  const RigidFrame<double> frame0 = frame_of(marker0, ports), frame1 = frame_of(marker1, ports);
+// With the bristles that they go on with.
+void GeneralContact::find_overlaps(ConvexScene::Batch& batch) const {
+  scene_.find(batch);
+  std::vector<ConvexTouch>& found = batch.found;
+  if (convex_bristles_.empty()) return;
+  for (auto begin = found.begin(); begin != found.end();) {
+    const auto end = std::find_if(begin, found.end(), [&](const ConvexTouch& t) { return t.first != begin->first || t.second != begin->second; });
+    pass_bristles_on({begin, end});
+    begin = end;
+  }
+}
+
+// Whether it pushes, and whether it sticks.
+void GeneralContact::feel_pressure(ConvexTouch& t) const {
+  const RigidFrame<double>&frame0 = scene_.frame(t.first), &frame1 = scene_.frame(t.second);
   const Meeting<double> at = meeting_of(t, frame0, frame1);
   const Vec3<double> velocity = relative_velocity(frame0, frame1, at);
-  const Vec3<double> f = convex_force(t, at, velocity, frame0, frame1, sticks);
+  const double away = dot(at.normal, velocity);
+  const ContactPairing pairing = convex_pairing(t);
+  t.sticks = pairing.friction == 0 || norm(velocity - away * at.normal) < set_->proportional_zone;
+  if (set_->bristles.grow()) {
+    const Bristle* bristle = bristle_of(t);
+    t.sticks = pairing.friction == 0 || bristle == nullptr || !bristle->slides;
+  }
+  t.presses = pairing.pressure(at.gap, away) > 0;
+}
+
+// Forces of all are found side by side, and added in their order.
+void GeneralContact::add_convex(std::span<const ConvexTouch> touches, Ports& ports, bool direct) const {
+  convex_pushes_.resize(touches.size());
+  const auto find = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const ConvexTouch& t = touches[i];
+      const RigidFrame<double> frame0 = frame_of(scene_.marker(t.first), ports), frame1 = frame_of(scene_.marker(t.second), ports);
+      const Meeting<double> at = meeting_of(t, frame0, frame1);
+      const Vec3<double> velocity = relative_velocity(frame0, frame1, at);
+      const Vec3<double> f = convex_force(t, at, velocity, frame0, frame1, direct ? std::optional<bool>() : t.sticks);
+      convex_pushes_[i] = {f, cross(at.arm0, f), -cross(at.arm1, f)};
+    }
+  };
+  if (workers_ != nullptr && touches.size() >= touches_to_share) workers_->each_stretch(touches.size(), find);
+  else find(0, touches.size());
   const auto push = [&](int marker, const Vec3<double>& force, const Vec3<double>& moment) {
     double* to = ports.force(marker);
     add_vector(to, 1.0, force);
     if (has_rotation(ports, marker)) add_vector(to + 3, 1.0, moment);
   };
-  push(marker0, f, cross(at.arm0, f));
-  push(marker1, -f, -cross(at.arm1, f));
+  for (std::size_t i = 0; i < touches.size(); ++i) {
+    const ConvexPush& p = convex_pushes_[i];
+    push(scene_.marker(touches[i].first), p.force, p.moment0);
+    push(scene_.marker(touches[i].second), -p.force, p.moment1);
+  }
 }
 
 int GeneralContact::global_number(int participant) const {
@@ -69,7 +116,7 @@ int GeneralContact::global_number(int participant) const {
 }
 
 std::vector<GeneralContact::ConvexPlace> GeneralContact::convex_places(const Ports& ports) {
-  find_convex(ports, convex_found_);
+  find_convex(ports, convex_found_, Places::pushing);
   std::vector<ConvexPlace> places;
   for (const ConvexTouch& t : convex_found_) {
     const RigidFrame<double>&frame0 = scene_.frame(t.first), &frame1 = scene_.frame(t.second);
@@ -83,6 +130,7 @@ std::vector<GeneralContact::ConvexPlace> GeneralContact::convex_places(const Por
 std::vector<GeneralContact::ConvexPair> GeneralContact::convex_pairs() const {
   std::vector<ConvexPair> pairs;
   for (const ConvexTouch& t : convex_touching_) {
+    if (!t.presses) continue;
     const int first = global_number(t.first), second = global_number(t.second);
     if (pairs.empty() || pairs.back().first != first || pairs.back().second != second) pairs.push_back({first, second, true});
     pairs.back().sticks = pairs.back().sticks && t.sticks;
@@ -116,6 +164,50 @@ void GeneralContact::add_convex_tangent(const Ports& ports, double* values) cons
       const Vec3<SweepDual> f = convex_force(t, at, velocity, m0, m1, t.sticks);
       scatter(ports, marker0, columns.offset[0], columns.total, first, {f, cross(at.arm0, f)}, slot, values);
       scatter(ports, marker1, columns.offset[1], columns.total, first, {-f, -cross(at.arm1, f)}, slot, values);
+    }
+  }
+}
+
+// On a plane and on triangles, each place begins and ends to push for itself. Two shapes touch as a whole: places of faces that lie on each other come and go
+// as one of them turns, while their forces do not jump.
+void GeneralContact::add_convex_verges(const Ports& ports, std::vector<Verge>& verges) const {
+  if (!has_convex()) return;
+  follow_convex(ports);
+  const auto& near = scene_.near();
+  for (ConvexScene::Batch& batch : scene_.batches()) {
+    find_overlaps(batch);
+    auto touch = batch.found.begin();
+    for (std::size_t pair = batch.begin; pair < batch.end; ++pair) {
+      const auto [first, second] = near[pair];
+      const ContactPairing whole = set_->pairing(scene_.surface(first), scene_.surface(second));
+      const int owner = first < scene_.first_ball() ? spheres() + first : first - scene_.first_ball();
+      Verge& verge = verges[static_cast<std::size_t>(owner)];
+      double deepest = std::numeric_limits<double>::infinity(), freest = -deepest;
+      bool slides = false;
+      const bool single = second >= scene_.first_carrier();
+      for (; touch != batch.found.end() && touch->first == first && touch->second == second; ++touch) {
+        const RigidFrame<double>&frame0 = scene_.frame(first), &frame1 = scene_.frame(second);
+        const Meeting<double> at = meeting_of(*touch, frame0, frame1);
+        const Vec3<double> velocity = relative_velocity(frame0, frame1, at);
+        const double away = dot(at.normal, velocity), elastic = whole.stiffness * at.gap, margin = std::max(elastic, elastic + whole.damping * away);
+        deepest = std::min(deepest, margin);
+        if (single) verge.add(margin);
+        if (!(margin < 0) || whole.friction == 0 || touch->share == 0) continue;
+        double excess = norm(velocity - away * at.normal) - set_->proportional_zone;
+        if (set_->bristles.grow()) {
+          const Bristle* bristle = bristle_of(*touch);
+          slides = slides || (bristle != nullptr && bristle->slides);
+          if (bristle != nullptr && bristle->slides) continue;
+          excess = excess_of(bristle, convex_pairing(*touch), at, convex_pairing(*touch).pressure(at.gap, away), frame0, frame1);
+        }
+        freest = std::max(freest, excess);
+        if (single) verge.add_slip(excess);
+      }
+      if (!single && std::isfinite(deepest)) {
+        verge.add(deepest);
+        if (!slides && std::isfinite(freest)) verge.add_slip(freest);
+      }
+      if (single || !std::isfinite(deepest)) verge.add(whole.stiffness * scene_.clearance(pair));
     }
   }
 }

@@ -11,10 +11,11 @@ namespace {
 using Kind = ConvexTouch::Kind;
 constexpr double blunt = 1e-4;   // sine of the angle between triangles up to which an edge does not stick out
 constexpr double slack = 0.02;   // by which directions may leave the arc of an edge
-constexpr int edge_key = 1 << 22, corner_key = 1 << 26;
 
 using Place = std::array<double, 3>;
 Place place_of(const Vec3<double>& p) { return {p[0] + 0.0, p[1] + 0.0, p[2] + 0.0}; }  // no negative zero
+
+std::int64_t edge_key(int number) { return convex_keys::mesh_edge + number * convex_keys::edges; }
 
 struct Side {
   int triangle = -1;
@@ -84,16 +85,17 @@ void ConvexMesh::build(const std::vector<int>& members, const std::vector<Triang
 }
 
 // A corner that is below several triangles stands on the one that it is least deep in.
-void ConvexMesh::on_facet(const ConvexNow& shape, const Facet& facet) {
+void ConvexMesh::on_facet(const ConvexNow& shape, const Facet& facet, Scratch& scratch) {
   if (!(facet.height(shape.centre) > 0) || !(shape.lowest(facet.normal) < dot(facet.normal, facet.corner))) return;
-  lowest_feet(shape, facet.normal, feet_);
+  lowest_feet(shape, facet.normal, scratch.feet);
+  std::vector<Candidate>& candidates = scratch.candidates;
   const double r = shape.shape->rounding(), least = -1e-9 * shape.shape->bound;
-  for (const Foot& foot : feet_) {
+  for (const Foot& foot : scratch.feet) {
     const double depth = r - facet.height(foot.place);
     if (!(depth > 0) || facet.within_edges(foot.place) < least) continue;
-    const auto known = std::ranges::find(candidates_, foot.key, &Candidate::key);
+    const auto known = std::ranges::find(candidates, foot.key, &Candidate::key);
     const Candidate here{foot.key, depth, touch_of(foot, shape, facet.normal, facet.corner)};
-    if (known == candidates_.end()) candidates_.push_back(here);
+    if (known == candidates.end()) candidates.push_back(here);
     else if (depth < known->depth) *known = here;
   }
 }
@@ -125,7 +127,7 @@ void ConvexMesh::on_edge(const ConvexNow& shape, const Edge& edge, int number, s
     t.along1 = edge.along;
     t.cosine = dot(cross(along, edge.along), up) < 0 ? 1 : -1;  // towards the mesh
     t.share = shape.shape->lone;
-    t.key = edge_key + 64 * number + static_cast<int>(k % 64);
+    t.key = edge_key(number) + static_cast<std::int64_t>(k);
     found.push_back(t);
   }
 }
@@ -151,7 +153,7 @@ void ConvexMesh::round_on_edge(const ConvexNow& shape, const Edge& edge, int num
       t.along1 = edge.along;
       t.cosine = dot(cross(shape.axis, edge.along), up) < 0 ? 1 : -1;
       t.share = shape.shape->lone;
-      t.key = edge_key + 64 * number;
+      t.key = edge_key(number);
       found.push_back(t);
     }
   }
@@ -168,7 +170,7 @@ void ConvexMesh::round_on_edge(const ConvexNow& shape, const Edge& edge, int num
     t.at1 = edge.begin;
     t.along1 = edge.along;
     t.share = 0.5;
-    t.key = edge_key + 64 * number + 1 + end;
+    t.key = edge_key(number) + 1 + end;
     found.push_back(t);
   }
 }
@@ -178,7 +180,7 @@ void ConvexMesh::on_corner(const ConvexNow& shape, const Corner& corner, int num
   t.swapped = true;  // the point is of the mesh
   t.at0 = corner.place;
   t.share = shape.shape->lone;
-  t.key = corner_key + number;
+  t.key = convex_keys::mesh_corner + number;
   const double r = shape.shape->radius;
   if (shape.shape->kind == ConvexKind::polytope) {
     double least = std::numeric_limits<double>::infinity();
@@ -230,15 +232,16 @@ void ConvexMesh::on_corner(const ConvexNow& shape, const Corner& corner, int num
   found.push_back(t);
 }
 
-void ConvexMesh::find(const ConvexNow& shape, std::span<const int> near, const std::vector<Triangle>& all, const std::vector<Facet>& facets, std::vector<ConvexTouch>& found) {
-  candidates_.clear();
+void ConvexMesh::find(const ConvexNow& shape, std::span<const int> near, const std::vector<Triangle>& all, const std::vector<Facet>& facets, Scratch& scratch,
+                      std::vector<ConvexTouch>& found) const {
+  scratch.candidates.clear();
   const bool is_round = shape.shape->kind != ConvexKind::polytope;
   for (const int number : near) {
     const auto t = static_cast<std::size_t>(number);
     Box box;
     for (const Vec3<double>& point : all[t]) box.add(point);
     if (!shape.box.overlaps(box)) continue;
-    on_facet(shape, facets[t]);
+    on_facet(shape, facets[t], scratch);
     for (std::size_t k = first_edge_[t]; k < first_edge_[t + 1]; ++k) {
       const int e = edge_list_[k];
       if (is_round) round_on_edge(shape, edges_[static_cast<std::size_t>(e)], e, found);
@@ -246,7 +249,21 @@ void ConvexMesh::find(const ConvexNow& shape, std::span<const int> near, const s
     }
     for (std::size_t k = first_corner_[t]; k < first_corner_[t + 1]; ++k) on_corner(shape, corners_[static_cast<std::size_t>(corner_list_[k])], corner_list_[k], found);
   }
-  for (const Candidate& c : candidates_) found.push_back(c.touch);
+  for (const Candidate& c : scratch.candidates) found.push_back(c.touch);
+}
+
+double ConvexMesh::clearance(const ConvexNow& shape, std::span<const int> near, const std::vector<Facet>& facets, Scratch& scratch) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const int number : near) {
+    const Facet& facet = facets[static_cast<std::size_t>(number)];
+    if (!(facet.height(shape.centre) > 0)) continue;
+    lowest_feet(shape, facet.normal, scratch.feet);
+    for (const Foot& foot : scratch.feet) {
+      const double height = facet.height(foot.place) - shape.shape->rounding();
+      if (height >= 0 && facet.within_edges(foot.place) >= 0) least = std::min(least, height);
+    }
+  }
+  return least;
 }
 
 }  // namespace dalembert

@@ -14,7 +14,6 @@ constexpr double upright = 1e-3;      // sine below which no point of a rim is t
 constexpr double near_face = 0.1;     // sine of the angle up to which an edge contact is one of faces
 constexpr double face_advantage = 1e-3;
 constexpr double side_of_prism = 0.01;  // of the radius
-constexpr int second_owner = 1 << 28, edges_key = 1 << 29;
 
 double share_of_edges(const ConvexNow& a, const ConvexNow& b) { return 0.5 * (a.shape->lone + b.shape->lone); }
 
@@ -140,6 +139,16 @@ void ConvexPairs::with_plane(const ConvexNow& shape, const Vec3<double>& normal,
     if (dot(normal, foot.place) - shape.shape->rounding() < level) found.push_back(touch_of(foot, shape, local_normal, local_point));
 }
 
+double ConvexPairs::clearance(const ConvexNow& shape, const Vec3<double>& normal, const Vec3<double>& point) {
+  double least = std::numeric_limits<double>::infinity();
+  lowest_feet(shape, normal, feet_);
+  for (const Foot& foot : feet_) {
+    const double height = dot(normal, foot.place - point) - shape.shape->rounding();
+    if (height >= 0) least = std::min(least, height);
+  }
+  return least;
+}
+
 // By the sides of a face, one after the other. A shape that has two feet alone is a line.
 void ConvexPairs::clip(const ConvexNow& base, int face) {
   const ConvexFace& f = base.shape->faces[static_cast<std::size_t>(face)];
@@ -159,7 +168,7 @@ void ConvexPairs::clip(const ConvexNow& base, int face) {
       if ((from >= 0) == (to >= 0) || (is_line && i == 1)) continue;
       Foot crossing = a;
       crossing.place = a.place + (from / (from - to)) * (b.place - a.place);
-      crossing.key = (a.edge + 512) * 1024 + side;
+      crossing.key = (a.edge + convex_keys::edges) * 2 * convex_keys::edges + side;
       crossing.edge = from >= 0 ? -side : a.edge;
       crossing.corner = crossing.rim = -1;
       kept_.push_back(crossing);
@@ -177,7 +186,7 @@ void ConvexPairs::clip(const ConvexNow& base, int face) {
   for (std::size_t i = 0; i < feet_.size(); ++i) feet_[i].share = shares_[i];
 }
 
-// The other thing stands on a face of the base.
+// The other thing stands on a face of the base: with all of its feet there, as soon as one of them does.
 void ConvexPairs::faces(const ConvexNow& base, int face, const ConvexNow& other, bool swapped, std::vector<ConvexTouch>& found) {
   const auto f = static_cast<std::size_t>(face);
   const Vec3<double>& normal = base.normals[f];
@@ -185,11 +194,12 @@ void ConvexPairs::faces(const ConvexNow& base, int face, const ConvexNow& other,
   clip(base, face);
   const Vec3<double>& local_normal = base.shape->faces[f].normal;
   const Vec3<double>& local_point = base.shape->corners[static_cast<std::size_t>(base.shape->faces[f].corners[0])];
+  const auto overlaps = [&](const Foot& foot) { return dot(normal, foot.place) - other.shape->rounding() < base.offsets[f]; };
+  if (std::ranges::none_of(feet_, overlaps)) return;
   for (const Foot& foot : feet_) {
-    if (!(dot(normal, foot.place) - other.shape->rounding() < base.offsets[f])) continue;
     ConvexTouch t = touch_of(foot, other, local_normal, local_point);
     t.swapped = swapped;
-    if (swapped) t.key += second_owner;
+    if (swapped) t.key += convex_keys::second_owner;
     found.push_back(t);
   }
 }
@@ -290,7 +300,7 @@ void ConvexPairs::prisms(const ConvexNow& a, const ConvexNow& b, const Overlap& 
   t.kind = ConvexTouch::Kind::lines;
   edge(a, at.edge_a, t.at0, t.along0);
   edge(b, at.edge_b, t.at1, t.along1);
-  t.key = edges_key + (at.edge_a % 16384) * 16384 + at.edge_b % 16384;
+  t.key = convex_keys::crossing + at.edge_a * convex_keys::edges + at.edge_b;
   t.cosine = dot(cross(a.frame.rotation * t.along0, b.frame.rotation * t.along1), at.normal) > 0 ? 1 : -1;
   t.share = share_of_edges(a, b);
   found.push_back(t);

@@ -11,9 +11,8 @@ namespace {
 using Kind = ConvexTouch::Kind;
 constexpr double parallel = 0.05;  // sine below which two lines lie side by side
 constexpr double within = 1e-6;    // by which a direction may leave the arc of an edge
-constexpr int mantle_key = 1 << 20, corner_key = 1 << 21;
 
-ConvexTouch round_touch(Kind kind, const Vec3<double>& at, double radius, const Vec3<double>& at1, const Vec3<double>& along1, double radius1, double share, int key) {
+ConvexTouch round_touch(Kind kind, const Vec3<double>& at, double radius, const Vec3<double>& at1, const Vec3<double>& along1, double radius1, double share, std::int64_t key) {
   ConvexTouch t;
   t.kind = kind;
   t.at0 = at;
@@ -33,7 +32,7 @@ double part_of_edge(const Vec3<double>& point, const Vec3<double>& begin, const 
 
 // Both are parts of lines: of a cylinder its axis, of a polytope an edge.
 ConvexTouch line_touch(const ConvexNow& a, const Vec3<double>& at0, const Vec3<double>& along0, double radius0, const ConvexNow& b, const Vec3<double>& at1,
-                       const Vec3<double>& along1, double radius1, const Vec3<double>& normal, double share, int key) {
+                       const Vec3<double>& along1, double radius1, const Vec3<double>& normal, double share, std::int64_t key) {
   ConvexTouch t = round_touch(Kind::lines, a.into(at0), radius0, b.into(at1), b.inward(along1), radius1, share, key);
   t.along0 = a.inward(along0);
   t.cosine = dot(cross(along0, along1), normal) > 0 ? 1 : -1;
@@ -72,13 +71,13 @@ int face_below(const ConvexNow& p, const Vec3<double>& x, bool& inside) {
   return -1;
 }
 
-ConvexTouch on_face(const ConvexNow& p, int face, const Vec3<double>& at, double r, double share, int key) {
+ConvexTouch on_face(const ConvexNow& p, int face, const Vec3<double>& at, double r, double share, std::int64_t key) {
   const ConvexFace& f = p.shape->faces[static_cast<std::size_t>(face)];
   return round_touch(Kind::point_plane, at, r, p.shape->corners[static_cast<std::size_t>(f.corners[0])], f.normal, 0, share, key);
 }
 
 // The nearest part of a polytope; false: it is farther than r.
-bool ball_on_polytope(const Vec3<double>& x, const Vec3<double>& at, double r, const ConvexNow& p, double share, int key, ConvexTouch& touch) {
+bool ball_on_polytope(const Vec3<double>& x, const Vec3<double>& at, double r, const ConvexNow& p, double share, std::int64_t key, ConvexTouch& touch) {
   bool inside = false;
   const int face = face_below(p, x, inside);
   if (face >= 0) {
@@ -100,7 +99,7 @@ bool ball_on_polytope(const Vec3<double>& x, const Vec3<double>& at, double r, c
   return found;
 }
 
-bool ball_on_cylinder(const Vec3<double>& x, const Vec3<double>& at, double r, const ConvexNow& c, double share, int key, ConvexTouch& touch) {
+bool ball_on_cylinder(const Vec3<double>& x, const Vec3<double>& at, double r, const ConvexNow& c, double share, std::int64_t key, ConvexTouch& touch) {
   const Vec3<double>& local = c.shape->corners[0];
   const Vec3<double> axis = c.inward(c.axis), to = x - c.corners[0];
   const double along = dot(to, c.axis), aside = norm(to - along * c.axis), radius = c.shape->radius, beyond = std::max(-along, along - c.length);
@@ -118,7 +117,7 @@ bool ball_on_cylinder(const Vec3<double>& x, const Vec3<double>& at, double r, c
   return std::hypot(beyond, aside - radius) < r;
 }
 
-bool ball_on_capsule(const Vec3<double>& x, const Vec3<double>& at, double r, const ConvexNow& c, double share, int key, ConvexTouch& touch) {
+bool ball_on_capsule(const Vec3<double>& x, const Vec3<double>& at, double r, const ConvexNow& c, double share, std::int64_t key, ConvexTouch& touch) {
   const double part = part_of_edge(x, c.corners[0], c.corners[1]), radius = c.shape->radius;
   const double distance = norm(x - (c.corners[0] + part * (c.corners[1] - c.corners[0])));
   if (part > 0 && part < 1) touch = round_touch(Kind::point_line, at, r, c.shape->corners[0], c.inward(c.axis), radius, share, key);
@@ -128,7 +127,7 @@ bool ball_on_capsule(const Vec3<double>& x, const Vec3<double>& at, double r, co
 
 }  // namespace
 
-void ConvexPairs::ball(const ConvexNow& ball, const ConvexNow& other, bool swapped, double share, int key, std::vector<ConvexTouch>& found, int end) const {
+void ConvexPairs::ball(const ConvexNow& ball, const ConvexNow& other, bool swapped, double share, std::int64_t key, std::vector<ConvexTouch>& found, int end) const {
   const Vec3<double>&x = ball.corners[static_cast<std::size_t>(end)], &at = ball.shape->corners[static_cast<std::size_t>(end)];
   const double r = ball.shape->radius;
   ConvexTouch touch;
@@ -147,7 +146,7 @@ void ConvexPairs::capsules(const ConvexNow& a, const ConvexNow& b, std::vector<C
   if (lines.sine > parallel && lines.s > 0 && lines.s < a.length && lines.t > 0 && lines.t < b.length) {
     const Vec3<double> span = b.corners[0] + lines.t * b.axis - (a.corners[0] + lines.s * a.axis);
     if (!(norm(span) < a.shape->radius + b.shape->radius) || norm(span) == 0) return;
-    found.push_back(line_touch(a, a.corners[0], a.axis, a.shape->radius, b, b.corners[0], b.axis, b.shape->radius, span, 0.5, mantle_key));
+    found.push_back(line_touch(a, a.corners[0], a.axis, a.shape->radius, b, b.corners[0], b.axis, b.shape->radius, span, 0.5, convex_keys::mantle));
     return;
   }
   for (int end = 0; end < 2; ++end) ball(a, b, false, 0.5, 1 + end, found, end);
@@ -165,7 +164,7 @@ void ConvexPairs::capsule_on_faces(const ConvexNow& capsule, const ConvexNow& ot
     const Vec3<double> span = other.corners[0] + lines.t * other.axis - (capsule.corners[0] + lines.s * capsule.axis);
     const double distance = norm(span), r0 = capsule.shape->radius, r1 = other.shape->radius;
     if (lines.sine > parallel && lines.s > 0 && lines.s < capsule.length && lines.t > 0 && lines.t < other.length && distance < r0 + r1 && distance > 0) {
-      found.push_back(line_touch(capsule, capsule.corners[0], capsule.axis, r0, other, other.corners[0], other.axis, r1, span, 0.5, mantle_key));
+      found.push_back(line_touch(capsule, capsule.corners[0], capsule.axis, r0, other, other.corners[0], other.axis, r1, span, 0.5, convex_keys::mantle));
       found.back().swapped = swapped;
     }
   }
@@ -186,7 +185,7 @@ void ConvexPairs::mantle_on_edges(const ConvexNow& round, const ConvexNow& other
       const double distance = norm(away);
       return distance < r && distance > 0 && in_arc(other, edges[k], (1 / distance) * away);
     };
-    const int key = mantle_key + 3 * static_cast<int>(k) + 1;
+    const std::int64_t key = convex_keys::mantle + 3 * static_cast<std::int64_t>(k) + 1;
     const LinePair lines = nearest_of_lines(round.corners[0], round.axis, begin, along);
     if (lines.sine > parallel) {
       if (!(lines.s > 0 && lines.s < round.length && lines.t > 0 && lines.t < length)) continue;
@@ -222,7 +221,7 @@ void ConvexPairs::mantle_on_corners(const ConvexNow& round, const ConvexNow& oth
       return dot(edge, away) < 0;
     });
     if (!nearest) continue;
-    found.push_back(round_touch(Kind::point_line, other.shape->corners[c], 0, round.shape->corners[0], round.inward(round.axis), round.shape->radius, 0.5, corner_key + static_cast<int>(c)));
+    found.push_back(round_touch(Kind::point_line, other.shape->corners[c], 0, round.shape->corners[0], round.inward(round.axis), round.shape->radius, 0.5, convex_keys::on_mantle + static_cast<std::int64_t>(c)));
     found.back().swapped = !swapped;
   }
 }
@@ -237,7 +236,7 @@ bool ConvexPairs::mantles(const ConvexNow& a, const ConvexNow& b, const Overlap&
     const Vec3<double> span = b.corners[0] + lines.t * b.axis - (a.corners[0] + lines.s * a.axis);
     const double distance = norm(span);
     if (!(lines.s > 0 && lines.s < a.length && lines.t > 0 && lines.t < b.length) || !(dot(span, at.normal) > aligned * distance) || distance == 0) return false;
-    if (distance < reach) found.push_back(line_touch(a, a.corners[0], a.axis, a.shape->radius, b, b.corners[0], b.axis, b.shape->radius, span, 0.5, mantle_key));
+    if (distance < reach) found.push_back(line_touch(a, a.corners[0], a.axis, a.shape->radius, b, b.corners[0], b.axis, b.shape->radius, span, 0.5, convex_keys::mantle));
     return true;
   }
   // Side by side: at both ends of what they have in common.

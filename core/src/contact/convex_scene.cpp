@@ -7,6 +7,7 @@ namespace dalembert {
 namespace {
 
 constexpr double skin_part = 0.1;  // of the mean radius
+constexpr std::size_t pairs_in_batch = 16, most_batches = 1000, shapes_to_share = 64;
 
 ConvexShape ball_shape(double radius) {
   ConvexDefinition ball{ConvexKind::ball, {Vec3<double>{}}, {}, radius};
@@ -75,8 +76,12 @@ double ConvexScene::moved() const {
   return things + std::max(things, carriers);
 }
 
-bool ConvexScene::follow() {
-  for (std::size_t i = 0; i < shapes_.size(); ++i) now_[i].place(shapes_[i], frames_[i]);
+bool ConvexScene::follow(Workers* workers) {
+  const auto place = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) now_[i].place(shapes_[i], frames_[i]);
+  };
+  if (workers != nullptr && shapes_.size() >= shapes_to_share) workers->each_stretch(shapes_.size(), place);
+  else place(0, shapes_.size());
   if (at_list_.size() == frames_.size() && moved() <= skin_) return false;
   list();
   return true;
@@ -113,21 +118,27 @@ void ConvexScene::list() {
   std::ranges::sort(near_);
   near_triangles_.assign(near_.size(), {});
   for (const auto& [pair, triangles] : of_meshes) near_triangles_[static_cast<std::size_t>(std::ranges::lower_bound(near_, pair) - near_.begin())] = triangles;
+  batches_.resize(std::clamp<std::size_t>(near_.size() / pairs_in_batch, 1, most_batches));
+  for (std::size_t b = 0; b < batches_.size(); ++b) {
+    batches_[b].begin = near_.size() * b / batches_.size();
+    batches_[b].end = near_.size() * (b + 1) / batches_.size();
+  }
 }
 
-void ConvexScene::find(std::vector<ConvexTouch>& found) {
+void ConvexScene::find(Batch& batch) const {
+  std::vector<ConvexTouch>& found = batch.found;
   found.clear();
-  for (std::size_t k = 0; k < near_.size(); ++k) {
+  for (std::size_t k = batch.begin; k < batch.end; ++k) {
     const auto [first, second] = near_[k];
     const std::size_t begin = found.size();
     if (second >= first_plane()) {
       const ContactPlane& plane = set_->planes[static_cast<std::size_t>(second - first_plane())];
-      pairs_.with_plane(now(first), frame(second).rotation * plane.normal, out(frame(second), plane.point), frame(second), found);
+      batch.pairs.with_plane(now(first), frame(second).rotation * plane.normal, out(frame(second), plane.point), frame(second), found);
     } else if (second >= first_carrier()) {
-      in_mesh_.place(shapes_[static_cast<std::size_t>(first)], seen_from(frame(second), frame(first)));
-      meshes_[static_cast<std::size_t>(second - first_carrier())].find(in_mesh_, near_triangles_[k], *triangles_, *facets_, found);
+      batch.in_mesh.place(shapes_[static_cast<std::size_t>(first)], seen_from(frame(second), frame(first)));
+      meshes_[static_cast<std::size_t>(second - first_carrier())].find(batch.in_mesh, near_triangles_[k], *triangles_, *facets_, batch.in_triangles, found);
     } else {
-      pairs_.between(now(first), now(second), found);
+      batch.pairs.between(now(first), now(second), found);
     }
     for (std::size_t i = begin; i < found.size(); ++i) {
       found[i].first = first;
@@ -135,6 +146,18 @@ void ConvexScene::find(std::vector<ConvexTouch>& found) {
     }
     std::sort(found.begin() + static_cast<std::ptrdiff_t>(begin), found.end(), [](const ConvexTouch& a, const ConvexTouch& b) { return a.key < b.key; });
   }
+}
+
+double ConvexScene::clearance(std::size_t pair) {
+  const auto [first, second] = near_[pair];
+  Batch& batch = batches_.front();
+  if (second >= first_plane()) {
+    const ContactPlane& plane = set_->planes[static_cast<std::size_t>(second - first_plane())];
+    return batch.pairs.clearance(now(first), frame(second).rotation * plane.normal, out(frame(second), plane.point));
+  }
+  if (second < first_carrier()) return dalembert::clearance(now(first), now(second));
+  batch.in_mesh.place(shapes_[static_cast<std::size_t>(first)], seen_from(frame(second), frame(first)));
+  return ConvexMesh::clearance(batch.in_mesh, near_triangles_[pair], *facets_, batch.in_triangles);
 }
 
 }  // namespace dalembert

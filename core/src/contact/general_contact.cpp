@@ -19,6 +19,7 @@ GeneralContact::GeneralContact(std::shared_ptr<const ContactSet> set, const Port
   shares_markers_ = std::ranges::adjacent_find(sorted) != sorted.end();
   for (const ContactCarrier& c : set_->carriers) markers_.push_back(c.marker);
   for (const ContactConvex& c : set_->convex) markers_.push_back(c.marker);
+  for (std::size_t i = 0; i < set_->convex.size(); ++i) names_of_convex_.push_back("convex shape " + std::to_string(i) + " of " + name_);
   for (const ContactPlane& p : set_->planes) markers_.push_back(p.marker);
   renew_shapes();
 }
@@ -152,8 +153,8 @@ void GeneralContact::add_direct(Ports& ports) const {
 
 void GeneralContact::residual(const Evaluation& e, Ports& ports, double* r) const {
   if (has_convex()) {
-    if (e.direct) find_convex(ports, convex_found_);
-    for (const ConvexTouch& t : e.direct ? convex_found_ : convex_held_) add_convex(t, ports, e.direct ? std::optional<bool>() : t.sticks);
+    if (e.direct) find_convex(ports, convex_found_, Places::pushing);
+    add_convex(e.direct ? convex_found_ : convex_held_, ports, e.direct);
   }
   if (!set_->active || set_->spheres.empty()) return;
   take_cables(e.q, e.v);

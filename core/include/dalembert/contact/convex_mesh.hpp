@@ -14,8 +14,21 @@ class ConvexMesh {
  public:
   // Edges and corners of triangles that stick out; each belongs to the first triangle that has it. Points are the same where their places are.
   void build(const std::vector<int>& members, const std::vector<Triangle>& all, const std::vector<Facet>& facets);
+  struct Candidate {
+    std::int64_t key = 0;
+    double depth = 0;
+    ConvexTouch touch;
+  };
+  // What a search needs for itself.
+  struct Scratch {
+    std::vector<Foot> feet;
+    std::vector<Candidate> candidates;
+  };
   // `shape` is placed in the frame of the triangles; numbers of those near it ascend. Participants are filled in by the caller.
-  void find(const ConvexNow& shape, std::span<const int> near, const std::vector<Triangle>& all, const std::vector<Facet>& facets, std::vector<ConvexTouch>& found);
+  void find(const ConvexNow& shape, std::span<const int> near, const std::vector<Triangle>& all, const std::vector<Facet>& facets, Scratch& scratch,
+            std::vector<ConvexTouch>& found) const;
+  // How far corners of a shape are from triangles that they will stand on, at least.
+  static double clearance(const ConvexNow& shape, std::span<const int> near, const std::vector<Facet>& facets, Scratch& scratch);
 
  private:
   struct Edge {
@@ -27,12 +40,7 @@ class ConvexMesh {
     Vec3<double> place, normal;  // the mean one around
     std::vector<Vec3<double>> edges;  // that lead away
   };
-  struct Candidate {
-    int key = 0;
-    double depth = 0;
-    ConvexTouch touch;
-  };
-  void on_facet(const ConvexNow& shape, const Facet& facet);
+  static void on_facet(const ConvexNow& shape, const Facet& facet, Scratch& scratch);
   void on_edge(const ConvexNow& shape, const Edge& edge, int number, std::vector<ConvexTouch>& found) const;
   void round_on_edge(const ConvexNow& shape, const Edge& edge, int number, std::vector<ConvexTouch>& found) const;
   void on_corner(const ConvexNow& shape, const Corner& corner, int number, std::vector<ConvexTouch>& found) const;
@@ -41,8 +49,6 @@ class ConvexMesh {
   std::vector<Corner> corners_;
   std::vector<std::size_t> first_edge_, first_corner_;  // by number of a triangle among all
   std::vector<int> edge_list_, corner_list_;
-  std::vector<Foot> feet_;
-  std::vector<Candidate> candidates_;
 };
 
 }  // namespace dalembert

@@ -29,12 +29,20 @@ struct ConvexNow {
 // A corner of a shape that may stand on a plane, or where an edge of it passes over a side.
 struct Foot {
   Vec3<double> place;
-  int key = 0, edge = 0;  // edge: which one leads from here to the next
+  std::int64_t key = 0;
+  int edge = 0;           // which one leads from here to the next
   double share = 1;
   int corner = -1;        // none: it lies on an edge
   int rim = -1;           // end of a cylinder's axis
   double cosine = 1, sine = 0;
 };
+
+// Keys of a pair: places of corners and ends, of faces that are clipped, of crossing edges, of mantles and of corners on them, then those of meshes. No shape has
+// more edges than the first of these numbers.
+namespace convex_keys {
+constexpr std::int64_t edges = std::int64_t{1} << 20, second_owner = std::int64_t{1} << 43, crossing = std::int64_t{1} << 44, mantle = std::int64_t{1} << 45,
+                       on_mantle = std::int64_t{1} << 46, mesh_edge = std::int64_t{1} << 50, mesh_corner = std::int64_t{1} << 51;
+}  // namespace convex_keys
 
 // What of a shape is lowest along a normal: of the faces at its lowest corner, the one that is most across.
 void lowest_feet(const ConvexNow& shape, const Vec3<double>& normal, std::vector<Foot>& feet);
@@ -54,13 +62,15 @@ class ConvexPairs {
     int face_a = -1, face_b = -1, edge_a = -1, edge_b = -1;
   };
   Overlap overlap(const ConvexNow& a, const ConvexNow& b) const;
+  // How far feet of a shape are from a plane, of those that are not below it.
+  double clearance(const ConvexNow& shape, const Vec3<double>& normal, const Vec3<double>& point);
 
  private:
   void faces(const ConvexNow& base, int face, const ConvexNow& other, bool swapped, std::vector<ConvexTouch>& found);
   void clip(const ConvexNow& base, int face);
   void prisms(const ConvexNow& a, const ConvexNow& b, const Overlap& at, std::vector<ConvexTouch>& found);
   // Round things: a ball, or the end of a capsule with this share and key; `swapped`: it is the second one.
-  void ball(const ConvexNow& ball, const ConvexNow& other, bool swapped, double share, int key, std::vector<ConvexTouch>& found, int end = 0) const;
+  void ball(const ConvexNow& ball, const ConvexNow& other, bool swapped, double share, std::int64_t key, std::vector<ConvexTouch>& found, int end = 0) const;
   void capsules(const ConvexNow& a, const ConvexNow& b, std::vector<ConvexTouch>& found) const;
   void capsule_on_faces(const ConvexNow& capsule, const ConvexNow& other, bool swapped, std::vector<ConvexTouch>& found) const;
   void mantle_on_edges(const ConvexNow& round, const ConvexNow& other, bool swapped, std::vector<ConvexTouch>& found) const;
@@ -72,6 +82,9 @@ class ConvexPairs {
   std::vector<Vec3<double>> polygon_;
   std::vector<double> shares_;
 };
+
+// How far two shapes are from each other: the most that a direction tells in which faces, edges or corners may touch; 0: none separates them.
+double clearance(const ConvexNow& a, const ConvexNow& b);
 
 // Parameters of the points of two lines that are nearest to each other; parallel ones have none.
 struct LinePair {

@@ -7,6 +7,7 @@
 #include "dalembert/contact/convex_mesh.hpp"
 #include "dalembert/contact/contact_set.hpp"
 #include "dalembert/contact/sphere_neighbours.hpp"
+#include "dalembert/system/workers.hpp"
 
 namespace dalembert {
 
@@ -24,10 +25,21 @@ class ConvexScene {
 
   // Frames of participants, to be filled before. True: pairs that are near each other have been listed anew.
   std::vector<RigidFrame<double>>& frames() { return frames_; }
-  bool follow();
+  bool follow(Workers* workers);
   const std::vector<std::pair<int, int>>& near() const { return near_; }  // ascending
-  // All that overlaps, in ascending order.
-  void find(std::vector<ConvexTouch>& found);
+  // Pairs that follow each other: threads share batches, which depend on the list alone.
+  struct Batch {
+    std::size_t begin = 0, end = 0;
+    std::vector<ConvexTouch> found, kept;
+    ConvexPairs pairs;
+    ConvexMesh::Scratch in_triangles;
+    ConvexNow in_mesh;
+  };
+  std::vector<Batch>& batches() { return batches_; }
+  // All that overlaps of a batch, in ascending order.
+  void find(Batch& batch) const;
+  // How far those of a pair are from each other that do not touch, or from a plane or triangles; large: nothing is known of it.
+  double clearance(std::size_t pair);
   void forget() { at_list_.clear(); }
 
   const ConvexShape& shape(int thing) const { return shapes_[static_cast<std::size_t>(thing)]; }
@@ -49,8 +61,7 @@ class ConvexScene {
   std::vector<ConvexMesh> meshes_;
   std::vector<RigidFrame<double>> frames_, at_list_;
   std::vector<ConvexNow> now_;
-  ConvexNow in_mesh_;
-  ConvexPairs pairs_;
+  std::vector<Batch> batches_;
   SphereNeighbours neighbours_;
   std::vector<std::pair<int, int>> near_;
   std::vector<std::vector<int>> near_triangles_;  // of pairs with triangles

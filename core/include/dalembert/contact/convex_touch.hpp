@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <tuple>
 
 #include "dalembert/frames.hpp"
@@ -26,15 +27,15 @@ struct ConvexTouch {
     lines         // with radii
   };
   int first = -1, second = -1;  // participants
-  int key = 0;                  // which place it is of this pair
+  std::int64_t key = 0;         // which place it is of this pair; below 2^52, so that files keep it as a double
   Kind kind = Kind::point_plane;
   bool swapped = false;         // the point, rim or first line belongs to the second one
   Vec3<double> at0, along0, at1, along1;  // point and direction: of a plane its normal, of a circle its axis
   double radius0 = 0, radius1 = 0;        // that are added; of a circle, its own
   double cosine = 1, sine = 0;            // of the angle on a rim
   double share = 1;                       // of the stiffness of the pair
-  bool sticks = true;
-  int bristle = -1;                       // the key that its bristle has been known by
+  bool sticks = true, presses = true;
+  std::int64_t bristle = -1;              // the key that its bristle has been known by
 
   auto order() const { return std::tuple(first, second, key); }
 };

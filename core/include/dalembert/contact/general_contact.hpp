@@ -62,7 +62,7 @@ class GeneralContact final : public SystemTerm {
   void tangent(const Evaluation& evaluation, const Weights& weights, Ports& ports, double* values) const override;
   PostNewton post_newton(const Evaluation& evaluation, const Ports& ports, const double* start, double* data, double* lambda) override;
   bool has_history() const override { return true; }
-  // Two for each sphere: how many push, and how many of these stick, must not change.
+  // Two for each sphere and each convex shape: how many push, and how many of these stick, must not change.
   bool has_switches() const override { return true; }
   void find_switches(const Evaluation& evaluation, const Ports& ports, Switches& switches) const override;
   void switch_over(const Evaluation& evaluation, const Ports& ports, const double* before, double* data, double* lambda) override;
@@ -200,7 +200,8 @@ class GeneralContact final : public SystemTerm {
   Vec3<S> force_of(const HeldContact& contact, const Meeting<S>& at, const Vec3<S>& velocity, const RigidFrame<S>& frame0, const RigidFrame<S>& frame1) const;
   const Bristle* bristle_of(const HeldContact& contact) const;
   void pass_bristles_on(int sphere, std::vector<Found>& found) const;
-  double excess_of(const HeldContact& contact, const ContactPairing& pairing, const Meeting<double>& at, double pressure, const Ports& ports) const;
+  double excess_of(const Bristle* bristle, const ContactPairing& pairing, const Meeting<double>& at, double pressure, const RigidFrame<double>& frame0,
+                   const RigidFrame<double>& frame1) const;
   void add_gripping_pairs(int chunk, const Ports& ports) const;
   Bristle bristle_after(const Bristle* before, const ContactPairing& pairing, const Meeting<double>& at, const Vec3<double>& velocity, double pressure,
                         const RigidFrame<double>& frame0, const RigidFrame<double>& frame1) const;
@@ -251,21 +252,29 @@ class GeneralContact final : public SystemTerm {
     std::size_t first_slot;
   };
   struct ConvexBristle {
-    int first, second, key;
+    int first, second;
+    std::int64_t key;
     Bristle bristle;
     auto order() const { return std::tuple(first, second, key); }
   };
   bool has_convex() const { return set_->active && !scene_.empty(); }
   void follow_convex(const Ports& ports) const;
-  void find_convex(const Ports& ports, std::vector<ConvexTouch>& found) const;
+  // Places that push; or, to be held, with all others of two shapes that push somewhere: they may do so before the next search.
+  enum class Places { pushing, of_pushing_pairs };
+  void find_convex(const Ports& ports, std::vector<ConvexTouch>& found, Places which) const;
   template <class S>
   Vec3<S> convex_force(const ConvexTouch& touch, const Meeting<S>& at, const Vec3<S>& velocity, const RigidFrame<S>& frame0, const RigidFrame<S>& frame1,
                        std::optional<bool> sticks) const;
   ContactPairing convex_pairing(const ConvexTouch& touch) const;
-  const ConvexBristle* convex_bristle(const ConvexTouch& touch, int key) const;
+  const ConvexBristle* convex_bristle(const ConvexTouch& touch, std::int64_t key) const;
   const Bristle* bristle_of(const ConvexTouch& touch) const;
   void pass_bristles_on(std::span<ConvexTouch> of_pair) const;
-  void add_convex(const ConvexTouch& touch, Ports& ports, std::optional<bool> sticks) const;
+  template <class F>
+  void each_convex_batch(const F& f) const;
+  void find_overlaps(ConvexScene::Batch& batch) const;
+  void feel_pressure(ConvexTouch& touch) const;
+  void add_convex(std::span<const ConvexTouch> touches, Ports& ports, bool direct) const;
+  void add_convex_verges(const Ports& ports, std::vector<Verge>& verges) const;
   int global_number(int participant) const;
   std::size_t list_convex_blocks(const Ports& ports, std::size_t slot);
   void add_convex_tangent(const Ports& ports, double* values) const;
@@ -311,11 +320,16 @@ class GeneralContact final : public SystemTerm {
   mutable ConvexScene scene_;
   std::vector<ConvexTouch> convex_held_, convex_touching_;
   mutable std::vector<ConvexTouch> convex_found_;
+  struct ConvexPush {
+    Vec3<double> force, moment0, moment1;  // on the first one
+  };
+  mutable std::vector<ConvexPush> convex_pushes_;
   std::vector<ConvexBlock> convex_blocks_;
   std::vector<ConvexBristle> convex_bristles_, grown_convex_;
   mutable std::uint64_t convex_lists_ = 0;
   bool grown_ = false;  // those at its end are known
-  mutable std::vector<Verge> verges_, verges_before_;  // by sphere: now, and after the last step; empty: not known
+  mutable std::vector<Verge> verges_, verges_before_;  // by sphere and convex shape: now, and after the last step; empty: not known
+  std::vector<std::string> names_of_convex_;
 };
 
 }  // namespace dalembert

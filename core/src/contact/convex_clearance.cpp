@@ -1,0 +1,54 @@
+// How far convex shapes are from each other, by directions that separate them: what a direction tells is never more than the distance, and all of it in the one
+// between the two features that are nearest.
+#include <algorithm>
+#include <cmath>
+
+#include "dalembert/contact/convex_narrow.hpp"
+
+namespace dalembert {
+namespace {
+
+struct LineOf {
+  Vec3<double> begin, along;  // of length one
+};
+
+// Edges, and the axis of what is round.
+std::vector<LineOf> lines_of(const ConvexNow& shape) {
+  std::vector<LineOf> lines;
+  const auto add = [&](const Vec3<double>& begin, const Vec3<double>& end) { lines.push_back({begin, (1 / norm(end - begin)) * (end - begin)}); };
+  if (shape.shape->kind == ConvexKind::polytope)
+    for (const ConvexEdge& e : shape.shape->edges) add(shape.corners[static_cast<std::size_t>(e.begin)], shape.corners[static_cast<std::size_t>(e.end)]);
+  if (shape.length > 0) lines.push_back({shape.corners[0], shape.axis});
+  return lines;
+}
+
+}  // namespace
+
+double clearance(const ConvexNow& a, const ConvexNow& b) {
+  double most = 0;
+  // From a to b, or back.
+  const auto look = [&](const Vec3<double>& direction) {
+    const double length = norm(direction);
+    if (!(length > 0)) return;
+    for (const double way : {1 / length, -1 / length}) {
+      const Vec3<double> normal = way * direction;
+      most = std::max(most, b.lowest(normal) + a.lowest(-normal));
+    }
+  };
+  for (const ConvexNow* shape : {&a, &b})
+    for (const Vec3<double>& normal : shape->normals) look(normal);
+  const std::vector<LineOf> lines_a = lines_of(a), lines_b = lines_of(b);
+  for (const LineOf& la : lines_a)
+    for (const LineOf& lb : lines_b) look(cross(la.along, lb.along));
+  for (const Vec3<double>& ca : a.corners)
+    for (const Vec3<double>& cb : b.corners) look(cb - ca);
+  const auto corners_and_lines = [&](const ConvexNow& shape, const std::vector<LineOf>& lines) {
+    for (const Vec3<double>& corner : shape.corners)
+      for (const LineOf& line : lines) look(corner - line.begin - dot(corner - line.begin, line.along) * line.along);
+  };
+  corners_and_lines(a, lines_b);
+  corners_and_lines(b, lines_a);
+  return most;
+}
+
+}  // namespace dalembert
