@@ -50,7 +50,7 @@ weight = mbs.AddLoad(Force(markerNumber=ball_marker, loadVector=[0, 0, 0]))
 mbs.Assemble()
 
 settings = exu.SimulationSettings()
-settings.solutionSettings.writeSolutionToFile = False
+settings.solutionSettings.solutionWritePeriod = 5e-3
 settings.timeIntegration.verboseMode = 0
 
 
@@ -75,6 +75,7 @@ SC = mbs.GetSystemContainer()
 view = SC.visualizationSettings
 view.nodes.show = view.markers.show = view.loads.show = False
 mbs.Draw(fileName="box_tower_picture.png")
+mbs.DrawSolution(fileName="box_tower_motion.gif", windowSize=[420, 320], framesPerSecond=20, speed=0.15)
 solve(1.35, 4)
 force = 0.0
 for pair, push in zip(*(contact.GetConvexContacts()[key] for key in ("pairs", "forces")), strict=True):

@@ -68,7 +68,7 @@ mbs.Assemble()
 
 # ---- it settles on its wheels first; from then on, its energy counts
 settings = exu.SimulationSettings()
-settings.solutionSettings.writeSolutionToFile = False
+settings.solutionSettings.solutionWritePeriod = 0.02
 settings.timeIntegration.verboseMode = 0
 settings.timeIntegration.discontinuous.iterationTolerance = 0.1
 step, energies = 1e-3, []
@@ -87,3 +87,4 @@ SC = mbs.GetSystemContainer()
 view = SC.visualizationSettings
 view.nodes.show = view.markers.show = view.loads.show = view.connectors.show = False
 mbs.Draw(fileName="cart_on_terrain_picture.png")
+mbs.DrawSolution(fileName="cart_motion.gif", windowSize=[420, 320], framesPerSecond=20, speed=0.4)

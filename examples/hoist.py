@@ -98,7 +98,7 @@ mbs.Assemble()
 settings = exu.SimulationSettings()
 settings.staticSolver.verboseMode = 0
 settings.solutionSettings.sensorsWritePeriod = 0.01
-settings.solutionSettings.writeSolutionToFile = False
+settings.solutionSettings.solutionWritePeriod = end / 60
 mbs.SolveStatic(settings, updateInitialValues=True)  # the rope takes the weight, before the winch turns
 hung = mbs.GetSensorValues(height)[1]
 settings.timeIntegration.endTime = end
@@ -115,3 +115,5 @@ mbs.PlotSensor(force, components=0, yLabel="force of the rope (N)", fileName="ho
 shown = mbs.GetSystemContainer().visualizationSettings
 shown.nodes.show = shown.markers.show = shown.loads.show = shown.sensors.show = False
 mbs.Draw(fileName="hoist_picture.png")
+in_a_second = settings.timeIntegration.endTime / 3
+mbs.DrawSolution(fileName="hoist_motion.gif", windowSize=[420, 320], framesPerSecond=20, speed=in_a_second)

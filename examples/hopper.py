@@ -80,7 +80,7 @@ mbs.Assemble()
 # ---- contacts last for 20 steps; first a picture on the way, then until all is at rest
 step = np.pi * np.sqrt(mass / stiffness) / 20
 settings = exu.SimulationSettings()
-settings.solutionSettings.writeSolutionToFile = False
+settings.solutionSettings.solutionWritePeriod = 0.02
 settings.timeIntegration.verboseMode = 0
 settings.parallel.numberOfThreads = 2
 SC = mbs.GetSystemContainer()
@@ -93,6 +93,7 @@ for begin, end in ((0, times[0]), (times[0], times[1])):
     mbs.SolveDynamic(settings, solverType=exu.DynamicSolverType.ExplicitEuler)
     if begin == 0:
         mbs.Draw(fileName="hopper_picture.png", windowSize=[700, 900])
+        mbs.DrawSolution(fileName="hopper_motion.gif", windowSize=[320, 420], framesPerSecond=20, speed=times[0] / 2)
     state = mbs.systemData.GetSystemState(exu.ConfigurationType.Current)
     mbs.systemData.SetSystemState(state, exu.ConfigurationType.Initial)
 

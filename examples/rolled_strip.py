@@ -42,7 +42,7 @@ mbs.Assemble()
 settings = exu.SimulationSettings()
 settings.staticSolver.numberOfLoadSteps = 40
 settings.solutionSettings.sensorsWritePeriod = 1 / 40
-settings.solutionSettings.writeSolutionToFile = False
+settings.solutionSettings.solutionWritePeriod = 1 / 40
 mbs.SolveStatic(settings)
 
 half = mbs.GetSensorStoredData(tip)[20]
@@ -57,3 +57,4 @@ shown = mbs.GetSystemContainer().visualizationSettings
 shown.nodes.show = shown.markers.show = shown.connectors.show = shown.loads.show = False
 shown.sensors.traces.showPositionTrace = True
 mbs.Draw(fileName="strip_picture.png")
+mbs.DrawSolution(fileName="strip_motion.gif", windowSize=[420, 320], framesPerSecond=20, speed=1 / 2)

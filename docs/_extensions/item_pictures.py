@@ -28,6 +28,18 @@ names = {name: value for name, value in vars(itemInterface).items() if not name.
 folder, examples = json.load(sys.stdin)
 
 
+KINDS = ("Node", "Object", "Marker", "Load", "Sensor")
+
+
+def show(mbs, item):
+    # Items of the type that the page is about, also those that are hidden unless somebody asks for them.
+    kind = next(kind for kind in KINDS if item.startswith(kind))
+    for number in range(getattr(mbs.systemData, f"NumberOf{kind}s")()):
+        parameters = getattr(mbs, f"Get{kind}")(number)
+        if kind + parameters[f"{kind.lower()}Type"] == item and "Vshow" in parameters:
+            getattr(mbs, f"Set{kind}Parameter")(number, "Vshow", True)
+
+
 def add_symbols(SC, scene, item):
     # The frames of nodes, and the numbers of all items of the kind of this one.
     # Return whether axes are longer than what is seen besides.
@@ -36,7 +48,7 @@ def add_symbols(SC, scene, item):
     is_single = sides.min() > 0.5 * sides.max()
     settings.nodes.showBasis = True
     settings.nodes.basisSize = sides.max() * (0.85 if is_single else 0.12)
-    kind = next(kind for kind in ("Node", "Object", "Marker", "Load", "Sensor") if item.startswith(kind))
+    kind = next(kind for kind in KINDS if item.startswith(kind))
     for group in ("bodies", "connectors") if kind == "Object" else (f"{kind.lower()}s",):
         getattr(settings, group).showNumbers = True
     return is_single
@@ -46,6 +58,7 @@ for item, code in examples.items():
     SC = exu.SystemContainer()
     mbs = SC.AddSystem()
     exec(code, names | {"exu": exu, "np": np, "SC": SC, "mbs": mbs})
+    show(mbs, item)
     scene = Studio(SC).scene()
     if scene.instances or scene.spheres or scene.lines:
         zoom = 0.7 if add_symbols(SC, scene, item) else 0.95
